@@ -1,0 +1,26 @@
+# Warnings of the project's own code; presets turn them into errors.
+add_library(mixcmp_options INTERFACE)
+target_compile_options(mixcmp_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                                                -Wno-sign-conversion -Wnon-virtual-dtor)
+# Options are aggregates with defaults, set by name: a missing one is meant.
+target_compile_options(mixcmp_options INTERFACE -Wno-missing-field-initializers)
+target_include_directories(mixcmp_options INTERFACE ${PROJECT_SOURCE_DIR})
+# Contracted multiply-adds would change the arithmetic of the tests' own oracles.
+target_compile_options(mixcmp_options INTERFACE -ffp-contract=off)
+
+option(MIXCMP_WARNINGS_AS_ERRORS "Treat warnings of the project's own code as errors" OFF)
+if(MIXCMP_WARNINGS_AS_ERRORS)
+  target_compile_options(mixcmp_options INTERFACE -Werror)
+endif()
+
+option(MIXCMP_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+if(MIXCMP_SANITIZE)
+  target_compile_options(mixcmp_options INTERFACE -fsanitize=address,undefined
+                                                  -fno-sanitize-recover=all)
+  target_link_options(mixcmp_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include "model/data/comparisons.hpp"
+#include "model/error/lane.hpp"
+
+namespace mixcmp::model {
+
+/// Maximum of |f_L - f_T| / |f_T| (the paper's equation 4) over comparisons of the data, f_T with
+/// 500-bit MPFR. A statistic, not a bound. Comparisons whose f_T is zero or not finite are skipped.
+struct ProfiledError {
+  mpq_class f;
+  mpq_class g;
+  std::uint64_t comparisons = 0;  ///< how many were measured
+};
+ProfiledError profile_error(const Graph& graph, const TypedGraph& lane, const Comparisons& data,
+                            std::uint64_t sample_count, std::uint64_t seed);
+
+/// The lane with the paper's decision; the constants are rounded up to the lane's format.
+Lane profiled_lane(TypedGraph graph, const mpq_class& relative_error_f,
+                   const mpq_class& relative_error_g);
+
+}  // namespace mixcmp::model

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+
+#include "model/error/lane.hpp"
+
+namespace mixcmp::model {
+
+/// true value = computed value * t with low <= t <= high, low > 0, wherever nothing on the way was
+/// exceptional. Exact rationals: the analysis itself rounds nowhere except in square roots,
+/// outward.
+struct RelativeBound {
+  mpq_class low = 1;
+  mpq_class high = 1;
+};
+
+/// What is known of one node of a lane's graph.
+struct NodeBound {
+  std::optional<RelativeBound>
+      relative;  ///< none after a cancelling difference of inexact operands
+  bool nonnegative = false;
+  std::string reason;  ///< why there is none, in words for the user
+};
+
+/// docs/error_bounds.md proves each rule. `input_nonnegative[i]`: the scene's range of input i
+/// excludes negative values (the proof may use it; the lane then checks the sign bit).
+struct RelativeAnalysis {
+  std::vector<NodeBound> nodes;
+  std::vector<int> nonnegative_inputs;  ///< those the proof really used
+};
+RelativeAnalysis analyse_relative(const TypedGraph& graph,
+                                  const std::vector<bool>& input_nonnegative);
+
+/// The lane with its certified decision, or an error that says which operation has no bound and
+/// what the user can do.
+Result<Lane> certified_lane(TypedGraph graph, const std::vector<bool>& input_nonnegative);
+
+/// Smallest distance in ulps that decides, from the bounds of f and g in precision P
+/// (docs/error_bounds.md, theorem 2).
+Bits guard_ulp(const RelativeBound& f, const RelativeBound& g, int precision);
+
+}  // namespace mixcmp::model

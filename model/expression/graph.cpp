@@ -1,0 +1,94 @@
+#include "model/expression/graph.hpp"
+
+#include <algorithm>
+
+#include "model/common/check.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+bool is_commutative(Operation operation) {
+  return operation == Operation::add || operation == Operation::multiply ||
+         operation == Operation::minimum || operation == Operation::maximum;
+}
+
+bool same(const Node& a, const Node& b) {
+  return a.operation == b.operation && a.operands == b.operands && a.input == b.input &&
+         a.value == b.value;
+}
+
+}  // namespace
+
+int arity(Operation operation) {
+  switch (operation) {
+    case Operation::input:
+    case Operation::constant: return 0;
+    case Operation::convert:
+    case Operation::negate:
+    case Operation::absolute:
+    case Operation::square:
+    case Operation::square_root: return 1;
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::multiply:
+    case Operation::divide:
+    case Operation::minimum:
+    case Operation::maximum: return 2;
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::string_view to_string(Operation operation) {
+  switch (operation) {
+    case Operation::input: return "input";
+    case Operation::constant: return "constant";
+    case Operation::convert: return "convert";
+    case Operation::negate: return "negate";
+    case Operation::absolute: return "absolute";
+    case Operation::add: return "add";
+    case Operation::subtract: return "subtract";
+    case Operation::multiply: return "multiply";
+    case Operation::square: return "square";
+    case Operation::divide: return "divide";
+    case Operation::square_root: return "square_root";
+    case Operation::minimum: return "minimum";
+    case Operation::maximum: return "maximum";
+  }
+  MIXCMP_CHECK(false);
+}
+
+NodeId Graph::input(const std::string& name) {
+  const auto found = std::find(inputs_.begin(), inputs_.end(), name);
+  const int index = static_cast<int>(found - inputs_.begin());
+  if (found == inputs_.end()) inputs_.push_back(name);
+  return intern({.operation = Operation::input, .input = index, .value = {}});
+}
+
+NodeId Graph::constant(const mpq_class& value) {
+  return intern({.operation = Operation::constant, .value = value});
+}
+
+NodeId Graph::apply(Operation operation, NodeId first, NodeId second) {
+  MIXCMP_CHECK(operation != Operation::convert);
+  MIXCMP_CHECK(arity(operation) == (second < 0 ? 1 : 2));
+  if (operation == Operation::multiply && first == second) {
+    return intern({.operation = Operation::square, .operands = {first, -1}, .value = {}});
+  }
+  if (is_commutative(operation) && second < first) std::swap(first, second);
+  return intern({.operation = operation, .operands = {first, second}, .value = {}});
+}
+
+void Graph::compare(NodeId f, NodeId g) {
+  f_ = f;
+  g_ = g;
+}
+
+NodeId Graph::intern(Node node) {
+  const auto found = std::find_if(nodes_.begin(), nodes_.end(),
+                                  [&](const Node& known) { return same(known, node); });
+  if (found != nodes_.end()) return static_cast<NodeId>(found - nodes_.begin());
+  nodes_.push_back(std::move(node));
+  return static_cast<NodeId>(nodes_.size()) - 1;
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mixcmp::model {
+
+enum class Operation {
+  input,
+  constant,
+  convert,  ///< between formats; appears only in typed graphs
+  negate,
+  absolute,
+  add,
+  subtract,
+  multiply,
+  square,
+  divide,
+  square_root,
+  minimum,  ///< IEEE 754-2019 minimum: NaN wins, -0 < +0
+  maximum,  ///< IEEE 754-2019 maximum
+};
+
+/// Number of operands: 0 for input and constant, 1 or 2 otherwise.
+int arity(Operation operation);
+/// "add", "square_root", ...
+std::string_view to_string(Operation operation);
+
+/// Index of a node; operands always have smaller indices than their users.
+using NodeId = int;
+
+struct Node {
+  Operation operation;
+  std::array<NodeId, 2> operands = {-1, -1};  ///< the first arity(operation) are used
+  int input = -1;                             ///< for Operation::input: index into Graph::inputs
+  mpq_class value;                            ///< for Operation::constant: exactly as written
+};
+
+/// The real-valued expressions f and g over shared subexpressions, free of any format.
+/// Equal subexpressions are one node; x * x and x ^ 2 are a square.
+class Graph {
+public:
+  NodeId input(const std::string& name);
+  NodeId constant(const mpq_class& value);
+  NodeId apply(Operation operation, NodeId first, NodeId second = -1);
+
+  void compare(NodeId f, NodeId g);
+
+  const std::vector<Node>& nodes() const { return nodes_; }
+  /// In order of first appearance, f before g: the order of operands everywhere.
+  const std::vector<std::string>& inputs() const { return inputs_; }
+  NodeId f() const { return f_; }
+  NodeId g() const { return g_; }
+
+private:
+  NodeId intern(Node node);
+
+  std::vector<Node> nodes_;
+  std::vector<std::string> inputs_;
+  NodeId f_ = -1;
+  NodeId g_ = -1;
+};
+
+}  // namespace mixcmp::model

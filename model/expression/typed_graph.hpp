@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "model/expression/graph.hpp"
+#include "model/format/float_format.hpp"
+
+namespace mixcmp::model {
+
+/// One operation with the formats it works in. Both operands of an operation share a format; the
+/// result may be narrower (an operator that takes reference-format inputs and rounds once).
+struct TypedNode {
+  Operation operation;
+  std::array<NodeId, 2> operands = {-1, -1};
+  FloatFormat operand_format;  ///< equals `format` for inputs and constants
+  FloatFormat format;          ///< of the result
+  int input = -1;              ///< for Operation::input
+  Bits constant = 0;           ///< for Operation::constant: rounded to nearest, ties to even
+  mpq_class value;             ///< for Operation::constant: exactly as written
+};
+
+/// A graph whose every node has a format: what the golden model evaluates and the generator builds.
+struct TypedGraph {
+  std::vector<TypedNode> nodes;  ///< in topological order
+  int input_count = 0;
+  FloatFormat input_format;  ///< of every operand that arrives
+  Arithmetic arithmetic;     ///< rounding and subnormals of every operation; format of f and g
+  NodeId f = -1;
+  NodeId g = -1;
+};
+
+/// How a reduced lane takes the operands that arrive in reference format.
+enum class LaneInputs {
+  rounded,  ///< each is converted to the lane's format first
+  exact,    ///< operations on inputs and constants alone take them unrounded; others as `rounded`
+};
+
+/// The graph in the reference format alone: no conversion anywhere.
+TypedGraph reference_graph(const Graph& graph, Arithmetic reference);
+
+/// The graph in a lane's reduced format, with conversions where `inputs` asks for them.
+TypedGraph lane_graph(const Graph& graph, FloatFormat reference, Arithmetic reduced,
+                      LaneInputs inputs);
+
+}  // namespace mixcmp::model

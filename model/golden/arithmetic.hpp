@@ -1,0 +1,61 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include "model/format/float_format.hpp"
+
+/// The golden model's arithmetic: packed operands in, correctly rounded packed results out, by
+/// MPFR. Rules shared with rtl_templates/fp (and nothing else shared with it):
+/// - NaN results are FloatFormat::quiet_nan(); x - x is +0; zero signs as IEEE 754.
+/// - Subnormals::flush reads a subnormal operand as a zero of its sign and replaces a non-zero
+///   result by a zero of its sign when, rounded to P digits with unbounded exponent, it is below
+///   2^min_exponent.
+/// - Overflow gives infinity when rounding to nearest, the largest finite number toward zero.
+namespace mixcmp::model::golden {
+
+struct Rounded {
+  Bits bits;
+  /// The result's relative error may exceed half an ulp (one ulp toward zero), or it is not finite:
+  /// an operand is NaN or infinite; the result is NaN, infinite or overflowed; an operand was
+  /// flushed; or the exact result is non-zero and, rounded to P digits with unbounded exponent,
+  /// below 2^min_exponent, and (`flush`, or `gradual` and inexact).
+  bool exceptional;
+
+  friend bool operator==(const Rounded&, const Rounded&) = default;
+};
+
+enum class Verdict {
+  less = 0,
+  equal = 1,
+  greater = 2,
+  unordered = 3,
+};
+std::string_view to_string(Verdict verdict);
+
+/// Two-operand functions take both operands in `operands` and round once to `result`.
+Rounded add(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
+Rounded subtract(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
+Rounded multiply(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
+Rounded square(const Arithmetic& result, FloatFormat operands, Bits a);
+Rounded divide(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
+Rounded square_root(const Arithmetic& result, FloatFormat operands, Bits a);
+Rounded convert(const Arithmetic& result, FloatFormat operands, Bits a);
+
+/// IEEE 754-2019 minimum and maximum, operands and result in one format.
+Rounded minimum(const Arithmetic& result, Bits a, Bits b);
+Rounded maximum(const Arithmetic& result, Bits a, Bits b);
+
+/// -0 equals +0; `flush` compares subnormals as zeros.
+Verdict compare(FloatFormat format, Subnormals subnormals, Bits a, Bits b);
+
+/// An exact rational rounded to nearest, ties to even, gradual subnormals.
+Bits from_rational(FloatFormat format, const mpq_class& value);
+/// The exact value of a finite encoding.
+mpq_class to_rational(FloatFormat format, Bits bits);
+
+/// A decimal literal ("12.345", "-1e-7", "inf", "nan") or C hex-float, rounded once to nearest.
+Result<Bits> from_text(FloatFormat format, std::string_view text);
+/// Shortest decimal that reads back as the same number, or "inf", "-inf", "nan".
+std::string to_text(FloatFormat format, Bits bits);
+
+}  // namespace mixcmp::model::golden

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/error/lane.hpp"
+#include "model/expression/typed_graph.hpp"
+#include "model/golden/arithmetic.hpp"
+
+namespace mixcmp::model::golden {
+
+/// Every node of `graph` on one comparison; `inputs` are in graph.input_format, one per input.
+/// Negate and absolute change the sign bit only (of a NaN too) and are exceptional for NaN and
+/// infinite operands.
+std::vector<Rounded> evaluate(const TypedGraph& graph, std::span<const Bits> inputs);
+
+struct LaneResult {
+  Bits f;
+  Bits g;
+  bool decided;
+  Verdict verdict;  ///< meaningful where decided; never unordered there
+};
+
+/// What a lane of the hardware decides, bit for bit.
+LaneResult evaluate_lane(const Lane& lane, std::span<const Bits> inputs);
+
+/// What a reference datapath answers: the ordering of f and g as computed in its format.
+Verdict evaluate_reference(const TypedGraph& reference, std::span<const Bits> inputs);
+
+/// The ordering of the real numbers f and g of these inputs, which are exact values in `format`.
+/// Decided by interval arithmetic of growing precision; `unordered` for a NaN, for an infinite
+/// input, for a division by an exact zero and for the root of a negative number. Precision stops at
+/// 2^14 bits: where f and g still cannot be told apart they are called equal.
+Verdict true_verdict(const Graph& graph, FloatFormat format, std::span<const Bits> inputs);
+
+}  // namespace mixcmp::model::golden

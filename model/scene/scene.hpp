@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/expression/typed_graph.hpp"
+
+namespace mixcmp::model {
+
+/// Inclusive; as written in the scene, exactly.
+struct Range {
+  mpq_class low;
+  mpq_class high;
+};
+
+enum class BoundKind {
+  certified,
+  profiled,
+};
+
+/// Order in which results of one lane leave.
+enum class ResultOrder {
+  tagged,    ///< results may overtake a recomputed one
+  in_order,  ///< a reorder buffer per lane
+};
+
+/// Where the operands of a recomputation come from.
+enum class OperandStore {
+  carried,    ///< kept in a memory by slot
+  refetched,  ///< only the tag leaves; the user's memory answers
+};
+
+struct ReducedSpec {
+  std::optional<FloatFormat> format;  ///< none: "auto"
+  BoundKind bound = BoundKind::certified;
+  LaneInputs inputs = LaneInputs::exact;
+  Rounding rounding = Rounding::nearest_even;
+  Subnormals subnormals = Subnormals::flush;
+  /// The paper's RE_f and RE_g; none: measured on the scene's data.
+  std::optional<mpq_class> relative_error_f;
+  std::optional<mpq_class> relative_error_g;
+};
+
+struct SystemSpec {
+  std::string device = "virtex6-lx760";
+  std::optional<int> lanes;       ///< p_L 1..128; none: "auto"
+  std::optional<int> references;  ///< p_H 0..16; none: "auto"; 0: undecided ones are reported so
+  double slack = 0.2;             ///< R_S
+  double target_mhz = 250;
+  ResultOrder order = ResultOrder::tagged;
+  OperandStore operands = OperandStore::carried;
+  int tag_bits = 32;      ///< 1..64
+  int counter_bits = 32;  ///< 0 (no counters) or 8..64
+};
+
+struct DataSpec {
+  std::string items;           ///< "uniform_spheres", or empty when a file is named
+  std::filesystem::path file;  ///< .pdb, .csv or .npy; relative to the scene file
+  std::int64_t count = 8192;
+  double side = 100;
+  double radius_max = 25;
+  std::uint64_t seed = 1;
+  bool all_pairs = false;
+  int line = 0;  ///< of [data] in the scene, for errors found when it is read
+};
+
+/// One validated scene file. docs/scene_file.md is the user's view of it.
+struct Scene {
+  std::filesystem::path path;
+  std::string name;
+  std::string f_text;
+  std::string g_text;
+  Graph graph;
+  std::vector<std::optional<Range>> ranges;  ///< one per graph input
+  Arithmetic reference;                      ///< rounds to nearest even
+  ReducedSpec reduced;
+  SystemSpec system;
+  std::optional<DataSpec> data;
+  /// For the user's eye: inexact constants, unused ranges, ...
+  std::vector<std::string> notes;
+
+  /// Excludes negative values by its declared range.
+  std::vector<bool> nonnegative_inputs() const;
+};
+
+/// Reads a scene. `overrides` are "section.key=value" settings with TOML values (a bare word counts
+/// as a string), applied before validation; errors in them name "--set" instead of a line.
+Result<Scene> load_scene(const std::filesystem::path& path, std::span<const std::string> overrides);
+
+/// Parses `text` into `graph`. Columns in errors are 1-based positions in `text`.
+/// `lets` maps names to their texts; order does not matter, cycles are an error.
+struct LetDefinition {
+  std::string name;
+  std::string text;
+};
+Result<NodeId> parse_expression(Graph& graph, const std::string& text,
+                                std::span<const LetDefinition> lets);
+
+}  // namespace mixcmp::model
