@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+namespace mixcmp::model {
+
+/// A source text compiled into the program (cmake/embed.cmake).
+struct EmbeddedFile {
+  std::string_view name;  ///< without folders
+  std::string_view text;
+};
+
+}  // namespace mixcmp::model
