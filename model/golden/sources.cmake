@@ -1,0 +1,4 @@
+target_sources(mixcmp_model PRIVATE
+  golden/arithmetic.cpp
+  golden/big_float.cpp
+)
