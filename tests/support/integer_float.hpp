@@ -1,0 +1,30 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include "model/golden/arithmetic.hpp"
+
+/// The second judge of model/golden/arithmetic.hpp: the same rules on exact integers, rounded by
+/// hand. It shares the result type with the golden model and no arithmetic.
+namespace mixcmp::test::integer_float {
+
+using model::Arithmetic;
+using model::Bits;
+using model::FloatFormat;
+using model::Subnormals;
+using model::golden::Rounded;
+using model::golden::Verdict;
+
+Rounded add(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
+Rounded subtract(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
+Rounded multiply(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
+Rounded square(const Arithmetic& result, FloatFormat operands, Bits a);
+Rounded divide(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
+Rounded square_root(const Arithmetic& result, FloatFormat operands, Bits a);
+Rounded convert(const Arithmetic& result, FloatFormat operands, Bits a);
+Rounded minimum(const Arithmetic& result, Bits a, Bits b);
+Rounded maximum(const Arithmetic& result, Bits a, Bits b);
+Verdict compare(FloatFormat format, Subnormals subnormals, Bits a, Bits b);
+Rounded from_rational(const Arithmetic& result, const mpq_class& value);
+
+}  // namespace mixcmp::test::integer_float
