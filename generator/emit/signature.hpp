@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,8 @@ namespace mixcmp::gen {
 /// What a testbench or an integrator must know of a generated system; printed as <top>.json.
 struct Signature {
   std::string top;
+  std::string channel_module;    ///< one lane with its scoreboard; instantiated p_L times
+  std::string reference_module;  ///< instantiated p_H times; empty where p_H = 0
   std::string generator_version;
   std::string spec_hash;  ///< of everything that decides the output's bytes
   model::FloatFormat lane_format;
@@ -31,5 +34,7 @@ struct Signature {
 };
 
 std::string to_json(const Signature& signature);
+/// Errors name the file and the field.
+model::Result<Signature> read_signature(const std::filesystem::path& path);
 
 }  // namespace mixcmp::gen

@@ -1,0 +1,74 @@
+#include "generator/cli/options.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+
+#include "model/data/load.hpp"
+
+namespace mixcmp::cli {
+namespace {
+
+/// --flag VALUE means --set key=VALUE.
+struct Shortcut {
+  const char* flag;
+  const char* key;
+  const char* help;
+};
+
+constexpr std::array<Shortcut, 7> shortcuts = {{
+    {"--format", "reduced.format", "reduced format of the lanes, s17e8"},
+    {"--bound", "reduced.bound", "certified or profiled"},
+    {"--inputs", "reduced.inputs", "rounded or exact"},
+    {"--lanes", "system.lanes", "p_L, 1..128"},
+    {"--references", "system.references", "p_H, 0..16"},
+    {"--target-mhz", "system.target_mhz", "clock that the cut points are chosen for"},
+    {"--device", "system.device", "device whose rough delays choose the cut points"},
+}};
+
+bool needs_quotes(const std::string& text) {
+  return text.find_first_of(" \t\"'$&|;<>()[]{}*?!#~`\\") != std::string::npos;
+}
+
+std::string quoted(const std::string& text) {
+  if (!needs_quotes(text)) return text;
+  std::string quoted_text = "'";
+  for (const char c : text) quoted_text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted_text + "'";
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& verb, SceneOptions& options) {
+  verb.add_option("SCENE", options.scene, "the scene file (docs/scene_file.md)")->required();
+  verb.add_option("--set", options.settings,
+                  "override one key of the scene: section.key=value; may be repeated")
+      ->allow_extra_args(false);
+  for (const Shortcut& shortcut : shortcuts) {
+    verb.add_option_function<std::string>(
+        shortcut.flag,
+        [&options, key = std::string(shortcut.key)](const std::string& value) {
+          options.settings.push_back(key + "=" + value);
+        },
+        fmt::format("{} (--set {}=...)", shortcut.help, shortcut.key));
+  }
+  verb.add_flag("--json", options.json, "print the result as JSON");
+}
+
+model::Result<LoadedScene> load(const SceneOptions& options) {
+  MIXCMP_TRY(scene, model::load_scene(options.scene, options.settings));
+  LoadedScene loaded = {std::move(scene), std::nullopt};
+  if (loaded.scene.data) {
+    MIXCMP_TRY(data, model::load_comparisons(loaded.scene));
+    loaded.data = std::move(data);
+  }
+  return loaded;
+}
+
+std::string command_line(const std::string& verb, const SceneOptions& options) {
+  std::string line = "mixcmp " + verb + " " + quoted(options.scene.filename().string());
+  for (const std::string& setting : options.settings) line += " --set " + quoted(setting);
+  return line;
+}
+
+}  // namespace mixcmp::cli

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "model/data/comparisons.hpp"
+#include "model/design/design.hpp"
+
+namespace mixcmp::cli {
+
+/// What every verb that takes a scene shares.
+struct SceneOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> settings;  ///< "section.key=value", shortcuts included
+  bool json = false;
+};
+
+/// Adds SCENE, --set, the shortcuts (--format, --lanes, ...) and --json to a verb.
+void add_scene_options(CLI::App& verb, SceneOptions& options);
+
+/// A scene with its data (none where the scene names none).
+struct LoadedScene {
+  model::Scene scene;
+  std::optional<model::Comparisons> data;
+};
+model::Result<LoadedScene> load(const SceneOptions& options);
+
+/// The verb and its settings as a command that gives the same result, the scene by its file name
+/// alone: it is printed into generated files.
+std::string command_line(const std::string& verb, const SceneOptions& options);
+
+}  // namespace mixcmp::cli

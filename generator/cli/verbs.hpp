@@ -1,0 +1,15 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+/// One function a verb: it adds its subcommand, whose callback runs it. A user's mistake is printed
+/// to stderr and ends the program with exit code 1; `verify` ends with 2 where the hardware and the
+/// golden model disagree.
+namespace mixcmp::cli {
+
+void add_check(CLI::App& app);
+void add_generate(CLI::App& app);
+void add_verify(CLI::App& app);
+void add_doctor(CLI::App& app);
+
+}  // namespace mixcmp::cli

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/datapath/units.hpp"
+#include "model/error/lane.hpp"
+
+namespace mixcmp::gen {
+
+/// One operation bound to a unit and placed in time. Cycle 0 is the cycle in which the operands of
+/// a comparison are at the datapath's inputs.
+struct Step {
+  Unit unit;               ///< module is empty where the operation is only wires
+  std::vector<bool> cuts;  ///< which cut points are registered; the last always is
+  int start_cycle = 0;     ///< operands are read
+  int ready_cycle = 0;     ///< the result is there
+};
+
+/// When each node of a graph is computed; every path is balanced by delays of
+/// start_cycle - (ready_cycle of the operand).
+struct Schedule {
+  std::vector<Step> steps;  ///< one per node of the graph
+  Step decision;            ///< what turns f and g into a verdict
+  int latency_cycles = 0;   ///< from operands to verdict
+  /// Stages that no cut can bring under the period, as estimated from the delay table.
+  std::vector<std::string> slow_stages;
+};
+
+/// As soon as possible, with as few registers in each unit as the period (before routing, by the
+/// delay table) allows; a unit's output is always registered. `target_mhz` > 0.
+Schedule schedule_lane(const model::Lane& lane, const DelayTable& delays, double target_mhz);
+Schedule schedule_reference(const model::TypedGraph& reference, const DelayTable& delays,
+                            double target_mhz);
+
+}  // namespace mixcmp::gen

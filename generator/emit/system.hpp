@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "generator/emit/signature.hpp"
+#include "model/design/design.hpp"
+
+namespace mixcmp::gen {
+
+struct GeneratedFile {
+  std::string name;  ///< no folders
+  std::string text;
+};
+
+/// Everything that `generate` writes, in memory; the same design gives the same bytes.
+struct GeneratedSystem {
+  Signature signature;
+  std::vector<GeneratedFile> files;  ///< Verilog, signature, file list, constraint
+  /// For the user's eye: stages that the delay table cannot bring under the period.
+  std::vector<std::string> notes;
+};
+
+/// The Verilog of a design. `command` is printed in each header as what regenerates it: it must
+/// name no path, host or date.
+model::Result<GeneratedSystem> generate_system(const model::Design& design,
+                                               const std::string& command);
+
+/// Writes the files as the whole content of `directory`: all or nothing. An existing directory is
+/// replaced only where it is empty or holds nothing but a previous output of this program.
+model::Result<model::Done> write_system(const GeneratedSystem& system,
+                                        const std::filesystem::path& directory);
+
+}  // namespace mixcmp::gen

@@ -1,0 +1,154 @@
+#include "generator/emit/verilog.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "model/common/check.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using namespace rtl;
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+std::string print(const Literal& literal) {
+  const bool short_binary = literal.width <= 8;
+  if (!short_binary) {
+    return fmt::format("{}'h{}", literal.width, model::to_hex(literal.value, literal.width));
+  }
+  std::string digits;
+  for (int k = literal.width - 1; k >= 0; --k) digits += (literal.value >> k & 1) != 0 ? '1' : '0';
+  return fmt::format("{}'b{}", literal.width, digits);
+}
+
+std::string print(const Operand& operand);
+
+std::string print_all(const std::vector<Operand>& operands, std::string_view separator) {
+  std::vector<std::string> texts;
+  for (const Operand& operand : operands) texts.push_back(print(operand));
+  return fmt::format("{}", fmt::join(texts, separator));
+}
+
+std::string print(const Operand& operand) {
+  MIXCMP_CHECK(operand != nullptr);
+  return std::visit(Overloaded{
+                        [](const Net& n) { return n.name; },
+                        [](const IndexedSlice& s) {
+                          if (s.width == 1) return fmt::format("{}[{}]", s.name, s.index_variable);
+                          return fmt::format("{}[{} * {} +: {}]", s.name, s.index_variable, s.width,
+                                             s.width);
+                        },
+                        [](const Slice& s) {
+                          if (s.high == s.low) return fmt::format("{}[{}]", s.name, s.high);
+                          return fmt::format("{}[{}:{}]", s.name, s.high, s.low);
+                        },
+                        [](const Literal& l) { return print(l); },
+                        [](const Concatenation& c) { return "{" + print_all(c.parts, ", ") + "}"; },
+                        [](const Not& n) { return "~" + print(n.operand); },
+                        [](const Or& o) { return print_all(o.operands, " | "); },
+                        [](const AndReduce& a) { return "&" + print(a.operand); },
+                    },
+                    operand->node);
+}
+
+std::string range(int width, bool vector) {
+  return width == 1 && !vector ? "" : fmt::format("[{}:0]", width - 1);
+}
+
+std::string print(const Parameter& parameter) {
+  const std::string value =
+      std::visit(Overloaded{[](long long number) { return fmt::format("{}", number); },
+                            [](const Literal& literal) { return print(literal); }},
+                 parameter.value);
+  return fmt::format(".{}({})", parameter.name, value);
+}
+
+/// "head (a, b)" on one line where it fits, else one item a line.
+std::string argument_list(const std::string& indent, const std::vector<std::string>& arguments) {
+  return fmt::format("(\n{0}  {1}\n{0})", indent,
+                     fmt::join(arguments, fmt::format(",\n{}  ", indent)));
+}
+
+std::string print(const Instance& instance, const std::string& indent) {
+  std::string text = indent + instance.module;
+  std::vector<std::string> parameters;
+  for (const Parameter& parameter : instance.parameters) parameters.push_back(print(parameter));
+  if (!parameters.empty()) text += " #" + argument_list(indent, parameters);
+  std::vector<std::string> connections;
+  for (const Connection& connection : instance.connections) {
+    connections.push_back(fmt::format(".{}({})", connection.port, print(connection.value)));
+  }
+  return text + " " + instance.name + " " + argument_list(indent, connections) + ";\n";
+}
+
+std::string print_items(const std::vector<Item>& items, const std::string& indent);
+
+std::string print(const ForGenerate& loop, const std::string& indent) {
+  return fmt::format(
+      "{0}genvar {1};\n{0}generate\n"
+      "{0}  for ({1} = 0; {1} < {2}; {1} = {1} + 1) begin : {3}\n{4}{0}  end\n{0}endgenerate\n",
+      indent, loop.variable, loop.count, loop.label, print_items(loop.items, indent + "    "));
+}
+
+std::string print(const Item& item, const std::string& indent) {
+  return std::visit(
+      Overloaded{
+          [&](const Comment& c) { return fmt::format("\n{}// {}\n", indent, c.text); },
+          [&](const Wire& w) {
+            const std::string value = w.value == nullptr ? "" : " = " + print(w.value);
+            const std::string bounds = range(w.width, w.vector);
+            return fmt::format("{}wire {}{}{}{};\n", indent, bounds, bounds.empty() ? "" : " ",
+                               w.name, value);
+          },
+          [&](const Assignment& a) {
+            return fmt::format("{}assign {} = {};\n", indent, print(a.target), print(a.value));
+          },
+          [&](const Instance& i) { return "\n" + print(i, indent); },
+          [&](const std::shared_ptr<const ForGenerate>& loop) {
+            return "\n" + print(*loop, indent);
+          },
+      },
+      item);
+}
+
+std::string print_items(const std::vector<Item>& items, const std::string& indent) {
+  std::string text;
+  for (const Item& item : items) text += print(item, indent);
+  // A block's first line needs no blank line above it.
+  return indent.size() > 2 && text.starts_with('\n') ? text.substr(1) : text;
+}
+
+std::string print_ports(const std::vector<Port>& ports) {
+  std::size_t range_width = 0;
+  for (const Port& port : ports) {
+    range_width = std::max(range_width, range(port.width, port.vector).size());
+  }
+  std::vector<std::string> lines;
+  for (const Port& port : ports) {
+    lines.push_back(fmt::format(
+        "{} wire {:<{}}{}{}", port.direction == Direction::input ? "input " : "output",
+        range(port.width, port.vector), range_width, range_width == 0 ? "" : " ", port.name));
+  }
+  return fmt::format("{}", fmt::join(lines, ",\n  "));
+}
+
+}  // namespace
+
+std::string to_verilog(const Module& module) {
+  std::string text;
+  for (const std::string& line : module.header) {
+    text += line.empty() ? "//\n" : fmt::format("// {}\n", line);
+  }
+  text += "\n`default_nettype none\n\n";
+  text += fmt::format("module {} (\n  {}\n);\n", module.name, print_ports(module.ports));
+  text += print_items(module.items, "  ");
+  return text + "\nendmodule\n\n`default_nettype wire\n";
+}
+
+}  // namespace mixcmp::gen

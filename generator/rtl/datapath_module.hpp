@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/datapath/schedule.hpp"
+#include "generator/rtl/module.hpp"
+
+namespace mixcmp::gen {
+
+/// The reduced-precision datapath: ports aclk, one per input, verdict[1:0], decided. Free-running,
+/// initiation interval 1, latency schedule.latency_cycles, no reset. `header` is left to the
+/// caller.
+rtl::Module lane_module(std::string name, const std::vector<std::string>& inputs,
+                        const model::Lane& lane, const Schedule& schedule);
+
+/// The reference datapath: ports aclk, one per input, verdict[1:0]. As above.
+rtl::Module reference_module(std::string name, const std::vector<std::string>& inputs,
+                             const model::TypedGraph& reference, const Schedule& schedule);
+
+/// The ports that lane_module and reference_module give the inputs: an input that bears the name of
+/// another port gets "_2" appended.
+std::vector<std::string> input_ports(const std::vector<std::string>& inputs);
+
+}  // namespace mixcmp::gen

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "model/format/bits.hpp"
+
+/// A structural RTL tree without syntax; emit/verilog.hpp prints it.
+namespace mixcmp::gen::rtl {
+
+/// An expression over nets. Built by the functions below, immutable after.
+struct Expression;
+using Operand = std::shared_ptr<const Expression>;
+
+struct Net {
+  std::string name;
+};
+/// name[index_variable * width +: width], or name[index_variable] for width 1.
+struct IndexedSlice {
+  std::string name;
+  std::string index_variable;
+  int width;
+};
+struct Slice {
+  std::string name;
+  int high;
+  int low;
+};
+struct Literal {
+  int width;
+  model::Bits value;
+};
+struct Concatenation {
+  std::vector<Operand> parts;  ///< most significant first
+};
+struct Not {
+  Operand operand;
+};
+struct Or {
+  std::vector<Operand> operands;
+};
+/// 1'b1 where every bit is one; used to consume nets that are deliberately unread.
+struct AndReduce {
+  Operand operand;
+};
+
+struct Expression {
+  std::variant<Net, IndexedSlice, Slice, Literal, Concatenation, Not, Or, AndReduce> node;
+};
+
+Operand net(std::string name);
+Operand indexed(std::string name, std::string index_variable, int width);
+Operand slice(std::string name, int high, int low);
+Operand bit(std::string name, int index);
+Operand literal(int width, model::Bits value);
+Operand concatenation(std::vector<Operand> parts);
+Operand inverted(Operand operand);
+/// The or of all operands; a single operand stays itself, none is 1'b0.
+Operand any_of(std::vector<Operand> operands);
+Operand all_bits(Operand operand);
+
+enum class Direction { input, output };
+
+struct Port {
+  Direction direction;
+  int width;
+  std::string name;
+  bool vector = false;  ///< keep the [0:0] range: the port is indexed even at width 1
+};
+
+struct Parameter {
+  std::string name;
+  std::variant<long long, Literal> value;
+};
+
+struct Connection {
+  std::string port;
+  Operand value;
+};
+
+struct Comment {
+  std::string text;
+};
+struct Wire {
+  int width;
+  std::string name;
+  Operand value;  ///< may be null
+  bool vector = false;
+};
+struct Assignment {
+  Operand target;
+  Operand value;
+};
+struct Instance {
+  std::string module;
+  std::string name;
+  std::vector<Parameter> parameters;
+  std::vector<Connection> connections;
+};
+struct ForGenerate;
+using Item = std::variant<Comment, Wire, Assignment, Instance, std::shared_ptr<const ForGenerate>>;
+
+/// The items once for each value 0..count-1 of `variable`.
+struct ForGenerate {
+  std::string variable;
+  int count;
+  std::string label;
+  std::vector<Item> items;
+};
+
+struct Module {
+  std::string name;
+  std::vector<std::string> header;  ///< comment lines above the module
+  std::vector<Port> ports;
+  std::vector<Item> items;
+};
+
+}  // namespace mixcmp::gen::rtl

@@ -1,0 +1,335 @@
+#include "generator/rtl/system_modules.hpp"
+
+#include <bit>
+
+namespace mixcmp::gen {
+namespace {
+
+using namespace rtl;
+
+constexpr int verdict_bits = 2;
+constexpr int result_bits = 8;
+
+void add_input(std::vector<Port>& ports, int width, const std::string& name, bool vector = false) {
+  ports.push_back({Direction::input, width, name, vector});
+}
+
+void add_output(std::vector<Port>& ports, int width, const std::string& name, bool vector = false) {
+  ports.push_back({Direction::output, width, name, vector});
+}
+
+Connection same(const std::string& name) {
+  return {name, net(name)};
+}
+
+std::vector<Connection> clock_and_reset() {
+  return {same("aclk"), same("aresetn")};
+}
+
+void append(std::vector<Connection>& connections, const std::vector<std::string>& names) {
+  for (const std::string& name : names) connections.push_back(same(name));
+}
+
+/// The operands of one comparison, sliced for the datapath's ports.
+void append_operands(std::vector<Connection>& connections, const SystemShape& shape,
+                     const std::string& packed) {
+  for (std::size_t k = 0; k < shape.input_ports.size(); ++k) {
+    const int low = static_cast<int>(k) * shape.input_width;
+    connections.push_back({shape.input_ports[k], slice(packed, low + shape.input_width - 1, low)});
+  }
+}
+
+const std::vector<std::string> request_stream = {"m_request_tvalid", "m_request_tready",
+                                                 "m_request_tdata"};
+const std::vector<std::string> answer_ports = {"s_answer_valid", "s_answer_slot",
+                                               "s_answer_verdict"};
+const std::vector<std::string> counters = {"comparisons", "recomputations", "stalls"};
+
+std::vector<Port> lane_channel_ports(const SystemShape& shape) {
+  std::vector<Port> ports;
+  add_input(ports, 1, "aclk");
+  add_input(ports, 1, "aresetn");
+  add_input(ports, 1, "s_axis_tvalid");
+  add_output(ports, 1, "s_axis_tready");
+  add_input(ports, shape.operand_bits(), "s_axis_tdata");
+  add_input(ports, shape.tag_bits, "s_axis_tuser");
+  if (shape.recomputes()) {
+    add_output(ports, 1, "m_request_tvalid");
+    add_input(ports, 1, "m_request_tready");
+    add_output(ports, shape.slot_bits + shape.payload_bits(), "m_request_tdata");
+    add_input(ports, 1, "s_answer_valid");
+    add_input(ports, shape.slot_bits, "s_answer_slot");
+    add_input(ports, verdict_bits, "s_answer_verdict");
+  }
+  add_output(ports, 1, "m_axis_tvalid");
+  add_input(ports, 1, "m_axis_tready");
+  add_output(ports, result_bits, "m_axis_tdata");
+  add_output(ports, shape.tag_bits, "m_axis_tuser");
+  if (shape.counter_bits > 0) {
+    for (const std::string& counter : counters) add_output(ports, shape.counter_bits, counter);
+  }
+  return ports;
+}
+
+/// What the scoreboard offers and nobody takes: requests where there is no reference, counters
+/// where none are wanted.
+void tie_off(const SystemShape& shape, std::vector<Item>& items,
+             std::vector<Connection>& connections) {
+  if (shape.recomputes()) {
+    append(connections, request_stream);
+    append(connections, answer_ports);
+  } else {
+    items.push_back(Comment{"No reference: undecided comparisons leave as undecided."});
+    items.push_back(Wire{1, "unused_request_tvalid", nullptr});
+    items.push_back(Wire{shape.slot_bits + shape.payload_bits(), "unused_request_tdata", nullptr});
+    connections.push_back({"m_request_tvalid", net("unused_request_tvalid")});
+    connections.push_back({"m_request_tready", literal(1, 0)});
+    connections.push_back({"m_request_tdata", net("unused_request_tdata")});
+    connections.push_back({"s_answer_valid", literal(1, 0)});
+    connections.push_back({"s_answer_slot", literal(shape.slot_bits, 0)});
+    connections.push_back({"s_answer_verdict", literal(verdict_bits, 0)});
+  }
+  for (const std::string& counter : counters) {
+    if (shape.counter_bits > 0) {
+      connections.push_back(same(counter));
+    } else {
+      items.push_back(Wire{1, "unused_" + counter, nullptr});
+      connections.push_back({counter, net("unused_" + counter)});
+    }
+  }
+}
+
+std::vector<Parameter> tracker_parameters(const SystemShape& shape) {
+  return {{"OPERAND_BITS", shape.operand_bits()},
+          {"TAG_BITS", shape.tag_bits},
+          {"SLOT_BITS", shape.slot_bits},
+          {"LANE_LATENCY", shape.lane_latency_cycles},
+          {"COUNTER_BITS", shape.counter_bits},
+          {"RECOMPUTE", shape.recomputes() ? 1 : 0},
+          {"CARRIED", shape.operands == model::OperandStore::carried ? 1 : 0}};
+}
+
+void add_per_reference_refetch(std::vector<Port>& ports, const SystemShape& shape, int count,
+                               bool vector) {
+  add_output(ports, count, "m_refetch_tvalid", vector);
+  add_input(ports, count, "m_refetch_tready", vector);
+  add_output(ports, count * shape.refetch_bits(), "m_refetch_tdata", vector);
+  add_input(ports, count, "s_refetch_tvalid", vector);
+  add_output(ports, count, "s_refetch_tready", vector);
+  const int bits = vector ? shape.tdata_bytes() * 8 : shape.operand_bits();
+  add_input(ports, count * bits, "s_refetch_tdata", vector);
+}
+
+std::vector<Port> top_ports(const SystemShape& shape) {
+  std::vector<Port> ports;
+  add_input(ports, 1, "aclk");
+  add_input(ports, 1, "aresetn");
+  add_input(ports, shape.lanes, "s_axis_tvalid", true);
+  add_output(ports, shape.lanes, "s_axis_tready", true);
+  add_input(ports, shape.lanes * shape.tdata_bytes() * 8, "s_axis_tdata", true);
+  add_input(ports, shape.lanes * shape.tag_bits, "s_axis_tuser", true);
+  add_output(ports, shape.lanes, "m_axis_tvalid", true);
+  add_input(ports, shape.lanes, "m_axis_tready", true);
+  add_output(ports, shape.lanes * result_bits, "m_axis_tdata", true);
+  add_output(ports, shape.lanes * shape.tag_bits, "m_axis_tuser", true);
+  if (shape.refetches()) add_per_reference_refetch(ports, shape, shape.references, true);
+  if (shape.counter_bits > 0) {
+    for (const std::string& counter : counters) {
+      add_output(ports, shape.lanes * shape.counter_bits, counter, true);
+    }
+  }
+  return ports;
+}
+
+/// Wires between the channels and the crossbar.
+struct Bundle {
+  std::string name;
+  int width;  ///< per lane or reference
+};
+
+std::vector<Bundle> lane_bundles(const SystemShape& shape) {
+  return {{"request_tvalid", 1},
+          {"request_tready", 1},
+          {"request_tdata", shape.slot_bits + shape.payload_bits()},
+          {"answer_valid", 1},
+          {"answer_slot", shape.slot_bits},
+          {"answer_verdict", verdict_bits}};
+}
+
+std::vector<Bundle> reference_bundles(const SystemShape& shape) {
+  const int route_bits = shape.lane_bits() + shape.slot_bits;
+  return {{"job_tvalid", 1},
+          {"job_tready", 1},
+          {"job_tdata", route_bits + shape.payload_bits()},
+          {"done_valid", 1},
+          {"done_tdata", route_bits + verdict_bits}};
+}
+
+void declare(std::vector<Item>& items, const std::vector<Bundle>& bundles, int count) {
+  for (const Bundle& bundle : bundles) {
+    items.push_back(Wire{count * bundle.width, bundle.name, nullptr, true});
+  }
+}
+
+/// The padding bits of one comparison's tdata are not looked at: a name says so to the linters.
+void consume_padding(const SystemShape& shape, std::vector<Item>& items, const std::string& word,
+                     const std::string& unused_name) {
+  const int padding = shape.tdata_bytes() * 8 - shape.operand_bits();
+  if (padding == 0) return;
+  const int top = shape.tdata_bytes() * 8 - 1;
+  items.push_back(
+      Wire{1, unused_name,
+           all_bits(concatenation({literal(1, 0), slice(word, top, top - padding + 1)}))});
+}
+
+Item lane_loop(const SystemShape& shape) {
+  std::vector<Item> items;
+  const int tdata_bits = shape.tdata_bytes() * 8;
+  items.push_back(Wire{tdata_bits, "tdata", indexed("s_axis_tdata", "lane", tdata_bits)});
+  consume_padding(shape, items, "tdata", "unused_padding");
+  std::vector<Connection> connections = clock_and_reset();
+  const auto connect = [&](const std::string& port, const std::string& name, int width) {
+    connections.push_back({port, indexed(name, "lane", width)});
+  };
+  connect("s_axis_tvalid", "s_axis_tvalid", 1);
+  connect("s_axis_tready", "s_axis_tready", 1);
+  connections.push_back({"s_axis_tdata", slice("tdata", shape.operand_bits() - 1, 0)});
+  connect("s_axis_tuser", "s_axis_tuser", shape.tag_bits);
+  if (shape.recomputes()) {
+    for (const Bundle& bundle : lane_bundles(shape)) {
+      const bool request = bundle.name.starts_with("request");
+      connect((request ? "m_" : "s_") + bundle.name, bundle.name, bundle.width);
+    }
+  }
+  connect("m_axis_tvalid", "m_axis_tvalid", 1);
+  connect("m_axis_tready", "m_axis_tready", 1);
+  connect("m_axis_tdata", "m_axis_tdata", result_bits);
+  connect("m_axis_tuser", "m_axis_tuser", shape.tag_bits);
+  if (shape.counter_bits > 0) {
+    for (const std::string& counter : counters) connect(counter, counter, shape.counter_bits);
+  }
+  items.push_back(Instance{shape.lane_channel, "channel", {}, std::move(connections)});
+  return std::make_shared<const ForGenerate>(
+      ForGenerate{"lane", shape.lanes, "lanes", std::move(items)});
+}
+
+Item reference_loop(const SystemShape& shape) {
+  std::vector<Item> items;
+  std::vector<Connection> connections = clock_and_reset();
+  const auto connect = [&](const std::string& port, const std::string& name, int width) {
+    connections.push_back({port, indexed(name, "reference", width)});
+  };
+  for (const Bundle& bundle : reference_bundles(shape)) {
+    const bool job = bundle.name.starts_with("job");
+    connect((job ? "s_" : "m_") + bundle.name, bundle.name, bundle.width);
+  }
+  if (shape.refetches()) {
+    const int tdata_bits = shape.tdata_bytes() * 8;
+    items.push_back(
+        Wire{tdata_bits, "refetched", indexed("s_refetch_tdata", "reference", tdata_bits)});
+    consume_padding(shape, items, "refetched", "unused_padding");
+    connect("m_refetch_tvalid", "m_refetch_tvalid", 1);
+    connect("m_refetch_tready", "m_refetch_tready", 1);
+    connect("m_refetch_tdata", "m_refetch_tdata", shape.refetch_bits());
+    connect("s_refetch_tvalid", "s_refetch_tvalid", 1);
+    connect("s_refetch_tready", "s_refetch_tready", 1);
+    connections.push_back({"s_refetch_tdata", slice("refetched", shape.operand_bits() - 1, 0)});
+  }
+  items.push_back(Instance{shape.reference_channel, "channel", {}, std::move(connections)});
+  return std::make_shared<const ForGenerate>(
+      ForGenerate{"reference", shape.references, "references", std::move(items)});
+}
+
+Instance crossbar(const SystemShape& shape) {
+  std::vector<Connection> connections = clock_and_reset();
+  const std::vector<std::pair<std::string, std::string>> ports = {
+      {"s_request_tvalid", "request_tvalid"}, {"s_request_tready", "request_tready"},
+      {"s_request_tdata", "request_tdata"},   {"m_request_tvalid", "job_tvalid"},
+      {"m_request_tready", "job_tready"},     {"m_request_tdata", "job_tdata"},
+      {"s_answer_valid", "done_valid"},       {"s_answer_tdata", "done_tdata"},
+      {"m_answer_valid", "answer_valid"},     {"m_answer_slot", "answer_slot"},
+      {"m_answer_verdict", "answer_verdict"}};
+  for (const auto& [port, name] : ports) connections.push_back({port, net(name)});
+  return {"crossbar",
+          "requests_to_references",
+          {{"LANES", shape.lanes},
+           {"REFERENCES", shape.references},
+           {"LANE_BITS", shape.lane_bits()},
+           {"SLOT_BITS", shape.slot_bits},
+           {"PAYLOAD_BITS", shape.payload_bits()}},
+          std::move(connections)};
+}
+
+}  // namespace
+
+int SystemShape::lane_bits() const {
+  return std::max(1, static_cast<int>(std::bit_width(static_cast<unsigned>(lanes - 1))));
+}
+
+int SystemShape::payload_bits() const {
+  return operands == model::OperandStore::carried ? operand_bits() : tag_bits;
+}
+
+Module lane_channel_module(const SystemShape& shape) {
+  Module module = {shape.lane_channel, {}, lane_channel_ports(shape), {}};
+  std::vector<Item>& items = module.items;
+  items.push_back(Wire{shape.operand_bits(), "lane_operands", nullptr});
+  items.push_back(Wire{verdict_bits, "lane_verdict", nullptr});
+  items.push_back(Wire{1, "lane_decided", nullptr});
+
+  std::vector<Connection> lane = {same("aclk")};
+  append_operands(lane, shape, "lane_operands");
+  lane.push_back({"verdict", net("lane_verdict")});
+  lane.push_back({"decided", net("lane_decided")});
+  items.push_back(Instance{shape.lane, "lane", {}, std::move(lane)});
+
+  std::vector<Connection> tracker = clock_and_reset();
+  append(tracker, {"s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
+                   "lane_operands", "lane_verdict", "lane_decided"});
+  tie_off(shape, items, tracker);
+  append(tracker, {"m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser"});
+  const bool in_order = shape.order == model::ResultOrder::in_order;
+  items.push_back(Instance{in_order ? "lane_reorder" : "lane_scoreboard", "tracker",
+                           tracker_parameters(shape), std::move(tracker)});
+  return module;
+}
+
+Module reference_channel_module(const SystemShape& shape) {
+  Module module = {shape.reference_channel, {}, {}, {}};
+  const int route_bits = shape.lane_bits() + shape.slot_bits;
+  add_input(module.ports, 1, "aclk");
+  add_input(module.ports, 1, "aresetn");
+  add_input(module.ports, 1, "s_job_tvalid");
+  add_output(module.ports, 1, "s_job_tready");
+  add_input(module.ports, route_bits + shape.payload_bits(), "s_job_tdata");
+  add_output(module.ports, 1, "m_done_valid");
+  add_output(module.ports, route_bits + verdict_bits, "m_done_tdata");
+  if (shape.refetches()) add_per_reference_refetch(module.ports, shape, 1, false);
+
+  std::vector<Item>& items = module.items;
+  items.push_back(Wire{shape.operand_bits(), "reference_operands", nullptr});
+  items.push_back(Wire{verdict_bits, "reference_verdict", nullptr});
+  std::vector<Connection> reference = {same("aclk")};
+  append_operands(reference, shape, "reference_operands");
+  reference.push_back({"verdict", net("reference_verdict")});
+  items.push_back(Instance{shape.reference, "reference", {}, std::move(reference)});
+  return module;
+}
+
+Module top_module(const SystemShape& shape) {
+  Module module = {shape.top, {}, top_ports(shape), {}};
+  if (!shape.recomputes()) {
+    module.items.push_back(lane_loop(shape));
+    return module;
+  }
+  module.items.push_back(Comment{"Undecided comparisons from the lanes, verdicts back to them."});
+  declare(module.items, lane_bundles(shape), shape.lanes);
+  module.items.push_back(Comment{"The same at the references, with the number of the lane."});
+  declare(module.items, reference_bundles(shape), shape.references);
+  module.items.push_back(lane_loop(shape));
+  module.items.push_back(crossbar(shape));
+  module.items.push_back(reference_loop(shape));
+  return module;
+}
+
+}  // namespace mixcmp::gen

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/rtl/module.hpp"
+#include "model/scene/scene.hpp"
+
+namespace mixcmp::gen {
+
+/// Names and widths that the modules around the datapaths agree on.
+struct SystemShape {
+  std::string top;
+  std::string lane_channel;
+  std::string lane;
+  std::string reference_channel;
+  std::string reference;
+  std::vector<std::string> input_ports;  ///< of the datapaths, in packing order
+  int input_width = 0;                   ///< bits of one operand
+  int lanes = 0;                         ///< p_L
+  int references = 0;                    ///< p_H
+  int tag_bits = 0;
+  int slot_bits = 0;
+  int counter_bits = 0;
+  int lane_latency_cycles = 0;
+  int reference_latency_cycles = 0;
+  model::ResultOrder order = model::ResultOrder::tagged;
+  model::OperandStore operands = model::OperandStore::carried;
+
+  int operand_bits() const { return input_width * static_cast<int>(input_ports.size()); }
+  int tdata_bytes() const { return (operand_bits() + 7) / 8; }
+  /// Bits of a tag on the refetch stream, padded to bytes as AXI4-Stream wants it.
+  int refetch_bits() const { return (tag_bits + 7) / 8 * 8; }
+  int lane_bits() const;     ///< to number the lanes, at least 1
+  int payload_bits() const;  ///< of a recomputation request
+  int counter_port_bits() const { return counter_bits == 0 ? 1 : counter_bits; }
+  bool recomputes() const { return references > 0; }
+  bool refetches() const { return recomputes() && operands == model::OperandStore::refetched; }
+};
+
+/// A lane with its scoreboard or reorder buffer: one stream of comparisons in, one of results out,
+/// requests for recomputation out, answers in.
+rtl::Module lane_channel_module(const SystemShape& shape);
+
+/// A reference datapath with the port that feeds it. Only where shape.recomputes().
+rtl::Module reference_channel_module(const SystemShape& shape);
+
+/// The whole system: lanes, crossbar, references.
+rtl::Module top_module(const SystemShape& shape);
+
+}  // namespace mixcmp::gen
