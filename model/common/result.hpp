@@ -63,4 +63,4 @@ struct Done {};
 #define MIXCMP_TRY(name, expression)                     \
   auto name##_result = (expression);                     \
   if (!name##_result.ok()) return name##_result.error(); \
-  auto name = std::move(name##_result).value()
+  [[maybe_unused]] auto name = std::move(name##_result).value()
