@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "protocol.hpp"
+
+namespace mixcmp::tb {
+
+/// AXI4-Stream: once raised, valid and payload hold until accepted. Watches one stream.
+class HoldChecker {
+public:
+  std::optional<wire::Fault> observe(bool valid, bool ready, std::uint64_t data,
+                                     std::uint64_t user) {
+    std::optional<wire::Fault> fault;
+    if (waiting_ && !valid) {
+      fault = wire::Fault::valid_dropped;
+    } else if (waiting_ && (data != data_ || user != user_)) {
+      fault = wire::Fault::payload_changed;
+    }
+    waiting_ = valid && !ready;
+    data_ = data;
+    user_ = user;
+    return fault;
+  }
+
+  void reset() { waiting_ = false; }
+
+private:
+  bool waiting_ = false;
+  std::uint64_t data_ = 0;
+  std::uint64_t user_ = 0;
+};
+
+}  // namespace mixcmp::tb

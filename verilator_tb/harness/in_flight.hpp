@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace mixcmp::tb {
+
+/// One comparison that a lane was offered.
+struct Entry {
+  enum class State { unused, offered, inside, left, discarded };
+
+  State state = State::unused;
+  std::uint64_t number = 0;    ///< the running number that became the tag
+  std::uint64_t position = 0;  ///< of the run
+  std::uint64_t sequence = 0;  ///< order of acceptance in its lane
+  std::uint64_t cycle = 0;     ///< offered, then accepted
+  std::vector<std::uint8_t> operands;
+
+  bool busy() const { return state == State::offered || state == State::inside; }
+};
+
+/// The tags of one lane and what they stand for. Tags come from a running number, multiplied by an
+/// odd constant so that every bit of a wide tag moves. A number is used again only when its
+/// comparison has left, so that at most `count` are inside.
+class InFlight {
+public:
+  /// The lane's numbers are base .. base + count - 1, modulo 2^tag_bits.
+  InFlight(int tag_bits, std::uint64_t base, std::uint64_t count, std::size_t ring_size)
+      : mask_(tag_bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << tag_bits) - 1),
+        base_(base),
+        count_(count),
+        ring_(ring_size) {}
+
+  /// An entry with a fresh number, or null while all that would serve are inside.
+  Entry* allocate() {
+    for (std::size_t attempt = 0; attempt < ring_.size(); ++attempt) {
+      const std::uint64_t number = next_;
+      next_ = next_ + 1 == count_ ? 0 : next_ + 1;
+      Entry& entry = ring_[number % ring_.size()];
+      if (entry.busy()) continue;
+      entry.number = number;
+      return &entry;
+    }
+    return nullptr;
+  }
+
+  std::uint64_t tag(const Entry& entry) const { return (base_ + entry.number) * scramble & mask_; }
+
+  /// The entry that carries, or last carried, this tag; null if none that is remembered did.
+  Entry* find(std::uint64_t tag) {
+    const std::uint64_t number = (tag * unscramble() - base_) & mask_;
+    Entry& entry = ring_[number % ring_.size()];
+    return entry.state != Entry::State::unused && entry.number == number ? &entry : nullptr;
+  }
+
+  std::vector<Entry>& entries() { return ring_; }
+
+private:
+  static constexpr std::uint64_t scramble = 0x9e3779b97f4a7c15u;
+
+  /// The inverse of `scramble` modulo 2^64, by Newton's iteration: each step doubles the bits.
+  static constexpr std::uint64_t unscramble() {
+    std::uint64_t inverse = scramble;
+    for (int step = 0; step < 5; ++step) inverse *= 2 - scramble * inverse;
+    return inverse;
+  }
+
+  std::uint64_t mask_;
+  std::uint64_t base_;
+  std::uint64_t count_;
+  std::uint64_t next_ = 0;
+  std::vector<Entry> ring_;
+};
+
+}  // namespace mixcmp::tb

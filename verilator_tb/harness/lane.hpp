@@ -1,0 +1,197 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#include "feed.hpp"
+#include "hold_checker.hpp"
+#include "in_flight.hpp"
+#include "ports.hpp"
+#include "recorder.hpp"
+#include "system_ports.hpp"
+#include "traffic.hpp"
+
+namespace mixcmp::tb {
+
+/// Both ends of one lane's streams: offers comparisons, takes results, keeps the books.
+class Lane {
+public:
+  Lane(int index, Ports& ports, Recorder& recorder)
+      : index_(static_cast<std::uint32_t>(index)),
+        ports_(ports),
+        recorder_(recorder),
+        in_flight_(system::tag_bits, base(index), tags_of_a_lane(), ring_size) {}
+
+  void drive(Feed& feed, const Traffic& traffic, std::uint64_t cycle) {
+    if (offered_ == nullptr && feed.size() > 0 && traffic.willing(index_, cycle)) {
+      offer(feed, cycle);
+    }
+    ports_.s_axis_tvalid.set_bit(index_, offered_ != nullptr);
+    ready_ = traffic.willing(system::lanes + index_, cycle);
+    ports_.m_axis_tready.set_bit(index_, ready_);
+  }
+
+  void sample(std::uint64_t cycle) {
+    if (offered_ != nullptr) sample_offer(cycle);
+    const bool valid = ports_.m_axis_tvalid.bit(index_);
+    const std::uint64_t tdata = *ports_.m_axis_tdata.bytes(index_);
+    const std::uint64_t tag =
+        ports_.m_axis_tuser.field(std::size_t{index_} * system::tag_bits, system::tag_bits);
+    if (const auto fault = hold_.observe(valid, ready_, tdata, tag)) {
+      report(*fault, wire::no_position, tag, cycle);
+    }
+    if (valid && ready_) deliver(tag, static_cast<std::uint32_t>(tdata), cycle);
+  }
+
+  /// The system is held in reset: what was inside is lost to it and must be offered again.
+  void discard(Feed& feed) {
+    for (Entry& entry : in_flight_.entries()) {
+      if (!entry.busy()) continue;
+      feed.give_back(entry);
+      entry.state = Entry::State::discarded;
+    }
+    offered_ = nullptr;
+    inside_ = 0;
+    observed_ = {};
+    hold_.reset();
+    ports_.s_axis_tvalid.set_bit(index_, false);
+    ports_.m_axis_tready.set_bit(index_, false);
+  }
+
+  void check_silent_in_reset(std::uint64_t cycle) {
+    if (!ports_.m_axis_tvalid.bit(index_)) return;
+    report(wire::Fault::valid_in_reset, wire::no_position, 0, cycle);
+  }
+
+  /// Reports what has been waiting for more than `limit` cycles; true if the lane stands still.
+  bool check_overdue(std::uint64_t cycle, std::uint64_t limit) {
+    bool hung = false;
+    for (Entry& entry : in_flight_.entries()) {
+      if (!entry.busy() || cycle - entry.cycle <= limit) continue;
+      const bool lane_goes_on = entry.state == Entry::State::inside &&
+                                (last_left_ > entry.sequence || ports_.s_axis_tready.bit(index_));
+      report(lane_goes_on ? wire::Fault::lost : wire::Fault::hung, entry.position,
+             in_flight_.tag(entry), cycle);
+      if (lane_goes_on) {
+        entry.state = Entry::State::left;
+        --inside_;
+      }
+      hung |= !lane_goes_on;
+    }
+    return hung;
+  }
+
+  bool busy() const { return offered_ != nullptr || inside_ > 0; }
+
+  /// The comparison inside this lane that carries `tag`; null if there is none.
+  const Entry* inside(std::uint64_t tag) {
+    const Entry* entry = in_flight_.find(tag);
+    return entry != nullptr && entry->state == Entry::State::inside ? entry : nullptr;
+  }
+
+  wire::LaneEnd end(std::uint64_t cycle) {
+    wire::LaneEnd end{{}, {observed_.comparisons, observed_.recomputations, observed_.stalls}};
+    if (system::counter_bits == 0) return end;
+    const Port* const counters[] = {&ports_.comparisons, &ports_.recomputations, &ports_.stalls};
+    const std::uint64_t mask = ~std::uint64_t{0} >> (64 - std::max(system::counter_bits, 1));
+    for (int k = 0; k < 3; ++k) {
+      end.counted[k] =
+          counters[k]->field(std::size_t{index_} * system::counter_bits, system::counter_bits);
+      if (end.counted[k] == (end.observed[k] & mask)) continue;
+      report(wire::Fault::wrong_counter, end.observed[k] & mask, end.counted[k], cycle);
+    }
+    return end;
+  }
+
+private:
+  struct Observed {
+    std::uint64_t comparisons = 0;
+    std::uint64_t recomputations = 0;
+    std::uint64_t stalls = 0;
+  };
+
+  /// Room for what is inside and, for a while, for what has left, so that doubles are recognised.
+  static constexpr std::size_t ring_size = 4 * system::slots;
+
+  /// A memory finds refetched operands by tag alone: lanes may not share tags then.
+  static constexpr std::uint64_t tag_space = std::uint64_t{1}
+                                             << (system::tag_bits < 63 ? system::tag_bits : 63);
+  static constexpr std::uint64_t tags_of_a_lane() {
+    return system::refetched ? tag_space / system::lanes : tag_space;
+  }
+  static std::uint64_t base(int index) {
+    return tag_space / system::lanes * static_cast<std::uint64_t>(index);
+  }
+
+  void offer(Feed& feed, std::uint64_t cycle) {
+    offered_ = in_flight_.allocate();
+    if (offered_ == nullptr) return;
+    feed.take(*offered_);
+    offered_->state = Entry::State::offered;
+    offered_->cycle = cycle;
+    std::memcpy(ports_.s_axis_tdata.bytes(std::size_t{index_} * system::tdata_bytes),
+                offered_->operands.data(), system::tdata_bytes);
+    ports_.s_axis_tuser.set_field(std::size_t{index_} * system::tag_bits, system::tag_bits,
+                                  in_flight_.tag(*offered_));
+  }
+
+  void sample_offer(std::uint64_t cycle) {
+    if (!ports_.s_axis_tready.bit(index_)) {
+      ++observed_.stalls;
+      return;
+    }
+    offered_->state = Entry::State::inside;
+    offered_->cycle = cycle;
+    offered_->sequence = ++accepted_;
+    offered_ = nullptr;
+    ++inside_;
+    ++observed_.comparisons;
+  }
+
+  void deliver(std::uint64_t tag, std::uint32_t tdata, std::uint64_t cycle) {
+    Entry* const entry = in_flight_.find(tag);
+    if (entry == nullptr || entry->state != Entry::State::inside) {
+      report(fault_of(entry), entry == nullptr ? wire::no_position : entry->position, tag, cycle);
+      return;
+    }
+    if (system::in_order && has_earlier(*entry)) {
+      report(wire::Fault::order_broken, entry->position, tag, cycle);
+    }
+    entry->state = Entry::State::left;
+    last_left_ = std::max(last_left_, entry->sequence);
+    --inside_;
+    if ((tdata & 0xc) != 0) ++observed_.recomputations;
+    recorder_.result({entry->position, entry->cycle, cycle, index_, tdata});
+  }
+
+  static wire::Fault fault_of(const Entry* entry) {
+    if (entry == nullptr || entry->state == Entry::State::offered) return wire::Fault::unknown_tag;
+    return entry->state == Entry::State::left ? wire::Fault::duplicate_tag
+                                              : wire::Fault::stale_after_reset;
+  }
+
+  bool has_earlier(const Entry& entry) {
+    for (const Entry& other : in_flight_.entries()) {
+      if (other.state == Entry::State::inside && other.sequence < entry.sequence) return true;
+    }
+    return false;
+  }
+
+  void report(wire::Fault fault, std::uint64_t position, std::uint64_t tag, std::uint64_t cycle) {
+    recorder_.violation({fault, index_, position, tag, cycle});
+  }
+
+  std::uint32_t index_;
+  Ports& ports_;
+  Recorder& recorder_;
+  InFlight in_flight_;
+  HoldChecker hold_;
+  Observed observed_;
+  Entry* offered_ = nullptr;
+  bool ready_ = false;
+  std::uint64_t inside_ = 0;
+  std::uint64_t accepted_ = 0;
+  std::uint64_t last_left_ = 0;
+};
+
+}  // namespace mixcmp::tb

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+
+/// What the host and a simulator exchange over the simulator's standard input, in the machine's
+/// byte order. Compiled into both. A position numbers the comparisons of a run from 0, in the order
+/// the host sends them. Every request gets one response; the result of a comparison comes in the
+/// response to its own block or in a later one, in any order.
+namespace mixcmp::tb::wire {
+
+/// Followed by `resets` positions (each std::uint64_t: reset the system as soon as so many
+/// comparisons were offered) and by the operands, tdata_bytes for each comparison.
+struct Request {
+  std::uint64_t comparisons;
+  std::uint64_t resets;
+  std::uint64_t last;  ///< not 0: let everything leave, answer, end
+};
+
+enum class State : std::uint64_t {
+  running,
+  drained,  ///< after the last request: nothing is inside
+  stopped,  ///< a lane stands still, or max_violations were seen; the simulator ends
+};
+
+/// Followed by the results, the violations and, when drained, by one LaneEnd for each lane.
+struct Response {
+  std::uint64_t results;
+  std::uint64_t violations;
+  std::uint64_t cycles;  ///< from the first offer to the last result
+  State state;
+};
+
+/// In one run.
+inline constexpr std::uint64_t max_violations = 64;
+
+struct Result {
+  std::uint64_t position;
+  std::uint64_t cycle_accepted;
+  std::uint64_t cycle_left;
+  std::uint32_t lane;
+  std::uint32_t tdata;  ///< as on m_axis_tdata
+};
+
+enum class Fault : std::uint32_t {
+  valid_dropped,    ///< tvalid fell before tready
+  payload_changed,  ///< while waiting for tready
+  unknown_tag,
+  duplicate_tag,      ///< a result that had left already
+  stale_after_reset,  ///< a result of a comparison that a reset had discarded
+  valid_in_reset,
+  order_broken,  ///< of a system that promises order
+  lost,          ///< never left, though its lane goes on
+  hung,          ///< never left, and its lane takes nothing more
+  unknown_refetch,
+  wrong_counter,  ///< the hardware's number in `tag`, ours in `position`
+};
+
+struct Violation {
+  Fault fault;
+  std::uint32_t lane;      ///< of a refetch: the reference
+  std::uint64_t position;  ///< of the comparison, or no_position
+  std::uint64_t tag;
+  std::uint64_t cycle;
+};
+
+inline constexpr std::uint64_t no_position = ~std::uint64_t{0};
+
+/// Since the last reset: the three counters, as the hardware has them and as they were observed.
+struct LaneEnd {
+  std::uint64_t counted[3];
+  std::uint64_t observed[3];
+};
+
+}  // namespace mixcmp::tb::wire
