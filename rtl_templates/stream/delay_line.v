@@ -1,0 +1,32 @@
+// delay_line: q is d of LENGTH cycles ago; LENGTH may be 0.
+// Latency LENGTH. No reset, so that it becomes shift registers: for data, never for valid bits.
+`default_nettype none
+
+module delay_line #(
+  parameter WIDTH = 1,
+  parameter LENGTH = 1
+) (
+  input  wire             aclk,
+  input  wire [WIDTH-1:0] d,
+  output wire [WIDTH-1:0] q
+);
+
+  generate
+    if (LENGTH == 0) begin : g_wire
+      wire unused_aclk = aclk;
+      assign q = d;
+    end else begin : g_shift
+      reg  [LENGTH*WIDTH-1:0]     rank_q;
+      wire [(LENGTH+1)*WIDTH-1:0] taps = {rank_q, d};  // word k came in k cycles ago
+
+      always @(posedge aclk) begin
+        rank_q <= taps[LENGTH*WIDTH-1:0];
+      end
+
+      assign q = taps[LENGTH*WIDTH +: WIDTH];
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire

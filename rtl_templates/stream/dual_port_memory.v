@@ -1,0 +1,35 @@
+// dual_port_memory: one write port, one synchronous read port with an enable.
+// Latency 1. No reset, so that it becomes LUT or block RAM. Whoever reads an address in the cycle
+// that writes it gets either word: the users of this module never do.
+`default_nettype none
+
+module dual_port_memory #(
+  parameter WIDTH = 8,
+  parameter ADDRESS_BITS = 4
+) (
+  input  wire                    aclk,
+  input  wire                    write_enable,
+  input  wire [ADDRESS_BITS-1:0] write_address,
+  input  wire [WIDTH-1:0]        write_data,
+  input  wire                    read_enable,
+  input  wire [ADDRESS_BITS-1:0] read_address,
+  output wire [WIDTH-1:0]        read_data
+);
+
+  reg [WIDTH-1:0] words [0:(1<<ADDRESS_BITS)-1];
+  reg [WIDTH-1:0] read_data_q;
+
+  always @(posedge aclk) begin
+    if (write_enable) begin
+      words[write_address] <= write_data;
+    end
+    if (read_enable) begin
+      read_data_q <= words[read_address];
+    end
+  end
+
+  assign read_data = read_data_q;
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,214 @@
+// lane_reorder: AXI4-Stream around one free-running lane; results leave in the order of acceptance.
+// The lane keeps order, and so do the answers (one reference serves a lane, first come first
+// served): direct verdicts wait in one queue, answers in another, and each undecided entry at the
+// head of the first takes the head of the second. 2^SLOT_BITS slots are used circularly. Latency of
+// a decided one: LANE_LATENCY + 4. One comparison per cycle if all are decided, the sink is ready
+// and 2^SLOT_BITS >= LANE_LATENCY + 4. Reset forgets all comparisons and clears the counters.
+`default_nettype none
+
+module lane_reorder #(
+  parameter OPERAND_BITS = 128,
+  parameter TAG_BITS = 32,
+  parameter SLOT_BITS = 5,
+  parameter LANE_LATENCY = 16,
+  parameter COUNTER_BITS = 32,
+  parameter RECOMPUTE = 1,
+  parameter CARRIED = 1
+) (
+  input  wire                                                          aclk,
+  input  wire                                                          aresetn,
+  input  wire                                                          s_axis_tvalid,
+  output wire                                                          s_axis_tready,
+  input  wire [OPERAND_BITS-1:0]                                       s_axis_tdata,
+  input  wire [TAG_BITS-1:0]                                           s_axis_tuser,
+  output wire [OPERAND_BITS-1:0]                                       lane_operands,
+  input  wire [1:0]                                                    lane_verdict,
+  input  wire                                                          lane_decided,
+  output wire                                                          m_request_tvalid,
+  input  wire                                                          m_request_tready,
+  output wire [SLOT_BITS+(CARRIED != 0 ? OPERAND_BITS : TAG_BITS)-1:0] m_request_tdata,
+  input  wire                                                          s_answer_valid,
+  input  wire [SLOT_BITS-1:0]                                          s_answer_slot,
+  input  wire [1:0]                                                    s_answer_verdict,
+  output wire                                                          m_axis_tvalid,
+  input  wire                                                          m_axis_tready,
+  output wire [7:0]                                                    m_axis_tdata,
+  output wire [TAG_BITS-1:0]                                           m_axis_tuser,
+  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]              comparisons,
+  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]              recomputations,
+  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]              stalls
+);
+
+  localparam PAYLOAD_BITS = (CARRIED != 0) ? OPERAND_BITS : TAG_BITS;
+  localparam [SLOT_BITS:0] ONE = 1;
+
+  // Slots from oldest_q to next_q - 1 are taken; one bit more than a slot tells full from empty.
+  reg  [SLOT_BITS:0] next_q;
+  reg  [SLOT_BITS:0] oldest_q;
+  wire               same_slot = (next_q[SLOT_BITS-1:0] == oldest_q[SLOT_BITS-1:0]);
+  wire               same_lap  = (next_q[SLOT_BITS] == oldest_q[SLOT_BITS]);
+  wire               accept    = s_axis_tvalid && s_axis_tready;
+  wire               retire;
+
+  assign s_axis_tready = !same_slot || same_lap;
+  assign lane_operands = s_axis_tdata;
+
+  always @(posedge aclk) begin
+    if (!aresetn) begin
+      next_q   <= {(SLOT_BITS+1){1'b0}};
+      oldest_q <= {(SLOT_BITS+1){1'b0}};
+    end else begin
+      if (accept) begin
+        next_q <= next_q + ONE;
+      end
+      if (retire) begin
+        oldest_q <= oldest_q + ONE;
+      end
+    end
+  end
+
+  // Through the lane.
+  wire                    exit_valid;
+  wire [SLOT_BITS-1:0]    unused_exit_slot;
+  wire [1:0]              exit_verdict;
+  wire                    exit_decided;
+  wire [PAYLOAD_BITS-1:0] payload;
+
+  lane_tracker #(
+    .PAYLOAD_BITS(PAYLOAD_BITS),
+    .SLOT_BITS   (SLOT_BITS),
+    .LANE_LATENCY(LANE_LATENCY),
+    .RECOMPUTE   (RECOMPUTE)
+  ) tracker (
+    .aclk            (aclk),
+    .aresetn         (aresetn),
+    .start_valid     (accept),
+    .start_slot      (next_q[SLOT_BITS-1:0]),
+    .start_payload   (payload),
+    .lane_verdict    (lane_verdict),
+    .lane_decided    (lane_decided),
+    .exit_valid      (exit_valid),
+    .exit_slot       (unused_exit_slot),
+    .exit_verdict    (exit_verdict),
+    .exit_decided    (exit_decided),
+    .m_request_tvalid(m_request_tvalid),
+    .m_request_tready(m_request_tready),
+    .m_request_tdata (m_request_tdata)
+  );
+
+  generate
+    if (CARRIED != 0) begin : g_carried
+      assign payload = s_axis_tdata;
+    end else begin : g_refetched
+      assign payload = s_axis_tuser;
+    end
+  endgenerate
+
+  // Direct verdicts wait as {decided, verdict} in the order of acceptance.
+  wire       direct_valid;
+  wire       direct_decided;
+  wire [1:0] direct_verdict;
+  wire       unused_direct_ready;
+
+  stream_fifo #(
+    .WIDTH     (3),
+    .DEPTH_BITS(SLOT_BITS)
+  ) direct_results (
+    .aclk         (aclk),
+    .aresetn      (aresetn),
+    .s_axis_tvalid(exit_valid),
+    .s_axis_tready(unused_direct_ready),
+    .s_axis_tdata ({exit_decided, exit_verdict}),
+    .m_axis_tvalid(direct_valid),
+    .m_axis_tready(retire),
+    .m_axis_tdata ({direct_decided, direct_verdict})
+  );
+
+  // The head's result as {undecided, recomputed, verdict}.
+  wire       head_valid;
+  wire [3:0] head_result;
+  wire       unused_answer_slot = &s_answer_slot;
+
+  generate
+    if (RECOMPUTE == 0) begin : g_direct
+      wire unused_answer = &{s_answer_valid, s_answer_verdict};
+
+      assign head_valid  = direct_valid;
+      assign head_result = {!direct_decided, 1'b0, direct_verdict};
+    end else begin : g_merge
+      wire       answer_valid;
+      wire [1:0] answer_verdict;
+      wire       unused_answer_ready;
+
+      stream_fifo #(
+        .WIDTH     (2),
+        .DEPTH_BITS(SLOT_BITS)
+      ) answers (
+        .aclk         (aclk),
+        .aresetn      (aresetn),
+        .s_axis_tvalid(s_answer_valid),
+        .s_axis_tready(unused_answer_ready),
+        .s_axis_tdata (s_answer_verdict),
+        .m_axis_tvalid(answer_valid),
+        .m_axis_tready(retire && !direct_decided),
+        .m_axis_tdata (answer_verdict)
+      );
+
+      assign head_valid  = direct_valid && (direct_decided || answer_valid);
+      assign head_result = direct_decided ? {2'b00, direct_verdict} : {2'b01, answer_verdict};
+    end
+  endgenerate
+
+  // Out: the tag of the oldest slot is read, and with that the slot is free.
+  reg       m_valid_q;
+  reg [3:0] m_result_q;
+
+  assign retire = head_valid && (!m_valid_q || m_axis_tready);
+
+  always @(posedge aclk) begin
+    if (!aresetn) begin
+      m_valid_q <= 1'b0;
+    end else begin
+      m_valid_q <= retire || (m_valid_q && !m_axis_tready);
+    end
+  end
+
+  always @(posedge aclk) begin
+    if (retire) begin
+      m_result_q <= head_result;
+    end
+  end
+
+  dual_port_memory #(
+    .WIDTH       (TAG_BITS),
+    .ADDRESS_BITS(SLOT_BITS)
+  ) tags (
+    .aclk         (aclk),
+    .write_enable (accept),
+    .write_address(next_q[SLOT_BITS-1:0]),
+    .write_data   (s_axis_tuser),
+    .read_enable  (retire),
+    .read_address (oldest_q[SLOT_BITS-1:0]),
+    .read_data    (m_axis_tuser)
+  );
+
+  assign m_axis_tvalid = m_valid_q;
+  assign m_axis_tdata  = {4'b0000, m_result_q};
+
+  lane_counters #(
+    .COUNTER_BITS(COUNTER_BITS)
+  ) counters (
+    .aclk            (aclk),
+    .aresetn         (aresetn),
+    .s_axis_tvalid   (s_axis_tvalid),
+    .s_axis_tready   (s_axis_tready),
+    .request_sent    (m_request_tvalid && m_request_tready),
+    .undecided_result(m_axis_tvalid && m_axis_tready && m_result_q[3]),
+    .comparisons     (comparisons),
+    .recomputations  (recomputations),
+    .stalls          (stalls)
+  );
+
+endmodule
+
+`default_nettype wire

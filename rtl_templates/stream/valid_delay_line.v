@@ -1,0 +1,36 @@
+// valid_delay_line: q is d of LENGTH cycles ago; LENGTH may be 0.
+// Latency LENGTH. Reset forgets everything on the way: for valid bits.
+`default_nettype none
+
+module valid_delay_line #(
+  parameter LENGTH = 1
+) (
+  input  wire aclk,
+  input  wire aresetn,
+  input  wire d,
+  output wire q
+);
+
+  generate
+    if (LENGTH == 0) begin : g_wire
+      wire unused_clock = aclk && aresetn;
+      assign q = d;
+    end else begin : g_shift
+      reg  [LENGTH-1:0] rank_q;
+      wire [LENGTH:0]   taps = {rank_q, d};  // bit k came in k cycles ago
+
+      always @(posedge aclk) begin
+        if (!aresetn) begin
+          rank_q <= {LENGTH{1'b0}};
+        end else begin
+          rank_q <= taps[LENGTH-1:0];
+        end
+      end
+
+      assign q = taps[LENGTH];
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire
