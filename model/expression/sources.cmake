@@ -1,1 +1,7 @@
-target_sources(mixcmp_model PRIVATE expression/graph.cpp)
+target_sources(mixcmp_model PRIVATE
+  expression/graph.cpp
+  expression/literal.cpp
+  expression/name.cpp
+  expression/parser.cpp
+  expression/text.cpp
+)

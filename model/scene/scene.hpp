@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/expression/parser.hpp"
 #include "model/expression/typed_graph.hpp"
 
 namespace mixcmp::model {
@@ -90,14 +91,5 @@ struct Scene {
 /// Reads a scene. `overrides` are "section.key=value" settings with TOML values (a bare word counts
 /// as a string), applied before validation; errors in them name "--set" instead of a line.
 Result<Scene> load_scene(const std::filesystem::path& path, std::span<const std::string> overrides);
-
-/// Parses `text` into `graph`. Columns in errors are 1-based positions in `text`.
-/// `lets` maps names to their texts; order does not matter, cycles are an error.
-struct LetDefinition {
-  std::string name;
-  std::string text;
-};
-Result<NodeId> parse_expression(Graph& graph, const std::string& text,
-                                std::span<const LetDefinition> lets);
 
 }  // namespace mixcmp::model

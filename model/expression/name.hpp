@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace mixcmp::model {
+
+/// The rule for names of scenes, inputs and lets, which become Verilog identifiers: a letter or
+/// '_', then letters, digits and '_', at most 64, no Verilog or SystemVerilog keyword.
+constexpr std::size_t max_name_length = 64;
+
+/// What breaks the rule, in words; empty if nothing does.
+std::string name_problem(std::string_view name);
+
+/// What an error about a name says is accepted.
+std::string_view accepted_names();
+
+}  // namespace mixcmp::model

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <set>
+#include <span>
+#include <string>
+
+#include "model/common/result.hpp"
+#include "model/expression/graph.hpp"
+
+namespace mixcmp::model {
+
+struct LetDefinition {
+  std::string name;
+  std::string text;
+};
+
+/// Parses `text` into `graph`; docs/scene_file.md has the grammar. Names that are no let are
+/// inputs. Operations on constants alone are done exactly and leave no node, except square roots.
+///
+/// Columns in errors are 1-based positions in `text`, or in the text of a let: then the error's
+/// field is "let.NAME". The order of `lets` does not matter; a cycle is an error. The names of the
+/// lets that `text` needs, directly or through others, are added to `used_lets` if it is given.
+Result<NodeId> parse_expression(Graph& graph, const std::string& text,
+                                std::span<const LetDefinition> lets,
+                                std::set<std::string>* used_lets = nullptr);
+
+/// Whether a name means a function in expressions.
+bool is_function_name(const std::string& name);
+
+}  // namespace mixcmp::model

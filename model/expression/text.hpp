@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/expression/typed_graph.hpp"
+
+namespace mixcmp::model {
+
+/// An exact decimal where there is a short one, else "3/7", else "about 1.234e-500".
+std::string to_text(const mpq_class& value);
+
+/// The expression under `node` as a user would write it, conversions left out, cut short with "..."
+/// soon after `max_length` characters.
+std::string to_text(const std::vector<TypedNode>& nodes, const std::vector<std::string>& inputs,
+                    NodeId node, std::size_t max_length);
+
+}  // namespace mixcmp::model
