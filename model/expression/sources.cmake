@@ -4,4 +4,5 @@ target_sources(mixcmp_model PRIVATE
   expression/name.cpp
   expression/parser.cpp
   expression/text.cpp
+  expression/typed_graph.cpp
 )

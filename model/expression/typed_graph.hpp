@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "model/expression/graph.hpp"
@@ -23,8 +24,9 @@ struct TypedNode {
 struct TypedGraph {
   std::vector<TypedNode> nodes;  ///< in topological order
   int input_count = 0;
-  FloatFormat input_format;  ///< of every operand that arrives
-  Arithmetic arithmetic;     ///< rounding and subnormals of every operation; format of f and g
+  std::vector<std::string> input_names;  ///< for messages; input_count of them
+  FloatFormat input_format;              ///< of every operand that arrives
+  Arithmetic arithmetic;  ///< rounding and subnormals of every operation; format of f and g
   NodeId f = -1;
   NodeId g = -1;
 };
@@ -32,13 +34,17 @@ struct TypedGraph {
 /// How a reduced lane takes the operands that arrive in reference format.
 enum class LaneInputs {
   rounded,  ///< each is converted to the lane's format first
-  exact,    ///< operations on inputs and constants alone take them unrounded; others as `rounded`
+  exact,    ///< operations on inputs and constants alone take them unrounded; others as `rounded`.
+            ///< Negate, absolute, minimum and maximum of such operands are exact themselves: they
+            ///< stay in the reference format and count as inputs for what follows
 };
 
 /// The graph in the reference format alone: no conversion anywhere.
 TypedGraph reference_graph(const Graph& graph, Arithmetic reference);
 
-/// The graph in a lane's reduced format, with conversions where `inputs` asks for them.
+/// The graph in a lane's reduced format, with conversions where `inputs` asks for them. f and g are
+/// in the lane's format, and never inputs: a conversion stands between, so that an infinity or a
+/// NaN meets an operation that calls it exceptional.
 TypedGraph lane_graph(const Graph& graph, FloatFormat reference, Arithmetic reduced,
                       LaneInputs inputs);
 

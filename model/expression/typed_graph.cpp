@@ -1,0 +1,157 @@
+#include "model/expression/typed_graph.hpp"
+
+#include <utility>
+
+#include "model/golden/arithmetic.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// Of exact operands the result is exact, in the operands' own format.
+bool is_selection(Operation operation) {
+  return operation == Operation::negate || operation == Operation::absolute ||
+         operation == Operation::minimum || operation == Operation::maximum;
+}
+
+/// Which nodes are exact in the reference format (constants up to their encoding).
+std::vector<bool> exact_nodes(const Graph& graph) {
+  std::vector<bool> exact;
+  for (const Node& node : graph.nodes()) {
+    bool value = arity(node.operation) == 0 || is_selection(node.operation);
+    for (int k = 0; k < arity(node.operation); ++k) value = value && exact[node.operands[k]];
+    exact.push_back(value);
+  }
+  return exact;
+}
+
+/// Emits the nodes that f and g need, operands first.
+class Builder {
+public:
+  Builder(const Graph& graph, FloatFormat reference, Arithmetic arithmetic, LaneInputs inputs);
+
+  /// The node and all below it in the reference format.
+  NodeId in_reference(NodeId id);
+  /// The node in the lane's format.
+  NodeId in_lane(NodeId id);
+
+  TypedGraph finish(NodeId f, NodeId g) &&;
+
+private:
+  bool takes_exact_operands(const Node& node) const;
+  NodeId emit_constant(const Node& node, FloatFormat format);
+  NodeId emit_in_reference(const Node& node);
+  NodeId emit_in_lane(NodeId id);
+  NodeId emit(TypedNode node);
+
+  const Graph& graph_;
+  FloatFormat reference_;
+  LaneInputs inputs_;
+  std::vector<bool> exact_;
+  std::vector<NodeId> reference_ids_;
+  std::vector<NodeId> lane_ids_;
+  TypedGraph typed_;
+};
+
+Builder::Builder(const Graph& graph, FloatFormat reference, Arithmetic arithmetic,
+                 LaneInputs inputs)
+    : graph_(graph),
+      reference_(reference),
+      inputs_(inputs),
+      exact_(exact_nodes(graph)),
+      reference_ids_(graph.nodes().size(), -1),
+      lane_ids_(graph.nodes().size(), -1),
+      typed_{.input_count = static_cast<int>(graph.inputs().size()),
+             .input_names = graph.inputs(),
+             .input_format = reference,
+             .arithmetic = arithmetic} {}
+
+NodeId Builder::in_reference(NodeId id) {
+  NodeId& known = reference_ids_[id];
+  if (known < 0) known = emit_in_reference(graph_.nodes()[id]);
+  return known;
+}
+
+NodeId Builder::in_lane(NodeId id) {
+  NodeId& known = lane_ids_[id];
+  if (known < 0) known = emit_in_lane(id);
+  return known;
+}
+
+bool Builder::takes_exact_operands(const Node& node) const {
+  if (inputs_ == LaneInputs::rounded) return false;
+  for (int k = 0; k < arity(node.operation); ++k) {
+    if (!exact_[node.operands[k]]) return false;
+  }
+  return true;
+}
+
+NodeId Builder::emit_constant(const Node& node, FloatFormat format) {
+  return emit({.operation = Operation::constant,
+               .operand_format = format,
+               .format = format,
+               .constant = golden::from_rational(format, node.value),
+               .value = node.value});
+}
+
+NodeId Builder::emit_in_reference(const Node& node) {
+  if (node.operation == Operation::constant) return emit_constant(node, reference_);
+  TypedNode typed{.operation = node.operation,
+                  .operand_format = reference_,
+                  .format = reference_,
+                  .input = node.input,
+                  .value = {}};
+  for (int k = 0; k < arity(node.operation); ++k) {
+    typed.operands[k] = in_reference(node.operands[k]);
+  }
+  return emit(std::move(typed));
+}
+
+NodeId Builder::emit_in_lane(NodeId id) {
+  const Node& node = graph_.nodes()[id];
+  const FloatFormat format = typed_.arithmetic.format;
+  if (node.operation == Operation::constant) return emit_constant(node, format);
+  TypedNode typed{
+      .operation = node.operation, .operand_format = reference_, .format = format, .value = {}};
+  const bool exact_operands = takes_exact_operands(node);
+  if (node.operation == Operation::input || (exact_operands && is_selection(node.operation))) {
+    typed.operation = Operation::convert;
+    typed.operands[0] = in_reference(id);
+    return emit(std::move(typed));
+  }
+  if (!exact_operands) typed.operand_format = format;
+  for (int k = 0; k < arity(node.operation); ++k) {
+    const NodeId operand = node.operands[k];
+    typed.operands[k] = exact_operands ? in_reference(operand) : in_lane(operand);
+  }
+  return emit(std::move(typed));
+}
+
+NodeId Builder::emit(TypedNode node) {
+  typed_.nodes.push_back(std::move(node));
+  return static_cast<NodeId>(typed_.nodes.size()) - 1;
+}
+
+TypedGraph Builder::finish(NodeId f, NodeId g) && {
+  typed_.f = f;
+  typed_.g = g;
+  return std::move(typed_);
+}
+
+}  // namespace
+
+TypedGraph reference_graph(const Graph& graph, Arithmetic reference) {
+  Builder builder(graph, reference.format, reference, LaneInputs::exact);
+  const NodeId f = builder.in_reference(graph.f());
+  const NodeId g = builder.in_reference(graph.g());
+  return std::move(builder).finish(f, g);
+}
+
+TypedGraph lane_graph(const Graph& graph, FloatFormat reference, Arithmetic reduced,
+                      LaneInputs inputs) {
+  Builder builder(graph, reference, reduced, inputs);
+  const NodeId f = builder.in_lane(graph.f());
+  const NodeId g = builder.in_lane(graph.g());
+  return std::move(builder).finish(f, g);
+}
+
+}  // namespace mixcmp::model
