@@ -118,10 +118,9 @@ int exact_decimals(const mpq_class& value, int most) {
 std::string approximately(const mpq_class& value) {
   mp_exp_t exponent = 0;
   std::string digits = mpf_class(value, 128).get_str(exponent, 10, 6);
-  const bool negative = digits.starts_with('-');
-  if (negative) digits.erase(0, 1);
-  if (digits.size() > 1) digits.insert(1, ".");
-  return fmt::format("about {}{}e{}", negative ? "-" : "", digits, exponent - 1);
+  const std::size_t leading = digits.starts_with('-') ? 2 : 1;
+  if (digits.size() > leading) digits.insert(digits.begin() + static_cast<long>(leading), '.');
+  return fmt::format("about {}e{}", digits, exponent - 1);
 }
 
 }  // namespace
@@ -141,8 +140,8 @@ std::string to_text(const mpq_class& value) {
   if (digits.size() > most_characters) return approximately(value);
   const auto places = static_cast<std::size_t>(decimals);
   if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
-  if (decimals > 0) digits.insert(digits.size() - places, ".");
-  return (value < 0 ? "-" : "") + digits;
+  if (decimals > 0) digits.insert(digits.end() - decimals, '.');
+  return fmt::format("{}{}", value < 0 ? "-" : "", digits);
 }
 
 std::string to_text(const std::vector<TypedNode>& nodes, const std::vector<std::string>& inputs,

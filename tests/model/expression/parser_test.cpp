@@ -254,7 +254,7 @@ TEST(Parser, RandomTextGivesErrorsNotCrashes) {
   int errors = 0;
   for (int round = 0; round < 20'000; ++round) {
     std::string text;
-    for (unsigned length = random() % 24; length > 0; --length) {
+    for (auto length = random() % 24; length > 0; --length) {
       text += alphabet[random() % alphabet.size()];
     }
     Graph graph;
