@@ -1,4 +1,4 @@
-// reference_port: surrounds one free-running reference datapath; requests in, answers out, in order.
+// reference_port: surrounds one free-running reference; requests in, answers out, in order.
 // CARRIED = 1: the payload is the operands, every request is taken at once, and its answer leaves
 // REFERENCE_LATENCY cycles later. CARRIED = 0: the payload is the tag; it leaves on m_refetch one
 // cycle after the request, and REFERENCE_LATENCY cycles after the operands came on s_refetch, the

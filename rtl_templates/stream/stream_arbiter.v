@@ -29,6 +29,7 @@ module stream_arbiter #(
   endfunction
 
   localparam SELECT_BITS = bits_to_count(INPUTS);
+  localparam WORDS       = 1 << SELECT_BITS;
   localparam LAST_INPUT  = INPUTS - 1;
 
   reg  [SELECT_BITS-1:0] last_q;    // the input served last
@@ -38,11 +39,9 @@ module stream_arbiter #(
   wire room = !m_valid_q || (m_axis_tready && (HALF_RATE == 0));
   wire load = room && |s_axis_tvalid;
 
-  // The first valid input after the one served last, else the first of all. A binary select and
-  // not a one-hot one, because four words and two select bits fill one LUT6.
-  reg  [SELECT_BITS-1:0] select;
-  reg  [WIDTH-1:0]       selected;
-  integer                i;
+  // The first valid input after the one served last, else the first of all.
+  reg [SELECT_BITS-1:0] select;
+  integer               i;
 
   always @* begin
     select = last_q;
@@ -58,11 +57,18 @@ module stream_arbiter #(
     end
   end
 
+  // Each select bit halves the list of words: four words and two select bits are one LUT6.
+  reg [WORDS*WIDTH-1:0] words;
+  integer               select_bit;
+  integer               w;
+
   always @* begin
-    selected = s_axis_tdata[WIDTH-1:0];
-    for (i = 1; i < INPUTS; i = i + 1) begin
-      if (select == i[SELECT_BITS-1:0]) begin
-        selected = s_axis_tdata[i*WIDTH +: WIDTH];
+    words = {(WORDS*WIDTH){1'b0}};
+    words[INPUTS*WIDTH-1:0] = s_axis_tdata;
+    for (select_bit = 0; select_bit < SELECT_BITS; select_bit = select_bit + 1) begin
+      for (w = 0; w < (WORDS >> (select_bit + 1)); w = w + 1) begin
+        words[w*WIDTH +: WIDTH] = select[select_bit] ? words[(2*w+1)*WIDTH +: WIDTH]
+                                                     : words[2*w*WIDTH +: WIDTH];
       end
     end
   end
@@ -81,7 +87,7 @@ module stream_arbiter #(
 
   always @(posedge aclk) begin
     if (load) begin
-      m_data_q <= selected;
+      m_data_q <= words[WIDTH-1:0];
     end
   end
 

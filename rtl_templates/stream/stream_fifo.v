@@ -19,7 +19,7 @@ module stream_fifo #(
 
   localparam [DEPTH_BITS:0] ONE = 1;
 
-  // Pointers carry one bit more than an address: equal means empty, opposite in that bit means full.
+  // One bit more than an address: equal pointers mean empty, opposite in that bit alone, full.
   reg  [DEPTH_BITS:0] write_q;
   reg  [DEPTH_BITS:0] read_q;
   reg                 m_valid_q;

@@ -70,8 +70,8 @@ module stream_tree #(
       end
 
       for (node = 0; node < NODES; node = node + 1) begin : g_node
-        localparam FIRST  = node * RADIX;
-        localparam FAN_IN = (STREAMS - FIRST < RADIX) ? STREAMS - FIRST : RADIX;
+        localparam FIRST  = (node * STREAMS) / NODES;
+        localparam FAN_IN = ((node + 1) * STREAMS) / NODES - FIRST;
 
         stream_arbiter #(
           .INPUTS   (FAN_IN),
