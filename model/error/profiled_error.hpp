@@ -8,12 +8,16 @@
 namespace mixcmp::model {
 
 /// Maximum of |f_L - f_T| / |f_T| (the paper's equation 4) over comparisons of the data, f_T with
-/// 500-bit MPFR. A statistic, not a bound. Comparisons whose f_T is zero or not finite are skipped.
+/// 500-bit MPFR. A statistic, not a bound. Comparisons whose f_T is zero or whose f_T or f_L is not
+/// finite are skipped.
 struct ProfiledError {
   mpq_class f;
   mpq_class g;
   std::uint64_t comparisons = 0;  ///< how many were measured
 };
+
+/// Measures every comparison, or `sample_count` of them without replacement: a pseudo-random
+/// permutation of the indices, so that the sample depends on the seed alone.
 ProfiledError profile_error(const Graph& graph, const TypedGraph& lane, const Comparisons& data,
                             std::uint64_t sample_count, std::uint64_t seed);
 

@@ -19,6 +19,7 @@ struct NodeBound {
   std::optional<RelativeBound>
       relative;  ///< none after a cancelling difference of inexact operands
   bool nonnegative = false;
+  bool nonpositive = false;
   std::string reason;  ///< why there is none, in words for the user
 };
 
@@ -36,7 +37,7 @@ RelativeAnalysis analyse_relative(const TypedGraph& graph,
 Result<Lane> certified_lane(TypedGraph graph, const std::vector<bool>& input_nonnegative);
 
 /// Smallest distance in ulps that decides, from the bounds of f and g in precision P
-/// (docs/error_bounds.md, theorem 2).
+/// (docs/error_bounds.md, theorem 3).
 Bits guard_ulp(const RelativeBound& f, const RelativeBound& g, int precision);
 
 }  // namespace mixcmp::model

@@ -1,0 +1,4 @@
+target_sources(mixcmp_model PRIVATE
+  error/profiled_error.cpp
+  error/relative_bound.cpp
+)

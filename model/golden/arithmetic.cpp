@@ -3,23 +3,18 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 
-#include "model/golden/big_float.hpp"
+#include "model/golden/encoding.hpp"
 
 namespace mixcmp::model::golden {
 namespace {
 
-/// Room for the widest significand, rounded up to whole limbs.
-constexpr mpfr_prec_t operand_precision = 128;
-
 /// MPFR numbers that outlive a call, so that an operation allocates nothing.
 struct Scratch {
-  BigFloat a{operand_precision};
-  BigFloat b{operand_precision};
-  BigFloat y{operand_precision};
-  mpz_class significand;
+  BigFloat a{encoding_precision};
+  BigFloat b{encoding_precision};
+  BigFloat y{encoding_precision};
 };
 
 Scratch& scratch() {
@@ -35,55 +30,11 @@ mpfr_rnd_t mpfr_rounding(Rounding rounding) {
   MIXCMP_CHECK(false);
 }
 
-/// x = integer * 2^exponent, exactly.
-void set_integer(BigFloat& x, Bits integer, int exponent) {
-  const auto high = static_cast<std::uint64_t>(integer >> 64);
-  const auto low = static_cast<std::uint64_t>(integer);
-  mpfr_set_ui_2exp(x.get(), high, 64, MPFR_RNDN);
-  mpfr_add_ui(x.get(), x.get(), low, MPFR_RNDN);
-  mpfr_mul_2si(x.get(), x.get(), exponent, MPFR_RNDN);
-}
-
-/// x = the exact value of a finite encoding, or the infinity or NaN.
-void set_encoding(BigFloat& x, FloatFormat format, Bits bits) {
-  const int biased_exponent = format.biased_exponent(bits);
-  const Bits fraction = format.fraction(bits);
-  if (format.is_nan(bits)) return mpfr_set_nan(x.get());
-  if (format.is_infinite(bits)) {
-    mpfr_set_inf(x.get(), 1);
-  } else if (biased_exponent == 0) {
-    set_integer(x, fraction, format.min_exponent() - format.fraction_bits());
-  } else {
-    const Bits significand = fraction | (Bits{1} << format.fraction_bits());
-    set_integer(x, significand, biased_exponent - format.bias() - format.fraction_bits());
-  }
-  mpfr_setsign(x.get(), x.get(), format.sign(bits), MPFR_RNDN);
-}
-
 /// Sets x to the value an operation sees; says whether the operand makes the result exceptional.
 bool load(BigFloat& x, FloatFormat format, Subnormals subnormals, Bits bits) {
   const bool flushed = subnormals == Subnormals::flush && format.is_subnormal(bits);
-  set_encoding(x, format, flushed ? format.zero(format.sign(bits)) : bits);
+  decode(x, format, flushed ? format.zero(format.sign(bits)) : bits);
   return flushed || !mpfr_number_p(x.get());
-}
-
-Bits to_bits(const mpz_class& value) {
-  static_assert(std::numeric_limits<mp_limb_t>::digits == 64);
-  return Bits{mpz_getlimbn(value.get_mpz_t(), 1)} << 64 | mpz_getlimbn(value.get_mpz_t(), 0);
-}
-
-/// Packs a value that the format holds exactly: finite, of `precision` digits.
-Bits pack(FloatFormat format, const BigFloat& y) {
-  const bool negative = mpfr_signbit(y.get()) != 0;
-  if (mpfr_zero_p(y.get())) return format.zero(negative);
-  mpz_class& significand = scratch().significand;
-  const mpfr_exp_t scale = mpfr_get_z_2exp(significand.get_mpz_t(), y.get());
-  mpz_abs(significand.get_mpz_t(), significand.get_mpz_t());
-  const Bits magnitude = to_bits(significand);
-  const int exponent = static_cast<int>(scale) + format.fraction_bits();
-  const int below = format.min_exponent() - exponent;
-  if (below > 0) return format.pack(negative, 0, magnitude >> below);
-  return format.pack(negative, exponent + format.bias(), format.fraction(magnitude));
 }
 
 /// `y`, rounded to the precision with the given ternary value, is below the normal range.
@@ -97,7 +48,7 @@ Rounded underflow(const Arithmetic& result, BigFloat& y, int ternary) {
   const mpfr_rnd_t rounding = mpfr_rounding(result.rounding);
   ternary = mpfr_check_range(y.get(), ternary, rounding);
   ternary = mpfr_subnormalize(y.get(), ternary, rounding);
-  return {pack(format, y), ternary != 0};
+  return {encode(format, y), ternary != 0};
 }
 
 Bits overflow(const Arithmetic& result, bool negative) {
@@ -119,7 +70,7 @@ Rounded fit(const Arithmetic& result, BigFloat& y, int ternary) {
   const mpfr_exp_t exponent = mpfr_get_exp(y.get()) - 1;
   if (exponent > format.max_exponent()) return {overflow(result, negative), true};
   if (exponent < format.min_exponent()) return underflow(result, y, ternary);
-  return {pack(format, y), false};
+  return {encode(format, y), false};
 }
 
 /// `operate` writes y from a in the given rounding and returns the ternary value.
@@ -220,8 +171,8 @@ Decimal to_decimal(const BigFloat& magnitude, size_t digit_count, mpfr_rnd_t rou
 /// Below a power of two the encodings lie twice as dense, so that the decimal nearest to it may
 /// read back as its lower neighbour where one above reads back well: both are tried.
 Decimal shortest_decimal(FloatFormat format, Bits magnitude) {
-  BigFloat value(operand_precision);
-  set_encoding(value, format, magnitude);
+  BigFloat value(encoding_precision);
+  decode(value, format, magnitude);
   for (size_t digit_count = 1;; ++digit_count) {
     for (const mpfr_rnd_t rounding : {MPFR_RNDN, MPFR_RNDU}) {
       Decimal decimal = to_decimal(value, digit_count, rounding);
@@ -314,7 +265,7 @@ Bits from_rational(FloatFormat format, const mpq_class& value) {
 
 mpq_class to_rational(FloatFormat format, Bits bits) {
   BigFloat& x = scratch().a;
-  set_encoding(x, format, bits);
+  decode(x, format, bits);
   MIXCMP_CHECK(mpfr_number_p(x.get()));
   mpq_class value;
   mpfr_get_q(value.get_mpq_t(), x.get());

@@ -1,0 +1,356 @@
+#include "model/error/relative_bound.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "model/expression/text.hpp"
+#include "model/golden/arithmetic.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// The inputs whose ranges prove a sign; none where nothing proves it.
+using SignProof = std::optional<std::set<int>>;
+
+SignProof both(const SignProof& a, const SignProof& b) {
+  if (!a || !b) return std::nullopt;
+  std::set<int> inputs = *a;
+  inputs.insert(b->begin(), b->end());
+  return inputs;
+}
+
+/// The proof that asks for less.
+SignProof either(const SignProof& a, const SignProof& b) {
+  if (!a || !b) return a ? a : b;
+  return a->size() <= b->size() ? a : b;
+}
+
+struct Sign {
+  SignProof nonnegative;
+  SignProof nonpositive;
+
+  Sign negated() const { return {nonpositive, nonnegative}; }
+};
+
+/// That of a sum is known if both operands lie on the same side of zero.
+Sign sum_sign(const Sign& a, const Sign& b) {
+  return {both(a.nonnegative, b.nonnegative), both(a.nonpositive, b.nonpositive)};
+}
+
+Sign product_sign(const Sign& a, const Sign& b) {
+  return {either(both(a.nonnegative, b.nonnegative), both(a.nonpositive, b.nonpositive)),
+          either(both(a.nonnegative, b.nonpositive), both(a.nonpositive, b.nonnegative))};
+}
+
+const std::set<int> nothing = {};
+
+Sign constant_sign(const mpq_class& value) {
+  return {value >= 0 ? SignProof(nothing) : std::nullopt,
+          value <= 0 ? SignProof(nothing) : std::nullopt};
+}
+
+/// Of one rounding, where it is not exceptional: theorem 1 of docs/error_bounds.md.
+RelativeBound rounding_bound(int precision, Rounding rounding) {
+  const mpq_class u(1, mpz_class(1) << precision);
+  switch (rounding) {
+    case Rounding::nearest_even: return {1 - u, 1 + u};
+    case Rounding::toward_zero: return {1, 1 + 2 * u};
+  }
+  MIXCMP_CHECK(false);
+}
+
+RelativeBound product(const RelativeBound& a, const RelativeBound& b) {
+  return {a.low * b.low, a.high * b.high};
+}
+
+RelativeBound quotient(const RelativeBound& a, const RelativeBound& b) {
+  return {a.low / b.high, a.high / b.low};
+}
+
+RelativeBound hull(const RelativeBound& a, const RelativeBound& b) {
+  return {std::min(a.low, b.low), std::max(a.high, b.high)};
+}
+
+bool is_exact(const RelativeBound& bound) {
+  return bound.low == 1 && bound.high == 1;
+}
+
+/// A rational just below the root (with `up`: just above), off by less than 2^-256 of it.
+mpq_class root(const mpq_class& value, int up) {
+  const unsigned long shift = 256 + mpz_sizeinbase(value.get_den_mpz_t(), 2);
+  const mpz_class scaled = (value.get_num() << (2 * shift)) / value.get_den();
+  mpq_class result(sqrt(scaled) + up, mpz_class(1) << shift);
+  result.canonicalize();
+  return result;
+}
+
+RelativeBound square_root(const RelativeBound& a) {
+  if (is_exact(a)) return a;
+  return {root(a.low, 0), root(a.high, 1)};
+}
+
+bool is_power_of_two(const TypedNode& node) {
+  if (node.operation != Operation::constant || node.value == 0) return false;
+  const mpz_class product = abs(node.value.get_num()) * node.value.get_den();
+  return mpz_popcount(product.get_mpz_t()) == 1;
+}
+
+class Analysis {
+public:
+  Analysis(const TypedGraph& graph, const std::vector<bool>& input_nonnegative)
+      : graph_(graph), input_nonnegative_(input_nonnegative) {}
+
+  RelativeAnalysis run() &&;
+
+private:
+  Sign sign_of(const TypedNode& node) const;
+  NodeBound bound_of(NodeId id);
+  NodeBound constant_bound(const TypedNode& node) const;
+  NodeBound sum_bound(NodeId id, const RelativeBound& a, const RelativeBound& b);
+  bool rounds_nothing(const TypedNode& node) const;
+  /// `bound` of the exact result, then the operation's own rounding.
+  NodeBound rounded(const TypedNode& node, const RelativeBound& bound) const;
+  std::string text(NodeId id) const;
+
+  const TypedGraph& graph_;
+  const std::vector<bool>& input_nonnegative_;
+  std::vector<Sign> signs_;
+  std::set<int> used_;
+  std::vector<NodeBound> bounds_;
+};
+
+RelativeAnalysis Analysis::run() && {
+  for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) {
+    signs_.push_back(sign_of(graph_.nodes[id]));
+    bounds_.push_back(bound_of(id));
+  }
+  const auto is_checked = [&](const SignProof& proof) {
+    return proof && std::includes(used_.begin(), used_.end(), proof->begin(), proof->end());
+  };
+  for (size_t id = 0; id < bounds_.size(); ++id) {
+    bounds_[id].nonnegative = is_checked(signs_[id].nonnegative);
+    bounds_[id].nonpositive = is_checked(signs_[id].nonpositive);
+  }
+  return {std::move(bounds_), {used_.begin(), used_.end()}};
+}
+
+Sign Analysis::sign_of(const TypedNode& node) const {
+  const Sign unknown;
+  const Sign& a = node.operands[0] < 0 ? unknown : signs_[node.operands[0]];
+  const Sign& b = node.operands[1] < 0 ? unknown : signs_[node.operands[1]];
+  switch (node.operation) {
+    case Operation::input:
+      if (!input_nonnegative_[node.input]) return unknown;
+      return {std::set<int>{node.input}, std::nullopt};
+    case Operation::constant: return constant_sign(node.value);
+    case Operation::convert: return a;
+    case Operation::negate: return a.negated();
+    case Operation::add: return sum_sign(a, b);
+    case Operation::subtract: return sum_sign(a, b.negated());
+    case Operation::multiply:
+    case Operation::divide: return product_sign(a, b);
+    case Operation::absolute:
+    case Operation::square:
+    case Operation::square_root: return {nothing, std::nullopt};
+    case Operation::minimum:
+      return {both(a.nonnegative, b.nonnegative), either(a.nonpositive, b.nonpositive)};
+    case Operation::maximum:
+      return {either(a.nonnegative, b.nonnegative), both(a.nonpositive, b.nonpositive)};
+  }
+  MIXCMP_CHECK(false);
+}
+
+NodeBound Analysis::bound_of(NodeId id) {
+  const TypedNode& node = graph_.nodes[id];
+  for (int k = 0; k < arity(node.operation); ++k) {
+    const NodeBound& operand = bounds_[node.operands[k]];
+    if (!operand.relative) return {.relative = {}, .reason = operand.reason};
+  }
+  const RelativeBound exact;
+  const RelativeBound& a = node.operands[0] < 0 ? exact : *bounds_[node.operands[0]].relative;
+  const RelativeBound& b = node.operands[1] < 0 ? exact : *bounds_[node.operands[1]].relative;
+  switch (node.operation) {
+    case Operation::input: return {.relative = exact, .reason = {}};
+    case Operation::constant: return constant_bound(node);
+    case Operation::negate:
+    case Operation::absolute: return {.relative = a, .reason = {}};
+    case Operation::minimum:
+    case Operation::maximum: return {.relative = hull(a, b), .reason = {}};
+    case Operation::convert: return rounded(node, a);
+    case Operation::add:
+    case Operation::subtract: return sum_bound(id, a, b);
+    case Operation::multiply: return rounded(node, product(a, b));
+    case Operation::square: return rounded(node, product(a, a));
+    case Operation::divide: return rounded(node, quotient(a, b));
+    case Operation::square_root: return rounded(node, square_root(a));
+  }
+  MIXCMP_CHECK(false);
+}
+
+NodeBound Analysis::constant_bound(const TypedNode& node) const {
+  const std::string name = fmt::format("the constant {}", to_text(node.value));
+  const std::string format = node.format.name();
+  if (node.format.is_infinite(node.constant)) {
+    return {.relative = {}, .reason = fmt::format("{} overflows {}", name, format)};
+  }
+  if (node.value == 0) return {.relative = RelativeBound{}, .reason = {}};
+  if (node.format.is_zero(node.constant)) {
+    return {.relative = {}, .reason = fmt::format("{} rounds to zero in {}", name, format)};
+  }
+  if (node.format.is_subnormal(node.constant) &&
+      graph_.arithmetic.subnormals == Subnormals::flush) {
+    return {.relative = {},
+            .reason = fmt::format("{} is subnormal in {}, and subnormals are flushed to zero", name,
+                                  format)};
+  }
+  const mpq_class ratio = node.value / golden::to_rational(node.format, node.constant);
+  return {.relative = RelativeBound{ratio, ratio}, .reason = {}};
+}
+
+NodeBound Analysis::sum_bound(NodeId id, const RelativeBound& a, const RelativeBound& b) {
+  const TypedNode& node = graph_.nodes[id];
+  if (is_exact(a) && is_exact(b)) return rounded(node, {});
+  const bool is_difference = node.operation == Operation::subtract;
+  const Sign& first = signs_[node.operands[0]];
+  const Sign& second = signs_[node.operands[1]];
+  const Sign sign = sum_sign(first, is_difference ? second.negated() : second);
+  const SignProof proof = either(sign.nonnegative, sign.nonpositive);
+  if (!proof) {
+    return {.relative = {},
+            .reason = fmt::format("the {} {} takes inexact operands that may cancel, so that its "
+                                  "error has no bound relative to its result",
+                                  is_difference ? "difference" : "sum", text(id))};
+  }
+  used_.insert(proof->begin(), proof->end());
+  return rounded(node, hull(a, b));
+}
+
+bool Analysis::rounds_nothing(const TypedNode& node) const {
+  const int operand_digits = node.operand_format.precision();
+  const int digits = node.format.precision();
+  const auto scales_by = [&](int operand) {
+    return operand_digits <= digits && is_power_of_two(graph_.nodes[node.operands[operand]]);
+  };
+  switch (node.operation) {
+    case Operation::convert: return operand_digits <= digits;
+    case Operation::multiply: return 2 * operand_digits <= digits || scales_by(0) || scales_by(1);
+    case Operation::square: return 2 * operand_digits <= digits;
+    case Operation::divide: return scales_by(1);
+    case Operation::input:
+    case Operation::constant:
+    case Operation::negate:
+    case Operation::absolute:
+    case Operation::minimum:
+    case Operation::maximum: return true;
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::square_root: return false;
+  }
+  MIXCMP_CHECK(false);
+}
+
+NodeBound Analysis::rounded(const TypedNode& node, const RelativeBound& bound) const {
+  if (rounds_nothing(node)) return {.relative = bound, .reason = {}};
+  const RelativeBound own = rounding_bound(node.format.precision(), graph_.arithmetic.rounding);
+  return {.relative = product(bound, own), .reason = {}};
+}
+
+std::string Analysis::text(NodeId id) const {
+  constexpr std::size_t readable_length = 60;
+  return to_text(graph_.nodes, graph_.input_names, id, readable_length);
+}
+
+/// The first node that has no bound although its operands have.
+NodeId first_failure(const TypedGraph& graph, const RelativeAnalysis& analysis) {
+  const auto failed = [](const NodeBound& bound) { return !bound.relative; };
+  const auto first = std::find_if(analysis.nodes.begin(), analysis.nodes.end(), failed);
+  MIXCMP_CHECK(first != analysis.nodes.end() && graph.nodes.size() == analysis.nodes.size());
+  return static_cast<NodeId>(first - analysis.nodes.begin());
+}
+
+/// With inputs = "exact" this operand would not be rounded.
+bool would_be_exact(const TypedGraph& graph, NodeId id) {
+  const TypedNode& node = graph.nodes[id];
+  switch (node.operation) {
+    case Operation::input: return true;
+    case Operation::constant:
+      return golden::to_rational(graph.input_format,
+                                 golden::from_rational(graph.input_format, node.value)) ==
+             node.value;
+    case Operation::convert:
+    case Operation::negate:
+    case Operation::absolute: return would_be_exact(graph, node.operands[0]);
+    case Operation::minimum:
+    case Operation::maximum:
+      return would_be_exact(graph, node.operands[0]) && would_be_exact(graph, node.operands[1]);
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::multiply:
+    case Operation::square:
+    case Operation::divide:
+    case Operation::square_root: return false;
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::string what_helps(const TypedGraph& graph, NodeId failure) {
+  const TypedNode& node = graph.nodes[failure];
+  if (node.operation == Operation::constant) return "a reduced.format with more exponent bits";
+  std::string help;
+  if (would_be_exact(graph, node.operands[0]) && would_be_exact(graph, node.operands[1])) {
+    help += "reduced.inputs = \"exact\", ";
+  }
+  const std::vector<bool> all_nonnegative(graph.input_count, true);
+  if (analyse_relative(graph, all_nonnegative).nodes[failure].relative) {
+    help += "ranges that exclude negative inputs, ";
+  }
+  return help + "reduced.bound = \"profiled\", or another formulation of f and g";
+}
+
+}  // namespace
+
+RelativeAnalysis analyse_relative(const TypedGraph& graph,
+                                  const std::vector<bool>& input_nonnegative) {
+  MIXCMP_CHECK(static_cast<int>(input_nonnegative.size()) == graph.input_count);
+  return Analysis(graph, input_nonnegative).run();
+}
+
+Result<Lane> certified_lane(TypedGraph graph, const std::vector<bool>& input_nonnegative) {
+  RelativeAnalysis analysis = analyse_relative(graph, input_nonnegative);
+  const NodeBound& f = analysis.nodes[graph.f];
+  const NodeBound& g = analysis.nodes[graph.g];
+  if (!f.relative || !g.relative) {
+    const NodeId failure = first_failure(graph, analysis);
+    return Error{.field = "reduced.bound",
+                 .message = "no bound can be proven: " + analysis.nodes[failure].reason,
+                 .received = "\"certified\"",
+                 .accepted = what_helps(graph, failure)};
+  }
+  UlpDistanceDecision decision{
+      .guard_ulp = guard_ulp(*f.relative, *g.relative, graph.arithmetic.format.precision()),
+      .nonnegative = f.nonnegative && g.nonnegative,
+      .nonnegative_inputs = std::move(analysis.nonnegative_inputs)};
+  return Lane{std::move(graph), std::move(decision)};
+}
+
+Bits guard_ulp(const RelativeBound& f, const RelativeBound& g, int precision) {
+  const mpq_class ratio = std::max<mpq_class>(g.high / f.low, f.high / g.low);
+  if (ratio == 1) return 0;
+  constexpr int most_doublings = 1 << FloatFormat::max_exponent_bits;
+  int doublings = 0;
+  mpq_class rest = ratio;  // ratio = rest * 2^doublings, 1 <= rest < 2
+  for (; rest >= 2; rest /= 2) {
+    if (++doublings == most_doublings) return ~Bits{0};  // beyond any two encodings
+  }
+  const mpq_class steps = (1 - 1 / rest) * (mpz_class(1) << precision);
+  const mpz_class whole = steps.get_num() / steps.get_den();
+  const mpz_class high = whole >> 64;
+  const Bits beyond_doublings =
+      Bits{high.get_ui()} << 64 | mpz_class(whole - (high << 64)).get_ui();
+  return (Bits(doublings) << (precision - 1)) + beyond_doublings + 1;
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,138 @@
+#include "model/golden/evaluate.hpp"
+
+#include <algorithm>
+
+#include "model/golden/enclosure.hpp"
+#include "model/golden/encoding.hpp"
+
+namespace mixcmp::model::golden {
+namespace {
+
+Rounded change_sign(FloatFormat format, Bits bits, Bits changed) {
+  return {changed, format.is_nan(bits) || format.is_infinite(bits)};
+}
+
+Rounded evaluate_node(const TypedNode& node, const Arithmetic& arithmetic,
+                      std::span<const Bits> inputs, const std::vector<Rounded>& values) {
+  const Arithmetic result = {node.format, arithmetic.rounding, arithmetic.subnormals};
+  const FloatFormat operands = node.operand_format;
+  const Bits a = node.operands[0] < 0 ? 0 : values[node.operands[0]].bits;
+  const Bits b = node.operands[1] < 0 ? 0 : values[node.operands[1]].bits;
+  switch (node.operation) {
+    case Operation::input: return {inputs[node.input], false};
+    case Operation::constant: return {node.constant, false};
+    case Operation::convert: return convert(result, operands, a);
+    case Operation::negate: return change_sign(operands, a, a ^ operands.zero(true));
+    case Operation::absolute: return change_sign(operands, a, operands.magnitude(a));
+    case Operation::add: return add(result, operands, a, b);
+    case Operation::subtract: return subtract(result, operands, a, b);
+    case Operation::multiply: return multiply(result, operands, a, b);
+    case Operation::square: return square(result, operands, a);
+    case Operation::divide: return divide(result, operands, a, b);
+    case Operation::square_root: return square_root(result, operands, a);
+    case Operation::minimum: return minimum(result, a, b);
+    case Operation::maximum: return maximum(result, a, b);
+  }
+  MIXCMP_CHECK(false);
+}
+
+bool any_exceptional(const std::vector<Rounded>& values) {
+  return std::any_of(values.begin(), values.end(),
+                     [](const Rounded& value) { return value.exceptional; });
+}
+
+bool breaks_a_range(const UlpDistanceDecision& decision, FloatFormat format,
+                    std::span<const Bits> inputs) {
+  return std::any_of(decision.nonnegative_inputs.begin(), decision.nonnegative_inputs.end(),
+                     [&](int input) { return format.sign(inputs[input]); });
+}
+
+/// What two ordered encodings say, and by how many steps.
+struct Distance {
+  Verdict verdict;
+  Bits ulp;
+};
+
+/// |key(f) - key(g)| with key(x) = +-magnitude; at most twice the largest magnitude, below 2^128.
+Distance distance(FloatFormat format, Bits f, Bits g) {
+  const Bits f_magnitude = format.magnitude(f), g_magnitude = format.magnitude(g);
+  const bool both_zero = f_magnitude == 0 && g_magnitude == 0;
+  if (format.sign(f) != format.sign(g) && !both_zero) {
+    return {format.sign(f) ? Verdict::less : Verdict::greater, f_magnitude + g_magnitude};
+  }
+  if (f_magnitude == g_magnitude) return {Verdict::equal, 0};
+  const bool f_larger = f_magnitude > g_magnitude;
+  const Bits ulp = f_larger ? f_magnitude - g_magnitude : g_magnitude - f_magnitude;
+  return {f_larger != format.sign(f) ? Verdict::greater : Verdict::less, ulp};
+}
+
+LaneResult decide(const UlpDistanceDecision& decision, const TypedGraph& graph,
+                  std::span<const Bits> inputs, const std::vector<Rounded>& values) {
+  const Bits f = values[graph.f].bits, g = values[graph.g].bits;
+  const bool usable =
+      !any_exceptional(values) && !breaks_a_range(decision, graph.input_format, inputs);
+  const auto [verdict, ulp] = distance(graph.arithmetic.format, f, g);
+  return {f, g, usable && ulp >= decision.guard_ulp, verdict};
+}
+
+LaneResult decide(const IntervalDecision& decision, const TypedGraph& graph, std::span<const Bits>,
+                  const std::vector<Rounded>& values) {
+  const auto sign_of = [&](NodeId id) {
+    return compare(graph.arithmetic.format, graph.arithmetic.subnormals, values[id].bits, 0);
+  };
+  const bool greater = sign_of(decision.minimum) == Verdict::greater;
+  const bool less = sign_of(decision.maximum) == Verdict::less;
+  return {values[graph.f].bits, values[graph.g].bits, greater || less,
+          greater ? Verdict::greater : Verdict::less};
+}
+
+constexpr mpfr_prec_t first_precision = 128, last_precision = 1 << 14;
+
+/// `unordered` here: the intervals do not tell.
+Verdict order(const Interval& f, const Interval& g) {
+  if (mpfr_less_p(f.high.get(), g.low.get())) return Verdict::less;
+  if (mpfr_greater_p(f.low.get(), g.high.get())) return Verdict::greater;
+  const bool points =
+      mpfr_equal_p(f.low.get(), f.high.get()) != 0 && mpfr_equal_p(g.low.get(), g.high.get()) != 0;
+  return points && mpfr_equal_p(f.low.get(), g.low.get()) ? Verdict::equal : Verdict::unordered;
+}
+
+}  // namespace
+
+std::vector<Rounded> evaluate(const TypedGraph& graph, std::span<const Bits> inputs) {
+  MIXCMP_CHECK(static_cast<int>(inputs.size()) == graph.input_count);
+  std::vector<Rounded> values;
+  values.reserve(graph.nodes.size());
+  for (const TypedNode& node : graph.nodes) {
+    values.push_back(evaluate_node(node, graph.arithmetic, inputs, values));
+  }
+  return values;
+}
+
+LaneResult evaluate_lane(const Lane& lane, std::span<const Bits> inputs) {
+  const std::vector<Rounded> values = evaluate(lane.graph, inputs);
+  return std::visit(
+      [&](const auto& decision) { return decide(decision, lane.graph, inputs, values); },
+      lane.decision);
+}
+
+Verdict evaluate_reference(const TypedGraph& reference, std::span<const Bits> inputs) {
+  const std::vector<Rounded> values = evaluate(reference, inputs);
+  return compare(reference.arithmetic.format, reference.arithmetic.subnormals,
+                 values[reference.f].bits, values[reference.g].bits);
+}
+
+Verdict true_verdict(const Graph& graph, FloatFormat format, std::span<const Bits> inputs) {
+  Knowledge knowledge = Knowledge::uncertain;
+  for (mpfr_prec_t precision = first_precision; precision <= last_precision; precision *= 2) {
+    Enclosure enclosure(graph, precision);
+    knowledge = enclosure.compute(format, inputs);
+    if (knowledge == Knowledge::undefined) return Verdict::unordered;
+    if (knowledge == Knowledge::uncertain) continue;
+    const Verdict verdict = order(enclosure.f(), enclosure.g());
+    if (verdict != Verdict::unordered) return verdict;
+  }
+  return knowledge == Knowledge::uncertain ? Verdict::unordered : Verdict::equal;
+}
+
+}  // namespace mixcmp::model::golden
