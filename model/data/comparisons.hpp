@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "model/format/float_format.hpp"
@@ -23,6 +26,19 @@ struct Table {
   }
 };
 
+/// What an input of a comparison of two items names: "cxi" is column "cx" of the first.
+struct ItemColumn {
+  std::string name;
+  bool second;
+};
+/// None for a name that does not end in i or j, or is nothing else.
+std::optional<ItemColumn> item_column(std::string_view input);
+
+/// Pairs i < j of `count` items, numbered (0,1), (0,2), ..., (1,2), ...; exact up to 2^31 items.
+constexpr std::uint64_t max_paired_items = std::uint64_t{1} << 31;
+std::uint64_t pair_count(std::uint64_t count);
+std::pair<std::uint64_t, std::uint64_t> pair_items(std::uint64_t index, std::uint64_t count);
+
 /// The comparisons a scene asks for, addressable by index: every row of a table, or every pair
 /// i < j of its rows. With pairs, input "cxi" is column "cx" of item i, "cxj" that of item j.
 class Comparisons {
@@ -37,15 +53,18 @@ public:
   /// (i, j) of comparison `index`, i < j in order (0,1), (0,2), ...; (index, index) for rows.
   std::pair<std::uint64_t, std::uint64_t> items(std::uint64_t index) const;
 
-  const Table& table() const { return table_; }
-  std::size_t input_count() const { return sources_.size(); }
-
-private:
+  /// Where an input's operands stand in the table.
   struct Source {
     std::size_t column;
     bool second;  ///< of item j
   };
 
+  const Table& table() const { return table_; }
+  std::size_t input_count() const { return sources_.size(); }
+  const std::vector<Source>& sources() const { return sources_; }
+  bool pairs() const { return pairs_; }
+
+private:
   Comparisons(Table table, std::vector<Source> sources, bool pairs)
       : table_(std::move(table)), sources_(std::move(sources)), pairs_(pairs) {}
 

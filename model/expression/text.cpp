@@ -127,11 +127,11 @@ std::string approximately(const mpq_class& value) {
 
 std::string to_text(const mpq_class& value) {
   constexpr int most_decimals = 20;
-  constexpr std::size_t most_characters = 24;
+  constexpr std::size_t most_characters = 24, most_of_a_fraction = 12;
   const int decimals = exact_decimals(value, most_decimals);
   if (decimals < 0) {
     const std::string fraction = value.get_str();
-    return fraction.size() <= most_characters ? fraction : approximately(value);
+    return fraction.size() <= most_of_a_fraction ? fraction : approximately(value);
   }
   mpz_class scaled;
   mpz_ui_pow_ui(scaled.get_mpz_t(), 10, static_cast<unsigned long>(decimals));

@@ -35,6 +35,12 @@ enum class OperandStore {
   refetched,  ///< only the tag leaves; the user's memory answers
 };
 
+/// The words of scene files, options and reports.
+std::string_view to_string(BoundKind bound);
+std::string_view to_string(LaneInputs inputs);
+std::string_view to_string(ResultOrder order);
+std::string_view to_string(OperandStore store);
+
 struct ReducedSpec {
   std::optional<FloatFormat> format;  ///< none: "auto"
   BoundKind bound = BoundKind::certified;

@@ -1,0 +1,7 @@
+target_sources(mixcmp_model PRIVATE
+  scene/input_ranges.cpp
+  scene/scene.cpp
+  scene/section.cpp
+  scene/settings.cpp
+  scene/spelling.cpp
+)

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "model/common/result.hpp"
+
+namespace mixcmp::model {
+
+/// All bytes of a regular file.
+Result<std::string> read_file(const std::filesystem::path& path);
+
+}  // namespace mixcmp::model

@@ -1,0 +1,107 @@
+#include "model/scene/input_ranges.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/common/nearest.hpp"
+#include "model/expression/text.hpp"
+#include "model/scene/section.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+bool is_pattern(const std::string& key) {
+  return key.find('*') != std::string::npos;
+}
+
+Result<Range> read_range(const Settings& settings, const Setting& entry) {
+  const std::string field = "inputs." + entry.key;
+  const std::string accepted = "{ range = [low, high] }, low <= high";
+  if (!std::holds_alternative<Setting::Table>(entry.value)) {
+    return mistake_at(settings, entry, field, "wrong type", entry.shown(), accepted);
+  }
+  Section section(settings, field, entry);
+  section.require("range");
+  const Setting* range = section.find("range");
+  if (const auto error = section.finish()) return *error;
+  const auto wrong = [&](std::string message, std::string received) {
+    return section.mistake("range", std::move(message), std::move(received),
+                           "[low, high], low <= high");
+  };
+  const auto* bounds = std::get_if<Setting::Array>(&range->value);
+  if (bounds == nullptr || bounds->size() != 2) return wrong("not a range", range->shown());
+  const auto low = exact_value((*bounds)[0]);
+  const auto high = exact_value((*bounds)[1]);
+  if (!low) return wrong("the low end is not a finite number", (*bounds)[0].shown());
+  if (!high) return wrong("the high end is not a finite number", (*bounds)[1].shown());
+  if (*low > *high) {
+    return wrong("the range is empty", fmt::format("[{}, {}]", to_text(*low), to_text(*high)));
+  }
+  return Range{.low = *low, .high = *high};
+}
+
+/// The entry that declares `input`, if any.
+Result<const Setting*> entry_for(const Settings& settings, std::span<const Setting> entries,
+                                 const std::string& input) {
+  const Setting* pattern = nullptr;
+  for (const Setting& entry : entries) {
+    if (entry.key == input) return &entry;
+  }
+  for (const Setting& entry : entries) {
+    if (!is_pattern(entry.key) || !matches(entry.key, input)) continue;
+    if (pattern != nullptr) {
+      return mistake_at(settings, entry, "inputs." + entry.key,
+                        fmt::format("two patterns match the input {}", input),
+                        fmt::format("\"{}\" and \"{}\"", pattern->key, entry.key),
+                        fmt::format("one pattern, or the exact key {}", input));
+    }
+    pattern = &entry;
+  }
+  return pattern;
+}
+
+}  // namespace
+
+bool matches(std::string_view pattern, std::string_view name) {
+  std::size_t p = 0, n = 0;
+  std::size_t star = std::string_view::npos, resume = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      resume = n;
+    } else if (p < pattern.size() && pattern[p] == name[n]) {
+      ++p, ++n;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;  // let the last star swallow one more
+      n = ++resume;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
+Result<std::vector<std::optional<Range>>> read_input_ranges(
+    const Settings& settings, const std::vector<std::string>& inputs) {
+  const Section section(settings, "inputs");
+  if (settings.root.find("inputs") != nullptr && !section.present()) return *section.finish();
+  for (const Setting& entry : section.entries()) {
+    const auto match = [&](const std::string& input) { return matches(entry.key, input); };
+    if (std::none_of(inputs.begin(), inputs.end(), match)) {
+      return mistake_at(settings, entry, "inputs." + entry.key, "matches no input of f and g",
+                        fmt::format("\"{}\"", entry.key), list_with_nearest(entry.key, inputs));
+    }
+  }
+  std::vector<std::optional<Range>> ranges;
+  for (const std::string& input : inputs) {
+    MIXCMP_TRY(entry, entry_for(settings, section.entries(), input));
+    ranges.emplace_back();
+    if (entry == nullptr) continue;
+    MIXCMP_TRY(range, read_range(settings, *entry));
+    ranges.back() = range;
+  }
+  return ranges;
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include <concepts>
+#include <initializer_list>
+#include <limits>
+#include <optional>
+
+#include "model/format/float_format.hpp"
+#include "model/scene/settings.hpp"
+
+namespace mixcmp::model {
+
+/// Reads one table of a scene, key by key, into variables that keep their defaults where a key is
+/// absent. The first mistake is kept; `finish` tells it, or a key that no one asked for.
+class Section {
+public:
+  /// The section [name] of the file; an absent one reads as empty.
+  Section(const Settings& settings, std::string name);
+  /// A table inside a section.
+  Section(const Settings& settings, std::string name, const Setting& table);
+
+  bool present() const { return table_ != nullptr; }
+  int line() const { return line_; }
+  const Setting* find(const std::string& key);
+  std::span<const Setting> entries() const;
+
+  void require(const std::string& key);
+  void text(const std::string& key, std::string& target);
+  void number(const std::string& key, double& target, double low, double high);
+  void exact(const std::string& key, std::optional<mpq_class>& target);
+  void format(const std::string& key, std::optional<FloatFormat>& target);
+  template <std::integral Integer>
+  void integer(const std::string& key, Integer& target, std::int64_t low, std::int64_t high);
+  /// An integer, or "auto" for none.
+  void integer_or_auto(const std::string& key, std::optional<int>& target, std::int64_t low,
+                       std::int64_t high);
+  /// One of `accepted`, by its to_string.
+  template <class Enum>
+  void choice(const std::string& key, Enum& target, std::initializer_list<Enum> accepted);
+
+  /// Keeps a mistake found by the caller, unless there is one already.
+  void fail(const std::string& key, std::string message, std::string received,
+            std::string accepted);
+  /// The same without keeping it.
+  Error mistake(const std::string& key, std::string message, std::string received,
+                std::string accepted) const;
+
+  /// The first mistake, if any. An unknown key goes first: it may be why another is missing.
+  std::optional<Error> finish() const;
+
+private:
+  const Setting* find_string(const std::string& key);
+  void choose(const std::string& key, std::span<const std::string> accepted,
+              std::optional<std::size_t>& chosen);
+  std::optional<std::int64_t> read_integer(const std::string& key, std::int64_t low,
+                                           std::int64_t high, const std::string& accepted);
+
+  const Settings& settings_;
+  std::string name_;
+  const Setting::Table* table_ = nullptr;
+  int line_ = 0;
+  bool overridden_ = false;
+  std::vector<std::string> known_keys_;
+  std::optional<Error> error_;
+};
+
+/// An error about the setting `field`: it names the setting's line, or "--set" without one.
+Error mistake_at(const Settings& settings, const Setting& setting, std::string field,
+                 std::string message, std::string received, std::string accepted);
+
+/// The exact value of an integer, of a number (the shortest decimal that names it), or of a string
+/// that holds a decimal or hex-float literal.
+std::optional<mpq_class> exact_value(const Setting& setting);
+
+template <std::integral Integer>
+void Section::integer(const std::string& key, Integer& target, std::int64_t low,
+                      std::int64_t high) {
+  const auto value = read_integer(key, low, high, {});
+  if (value) target = static_cast<Integer>(*value);
+}
+
+template <class Enum>
+void Section::choice(const std::string& key, Enum& target, std::initializer_list<Enum> accepted) {
+  std::vector<std::string> words;
+  for (const Enum value : accepted) words.emplace_back(to_string(value));
+  std::optional<std::size_t> chosen;
+  choose(key, words, chosen);
+  if (chosen) target = accepted.begin()[*chosen];
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,169 @@
+#include "model/scene/settings.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+#include "model/common/file.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+Setting to_setting(std::string key, const toml::node& node);
+
+int line_of(const toml::source_position& position) {
+  return static_cast<int>(position.line);
+}
+
+Setting::Table to_table(const toml::table& table) {
+  Setting::Table entries;
+  for (const auto& [key, node] : table) {
+    Setting setting = to_setting(std::string(key.str()), node);
+    setting.line = line_of(key.source().begin);
+    entries.entries.push_back(std::move(setting));
+  }
+  std::stable_sort(entries.entries.begin(), entries.entries.end(),
+                   [](const Setting& a, const Setting& b) { return a.line < b.line; });
+  return entries;
+}
+
+Setting::Array to_array(const toml::array& array) {
+  Setting::Array elements;
+  for (const toml::node& node : array) elements.push_back(to_setting({}, node));
+  return elements;
+}
+
+Setting to_setting(std::string key, const toml::node& node) {
+  Setting setting{.key = std::move(key),
+                  .line = line_of(node.source().begin),
+                  .end_line = line_of(node.source().end),
+                  .value = Setting::Foreign{"a date or time"}};
+  if (const auto* truth = node.as_boolean()) setting.value = truth->get();
+  if (const auto* integer = node.as_integer()) setting.value = integer->get();
+  if (const auto* real = node.as_floating_point()) setting.value = real->get();
+  if (const auto* text = node.as_string()) setting.value = text->get();
+  if (const auto* array = node.as_array()) setting.value = to_array(*array);
+  if (const auto* table = node.as_table()) setting.value = to_table(*table);
+  return setting;
+}
+
+Result<toml::table> parse_toml(const std::string& text, const std::string& file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& problem) {
+    std::string message(problem.description());
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    return Error{.file = file,
+                 .line = line_of(problem.source().begin),
+                 .column = static_cast<int>(problem.source().begin.column),
+                 .field = "TOML syntax",
+                 .message = message};
+  }
+}
+
+/// On one line, short enough for a message.
+std::string quoted(const std::string& text) {
+  constexpr std::size_t most = 80;
+  std::string shown;
+  for (const char c : text.substr(0, most)) shown += c == '\n' ? ' ' : c;
+  return fmt::format("\"{}{}\"", shown, text.size() > most ? "..." : "");
+}
+
+/// As if set on the command line: without a line.
+void forget_lines(Setting& setting) {
+  setting.line = setting.end_line = 0;
+  if (auto* table = std::get_if<Setting::Table>(&setting.value)) {
+    for (Setting& entry : table->entries) forget_lines(entry);
+  }
+  if (auto* array = std::get_if<Setting::Array>(&setting.value)) {
+    for (Setting& element : *array) forget_lines(element);
+  }
+}
+
+Setting parse_override_value(const std::string& key, const std::string& text) {
+  const Result<toml::table> parsed = parse_toml("value = " + text, "--set");
+  Setting setting{.key = key, .value = text};
+  if (parsed.ok() && parsed->size() == 1 && parsed->contains("value")) {
+    setting = to_setting(key, *parsed->get("value"));
+    forget_lines(setting);
+  }
+  return setting;
+}
+
+Setting& find_or_add(Setting::Table& table, const std::string& key) {
+  const auto found = std::find_if(table.entries.begin(), table.entries.end(),
+                                  [&](const Setting& entry) { return entry.key == key; });
+  if (found != table.entries.end()) return *found;
+  return table.entries.emplace_back(Setting{.key = key, .value = Setting::Table{}});
+}
+
+Result<Done> apply_override(Setting::Table& root, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::size_t dot = text.find('.');
+  if (equals == std::string::npos || dot == std::string::npos || dot > equals || dot == 0 ||
+      dot + 1 == equals) {
+    return Error{.file = "--set",
+                 .message = "not an override",
+                 .received = fmt::format("\"{}\"", text),
+                 .accepted = "section.key=value"};
+  }
+  Setting& section = find_or_add(root, text.substr(0, dot));
+  auto* table = std::get_if<Setting::Table>(&section.value);
+  if (table == nullptr) return Done{};  // the section's own mistake is told when it is read
+  const std::string key = text.substr(dot + 1, equals - dot - 1);
+  find_or_add(*table, key) = parse_override_value(key, text.substr(equals + 1));
+  return Done{};
+}
+
+}  // namespace
+
+const Setting* Setting::Table::find(const std::string& key) const {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const Setting& entry) { return entry.key == key; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+std::string Setting::kind() const {
+  struct Names {
+    std::string operator()(bool) const { return "a boolean"; }
+    std::string operator()(std::int64_t) const { return "an integer"; }
+    std::string operator()(double) const { return "a number"; }
+    std::string operator()(const std::string&) const { return "a string"; }
+    std::string operator()(const Array&) const { return "an array"; }
+    std::string operator()(const Table&) const { return "a table"; }
+    std::string operator()(const Foreign& foreign) const { return foreign.kind; }
+  };
+  return std::visit(Names{}, value);
+}
+
+std::string Setting::shown() const {
+  struct Texts {
+    const Setting& setting;
+    std::string operator()(bool truth) const { return truth ? "true" : "false"; }
+    std::string operator()(std::int64_t integer) const { return fmt::format("{}", integer); }
+    std::string operator()(double real) const { return fmt::format("{}", real); }
+    std::string operator()(const std::string& text) const { return quoted(text); }
+    std::string operator()(const Array& array) const {
+      return fmt::format("an array of {}", array.size());
+    }
+    std::string operator()(const Table&) const { return setting.kind(); }
+    std::string operator()(const Foreign&) const { return setting.kind(); }
+  };
+  return std::visit(Texts{*this}, value);
+}
+
+Result<Settings> read_settings(const std::filesystem::path& path,
+                               std::span<const std::string> overrides) {
+  MIXCMP_TRY(source, read_file(path));
+  Settings settings{.path = path, .source = std::move(source)};
+  MIXCMP_TRY(table, parse_toml(settings.source, path.string()));
+  settings.root = to_table(table);
+  for (const std::string& setting : overrides) {
+    const Result<Done> applied = apply_override(settings.root, setting);
+    if (!applied.ok()) return applied.error();
+  }
+  return settings;
+}
+
+}  // namespace mixcmp::model

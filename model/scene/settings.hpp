@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "model/common/result.hpp"
+
+namespace mixcmp::model {
+
+/// One key of a scene file with its value, as TOML has it; what it means comes later.
+struct Setting {
+  /// A value of a kind that no scene uses, by its name: "a date".
+  struct Foreign {
+    std::string kind;
+  };
+  struct Table {
+    std::vector<Setting> entries;  ///< in the order of the file, those of --set last
+    const Setting* find(const std::string& key) const;
+  };
+  using Array = std::vector<Setting>;
+
+  std::string key;   ///< empty in arrays
+  int line = 0;      ///< 1-based; 0: from --set
+  int end_line = 0;  ///< last line of the value
+  std::variant<bool, std::int64_t, double, std::string, Array, Table, Foreign> value;
+
+  /// "a number", "a string", ...
+  std::string kind() const;
+  /// The value as an error message shows it.
+  std::string shown() const;
+};
+
+/// A scene file as written, --set overrides applied, not yet understood.
+struct Settings {
+  std::filesystem::path path;
+  std::string source;  ///< the file's text
+  Setting::Table root;
+};
+
+/// Each override is "section.key=value"; what is no TOML value counts as a string.
+Result<Settings> read_settings(const std::filesystem::path& path,
+                               std::span<const std::string> overrides);
+
+}  // namespace mixcmp::model

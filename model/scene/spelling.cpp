@@ -1,0 +1,37 @@
+#include "model/scene/scene.hpp"
+
+namespace mixcmp::model {
+
+std::string_view to_string(BoundKind bound) {
+  switch (bound) {
+    case BoundKind::certified: return "certified";
+    case BoundKind::profiled: return "profiled";
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::string_view to_string(LaneInputs inputs) {
+  switch (inputs) {
+    case LaneInputs::rounded: return "rounded";
+    case LaneInputs::exact: return "exact";
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::string_view to_string(ResultOrder order) {
+  switch (order) {
+    case ResultOrder::tagged: return "tagged";
+    case ResultOrder::in_order: return "in_order";
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::string_view to_string(OperandStore store) {
+  switch (store) {
+    case OperandStore::carried: return "carried";
+    case OperandStore::refetched: return "refetched";
+  }
+  MIXCMP_CHECK(false);
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,432 @@
+#include "model/scene/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <random>
+
+#include "tests/support/scratch_directory.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+const std::string sphere_scene = R"([comparison]
+name = "sphere_collision"
+f = "(cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2"
+g = "(ri + rj)^2"
+
+[inputs]
+"c*" = { range = [0, 100] }
+"r*" = { range = [0, 0.1] }
+
+[reference]
+format = "s53e8"
+
+[reduced]
+format = "s17e8"
+bound = "profiled"
+inputs = "rounded"
+relative_error_f = 1e-4
+
+[system]
+device = "virtex5-lx330t"
+lanes = 87
+references = "auto"
+slack = 0.25
+order = "in_order"
+
+[data]
+items = "uniform_spheres"
+count = 512
+radius_max = 25
+seed = 7
+pairs = "all"
+)";
+
+class SceneTest : public testing::Test {
+protected:
+  Result<Scene> load(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    std::ofstream(path_, std::ios::binary) << text;
+    return load_scene(path_, overrides);
+  }
+
+  /// The sphere scene with its first occurrence of `from` replaced by `to`.
+  Result<Scene> load_changed(const std::string& from, const std::string& to) {
+    std::string text = sphere_scene;
+    const std::size_t place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    return load(text.replace(place, from.size(), to));
+  }
+
+  test::ScratchDirectory directory_;
+  std::filesystem::path path_ = directory_.path() / "scene.toml";
+};
+
+TEST_F(SceneTest, EveryKeyArrives) {
+  const Result<Scene> scene = load(sphere_scene);
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_EQ(scene->name, "sphere_collision");
+  EXPECT_EQ(scene->g_text, "(ri + rj)^2");
+  EXPECT_EQ(scene->graph.inputs(),
+            (std::vector<std::string>{"cxi", "cxj", "cyi", "cyj", "czi", "czj", "ri", "rj"}));
+  EXPECT_EQ(scene->ranges.at(3)->high, 100);
+  EXPECT_EQ(scene->ranges.at(6)->low, 0);
+  EXPECT_EQ(scene->ranges.at(6)->high, mpq_class(1, 10));
+  EXPECT_EQ(scene->reference.format.name(), "s53e8");
+  EXPECT_EQ(scene->reference.subnormals, Subnormals::gradual);
+  EXPECT_EQ(scene->reduced.format->name(), "s17e8");
+  EXPECT_EQ(scene->reduced.bound, BoundKind::profiled);
+  EXPECT_EQ(scene->reduced.inputs, LaneInputs::rounded);
+  EXPECT_EQ(*scene->reduced.relative_error_f, mpq_class(1, 10000));
+  EXPECT_FALSE(scene->reduced.relative_error_g.has_value());
+  EXPECT_EQ(scene->system.device, "virtex5-lx330t");
+  EXPECT_EQ(scene->system.lanes, 87);
+  EXPECT_FALSE(scene->system.references.has_value());
+  EXPECT_EQ(scene->system.slack, 0.25);
+  EXPECT_EQ(scene->system.order, ResultOrder::in_order);
+  EXPECT_EQ(scene->system.operands, OperandStore::carried);
+  ASSERT_TRUE(scene->data.has_value());
+  EXPECT_EQ(scene->data->items, "uniform_spheres");
+  EXPECT_EQ(scene->data->count, 512);
+  EXPECT_EQ(scene->data->side, 100);
+  EXPECT_EQ(scene->data->radius_max, 25);
+  EXPECT_EQ(scene->data->seed, 7U);
+  EXPECT_TRUE(scene->data->all_pairs);
+  EXPECT_TRUE(scene->notes.empty());
+}
+
+TEST_F(SceneTest, ReducedSystemAndDataMayBeAbsent) {
+  const Result<Scene> scene = load(
+      "[comparison]\nname = \"n\"\nf = \"x\"\ng = \"y\"\n[reference]\nformat = \"binary64\"\n");
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_FALSE(scene->reduced.format.has_value());
+  EXPECT_EQ(scene->reduced.bound, BoundKind::certified);
+  EXPECT_EQ(scene->reduced.subnormals, Subnormals::flush);
+  EXPECT_FALSE(scene->data.has_value());
+  EXPECT_FALSE(scene->ranges.at(0).has_value());
+}
+
+TEST_F(SceneTest, RangesAreReadExactly) {
+  const Result<Scene> scene =
+      load_changed("[0, 0.1]", R"(["-0x1.8p-1", "12345678901234567890.123456789012345678901"])");
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_EQ(scene->ranges.at(6)->low, mpq_class(-3, 4));
+  EXPECT_EQ(scene->ranges.at(6)->high,
+            mpq_class("12345678901234567890123456789012345678901/1000000000000000000000"));
+}
+
+TEST_F(SceneTest, ExactKeyBeatsPattern) {
+  const Result<Scene> scene = load_changed("[inputs]", "[inputs]\ncxj = { range = [-2.5, 1_000] }");
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_EQ(scene->ranges.at(1)->low, mpq_class(-5, 2));
+  EXPECT_EQ(scene->ranges.at(1)->high, 1000);
+  EXPECT_EQ(scene->ranges.at(0)->high, 100);
+  EXPECT_EQ(scene->nonnegative_inputs(),
+            (std::vector<bool>{true, false, true, true, true, true, true, true}));
+}
+
+TEST_F(SceneTest, OverridesWinAndTakeBareWords) {
+  const Result<Scene> scene =
+      load(sphere_scene, {"data.radius_max=5", "reduced.format=s24e8", "system.order = \"tagged\"",
+                          "inputs.r*={ range = [0, 5] }", "comparison.g=(ri + rj)^2 * 1"});
+  ASSERT_FALSE(scene.ok());  // "order " with its space is another key
+  EXPECT_EQ(scene.error().file, "--set");
+  EXPECT_EQ(scene.error().message, "unknown key");
+  const Result<Scene> good =
+      load(sphere_scene,
+           {"data.radius_max=5", "reduced.format=s24e8", "system.order=\"tagged\"",
+            "system.lanes=auto", "inputs.r*={ range = [0, 5] }", "comparison.g=(ri + rj)^2 + ri"});
+  ASSERT_TRUE(good.ok()) << good.error().to_string();
+  EXPECT_EQ(good->data->radius_max, 5);
+  EXPECT_EQ(good->reduced.format->name(), "s24e8");
+  EXPECT_EQ(good->system.order, ResultOrder::tagged);
+  EXPECT_FALSE(good->system.lanes.has_value());
+  EXPECT_EQ(good->ranges.at(7)->high, 5);
+  EXPECT_EQ(good->g_text, "(ri + rj)^2 + ri");
+}
+
+TEST_F(SceneTest, OverridesMayMakeSections) {
+  const std::string small =
+      "[comparison]\nname = \"n\"\nf = \"x\"\ng = \"y\"\n[reference]\nformat = \"binary64\"\n";
+  const Result<Scene> scene = load(small, {"data.file=atoms.pdb", "data.pairs=all"});
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_EQ(scene->data->file, directory_.path() / "atoms.pdb");
+}
+
+TEST_F(SceneTest, NotesTellOfInexactConstantsAndUnusedThings) {
+  std::string text = sphere_scene;
+  text.replace(text.find("\"(ri + rj)^2\""), 13, "\"(ri + rj)^2 + 0.1\"");
+  text.replace(text.find("bound = \"profiled\"\n"), 19, "");
+  text += "[let]\nspare = \"cxi\"\n";
+  const Result<Scene> scene = load(text);
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_EQ(scene->notes,
+            (std::vector<std::string>{
+                "let spare is not used by f or g",
+                "constant 0.1 is inexact in s53e8: rounded, off by about 5.55112e-18",
+                "reduced.relative_error_f and _g are not used: a certified bound proves its own"}));
+}
+
+TEST_F(SceneTest, LetsAreShared) {
+  const std::string text =
+      "[comparison]\nname = \"n\"\nf = \"d^2\"\ng = \"d * e\"\n[let]\nd = \"x - y\"\ne = \"d\"\n"
+      "[reference]\nformat = \"binary64\"\n";
+  const Result<Scene> scene = load(text);
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_EQ(scene->graph.f(), scene->graph.g());
+}
+
+struct Mistake {
+  std::string from;
+  std::string to;
+  std::string error;  ///< after the file's name
+};
+
+class SceneMistake : public SceneTest, public testing::WithParamInterface<Mistake> {};
+
+TEST_P(SceneMistake, IsToldInOneLine) {
+  const Result<Scene> scene = load_changed(GetParam().from, GetParam().to);
+  ASSERT_FALSE(scene.ok()) << GetParam().to;
+  EXPECT_EQ(scene.error().to_string(), path_.string() + GetParam().error);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sections, SceneMistake,
+    testing::Values(
+        Mistake{"[reduced]", "[redcued]",
+                ":13: redcued: unknown section: received redcued; accepted reduced (the nearest), "
+                "comparison, let, inputs, reference, system, data"},
+        Mistake{"[comparison]", "x = 1\n[comparison]",
+                ":1: x: a key outside of any section: received x; accepted comparison, let, "
+                "inputs, reference, reduced, system, data"},
+        Mistake{"[comparison]", "reduced = 3\n[comparison]",
+                ":14:1: TOML syntax: Error while parsing table header: cannot redefine existing "
+                "integer 'reduced' as table"},
+        Mistake{"[reference]\nformat = \"s53e8\"\n", "",
+                ": reference.format: missing: received nothing; accepted a key format"},
+        Mistake{"[reference]\nformat = \"s53e8\"\n", "[reference]\n",
+                ":10: reference.format: missing: received nothing; accepted a key format"},
+        Mistake{"format = \"s53e8\"", "fromat = \"s53e8\"",
+                ":11: reference.fromat: unknown key: received fromat; accepted format (the "
+                "nearest), subnormals"},
+        Mistake{"slack = 0.25", "slck = 0.25",
+                ":23: system.slck: unknown key: received slck; accepted slack (the nearest), "
+                "counter_bits, device, lanes, operands, order, references, tag_bits, target_mhz"},
+        Mistake{"seed = 7", "sead = 7",
+                ":30: data.sead: unknown key: received sead; accepted seed (the nearest), count, "
+                "file, items, pairs, radius_max, side"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Types, SceneMistake,
+    testing::Values(
+        Mistake{"name = \"sphere_collision\"", "name = 3",
+                ":2: comparison.name: wrong type: received 3 (an integer); accepted a string"},
+        Mistake{"count = 512", "count = 512.0",
+                ":28: data.count: wrong type: received 512 (a number); accepted an integer "
+                "1..16777216"},
+        Mistake{"lanes = 87", "lanes = \"many\"",
+                ":21: system.lanes: wrong type: received \"many\" (a string); accepted \"auto\" or "
+                "an integer 1..128"},
+        Mistake{"slack = 0.25", "slack = \"0.25\"",
+                ":23: system.slack: wrong type: received \"0.25\"; accepted a number from 0 to "
+                "0.95"},
+        Mistake{"slack = 0.25", "slack = 2020-01-01",
+                ":23: system.slack: wrong type: received a date or time; accepted a number from 0 "
+                "to 0.95"},
+        Mistake{"\"r*\" = { range = [0, 0.1] }", "\"r*\" = [0, 0.1]",
+                ":8: inputs.r*: wrong type: received an array of 2; accepted { range = [low, high] "
+                "}, low <= high"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, SceneMistake,
+    testing::Values(
+        Mistake{"sphere_collision", "sphere-collision",
+                ":2: comparison.name: not a name: received \"sphere-collision\"; accepted a letter "
+                "or '_', then letters, digits and '_', at most 64, no Verilog or SystemVerilog "
+                "keyword"},
+        Mistake{"sphere_collision", "module",
+                ":2: comparison.name: \"module\" is a Verilog or SystemVerilog keyword: received "
+                "\"module\"; accepted a letter or '_', then letters, digits and '_', at most 64, "
+                "no Verilog or SystemVerilog keyword"},
+        Mistake{"s53e8", "s10e8",
+                ":11: reference.format: precision out of range: received s10e8; accepted precision "
+                "11..113"},
+        Mistake{"s53e8", "double",
+                ":11: reference.format: not a floating-point format: received \"double\"; accepted "
+                "sPeE with P 2..113 and E 2..15, or binary16, bfloat16, binary32, binary64, "
+                "binary128"},
+        Mistake{"s17e8", "s3e8",
+                ":14: reduced.format: precision out of range: received s3e8; accepted precision "
+                "4..52, at most the reference's"},
+        Mistake{"s17e8", "s53e8",
+                ":14: reduced.format: precision out of range: received s53e8; accepted precision "
+                "4..52, at most the reference's"},
+        Mistake{"s53e8", "s16e8",
+                ":14: reduced.format: precision out of range: received s17e8; accepted precision "
+                "4..16, at most the reference's"},
+        Mistake{"\"profiled\"", "\"profield\"",
+                ":15: reduced.bound: not a choice: received \"profield\"; accepted profiled (the "
+                "nearest), certified"},
+        Mistake{"1e-4", "-1e-4",
+                ":17: reduced.relative_error_f: out of range: received -0.0001; accepted a number "
+                "of at least 0 and below 1"},
+        Mistake{"lanes = 87", "lanes = 129",
+                ":21: system.lanes: out of range: received 129; accepted \"auto\" or an integer "
+                "1..128"},
+        Mistake{"references = \"auto\"", "references = 17",
+                ":22: system.references: out of range: received 17; accepted \"auto\" or an "
+                "integer 0..16"},
+        Mistake{"slack = 0.25", "slack = nan",
+                ":23: system.slack: out of range: received nan; accepted a number from 0 to 0.95"},
+        Mistake{"slack = 0.25", "counter_bits = 7",
+                ":23: system.counter_bits: out of range: received 7; accepted 0 (no counters) or "
+                "an integer 8..64"},
+        Mistake{"count = 512", "count = 0",
+                ":28: data.count: out of range: received 0; accepted an integer 1..16777216"},
+        Mistake{"\"uniform_spheres\"", "\"cubes\"",
+                ":27: data.items: not a choice: received \"cubes\"; accepted uniform_spheres"},
+        Mistake{"seed = 7", "file = \"a.csv\"",
+                ":26: data: two sources of data: received items and file; accepted items = "
+                "\"uniform_spheres\", or file = a .pdb, .csv or .npy file"},
+        Mistake{"items = \"uniform_spheres\"\n", "",
+                ":26: data: no source of data: received neither items nor file; accepted items = "
+                "\"uniform_spheres\", or file = a .pdb, .csv or .npy file"},
+        Mistake{
+            "items = \"uniform_spheres\"", "file = \"a.txt\"",
+            ":27: data.file: not a data file by its ending: received \"a.txt\"; accepted a file "
+            "that ends in .pdb, .csv or .npy"},
+        Mistake{"pairs = \"all\"", "pairs = \"some\"",
+                ":31: data.pairs: not a choice: received \"some\"; accepted all"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Inputs, SceneMistake,
+    testing::Values(
+        Mistake{"\"r*\"", "\"q*\"",
+                ":8: inputs.q*: matches no input of f and g: received \"q*\"; accepted cxi, cxj, "
+                "cyi, cyj, czi, czj, ri, rj"},
+        Mistake{"\"r*\"", "\"*i\"",
+                ":8: inputs.*i: two patterns match the input cxi: received \"c*\" and \"*i\"; "
+                "accepted one pattern, or the exact key cxi"},
+        Mistake{"range = [0, 100]", "rnage = [0, 100]",
+                ":7: inputs.c*.rnage: unknown key: received rnage; accepted range (the nearest)"},
+        Mistake{"range = [0, 100]", "range = [100, 0]",
+                ":7: inputs.c*.range: the range is empty: received [100, 0]; accepted [low, high], "
+                "low <= high"},
+        Mistake{"range = [0, 100]", "range = [0]",
+                ":7: inputs.c*.range: not a range: received an array of 1; accepted [low, high], "
+                "low <= high"},
+        Mistake{"range = [0, 100]", "range = [0, inf]",
+                ":7: inputs.c*.range: the high end is not a finite number: received inf; accepted "
+                "[low, high], low <= high"},
+        Mistake{"range = [0, 100]", "range = [\"zero\", 1]",
+                ":7: inputs.c*.range: the low end is not a finite number: received \"zero\"; "
+                "accepted [low, high], low <= high"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Expressions, SceneMistake,
+    testing::Values(
+        Mistake{"(ri + rj)^2", "(ri + rj)^17",
+                ":4:16: comparison.g: power out of range: received 17; accepted an integer literal "
+                "1..16 after '^'"},
+        Mistake{
+            "g = \"(ri + rj)^2\"", "g = '''ri\n  + $'''",
+            ":5:5: comparison.g: unexpected character: received '$'; accepted a number, a name, "
+            "a function call, '(' or '-'"},
+        Mistake{"g = \"(ri + rj)^2\"", "g = \"\"",
+                ":4:6: comparison.g: unexpected end: received the end; accepted a number, a name, "
+                "a function call, '(' or '-'"},
+        Mistake{"(ri + rj)^2", "\\u0072i + $",
+                ":4: comparison.g: unexpected character at character 6 of the text: received '$'; "
+                "accepted a number, a name, a function call, '(' or '-'"},
+        Mistake{"[inputs]", "[let]\nspare = \"1 +* 2\"\n[inputs]",
+                ":7:13: let.spare: unexpected character: received '*'; accepted a number, a name, "
+                "a function call, '(' or '-'"},
+        Mistake{"[inputs]", "[let]\nri = \"1 + rj\"\nrj = \"ri\"\n[inputs]",
+                ":8:7: let.rj: a let needs itself: received ri -> rj -> ri; accepted lets without "
+                "cycles"},
+        Mistake{"[inputs]", "[let]\nsqrt = \"1\"\n[inputs]",
+                ":7: let.sqrt: sqrt is a function: received \"sqrt\"; accepted a letter or '_', "
+                "then letters, digits and '_', at most 64, no Verilog or SystemVerilog keyword, no "
+                "function"},
+        Mistake{"(ri + rj)^2", "ri + 1e40",
+                ":11: reference.format: it cannot hold the constant about 1e40: received s53e8; "
+                "accepted a format with more exponent bits"},
+        Mistake{"(ri + rj)^2", "ri + 1e-80",
+                ":11: reference.format: it cannot hold the constant about 1e-80: received s53e8; "
+                "accepted a format with more exponent bits"}));
+
+TEST_F(SceneTest, MistakesInTomlAreToldInTheSameForm) {
+  const Result<Scene> scene = load_changed("slack = 0.25", "slack = = 0.25");
+  ASSERT_FALSE(scene.ok());
+  EXPECT_EQ(scene.error().file, path_.string());
+  EXPECT_EQ(scene.error().line, 23);
+  EXPECT_GT(scene.error().column, 0);
+  EXPECT_EQ(scene.error().to_string().find('\n'), std::string::npos);
+}
+
+TEST_F(SceneTest, ExpressionsWithoutInputsAreRefused) {
+  const Result<Scene> scene = load(
+      "[comparison]\nname = \"n\"\nf = \"1\"\ng = \"2\"\n[reference]\nformat = \"binary64\"\n");
+  ASSERT_FALSE(scene.ok());
+  EXPECT_EQ(scene.error().to_string(),
+            path_.string() +
+                ":3: comparison.f: f and g name no input: received constants only; "
+                "accepted at least one input name");
+}
+
+TEST_F(SceneTest, MissingFilesAreTold) {
+  const Result<Scene> scene = load_scene(directory_.path() / "none.toml", {});
+  ASSERT_FALSE(scene.ok());
+  EXPECT_EQ(scene.error().message, "cannot read the file");
+  EXPECT_EQ(scene.error().received, "no such file");
+  EXPECT_FALSE(load_scene(directory_.path(), {}).ok());
+}
+
+TEST_F(SceneTest, MistakesInOverridesNameTheOption) {
+  const auto error = [&](const std::string& text) {
+    const Result<Scene> scene = load(sphere_scene, {text});
+    EXPECT_FALSE(scene.ok()) << text;
+    return scene.ok() ? std::string() : scene.error().to_string();
+  };
+  EXPECT_EQ(error("data.count"),
+            "--set: not an override: received \"data.count\"; accepted section.key=value");
+  EXPECT_EQ(error("count=3"),
+            "--set: not an override: received \"count=3\"; accepted section.key=value");
+  EXPECT_EQ(error("data.count=many"),
+            "--set: data.count: wrong type: received \"many\" (a string); accepted an integer "
+            "1..16777216");
+  EXPECT_EQ(error("data.cuont=3"),
+            "--set: data.cuont: unknown key: received cuont; accepted count (the nearest), file, "
+            "items, pairs, radius_max, seed, side");
+  EXPECT_EQ(error("dato.count=3").substr(0, 28), "--set: dato: unknown section");
+  EXPECT_EQ(error("comparison.f=cxi +* 2"),
+            "--set: comparison.f: unexpected character at character 6 of the text: received '*'; "
+            "accepted a number, a name, a function call, '(' or '-'");
+  EXPECT_EQ(error("system.slack=1\n[foo]").substr(0, 32), "--set: system.slack: wrong type:");
+}
+
+TEST_F(SceneTest, MutatedScenesGiveErrorsNotCrashes) {
+  std::mt19937 random(1);
+  int errors = 0;
+  for (int round = 0; round < 3000; ++round) {
+    std::string text = sphere_scene;
+    for (auto changes = 1 + random() % 4; changes > 0; --changes) {
+      const std::size_t place = random() % text.size();
+      switch (random() % 4) {
+        case 0: text[place] = static_cast<char>(random() % 256); break;
+        case 1: text.erase(place, random() % 20); break;
+        case 2: text.insert(place, 1, sphere_scene[random() % sphere_scene.size()]); break;
+        default: text.insert(place, sphere_scene, random() % sphere_scene.size(), random() % 60);
+      }
+    }
+    const Result<Scene> scene = load(text);
+    if (scene.ok()) continue;
+    ++errors;
+    ASSERT_EQ(scene.error().file, path_.string()) << text;
+    ASSERT_FALSE(scene.error().message.empty()) << text;
+  }
+  EXPECT_GT(errors, 2000);
+}
+
+}  // namespace
+}  // namespace mixcmp::model
