@@ -30,7 +30,7 @@ std::uint64_t mix(std::uint64_t value) {
 class Permutation {
 public:
   Permutation(std::uint64_t size, std::uint64_t seed)
-      : size_(size), half_bits_((std::bit_width(size) + 1) / 2), seed_(seed) {}
+      : size_(size), half_bits_((static_cast<int>(std::bit_width(size)) + 1) / 2), seed_(seed) {}
 
   std::uint64_t operator()(std::uint64_t index) const {
     do {

@@ -92,6 +92,13 @@ RelativeBound square_root(const RelativeBound& a) {
   return {root(a.low, 0), root(a.high, 1)};
 }
 
+NodeBound without_rounding(RelativeBound bound) {
+  return {.relative = std::move(bound)};
+}
+NodeBound no_bound(std::string reason) {
+  return {.reason = std::move(reason)};
+}
+
 bool is_power_of_two(const TypedNode& node) {
   if (node.operation != Operation::constant || node.value == 0) return false;
   const mpz_class product = abs(node.value.get_num()) * node.value.get_den();
@@ -167,18 +174,18 @@ NodeBound Analysis::bound_of(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
   for (int k = 0; k < arity(node.operation); ++k) {
     const NodeBound& operand = bounds_[node.operands[k]];
-    if (!operand.relative) return {.relative = {}, .reason = operand.reason};
+    if (!operand.relative) return no_bound(operand.reason);
   }
   const RelativeBound exact;
   const RelativeBound& a = node.operands[0] < 0 ? exact : *bounds_[node.operands[0]].relative;
   const RelativeBound& b = node.operands[1] < 0 ? exact : *bounds_[node.operands[1]].relative;
   switch (node.operation) {
-    case Operation::input: return {.relative = exact, .reason = {}};
+    case Operation::input: return without_rounding(exact);
     case Operation::constant: return constant_bound(node);
     case Operation::negate:
-    case Operation::absolute: return {.relative = a, .reason = {}};
+    case Operation::absolute: return without_rounding(a);
     case Operation::minimum:
-    case Operation::maximum: return {.relative = hull(a, b), .reason = {}};
+    case Operation::maximum: return without_rounding(hull(a, b));
     case Operation::convert: return rounded(node, a);
     case Operation::add:
     case Operation::subtract: return sum_bound(id, a, b);
@@ -194,20 +201,19 @@ NodeBound Analysis::constant_bound(const TypedNode& node) const {
   const std::string name = fmt::format("the constant {}", to_text(node.value));
   const std::string format = node.format.name();
   if (node.format.is_infinite(node.constant)) {
-    return {.relative = {}, .reason = fmt::format("{} overflows {}", name, format)};
+    return no_bound(fmt::format("{} overflows {}", name, format));
   }
-  if (node.value == 0) return {.relative = RelativeBound{}, .reason = {}};
+  if (node.value == 0) return without_rounding({});
   if (node.format.is_zero(node.constant)) {
-    return {.relative = {}, .reason = fmt::format("{} rounds to zero in {}", name, format)};
+    return no_bound(fmt::format("{} rounds to zero in {}", name, format));
   }
   if (node.format.is_subnormal(node.constant) &&
       graph_.arithmetic.subnormals == Subnormals::flush) {
-    return {.relative = {},
-            .reason = fmt::format("{} is subnormal in {}, and subnormals are flushed to zero", name,
-                                  format)};
+    return no_bound(
+        fmt::format("{} is subnormal in {}, and subnormals are flushed to zero", name, format));
   }
   const mpq_class ratio = node.value / golden::to_rational(node.format, node.constant);
-  return {.relative = RelativeBound{ratio, ratio}, .reason = {}};
+  return without_rounding({ratio, ratio});
 }
 
 NodeBound Analysis::sum_bound(NodeId id, const RelativeBound& a, const RelativeBound& b) {
@@ -219,10 +225,10 @@ NodeBound Analysis::sum_bound(NodeId id, const RelativeBound& a, const RelativeB
   const Sign sign = sum_sign(first, is_difference ? second.negated() : second);
   const SignProof proof = either(sign.nonnegative, sign.nonpositive);
   if (!proof) {
-    return {.relative = {},
-            .reason = fmt::format("the {} {} takes inexact operands that may cancel, so that its "
-                                  "error has no bound relative to its result",
-                                  is_difference ? "difference" : "sum", text(id))};
+    return no_bound(
+        fmt::format("the {} {} takes inexact operands that may cancel, so that its "
+                    "error has no bound relative to its result",
+                    is_difference ? "difference" : "sum", text(id)));
   }
   used_.insert(proof->begin(), proof->end());
   return rounded(node, hull(a, b));
@@ -253,9 +259,9 @@ bool Analysis::rounds_nothing(const TypedNode& node) const {
 }
 
 NodeBound Analysis::rounded(const TypedNode& node, const RelativeBound& bound) const {
-  if (rounds_nothing(node)) return {.relative = bound, .reason = {}};
+  if (rounds_nothing(node)) return without_rounding(bound);
   const RelativeBound own = rounding_bound(node.format.precision(), graph_.arithmetic.rounding);
-  return {.relative = product(bound, own), .reason = {}};
+  return {.relative = product(bound, own), .unrounded = bound};
 }
 
 std::string Analysis::text(NodeId id) const {
@@ -310,6 +316,39 @@ std::string what_helps(const TypedGraph& graph, NodeId failure) {
   return help + "reduced.bound = \"profiled\", or another formulation of f and g";
 }
 
+Bits smallest_guard(const NodeBound& f, const NodeBound& g, int precision) {
+  const Bits guard = guard_ulp(*f.relative, *g.relative, precision);
+  if (!f.unrounded || !g.unrounded) return guard;
+  return std::min(guard, guard_ulp_before_rounding(*f.unrounded, *g.unrounded, precision));
+}
+
+/// Larger than the distance of any two encodings.
+constexpr Bits never = ~Bits{0};
+
+Bits to_bits(const mpz_class& value) {
+  const mpz_class high = value >> 64;
+  return Bits{high.get_ui()} << 64 | mpz_class(value - (high << 64)).get_ui();
+}
+
+/// How far apart the true values of f and g may lie where the others are equal.
+mpq_class worst_ratio(const RelativeBound& f, const RelativeBound& g) {
+  return std::max<mpq_class>(g.high / f.low, f.high / g.low);
+}
+
+/// The smallest number of steps whose every stretch of encodings multiplies by more than `ratio`
+/// (theorem 2).
+Bits steps_beyond(const mpq_class& ratio, int precision) {
+  constexpr int most_doublings = 1 << FloatFormat::max_exponent_bits;
+  int doublings = 0;
+  mpq_class rest = ratio;  // ratio = rest * 2^doublings, 1 <= rest < 2
+  for (; rest >= 2; rest /= 2) {
+    if (++doublings == most_doublings) return never;
+  }
+  const mpq_class steps = (1 - 1 / rest) * (mpz_class(1) << precision);
+  const mpz_class whole = steps.get_num() / steps.get_den();
+  return (Bits(doublings) << (precision - 1)) + to_bits(whole) + 1;
+}
+
 }  // namespace
 
 RelativeAnalysis analyse_relative(const TypedGraph& graph,
@@ -330,27 +369,22 @@ Result<Lane> certified_lane(TypedGraph graph, const std::vector<bool>& input_non
                  .accepted = what_helps(graph, failure)};
   }
   UlpDistanceDecision decision{
-      .guard_ulp = guard_ulp(*f.relative, *g.relative, graph.arithmetic.format.precision()),
+      .guard_ulp = smallest_guard(f, g, graph.arithmetic.format.precision()),
       .nonnegative = f.nonnegative && g.nonnegative,
       .nonnegative_inputs = std::move(analysis.nonnegative_inputs)};
   return Lane{std::move(graph), std::move(decision)};
 }
 
 Bits guard_ulp(const RelativeBound& f, const RelativeBound& g, int precision) {
-  const mpq_class ratio = std::max<mpq_class>(g.high / f.low, f.high / g.low);
-  if (ratio == 1) return 0;
-  constexpr int most_doublings = 1 << FloatFormat::max_exponent_bits;
-  int doublings = 0;
-  mpq_class rest = ratio;  // ratio = rest * 2^doublings, 1 <= rest < 2
-  for (; rest >= 2; rest /= 2) {
-    if (++doublings == most_doublings) return ~Bits{0};  // beyond any two encodings
-  }
-  const mpq_class steps = (1 - 1 / rest) * (mpz_class(1) << precision);
-  const mpz_class whole = steps.get_num() / steps.get_den();
-  const mpz_class high = whole >> 64;
-  const Bits beyond_doublings =
-      Bits{high.get_ui()} << 64 | mpz_class(whole - (high << 64)).get_ui();
-  return (Bits(doublings) << (precision - 1)) + beyond_doublings + 1;
+  const mpq_class ratio = worst_ratio(f, g);
+  return ratio == 1 ? 0 : steps_beyond(ratio, precision);
+}
+
+Bits guard_ulp_before_rounding(const RelativeBound& f, const RelativeBound& g, int precision) {
+  const mpq_class ratio = worst_ratio(f, g);
+  if (ratio == 1) return 1;
+  const Bits steps = steps_beyond(ratio, precision);
+  return steps == never ? never : steps + 1;
 }
 
 }  // namespace mixcmp::model

@@ -16,11 +16,14 @@ struct RelativeBound {
 
 /// What is known of one node of a lane's graph.
 struct NodeBound {
-  std::optional<RelativeBound>
-      relative;  ///< none after a cancelling difference of inexact operands
+  /// None after a cancelling difference of inexact operands.
+  std::optional<RelativeBound> relative;
+  /// Where the node rounds: true value = (the operation's exact result, before its own rounding) *
+  /// t.
+  std::optional<RelativeBound> unrounded;
   bool nonnegative = false;
   bool nonpositive = false;
-  std::string reason;  ///< why there is none, in words for the user
+  std::string reason;  ///< why there is no bound, in words for the user
 };
 
 /// docs/error_bounds.md proves each rule. `input_nonnegative[i]`: the scene's range of input i
@@ -39,5 +42,9 @@ Result<Lane> certified_lane(TypedGraph graph, const std::vector<bool>& input_non
 /// Smallest distance in ulps that decides, from the bounds of f and g in precision P
 /// (docs/error_bounds.md, theorem 3).
 Bits guard_ulp(const RelativeBound& f, const RelativeBound& g, int precision);
+
+/// The same where f and g are both rounded last, from the bounds before that: rounding keeps the
+/// order, so that the last one costs both together a single step (theorem 4).
+Bits guard_ulp_before_rounding(const RelativeBound& f, const RelativeBound& g, int precision);
 
 }  // namespace mixcmp::model

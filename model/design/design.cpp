@@ -1,0 +1,73 @@
+#include "model/design/design.hpp"
+
+#include <fmt/core.h>
+
+#include "model/error/profiled_error.hpp"
+#include "model/error/relative_bound.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// Comparisons measured for the paper's constants.
+constexpr std::uint64_t profile_samples = 100'000;
+
+Error unresolved(const std::string& field, const std::string& option, const std::string& accepted) {
+  return {.field = field,
+          .message = fmt::format("is not chosen yet; give it in the scene or by {}", option),
+          .received = "\"auto\"",
+          .accepted = accepted};
+}
+
+Result<Lane> design_profiled_lane(const Scene& scene, TypedGraph graph, const Comparisons* data) {
+  const ReducedSpec& reduced = scene.reduced;
+  if (reduced.relative_error_f && reduced.relative_error_g) {
+    return profiled_lane(std::move(graph), *reduced.relative_error_f, *reduced.relative_error_g);
+  }
+  if (data == nullptr) {
+    return Error{.field = "reduced.relative_error_f, reduced.relative_error_g",
+                 .message = "a profiled bound needs its constants, or data to measure them on",
+                 .received = "neither",
+                 .accepted = "both constants, or a [data] section"};
+  }
+  const std::uint64_t seed = scene.data ? scene.data->seed : 1;
+  const ProfiledError profiled = profile_error(scene.graph, graph, *data, profile_samples, seed);
+  return profiled_lane(std::move(graph), reduced.relative_error_f.value_or(profiled.f),
+                       reduced.relative_error_g.value_or(profiled.g));
+}
+
+Result<Lane> design_lane(const Scene& scene, const Comparisons* data) {
+  const ReducedSpec& reduced = scene.reduced;
+  if (!reduced.format) return unresolved("reduced.format", "--format s17e8", "sPeE, such as s17e8");
+  const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
+  TypedGraph graph = lane_graph(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
+  switch (reduced.bound) {
+    case BoundKind::certified: return certified_lane(std::move(graph), scene.nonnegative_inputs());
+    case BoundKind::profiled: return design_profiled_lane(scene, std::move(graph), data);
+  }
+  MIXCMP_CHECK(false);
+}
+
+Result<Design> choose(const Scene& scene, const Comparisons* data) {
+  MIXCMP_TRY(lane, design_lane(scene, data));
+  if (!scene.system.lanes) return unresolved("system.lanes", "--lanes 8", "1..128");
+  if (!scene.system.references) return unresolved("system.references", "--references 1", "0..16");
+  return Design{.name = scene.name,
+                .inputs = scene.graph.inputs(),
+                .lane = std::move(lane),
+                .reference = reference_graph(scene.graph, scene.reference),
+                .lanes = *scene.system.lanes,
+                .references = *scene.system.references,
+                .system = scene.system};
+}
+
+}  // namespace
+
+Result<Design> make_design(const Scene& scene, const Comparisons* data) {
+  Result<Design> design = choose(scene, data);
+  if (design.ok()) return design;
+  Error error = design.error();
+  if (error.file.empty()) error.file = scene.path.string();
+  return error;
+}
+
+}  // namespace mixcmp::model
