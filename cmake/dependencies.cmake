@@ -1,5 +1,6 @@
 # Everything here is a Debian package; the README lists them, tests/run and examples/run install them.
 find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
 pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
 pkg_check_modules(GMPXX REQUIRED IMPORTED_TARGET gmpxx)
 find_package(fmt REQUIRED)

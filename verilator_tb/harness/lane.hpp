@@ -89,16 +89,13 @@ public:
     return entry != nullptr && entry->state == Entry::State::inside ? entry : nullptr;
   }
 
-  wire::LaneEnd end(std::uint64_t cycle) {
+  wire::LaneEnd end() const {
     wire::LaneEnd end{{}, {observed_.comparisons, observed_.recomputations, observed_.stalls}};
     if (system::counter_bits == 0) return end;
     const Port* const counters[] = {&ports_.comparisons, &ports_.recomputations, &ports_.stalls};
-    const std::uint64_t mask = ~std::uint64_t{0} >> (64 - std::max(system::counter_bits, 1));
     for (int k = 0; k < 3; ++k) {
       end.counted[k] =
           counters[k]->field(std::size_t{index_} * system::counter_bits, system::counter_bits);
-      if (end.counted[k] == (end.observed[k] & mask)) continue;
-      report(wire::Fault::wrong_counter, end.observed[k] & mask, end.counted[k], cycle);
     }
     return end;
   }

@@ -41,6 +41,7 @@ struct Result {
   std::uint32_t tdata;  ///< as on m_axis_tdata
 };
 
+/// icarus/testbench.v numbers them alike.
 enum class Fault : std::uint32_t {
   valid_dropped,    ///< tvalid fell before tready
   payload_changed,  ///< while waiting for tready
@@ -52,7 +53,7 @@ enum class Fault : std::uint32_t {
   lost,          ///< never left, though its lane goes on
   hung,          ///< never left, and its lane takes nothing more
   unknown_refetch,
-  wrong_counter,  ///< the hardware's number in `tag`, ours in `position`
+  unknown_value,  ///< x on a handshake or a result; only an event-driven simulator sees it
 };
 
 struct Violation {

@@ -75,10 +75,11 @@ private:
 
 class Simulator {
 public:
-  explicit Simulator(const Settings& settings)
-      : settings_(settings), traffic_(settings.traffic, settings.seed) {
+  Simulator(int count, char** words)
+      : settings_(read_settings(count, words)), traffic_(settings_.traffic, settings_.seed) {
+    context_.commandArgs(count, words);
     context_.randReset(2);
-    context_.randSeed(static_cast<int>(settings.seed % 0x7fffffff + 1));
+    context_.randSeed(static_cast<int>(settings_.seed % 0x7fffffff + 1));
     model_ = std::make_unique<system::Model>(&context_);
     ports_ = system::bind(*model_);
     for (int k = 0; k < system::lanes; ++k) lanes_.emplace_back(k, ports_, recorder_);
@@ -171,7 +172,7 @@ private:
   void respond(Channel& channel) {
     std::vector<wire::LaneEnd> ends;
     if (state_ == wire::State::drained) {
-      for (Lane& lane : lanes_) ends.push_back(lane.end(cycle_));
+      for (const Lane& lane : lanes_) ends.push_back(lane.end());
     }
     const std::vector<wire::Result> results = recorder_.take_results();
     const std::vector<wire::Violation> violations = recorder_.take_violations();
@@ -232,7 +233,7 @@ int main(int argc, char** argv) {
   // What the model may print must not mix with the answers.
   mixcmp::tb::Channel channel(dup(STDIN_FILENO));
   dup2(STDERR_FILENO, STDOUT_FILENO);
-  mixcmp::tb::Simulator simulator(mixcmp::tb::read_settings(argc, argv));
+  mixcmp::tb::Simulator simulator(argc, argv);
   simulator.serve(channel);
   return 0;
 }

@@ -1,0 +1,187 @@
+#include "verilator_tb/build.hpp"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <iterator>
+
+#include "embedded/harness_files.hpp"
+#include "verilator_tb/content_hash.hpp"
+
+namespace mixcmp::tb {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Above it a flat build takes many minutes, so that waves show the streams of the top alone.
+constexpr int max_flat_lanes = 8;
+
+bool is_hierarchical(const System& system, Waves waves) {
+  return waves == Waves::off ? system.signature.lanes > 2 : system.signature.lanes > max_flat_lanes;
+}
+
+std::string read_text(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+model::Result<model::Done> write_text(const fs::path& path, std::string_view text) {
+  if (fs::exists(path) && read_text(path) == text) return model::Done{};  // keeps make idle
+  std::ofstream stream(path, std::ios::binary);
+  stream << text;
+  if (stream.flush()) return model::Done{};
+  return model::Error{.file = path.string(), .message = "cannot write"};
+}
+
+/// The constants and ports of one system, for the harness.
+std::string system_ports(const gen::Signature& s) {
+  std::string text =
+      "#pragma once\n\n#include \"Vsystem.h\"\n#include \"ports.hpp\"\n\n"
+      "namespace mixcmp::tb::system {\n\nusing Model = Vsystem;\n\n";
+  const bool refetched = s.operands == model::OperandStore::refetched && s.references > 0;
+  const auto constant = [&text](const char* type, const char* name, int value) {
+    text += fmt::format("inline constexpr {} {} = {};\n", type, name, value);
+  };
+  constant("int", "lanes", s.lanes);
+  constant("int", "references", s.references);
+  constant("int", "tdata_bytes", s.tdata_bytes);
+  constant("int", "tag_bits", s.tag_bits);
+  constant("int", "counter_bits", s.counter_bits);
+  constant("int", "slots", s.slots);
+  constant("bool", "in_order", s.order == model::ResultOrder::in_order ? 1 : 0);
+  constant("bool", "refetched", refetched ? 1 : 0);
+  std::vector<const char*> ports = {
+      "aclk",         "aresetn",       "s_axis_tvalid", "s_axis_tready", "s_axis_tdata",
+      "s_axis_tuser", "m_axis_tvalid", "m_axis_tready", "m_axis_tdata",  "m_axis_tuser"};
+  if (s.counter_bits > 0) ports.insert(ports.end(), {"comparisons", "recomputations", "stalls"});
+  if (refetched) {
+    ports.insert(ports.end(), {"m_refetch_tvalid", "m_refetch_tready", "m_refetch_tdata",
+                               "s_refetch_tvalid", "s_refetch_tready", "s_refetch_tdata"});
+  }
+  text += "\ninline Ports bind(Model& model) {\n  Ports ports;\n";
+  for (const char* port : ports) text += fmt::format("  ports.{0} = Port(model.{0});\n", port);
+  return text + "  return ports;\n}\n\n}  // namespace mixcmp::tb::system\n";
+}
+
+std::string hierarchy(const gen::Signature& s) {
+  std::string text = "`verilator_config\n";
+  text += fmt::format("hier_block -module \"{}\"\n", s.channel_module);
+  if (!s.reference_module.empty() && s.references > 0) {
+    text += fmt::format("hier_block -module \"{}\"\n", s.reference_module);
+  }
+  return text;
+}
+
+Command verilator_command(const System& system, Waves waves, bool ccache) {
+  Command command = {"verilator", "--cc", "--exe", "--build", "-j", "0", "--prefix", "Vsystem",
+                     "--top-module", system.signature.top, "--Mdir", "obj",
+                     // Uninitialised state starts at random: what reset forgets shows itself.
+                     "--x-initial", "unique", "--x-assign", "unique", "-Wno-fatal", "-O3",
+                     "--timescale-override", "1ns/1ns", "-CFLAGS", "-std=c++20", "-MAKEFLAGS",
+                     ccache ? "OPT_FAST=-O2 OBJCACHE=ccache" : "OPT_FAST=-O2"};
+  if (waves == Waves::on) command.push_back("--trace-fst");
+  if (is_hierarchical(system, waves)) {
+    command.insert(command.end(), {"--hierarchical", "hierarchy.vlt"});
+  }
+  for (const std::string& file : system.signature.files) {
+    command.push_back(fs::path(file).filename().string());
+  }
+  command.push_back("simulator.cpp");
+  return command;
+}
+
+/// Everything Verilator reads, side by side in the build's own folder: relative paths, and a system
+/// generated anew in the meantime does not mix with it.
+using Inputs = std::vector<std::pair<std::string, std::string>>;
+
+model::Result<Inputs> gather_inputs(const System& system) {
+  Inputs inputs;
+  for (const fs::path& source : system.sources()) {
+    if (!fs::exists(source)) {
+      return model::Error{.file = source.string(),
+                          .message = "named by the system's signature, but not there"};
+    }
+    inputs.emplace_back(source.filename().string(), read_text(source));
+  }
+  for (const model::EmbeddedFile& file : harness_files()) inputs.emplace_back(file.name, file.text);
+  inputs.emplace_back("system_ports.hpp", system_ports(system.signature));
+  inputs.emplace_back("hierarchy.vlt", hierarchy(system.signature));
+  return inputs;
+}
+
+/// Held while building: a second process on the same build waits for the first.
+class FolderLock {
+public:
+  explicit FolderLock(const fs::path& folder)
+      : descriptor_(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+    flock(descriptor_, LOCK_EX);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  ~FolderLock() { close(descriptor_); }
+
+private:
+  int descriptor_;
+};
+
+}  // namespace
+
+std::vector<fs::path> System::sources() const {
+  std::vector<fs::path> paths;
+  for (const std::string& file : signature.files) paths.push_back(directory / file);
+  return paths;
+}
+
+model::Result<System> load_system(const fs::path& directory) {
+  std::error_code unreadable;
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(directory, unreadable)) {
+    if (entry.path().extension() == ".json") found.push_back(entry.path());
+  }
+  if (found.size() != 1) {
+    return model::Error{.file = directory.string(),
+                        .message = found.empty()
+                                       ? "no generated system here (no signature, <top>.json)"
+                                       : "more than one .json here; which is the signature?",
+                        .accepted = "a folder written by mixcmp generate"};
+  }
+  MIXCMP_TRY(signature, gen::read_signature(found[0]));
+  return System{fs::absolute(directory), signature};
+}
+
+model::Result<Executable> build_simulator(const System& system, const BuildOptions& options) {
+  MIXCMP_TRY(version, tool_version("verilator", "--version", "verilator"));
+  MIXCMP_TRY(inputs, gather_inputs(system));
+  const bool ccache = tool_version("ccache", "--version", "ccache").ok();
+  const Command command = verilator_command(system, options.waves, ccache);
+
+  ContentHash hash;
+  hash.add(version).add(to_shell(command));
+  for (const auto& [name, text] : inputs) hash.add(name).add(text);
+  const fs::path folder = fs::absolute(options.work_dir) /
+                          fmt::format("{}-{}", system.signature.top, hash.hex().substr(0, 16));
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) return model::Error{.file = folder.string(), .message = failure.message()};
+
+  const FolderLock lock(folder);
+  const Executable executable{folder / "obj" / "Vsystem"};
+  const fs::path stamp = folder / "complete";
+  if (fs::exists(stamp) && fs::exists(executable.path)) return executable;
+
+  const auto start = std::chrono::steady_clock::now();
+  for (const auto& [name, text] : inputs) {
+    MIXCMP_TRY(written, write_text(folder / name, text));
+  }
+  MIXCMP_TRY(run, run_tool(command, folder, folder / "build.log", options.progress));
+  MIXCMP_TRY(stamped, write_text(stamp, ""));
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  return Executable{executable.path, taken.count()};
+}
+
+}  // namespace mixcmp::tb

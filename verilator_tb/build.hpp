@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "generator/emit/signature.hpp"
+#include "verilator_tb/process.hpp"
+
+namespace mixcmp::tb {
+
+/// A generated system in its folder.
+struct System {
+  std::filesystem::path directory;
+  gen::Signature signature;
+
+  /// Absolute, in compile order.
+  std::vector<std::filesystem::path> sources() const;
+};
+
+/// Finds the one signature in `directory` and reads it.
+model::Result<System> load_system(const std::filesystem::path& directory);
+
+enum class Waves {
+  off,
+  on,
+};
+
+struct BuildOptions {
+  std::filesystem::path work_dir;  ///< builds are kept here, one folder for each content
+  Waves waves = Waves::off;
+  Progress progress;
+};
+
+struct Executable {
+  std::filesystem::path path;
+  double build_seconds = 0;  ///< 0: it was there already
+};
+
+/// Runs Verilator on the system together with our harness. A build is found again by the content of
+/// everything that went into it; one that was interrupted is taken up where it stopped. Channels
+/// and references are verilated once each (hierarchical blocks); with waves a small system is built
+/// flat instead, since 5.006 traces nothing inside such blocks.
+model::Result<Executable> build_simulator(const System& system, const BuildOptions& options);
+
+}  // namespace mixcmp::tb

@@ -1,0 +1,163 @@
+#include "verilator_tb/report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace mixcmp::tb {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double ratio(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::string line(const char* name, const std::string& value) {
+  return fmt::format("  {:<22} {}\n", name, value);
+}
+
+std::string latency_line(const char* name, const Latency& latency) {
+  if (latency.count == 0) return {};
+  return line(name, fmt::format("{} .. {}, mean {:.1f} cycles", latency.minimum_cycles,
+                                latency.maximum_cycles, latency.mean_cycles()));
+}
+
+std::string to_text(const Mismatch& m) {
+  std::string text = fmt::format("  comparison {}", m.index);
+  if (!m.items.empty()) text += fmt::format(" ({})", m.items);
+  text +=
+      fmt::format(": expected {}; got {}; lane {}, cycle {}\n", m.expected, m.got, m.lane, m.cycle);
+  for (const Mismatch::Operand& operand : m.operands) {
+    text += fmt::format("    {} = 0x{} = {}\n", operand.input, operand.hex, operand.value);
+  }
+  if (!m.repeat.empty()) text += fmt::format("    repeat: {}\n", m.repeat);
+  return text;
+}
+
+std::string totals(const VerifyReport& r) {
+  std::string text;
+  text += line("comparisons", fmt::format("{} of {}", r.comparisons, r.requested));
+  for (std::size_t k = 0; k < r.verdicts.size(); ++k) {
+    const auto name = model::golden::to_string(static_cast<model::golden::Verdict>(k));
+    text += line(std::string(name).c_str(), std::to_string(r.verdicts[k]));
+  }
+  if (r.references == 0) text += line("undecided", std::to_string(r.undecided));
+  text +=
+      line("recomputations", fmt::format("{} ({:.3e})", r.recomputations, r.recomputation_rate()));
+  text += line("cycles", fmt::format("{} ({:.3f} comparisons per cycle)", r.cycles,
+                                     r.comparisons_per_cycle()));
+  text += latency_line("latency, decided", r.decided_latency);
+  text += latency_line("latency, recomputed", r.recomputed_latency);
+  if (r.resets > 0) text += line("resets in mid-stream", std::to_string(r.resets));
+  for (const CounterTotal& counter : r.counters) {
+    text += line(("counter " + counter.name).c_str(),
+                 fmt::format("{} (observed {})", counter.counted, counter.observed));
+  }
+  if (r.truth) {
+    text += line("against the truth",
+                 fmt::format("{} checked, {} wrong by a lane, {} by a reference", r.truth->checked,
+                             r.truth->wrong_by_lane, r.truth->wrong_by_reference));
+  }
+  return text;
+}
+
+Json to_json(const Mismatch& m) {
+  Json operands = Json::array();
+  for (const Mismatch::Operand& operand : m.operands) {
+    operands.push_back({{"input", operand.input}, {"hex", operand.hex}, {"value", operand.value}});
+  }
+  return {{"index", m.index}, {"items", m.items}, {"operands", operands}, {"expected", m.expected},
+          {"got", m.got},     {"lane", m.lane},   {"cycle", m.cycle},     {"repeat", m.repeat}};
+}
+
+Json to_json(const Latency& latency) {
+  return {{"minimum_cycles", latency.minimum_cycles},
+          {"maximum_cycles", latency.maximum_cycles},
+          {"mean_cycles", latency.mean_cycles()}};
+}
+
+}  // namespace
+
+void Latency::add(std::uint64_t cycles) {
+  minimum_cycles = count == 0 ? cycles : std::min(minimum_cycles, cycles);
+  maximum_cycles = std::max(maximum_cycles, cycles);
+  total_cycles += cycles;
+  ++count;
+}
+
+double Latency::mean_cycles() const {
+  return ratio(total_cycles, count);
+}
+
+bool VerifyReport::passed() const {
+  return comparisons == requested && mismatch_count == 0 && violation_count == 0;
+}
+
+double VerifyReport::recomputation_rate() const {
+  return ratio(recomputations, comparisons);
+}
+double VerifyReport::comparisons_per_cycle() const {
+  return ratio(comparisons, cycles);
+}
+
+std::string to_text(const VerifyReport& r) {
+  std::string text = fmt::format("{}: {}, p_L = {}, p_H = {}, {}, {}\n",
+                                 r.passed() ? "passed" : "FAILED", r.system, r.lanes, r.references,
+                                 r.certified ? "certified" : "not certified", r.simulator);
+  text += totals(r);
+  text += line("mismatches", std::to_string(r.mismatch_count));
+  for (const Mismatch& mismatch : r.mismatches) text += to_text(mismatch);
+  text += line("protocol violations", std::to_string(r.violation_count));
+  for (const ProtocolViolation& violation : r.violations) {
+    text +=
+        fmt::format("  cycle {}, lane {}: {}{}\n", violation.cycle, violation.lane, violation.fault,
+                    violation.details.empty() ? "" : " (" + violation.details + ")");
+  }
+  return text;
+}
+
+Json to_json(const VerifyReport& r) {
+  Json json = {{"passed", r.passed()},       {"system", r.system},
+               {"simulator", r.simulator},   {"lanes", r.lanes},
+               {"references", r.references}, {"certified", r.certified},
+               {"requested", r.requested},   {"comparisons", r.comparisons}};
+  for (std::size_t k = 0; k < r.verdicts.size(); ++k) {
+    const auto name = model::golden::to_string(static_cast<model::golden::Verdict>(k));
+    json["verdicts"][std::string(name)] = r.verdicts[k];
+  }
+  json["undecided"] = r.undecided;
+  json["recomputations"] = r.recomputations;
+  json["recomputation_rate"] = r.recomputation_rate();
+  json["resets"] = r.resets;
+  json["cycles"] = r.cycles;
+  json["comparisons_per_cycle"] = r.comparisons_per_cycle();
+  json["decided_latency"] = to_json(r.decided_latency);
+  json["recomputed_latency"] = to_json(r.recomputed_latency);
+  for (const CounterTotal& counter : r.counters) {
+    json["counters"][counter.name] = {{"counted", counter.counted}, {"observed", counter.observed}};
+  }
+  json["mismatch_count"] = r.mismatch_count;
+  json["mismatches"] = Json::array();
+  for (const Mismatch& mismatch : r.mismatches) json["mismatches"].push_back(to_json(mismatch));
+  json["violation_count"] = r.violation_count;
+  json["violations"] = Json::array();
+  for (const ProtocolViolation& violation : r.violations) {
+    json["violations"].push_back({{"fault", violation.fault},
+                                  {"lane", violation.lane},
+                                  {"cycle", violation.cycle},
+                                  {"details", violation.details}});
+  }
+  if (r.truth) {
+    json["truth"] = {{"checked", r.truth->checked},
+                     {"wrong_by_lane", r.truth->wrong_by_lane},
+                     {"wrong_by_reference", r.truth->wrong_by_reference}};
+  }
+  json["build_seconds"] = r.build_seconds;
+  json["run_seconds"] = r.run_seconds;
+  return json;
+}
+
+}  // namespace mixcmp::tb

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/golden/arithmetic.hpp"
+
+namespace mixcmp::tb {
+
+/// A result that is not what the golden model says.
+struct Mismatch {
+  struct Operand {
+    std::string input;
+    std::string hex;
+    std::string value;
+  };
+
+  std::uint64_t index = 0;
+  std::string items;  ///< "12, 40: A 151 MET CA, ..." of a pair; empty for a row
+  std::vector<Operand> operands;
+  std::string expected;  ///< "less, decided by the lane"
+  std::string got;
+  std::uint32_t lane = 0;
+  std::uint64_t cycle = 0;  ///< in which it left
+  std::string repeat;       ///< the command that repeats this comparison alone
+};
+
+/// The system broke the contract of its streams.
+struct ProtocolViolation {
+  std::string fault;
+  std::uint32_t lane = 0;
+  std::uint64_t cycle = 0;
+  std::string details;
+};
+
+/// Cycles from a comparison's acceptance to its result's departure.
+struct Latency {
+  std::uint64_t count = 0;
+  std::uint64_t minimum_cycles = 0;
+  std::uint64_t maximum_cycles = 0;
+  std::uint64_t total_cycles = 0;
+
+  void add(std::uint64_t cycles);
+  double mean_cycles() const;
+};
+
+/// One of the hardware's counters, summed over the lanes, since the last reset.
+struct CounterTotal {
+  std::string name;
+  std::uint64_t counted = 0;
+  std::uint64_t observed = 0;
+};
+
+/// Verdicts that are not the order of the real numbers f and g.
+struct TruthCount {
+  std::uint64_t checked = 0;
+  std::uint64_t wrong_by_lane = 0;
+  std::uint64_t wrong_by_reference = 0;
+};
+
+struct VerifyReport {
+  static constexpr std::size_t kept = 20;  ///< of mismatches and violations
+
+  std::string system;
+  std::string simulator;
+  int lanes = 0;
+  int references = 0;
+  bool certified = false;
+  std::uint64_t requested = 0;                 ///< comparisons to be made
+  std::uint64_t comparisons = 0;               ///< results judged
+  std::array<std::uint64_t, 4> verdicts = {};  ///< by golden::Verdict; without undecided ones
+  std::uint64_t recomputations = 0;
+  std::uint64_t undecided = 0;
+  std::uint64_t resets = 0;
+  std::uint64_t cycles = 0;
+  Latency decided_latency;
+  Latency recomputed_latency;
+  std::vector<CounterTotal> counters;
+  std::uint64_t mismatch_count = 0;
+  std::vector<Mismatch> mismatches;  ///< the first ones
+  std::uint64_t violation_count = 0;
+  std::vector<ProtocolViolation> violations;  ///< the first ones
+  std::optional<TruthCount> truth;
+  double build_seconds = 0;
+  double run_seconds = 0;
+
+  /// Every comparison asked for came back once, as the golden model says, by the rules.
+  bool passed() const;
+  double recomputation_rate() const;
+  double comparisons_per_cycle() const;
+};
+
+std::string to_text(const VerifyReport& report);
+nlohmann::ordered_json to_json(const VerifyReport& report);
+
+}  // namespace mixcmp::tb

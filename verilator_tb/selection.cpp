@@ -1,0 +1,66 @@
+#include "verilator_tb/selection.hpp"
+
+#include <algorithm>
+
+namespace mixcmp::tb {
+
+namespace {
+
+std::uint64_t selected(std::uint64_t available, const Selection::Options& options) {
+  if (options.only) return *options.only < available ? 1 : 0;
+  return options.limit == 0 ? available : std::min(options.limit, available);
+}
+
+}  // namespace
+
+Selection::Selection(std::uint64_t available, const Options& options)
+    : available_(available), options_(options), size_(selected(available, options)) {}
+
+std::uint64_t Selection::stratum_start(std::uint64_t position) const {
+  return static_cast<std::uint64_t>(model::Bits{available_} * position / size_);
+}
+
+std::uint64_t Selection::index(std::uint64_t position) const {
+  MIXCMP_CHECK(position < size_);
+  if (options_.only) return *options_.only;
+  if (options_.sampling == Sampling::first) return position;
+  const std::uint64_t start = stratum_start(position);
+  return start + counter_random(options_.seed, position) % (stratum_start(position + 1) - start);
+}
+
+std::uint64_t counter_random(std::uint64_t seed, std::uint64_t counter) {
+  std::uint64_t z = seed * 0xd1342543de82ef95u + (counter + 1) * 0x9e3779b97f4a7c15u;
+  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+  return z ^ z >> 31;
+}
+
+void pack_operands(std::span<const model::Bits> operands, int width, bool padding,
+                   std::span<std::uint8_t> tdata) {
+  std::fill(tdata.begin(), tdata.end(), std::uint8_t{0});
+  std::size_t at = 0;
+  const auto put = [&](bool bit) {
+    tdata[at / 8] = static_cast<std::uint8_t>(tdata[at / 8] | (bit ? 1u : 0u) << at % 8);
+    ++at;
+  };
+  for (const model::Bits operand : operands) {
+    for (int k = 0; k < width; ++k) put((operand >> k & 1) != 0);
+  }
+  while (at < 8 * tdata.size()) put(padding);
+}
+
+std::vector<std::uint8_t> stimulus(const model::Comparisons& comparisons,
+                                   const Selection& selection, int width, int tdata_bytes,
+                                   std::uint64_t first, std::uint64_t count) {
+  const auto bytes = static_cast<std::size_t>(tdata_bytes);
+  std::vector<std::uint8_t> packed(bytes * count);
+  std::vector<model::Bits> operands(comparisons.input_count());
+  for (std::uint64_t k = 0; k < count; ++k) {
+    comparisons.fetch(selection.index(first + k), operands);
+    pack_operands(operands, width, (first + k) % 2 != 0,
+                  std::span(packed).subspan(bytes * k, bytes));
+  }
+  return packed;
+}
+
+}  // namespace mixcmp::tb

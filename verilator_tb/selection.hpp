@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/data/comparisons.hpp"
+
+namespace mixcmp::tb {
+
+enum class Sampling {
+  first,   ///< the first `limit` comparisons
+  random,  ///< one from each of `limit` equal strata: spread over all, without repetition
+};
+
+/// Which comparisons of a scene a run takes. Positions 0 .. size() - 1 map to rising indices, so a
+/// run in order of position tells its results in order of index.
+class Selection {
+public:
+  struct Options {
+    std::uint64_t limit = 0;  ///< 0: all
+    Sampling sampling = Sampling::first;
+    std::uint64_t seed = 1;
+    std::optional<std::uint64_t> only;  ///< this one comparison alone
+  };
+
+  Selection(std::uint64_t available, const Options& options);
+
+  std::uint64_t size() const { return size_; }
+  std::uint64_t index(std::uint64_t position) const;
+
+private:
+  std::uint64_t stratum_start(std::uint64_t position) const;
+
+  std::uint64_t available_;
+  Options options_;
+  std::uint64_t size_;
+};
+
+/// SplitMix64's output for a counter: the same for however the work is split.
+std::uint64_t counter_random(std::uint64_t seed, std::uint64_t counter);
+
+/// Packs operand k to bits [k * width, (k + 1) * width) of `tdata`. What is left at its top is
+/// padding, set to `padding` so that a system that looks at it is found out.
+void pack_operands(std::span<const model::Bits> operands, int width, bool padding,
+                   std::span<std::uint8_t> tdata);
+
+/// The operands of positions first .. first + count - 1 as a simulator takes them.
+std::vector<std::uint8_t> stimulus(const model::Comparisons& comparisons,
+                                   const Selection& selection, int width, int tdata_bytes,
+                                   std::uint64_t first, std::uint64_t count);
+
+}  // namespace mixcmp::tb

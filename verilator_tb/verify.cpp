@@ -1,0 +1,191 @@
+#include "verilator_tb/verify.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <future>
+
+#include "verilator_tb/icarus.hpp"
+#include "verilator_tb/judge.hpp"
+#include "verilator_tb/waves.hpp"
+
+namespace mixcmp::tb {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// A run in progress: what is simulated, and who judges it.
+struct Run {
+  const System& system;
+  const model::Comparisons& comparisons;
+  const Selection& selection;
+  const VerifyOptions& options;
+  Judge& judge;
+};
+
+/// The system in the folder must be the one that the design describes.
+model::Result<model::Done> check_signature(const System& system, const model::Design& design) {
+  const gen::Signature& s = system.signature;
+  const auto differs = [&](const char* field, const std::string& there, const std::string& here) {
+    return model::Error{.file = system.directory.string(),
+                        .field = field,
+                        .message = "this system was generated from another design; generate again",
+                        .received = there,
+                        .accepted = here};
+  };
+  const std::string format = design.reference.input_format.name();
+  if (s.lanes != design.lanes) {
+    return differs("lanes", std::to_string(s.lanes), std::to_string(design.lanes));
+  }
+  if (s.references != design.references) {
+    return differs("references", std::to_string(s.references), std::to_string(design.references));
+  }
+  if (s.reference_format.name() != format) {
+    return differs("reference_format", s.reference_format.name(), format);
+  }
+  if (s.inputs != design.inputs) {
+    return differs("inputs", fmt::format("{} inputs", s.inputs.size()),
+                   fmt::format("the scene's {}, in its order", design.inputs.size()));
+  }
+  const int needed = (static_cast<int>(s.inputs.size()) * s.reference_format.width() + 7) / 8;
+  if (s.tdata_bytes < needed) {
+    return differs("tdata_bytes", std::to_string(s.tdata_bytes), std::to_string(needed));
+  }
+  const bool refetched = s.operands == model::OperandStore::refetched && s.references > 0;
+  if (refetched && s.tag_bits < 7 && (1 << s.tag_bits) < s.lanes) {
+    return differs("tag_bits", std::to_string(s.tag_bits), "at least one tag for each lane");
+  }
+  return model::Done{};
+}
+
+/// Somewhere inside each of `resets` equal parts of the run.
+std::vector<std::uint64_t> reset_positions(const Run& run) {
+  std::vector<std::uint64_t> positions;
+  const auto resets = static_cast<std::uint64_t>(std::max(run.options.resets, 0));
+  for (std::uint64_t k = 0; k < resets; ++k) {
+    const auto start = static_cast<std::uint64_t>(model::Bits{run.selection.size()} * k / resets);
+    const std::uint64_t part = std::max<std::uint64_t>(run.selection.size() / resets, 1);
+    positions.push_back(start + counter_random(run.options.traffic_seed, k) % part);
+  }
+  return positions;
+}
+
+Block make_block(const Run& run, const std::vector<std::uint64_t>& resets, std::uint64_t first) {
+  const gen::Signature& s = run.system.signature;
+  const std::uint64_t count = std::min(run.options.block_size, run.selection.size() - first);
+  Block block{.comparisons = count,
+              .operands = stimulus(run.comparisons, run.selection, s.reference_format.width(),
+                                   s.tdata_bytes, first, count),
+              .last = first + count == run.selection.size()};
+  std::copy_if(resets.begin(), resets.end(), std::back_inserter(block.resets),
+               [&](std::uint64_t at) { return at >= first && at < first + count; });
+  return block;
+}
+
+SimulationOptions simulation_options(const VerifyOptions& options) {
+  return {.traffic = options.traffic,
+          .seed = options.traffic_seed,
+          .hang_cycles = options.hang_cycles,
+          .waves = options.waves,
+          .plusargs = options.plusargs};
+}
+
+void tell(const Run& run, std::uint64_t done) {
+  if (!run.options.progress) return;
+  run.options.progress(fmt::format("{}: {} of {} comparisons, {} mismatches",
+                                   run.system.signature.top, done, run.selection.size(),
+                                   run.judge.report().mismatch_count));
+}
+
+model::Result<model::Done> run_verilator(const Run& run) {
+  MIXCMP_TRY(
+      executable,
+      build_simulator(run.system, {.work_dir = run.options.work_dir,
+                                   .waves = run.options.waves.empty() ? Waves::off : Waves::on,
+                                   .progress = run.options.progress}));
+  run.judge.report().build_seconds = executable.build_seconds;
+  MIXCMP_TRY(simulation, SystemSimulation::start(executable, simulation_options(run.options)));
+  const std::vector<std::uint64_t> resets = reset_positions(run);
+  wire::State state = wire::State::running;
+  for (std::uint64_t first = 0; state == wire::State::running;) {
+    const Block block = make_block(run, resets, first);
+    // The simulator has one core, the golden model the other.
+    auto exchange = std::async(
+        std::launch::async, [&] { return simulation.exchange(block, run.system.signature.lanes); });
+    run.judge.expect(block.comparisons);
+    MIXCMP_TRY(answer, exchange.get());
+    run.judge.take(answer);
+    state = answer.state;
+    first += block.comparisons;
+    tell(run, first);
+  }
+  return model::Done{};
+}
+
+model::Result<model::Done> run_icarus(const Run& run) {
+  const Block all{.comparisons = run.selection.size(),
+                  .operands = stimulus(run.comparisons, run.selection,
+                                       run.system.signature.reference_format.width(),
+                                       run.system.signature.tdata_bytes, 0, run.selection.size()),
+                  .resets = reset_positions(run),
+                  .last = true};
+  MIXCMP_TRY(answer, simulate_in_icarus(run.system, all, run.options.work_dir,
+                                        simulation_options(run.options), run.options.progress));
+  run.judge.expect(all.comparisons);
+  run.judge.take(answer);
+  tell(run, all.comparisons);
+  return model::Done{};
+}
+
+model::Result<model::Done> write_save_file(const Run& run) {
+  if (run.options.waves.empty()) return model::Done{};
+  const bool icarus = run.options.simulator == SimulatorKind::icarus;
+  fs::path path = run.options.waves;
+  path.replace_extension(".gtkw");
+  std::ofstream stream(path);
+  stream << gtkwave_save_file(
+      run.system.signature,
+      {.waves = run.options.waves,
+       .scope = icarus ? std::string("testbench.system") : "TOP." + run.system.signature.top,
+       .time_per_cycle = icarus ? icarus_time_per_cycle : 2,
+       .marked = run.judge.first_undecided()});
+  if (stream.flush()) return model::Done{};
+  return model::Error{.file = path.string(), .message = "cannot write"};
+}
+
+}  // namespace
+
+model::Result<VerifyReport> verify(const model::Design& design,
+                                   const model::Comparisons& comparisons,
+                                   const fs::path& generated_dir, const VerifyOptions& options) {
+  MIXCMP_TRY(system, load_system(generated_dir));
+  MIXCMP_TRY(checked, check_signature(system, design));
+  const Selection selection(comparisons.size(), options.selection);
+  if (selection.size() == 0) {
+    return model::Error{
+        .field = options.selection.only ? "only" : "data",
+        .message = "no comparison to verify",
+        .received = options.selection.only ? std::to_string(*options.selection.only) : "",
+        .accepted = fmt::format("an index below {}", comparisons.size())};
+  }
+  Judge judge(system.signature, design, comparisons, selection, options);
+  judge.report().resets = static_cast<std::uint64_t>(std::max(options.resets, 0));
+  const Run run{system, comparisons, selection, options, judge};
+  const auto start = Clock::now();
+  const bool icarus = options.simulator == SimulatorKind::icarus;
+  judge.report().simulator = icarus ? "Icarus Verilog" : "Verilator";
+  MIXCMP_TRY(done, icarus ? run_icarus(run) : run_verilator(run));
+  judge.report().run_seconds = seconds_since(start) - judge.report().build_seconds;
+  MIXCMP_TRY(saved, write_save_file(run));
+  return std::move(judge.report());
+}
+
+}  // namespace mixcmp::tb

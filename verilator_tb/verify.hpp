@@ -1,0 +1,64 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "model/data/comparisons.hpp"
+#include "model/design/design.hpp"
+#include "verilator_tb/report.hpp"
+#include "verilator_tb/selection.hpp"
+#include "verilator_tb/system_simulation.hpp"
+
+namespace mixcmp::tb {
+
+enum class SimulatorKind {
+  verilator,
+  icarus,  ///< for small systems and thousands of comparisons
+};
+
+enum class TruthScope {
+  recomputed,  ///< verdicts of references
+  all,
+};
+
+/// Hold verdicts also against the real numbers f and g.
+struct TruthCheck {
+  const model::Graph* graph;
+  TruthScope scope = TruthScope::all;
+};
+
+/// What the hardware said of one comparison.
+struct VerifiedResult {
+  std::uint64_t index;
+  model::golden::Verdict verdict;
+  bool recomputed;
+  bool undecided;
+};
+
+struct VerifyOptions {
+  SimulatorKind simulator = SimulatorKind::verilator;
+  std::filesystem::path work_dir;  ///< builds and logs
+  Selection::Options selection;
+  TrafficKind traffic = TrafficKind::full_rate;
+  std::uint64_t traffic_seed = 1;
+  int resets = 0;  ///< in mid-stream, spread over the run
+  std::uint64_t hang_cycles = 50'000;
+  std::uint64_t block_size = 16'384;  ///< comparisons exchanged at a time
+  /// FST file (VCD from Icarus) to write; beside it goes a GTKWave save file, .gtkw.
+  std::filesystem::path waves;
+  std::optional<TruthCheck> truth;
+  std::string repeat_command;         ///< to which " --only INDEX" is added in the report
+  std::vector<std::string> plusargs;  ///< for the simulator, without their plus
+  std::function<void(const VerifiedResult&)> on_result;  ///< in order of index
+  Progress progress;
+};
+
+/// Runs the system in `generated_dir` on the comparisons and holds every result against the golden
+/// model. An error means that it could not be run; what it did wrong is in the report.
+model::Result<VerifyReport> verify(const model::Design& design,
+                                   const model::Comparisons& comparisons,
+                                   const std::filesystem::path& generated_dir,
+                                   const VerifyOptions& options);
+
+}  // namespace mixcmp::tb

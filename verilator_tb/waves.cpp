@@ -1,0 +1,84 @@
+#include "verilator_tb/waves.hpp"
+
+#include <fmt/core.h>
+
+namespace mixcmp::tb {
+
+namespace {
+
+/// GTKWave's display flags, in hexadecimal as its save files have them.
+constexpr const char* binary = "@28";
+constexpr const char* hexadecimal = "@22";
+constexpr const char* comment = "@200";
+
+class Writer {
+public:
+  explicit Writer(std::string scope) : scope_(std::move(scope)) {}
+
+  void group(const std::string& title) { text_ += fmt::format("{}\n-{}\n", comment, title); }
+
+  void wire(const char* port) { text_ += fmt::format("{}\n{}.{}\n", binary, scope_, port); }
+
+  /// Field `index` of a port made of `count` fields of `width` bits.
+  void field(const char* port, int index, int count, int width) {
+    const int total = count * width;
+    const char* const flag = width == 1 ? binary : hexadecimal;
+    const std::string name = total == 1 ? fmt::format("{}.{}", scope_, port)
+                                        : fmt::format("{}.{}[{}:0]", scope_, port, total - 1);
+    if (count == 1) {
+      text_ += fmt::format("{}\n{}\n", flag, name);
+      return;
+    }
+    text_ += fmt::format("{}\n#{{{}[{}]}}", flag, port, index);
+    for (int bit = width - 1; bit >= 0; --bit) {
+      text_ += fmt::format(" ({}){}", total - 1 - (index * width + bit), name);
+    }
+    text_ += '\n';
+  }
+
+  const std::string& text() const { return text_; }
+
+private:
+  std::string scope_;
+  std::string text_;
+};
+
+std::string header(const SaveFile& options) {
+  std::string text =
+      fmt::format("[dumpfile] \"{}\"\n[timestart] 0\n[size] 1600 900\n", options.waves.string());
+  if (!options.marked) return text;
+  const auto time = [&](std::uint64_t cycle) { return cycle * options.time_per_cycle; };
+  text += fmt::format("*-6.0 {0} {0} {1}", time(options.marked->cycle_accepted),
+                      time(options.marked->cycle_left));
+  for (char marker = 'C'; marker <= 'Z'; ++marker) text += " -1";
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string gtkwave_save_file(const gen::Signature& s, const SaveFile& options) {
+  const int lane = options.marked ? static_cast<int>(options.marked->lane) : 0;
+  Writer writer(options.scope);
+  writer.wire("aclk");
+  writer.wire("aresetn");
+  writer.group(fmt::format("comparisons of lane {}", lane));
+  writer.field("s_axis_tvalid", lane, s.lanes, 1);
+  writer.field("s_axis_tready", lane, s.lanes, 1);
+  writer.field("s_axis_tdata", lane, s.lanes, 8 * s.tdata_bytes);
+  writer.field("s_axis_tuser", lane, s.lanes, s.tag_bits);
+  writer.group(
+      fmt::format("results of lane {}: tdata = undecided, recomputed, verdict[1:0]", lane));
+  writer.field("m_axis_tvalid", lane, s.lanes, 1);
+  writer.field("m_axis_tready", lane, s.lanes, 1);
+  writer.field("m_axis_tdata", lane, s.lanes, 8);
+  writer.field("m_axis_tuser", lane, s.lanes, s.tag_bits);
+  if (s.counter_bits > 0) {
+    writer.group(fmt::format("counters of lane {}", lane));
+    for (const char* port : {"comparisons", "recomputations", "stalls"}) {
+      writer.field(port, lane, s.lanes, s.counter_bits);
+    }
+  }
+  return header(options) + writer.text();
+}
+
+}  // namespace mixcmp::tb
