@@ -1,0 +1,209 @@
+#include "generator/datapath/units.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "model/common/check.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using model::FloatFormat;
+using model::Operation;
+using model::Subnormals;
+
+int bits_for(int value) {
+  return std::bit_width(static_cast<unsigned>(value));
+}
+
+/// LUTs in a row that reduce `bits` to one.
+int reduction_levels(int bits) {
+  int levels = 0;
+  for (int left = bits; left > 1; left = (left + 5) / 6) ++levels;
+  return levels;
+}
+
+/// LUTs in a row of a shifter by an amount of so many bits: a LUT is a choice of four.
+int shift_levels(int amount_bits) {
+  return (amount_bits + 1) / 2;
+}
+
+/// LUTs in a row that count the leading zeros of `bits`: a tree whose nodes join two halves, two
+/// of its levels to three LUTs.
+int count_levels(int bits) {
+  return (2 * bits_for(bits) + 2) / 3;
+}
+
+/// The stages of one unit, in order; the arithmetic of delays in one place.
+class StageList {
+public:
+  explicit StageList(const DelayTable& delays) : delays_(delays) {}
+
+  double luts(int levels) const { return levels * delays_.lut_ns; }
+  double carry(int bits) const { return delays_.carry_start_ns + bits * delays_.carry_ns_per_bit; }
+  void add(std::string name, double delay_ns) { stages_.push_back({std::move(name), delay_ns}); }
+
+  void add_operand(FloatFormat operands, Subnormals subnormals);
+  void add_product(int precision);
+  void add_round(FloatFormat result, bool denormalises, int dropped_bits);
+
+  Unit unit(std::string module) && { return {std::move(module), std::move(stages_)}; }
+
+private:
+  const DelayTable& delays_;
+  std::vector<Stage> stages_;
+};
+
+/// fp_operand: nothing but wires where subnormals are flushed.
+void StageList::add_operand(FloatFormat operands, Subnormals subnormals) {
+  const bool normalises = subnormals == Subnormals::gradual;
+  const int precision = operands.precision();
+  const int unpack = reduction_levels(operands.exponent_bits());
+  add("count", normalises ? luts(unpack + count_levels(precision)) : 0);
+  add("normalise", normalises ? luts(shift_levels(bits_for(precision))) : 0);
+}
+
+/// The embedded multipliers take 17 by 24 bits; a tree adds what they give.
+void StageList::add_product(int precision) {
+  const int multipliers = ((precision + 16) / 17) * ((precision + 23) / 24);
+  const double adding = bits_for(multipliers - 1) * delays_.multiplier_add_ns;
+  add("multiply", delays_.multiplier_ns);
+  add("accumulate 1", adding / 2);
+  add("accumulate 2", adding / 2);
+}
+
+/// fp_round; a fraction that arrives `dropped_bits` too wide is ORed into the sticky bit on the
+/// way.
+void StageList::add_round(FloatFormat result, bool denormalises, int dropped_bits) {
+  const int amount_bits = bits_for(result.precision() + 2);
+  const double distance = carry(result.exponent_bits() + 2) + luts(1);
+  const double sticky = luts(reduction_levels(std::max(dropped_bits, 1)));
+  add("denormalise",
+      denormalises ? std::max(distance, sticky) + luts(shift_levels(amount_bits)) : sticky);
+  add("round", luts(1) + carry(result.width() + 2));
+  add("pack", luts(1 + reduction_levels(result.exponent_bits()) + 1));
+}
+
+int bias_difference(FloatFormat result, FloatFormat operands) {
+  return result.bias() - operands.bias();
+}
+
+Unit add_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
+              const DelayTable& delays) {
+  const bool gradual = subnormals == Subnormals::gradual;
+  const int precision = operands.precision();
+  const int aligned = std::max(precision, result.precision() + 1) + 1;
+  const int amount_bits = bits_for(precision + 2);
+  StageList stages(delays);
+  stages.add("compare", stages.carry(operands.width() - 1));
+  stages.add("swap", stages.luts(1));
+  stages.add("align", stages.luts(1 + shift_levels(bits_for(aligned)) + 1));
+  stages.add("sum", stages.carry(aligned + 3));
+  stages.add("count", stages.luts(count_levels(precision + 2)));
+  const double limit = gradual ? stages.carry(operands.exponent_bits() + 2) + stages.luts(1) : 0;
+  stages.add("normalise", limit + stages.luts(shift_levels(amount_bits)));
+  const bool denormalises = gradual && result.exponent_bits() < operands.exponent_bits();
+  stages.add_round(result, denormalises, 0);
+  return std::move(stages).unit("fp_add");
+}
+
+Unit multiply_unit(std::string module, FloatFormat operands, FloatFormat result,
+                   Subnormals subnormals, const DelayTable& delays) {
+  const int dropped_bits = 2 * operands.precision() - result.precision() - 2;
+  StageList stages(delays);
+  stages.add_operand(operands, subnormals);
+  stages.add_product(operands.precision());
+  stages.add("select", stages.luts(1 + reduction_levels(std::max(dropped_bits, 1))));
+  stages.add_round(result, subnormals == Subnormals::gradual, 0);
+  return std::move(stages).unit(std::move(module));
+}
+
+Unit divide_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
+                 const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add_operand(operands, subnormals);
+  for (int digit = 0; digit < result.precision() + 2; ++digit) {
+    stages.add("digit " + std::to_string(digit), stages.carry(operands.precision() + 2));
+  }
+  stages.add("select", stages.luts(1 + reduction_levels(operands.precision())));
+  stages.add_round(result, subnormals == Subnormals::gradual, 0);
+  return std::move(stages).unit("fp_divide");
+}
+
+Unit square_root_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
+                      const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add_operand(operands, subnormals);
+  for (int digit = 1; digit <= result.precision(); ++digit) {
+    stages.add("digit " + std::to_string(digit), stages.carry(digit + 3));
+  }
+  stages.add("select", stages.luts(1 + reduction_levels(result.precision() + 2)));
+  const bool denormalises = subnormals == Subnormals::gradual &&
+                            operands.bias() + operands.precision() > 2 * result.bias();
+  stages.add_round(result, denormalises, 0);
+  return std::move(stages).unit("fp_square_root");
+}
+
+Unit convert_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
+                  const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add_operand(operands, subnormals);
+  const bool denormalises = subnormals == Subnormals::gradual &&
+                            bias_difference(result, operands) < operands.precision() - 1;
+  stages.add_round(result, denormalises, operands.precision() - result.precision() - 2);
+  return std::move(stages).unit("fp_convert");
+}
+
+Unit minimum_maximum_unit(FloatFormat format, const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add("compare", stages.carry(format.width() - 1) + stages.luts(1));
+  stages.add("select", stages.luts(2));
+  return std::move(stages).unit("fp_minimum_maximum");
+}
+
+}  // namespace
+
+Unit unit_for(const model::TypedNode& node, Subnormals subnormals, const DelayTable& delays) {
+  const FloatFormat operands = node.operand_format;
+  const FloatFormat result = node.format;
+  switch (node.operation) {
+    case Operation::add:
+    case Operation::subtract: return add_unit(operands, result, subnormals, delays);
+    case Operation::multiply:
+      return multiply_unit("fp_multiply", operands, result, subnormals, delays);
+    case Operation::square: return multiply_unit("fp_square", operands, result, subnormals, delays);
+    case Operation::divide: return divide_unit(operands, result, subnormals, delays);
+    case Operation::square_root: return square_root_unit(operands, result, subnormals, delays);
+    case Operation::convert: return convert_unit(operands, result, subnormals, delays);
+    case Operation::minimum:
+    case Operation::maximum: return minimum_maximum_unit(operands, delays);
+    case Operation::input:
+    case Operation::constant:
+    case Operation::negate:
+    case Operation::absolute: break;
+  }
+  MIXCMP_CHECK(!"an operation that is only wires has no unit");
+}
+
+Unit compare_unit(FloatFormat format, const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add("compare", stages.carry(format.width() - 1));
+  stages.add("decide", stages.luts(2));
+  return std::move(stages).unit("fp_compare");
+}
+
+Unit ulp_distance_unit(FloatFormat format, const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add("distance", stages.carry(format.width() + 2));
+  stages.add("decide", stages.luts(reduction_levels(format.width()) + 2));
+  return std::move(stages).unit("fp_ulp_distance");
+}
+
+Unit interval_decision_unit(FloatFormat format, const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add("decide", stages.luts(reduction_levels(format.width()) + 1));
+  return std::move(stages).unit("fp_interval_decision");
+}
+
+}  // namespace mixcmp::gen

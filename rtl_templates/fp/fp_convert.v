@@ -1,0 +1,108 @@
+// fp_convert: a in another format, rounded once.
+// Latency: the population count of CUTS (five bits); initiation interval 1; no reset.
+// Special values as IEEE 754, but for NaNs, which all become the one positive quiet NaN.
+// Copied into generated designs, where it is unencumbered.
+`default_nettype none
+
+module fp_convert #(
+    parameter       EXPONENT_BITS        = 8,
+    parameter       PRECISION            = 53,
+    parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,
+    parameter       RESULT_PRECISION     = PRECISION,
+    parameter       GRADUAL              = 0,
+    parameter       TOWARD_ZERO          = 0,
+    parameter [4:0] CUTS                 = 5'b0
+) (
+    input  wire                                             aclk,
+    input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
+    output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
+    output wire                                             exceptional
+);
+
+  function integer bits_for(input integer value);
+    integer rest;
+    begin
+      bits_for = 0;
+      for (rest = value; rest > 0; rest = rest >> 1) bits_for = bits_for + 1;
+    end
+  endfunction
+
+  function integer larger(input integer first, input integer second);
+    larger = (first > second) ? first : second;
+  endfunction
+
+  localparam KEPT = RESULT_PRECISION + 2;
+  localparam EXPONENT_WIDTH =
+      larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS), bits_for(larger(PRECISION, KEPT))) + 2;
+
+  localparam integer REBIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - (1 << (EXPONENT_BITS - 1));
+  // Otherwise even the smallest subnormal operand is a normal number of the result format.
+  localparam DENORMALISE = (GRADUAL != 0) && (REBIAS < PRECISION - 1);
+
+  // Stages count, normalise: the significand gets a leading one.
+  wire                      s2_sign;
+  wire [EXPONENT_WIDTH-1:0] s2_a_exponent;
+  wire [PRECISION-1:0]      s2_a_significand;
+  wire                      s2_zero;
+  wire                      s2_infinite;
+  wire                      s2_nan;
+  wire                      s2_flushed;
+
+  fp_operand #(
+      .EXPONENT_BITS (EXPONENT_BITS),
+      .PRECISION     (PRECISION),
+      .EXPONENT_WIDTH(EXPONENT_WIDTH),
+      .GRADUAL       (GRADUAL),
+      .CUTS          (CUTS[1:0])
+  ) s0_operand (
+      .aclk       (aclk),
+      .a          (a),
+      .sign       (s2_sign),
+      .exponent   (s2_a_exponent),
+      .significand(s2_a_significand),
+      .zero       (s2_zero),
+      .infinite   (s2_infinite),
+      .nan        (s2_nan),
+      .flushed    (s2_flushed)
+  );
+
+  // Stages denormalise, round, pack.
+  wire [EXPONENT_WIDTH-1:0] s2_exponent = s2_a_exponent + REBIAS[EXPONENT_WIDTH-1:0];
+  wire [KEPT-1:0]           s2_significand;
+  wire                      s2_sticky;
+  wire                      s2_suspect = s2_nan || s2_infinite || s2_flushed;
+
+  fp_fit #(
+      .FROM(PRECISION),
+      .TO  (KEPT)
+  ) s2_fit (
+      .value (s2_a_significand),
+      .fitted(s2_significand),
+      .sticky(s2_sticky)
+  );
+
+  fp_round #(
+      .EXPONENT_WIDTH      (EXPONENT_WIDTH),
+      .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
+      .RESULT_PRECISION    (RESULT_PRECISION),
+      .GRADUAL             (GRADUAL),
+      .DENORMALISE         (DENORMALISE),
+      .TOWARD_ZERO         (TOWARD_ZERO),
+      .CUTS                (CUTS[4:2])
+  ) s2_round (
+      .aclk       (aclk),
+      .sign       (s2_sign),
+      .exponent   (s2_exponent),
+      .significand(s2_significand),
+      .sticky     (s2_sticky),
+      .nan        (s2_nan),
+      .infinite   (s2_infinite),
+      .zero       (s2_zero),
+      .suspect    (s2_suspect),
+      .y          (y),
+      .exceptional(exceptional)
+  );
+
+endmodule
+
+`default_nettype wire

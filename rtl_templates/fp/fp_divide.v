@@ -1,0 +1,204 @@
+// fp_divide: a / b, rounded once to the result format; one quotient bit a stage.
+// Latency: the population count of CUTS (RESULT_PRECISION + 8 bits); initiation interval 1; no
+// reset.
+// Special values as IEEE 754: x / 0 is infinite, 0 / 0 and infinity / infinity are NaN.
+// Copied into generated designs, where it is unencumbered.
+`default_nettype none
+
+module fp_divide #(
+    parameter EXPONENT_BITS        = 8,
+    parameter PRECISION            = 24,
+    parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,
+    parameter RESULT_PRECISION     = PRECISION,
+    parameter GRADUAL              = 0,
+    parameter TOWARD_ZERO          = 0,
+    parameter [RESULT_PRECISION+7:0] CUTS = 0
+) (
+    input  wire                                             aclk,
+    input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
+    input  wire [EXPONENT_BITS+PRECISION-1:0]               b,
+    output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
+    output wire                                             exceptional
+);
+
+  function integer bits_for(input integer value);
+    integer rest;
+    begin
+      bits_for = 0;
+      for (rest = value; rest > 0; rest = rest >> 1) bits_for = bits_for + 1;
+    end
+  endfunction
+
+  function integer larger(input integer first, input integer second);
+    larger = (first > second) ? first : second;
+  endfunction
+
+  // The quotient lies in (1/2, 2): its bits up to the guard bit, and one more where it is below 1.
+  localparam DIGITS    = RESULT_PRECISION + 2;
+  localparam REMAINDER = PRECISION + 1;
+  localparam FLAGS     = 5;
+  localparam EXPONENT_WIDTH =
+      larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS),
+             bits_for(larger(2 * PRECISION, RESULT_PRECISION + 2))) + 2;
+
+  // Of a quotient below 1.
+  localparam integer REBIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 2;
+
+  // Stages count, normalise: both significands get a leading one.
+  wire                      s2_a_sign;
+  wire [EXPONENT_WIDTH-1:0] s2_a_exponent;
+  wire [PRECISION-1:0]      s2_a_significand;
+  wire                      s2_a_zero;
+  wire                      s2_a_infinite;
+  wire                      s2_a_nan;
+  wire                      s2_a_flushed;
+
+  fp_operand #(
+      .EXPONENT_BITS (EXPONENT_BITS),
+      .PRECISION     (PRECISION),
+      .EXPONENT_WIDTH(EXPONENT_WIDTH),
+      .GRADUAL       (GRADUAL),
+      .CUTS          (CUTS[1:0])
+  ) s0_operand_a (
+      .aclk       (aclk),
+      .a          (a),
+      .sign       (s2_a_sign),
+      .exponent   (s2_a_exponent),
+      .significand(s2_a_significand),
+      .zero       (s2_a_zero),
+      .infinite   (s2_a_infinite),
+      .nan        (s2_a_nan),
+      .flushed    (s2_a_flushed)
+  );
+
+  wire                      s2_b_sign;
+  wire [EXPONENT_WIDTH-1:0] s2_b_exponent;
+  wire [PRECISION-1:0]      s2_b_significand;
+  wire                      s2_b_zero;
+  wire                      s2_b_infinite;
+  wire                      s2_b_nan;
+  wire                      s2_b_flushed;
+
+  fp_operand #(
+      .EXPONENT_BITS (EXPONENT_BITS),
+      .PRECISION     (PRECISION),
+      .EXPONENT_WIDTH(EXPONENT_WIDTH),
+      .GRADUAL       (GRADUAL),
+      .CUTS          (CUTS[1:0])
+  ) s0_operand_b (
+      .aclk       (aclk),
+      .a          (b),
+      .sign       (s2_b_sign),
+      .exponent   (s2_b_exponent),
+      .significand(s2_b_significand),
+      .zero       (s2_b_zero),
+      .infinite   (s2_b_infinite),
+      .nan        (s2_b_nan),
+      .flushed    (s2_b_flushed)
+  );
+
+  // Stages digit 0 to DIGITS - 1: one bit each by non-restoring division. Where the last bit was 0
+  // the remainder went below zero and the divisor is added instead of subtracted; its sign is the
+  // next bit either way, and is kept there alone, since the remainder stays within +-divisor.
+  wire [EXPONENT_WIDTH-1:0] s2_exponent = s2_a_exponent - s2_b_exponent;
+  wire                      s2_sign     = s2_a_sign ^ s2_b_sign;
+  wire                      s2_nan      = s2_a_nan || s2_b_nan || (s2_a_infinite && s2_b_infinite)
+                                          || (s2_a_zero && s2_b_zero);
+  wire                      s2_infinite = s2_a_infinite || s2_b_zero;
+  wire                      s2_zero     = s2_a_zero || s2_b_infinite;
+  wire                      s2_suspect  = s2_nan || s2_infinite || s2_b_infinite
+                                          || s2_a_flushed || s2_b_flushed;
+
+  genvar k;
+  generate
+    for (k = 0; k < DIGITS; k = k + 1) begin : digit
+      wire [REMAINDER-1:0]      doubled;
+      wire [PRECISION-1:0]      divisor;
+      wire                      subtract;
+      wire [EXPONENT_WIDTH-1:0] exponent;
+      wire [FLAGS-1:0]          flags;
+      wire [REMAINDER-1:0]      remainder;
+      wire [k:0]                quotient;
+
+      if (k == 0) begin : first
+        assign doubled  = {1'b0, s2_a_significand};
+        assign divisor  = s2_b_significand;
+        assign quotient = !remainder[REMAINDER-1];
+        assign subtract = 1'b1;
+        assign exponent = s2_exponent + REBIAS[EXPONENT_WIDTH-1:0];
+        assign flags    = {s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect};
+      end else begin : later
+        assign doubled  = {digit[k-1].next_remainder, 1'b0};
+        assign divisor  = digit[k-1].next_divisor;
+        assign quotient = {digit[k-1].next_quotient, !remainder[REMAINDER-1]};
+        assign subtract = digit[k-1].next_quotient[0];
+        assign exponent = digit[k-1].next_exponent;
+        assign flags    = digit[k-1].next_flags;
+      end
+
+      wire [REMAINDER-1:0] addend = {1'b0, divisor} ^ {REMAINDER{subtract}};
+      wire                 unused_place;
+
+      assign {remainder, unused_place} = {doubled, 1'b1} + {addend, subtract};
+
+      wire [REMAINDER-2:0]      next_remainder;
+      wire [PRECISION-1:0]      next_divisor;
+      wire [k:0]                next_quotient;
+      wire [EXPONENT_WIDTH-1:0] next_exponent;
+      wire [FLAGS-1:0]          next_flags;
+
+      fp_rank #(
+          .WIDTH     (REMAINDER - 1 + PRECISION + k + 1 + EXPONENT_WIDTH + FLAGS),
+          .REGISTERED(CUTS[2+k])
+      ) rank (
+          .aclk(aclk),
+          .d   ({remainder[REMAINDER-2:0], divisor, quotient, exponent, flags}),
+          .q   ({next_remainder, next_divisor, next_quotient, next_exponent, next_flags})
+      );
+    end
+  endgenerate
+
+  // Stage select: the quotient is exact iff nothing remains, which after a 0 is to say that the
+  // remainder is minus the divisor. Two numbers add up to zero iff there is a carry into each place
+  // where their digits differ and none where they agree.
+  wire [PRECISION-1:0] last_remainder = digit[DIGITS-1].next_remainder;
+  wire [DIGITS-1:0]    last_quotient  = digit[DIGITS-1].next_quotient;
+  wire [PRECISION-1:0] last_restore   =
+      digit[DIGITS-1].next_divisor & {PRECISION{!last_quotient[0]}};
+  wire [PRECISION-1:0] last_carry     = (last_remainder | last_restore) << 1;
+  wire                 last_sticky    = |(last_remainder ^ last_restore ^ last_carry);
+  wire                 last_sign;
+  wire                 last_nan;
+  wire                 last_infinite;
+  wire                 last_zero;
+  wire                 last_suspect;
+
+  assign {last_sign, last_nan, last_infinite, last_zero, last_suspect} =
+      digit[DIGITS-1].next_flags;
+
+  // Stages denormalise, round, pack follow.
+  fp_select_round #(
+      .WIDTH               (DIGITS),
+      .EXPONENT_WIDTH      (EXPONENT_WIDTH),
+      .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
+      .RESULT_PRECISION    (RESULT_PRECISION),
+      .GRADUAL             (GRADUAL),
+      .TOWARD_ZERO         (TOWARD_ZERO),
+      .CUTS                (CUTS[DIGITS+5:DIGITS+2])
+  ) last_select_round (
+      .aclk       (aclk),
+      .sign       (last_sign),
+      .exponent   (digit[DIGITS-1].next_exponent),
+      .value      (last_quotient),
+      .sticky     (last_sticky),
+      .nan        (last_nan),
+      .infinite   (last_infinite),
+      .zero       (last_zero),
+      .suspect    (last_suspect),
+      .y          (y),
+      .exceptional(exceptional)
+  );
+
+endmodule
+
+`default_nettype wire

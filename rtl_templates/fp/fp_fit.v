@@ -1,0 +1,30 @@
+// fp_fit: brings a fraction to another width by its leading bits; `sticky` is the OR of the rest.
+// Combinational wiring, but for the OR.
+// Copied into generated designs, where it is unencumbered.
+`default_nettype none
+
+module fp_fit #(
+    parameter FROM = 48,
+    parameter TO   = 26
+) (
+    input  wire [FROM-1:0] value,
+    output wire [TO-1:0]   fitted,
+    output wire            sticky
+);
+
+  generate
+    if (FROM > TO) begin : narrower
+      assign fitted = value[FROM-1:FROM-TO];
+      assign sticky = |value[FROM-TO-1:0];
+    end else if (FROM == TO) begin : same
+      assign fitted = value;
+      assign sticky = 1'b0;
+    end else begin : wider
+      assign fitted = {value, {(TO - FROM) {1'b0}}};
+      assign sticky = 1'b0;
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,41 @@
+// fp_interval_decision: decides the sign of a difference that lies between minimum and maximum:
+// greater (2) iff the minimum is above zero, less (0) iff the maximum is below it.
+// Latency: CUTS; initiation interval 1; no reset.
+// A verdict means something where `decided` is 1; a NaN in either bound never decides.
+// Copied into generated designs, where it is unencumbered.
+`default_nettype none
+
+module fp_interval_decision #(
+    parameter       EXPONENT_BITS = 8,
+    parameter       PRECISION     = 24,
+    parameter [0:0] CUTS          = 1'b0
+) (
+    input  wire                               aclk,
+    input  wire [EXPONENT_BITS+PRECISION-1:0] minimum,
+    input  wire [EXPONENT_BITS+PRECISION-1:0] maximum,
+    output wire [1:0]                         verdict,
+    output wire                               decided
+);
+
+  localparam SIGN     = EXPONENT_BITS + PRECISION - 1;
+  localparam EXPONENT = PRECISION - 1;
+
+  // Stage decide: a number is beyond zero if its sign says so and it is not a zero.
+  wire s0_minimum_nan = (&minimum[SIGN-1:EXPONENT]) && (|minimum[EXPONENT-1:0]);
+  wire s0_maximum_nan = (&maximum[SIGN-1:EXPONENT]) && (|maximum[EXPONENT-1:0]);
+  wire s0_unordered   = s0_minimum_nan || s0_maximum_nan;
+  wire s0_greater     = !minimum[SIGN] && (|minimum[SIGN-1:0]);
+  wire s0_less        = maximum[SIGN] && (|maximum[SIGN-1:0]);
+
+  fp_rank #(
+      .WIDTH     (3),
+      .REGISTERED(CUTS[0])
+  ) rank_0 (
+      .aclk(aclk),
+      .d   ({s0_greater, 1'b0, (s0_greater || s0_less) && !s0_unordered}),
+      .q   ({verdict, decided})
+  );
+
+endmodule
+
+`default_nettype wire

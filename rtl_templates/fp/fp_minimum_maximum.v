@@ -1,0 +1,74 @@
+// fp_minimum_maximum: the smaller of a and b, or the larger with MAXIMUM.
+// Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
+// Special values as IEEE 754-2019: a NaN gives NaN, -0 is less than +0.
+// Copied into generated designs, where it is unencumbered.
+`default_nettype none
+
+module fp_minimum_maximum #(
+    parameter       EXPONENT_BITS = 8,
+    parameter       PRECISION     = 24,
+    parameter       MAXIMUM       = 0,
+    parameter       GRADUAL       = 0,
+    parameter [1:0] CUTS          = 2'b00
+) (
+    input  wire                               aclk,
+    input  wire [EXPONENT_BITS+PRECISION-1:0] a,
+    input  wire [EXPONENT_BITS+PRECISION-1:0] b,
+    output wire [EXPONENT_BITS+PRECISION-1:0] y,
+    output wire                               exceptional
+);
+
+  localparam PACKED   = EXPONENT_BITS + PRECISION;
+  localparam SIGN     = PACKED - 1;
+  localparam EXPONENT = PRECISION - 1;
+
+  localparam [PACKED-1:0] QUIET_NAN =
+      {1'b0, {EXPONENT_BITS{1'b1}}, ~({EXPONENT{1'b1}} >> 1)};
+
+  // Stage compare: packed magnitudes order as integers, against them where both are negative.
+  wire s0_a_fraction = |a[EXPONENT-1:0];
+  wire s0_b_fraction = |b[EXPONENT-1:0];
+  wire s0_a_special  = &a[SIGN-1:EXPONENT];
+  wire s0_b_special  = &b[SIGN-1:EXPONENT];
+  wire s0_a_flush    = (GRADUAL == 0) && !(|a[SIGN-1:EXPONENT]);
+  wire s0_b_flush    = (GRADUAL == 0) && !(|b[SIGN-1:EXPONENT]);
+  wire s0_nan        = (s0_a_special && s0_a_fraction) || (s0_b_special && s0_b_fraction);
+  wire s0_suspect    = s0_a_special || s0_b_special
+                       || (s0_a_flush && s0_a_fraction) || (s0_b_flush && s0_b_fraction);
+  wire s0_below      = a[SIGN-1:0] < b[SIGN-1:0];
+  wire s0_less       = (a[SIGN] == b[SIGN]) ? (s0_below ^ a[SIGN]) : a[SIGN];
+
+  wire [PACKED-1:0] s1_a;
+  wire [PACKED-1:0] s1_b;
+  wire              s1_a_flush;
+  wire              s1_b_flush;
+  wire              s1_nan;
+  wire              s1_suspect;
+  wire              s1_take_a;
+
+  fp_rank #(
+      .WIDTH     (2 * PACKED + 5),
+      .REGISTERED(CUTS[0])
+  ) rank_0 (
+      .aclk(aclk),
+      .d   ({a, b, s0_a_flush, s0_b_flush, s0_nan, s0_suspect, s0_less ^ (MAXIMUM != 0)}),
+      .q   ({s1_a, s1_b, s1_a_flush, s1_b_flush, s1_nan, s1_suspect, s1_take_a})
+  );
+
+  // Stage select: of equal operands either will do; a flushed one keeps its sign alone.
+  wire [PACKED-1:0] s1_taken   = s1_take_a ? s1_a : s1_b;
+  wire              s1_flush   = s1_take_a ? s1_a_flush : s1_b_flush;
+  wire [PACKED-1:0] s1_flushed = s1_taken & {1'b1, {(PACKED - 1) {!s1_flush}}};
+
+  fp_rank #(
+      .WIDTH     (PACKED + 1),
+      .REGISTERED(CUTS[1])
+  ) rank_1 (
+      .aclk(aclk),
+      .d   ({s1_nan ? QUIET_NAN : s1_flushed, s1_suspect}),
+      .q   ({y, exceptional})
+  );
+
+endmodule
+
+`default_nettype wire

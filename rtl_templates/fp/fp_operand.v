@@ -1,0 +1,125 @@
+// fp_operand: one packed operand with its significand normalised, for units that need it so.
+// Two cuts, initiation interval 1, no reset. `exponent` is biased and signed; that and the
+// significand are arbitrary for zeros, infinities and NaNs.
+// Copied into generated designs, where it is unencumbered.
+`default_nettype none
+
+module fp_operand #(
+    parameter       EXPONENT_BITS  = 8,
+    parameter       PRECISION      = 24,
+    parameter       EXPONENT_WIDTH = 10,    // above EXPONENT_BITS and the width of PRECISION
+    parameter       GRADUAL        = 0,
+    parameter [1:0] CUTS           = 2'b00
+) (
+    input  wire                               aclk,
+    input  wire [EXPONENT_BITS+PRECISION-1:0] a,
+    output wire                               sign,
+    output wire [EXPONENT_WIDTH-1:0]          exponent,
+    output wire [PRECISION-1:0]               significand,
+    output wire                               zero,
+    output wire                               infinite,
+    output wire                               nan,
+    output wire                               flushed
+);
+
+  function integer bits_for(input integer value);
+    integer rest;
+    begin
+      bits_for = 0;
+      for (rest = value; rest > 0; rest = rest >> 1) bits_for = bits_for + 1;
+    end
+  endfunction
+
+  localparam COUNT_BITS = bits_for(PRECISION);
+  localparam COUNTED    = 1 << COUNT_BITS;
+  localparam FLAGS      = 5;
+
+  // Stage count: leading zeros of the significand; a normal number has none.
+  wire                     s0_sign;
+  wire [EXPONENT_BITS-1:0] s0_exponent;
+  wire [PRECISION-1:0]     s0_significand;
+  wire                     s0_zero;
+  wire                     s0_infinite;
+  wire                     s0_nan;
+  wire                     s0_flushed;
+
+  fp_unpack #(
+      .EXPONENT_BITS(EXPONENT_BITS),
+      .PRECISION    (PRECISION),
+      .GRADUAL      (GRADUAL)
+  ) s0_unpack (
+      .a          (a),
+      .sign       (s0_sign),
+      .exponent   (s0_exponent),
+      .significand(s0_significand),
+      .zero       (s0_zero),
+      .infinite   (s0_infinite),
+      .nan        (s0_nan),
+      .flushed    (s0_flushed)
+  );
+
+  wire [EXPONENT_BITS-1:0] s1_exponent;
+  wire [PRECISION-1:0]     s1_significand;
+  wire [FLAGS-1:0]         s1_flags;
+
+  fp_rank #(
+      .WIDTH     (EXPONENT_BITS + PRECISION + FLAGS),
+      .REGISTERED(CUTS[0])
+  ) rank_0 (
+      .aclk(aclk),
+      .d   ({s0_exponent, s0_significand, s0_sign, s0_zero, s0_infinite, s0_nan, s0_flushed}),
+      .q   ({s1_exponent, s1_significand, s1_flags})
+  );
+
+  // Stage normalise: the leading one moves up, the exponent down by as much.
+  wire [EXPONENT_WIDTH-1:0] s1_wide_exponent = {
+    {(EXPONENT_WIDTH - EXPONENT_BITS) {1'b0}}, s1_exponent
+  };
+  wire [EXPONENT_WIDTH-1:0] s1_normal_exponent;
+  wire [PRECISION-1:0]      s1_normal_significand;
+
+  generate
+    if (GRADUAL != 0) begin : gradual
+      wire [COUNTED-1:0]    s0_counted = {s0_significand, {(COUNTED - PRECISION) {1'b0}}};
+      wire [COUNT_BITS-1:0] s0_count;
+      wire                  s0_unused_empty;
+      wire [COUNT_BITS-1:0] s1_count;
+
+      fp_leading_zeros #(
+          .COUNT_BITS(COUNT_BITS)
+      ) s0_leading_zeros (
+          .value(s0_counted),
+          .count(s0_count),
+          .empty(s0_unused_empty)
+      );
+
+      fp_rank #(
+          .WIDTH     (COUNT_BITS),
+          .REGISTERED(CUTS[0])
+      ) rank_0_count (
+          .aclk(aclk),
+          .d   (s0_count),
+          .q   (s1_count)
+      );
+
+      assign s1_normal_significand = s1_significand << s1_count;
+      assign s1_normal_exponent    =
+          s1_wide_exponent - {{(EXPONENT_WIDTH - COUNT_BITS) {1'b0}}, s1_count};
+    end else begin : flush
+      assign s1_normal_significand = s1_significand;
+      assign s1_normal_exponent    = s1_wide_exponent;
+    end
+  endgenerate
+
+  fp_rank #(
+      .WIDTH     (EXPONENT_WIDTH + PRECISION + FLAGS),
+      .REGISTERED(CUTS[1])
+  ) rank_1 (
+      .aclk(aclk),
+      .d   ({s1_normal_exponent, s1_normal_significand, s1_flags}),
+      .q   ({exponent, significand, sign, zero, infinite, nan, flushed})
+  );
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,33 @@
+// fp_rank: one cut point, a row of registers where REGISTERED is 1 and wires where it is 0.
+// Latency REGISTERED, initiation interval 1, no reset.
+// Copied into generated designs, where it is unencumbered.
+`default_nettype none
+
+module fp_rank #(
+    parameter       WIDTH      = 1,
+    parameter       REGISTERED = 1
+) (
+    input  wire             aclk,
+    input  wire [WIDTH-1:0] d,
+    output wire [WIDTH-1:0] q
+);
+
+  generate
+    if (REGISTERED != 0) begin : cut
+      reg [WIDTH-1:0] value_q;
+
+      always @(posedge aclk) begin
+        value_q <= d;
+      end
+
+      assign q = value_q;
+    end else begin : through
+      wire unused_aclk = aclk;
+
+      assign q = d;
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire

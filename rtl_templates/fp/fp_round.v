@@ -1,0 +1,164 @@
+// fp_round: rounds an exact result, given by its leading bits and a sticky bit, and packs it.
+// Three cuts, initiation interval 1, no reset. Special values: `nan`, `infinite` and `zero` say
+// that the result is one (the first of them wins) whatever exponent and significand are.
+// Copied into generated designs, where it is unencumbered.
+`default_nettype none
+
+module fp_round #(
+    parameter       EXPONENT_WIDTH       = 10,     // above RESULT_EXPONENT_BITS + 1
+    parameter       RESULT_EXPONENT_BITS = 8,
+    parameter       RESULT_PRECISION     = 24,
+    parameter       GRADUAL              = 0,
+    // 1: exponents below 1 occur with GRADUAL, and then the significand is normalised.
+    // 0: they do not, but a significand of exponent 1 may have leading zeros.
+    parameter       DENORMALISE          = GRADUAL,
+    parameter       TOWARD_ZERO          = 0,
+    parameter [2:0] CUTS                 = 3'b000
+) (
+    input  wire                                             aclk,
+    input  wire                                             sign,
+    input  wire [EXPONENT_WIDTH-1:0]                        exponent,     // biased and signed
+    input  wire [RESULT_PRECISION+1:0]                      significand,  // two bits beyond it
+    input  wire                                             sticky,
+    input  wire                                             nan,
+    input  wire                                             infinite,
+    input  wire                                             zero,
+    input  wire                                             suspect,  // exceptional already
+    output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
+    output wire                                             exceptional
+);
+
+  function integer bits_for(input integer value);
+    integer rest;
+    begin
+      bits_for = 0;
+      for (rest = value; rest > 0; rest = rest >> 1) bits_for = bits_for + 1;
+    end
+  endfunction
+
+  localparam FRACTION_BITS = RESULT_PRECISION - 1;
+  localparam WIDTH         = RESULT_PRECISION + 2;
+  localparam FLAGS         = 5;
+  localparam ROUNDED_WIDTH = EXPONENT_WIDTH + FRACTION_BITS;
+
+  localparam [FRACTION_BITS-1:0] QUIET = ~({FRACTION_BITS{1'b1}} >> 1);
+
+  // Stage denormalise: below exponent 1 the significand moves down instead of the exponent.
+  wire [WIDTH-1:0] s0_significand;
+  wire             s0_sticky;
+
+  generate
+    if (DENORMALISE != 0) begin : denormalise
+      localparam AMOUNT_BITS = bits_for(WIDTH);
+
+      wire [EXPONENT_WIDTH-1:0] distance = {{(EXPONENT_WIDTH - 1) {1'b0}}, 1'b1} - exponent;
+      wire                      tiny     = exponent[EXPONENT_WIDTH-1] || !(|exponent);
+      wire                      far      = |distance[EXPONENT_WIDTH-1:AMOUNT_BITS];
+      wire [AMOUNT_BITS-1:0]    amount   =
+          (distance[AMOUNT_BITS-1:0] | {AMOUNT_BITS{far}}) & {AMOUNT_BITS{tiny}};
+      wire                      lost;
+
+      fp_shift_right #(
+          .WIDTH      (WIDTH),
+          .AMOUNT_BITS(AMOUNT_BITS)
+      ) shift (
+          .value  (significand),
+          .amount (amount),
+          .shifted(s0_significand),
+          .sticky (lost)
+      );
+
+      assign s0_sticky = sticky || lost;
+    end else begin : normal
+      assign s0_significand = significand;
+      assign s0_sticky      = sticky;
+    end
+  endgenerate
+
+  wire [EXPONENT_WIDTH-1:0] s1_exponent;
+  wire [WIDTH-1:0]          s1_significand;
+  wire                      s1_sticky;
+  wire [FLAGS-1:0]          s1_flags;
+
+  fp_rank #(
+      .WIDTH     (EXPONENT_WIDTH + WIDTH + 1 + FLAGS),
+      .REGISTERED(CUTS[0])
+  ) rank_0 (
+      .aclk(aclk),
+      .d   ({exponent, s0_significand, s0_sticky, sign, nan, infinite, zero, suspect}),
+      .q   ({s1_exponent, s1_significand, s1_sticky, s1_flags})
+  );
+
+  // Stage round: exponent and fraction are one number, so that a carry out of the fraction doubles
+  // it. A significand without a leading one is subnormal: its exponent field is 0.
+  wire                      s1_leading = s1_significand[WIDTH-1];
+  wire                      s1_odd     = s1_significand[2];
+  wire                      s1_guard   = s1_significand[1];
+  wire                      s1_beyond  = s1_significand[0];
+  wire                      s1_tail    = s1_beyond || s1_sticky;
+  wire                      s1_up      = (TOWARD_ZERO == 0) && s1_guard && (s1_odd || s1_tail);
+  wire [EXPONENT_WIDTH-1:0] s1_field   =
+      s1_exponent & {EXPONENT_WIDTH{s1_leading || (GRADUAL == 0)}};
+  wire [ROUNDED_WIDTH-1:0]  s1_rounded =
+      {s1_field, s1_significand[WIDTH-2:2]} + {{(ROUNDED_WIDTH - 1) {1'b0}}, s1_up};
+  wire                      s1_inexact_subnormal = !s1_leading && (s1_guard || s1_tail);
+
+  wire [EXPONENT_WIDTH-1:0] s2_field;
+  wire [FRACTION_BITS-1:0]  s2_fraction;
+  wire                      s2_inexact_subnormal;
+  wire                      s2_beyond;
+  wire                      s2_sign;
+  wire                      s2_nan;
+  wire                      s2_infinite;
+  wire                      s2_zero;
+  wire                      s2_suspect;
+
+  fp_rank #(
+      .WIDTH     (ROUNDED_WIDTH + 2 + FLAGS),
+      .REGISTERED(CUTS[1])
+  ) rank_1 (
+      .aclk(aclk),
+      .d   ({s1_rounded, s1_inexact_subnormal, s1_beyond, s1_flags}),
+      .q   ({s2_field, s2_fraction, s2_inexact_subnormal, s2_beyond,
+             s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect})
+  );
+
+  // Stage pack: the field is too large from all ones on; with GRADUAL it is never too small.
+  // A subnormal that was rounded up to the smallest normal number would have been rounded up to it
+  // with an unbounded exponent too iff the bit beyond the guard bit was set.
+  wire s2_finite    = !(s2_nan || s2_infinite || s2_zero);
+  wire s2_negative  = s2_field[EXPONENT_WIDTH-1];
+  wire s2_too_large = (|s2_field[EXPONENT_WIDTH-2:RESULT_EXPONENT_BITS])
+                      || (&s2_field[RESULT_EXPONENT_BITS-1:0]);
+  wire s2_overflow  = s2_finite && !s2_negative && s2_too_large;
+  wire s2_vanished  = s2_finite && (GRADUAL == 0) && (s2_negative || !(|s2_field));
+  wire s2_imprecise = s2_finite && (GRADUAL != 0) && s2_inexact_subnormal
+                      && !(s2_field[0] && s2_beyond);
+
+  wire s2_overflow_to_largest = s2_overflow && (TOWARD_ZERO != 0);
+  wire s2_all_ones            = s2_nan || s2_infinite || s2_overflow;
+  wire s2_all_zeros           = s2_zero || s2_vanished;
+  wire s2_keep_fraction       = s2_finite && !s2_overflow && !s2_vanished;
+
+  wire [RESULT_EXPONENT_BITS-1:0] s2_y_field =
+      ((s2_field[RESULT_EXPONENT_BITS-1:0] & {RESULT_EXPONENT_BITS{!s2_all_zeros}})
+       | {RESULT_EXPONENT_BITS{s2_all_ones}})
+      & {{(RESULT_EXPONENT_BITS - 1) {1'b1}}, !s2_overflow_to_largest};
+  wire [FRACTION_BITS-1:0] s2_y_fraction =
+      (s2_fraction & {FRACTION_BITS{s2_keep_fraction}})
+      | {FRACTION_BITS{s2_overflow_to_largest}}
+      | (QUIET & {FRACTION_BITS{s2_nan}});
+
+  fp_rank #(
+      .WIDTH     (RESULT_EXPONENT_BITS + RESULT_PRECISION + 1),
+      .REGISTERED(CUTS[2])
+  ) rank_2 (
+      .aclk(aclk),
+      .d   ({s2_sign && !s2_nan, s2_y_field, s2_y_fraction,
+             s2_suspect || s2_overflow || s2_vanished || s2_imprecise}),
+      .q   ({y, exceptional})
+  );
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,32 @@
+// fp_shift_right: moves a value down; `sticky` remembers whether a one fell off its end.
+// Combinational. An amount of WIDTH or more leaves nothing but the sticky bit.
+// Copied into generated designs, where it is unencumbered.
+`default_nettype none
+
+module fp_shift_right #(
+    parameter WIDTH       = 24,
+    parameter AMOUNT_BITS = 5
+) (
+    input  wire [WIDTH-1:0]       value,
+    input  wire [AMOUNT_BITS-1:0] amount,
+    output reg  [WIDTH-1:0]       shifted,
+    output reg                    sticky
+);
+
+  integer k;
+
+  // A loop over constant distances says in one place what a chain of generated steps would spread.
+  always @* begin
+    shifted = value;
+    sticky  = 1'b0;
+    for (k = AMOUNT_BITS - 1; k >= 0; k = k - 1) begin
+      if (amount[k]) begin
+        sticky  = sticky || (|(shifted & ~({WIDTH{1'b1}} << (1 << k))));
+        shifted = shifted >> (1 << k);
+      end
+    end
+  end
+
+endmodule
+
+`default_nettype wire

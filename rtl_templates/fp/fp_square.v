@@ -1,0 +1,146 @@
+// fp_square: a * a, rounded once to the result format.
+// Latency: the population count of CUTS (nine bits); initiation interval 1; no reset.
+// Special values as IEEE 754.
+// Copied into generated designs, where it is unencumbered.
+`default_nettype none
+
+module fp_square #(
+    parameter       EXPONENT_BITS        = 8,
+    parameter       PRECISION            = 24,
+    parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,
+    parameter       RESULT_PRECISION     = PRECISION,
+    parameter       GRADUAL              = 0,
+    parameter       TOWARD_ZERO          = 0,
+    parameter [8:0] CUTS                 = 9'b0
+) (
+    input  wire                                             aclk,
+    input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
+    output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
+    output wire                                             exceptional
+);
+
+  function integer bits_for(input integer value);
+    integer rest;
+    begin
+      bits_for = 0;
+      for (rest = value; rest > 0; rest = rest >> 1) bits_for = bits_for + 1;
+    end
+  endfunction
+
+  function integer larger(input integer first, input integer second);
+    larger = (first > second) ? first : second;
+  endfunction
+
+  localparam PRODUCT = 2 * PRECISION;
+  localparam EXPONENT_WIDTH =
+      larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS),
+             bits_for(larger(PRODUCT, RESULT_PRECISION + 2))) + 2;
+
+  localparam integer BIAS        = (1 << (EXPONENT_BITS - 1)) - 1;
+  localparam integer RESULT_BIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 1;
+  localparam integer REBIAS      = RESULT_BIAS - 2 * BIAS;
+
+  // Stages count, normalise: the significand gets a leading one.
+  wire                      s2_unused_sign;
+  wire [EXPONENT_WIDTH-1:0] s2_a_exponent;
+  wire [PRECISION-1:0]      s2_a_significand;
+  wire                      s2_zero;
+  wire                      s2_infinite;
+  wire                      s2_nan;
+  wire                      s2_flushed;
+
+  fp_operand #(
+      .EXPONENT_BITS (EXPONENT_BITS),
+      .PRECISION     (PRECISION),
+      .EXPONENT_WIDTH(EXPONENT_WIDTH),
+      .GRADUAL       (GRADUAL),
+      .CUTS          (CUTS[1:0])
+  ) s0_operand (
+      .aclk       (aclk),
+      .a          (a),
+      .sign       (s2_unused_sign),
+      .exponent   (s2_a_exponent),
+      .significand(s2_a_significand),
+      .zero       (s2_zero),
+      .infinite   (s2_infinite),
+      .nan        (s2_nan),
+      .flushed    (s2_flushed)
+  );
+
+  // Stage multiply: the square of a significand in [1, 2) lies in [1, 4).
+  wire [PRODUCT-1:0]        s2_product  = s2_a_significand * s2_a_significand;
+  wire [EXPONENT_WIDTH-1:0] s2_exponent = s2_a_exponent << 1;
+  wire                      s2_suspect  = s2_nan || s2_infinite || s2_flushed;
+
+  wire [PRODUCT-1:0]        s3_product;
+  wire [EXPONENT_WIDTH-1:0] s3_sum;
+  wire [3:0]                s3_flags;
+
+  fp_rank #(
+      .WIDTH     (PRODUCT + EXPONENT_WIDTH + 4),
+      .REGISTERED(CUTS[2])
+  ) rank_2 (
+      .aclk(aclk),
+      .d   ({s2_product, s2_exponent, s2_nan, s2_infinite, s2_zero, s2_suspect}),
+      .q   ({s3_product, s3_sum, s3_flags})
+  );
+
+  // Stages accumulate 1 and 2: nothing but ranks that synthesis moves into the product, where
+  // embedded multipliers and the adders behind them have registers of their own.
+  wire [EXPONENT_WIDTH-1:0] s3_exponent = s3_sum + REBIAS[EXPONENT_WIDTH-1:0];
+
+  wire [PRODUCT-1:0]        s4_product;
+  wire [EXPONENT_WIDTH-1:0] s4_exponent;
+  wire [3:0]                s4_flags;
+
+  fp_rank #(
+      .WIDTH     (PRODUCT + EXPONENT_WIDTH + 4),
+      .REGISTERED(CUTS[3])
+  ) rank_3 (
+      .aclk(aclk),
+      .d   ({s3_product, s3_exponent, s3_flags}),
+      .q   ({s4_product, s4_exponent, s4_flags})
+  );
+
+  wire [PRODUCT-1:0]        s5_product;
+  wire [EXPONENT_WIDTH-1:0] s5_exponent;
+  wire                      s5_nan;
+  wire                      s5_infinite;
+  wire                      s5_zero;
+  wire                      s5_suspect;
+
+  fp_rank #(
+      .WIDTH     (PRODUCT + EXPONENT_WIDTH + 4),
+      .REGISTERED(CUTS[4])
+  ) rank_4 (
+      .aclk(aclk),
+      .d   ({s4_product, s4_exponent, s4_flags}),
+      .q   ({s5_product, s5_exponent, s5_nan, s5_infinite, s5_zero, s5_suspect})
+  );
+
+  // Stages select, denormalise, round, pack.
+  fp_select_round #(
+      .WIDTH               (PRODUCT),
+      .EXPONENT_WIDTH      (EXPONENT_WIDTH),
+      .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
+      .RESULT_PRECISION    (RESULT_PRECISION),
+      .GRADUAL             (GRADUAL),
+      .TOWARD_ZERO         (TOWARD_ZERO),
+      .CUTS                (CUTS[8:5])
+  ) s5_select_round (
+      .aclk       (aclk),
+      .sign       (1'b0),
+      .exponent   (s5_exponent),
+      .value      (s5_product),
+      .sticky     (1'b0),
+      .nan        (s5_nan),
+      .infinite   (s5_infinite),
+      .zero       (s5_zero),
+      .suspect    (s5_suspect),
+      .y          (y),
+      .exceptional(exceptional)
+  );
+
+endmodule
+
+`default_nettype wire

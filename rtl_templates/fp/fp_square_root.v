@@ -1,0 +1,220 @@
+// fp_square_root: the root of a, rounded once to the result format; one bit a stage.
+// Latency: the population count of CUTS (RESULT_PRECISION + 6 bits); initiation interval 1; no
+// reset.
+// Special values as IEEE 754: the root of -0 is -0, of other negative numbers NaN.
+// Copied into generated designs, where it is unencumbered.
+`default_nettype none
+
+module fp_square_root #(
+    parameter EXPONENT_BITS        = 8,
+    parameter PRECISION            = 24,
+    parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,
+    parameter RESULT_PRECISION     = PRECISION,
+    parameter GRADUAL              = 0,
+    parameter TOWARD_ZERO          = 0,
+    parameter [RESULT_PRECISION+5:0] CUTS = 0
+) (
+    input  wire                                             aclk,
+    input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
+    output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
+    output wire                                             exceptional
+);
+
+  function integer bits_for(input integer value);
+    integer rest;
+    begin
+      bits_for = 0;
+      for (rest = value; rest > 0; rest = rest >> 1) bits_for = bits_for + 1;
+    end
+  endfunction
+
+  function integer larger(input integer first, input integer second);
+    larger = (first > second) ? first : second;
+  endfunction
+
+  // The root's bits up to the guard bit, and two bits of the radicand for each.
+  localparam ROOT     = RESULT_PRECISION + 1;
+  localparam RADICAND = 2 * ROOT;
+  localparam FLAGS    = 5;
+  localparam EXPONENT_WIDTH =
+      larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS),
+             bits_for(larger(PRECISION, RESULT_PRECISION + 2))) + 2;
+
+  localparam integer BIAS        = (1 << (EXPONENT_BITS - 1)) - 1;
+  localparam integer RESULT_BIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 1;
+  // Half the exponent of even the smallest subnormal is a normal one unless the result's is short.
+  localparam DENORMALISE = (GRADUAL != 0) && (BIAS + PRECISION > 2 * RESULT_BIAS);
+
+  // Stages count, normalise: the significand gets a leading one.
+  wire                      s2_sign;
+  wire [EXPONENT_WIDTH-1:0] s2_a_exponent;
+  wire [PRECISION-1:0]      s2_a_significand;
+  wire                      s2_zero;
+  wire                      s2_infinite;
+  wire                      s2_a_nan;
+  wire                      s2_flushed;
+
+  fp_operand #(
+      .EXPONENT_BITS (EXPONENT_BITS),
+      .PRECISION     (PRECISION),
+      .EXPONENT_WIDTH(EXPONENT_WIDTH),
+      .GRADUAL       (GRADUAL),
+      .CUTS          (CUTS[1:0])
+  ) s0_operand (
+      .aclk       (aclk),
+      .a          (a),
+      .sign       (s2_sign),
+      .exponent   (s2_a_exponent),
+      .significand(s2_a_significand),
+      .zero       (s2_zero),
+      .infinite   (s2_infinite),
+      .nan        (s2_a_nan),
+      .flushed    (s2_flushed)
+  );
+
+  // Stages digit 1 to ROOT - 1: an odd exponent gives its last bit to the significand, so that the
+  // radicand lies in [1, 4) and digit 0 of the root is 1. Then one bit each, non-restoring: with
+  // the root's bits Q so far, subtract 4Q + 1 from the remainder after a 1, add 4Q + 3 after a 0;
+  // its sign is the next bit. The bias is odd: an even biased exponent is an odd exponent.
+  wire                      s2_odd      = !s2_a_exponent[0];
+  wire [EXPONENT_WIDTH-1:0] s2_doubled  = s2_a_exponent - BIAS[EXPONENT_WIDTH-1:0];
+  wire [EXPONENT_WIDTH-1:0] s2_exponent =
+      {s2_doubled[EXPONENT_WIDTH-1], s2_doubled[EXPONENT_WIDTH-1:1]}
+      + RESULT_BIAS[EXPONENT_WIDTH-1:0];
+  wire [PRECISION:0]        s2_even     = {1'b0, s2_a_significand} << s2_odd;
+  wire [RADICAND-1:0]       s2_radicand;
+  wire                      s2_sticky;
+
+  fp_fit #(
+      .FROM(PRECISION + 1),
+      .TO  (RADICAND)
+  ) s2_fit (
+      .value (s2_even),
+      .fitted(s2_radicand),
+      .sticky(s2_sticky)
+  );
+
+  wire s2_nan     = s2_a_nan || (s2_sign && !s2_zero);
+  wire s2_suspect = s2_nan || s2_infinite || s2_flushed;
+
+  genvar k;
+  generate
+    for (k = 1; k < ROOT; k = k + 1) begin : digit
+      // Up to twice the root of k + 1 bits, with a sign.
+      localparam REMAINDER = k + 3;
+
+      wire [REMAINDER-3:0]      above;     // the remainder so far
+      wire [k-1:0]              root;
+      wire [RADICAND-2*k-1:0]   radicand;  // what is left of it; two bits come down
+      wire                      sticky;
+      wire [EXPONENT_WIDTH-1:0] exponent;
+      wire [FLAGS-1:0]          flags;
+
+      if (k == 1) begin : first
+        assign above    = s2_radicand[RADICAND-1:RADICAND-2] - 2'd1;
+        assign root     = 1'b1;
+        assign radicand = s2_radicand[RADICAND-3:0];
+        assign sticky   = s2_sticky;
+        assign exponent = s2_exponent;
+        assign flags    = {s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect};
+      end else begin : later
+        assign above    = digit[k-1].next_remainder;
+        assign root     = digit[k-1].next_root;
+        assign radicand = digit[k-1].more.next_radicand;
+        assign sticky   = digit[k-1].next_sticky;
+        assign exponent = digit[k-1].next_exponent;
+        assign flags    = digit[k-1].next_flags;
+      end
+
+      wire [REMAINDER-1:0] remainder =
+          {above, radicand[RADICAND-2*k-1:RADICAND-2*k-2]}
+          + {root[0], root ^ {k{root[0]}}, 2'b11};
+
+      wire [REMAINDER-2:0]      next_remainder;  // its sign is in the root
+      wire [k:0]                next_root;
+      wire                      next_sticky;
+      wire [EXPONENT_WIDTH-1:0] next_exponent;
+      wire [FLAGS-1:0]          next_flags;
+
+      fp_rank #(
+          .WIDTH     (REMAINDER - 1 + k + 1 + 1 + EXPONENT_WIDTH + FLAGS),
+          .REGISTERED(CUTS[1+k])
+      ) rank (
+          .aclk(aclk),
+          .d   ({remainder[REMAINDER-2:0], root, !remainder[REMAINDER-1],
+                 sticky, exponent, flags}),
+          .q   ({next_remainder, next_root, next_sticky, next_exponent, next_flags})
+      );
+
+      if (k + 1 < ROOT) begin : more
+        wire [RADICAND-2*k-3:0] next_radicand;
+
+        fp_rank #(
+            .WIDTH     (RADICAND - 2 * k - 2),
+            .REGISTERED(CUTS[1+k])
+        ) rank_radicand (
+            .aclk(aclk),
+            .d   (radicand[RADICAND-2*k-3:0]),
+            .q   (next_radicand)
+        );
+      end
+    end
+  endgenerate
+
+  // Stage select: the root is exact iff nothing remains; after a 0 the remainder lacks 2Q + 1. Two
+  // numbers add up to zero iff there is a carry into each place where their digits differ and none
+  // where they agree.
+  localparam LAST = ROOT + 1;
+
+  wire [LAST-1:0] last_remainder = digit[ROOT-1].next_remainder;
+  wire [ROOT-1:0] last_root      = digit[ROOT-1].next_root;
+  wire [LAST-1:0] last_restore   = {last_root, 1'b1} & {LAST{!last_root[0]}};
+  wire [LAST-1:0] last_carry     = (last_remainder | last_restore) << 1;
+  wire            last_remains   = |(last_remainder ^ last_restore ^ last_carry);
+  wire            last_sticky    = last_remains || digit[ROOT-1].next_sticky;
+
+  wire [EXPONENT_WIDTH-1:0] round_exponent;
+  wire [ROOT-1:0]           round_root;
+  wire                      round_sticky;
+  wire                      round_sign;
+  wire                      round_nan;
+  wire                      round_infinite;
+  wire                      round_zero;
+  wire                      round_suspect;
+
+  fp_rank #(
+      .WIDTH     (EXPONENT_WIDTH + ROOT + 1 + FLAGS),
+      .REGISTERED(CUTS[ROOT+1])
+  ) last_rank (
+      .aclk(aclk),
+      .d   ({digit[ROOT-1].next_exponent, last_root, last_sticky, digit[ROOT-1].next_flags}),
+      .q   ({round_exponent, round_root, round_sticky,
+             round_sign, round_nan, round_infinite, round_zero, round_suspect})
+  );
+
+  // Stages denormalise, round, pack.
+  fp_round #(
+      .EXPONENT_WIDTH      (EXPONENT_WIDTH),
+      .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
+      .RESULT_PRECISION    (RESULT_PRECISION),
+      .GRADUAL             (GRADUAL),
+      .DENORMALISE         (DENORMALISE),
+      .TOWARD_ZERO         (TOWARD_ZERO),
+      .CUTS                (CUTS[ROOT+4:ROOT+2])
+  ) round (
+      .aclk       (aclk),
+      .sign       (round_sign),
+      .exponent   (round_exponent),
+      .significand({round_root, 1'b0}),
+      .sticky     (round_sticky),
+      .nan        (round_nan),
+      .infinite   (round_infinite),
+      .zero       (round_zero),
+      .suspect    (round_suspect),
+      .y          (y),
+      .exceptional(exceptional)
+  );
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,47 @@
+// fp_unpack: one packed operand as sign, biased exponent and significand, and what kind it is.
+// Combinational. GRADUAL: a subnormal has exponent 1 and a leading zero. Otherwise it is a zero,
+// and `flushed` says so; a zero's significand is then arbitrary, to spare the gates.
+// Copied into generated designs, where it is unencumbered.
+`default_nettype none
+
+module fp_unpack #(
+    parameter       EXPONENT_BITS = 8,
+    parameter       PRECISION     = 24,
+    parameter       GRADUAL       = 0
+) (
+    input  wire [EXPONENT_BITS+PRECISION-1:0] a,
+    output wire                               sign,
+    output wire [EXPONENT_BITS-1:0]           exponent,
+    output wire [PRECISION-1:0]               significand,
+    output wire                               zero,
+    output wire                               infinite,
+    output wire                               nan,
+    output wire                               flushed
+);
+
+  wire [EXPONENT_BITS-1:0] field         = a[EXPONENT_BITS+PRECISION-2:PRECISION-1];
+  wire [PRECISION-2:0]     fraction      = a[PRECISION-2:0];
+  wire                     field_empty   = !(|field);
+  wire                     fraction_some = |fraction;
+
+  assign sign     = a[EXPONENT_BITS+PRECISION-1];
+  assign infinite = (&field) && !fraction_some;
+  assign nan      = (&field) && fraction_some;
+
+  generate
+    if (GRADUAL != 0) begin : gradual
+      assign exponent    = {field[EXPONENT_BITS-1:1], field[0] || field_empty};
+      assign significand = {!field_empty, fraction};
+      assign zero        = field_empty && !fraction_some;
+      assign flushed     = 1'b0;
+    end else begin : flush
+      assign exponent    = field;
+      assign significand = {1'b1, fraction};
+      assign zero        = field_empty;
+      assign flushed     = field_empty && fraction_some;
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire
