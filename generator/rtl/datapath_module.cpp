@@ -124,7 +124,7 @@ private:
     add(Wire{signal.width, name, nullptr});
     add(Instance{"delay_line",
                  pool_.unique("delay_" + name),
-                 {{"WIDTH", signal.width}, {"CYCLES", to - from}},
+                 {{"WIDTH", signal.width}, {"LENGTH", to - from}},
                  {{"aclk", net("aclk")}, {"d", source}, {"q", net(name)}}});
     return net(name);
   }

@@ -30,6 +30,10 @@ Operand literal(int width, model::Bits value) {
   return make(Literal{width, value});
 }
 
+Operand zeros(int width) {
+  return make(Zeros{width});
+}
+
 Operand concatenation(std::vector<Operand> parts) {
   return make(Concatenation{std::move(parts)});
 }

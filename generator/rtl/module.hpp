@@ -33,6 +33,10 @@ struct Literal {
   int width;
   model::Bits value;
 };
+/// `width` zeros; wider than a Literal may be.
+struct Zeros {
+  int width;
+};
 struct Concatenation {
   std::vector<Operand> parts;  ///< most significant first
 };
@@ -48,7 +52,7 @@ struct AndReduce {
 };
 
 struct Expression {
-  std::variant<Net, IndexedSlice, Slice, Literal, Concatenation, Not, Or, AndReduce> node;
+  std::variant<Net, IndexedSlice, Slice, Literal, Zeros, Concatenation, Not, Or, AndReduce> node;
 };
 
 Operand net(std::string name);
@@ -56,6 +60,7 @@ Operand indexed(std::string name, std::string index_variable, int width);
 Operand slice(std::string name, int high, int low);
 Operand bit(std::string name, int index);
 Operand literal(int width, model::Bits value);
+Operand zeros(int width);
 Operand concatenation(std::vector<Operand> parts);
 Operand inverted(Operand operand);
 /// The or of all operands; a single operand stays itself, none is 1'b0.

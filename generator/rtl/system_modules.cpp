@@ -9,6 +9,8 @@ using namespace rtl;
 
 constexpr int verdict_bits = 2;
 constexpr int result_bits = 8;
+/// 2^4 operands may be on their way back from the user's memory, per reference.
+constexpr int outstanding_bits = 4;
 
 void add_input(std::vector<Port>& ports, int width, const std::string& name, bool vector = false) {
   ports.push_back({Direction::input, width, name, vector});
@@ -120,6 +122,32 @@ void add_per_reference_refetch(std::vector<Port>& ports, const SystemShape& shap
   add_input(ports, count * bits, "s_refetch_tdata", vector);
 }
 
+/// The refetch streams of a reference_port, to the channel's ports or to nowhere.
+void connect_refetch(const SystemShape& shape, std::vector<Item>& items,
+                     std::vector<Connection>& connections) {
+  if (shape.refetches()) {
+    append(connections, {"m_refetch_tvalid", "m_refetch_tready"});
+    connections.push_back({"m_refetch_tdata", slice("m_refetch_tdata", shape.tag_bits - 1, 0)});
+    append(connections, {"s_refetch_tvalid", "s_refetch_tready", "s_refetch_tdata"});
+    const int padding = shape.refetch_bits() - shape.tag_bits;
+    if (padding > 0) {
+      items.push_back(Assignment{slice("m_refetch_tdata", shape.refetch_bits() - 1, shape.tag_bits),
+                                 literal(padding, 0)});
+    }
+    return;
+  }
+  items.push_back(Comment{"Operands are carried: nothing is fetched again."});
+  items.push_back(Wire{1, "unused_refetch_tvalid", nullptr});
+  items.push_back(Wire{shape.tag_bits, "unused_refetch_tdata", nullptr});
+  items.push_back(Wire{1, "unused_refetch_tready", nullptr});
+  connections.push_back({"m_refetch_tvalid", net("unused_refetch_tvalid")});
+  connections.push_back({"m_refetch_tready", literal(1, 0)});
+  connections.push_back({"m_refetch_tdata", net("unused_refetch_tdata")});
+  connections.push_back({"s_refetch_tvalid", literal(1, 0)});
+  connections.push_back({"s_refetch_tready", net("unused_refetch_tready")});
+  connections.push_back({"s_refetch_tdata", zeros(shape.operand_bits())});
+}
+
 std::vector<Port> top_ports(const SystemShape& shape) {
   std::vector<Port> ports;
   add_input(ports, 1, "aclk");
@@ -141,33 +169,37 @@ std::vector<Port> top_ports(const SystemShape& shape) {
   return ports;
 }
 
-/// Wires between the channels and the crossbar.
+/// A wire of the top between the crossbar and the channels: one field a lane or reference, named
+/// after the channel's port behind a prefix.
 struct Bundle {
-  std::string name;
-  int width;  ///< per lane or reference
+  std::string port;
+  int width;
+
+  std::string wire(const std::string& side) const { return side + port.substr(1); }
 };
 
 std::vector<Bundle> lane_bundles(const SystemShape& shape) {
-  return {{"request_tvalid", 1},
-          {"request_tready", 1},
-          {"request_tdata", shape.slot_bits + shape.payload_bits()},
-          {"answer_valid", 1},
-          {"answer_slot", shape.slot_bits},
-          {"answer_verdict", verdict_bits}};
+  return {{"m_request_tvalid", 1},
+          {"m_request_tready", 1},
+          {"m_request_tdata", shape.slot_bits + shape.payload_bits()},
+          {"s_answer_valid", 1},
+          {"s_answer_slot", shape.slot_bits},
+          {"s_answer_verdict", verdict_bits}};
 }
 
 std::vector<Bundle> reference_bundles(const SystemShape& shape) {
-  const int route_bits = shape.lane_bits() + shape.slot_bits;
-  return {{"job_tvalid", 1},
-          {"job_tready", 1},
-          {"job_tdata", route_bits + shape.payload_bits()},
-          {"done_valid", 1},
-          {"done_tdata", route_bits + verdict_bits}};
+  const int sender_bits = shape.lane_bits() + shape.slot_bits;
+  return {{"s_request_tvalid", 1},
+          {"s_request_tready", 1},
+          {"s_request_tdata", sender_bits + shape.payload_bits()},
+          {"m_answer_valid", 1},
+          {"m_answer_tdata", sender_bits + verdict_bits}};
 }
 
-void declare(std::vector<Item>& items, const std::vector<Bundle>& bundles, int count) {
+void declare(std::vector<Item>& items, const std::vector<Bundle>& bundles, const std::string& side,
+             int count) {
   for (const Bundle& bundle : bundles) {
-    items.push_back(Wire{count * bundle.width, bundle.name, nullptr, true});
+    items.push_back(Wire{count * bundle.width, bundle.wire(side), nullptr, true});
   }
 }
 
@@ -197,8 +229,7 @@ Item lane_loop(const SystemShape& shape) {
   connect("s_axis_tuser", "s_axis_tuser", shape.tag_bits);
   if (shape.recomputes()) {
     for (const Bundle& bundle : lane_bundles(shape)) {
-      const bool request = bundle.name.starts_with("request");
-      connect((request ? "m_" : "s_") + bundle.name, bundle.name, bundle.width);
+      connect(bundle.port, bundle.wire("lane"), bundle.width);
     }
   }
   connect("m_axis_tvalid", "m_axis_tvalid", 1);
@@ -220,8 +251,7 @@ Item reference_loop(const SystemShape& shape) {
     connections.push_back({port, indexed(name, "reference", width)});
   };
   for (const Bundle& bundle : reference_bundles(shape)) {
-    const bool job = bundle.name.starts_with("job");
-    connect((job ? "s_" : "m_") + bundle.name, bundle.name, bundle.width);
+    connect(bundle.port, bundle.wire("reference"), bundle.width);
   }
   if (shape.refetches()) {
     const int tdata_bits = shape.tdata_bytes() * 8;
@@ -240,18 +270,20 @@ Item reference_loop(const SystemShape& shape) {
       ForGenerate{"reference", shape.references, "references", std::move(items)});
 }
 
+/// The crossbar faces both sides: what a channel sends, it receives.
+Connection facing(const Bundle& bundle, const std::string& side) {
+  const std::string mirrored = bundle.port[0] == 'm' ? "s" : "m";
+  return {mirrored + bundle.port.substr(1), net(bundle.wire(side))};
+}
+
 Instance crossbar(const SystemShape& shape) {
   std::vector<Connection> connections = clock_and_reset();
-  const std::vector<std::pair<std::string, std::string>> ports = {
-      {"s_request_tvalid", "request_tvalid"}, {"s_request_tready", "request_tready"},
-      {"s_request_tdata", "request_tdata"},   {"m_request_tvalid", "job_tvalid"},
-      {"m_request_tready", "job_tready"},     {"m_request_tdata", "job_tdata"},
-      {"s_answer_valid", "done_valid"},       {"s_answer_tdata", "done_tdata"},
-      {"m_answer_valid", "answer_valid"},     {"m_answer_slot", "answer_slot"},
-      {"m_answer_verdict", "answer_verdict"}};
-  for (const auto& [port, name] : ports) connections.push_back({port, net(name)});
+  for (const Bundle& bundle : lane_bundles(shape)) connections.push_back(facing(bundle, "lane"));
+  for (const Bundle& bundle : reference_bundles(shape)) {
+    connections.push_back(facing(bundle, "reference"));
+  }
   return {"crossbar",
-          "requests_to_references",
+          "recomputation",
           {{"LANES", shape.lanes},
            {"REFERENCES", shape.references},
            {"LANE_BITS", shape.lane_bits()},
@@ -296,14 +328,13 @@ Module lane_channel_module(const SystemShape& shape) {
 
 Module reference_channel_module(const SystemShape& shape) {
   Module module = {shape.reference_channel, {}, {}, {}};
-  const int route_bits = shape.lane_bits() + shape.slot_bits;
   add_input(module.ports, 1, "aclk");
   add_input(module.ports, 1, "aresetn");
-  add_input(module.ports, 1, "s_job_tvalid");
-  add_output(module.ports, 1, "s_job_tready");
-  add_input(module.ports, route_bits + shape.payload_bits(), "s_job_tdata");
-  add_output(module.ports, 1, "m_done_valid");
-  add_output(module.ports, route_bits + verdict_bits, "m_done_tdata");
+  for (const Bundle& bundle : reference_bundles(shape)) {
+    const bool output = bundle.port == "s_request_tready" || bundle.port[0] == 'm';
+    module.ports.push_back(
+        {output ? Direction::output : Direction::input, bundle.width, bundle.port});
+  }
   if (shape.refetches()) add_per_reference_refetch(module.ports, shape, 1, false);
 
   std::vector<Item>& items = module.items;
@@ -313,6 +344,21 @@ Module reference_channel_module(const SystemShape& shape) {
   append_operands(reference, shape, "reference_operands");
   reference.push_back({"verdict", net("reference_verdict")});
   items.push_back(Instance{shape.reference, "reference", {}, std::move(reference)});
+
+  std::vector<Connection> port = clock_and_reset();
+  for (const Bundle& bundle : reference_bundles(shape)) port.push_back(same(bundle.port));
+  append(port, {"reference_operands", "reference_verdict"});
+  connect_refetch(shape, items, port);
+  items.push_back(Instance{"reference_port",
+                           "port",
+                           {{"OPERAND_BITS", shape.operand_bits()},
+                            {"TAG_BITS", shape.tag_bits},
+                            {"LANE_BITS", shape.lane_bits()},
+                            {"SLOT_BITS", shape.slot_bits},
+                            {"REFERENCE_LATENCY", shape.reference_latency_cycles},
+                            {"CARRIED", shape.refetches() ? 0 : 1},
+                            {"OUTSTANDING_BITS", outstanding_bits}},
+                           std::move(port)});
   return module;
 }
 
@@ -323,9 +369,9 @@ Module top_module(const SystemShape& shape) {
     return module;
   }
   module.items.push_back(Comment{"Undecided comparisons from the lanes, verdicts back to them."});
-  declare(module.items, lane_bundles(shape), shape.lanes);
+  declare(module.items, lane_bundles(shape), "lane", shape.lanes);
   module.items.push_back(Comment{"The same at the references, with the number of the lane."});
-  declare(module.items, reference_bundles(shape), shape.references);
+  declare(module.items, reference_bundles(shape), "reference", shape.references);
   module.items.push_back(lane_loop(shape));
   module.items.push_back(crossbar(shape));
   module.items.push_back(reference_loop(shape));

@@ -1,0 +1,123 @@
+#include "generator/datapath/schedule.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "generator/datapath/delays.hpp"
+#include "tests/support/sphere.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using model::Operation;
+using test::format;
+using test::sphere_design;
+
+constexpr double targets_mhz[] = {1, 50, 150, 250, 400, 600, 2000};
+
+double longest_path_ns(const Step& step) {
+  double longest = 0, path = 0;
+  for (std::size_t k = 0; k < step.unit.stages.size(); ++k) {
+    path += step.unit.stages[k].delay_ns;
+    longest = std::max(longest, path);
+    if (step.cuts[k]) path = 0;
+  }
+  return longest;
+}
+
+double slowest_stage_ns(const Unit& unit) {
+  double slowest = 0;
+  for (const Stage& stage : unit.stages) slowest = std::max(slowest, stage.delay_ns);
+  return slowest;
+}
+
+int registers(const std::vector<bool>& cuts) {
+  return static_cast<int>(std::count(cuts.begin(), cuts.end(), true));
+}
+
+/// Fewest registers, the last included, with no path over `limit_ns`: tries every mask.
+int fewest_registers(const Unit& unit, double limit_ns) {
+  const int stages = static_cast<int>(unit.stages.size());
+  int fewest = stages;
+  for (int mask = 0; mask < 1 << (stages - 1); ++mask) {
+    Step step = {unit, {}, 0, 0};
+    for (int k = 0; k < stages; ++k) step.cuts.push_back(k == stages - 1 || (mask >> k & 1) != 0);
+    if (longest_path_ns(step) <= limit_ns) fewest = std::min(fewest, registers(step.cuts));
+  }
+  return fewest;
+}
+
+class ScheduleAtTarget : public testing::TestWithParam<double> {
+protected:
+  model::Design design_ = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
+  DelayTable delays_ = delays_of("virtex6-lx760").value();
+};
+
+TEST_P(ScheduleAtTarget, OperandsAreReadyBeforeTheyAreRead) {
+  const Schedule schedule = schedule_lane(design_.lane, delays_, GetParam());
+  const auto& nodes = design_.lane.graph.nodes;
+  ASSERT_EQ(schedule.steps.size(), nodes.size());
+  for (std::size_t id = 0; id < nodes.size(); ++id) {
+    int latest = 0;
+    for (int k = 0; k < model::arity(nodes[id].operation); ++k) {
+      latest = std::max(latest, schedule.steps[nodes[id].operands[k]].ready_cycle);
+    }
+    EXPECT_EQ(schedule.steps[id].start_cycle, latest) << "node " << id;
+  }
+  EXPECT_EQ(schedule.latency_cycles, schedule.decision.ready_cycle);
+}
+
+TEST_P(ScheduleAtTarget, LatencyOfAUnitIsTheNumberOfItsRegisters) {
+  const Schedule schedule = schedule_reference(design_.reference, delays_, GetParam());
+  for (const Step& step : schedule.steps) {
+    EXPECT_EQ(step.ready_cycle - step.start_cycle, registers(step.cuts));
+  }
+}
+
+TEST_P(ScheduleAtTarget, CutsAreTheFewestThatMeetThePeriodAndTheOutputIsRegistered) {
+  const double logic_ns = std::max(0.0, 1000 / GetParam() - delays_.register_ns);
+  const Schedule schedule = schedule_lane(design_.lane, delays_, GetParam());
+  for (const Step& step : schedule.steps) {
+    if (step.unit.module.empty()) continue;
+    EXPECT_TRUE(step.cuts.back()) << step.unit.module;
+    if (slowest_stage_ns(step.unit) <= logic_ns) {
+      EXPECT_LE(longest_path_ns(step), logic_ns) << step.unit.module;
+      EXPECT_EQ(registers(step.cuts), fewest_registers(step.unit, logic_ns)) << step.unit.module;
+    } else {
+      EXPECT_FALSE(schedule.slow_stages.empty()) << step.unit.module;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, ScheduleAtTarget, testing::ValuesIn(targets_mhz));
+
+TEST(Schedule, FasterTargetsNeverShortenTheLatency) {
+  const model::Design design = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
+  const DelayTable delays = delays_of("virtex6-lx760").value();
+  int previous = 0;
+  for (const double target_mhz : targets_mhz) {
+    const int latency = schedule_reference(design.reference, delays, target_mhz).latency_cycles;
+    EXPECT_GE(latency, previous) << target_mhz << " MHz";
+    previous = latency;
+  }
+}
+
+TEST(Delays, EveryKnownDeviceHasPositiveDelays) {
+  for (const std::string_view device : known_devices()) {
+    const DelayTable delays = delays_of(device).value();
+    EXPECT_GT(delays.lut_ns, 0) << device;
+    EXPECT_GT(delays.register_ns, 0) << device;
+  }
+}
+
+TEST(Delays, UnknownDeviceNamesTheKnownOnes) {
+  const auto result = delays_of("virtex6-lx999");
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().field, "system.device");
+  EXPECT_EQ(result.error().received, "\"virtex6-lx999\"");
+  EXPECT_NE(result.error().accepted.find("virtex6-lx760"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mixcmp::gen

@@ -1,0 +1,190 @@
+#include "generator/emit/system.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "tests/support/scratch_directory.hpp"
+#include "tests/support/sphere.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+namespace fs = std::filesystem;
+using test::format;
+using test::ScratchDirectory;
+using test::sphere_design;
+
+constexpr const char* command = "mixcmp generate scene.toml";
+
+GeneratedSystem sphere_system(int lanes = 8, int references = 1) {
+  return generate_system(sphere_design(format("s17e8"), format("s53e8"), lanes, references),
+                         command)
+      .value();
+}
+
+const GeneratedFile* find(const GeneratedSystem& system, const std::string& name) {
+  for (const GeneratedFile& file : system.files) {
+    if (file.name == name) return &file;
+  }
+  return nullptr;
+}
+
+std::string content(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+std::set<std::string> names_in(const fs::path& directory) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    names.insert(entry.path().filename().string());
+  }
+  return names;
+}
+
+TEST(System, SameDesignGivesTheSameBytes) {
+  const GeneratedSystem first = sphere_system();
+  const GeneratedSystem second = sphere_system();
+  ASSERT_EQ(first.files.size(), second.files.size());
+  for (std::size_t k = 0; k < first.files.size(); ++k) {
+    EXPECT_EQ(first.files[k].name, second.files[k].name);
+    EXPECT_EQ(first.files[k].text, second.files[k].text);
+  }
+}
+
+TEST(System, TwoFoldersHoldTheSameBytes) {
+  ScratchDirectory scratch;
+  ASSERT_TRUE(write_system(sphere_system(), scratch.path() / "one").ok());
+  ASSERT_TRUE(write_system(sphere_system(), scratch.path() / "deep" / "two").ok());
+  const auto names = names_in(scratch.path() / "one");
+  EXPECT_EQ(names, names_in(scratch.path() / "deep" / "two"));
+  for (const std::string& name : names) {
+    EXPECT_EQ(content(scratch.path() / "one" / name),
+              content(scratch.path() / "deep" / "two" / name));
+  }
+}
+
+TEST(System, OneModuleAFileOfTheSameName) {
+  const GeneratedSystem system = sphere_system(7, 3);
+  std::set<std::string> names;
+  for (const std::string& name : system.signature.files) {
+    ASSERT_TRUE(names.insert(name).second) << name;
+    const GeneratedFile* file = find(system, name);
+    ASSERT_NE(file, nullptr) << name;
+    const std::string module = name.substr(0, name.size() - 2);
+    int modules = 0;
+    std::istringstream lines(file->text);
+    for (std::string line; std::getline(lines, line);)
+      modules += line.starts_with("module ") ? 1 : 0;
+    EXPECT_EQ(modules, 1) << name;
+    EXPECT_NE(file->text.find("\nmodule " + module + " "), std::string::npos) << name;
+  }
+}
+
+TEST(System, EveryVerilogFileSaysItIsUnencumberedAndNamesNoPathOrDate) {
+  const GeneratedSystem system = sphere_system();
+  for (const std::string& name : system.signature.files) {
+    const std::string& text = find(system, name)->text;
+    EXPECT_NE(text.find("unencumbered"), std::string::npos) << name;
+    EXPECT_EQ(text.find("/home"), std::string::npos) << name;
+    EXPECT_EQ(text.find("/work"), std::string::npos) << name;
+    EXPECT_EQ(text.find("202"), std::string::npos) << name << " seems to hold a year";
+  }
+}
+
+TEST(System, FileListAndSignatureNameTheSameFiles) {
+  const GeneratedSystem system = sphere_system();
+  std::string expected;
+  for (const std::string& name : system.signature.files) expected += name + "\n";
+  EXPECT_EQ(find(system, system.signature.top + ".f")->text, expected);
+}
+
+TEST(System, SignatureIsReadBackWhole) {
+  ScratchDirectory scratch;
+  const GeneratedSystem system = sphere_system();
+  ASSERT_TRUE(write_system(system, scratch.path() / "out").ok());
+  const auto read = read_signature(scratch.path() / "out" / (system.signature.top + ".json"));
+  ASSERT_TRUE(read.ok()) << read.error().to_string();
+  EXPECT_EQ(to_json(*read), to_json(system.signature));
+}
+
+TEST(System, ConstraintHoldsThePeriodOfTheTarget) {
+  model::Design design = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
+  design.system.target_mhz = 160;
+  const GeneratedSystem system = generate_system(design, command).value();
+  const std::string& text = find(system, system.signature.top + ".sdc")->text;
+  EXPECT_NE(text.find("-period 6.250 [get_ports aclk]"), std::string::npos) << text;
+}
+
+TEST(System, ADifferentSpecHasADifferentHash) {
+  std::set<std::string> hashes;
+  for (const auto& [lanes, references] : {std::pair{1, 1}, {2, 1}, {2, 2}, {8, 0}}) {
+    hashes.insert(sphere_system(lanes, references).signature.spec_hash);
+  }
+  EXPECT_EQ(hashes.size(), 4u);
+}
+
+TEST(System, LaneOnlySystemHasNoReference) {
+  const GeneratedSystem system = sphere_system(4, 0);
+  for (const std::string& name : system.signature.files) {
+    EXPECT_EQ(name.find("reference"), std::string::npos) << name;
+    EXPECT_NE(name, "crossbar.v");
+  }
+}
+
+TEST(System, AFailedWriteLeavesTheOldOutputWhole) {
+  ScratchDirectory scratch;
+  const fs::path out = scratch.path() / "out";
+  ASSERT_TRUE(write_system(sphere_system(), out).ok());
+  const auto before = names_in(out);
+  GeneratedSystem broken = sphere_system(2, 1);
+  broken.files.push_back({"no/such/folder.v", "text"});  // cannot be created
+  const auto result = write_system(broken, out);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(names_in(out), before);
+  EXPECT_EQ(names_in(scratch.path()), std::set<std::string>{"out"}) << "something was left behind";
+}
+
+TEST(System, AnOldOutputIsReplacedWhole) {
+  ScratchDirectory scratch;
+  const fs::path out = scratch.path() / "out";
+  ASSERT_TRUE(write_system(sphere_system(8, 1), out).ok());
+  const GeneratedSystem next = sphere_system(4, 0);
+  ASSERT_TRUE(write_system(next, out).ok());
+  EXPECT_EQ(names_in(out).size(), next.files.size());
+  EXPECT_EQ(names_in(scratch.path()), std::set<std::string>{"out"});
+}
+
+TEST(System, AFileOfTheUserIsNeverLost) {
+  ScratchDirectory scratch;
+  const fs::path out = scratch.path() / "out";
+  ASSERT_TRUE(write_system(sphere_system(), out).ok());
+  std::ofstream(out / "notes.txt") << "mine";
+  const auto result = write_system(sphere_system(), out);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().received, "notes.txt");
+  EXPECT_EQ(content(out / "notes.txt"), "mine");
+}
+
+TEST(System, AnEmptyFolderIsFilled) {
+  ScratchDirectory scratch;
+  fs::create_directory(scratch.path() / "out");
+  EXPECT_TRUE(write_system(sphere_system(), scratch.path() / "out").ok());
+  EXPECT_FALSE(names_in(scratch.path() / "out").empty());
+}
+
+TEST(System, AFileInTheWayIsAnError) {
+  ScratchDirectory scratch;
+  std::ofstream(scratch.path() / "out") << "mine";
+  EXPECT_FALSE(write_system(sphere_system(), scratch.path() / "out").ok());
+  EXPECT_EQ(content(scratch.path() / "out"), "mine");
+}
+
+}  // namespace
+}  // namespace mixcmp::gen

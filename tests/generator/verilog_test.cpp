@@ -1,0 +1,75 @@
+#include "generator/emit/verilog.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mixcmp::gen {
+namespace {
+
+using namespace rtl;
+
+TEST(Verilog, PrintsAStructuralModule) {
+  Module module;
+  module.name = "pair";
+  module.header = {"pair: two of something.", "", "No reset."};
+  module.ports = {{Direction::input, 1, "aclk"},
+                  {Direction::input, 1, "go", true},
+                  {Direction::output, 16, "y"}};
+  auto loop = std::make_shared<ForGenerate>();
+  *loop = {"k", 2, "halves", {Instance{"half", "one", {}, {{"a", indexed("x", "k", 8)}}}}};
+  module.items = {Comment{"A fact."},
+                  Wire{16, "x", concatenation({slice("p", 7, 0), literal(8, 0xa5)})},
+                  Assignment{bit("q", 3), any_of({net("r"), inverted(bit("s", 0))})},
+                  Instance{"unit",
+                           "u",
+                           {{"WIDTH", 16}, {"CUTS", Literal{5, 0b10010}}},
+                           {{"aclk", net("aclk")}, {"d", literal(12, 0xabc)}}},
+                  std::shared_ptr<const ForGenerate>(loop)};
+  EXPECT_EQ(to_verilog(module), R"(// pair: two of something.
+//
+// No reset.
+
+`default_nettype none
+
+module pair (
+  input  wire        aclk,
+  input  wire [0:0]  go,
+  output wire [15:0] y
+);
+
+  // A fact.
+  wire [15:0] x = {p[7:0], 8'b10100101};
+  assign q[3] = r | ~s[0];
+
+  unit #(
+    .WIDTH(16),
+    .CUTS(5'b10010)
+  ) u (
+    .aclk(aclk),
+    .d(12'habc)
+  );
+
+  genvar k;
+  generate
+    for (k = 0; k < 2; k = k + 1) begin : halves
+      half one (
+        .a(x[k * 8 +: 8])
+      );
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire
+)");
+}
+
+TEST(Verilog, AnyOfNothingIsZeroAndOfOneIsItself) {
+  Module module = {"m", {}, {{Direction::input, 1, "a"}}, {}};
+  module.items = {Wire{1, "x", any_of({})}, Wire{1, "y", any_of({net("a")})}};
+  const std::string text = to_verilog(module);
+  EXPECT_NE(text.find("wire x = 1'b0;"), std::string::npos);
+  EXPECT_NE(text.find("wire y = a;"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mixcmp::gen

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "model/design/design.hpp"
+#include "model/error/relative_bound.hpp"
+#include "model/expression/graph.hpp"
+
+/// The paper's comparison, built without the parser.
+namespace mixcmp::test {
+
+inline model::Graph sphere_graph() {
+  using model::NodeId;
+  using model::Operation;
+  model::Graph graph;
+  NodeId f = -1;
+  for (const char* axis : {"cx", "cy", "cz"}) {
+    const NodeId i = graph.input(std::string(axis) + "i");
+    const NodeId j = graph.input(std::string(axis) + "j");
+    const NodeId square = graph.apply(Operation::square, graph.apply(Operation::subtract, i, j));
+    f = f < 0 ? square : graph.apply(Operation::add, f, square);
+  }
+  const NodeId radii = graph.apply(Operation::add, graph.input("ri"), graph.input("rj"));
+  graph.compare(f, graph.apply(Operation::square, radii));
+  return graph;
+}
+
+/// A certified system with exact inputs.
+inline model::Design sphere_design(model::FloatFormat lane, model::FloatFormat reference, int lanes,
+                                   int references) {
+  const model::Graph graph = sphere_graph();
+  const model::Arithmetic reduced = {lane, model::Rounding::nearest_even, model::Subnormals::flush};
+  const std::vector<bool> any_sign(graph.inputs().size(), false);
+  model::Lane certified =
+      model::certified_lane(model::lane_graph(graph, reference, reduced, model::LaneInputs::exact),
+                            any_sign)
+          .value();
+  return {.name = "sphere",
+          .inputs = graph.inputs(),
+          .lane = std::move(certified),
+          .reference = model::reference_graph(graph, {reference}),
+          .lanes = lanes,
+          .references = references,
+          .system = {}};
+}
+
+inline model::FloatFormat format(const char* name) {
+  return model::FloatFormat::parse(name).value();
+}
+
+}  // namespace mixcmp::test
