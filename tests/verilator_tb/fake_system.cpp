@@ -1,0 +1,110 @@
+#include "tests/verilator_tb/fake_system.hpp"
+
+#include <fmt/core.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace mixcmp::tb {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+model::FloatFormat binary16() {
+  return *model::FloatFormat::make(11, 5);
+}
+
+void replace(std::string& text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  MIXCMP_CHECK(at != std::string::npos);
+  text.replace(at, from.size(), to);
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream stream(path);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+gen::Signature fake_signature(const FakeSystem& fake) {
+  return {.top = "fake_system",
+          .channel_module = "fake_channel",
+          .reference_module = "fake_reference",
+          .generator_version = "fake",
+          .spec_hash = "fake",
+          .lane_format = binary16(),
+          .reference_format = binary16(),
+          .certified = true,
+          .inputs = {"a", "b"},
+          .lanes = fake.lanes,
+          .references = fake.route == FakeRoute::none ? 0 : fake.lanes,
+          .tdata_bytes = 4,
+          .tag_bits = fake.tag_bits,
+          .counter_bits = 16,
+          .slots = 8,
+          .order = fake.route == FakeRoute::in_order ? model::ResultOrder::in_order
+                                                     : model::ResultOrder::tagged,
+          .operands = fake.operands,
+          .files = {"fake_system.v", "fake_channel.v", "fake_reference.v", "fake_fifo.v"}};
+}
+
+}  // namespace
+
+fs::path fake_work_dir() {
+  return fs::path(MIXCMP_FAKE_WORK_DIR);
+}
+
+fs::path write_fake_system(const FakeSystem& fake) {
+  const fs::path folder = fake_work_dir() / fake.name;
+  fs::create_directories(folder);
+  const gen::Signature signature = fake_signature(fake);
+  for (const std::string& file : signature.files) {
+    std::string text = read(fs::path(MIXCMP_FAKE_SOURCE_DIR) / file);
+    if (file == "fake_system.v") {
+      replace(text, "LANES = 2", fmt::format("LANES = {}", fake.lanes));
+      replace(text, "TAG_BITS = 12", fmt::format("TAG_BITS = {}", fake.tag_bits));
+      replace(text, "ROUTE = 0", fmt::format("ROUTE = {}", static_cast<int>(fake.route)));
+      if (fake.operands == model::OperandStore::refetched) text = "`define REFETCHED\n" + text;
+    }
+    std::ofstream(folder / file) << text;
+  }
+  std::ofstream(folder / "fake_system.json") << gen::to_json(signature);
+  return folder;
+}
+
+model::Design fake_design(const FakeSystem& fake) {
+  const auto input = [](int k) {
+    return model::TypedNode{.operation = model::Operation::input,
+                            .operand_format = binary16(),
+                            .format = binary16(),
+                            .input = k};
+  };
+  const model::TypedGraph graph{.nodes = {input(0), input(1)},
+                                .input_count = 2,
+                                .input_format = binary16(),
+                                .arithmetic = {binary16()},
+                                .f = 0,
+                                .g = 1};
+  const model::UlpDistanceDecision decision{.guard_ulp = 4, .nonnegative = true};
+  return {.name = "fake",
+          .inputs = {"a", "b"},
+          .lane = {graph, decision},
+          .reference = graph,
+          .lanes = fake.lanes,
+          .references = fake.route == FakeRoute::none ? 0 : fake.lanes};
+}
+
+model::Comparisons fake_comparisons(std::size_t count) {
+  model::Table table{.format = binary16(), .columns = {"a", "b"}};
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::uint64_t random = counter_random(7, k);
+    const std::uint64_t a = 0x0800 + random % 0x7000;
+    const std::uint64_t near = a + (random >> 32) % 9 - 4;
+    const std::uint64_t far = 0x0800 + (random >> 32) % 0x7000;
+    table.values.push_back(a);
+    table.values.push_back((random >> 20 & 1) != 0 ? near : far);
+  }
+  return *model::Comparisons::rows(table, {"a", "b"});
+}
+
+}  // namespace mixcmp::tb

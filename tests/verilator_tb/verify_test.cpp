@@ -1,0 +1,214 @@
+#include "verilator_tb/verify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/verilator_tb/fake_system.hpp"
+
+namespace mixcmp::tb {
+namespace {
+
+constexpr SimulatorKind simulators[] = {SimulatorKind::verilator, SimulatorKind::icarus};
+
+VerifyReport run(const FakeSystem& fake, std::size_t count, VerifyOptions options) {
+  options.work_dir = fake_work_dir() / "builds";
+  const auto folder = write_fake_system(fake);
+  auto report = verify(fake_design(fake), fake_comparisons(count), folder, options);
+  EXPECT_TRUE(report.ok()) << report.error().to_string();
+  return report.ok() ? *report : VerifyReport{};
+}
+
+class FakeSystems : public testing::TestWithParam<SimulatorKind> {
+protected:
+  /// At full rate and stressed with resets, every comparison must come back as it should.
+  void expect_pass(const FakeSystem& fake) {
+    for (const TrafficKind traffic : {TrafficKind::full_rate, TrafficKind::stressed}) {
+      const VerifyReport report = run(fake, 3000,
+                                      {.simulator = GetParam(),
+                                       .traffic = traffic,
+                                       .resets = traffic == TrafficKind::stressed ? 5 : 0,
+                                       .block_size = 1000});
+      EXPECT_TRUE(report.passed()) << to_text(report);
+      EXPECT_EQ(report.comparisons, 3000u);
+    }
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(In, FakeSystems, testing::ValuesIn(simulators), [](const auto& test) {
+  return test.param == SimulatorKind::icarus ? "Icarus" : "Verilator";
+});
+
+TEST_P(FakeSystems, GoodOnePasses) {
+  expect_pass({.name = "good"});
+}
+
+TEST_P(FakeSystems, GoodOneInOrderPasses) {
+  expect_pass({.name = "in_order", .route = FakeRoute::in_order});
+}
+
+TEST_P(FakeSystems, GoodOneWithoutReferencesPassesAndSaysUndecided) {
+  const FakeSystem fake{.name = "lanes_only", .tag_bits = 64, .route = FakeRoute::none};
+  expect_pass(fake);
+  const VerifyReport report = run(fake, 1000, {.simulator = GetParam()});
+  EXPECT_GT(report.undecided, 300u);
+  EXPECT_EQ(report.recomputations, 0u);
+}
+
+TEST_P(FakeSystems, GoodOneThatRefetchesThroughHierarchicalBlocksPasses) {
+  expect_pass({.name = "refetching", .lanes = 3, .operands = model::OperandStore::refetched});
+}
+
+TEST_P(FakeSystems, GoodOneWithFewerTagsThanSlotsPasses) {
+  expect_pass({.name = "narrow_tags", .tag_bits = 2});
+}
+
+struct Fault {
+  const char* name;
+  int number;             ///< +fault of fake_channel.v
+  const char* violation;  ///< as reported; null: a mismatch instead
+  FakeRoute route = FakeRoute::reference;
+  int resets = 0;
+};
+
+std::ostream& operator<<(std::ostream& out, const Fault& fault) {
+  return out << fault.name;
+}
+
+constexpr Fault faults[] = {
+    {"Lost", 1, "comparison lost"},
+    {"Doubled", 2, "result left twice"},
+    {"Mistagged", 3, "result with a tag that is not inside"},
+    {"ValidDropped", 4, "tvalid fell before tready rose"},
+    {"PayloadChanged", 5, "payload changed while waiting for tready"},
+    {"WrongVerdict", 6, nullptr},
+    {"Hung", 7, "lane stands still"},
+    {"StaleAfterReset", 8, "result from before a reset left after it", FakeRoute::reference, 3},
+    {"OutOfOrder", 9, "result overtook an earlier one", FakeRoute::in_order},
+    {"WrongCounter", 10, "counter is wrong"},
+    {"WrongFlag", 11, nullptr},
+    {"ValidInReset", 12, "tvalid high in reset", FakeRoute::reference, 3},
+};
+
+class Faults : public testing::TestWithParam<std::tuple<SimulatorKind, Fault>> {};
+
+INSTANTIATE_TEST_SUITE_P(In, Faults,
+                         testing::Combine(testing::ValuesIn(simulators), testing::ValuesIn(faults)),
+                         [](const auto& test) {
+                           const bool icarus = std::get<0>(test.param) == SimulatorKind::icarus;
+                           return std::string(icarus ? "Icarus" : "Verilator") +
+                                  std::get<1>(test.param).name;
+                         });
+
+TEST_P(Faults, AreCaughtAndNamed) {
+  const auto [simulator, fault] = GetParam();
+  const bool in_order = fault.route == FakeRoute::in_order;
+  const VerifyReport report =
+      run({.name = in_order ? "in_order" : "good", .route = fault.route}, 2000,
+          {.simulator = simulator,
+           .traffic = TrafficKind::stressed,
+           .resets = fault.resets,
+           .hang_cycles = 3000,
+           .repeat_command = "repeat",
+           .plusargs = {"fault=" + std::to_string(fault.number)}});
+  EXPECT_FALSE(report.passed()) << to_text(report);
+  if (fault.violation == nullptr) {
+    for (const auto& v : report.violations) EXPECT_EQ(v.fault, "counter is wrong");
+    ASSERT_EQ(report.mismatch_count, 1u) << to_text(report);
+    EXPECT_EQ(report.comparisons, report.requested);
+    EXPECT_EQ(report.mismatches[0].repeat,
+              "repeat --only " + std::to_string(report.mismatches[0].index));
+    return;
+  }
+  ASSERT_FALSE(report.violations.empty()) << to_text(report);
+  const bool named = std::any_of(report.violations.begin(), report.violations.end(),
+                                 [&fault](const auto& v) { return v.fault == fault.violation; });
+  EXPECT_TRUE(named) << to_text(report);
+  EXPECT_EQ(report.violations[0].lane, 0u);
+}
+
+TEST(Verify, FullRateFeedsEveryLaneInEveryCycle) {
+  const VerifyReport report = run({.name = "lanes_only", .tag_bits = 64, .route = FakeRoute::none},
+                                  20'000, {.block_size = 4096});
+  EXPECT_GT(report.comparisons_per_cycle(), 1.99);
+  EXPECT_EQ(report.counters.at(2).counted, 0u) << "stalls";
+}
+
+TEST(Verify, TellsResultsInOrderOfIndex) {
+  std::vector<VerifiedResult> results;
+  const VerifyReport report =
+      run({.name = "good"}, 5000,
+          {.selection = {.limit = 700, .sampling = Sampling::random, .seed = 3},
+           .traffic = TrafficKind::stressed,
+           .block_size = 100,
+           .on_result = [&](const VerifiedResult& result) { results.push_back(result); }});
+  ASSERT_TRUE(report.passed()) << to_text(report);
+  ASSERT_EQ(results.size(), 700u);
+  for (std::size_t k = 1; k < results.size(); ++k) {
+    ASSERT_LT(results[k - 1].index, results[k].index);
+  }
+  EXPECT_GT(results.back().index, 4900u);
+  const auto comparisons = fake_comparisons(5000);
+  for (const VerifiedResult& result : results) {
+    model::Bits operands[2];
+    comparisons.fetch(result.index, operands);
+    EXPECT_EQ(result.verdict == model::golden::Verdict::less, operands[0] < operands[1]);
+  }
+}
+
+TEST(Verify, RepeatsOneComparisonAlone) {
+  std::uint64_t index = 0;
+  const VerifyReport report =
+      run({.name = "good"}, 5000,
+          {.selection = {.only = 4321},
+           .on_result = [&](const VerifiedResult& result) { index = result.index; }});
+  EXPECT_TRUE(report.passed()) << to_text(report);
+  EXPECT_EQ(report.comparisons, 1u);
+  EXPECT_EQ(index, 4321u);
+}
+
+TEST(Verify, CountsVerdictsThatAreNotTheTruth) {
+  // The true f and g are exchanged: whatever is not equal is called wrong.
+  model::Graph graph;
+  const auto a = graph.input("a");
+  const auto b = graph.input("b");
+  graph.compare(b, a);
+  const VerifyReport report = run({.name = "good"}, 1000, {.truth = TruthCheck{.graph = &graph}});
+  EXPECT_TRUE(report.passed()) << to_text(report);
+  ASSERT_TRUE(report.truth.has_value());
+  EXPECT_EQ(report.truth->checked, 1000u);
+  EXPECT_EQ(report.truth->wrong_by_lane, 1000 - report.recomputations);
+  EXPECT_EQ(report.truth->wrong_by_lane + report.truth->wrong_by_reference,
+            1000 - report.verdicts[1]);
+  const VerifyReport fewer =
+      run({.name = "good"}, 1000,
+          {.truth = TruthCheck{.graph = &graph, .scope = TruthScope::recomputed}});
+  EXPECT_EQ(fewer.truth->checked, report.recomputations);
+}
+
+TEST(Verify, RefusesASystemOfAnotherDesign) {
+  const FakeSystem fake{.name = "good"};
+  const auto folder = write_fake_system(fake);
+  model::Design design = fake_design(fake);
+  design.lanes = 5;
+  const auto report = verify(design, fake_comparisons(10), folder, {.work_dir = fake_work_dir()});
+  ASSERT_FALSE(report.ok());
+  EXPECT_EQ(report.error().field, "lanes");
+  EXPECT_EQ(report.error().received, "2");
+  EXPECT_EQ(report.error().accepted, "5");
+}
+
+TEST(Verify, ReportsItselfAsJson) {
+  const VerifyReport report = run({.name = "good"}, 500, {});
+  const auto json = to_json(report);
+  EXPECT_EQ(json["passed"], true);
+  EXPECT_EQ(json["comparisons"], 500);
+  const auto& verdicts = json["verdicts"];
+  EXPECT_EQ(verdicts["less"].get<int>() + verdicts["equal"].get<int>() +
+                verdicts["greater"].get<int>() + verdicts["unordered"].get<int>(),
+            500);
+  EXPECT_EQ(json["counters"]["comparisons"]["counted"], 500);
+}
+
+}  // namespace
+}  // namespace mixcmp::tb

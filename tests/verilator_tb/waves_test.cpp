@@ -1,0 +1,85 @@
+#include "verilator_tb/waves.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <set>
+
+#include "tests/verilator_tb/fake_system.hpp"
+
+namespace mixcmp::tb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& path) {
+  std::ifstream stream(path);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Full names of the variables a VCD file declares, "scope.name[msb:lsb]".
+std::set<std::string> declared(const std::string& vcd) {
+  std::set<std::string> names;
+  std::vector<std::string> scopes;
+  std::istringstream lines(vcd);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string keyword, kind, width, code, name, range;
+    words >> keyword;
+    if (keyword == "$scope") {
+      words >> kind >> name;
+      scopes.push_back(name);
+    } else if (keyword == "$upscope") {
+      scopes.pop_back();
+    } else if (keyword == "$var") {
+      words >> kind >> width >> code >> name >> range;
+      std::string full;
+      for (const std::string& scope : scopes) full += scope + ".";
+      names.insert(full + name + (range == "$end" ? "" : range));
+    }
+  }
+  return names;
+}
+
+class Waves : public testing::TestWithParam<SimulatorKind> {};
+
+INSTANTIATE_TEST_SUITE_P(In, Waves,
+                         testing::Values(SimulatorKind::verilator, SimulatorKind::icarus),
+                         [](const auto& test) {
+                           return test.param == SimulatorKind::icarus ? "Icarus" : "Verilator";
+                         });
+
+TEST_P(Waves, AreReadableAndTheSaveFileNamesWhatIsInThem) {
+  const FakeSystem fake{.name = "good"};
+  const auto folder = write_fake_system(fake);
+  const bool icarus = GetParam() == SimulatorKind::icarus;
+  const fs::path waves = fs::absolute(fake_work_dir()) / (icarus ? "icarus.fst" : "verilator.fst");
+  fs::remove(waves);
+  const auto report =
+      verify(fake_design(fake), fake_comparisons(200), folder,
+             {.simulator = GetParam(), .work_dir = fake_work_dir() / "builds", .waves = waves});
+  ASSERT_TRUE(report.ok()) << report.error().to_string();
+  EXPECT_TRUE(report->passed());
+
+  const fs::path vcd = fs::path(waves).replace_extension(".vcd");
+  const auto converted = run_tool({"fst2vcd", "-f", waves.string(), "-o", vcd.string()}, "/",
+                                  waves.string() + ".log", {});
+  ASSERT_TRUE(converted.ok()) << converted.error().to_string();
+  const std::set<std::string> names = declared(read(vcd));
+  EXPECT_GT(names.size(), 40u) << "waves show the inside";
+
+  const std::string save_file = read(fs::path(waves).replace_extension(".gtkw"));
+  const std::regex signal(icarus ? R"(testbench\.[A-Za-z_.]+(\[\d+:0\])?)"
+                                 : R"(TOP\.[A-Za-z_.]+(\[\d+:0\])?)");
+  std::set<std::string> named;
+  for (auto it = std::sregex_iterator(save_file.begin(), save_file.end(), signal);
+       it != std::sregex_iterator(); ++it) {
+    named.insert(it->str());
+  }
+  EXPECT_EQ(named.size(), 13u);
+  for (const std::string& name : named) EXPECT_TRUE(names.contains(name)) << name;
+}
+
+}  // namespace
+}  // namespace mixcmp::tb
