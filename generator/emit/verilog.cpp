@@ -12,6 +12,8 @@ namespace {
 
 using namespace rtl;
 
+constexpr std::size_t line_length = 100;
+
 template <class... Cases>
 struct Overloaded : Cases... {
   using Cases::operator()...;
@@ -62,30 +64,52 @@ std::string range(int width, bool vector) {
   return width == 1 && !vector ? "" : fmt::format("[{}:0]", width - 1);
 }
 
-std::string print(const Parameter& parameter) {
-  const std::string value =
-      std::visit(Overloaded{[](long long number) { return fmt::format("{}", number); },
-                            [](const Literal& literal) { return print(literal); }},
-                 parameter.value);
-  return fmt::format(".{}({})", parameter.name, value);
+/// ".name(value)" lines with the values in one column.
+struct Argument {
+  std::string name;
+  std::string value;
+};
+
+std::string argument_list(const std::string& indent, const std::vector<Argument>& arguments) {
+  std::size_t name_width = 0;
+  for (const Argument& argument : arguments) {
+    name_width = std::max(name_width, argument.name.size());
+  }
+  std::vector<std::string> lines;
+  for (const Argument& argument : arguments) {
+    lines.push_back(fmt::format(".{:<{}}({})", argument.name, name_width, argument.value));
+  }
+  return fmt::format("(\n{0}  {1}\n{0})", indent, fmt::join(lines, fmt::format(",\n{}  ", indent)));
 }
 
-/// "head (a, b)" on one line where it fits, else one item a line.
-std::string argument_list(const std::string& indent, const std::vector<std::string>& arguments) {
-  return fmt::format("(\n{0}  {1}\n{0})", indent,
-                     fmt::join(arguments, fmt::format(",\n{}  ", indent)));
+std::string print(const Parameter& parameter) {
+  return std::visit(Overloaded{[](long long number) { return fmt::format("{}", number); },
+                               [](const Literal& literal) { return print(literal); }},
+                    parameter.value);
 }
 
 std::string print(const Instance& instance, const std::string& indent) {
   std::string text = indent + instance.module;
-  std::vector<std::string> parameters;
-  for (const Parameter& parameter : instance.parameters) parameters.push_back(print(parameter));
+  std::vector<Argument> parameters;
+  for (const Parameter& parameter : instance.parameters) {
+    parameters.push_back({parameter.name, print(parameter)});
+  }
   if (!parameters.empty()) text += " #" + argument_list(indent, parameters);
-  std::vector<std::string> connections;
+  std::vector<Argument> connections;
   for (const Connection& connection : instance.connections) {
-    connections.push_back(fmt::format(".{}({})", connection.port, print(connection.value)));
+    connections.push_back({connection.port, print(connection.value)});
   }
   return text + " " + instance.name + " " + argument_list(indent, connections) + ";\n";
+}
+
+std::string print(const Wire& wire, const std::string& indent) {
+  const std::string bounds = range(wire.width, wire.vector);
+  const std::string declared =
+      fmt::format("{}wire {}{}{}", indent, bounds, bounds.empty() ? "" : " ", wire.name);
+  if (wire.value == nullptr) return declared + ";\n";
+  const std::string value = print(wire.value);
+  const bool fits = declared.size() + value.size() + 4 <= line_length;
+  return fmt::format("{} ={}{};\n", declared, fits ? " " : "\n" + indent + "    ", value);
 }
 
 std::string print_items(const std::vector<Item>& items, const std::string& indent);
@@ -101,12 +125,7 @@ std::string print(const Item& item, const std::string& indent) {
   return std::visit(
       Overloaded{
           [&](const Comment& c) { return fmt::format("\n{}// {}\n", indent, c.text); },
-          [&](const Wire& w) {
-            const std::string value = w.value == nullptr ? "" : " = " + print(w.value);
-            const std::string bounds = range(w.width, w.vector);
-            return fmt::format("{}wire {}{}{}{};\n", indent, bounds, bounds.empty() ? "" : " ",
-                               w.name, value);
-          },
+          [&](const Wire& w) { return print(w, indent); },
           [&](const Assignment& a) {
             return fmt::format("{}assign {} = {};\n", indent, print(a.target), print(a.value));
           },
@@ -118,11 +137,20 @@ std::string print(const Item& item, const std::string& indent) {
       item);
 }
 
+/// Instances and loops stand apart from what follows them; comments and instances bring their own
+/// blank line.
 std::string print_items(const std::vector<Item>& items, const std::string& indent) {
   std::string text;
-  for (const Item& item : items) text += print(item, indent);
-  // A block's first line needs no blank line above it.
-  return indent.size() > 2 && text.starts_with('\n') ? text.substr(1) : text;
+  bool after_block = false;
+  for (const Item& item : items) {
+    const std::string printed = print(item, indent);
+    const bool needs_gap = after_block && !printed.starts_with('\n');
+    const bool first_in_loop = text.empty() && indent.size() > 2;
+    text += needs_gap ? "\n" + printed : printed.substr(first_in_loop && printed[0] == '\n');
+    after_block = !std::holds_alternative<Wire>(item) && !std::holds_alternative<Comment>(item) &&
+                  !std::holds_alternative<Assignment>(item);
+  }
+  return text;
 }
 
 std::string print_ports(const std::vector<Port>& ports) {

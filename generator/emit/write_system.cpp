@@ -97,7 +97,9 @@ Result<Done> put_in_place(const fs::path& staged, const fs::path& directory) {
 }  // namespace
 
 Result<Done> write_system(const GeneratedSystem& system, const fs::path& requested) {
-  const fs::path directory = fs::weakly_canonical(fs::absolute(requested / "")).parent_path();
+  // With a name at its end, whether or not the user wrote a final slash.
+  fs::path directory = fs::absolute(requested).lexically_normal();
+  if (!directory.has_filename()) directory = directory.parent_path();
   std::error_code failed;
   fs::create_directories(directory.parent_path(), failed);
   if (failed) return write_error(directory, "cannot be created: " + failed.message());

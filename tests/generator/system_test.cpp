@@ -179,6 +179,13 @@ TEST(System, AnEmptyFolderIsFilled) {
   EXPECT_FALSE(names_in(scratch.path() / "out").empty());
 }
 
+TEST(System, AFinalSlashChangesNothing) {
+  ScratchDirectory scratch;
+  ASSERT_TRUE(write_system(sphere_system(), (scratch.path() / "out").string() + "/").ok());
+  ASSERT_TRUE(write_system(sphere_system(), (scratch.path() / "out").string() + "/").ok());
+  EXPECT_EQ(names_in(scratch.path()), std::set<std::string>{"out"});
+}
+
 TEST(System, AFileInTheWayIsAnError) {
   ScratchDirectory scratch;
   std::ofstream(scratch.path() / "out") << "mine";

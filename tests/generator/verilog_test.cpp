@@ -42,10 +42,10 @@ module pair (
 
   unit #(
     .WIDTH(16),
-    .CUTS(5'b10010)
+    .CUTS (5'b10010)
   ) u (
     .aclk(aclk),
-    .d(12'habc)
+    .d   (12'habc)
   );
 
   genvar k;

@@ -18,7 +18,9 @@ inline model::Graph sphere_graph() {
     const NodeId square = graph.apply(Operation::square, graph.apply(Operation::subtract, i, j));
     f = f < 0 ? square : graph.apply(Operation::add, f, square);
   }
-  const NodeId radii = graph.apply(Operation::add, graph.input("ri"), graph.input("rj"));
+  const NodeId ri = graph.input("ri");
+  const NodeId rj = graph.input("rj");
+  const NodeId radii = graph.apply(Operation::add, ri, rj);
   graph.compare(f, graph.apply(Operation::square, radii));
   return graph;
 }

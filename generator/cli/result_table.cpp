@@ -1,0 +1,66 @@
+#include "generator/cli/result_table.hpp"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace mixcmp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path unfinished(const fs::path& path) {
+  return path.string() + ".part";
+}
+
+model::Error cannot_write(const fs::path& path) {
+  return {.file = path.string(),
+          .message = fmt::format("cannot be written: {}", std::strerror(errno))};
+}
+
+/// RFC 4180: a field with a comma, a quote or a line end stands in quotes, its quotes doubled.
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+ResultTable::ResultTable(fs::path path, std::ofstream stream, const model::Comparisons& data,
+                         std::set<model::golden::Verdict> kept)
+    : path_(std::move(path)), stream_(std::move(stream)), data_(&data), kept_(std::move(kept)) {}
+
+model::Result<ResultTable> ResultTable::open(const fs::path& path, const model::Comparisons& data,
+                                             std::set<model::golden::Verdict> kept) {
+  std::ofstream stream(unfinished(path), std::ios::binary);
+  stream << "index," << (data.pairs() ? "i,j," : "");
+  if (data.pairs() && !data.table().labels.empty()) stream << "label_i,label_j,";
+  stream << "verdict,recomputed\n";
+  if (!stream) return cannot_write(path);
+  return ResultTable(path, std::move(stream), data, std::move(kept));
+}
+
+void ResultTable::add(const tb::VerifiedResult& result) {
+  if (result.undecided || kept_.count(result.verdict) == 0) return;
+  stream_ << result.index << ',';
+  if (data_->pairs()) {
+    const auto [i, j] = data_->items(result.index);
+    stream_ << i << ',' << j << ',';
+    const auto& labels = data_->table().labels;
+    if (!labels.empty()) stream_ << field(labels[i]) << ',' << field(labels[j]) << ',';
+  }
+  stream_ << model::golden::to_string(result.verdict) << ',' << (result.recomputed ? 1 : 0) << '\n';
+}
+
+model::Result<model::Done> ResultTable::finish() {
+  stream_.close();
+  std::error_code failed;
+  if (stream_) fs::rename(unfinished(path_), path_, failed);
+  if (!stream_ || failed) return cannot_write(path_);
+  return model::Done{};
+}
+
+}  // namespace mixcmp::cli
