@@ -1,0 +1,274 @@
+// stream_system_bench: lanes, crossbar and references with stubs for the datapaths, so that what a
+// comparison must become is known from its operand word alone (`word` of the first 32 bits):
+//   lane's verdict word[1:0] ^ word[11:10], decided word[2], reference's verdict word[9:8] ^ word[17:16].
+// The operands are COPIES rotated copies of the word: the lane looks at the lowest, the reference at
+// the highest. Every port has room for 32 lanes or 16 references, 32 bits each.
+`default_nettype none
+
+module stream_system_bench #(
+  parameter LANES = 8,
+  parameter REFERENCES = 1,
+  parameter IN_ORDER = 0,
+  parameter CARRIED = 1,
+  parameter LANE_LATENCY = 4,
+  parameter REFERENCE_LATENCY = 7,
+  parameter SLOT_BITS = 4,
+  parameter OUTSTANDING_BITS = 2,
+  parameter COPIES = 1
+) (
+  input  wire          aclk,
+  input  wire          aresetn,
+  input  wire [31:0]   s_valid,
+  output wire [31:0]   s_ready,
+  input  wire [1023:0] s_operands,
+  input  wire [1023:0] s_tags,
+  output wire [31:0]   m_valid,
+  input  wire [31:0]   m_ready,
+  output wire [1023:0] m_results,
+  output wire [1023:0] m_tags,
+  output wire [1023:0] comparisons,
+  output wire [1023:0] recomputations,
+  output wire [1023:0] stalls,
+  output wire [15:0]   m_refetch_valid,
+  input  wire [15:0]   m_refetch_ready,
+  output wire [511:0]  m_refetch_tags,
+  input  wire [15:0]   s_refetch_valid,
+  output wire [15:0]   s_refetch_ready,
+  input  wire [511:0]  s_refetch_operands
+);
+
+  localparam LANE_BITS    = 5;
+  localparam OPERAND_BITS = 32 * COPIES;
+  localparam PAYLOAD_BITS = (CARRIED != 0) ? OPERAND_BITS : 32;
+  localparam REQUEST_BITS = SLOT_BITS + PAYLOAD_BITS;
+  localparam NAMED_BITS   = LANE_BITS + REQUEST_BITS;
+  localparam ANSWER_BITS  = LANE_BITS + SLOT_BITS + 2;
+  localparam RECOMPUTE    = (REFERENCES > 0) ? 1 : 0;
+
+  wire [LANES-1:0]              request_valid;
+  wire [LANES-1:0]              request_ready;
+  wire [LANES*REQUEST_BITS-1:0] request_data;
+  wire [LANES-1:0]              answer_valid;
+  wire [LANES*SLOT_BITS-1:0]    answer_slot;
+  wire [LANES*2-1:0]            answer_verdict;
+
+  genvar i;
+  genvar c;
+  generate
+    for (i = 0; i < 32; i = i + 1) begin : g_lane
+      if (i >= LANES) begin : g_absent
+        wire unused_inputs = &{s_valid[i], m_ready[i], s_operands[32*i +: 32], s_tags[32*i +: 32]};
+
+        assign s_ready[i]                 = 1'b0;
+        assign m_valid[i]                 = 1'b0;
+        assign m_results[32*i +: 32]      = 32'd0;
+        assign m_tags[32*i +: 32]         = 32'd0;
+        assign comparisons[32*i +: 32]    = 32'd0;
+        assign recomputations[32*i +: 32] = 32'd0;
+        assign stalls[32*i +: 32]         = 32'd0;
+      end else begin : g_present
+        wire [31:0]             word = s_operands[32*i +: 32];
+        wire [OPERAND_BITS-1:0] operands;
+        wire [OPERAND_BITS-1:0] lane_operands;
+        wire [1:0]              verdict_in = lane_operands[1:0] ^ lane_operands[11:10];
+        wire                    unused_operands = &lane_operands;
+        wire [1:0]              verdict;
+        wire                    decided;
+
+        for (c = 0; c < COPIES; c = c + 1) begin : g_copy
+          if (c % 32 == 0) begin : g_plain
+            assign operands[32*c +: 32] = word;
+          end else begin : g_rotated
+            assign operands[32*c +: 32] = {word[(c%32)-1:0], word[31:c%32]};
+          end
+        end
+
+        delay_line #(
+          .WIDTH (3),
+          .LENGTH(LANE_LATENCY)
+        ) lane (
+          .aclk(aclk),
+          .d   ({lane_operands[2], verdict_in}),
+          .q   ({decided, verdict})
+        );
+
+        assign m_results[32*i+8 +: 24] = 24'd0;
+
+        if (IN_ORDER != 0) begin : g_reorder
+          lane_reorder #(
+            .OPERAND_BITS(OPERAND_BITS),
+            .TAG_BITS    (32),
+            .SLOT_BITS   (SLOT_BITS),
+            .LANE_LATENCY(LANE_LATENCY),
+            .COUNTER_BITS(32),
+            .RECOMPUTE   (RECOMPUTE),
+            .CARRIED     (CARRIED)
+          ) channel (
+            .aclk            (aclk),
+            .aresetn         (aresetn),
+            .s_axis_tvalid   (s_valid[i]),
+            .s_axis_tready   (s_ready[i]),
+            .s_axis_tdata    (operands),
+            .s_axis_tuser    (s_tags[32*i +: 32]),
+            .lane_operands   (lane_operands),
+            .lane_verdict    (verdict),
+            .lane_decided    (decided),
+            .m_request_tvalid(request_valid[i]),
+            .m_request_tready(request_ready[i]),
+            .m_request_tdata (request_data[i*REQUEST_BITS +: REQUEST_BITS]),
+            .s_answer_valid  (answer_valid[i]),
+            .s_answer_slot   (answer_slot[i*SLOT_BITS +: SLOT_BITS]),
+            .s_answer_verdict(answer_verdict[i*2 +: 2]),
+            .m_axis_tvalid   (m_valid[i]),
+            .m_axis_tready   (m_ready[i]),
+            .m_axis_tdata    (m_results[32*i +: 8]),
+            .m_axis_tuser    (m_tags[32*i +: 32]),
+            .comparisons     (comparisons[32*i +: 32]),
+            .recomputations  (recomputations[32*i +: 32]),
+            .stalls          (stalls[32*i +: 32])
+          );
+        end else begin : g_scoreboard
+          lane_scoreboard #(
+            .OPERAND_BITS(OPERAND_BITS),
+            .TAG_BITS    (32),
+            .SLOT_BITS   (SLOT_BITS),
+            .LANE_LATENCY(LANE_LATENCY),
+            .COUNTER_BITS(32),
+            .RECOMPUTE   (RECOMPUTE),
+            .CARRIED     (CARRIED)
+          ) channel (
+            .aclk            (aclk),
+            .aresetn         (aresetn),
+            .s_axis_tvalid   (s_valid[i]),
+            .s_axis_tready   (s_ready[i]),
+            .s_axis_tdata    (operands),
+            .s_axis_tuser    (s_tags[32*i +: 32]),
+            .lane_operands   (lane_operands),
+            .lane_verdict    (verdict),
+            .lane_decided    (decided),
+            .m_request_tvalid(request_valid[i]),
+            .m_request_tready(request_ready[i]),
+            .m_request_tdata (request_data[i*REQUEST_BITS +: REQUEST_BITS]),
+            .s_answer_valid  (answer_valid[i]),
+            .s_answer_slot   (answer_slot[i*SLOT_BITS +: SLOT_BITS]),
+            .s_answer_verdict(answer_verdict[i*2 +: 2]),
+            .m_axis_tvalid   (m_valid[i]),
+            .m_axis_tready   (m_ready[i]),
+            .m_axis_tdata    (m_results[32*i +: 8]),
+            .m_axis_tuser    (m_tags[32*i +: 32]),
+            .comparisons     (comparisons[32*i +: 32]),
+            .recomputations  (recomputations[32*i +: 32]),
+            .stalls          (stalls[32*i +: 32])
+          );
+        end
+      end
+    end
+
+    if (REFERENCES == 0) begin : g_lanes_only
+      wire unused_requests = &{request_valid, request_data};
+
+      assign request_ready  = {LANES{1'b0}};
+      assign answer_valid   = {LANES{1'b0}};
+      assign answer_slot    = {(LANES*SLOT_BITS){1'b0}};
+      assign answer_verdict = {(LANES*2){1'b0}};
+    end else begin : g_crossbar
+      wire [REFERENCES-1:0]             named_valid;
+      wire [REFERENCES-1:0]             named_ready;
+      wire [REFERENCES*NAMED_BITS-1:0]  named_data;
+      wire [REFERENCES-1:0]             reply_valid;
+      wire [REFERENCES*ANSWER_BITS-1:0] reply_data;
+
+      crossbar #(
+        .LANES       (LANES),
+        .REFERENCES  (REFERENCES),
+        .LANE_BITS   (LANE_BITS),
+        .SLOT_BITS   (SLOT_BITS),
+        .PAYLOAD_BITS(PAYLOAD_BITS)
+      ) between (
+        .aclk            (aclk),
+        .aresetn         (aresetn),
+        .s_request_tvalid(request_valid),
+        .s_request_tready(request_ready),
+        .s_request_tdata (request_data),
+        .m_request_tvalid(named_valid),
+        .m_request_tready(named_ready),
+        .m_request_tdata (named_data),
+        .s_answer_valid  (reply_valid),
+        .s_answer_tdata  (reply_data),
+        .m_answer_valid  (answer_valid),
+        .m_answer_slot   (answer_slot),
+        .m_answer_verdict(answer_verdict)
+      );
+
+      for (i = 0; i < REFERENCES; i = i + 1) begin : g_reference
+        localparam TOP    = COPIES - 1;
+        localparam ROTATE = TOP % 32;
+
+        wire [OPERAND_BITS-1:0] refetched;
+        wire [OPERAND_BITS-1:0] operands;
+        wire                    unused_operands = &operands;
+        wire [31:0]             top_copy = operands[32*TOP +: 32];
+        wire [63:0]             twice    = {top_copy, top_copy};
+        wire [31:0]             word     = twice[32-ROTATE +: 32];
+        wire                    unused_word = &{word, twice};
+        wire [1:0]              verdict;
+
+        for (c = 0; c < COPIES; c = c + 1) begin : g_copy
+          if (c % 32 == 0) begin : g_plain
+            assign refetched[32*c +: 32] = s_refetch_operands[32*i +: 32];
+          end else begin : g_rotated
+            assign refetched[32*c +: 32] = {s_refetch_operands[32*i +: (c%32)],
+                                            s_refetch_operands[32*i+(c%32) +: 32-(c%32)]};
+          end
+        end
+
+        delay_line #(
+          .WIDTH (2),
+          .LENGTH(REFERENCE_LATENCY)
+        ) reference (
+          .aclk(aclk),
+          .d   (word[9:8] ^ word[17:16]),
+          .q   (verdict)
+        );
+
+        reference_port #(
+          .OPERAND_BITS     (OPERAND_BITS),
+          .TAG_BITS         (32),
+          .LANE_BITS        (LANE_BITS),
+          .SLOT_BITS        (SLOT_BITS),
+          .REFERENCE_LATENCY(REFERENCE_LATENCY),
+          .CARRIED          (CARRIED),
+          .OUTSTANDING_BITS (OUTSTANDING_BITS)
+        ) port (
+          .aclk              (aclk),
+          .aresetn           (aresetn),
+          .s_request_tvalid  (named_valid[i]),
+          .s_request_tready  (named_ready[i]),
+          .s_request_tdata   (named_data[i*NAMED_BITS +: NAMED_BITS]),
+          .reference_operands(operands),
+          .reference_verdict (verdict),
+          .m_answer_valid    (reply_valid[i]),
+          .m_answer_tdata    (reply_data[i*ANSWER_BITS +: ANSWER_BITS]),
+          .m_refetch_tvalid  (m_refetch_valid[i]),
+          .m_refetch_tready  (m_refetch_ready[i]),
+          .m_refetch_tdata   (m_refetch_tags[32*i +: 32]),
+          .s_refetch_tvalid  (s_refetch_valid[i]),
+          .s_refetch_tready  (s_refetch_ready[i]),
+          .s_refetch_tdata   (refetched)
+        );
+      end
+    end
+
+    for (i = REFERENCES; i < 16; i = i + 1) begin : g_no_reference
+      wire unused_refetch = &{m_refetch_ready[i], s_refetch_valid[i],
+                              s_refetch_operands[32*i +: 32]};
+
+      assign m_refetch_valid[i]          = 1'b0;
+      assign m_refetch_tags[32*i +: 32] = 32'd0;
+      assign s_refetch_ready[i]          = 1'b0;
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire

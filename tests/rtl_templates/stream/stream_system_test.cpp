@@ -1,0 +1,227 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "system_models.inc"
+#include "tests/rtl_templates/stream/stream_system_run.hpp"
+
+namespace mixcmp::test {
+namespace {
+
+template <class Model>
+class VerilatedSystem : public SystemDut {
+public:
+  VerilatedSystem() {
+    context_.randReset(2);  // what is not reset starts random
+    context_.randSeed(5);
+    model_ = std::make_unique<Model>(&context_);
+    aclk = &model_->aclk;
+    aresetn = &model_->aresetn;
+    s_valid = &model_->s_valid;
+    s_ready = &model_->s_ready;
+    s_operands = &model_->s_operands;
+    s_tags = &model_->s_tags;
+    m_valid = &model_->m_valid;
+    m_ready = &model_->m_ready;
+    m_results = &model_->m_results;
+    m_tags = &model_->m_tags;
+    comparisons = &model_->comparisons;
+    recomputations = &model_->recomputations;
+    stalls = &model_->stalls;
+    m_refetch_valid = &model_->m_refetch_valid;
+    m_refetch_ready = &model_->m_refetch_ready;
+    m_refetch_tags = &model_->m_refetch_tags;
+    s_refetch_valid = &model_->s_refetch_valid;
+    s_refetch_ready = &model_->s_refetch_ready;
+    s_refetch_operands = &model_->s_refetch_operands;
+  }
+  void eval() override { model_->eval(); }
+
+private:
+  VerilatedContext context_;
+  std::unique_ptr<Model> model_;
+};
+
+template <class Model>
+std::unique_ptr<SystemDut> make() {
+  return std::make_unique<VerilatedSystem<Model>>();
+}
+
+const std::vector<SystemSpec> systems = {
+#define SYSTEM(NAME, LANES, REFERENCES, IN_ORDER, CARRIED, LANE_LATENCY, REFERENCE_LATENCY, \
+               SLOT_BITS)                                                                   \
+  {#NAME,        make<V##NAME>,     LANES,    REFERENCES, IN_ORDER != 0, CARRIED != 0,      \
+   LANE_LATENCY, REFERENCE_LATENCY, SLOT_BITS},
+#include "systems.inc"
+#undef SYSTEM
+};
+
+/// Cycles for which a decided comparison holds its slot, as docs/architecture.md states.
+int slot_cycles(const SystemSpec& spec) {
+  const int above_latency = (spec.in_order || spec.references == 0) ? 4 : 6;
+  const int lanes_only_scoreboard = (!spec.in_order && spec.references == 0) ? 1 : 0;
+  return spec.lane_latency_cycles + above_latency + lanes_only_scoreboard;
+}
+
+int decided_latency(const SystemSpec& spec) {
+  return spec.lane_latency_cycles + ((spec.in_order || spec.references == 0) ? 4 : 5);
+}
+
+int crossbar_levels(const SystemSpec& spec) {
+  int levels = 1;
+  int reach = 4;
+  while (reach * spec.references < spec.lanes) {
+    reach *= 4;
+    ++levels;
+  }
+  return levels;
+}
+
+int undecided_latency(const SystemSpec& spec) {
+  if (spec.references == 0) return decided_latency(spec);
+  return spec.lane_latency_cycles + 4 + crossbar_levels(spec) + spec.reference_latency_cycles + 2 +
+         (spec.in_order ? 3 : 4);
+}
+
+int lanes_of_reference_0(const SystemSpec& spec) {
+  return spec.references == 0 ? 1 : (spec.lanes + spec.references - 1) / spec.references;
+}
+
+template <class Predicate>
+std::vector<SystemSpec> systems_with(Predicate predicate) {
+  std::vector<SystemSpec> chosen;
+  std::copy_if(systems.begin(), systems.end(), std::back_inserter(chosen), predicate);
+  return chosen;
+}
+
+bool is_carried(const SystemSpec& spec) {
+  return spec.carried;
+}
+
+bool is_shared(const SystemSpec& spec) {
+  return spec.references > 0 && spec.lanes > spec.references;
+}
+
+/// Each reference has lanes and slots enough to get a request in every cycle.
+bool is_saturable(const SystemSpec& spec) {
+  if (!spec.carried || !is_shared(spec)) return false;
+  const int lanes = spec.lanes / spec.references;
+  return lanes >= 2 && (lanes << spec.slot_bits) >= 2 * undecided_latency(spec);
+}
+
+class System : public ::testing::TestWithParam<SystemSpec> {};
+class CarriedSystem : public System {};
+class SharedReference : public System {};
+class SaturableReference : public System {};
+
+const int patience = 20000;
+
+TEST_P(System, MillionComparisonsUnderRandomStallsLeaveOnceEach) {
+  const std::vector<SystemTraffic> phases = {
+      {"FullSpeed", 1.0, 1.0, 0.01},
+      {"Gaps", 0.4, 1.0, 0.1, 0.0, 0.8},
+      {"Backpressure", 1.0, 0.6, 0.1, 0.0, 0.7},
+      {"GapsAndBackpressure", 0.6, 0.6, 0.05, 0.0, 0.5},
+      {"AllUndecided", 1.0, 1.0, 1.0, 0.0, 0.9},
+      {"ManyUndecidedSlowSink", 1.0, 0.4, 0.5, 0.0, 0.5},
+  };
+  SystemRun run(GetParam(), 21);
+  const std::uint64_t target = 1000000;
+  for (std::size_t phase = 0; run.accepted() < target && !run.failed(); ++phase) {
+    const SystemTraffic& traffic = phases[phase % phases.size()];
+    for (int cycle = 0; cycle < 3000 && run.accepted() < target && !run.failed(); ++cycle) {
+      run.cycle(traffic);
+    }
+  }
+  run.drain(patience);
+  run.check_counters();
+  EXPECT_FALSE(run.failed()) << run.failure();
+  EXPECT_EQ(run.received(), run.accepted());
+  EXPECT_GT(run.recomputed(), run.received() / 50);
+  if (!GetParam().in_order && GetParam().references > 0) {
+    EXPECT_GT(run.overtaken(), 0u);
+  }
+}
+
+TEST_P(System, ResetMidStreamForgetsEverything) {
+  SystemRun run(GetParam(), 22);
+  const SystemTraffic traffic{"Resets", 0.9, 0.8, 0.3, 0.005, 0.7};
+  for (int cycle = 0; cycle < 30000 && !run.failed(); ++cycle) run.cycle(traffic);
+  run.drain(patience);
+  run.check_counters();
+  EXPECT_FALSE(run.failed()) << run.failure();
+  EXPECT_LT(run.received(), run.accepted());
+}
+
+TEST_P(System, DecidedComparisonHasTheStatedLatency) {
+  SystemRun run(GetParam(), 23);
+  run.cycle({.undecided = 0.0});
+  EXPECT_EQ(run.drain(patience), decided_latency(GetParam()));
+}
+
+TEST_P(CarriedSystem, UndecidedComparisonHasTheStatedLatency) {
+  SystemRun run(GetParam(), 24);
+  run.cycle({.offer = 1.0, .undecided = 1.0});
+  // The lanes' requests arrive together and pass the reference one by one.
+  EXPECT_EQ(run.drain(patience),
+            undecided_latency(GetParam()) + lanes_of_reference_0(GetParam()) - 1);
+}
+
+TEST_P(System, ThroughputIsWhatTheSlotsAllow) {
+  const int slots = 1 << GetParam().slot_bits;
+  const int period = slot_cycles(GetParam());
+  SystemRun run(GetParam(), 25);
+  const SystemTraffic full{"FullSpeed", 1.0, 1.0, 0.0};
+  for (int cycle = 0; cycle < 10 * period; ++cycle) run.cycle(full);
+  const std::uint64_t before = run.accepted();
+  for (int cycle = 0; cycle < 100 * period; ++cycle) run.cycle(full);
+  const auto expected =
+      static_cast<std::uint64_t>(100) * std::min(slots, period) * GetParam().lanes;
+  EXPECT_EQ(run.accepted() - before, expected);
+  EXPECT_FALSE(run.failed()) << run.failure();
+}
+
+TEST_P(SharedReference, LanesOfOneReferenceShareItEvenly) {
+  SystemRun run(GetParam(), 26);
+  const SystemTraffic saturated{"Saturated", 1.0, 1.0, 1.0};
+  for (int cycle = 0; cycle < 20000 && !run.failed(); ++cycle) run.cycle(saturated);
+  EXPECT_FALSE(run.failed()) << run.failure();
+  const auto& received = run.received_of_lane();
+  for (int r = 0; r < GetParam().references; ++r) {
+    std::uint64_t least = ~std::uint64_t{0};
+    std::uint64_t most = 0;
+    for (int i = r; i < GetParam().lanes; i += GetParam().references) {
+      least = std::min(least, received[i]);
+      most = std::max(most, received[i]);
+    }
+    EXPECT_GT(least, 0u);
+    // A node of the tree may have one input less than its neighbour, never half as many.
+    EXPECT_LE(most, 2 * least) << "reference " << r;
+  }
+}
+
+TEST_P(SaturableReference, RecomputationSaturatesTheReference) {
+  const SystemSpec& spec = GetParam();
+  SystemRun run(spec, 27);
+  const SystemTraffic saturated{"Saturated", 1.0, 1.0, 1.0};
+  for (int cycle = 0; cycle < 1000; ++cycle) run.cycle(saturated);
+  const std::uint64_t before = run.recomputed();
+  for (int cycle = 0; cycle < 1000; ++cycle) run.cycle(saturated);
+  EXPECT_EQ(run.recomputed() - before, 1000u * spec.references);
+  EXPECT_FALSE(run.failed()) << run.failure();
+}
+
+std::string name_of(const ::testing::TestParamInfo<SystemSpec>& info) {
+  return info.param.name;
+}
+
+using ::testing::ValuesIn;
+INSTANTIATE_TEST_SUITE_P(Streams, System, ValuesIn(systems), name_of);
+INSTANTIATE_TEST_SUITE_P(Streams, CarriedSystem, ValuesIn(systems_with(is_carried)), name_of);
+INSTANTIATE_TEST_SUITE_P(Streams, SharedReference, ValuesIn(systems_with(is_shared)), name_of);
+INSTANTIATE_TEST_SUITE_P(Streams, SaturableReference, ValuesIn(systems_with(is_saturable)),
+                         name_of);
+
+}  // namespace
+}  // namespace mixcmp::test
