@@ -58,6 +58,12 @@ Result<Comparisons> Comparisons::rows(Table table, const std::vector<std::string
     if (!column) return no_column(input, input, table);
     sources.push_back({.column = *column, .second = false});
   }
+  if (table.rows() == 0) {
+    return Error{.field = "data",
+                 .message = "nothing to compare",
+                 .received = "no rows",
+                 .accepted = "at least one"};
+  }
   return Comparisons(std::move(table), std::move(sources), false);
 }
 

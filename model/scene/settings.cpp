@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "model/common/file.hpp"
+#include "model/common/quote.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -62,14 +63,6 @@ Result<toml::table> parse_toml(const std::string& text, const std::string& file)
   }
 }
 
-/// On one line, short enough for a message.
-std::string quoted(const std::string& text) {
-  constexpr std::size_t most = 80;
-  std::string shown;
-  for (const char c : text.substr(0, most)) shown += c == '\n' ? ' ' : c;
-  return fmt::format("\"{}{}\"", shown, text.size() > most ? "..." : "");
-}
-
 /// As if set on the command line: without a line.
 void forget_lines(Setting& setting) {
   setting.line = setting.end_line = 0;
@@ -105,7 +98,7 @@ Result<Done> apply_override(Setting::Table& root, const std::string& text) {
       dot + 1 == equals) {
     return Error{.file = "--set",
                  .message = "not an override",
-                 .received = fmt::format("\"{}\"", text),
+                 .received = in_quotes(text),
                  .accepted = "section.key=value"};
   }
   Setting& section = find_or_add(root, text.substr(0, dot));
@@ -143,7 +136,7 @@ std::string Setting::shown() const {
     std::string operator()(bool truth) const { return truth ? "true" : "false"; }
     std::string operator()(std::int64_t integer) const { return fmt::format("{}", integer); }
     std::string operator()(double real) const { return fmt::format("{}", real); }
-    std::string operator()(const std::string& text) const { return quoted(text); }
+    std::string operator()(const std::string& text) const { return in_quotes(text); }
     std::string operator()(const Array& array) const {
       return fmt::format("an array of {}", array.size());
     }

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "model/data/comparisons.hpp"
+#include "model/scene/scene.hpp"
+
+namespace mixcmp::model {
+
+/// Reads or generates what [data] names and arranges it into comparisons. A scene without [data] is
+/// an error.
+Result<Comparisons> load_comparisons(const Scene& scene);
+
+}  // namespace mixcmp::model

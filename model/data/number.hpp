@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+#include "model/format/float_format.hpp"
+
+namespace mixcmp::model {
+
+/// A data file's number, rounded once from its decimal (or hex-float) text; blanks around it are
+/// left out. Infinities and NaNs only where they are written as such: a number beyond the format's
+/// largest is an error.
+Result<Bits> read_number(FloatFormat format, std::string_view text);
+
+/// `text` without blanks at its ends.
+std::string_view trimmed(std::string_view text);
+
+}  // namespace mixcmp::model
