@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include "generator/emit/system.hpp"
+#include "tests/support/sphere.hpp"
+#include "tests/verilator_tb/fake_system.hpp"
+
+namespace mixcmp::tb {
+namespace {
+
+namespace fs = std::filesystem;
+using test::format;
+
+/// Items of all kinds: random spheres, tangent and coincident ones, infinities, NaNs, extremes.
+model::Comparisons sphere_pairs(std::size_t random_spheres) {
+  const model::FloatFormat s53e8 = format("s53e8");
+  model::Table table{.format = s53e8, .columns = {"cx", "cy", "cz", "r"}};
+  for (std::size_t k = 0; k < 4 * random_spheres; ++k) {
+    const mpz_class random(static_cast<unsigned long>(counter_random(5, k) >> 11));
+    mpq_class value(random, mpz_class(1) << 53);
+    value *= k % 4 == 3 ? 25 : 100;
+    value.canonicalize();
+    table.values.push_back(model::golden::from_rational(s53e8, value));
+  }
+  const char* const special[][4] = {{"0", "0", "0", "2"},
+                                    {"3", "4", "0", "3"},
+                                    {"3", "4", "0", "3"},
+                                    {"-3", "-4", "0", "3"},
+                                    {"1e6", "1e6", "1e6", "5"},
+                                    {"1000003", "1000004", "1e6", "0x1p-20"},
+                                    {"0", "0", "0", "0"},
+                                    {"-0", "0", "-0", "0"},
+                                    {"inf", "0", "0", "1"},
+                                    {"0", "0", "0", "inf"},
+                                    {"nan", "0", "0", "1"},
+                                    {"1", "1", "1", "nan"},
+                                    {"1e38", "1e38", "0", "1"},
+                                    {"-1e38", "0", "0", "2e38"},
+                                    {"1e-38", "2e-38", "0", "1e-38"},
+                                    {"1e-45", "0", "0", "1e-45"}};
+  for (const auto& sphere : special) {
+    for (const char* text : sphere) {
+      table.values.push_back(model::golden::from_text(s53e8, text).value());
+    }
+  }
+  return model::Comparisons::all_pairs(table, test::sphere_graph().inputs()).value();
+}
+
+fs::path generate(const model::Design& design, const std::string& folder) {
+  const auto system = gen::generate_system(design, "mixcmp generate sphere.toml");
+  EXPECT_TRUE(system.ok()) << system.error().to_string();
+  const fs::path path = fake_work_dir() / folder;
+  const auto written = gen::write_system(*system, path);
+  EXPECT_TRUE(written.ok()) << written.error().to_string();
+  return path;
+}
+
+void expect_pass(const model::Design& design, const std::string& folder, SimulatorKind simulator,
+                 std::size_t random_spheres) {
+  const model::Graph graph = test::sphere_graph();
+  for (const TrafficKind traffic : {TrafficKind::full_rate, TrafficKind::stressed}) {
+    const auto report = verify(design, sphere_pairs(random_spheres), generate(design, folder),
+                               {.simulator = simulator,
+                                .work_dir = fake_work_dir() / "builds",
+                                .traffic = traffic,
+                                .resets = traffic == TrafficKind::stressed ? 4 : 0,
+                                .truth = TruthCheck{.graph = &graph}});
+    ASSERT_TRUE(report.ok()) << report.error().to_string();
+    EXPECT_TRUE(report->passed()) << to_text(*report);
+    EXPECT_EQ(report->truth->wrong_by_lane, 0u) << to_text(*report);
+    EXPECT_GT(report->verdicts[0], 0u);
+    EXPECT_GT(report->verdicts[2], 0u);
+    if (design.references == 0) {
+      EXPECT_GT(report->undecided, 0u);
+    } else {
+      EXPECT_GT(report->verdicts[1], 0u);
+      EXPECT_GT(report->verdicts[3], 0u);
+      EXPECT_GT(report->recomputations, 0u);
+    }
+  }
+}
+
+TEST(SphereSystem, OneLaneOneReferenceInVerilator) {
+  expect_pass(test::sphere_design(format("s12e8"), format("s53e8"), 1, 1), "sphere_1x1",
+              SimulatorKind::verilator, 100);
+}
+
+TEST(SphereSystem, OneLaneOneReferenceInIcarus) {
+  expect_pass(test::sphere_design(format("s12e8"), format("s53e8"), 1, 1), "sphere_1x1_icarus",
+              SimulatorKind::icarus, 10);
+}
+
+TEST(SphereSystem, SevenLanesThreeReferencesInVerilator) {
+  expect_pass(test::sphere_design(format("s12e8"), format("s53e8"), 7, 3), "sphere_7x3",
+              SimulatorKind::verilator, 200);
+}
+
+TEST(SphereSystem, InOrderAndRefetchedInVerilator) {
+  model::Design design = test::sphere_design(format("s12e8"), format("s53e8"), 3, 2);
+  design.system.order = model::ResultOrder::in_order;
+  design.system.operands = model::OperandStore::refetched;
+  expect_pass(design, "sphere_in_order_refetched", SimulatorKind::verilator, 100);
+}
+
+TEST(SphereSystem, RefetchedInIcarus) {
+  model::Design design = test::sphere_design(format("s12e8"), format("s53e8"), 2, 1);
+  design.system.operands = model::OperandStore::refetched;
+  expect_pass(design, "sphere_refetched_icarus", SimulatorKind::icarus, 10);
+}
+
+TEST(SphereSystem, LanesAloneInVerilator) {
+  model::Design design = test::sphere_design(format("s12e8"), format("s53e8"), 2, 0);
+  design.system.counter_bits = 0;
+  expect_pass(design, "sphere_2x0", SimulatorKind::verilator, 100);
+}
+
+}  // namespace
+}  // namespace mixcmp::tb
