@@ -1,0 +1,163 @@
+#include "model/expression/typed_graph.hpp"
+
+#include <gtest/gtest.h>
+
+#include "model/golden/arithmetic.hpp"
+#include "tests/support/float_samples.hpp"
+#include "tests/support/graphs.hpp"
+
+namespace mixcmp::test {
+namespace {
+
+using model::Arithmetic;
+using model::FloatFormat;
+using model::Graph;
+using model::LaneInputs;
+using model::Operation;
+using model::TypedGraph;
+using model::TypedNode;
+
+const FloatFormat wide = format_of(53, 8);
+const Arithmetic narrow{format_of(17, 8)};
+
+/// "operation operands' format > result's format", operands by position; one line a node.
+std::string describe(const TypedGraph& graph) {
+  std::string text;
+  for (const TypedNode& node : graph.nodes) {
+    text += to_string(node.operation);
+    for (int k = 0; k < arity(node.operation); ++k) text += " " + std::to_string(node.operands[k]);
+    if (node.operation == Operation::input) text += " " + graph.input_names[node.input];
+    if (node.operation == Operation::constant) text += " " + node.value.get_str();
+    const bool rounds = node.operand_format != node.format;
+    text += ": " + (rounds ? node.operand_format.name() + " > " : "") + node.format.name() + "\n";
+  }
+  return text + "f " + std::to_string(graph.f) + ", g " + std::to_string(graph.g) + "\n";
+}
+
+std::string lane(const std::string& f, const std::string& g, LaneInputs inputs) {
+  return describe(lane_graph(graph_of(f, g), wide, narrow, inputs));
+}
+
+TEST(ReferenceGraph, ConvertsNothing) {
+  EXPECT_EQ(describe(reference_graph(graph_of("(a - b)^2", "0.5 * a"), {wide})),
+            "input a: s53e8\n"
+            "input b: s53e8\n"
+            "subtract 0 1: s53e8\n"
+            "square 2: s53e8\n"
+            "constant 1/2: s53e8\n"
+            "multiply 0 4: s53e8\n"
+            "f 3, g 5\n");
+}
+
+TEST(ReferenceGraph, MayCompareInputs) {
+  EXPECT_EQ(describe(reference_graph(graph_of("a", "a"), {wide})),
+            "input a: s53e8\n"
+            "f 0, g 0\n");
+}
+
+TEST(LaneGraph, RoundsEachInputOnce) {
+  EXPECT_EQ(lane("(a - b)^2", "a * b", LaneInputs::rounded),
+            "input a: s53e8\n"
+            "convert 0: s53e8 > s17e8\n"
+            "input b: s53e8\n"
+            "convert 2: s53e8 > s17e8\n"
+            "subtract 1 3: s17e8\n"
+            "square 4: s17e8\n"
+            "multiply 1 3: s17e8\n"
+            "f 5, g 6\n");
+}
+
+TEST(LaneGraph, TakesExactInputsIntoTheFirstOperation) {
+  EXPECT_EQ(lane("(a - b)^2", "a * b", LaneInputs::exact),
+            "input a: s53e8\n"
+            "input b: s53e8\n"
+            "subtract 0 1: s53e8 > s17e8\n"
+            "square 2: s17e8\n"
+            "multiply 0 1: s53e8 > s17e8\n"
+            "f 3, g 4\n");
+}
+
+TEST(LaneGraph, ConvertsAnInputThatMeetsAnInexactOperand) {
+  EXPECT_EQ(lane("a * b + a", "a / (b * b)", LaneInputs::exact),
+            "input a: s53e8\n"
+            "convert 0: s53e8 > s17e8\n"
+            "input b: s53e8\n"
+            "multiply 0 2: s53e8 > s17e8\n"
+            "add 1 3: s17e8\n"
+            "square 2: s53e8 > s17e8\n"
+            "divide 1 5: s17e8\n"
+            "f 4, g 6\n");
+}
+
+TEST(LaneGraph, ConvertsInputsThatAreCompared) {
+  EXPECT_EQ(lane("a", "-b", LaneInputs::exact),
+            "input a: s53e8\n"
+            "convert 0: s53e8 > s17e8\n"
+            "input b: s53e8\n"
+            "negate 2: s53e8\n"
+            "convert 3: s53e8 > s17e8\n"
+            "f 1, g 4\n");
+}
+
+TEST(LaneGraph, KeepsSelectionsOfExactOperandsExact) {
+  EXPECT_EQ(lane("min(abs(a), -b) - a", "max(a, b * b)", LaneInputs::exact),
+            "input a: s53e8\n"
+            "absolute 0: s53e8\n"
+            "input b: s53e8\n"
+            "negate 2: s53e8\n"
+            "minimum 1 3: s53e8\n"
+            "subtract 4 0: s53e8 > s17e8\n"
+            "convert 0: s53e8 > s17e8\n"
+            "square 2: s53e8 > s17e8\n"
+            "maximum 6 7: s17e8\n"
+            "f 5, g 8\n");
+}
+
+TEST(LaneGraph, KeepsSelectionsOfRoundedInputsInTheLanesFormat) {
+  EXPECT_EQ(lane("min(a, b)", "-a", LaneInputs::rounded),
+            "input a: s53e8\n"
+            "convert 0: s53e8 > s17e8\n"
+            "input b: s53e8\n"
+            "convert 2: s53e8 > s17e8\n"
+            "minimum 1 3: s17e8\n"
+            "negate 1: s17e8\n"
+            "f 4, g 5\n");
+}
+
+TEST(LaneGraph, EncodesAConstantWhereItIsUsed) {
+  const TypedGraph graph =
+      lane_graph(graph_of("0.1 * a", "0.1 * (a * a)"), wide, narrow, LaneInputs::exact);
+  EXPECT_EQ(describe(graph),
+            "input a: s53e8\n"
+            "constant 1/10: s53e8\n"
+            "multiply 0 1: s53e8 > s17e8\n"
+            "constant 1/10: s17e8\n"
+            "square 0: s53e8 > s17e8\n"
+            "multiply 3 4: s17e8\n"
+            "f 2, g 5\n");
+  EXPECT_EQ(graph.nodes[1].constant, *model::golden::from_text(wide, "0.1"));
+  EXPECT_EQ(graph.nodes[3].constant, *model::golden::from_text(narrow.format, "0.1"));
+}
+
+TEST(LaneGraph, LeavesOutWhatIsNotUsed) {
+  Graph graph = graph_of("a * b", "c");
+  graph.apply(Operation::square_root, graph.apply(Operation::add, graph.f(), graph.input("d")));
+  EXPECT_EQ(lane_graph(graph, wide, narrow, LaneInputs::exact).nodes.size(), 5u);
+  EXPECT_EQ(reference_graph(graph, {wide}).nodes.size(), 4u);
+}
+
+TEST(LaneGraph, PutsOperandsFirst) {
+  const TypedGraph graph =
+      lane_graph(graph_of("(a - b)^2 / (c + 1) + a * 0.3", "sqrt(max(a * b, c)) - a"), wide, narrow,
+                 LaneInputs::exact);
+  for (size_t id = 0; id < graph.nodes.size(); ++id) {
+    const TypedNode& node = graph.nodes[id];
+    for (int k = 0; k < arity(node.operation); ++k) {
+      ASSERT_LT(node.operands[k], static_cast<int>(id));
+      EXPECT_EQ(graph.nodes[node.operands[k]].format, node.operand_format);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mixcmp::test
