@@ -1,0 +1,255 @@
+#include "model/scene/range_analysis.hpp"
+
+#include <algorithm>
+
+#include "model/golden/arithmetic.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+mpq_class power_of_two(long exponent) {
+  mpq_class power = 1;
+  if (exponent >= 0) mpq_mul_2exp(power.get_mpq_t(), power.get_mpq_t(), exponent);
+  if (exponent < 0) mpq_div_2exp(power.get_mpq_t(), power.get_mpq_t(), -exponent);
+  return power;
+}
+
+/// floor(log2(value)), value > 0.
+long exponent_of(const mpq_class& value) {
+  const auto bits = [](mpz_srcptr integer) {
+    return static_cast<long>(mpz_sizeinbase(integer, 2));
+  };
+  const long estimate = bits(value.get_num_mpz_t()) - bits(value.get_den_mpz_t());
+  return value < power_of_two(estimate) ? estimate - 1 : estimate;
+}
+
+mpz_class floor_of(const mpq_class& value) {
+  mpz_class result;
+  mpz_fdiv_q(result.get_mpz_t(), value.get_num_mpz_t(), value.get_den_mpz_t());
+  return result;
+}
+
+/// The largest number of `format`, subnormals included and exponents unlimited above, that is not
+/// above `value`.
+mpq_class round_down(FloatFormat format, const mpq_class& value) {
+  if (value == 0) return value;
+  const long exponent = std::max<long>(exponent_of(abs(value)), format.min_exponent());
+  const mpq_class unit = power_of_two(exponent - format.fraction_bits());
+  return floor_of(value / unit) * unit;
+}
+
+mpq_class round_up(FloatFormat format, const mpq_class& value) {
+  return -round_down(format, -value);
+}
+
+/// Square root rounded down to some bits more than any format has.
+mpq_class root_down(const mpq_class& value) {
+  if (value <= 0) return 0;
+  constexpr long spare_bits = 2 * FloatFormat::max_precision;
+  const long scale = spare_bits - exponent_of(value) / 2;
+  mpz_class root = floor_of(value * power_of_two(2 * scale));
+  mpz_sqrt(root.get_mpz_t(), root.get_mpz_t());
+  return root * power_of_two(-scale);
+}
+
+mpq_class root_up(const mpq_class& value) {
+  const mpq_class root = root_down(value);
+  if (root * root == value || value <= 0) return root;
+  return root + root * power_of_two(-FloatFormat::max_precision);
+}
+
+bool contains_zero(const Range& range) {
+  return range.low <= 0 && range.high >= 0;
+}
+
+Range hull(const std::vector<mpq_class>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return {*low, *high};
+}
+
+Range product(const Range& a, const Range& b) {
+  return hull({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
+}
+
+Range absolute(const Range& a) {
+  const mpq_class low = abs(a.low), high = abs(a.high);
+  if (contains_zero(a)) return {0, std::max(low, high)};
+  return {std::min(low, high), std::max(low, high)};
+}
+
+Range square(const Range& a) {
+  const Range magnitude = absolute(a);
+  return {magnitude.low * magnitude.low, magnitude.high * magnitude.high};
+}
+
+bool only_moves_bits(Operation operation) {
+  return operation == Operation::negate || operation == Operation::absolute ||
+         operation == Operation::minimum || operation == Operation::maximum;
+}
+
+class Analysis {
+public:
+  Analysis(const TypedGraph& graph, const std::vector<std::optional<Range>>& ranges)
+      : graph_(graph), ranges_(ranges) {}
+
+  std::vector<NodeRange> run() {
+    for (const TypedNode& node : graph_.nodes) nodes_.push_back(analyse(node));
+    return std::move(nodes_);
+  }
+
+private:
+  const Range& operand(const TypedNode& node, std::size_t k) const {
+    return nodes_[static_cast<std::size_t>(node.operands[k])].value;
+  }
+
+  NodeRange analyse(const TypedNode& node) {
+    NodeRange result{.value = exact(node)};
+    result.rangeless_inputs = rangeless(node);
+    const auto mark = [&](Event event, bool may) {
+      result.may_happen[static_cast<std::size_t>(event)] = may;
+    };
+    if (node.operation == Operation::divide) {
+      mark(Event::division_by_zero, contains_zero(operand(node, 1)));
+    }
+    if (node.operation == Operation::square_root) {
+      mark(Event::root_of_negative, operand(node, 0).low < 0);
+    }
+    if (node.operation != Operation::input && !only_moves_bits(node.operation)) {
+      mark(Event::overflow, overflows(node, result.value));
+      mark(Event::underflow, underflows(node, result.value));
+    }
+    result.value = settled(node.format, result.value);
+    return result;
+  }
+
+  std::vector<int> rangeless(const TypedNode& node) const {
+    if (node.operation == Operation::input) {
+      const bool declared = ranges_[static_cast<std::size_t>(node.input)].has_value();
+      return declared ? std::vector<int>{} : std::vector<int>{node.input};
+    }
+    std::vector<int> inputs;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(arity(node.operation)); ++k) {
+      const auto& below = nodes_[static_cast<std::size_t>(node.operands[k])].rangeless_inputs;
+      inputs.insert(inputs.end(), below.begin(), below.end());
+    }
+    std::sort(inputs.begin(), inputs.end());
+    inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
+    return inputs;
+  }
+
+  /// Encloses the node's exact result for operands in their enclosures.
+  Range exact(const TypedNode& node) const {
+    switch (node.operation) {
+      case Operation::input: return input(node);
+      case Operation::constant: return {node.value, node.value};
+      case Operation::convert: return operand(node, 0);
+      case Operation::negate: return {-operand(node, 0).high, -operand(node, 0).low};
+      case Operation::absolute: return absolute(operand(node, 0));
+      case Operation::square: return square(operand(node, 0));
+      case Operation::square_root:
+        return {root_down(operand(node, 0).low), root_up(operand(node, 0).high)};
+      case Operation::add:
+      case Operation::subtract:
+      case Operation::multiply:
+      case Operation::divide:
+      case Operation::minimum:
+      case Operation::maximum: return exact(node, operand(node, 0), operand(node, 1));
+    }
+    MIXCMP_CHECK(false);
+  }
+
+  Range exact(const TypedNode& node, const Range& a, const Range& b) const {
+    const bool same = node.operands[0] == node.operands[1];
+    switch (node.operation) {
+      case Operation::add: return {a.low + b.low, a.high + b.high};
+      case Operation::subtract:
+        if (same) return {0, 0};
+        return {a.low - b.high, a.high - b.low};
+      case Operation::multiply: return product(a, b);
+      case Operation::divide: return same ? Range{1, 1} : quotient(node.format, a, b);
+      case Operation::minimum: return {std::min(a.low, b.low), std::min(a.high, b.high)};
+      case Operation::maximum: return {std::max(a.low, b.low), std::max(a.high, b.high)};
+      case Operation::input:
+      case Operation::constant:
+      case Operation::convert:
+      case Operation::negate:
+      case Operation::absolute:
+      case Operation::square:
+      case Operation::square_root: break;
+    }
+    MIXCMP_CHECK(false);
+  }
+
+  Range input(const TypedNode& node) const {
+    const auto& range = ranges_[static_cast<std::size_t>(node.input)];
+    if (range) return *range;
+    const mpq_class largest = largest_of(node.format);
+    return {-largest, largest};
+  }
+
+  /// A divisor that may come as close to zero as it likes makes a quotient beyond any format.
+  static Range quotient(FloatFormat format, const Range& a, const Range& b) {
+    if (!contains_zero(b)) return product(a, {1 / b.high, 1 / b.low});
+    const mpq_class beyond = 2 * largest_of(format);
+    if (b.low == 0 && b.high > 0 && a.low >= 0) {
+      return {a.low / b.high, std::max<mpq_class>(beyond, a.high / b.high)};
+    }
+    return {-beyond, beyond};
+  }
+
+  static mpq_class largest_of(FloatFormat format) {
+    return golden::to_rational(format, format.largest_finite(false));
+  }
+
+  static bool overflows(const TypedNode& node, const Range& exact) {
+    return absolute(exact).high > largest_of(node.format);
+  }
+
+  bool underflows(const TypedNode& node, const Range& exact) const {
+    const bool sum = node.operation == Operation::add || node.operation == Operation::subtract;
+    const bool gradual = graph_.arithmetic.subnormals == Subnormals::gradual;
+    // Subnormal sums of numbers of the same format are exact.
+    if (sum && gradual && node.operand_format == node.format) return false;
+    const mpq_class smallest = power_of_two(node.format.min_exponent());
+    const bool only_zero = exact.low == 0 && exact.high == 0;
+    return !only_zero && exact.low < smallest && exact.high > -smallest;
+  }
+
+  /// `exact` after rounding into `format`, as far as it stays finite.
+  Range settled(FloatFormat format, const Range& exact) const {
+    const mpq_class largest = largest_of(format);
+    const auto clamped = [&](const mpq_class& value) {
+      return std::max<mpq_class>(-largest, std::min(value, largest));
+    };
+    Range range{clamped(round_down(format, exact.low)), clamped(round_up(format, exact.high))};
+    if (graph_.arithmetic.subnormals == Subnormals::gradual) return range;
+    const mpq_class smallest = power_of_two(format.min_exponent());
+    if (range.low > 0 && range.low < smallest) range.low = 0;
+    if (range.high < 0 && range.high > -smallest) range.high = 0;
+    return range;
+  }
+
+  const TypedGraph& graph_;
+  const std::vector<std::optional<Range>>& ranges_;
+  std::vector<NodeRange> nodes_;
+};
+
+}  // namespace
+
+std::string_view to_string(Event event) {
+  switch (event) {
+    case Event::overflow: return "overflow";
+    case Event::underflow: return "underflow";
+    case Event::division_by_zero: return "division by zero";
+    case Event::root_of_negative: return "root of a negative number";
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::vector<NodeRange> analyse_ranges(const TypedGraph& graph,
+                                      const std::vector<std::optional<Range>>& ranges) {
+  MIXCMP_CHECK(ranges.size() == static_cast<std::size_t>(graph.input_count));
+  return Analysis(graph, ranges).run();
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "model/scene/scene.hpp"
+
+namespace mixcmp::model {
+
+/// What an operation may meet that its datapath must then cope with.
+enum class Event {
+  overflow,
+  underflow,  ///< a non-zero result below the smallest normal number, flushed or inexact
+  division_by_zero,
+  root_of_negative,
+};
+constexpr std::array<Event, 4> all_events = {Event::overflow, Event::underflow,
+                                             Event::division_by_zero, Event::root_of_negative};
+std::string_view to_string(Event event);
+
+/// What the declared ranges say of one node of a typed graph.
+struct NodeRange {
+  /// Encloses every finite value that the node can compute, its own rounding included.
+  Range value;
+  /// Which of all_events are not ruled out.
+  std::array<bool, all_events.size()> may_happen = {};
+  /// Inputs under the node that have no declared range, sorted; they count as any finite number.
+  std::vector<int> rangeless_inputs;
+
+  bool may(Event event) const { return may_happen[static_cast<std::size_t>(event)]; }
+};
+
+/// Interval arithmetic in exact rationals: every operation is correctly rounded and rounding is
+/// monotone, so rounding an exact enclosure outward encloses what is computed. Operands are treated
+/// as independent, except those of x - x and x / x. `ranges`: one per input of the graph.
+std::vector<NodeRange> analyse_ranges(const TypedGraph& graph,
+                                      const std::vector<std::optional<Range>>& ranges);
+
+}  // namespace mixcmp::model

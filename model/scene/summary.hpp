@@ -1,0 +1,71 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "model/data/comparisons.hpp"
+#include "model/scene/range_analysis.hpp"
+
+namespace mixcmp::model {
+
+struct OperatorCount {
+  Operation operation;
+  FloatFormat operand_format;
+  FloatFormat format;
+  int count;
+};
+
+enum class Possibility {
+  ruled_out,
+  possible,
+  unknown,  ///< an input that matters has no declared range
+};
+std::string_view to_string(Possibility possibility);
+
+/// One question that the ranges answer.
+struct Finding {
+  std::string question;
+  Possibility answer = Possibility::ruled_out;
+  std::vector<std::string> operations;  ///< where it may happen, as expressions
+  std::vector<std::string> rangeless;   ///< the inputs whose missing range leaves it open
+};
+
+/// f or g in the reference format.
+struct SideSummary {
+  std::string name;
+  std::string text;
+  Range value;
+  Finding negative;
+  Finding zero;
+};
+
+/// The reference datapath or a lane.
+struct DatapathSummary {
+  std::string name;
+  Arithmetic arithmetic;
+  std::vector<OperatorCount> operators;  ///< in order of first use
+  std::vector<Finding> events;           ///< one per event that its operations know
+};
+
+struct DataSummary {
+  std::string source;
+  std::uint64_t rows = 0;
+  std::uint64_t comparisons = 0;
+  std::uint64_t out_of_range = 0;  ///< numbers of the table that break a declared range
+  std::string first_out_of_range;  ///< in words; empty if there is none
+};
+
+/// What `mixcmp check` tells.
+struct Summary {
+  const Scene* scene;
+  std::vector<SideSummary> sides;          ///< f, g
+  std::vector<DatapathSummary> datapaths;  ///< reference; lane unless its format is "auto"
+  std::optional<DataSummary> data;
+};
+
+/// The summary looks at `scene`, which must outlive it. `data`: the scene's, if read.
+Summary summarise(const Scene& scene, const Comparisons* data);
+
+std::string to_text(const Summary& summary);
+nlohmann::json to_json(const Summary& summary);
+
+}  // namespace mixcmp::model

@@ -1,0 +1,147 @@
+#include "model/scene/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "model/data/load.hpp"
+#include "tests/support/scratch_directory.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+const std::filesystem::path examples = MIXCMP_SOURCE_DIR "/examples";
+
+Scene load(const std::filesystem::path& path, const std::vector<std::string>& overrides = {}) {
+  Result<Scene> scene = load_scene(path, overrides);
+  EXPECT_TRUE(scene.ok()) << scene.error().to_string();
+  return std::move(scene).value();
+}
+
+const Finding& event(const DatapathSummary& datapath, const std::string& question) {
+  for (const Finding& finding : datapath.events) {
+    if (finding.question == question) return finding;
+  }
+  ADD_FAILURE() << "no " << question;
+  return datapath.events.front();
+}
+
+TEST(Summary, CountsTheSphereComparison) {
+  const Scene scene = load(examples / "sphere_collision/scene.toml");
+  const Summary summary = summarise(scene, nullptr);
+  ASSERT_EQ(summary.datapaths.size(), 2U);
+  const auto count = [](const DatapathSummary& datapath, Operation operation,
+                        const std::string& operands, const std::string& result) {
+    int total = 0;
+    for (const OperatorCount& counted : datapath.operators) {
+      const bool same = counted.operation == operation &&
+                        counted.operand_format.name() == operands &&
+                        counted.format.name() == result;
+      total += same ? counted.count : 0;
+    }
+    return total;
+  };
+  const DatapathSummary& reference = summary.datapaths[0];
+  EXPECT_EQ(reference.operators.size(), 3U);
+  EXPECT_EQ(count(reference, Operation::subtract, "s53e8", "s53e8"), 3);
+  EXPECT_EQ(count(reference, Operation::square, "s53e8", "s53e8"), 4);
+  EXPECT_EQ(count(reference, Operation::add, "s53e8", "s53e8"), 3);
+  const DatapathSummary& lane = summary.datapaths[1];
+  EXPECT_EQ(lane.operators.size(), 4U);
+  EXPECT_EQ(count(lane, Operation::subtract, "s53e8", "s17e8"), 3);
+  EXPECT_EQ(count(lane, Operation::square, "s17e8", "s17e8"), 4);
+  EXPECT_EQ(count(lane, Operation::add, "s17e8", "s17e8"), 2);
+  EXPECT_EQ(count(lane, Operation::add, "s53e8", "s17e8"), 1);
+}
+
+TEST(Summary, TellsWhatTheRangesRuleOut) {
+  const Scene scene = load(examples / "sphere_collision/scene.toml");
+  const Summary summary = summarise(scene, nullptr);
+  EXPECT_EQ(summary.sides[0].value.high, 30'000);
+  EXPECT_EQ(summary.sides[1].value.high, 40'000);
+  EXPECT_EQ(summary.sides[0].negative.answer, Possibility::ruled_out);
+  EXPECT_EQ(summary.sides[0].zero.answer, Possibility::possible);
+  EXPECT_EQ(event(summary.datapaths[0], "overflow").answer, Possibility::ruled_out);
+  EXPECT_EQ(event(summary.datapaths[0], "underflow").answer, Possibility::possible);
+  EXPECT_EQ(summary.datapaths[0].events.size(), 2U);  // no division, no root
+}
+
+TEST(Summary, MissingRangesLeaveItUnknown) {
+  const test::ScratchDirectory directory;
+  const auto path = directory.path() / "scene.toml";
+  std::ofstream(path) << "[comparison]\nname = \"n\"\nf = \"sqrt(x) / y\"\ng = \"x + z^2\"\n"
+                         "[inputs]\ny = { range = [0, 1] }\n[reference]\nformat = \"binary32\"\n";
+  const Scene scene = load(path);
+  const Summary summary = summarise(scene, nullptr);
+  ASSERT_EQ(summary.datapaths.size(), 1U);
+  const Finding& root = event(summary.datapaths[0], "root of a negative number");
+  EXPECT_EQ(root.answer, Possibility::unknown);
+  EXPECT_EQ(root.rangeless, std::vector<std::string>{"x"});
+  EXPECT_EQ(root.operations, std::vector<std::string>{"sqrt(x)"});
+  EXPECT_EQ(event(summary.datapaths[0], "overflow").rangeless,
+            (std::vector<std::string>{"x", "z"}));
+  EXPECT_EQ(summary.sides[1].negative.answer, Possibility::unknown);
+  const std::string text = to_text(summary);
+  EXPECT_NE(text.find("unknown: no range for x; in sqrt(x)\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  reduced            auto"), std::string::npos) << text;
+}
+
+TEST(Summary, TellsOfDataThatBreakTheRanges) {
+  const auto path = examples / "protein_clash/scene.toml";
+  const Scene good = load(path);
+  const Comparisons data = load_comparisons(good).value();
+  EXPECT_EQ(summarise(good, &data).data->out_of_range, 0U);
+  EXPECT_EQ(summarise(good, &data).data->comparisons, 207'046U);
+  const Scene narrow = load(path, {"inputs.r*={ range = [1.2, 1.85] }"});
+  const Summary summary = summarise(narrow, &data);
+  EXPECT_EQ(summary.data->out_of_range, 4U);  // the four selenium atoms
+  EXPECT_EQ(summary.data->first_out_of_range, "A 151 MSE SE: r = 1.9 is outside [1.2, 1.85] of ri");
+}
+
+TEST(Summary, OnlyTheItemsThatAnInputTakesCount) {
+  const test::ScratchDirectory directory;
+  const auto path = directory.path() / "scene.toml";
+  std::ofstream(directory.path() / "data.csv") << "x\n9\n1\n2\n8\n";
+  std::ofstream(path) << "[comparison]\nname = \"n\"\nf = \"xi\"\ng = \"xj\"\n[inputs]\n"
+                         "xi = { range = [0, 5] }\n[reference]\nformat = \"binary32\"\n"
+                         "[data]\nfile = \"data.csv\"\npairs = \"all\"\n";
+  const Scene scene = load(path);
+  const Comparisons data = load_comparisons(scene).value();
+  const Summary summary = summarise(scene, &data);
+  EXPECT_EQ(summary.data->out_of_range, 1U);  // 9; 8 is never an xi
+  EXPECT_EQ(summary.data->first_out_of_range, "row 0: x = 9 is outside [0, 5] of xi");
+}
+
+TEST(Summary, JsonHoldsTheSame) {
+  const Scene scene = load(examples / "protein_clash/scene.toml");
+  const Comparisons data = load_comparisons(scene).value();
+  const nlohmann::json json = to_json(summarise(scene, &data));
+  EXPECT_EQ(json["name"], "protein_clash");
+  EXPECT_EQ(json["inputs"].size(), 8U);
+  EXPECT_EQ(json["inputs"][6]["name"], "ri");
+  EXPECT_EQ(json["inputs"][6]["range"][1], "2.75");
+  EXPECT_EQ(json["f"]["negative"]["answer"], "ruled out");
+  EXPECT_EQ(json["g"]["zero"]["answer"], "ruled out");
+  EXPECT_EQ(json["datapaths"]["lane"]["format"], "s17e8");
+  EXPECT_EQ(json["datapaths"]["reference"]["operators"][0]["count"], 3);
+  EXPECT_EQ(json["data"]["comparisons"], 207'046U);
+  EXPECT_EQ(json["system"]["lanes"], 8);
+}
+
+TEST(Summary, DeeplySharedExpressionsPrintShort) {
+  const test::ScratchDirectory directory;
+  const auto path = directory.path() / "scene.toml";
+  std::string lets = "d0 = \"x\"\n";
+  for (int k = 1; k <= 50; ++k) {
+    const std::string below = "d" + std::to_string(k - 1);
+    lets += "d" + std::to_string(k) + " = \"" + below + " * (" + below + " + 1)\"\n";
+  }
+  std::ofstream(path) << "[comparison]\nname = \"n\"\nf = \"d50\"\ng = \"1\"\n[let]\n"
+                      << lets << "[reference]\nformat = \"binary128\"\n";
+  const Scene scene = load(path);
+  EXPECT_LT(to_text(summarise(scene, nullptr)).size(), 10'000U);
+}
+
+}  // namespace
+}  // namespace mixcmp::model
