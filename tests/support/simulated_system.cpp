@@ -1,0 +1,38 @@
+#include "tests/support/simulated_system.hpp"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "generator/emit/system.hpp"
+
+namespace mixcmp::test {
+
+namespace fs = std::filesystem;
+
+fs::path test_work_dir(const std::string& name) {
+  return fs::path(MIXCMP_TEST_WORK_DIR) / name;
+}
+
+fs::path generate_to(const model::Design& design, const std::string& folder) {
+  const auto system = gen::generate_system(design, "mixcmp generate test.toml");
+  EXPECT_TRUE(system.ok()) << system.error().to_string();
+  const fs::path directory = test_work_dir(folder);
+  const auto written = gen::write_system(*system, directory);
+  EXPECT_TRUE(written.ok()) << written.error().to_string();
+  return directory;
+}
+
+tb::VerifyReport simulate(const model::Design& design, const model::Comparisons& data,
+                          tb::VerifyOptions options) {
+  // Tests run side by side: each process has its Verilog, all share the builds.
+  const fs::path rtl = generate_to(design, fmt::format("rtl_{}", getpid()));
+  options.work_dir = test_work_dir("builds");
+  const auto report = tb::verify(design, data, rtl, options);
+  std::error_code ignored;
+  fs::remove_all(rtl, ignored);
+  EXPECT_TRUE(report.ok()) << report.error().to_string();
+  return report.ok() ? *report : tb::VerifyReport{};
+}
+
+}  // namespace mixcmp::test

@@ -1,0 +1,110 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "tests/support/simulated_system.hpp"
+#include "tests/support/sphere.hpp"
+
+/// Generated systems raise no warning in Verilator, Icarus or Yosys, and hold no latch.
+namespace mixcmp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Variant {
+  std::string name;
+  model::Design design;
+};
+
+void PrintTo(const Variant& variant, std::ostream* stream) {
+  *stream << variant.name;
+}
+
+model::Design with(model::Design design, const std::function<void(model::Design&)>& change) {
+  change(design);
+  return design;
+}
+
+std::vector<Variant> variants() {
+  const model::Design base = sphere_design(format("s17e8"), format("s53e8"), 8, 1);
+  const model::Design odd = sphere_design(format("s8e5"), format("s24e7"), 7, 3);
+  return {
+      {"tagged_8x1", base},
+      {"in_order_8x1", with(base, [](auto& d) { d.system.order = model::ResultOrder::in_order; })},
+      {"refetched_8x1",
+       with(base, [](auto& d) { d.system.operands = model::OperandStore::refetched; })},
+      {"no_counters_odd_tag", with(base,
+                                   [](auto& d) {
+                                     d.system.counter_bits = 0;
+                                     d.system.tag_bits = 5;
+                                   })},
+      {"slow_clock", with(base, [](auto& d) { d.system.target_mhz = 10; })},
+      {"fast_clock", with(base, [](auto& d) { d.system.target_mhz = 900; })},
+      {"padded_7x3", odd},
+      {"refetched_padded_7x3",
+       with(odd, [](auto& d) { d.system.operands = model::OperandStore::refetched; })},
+      {"lane_only", sphere_design(format("s12e6"), format("s24e8"), 3, 0)},
+      {"single_lane", sphere_design(format("s4e8"), format("s11e8"), 1, 1)},
+      {"more_references_than_lanes", sphere_design(format("s4e8"), format("s11e8"), 2, 3)},
+  };
+}
+
+/// Runs a shell command; its output and whether it succeeded.
+std::pair<bool, std::string> run(const std::string& command) {
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  std::string output;
+  for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) output += static_cast<char>(c);
+  return {pclose(pipe) == 0, output};
+}
+
+bool is_installed(const std::string& tool) {
+  return run("command -v " + tool).first;
+}
+
+class Lint : public testing::TestWithParam<Variant> {
+protected:
+  void SetUp() override {
+    directory_ = generate_to(GetParam().design, "lint_" + GetParam().name);
+    for (const auto& entry : fs::directory_iterator(directory_)) {
+      if (entry.path().extension() == ".f") top_ = entry.path().stem().string();
+    }
+    ASSERT_FALSE(top_.empty());
+  }
+
+  void expect_silent(const std::string& tool, const std::string& arguments) {
+    if (!is_installed(tool)) GTEST_SKIP() << tool << " is not installed";
+    const auto [succeeded, output] =
+        run(fmt::format("cd {} && {} {}", directory_.string(), tool, arguments));
+    EXPECT_TRUE(succeeded) << output;
+    EXPECT_EQ(output, "");
+  }
+
+  fs::path directory_;
+  std::string top_;
+};
+
+TEST_P(Lint, Verilator) {
+  expect_silent("verilator", fmt::format("--lint-only -Wall --top-module {0} -f {0}.f", top_));
+}
+
+TEST_P(Lint, Icarus) {
+  expect_silent("iverilog", fmt::format("-g2001 -Wall -s {0} -o /dev/null -c {0}.f", top_));
+}
+
+TEST_P(Lint, Yosys) {
+  const std::string script = fmt::format(
+      "read_verilog *.v; hierarchy -check -top {}; proc; check -assert; "
+      "select -assert-none t:$dlatch t:$_DLATCH_*",
+      top_);
+  expect_silent("yosys", fmt::format("-q -p '{}'", script));
+}
+
+INSTANTIATE_TEST_SUITE_P(Systems, Lint, testing::ValuesIn(variants()),
+                         [](const auto& instance) { return instance.param.name; });
+
+}  // namespace
+
+}  // namespace mixcmp::test
