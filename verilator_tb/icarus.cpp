@@ -155,7 +155,9 @@ model::Result<Answer> simulate_in_icarus(const System& system, const Block& bloc
                                 folder / "compile.log", progress));
   MIXCMP_TRY(simulated,
              run_tool(run_command(options), folder, folder / "simulation.log", progress));
-  return read_results(folder / "results.txt");
+  auto answer = read_results(folder / "results.txt");
+  if (answer.ok()) fs::remove_all(folder, failure);
+  return answer;
 }
 
 }  // namespace mixcmp::tb

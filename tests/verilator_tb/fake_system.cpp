@@ -1,6 +1,7 @@
 #include "tests/verilator_tb/fake_system.hpp"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
@@ -24,6 +25,13 @@ void replace(std::string& text, const std::string& from, const std::string& to) 
 std::string read(const fs::path& path) {
   std::ifstream stream(path);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Whole or not at all: tests run side by side on the same folder.
+void write(const fs::path& path, const std::string& text) {
+  const fs::path draft = path.string() + fmt::format(".{}", getpid());
+  std::ofstream(draft, std::ios::binary) << text;
+  fs::rename(draft, path);
 }
 
 gen::Signature fake_signature(const FakeSystem& fake) {
@@ -66,9 +74,9 @@ fs::path write_fake_system(const FakeSystem& fake) {
       replace(text, "ROUTE = 0", fmt::format("ROUTE = {}", static_cast<int>(fake.route)));
       if (fake.operands == model::OperandStore::refetched) text = "`define REFETCHED\n" + text;
     }
-    std::ofstream(folder / file) << text;
+    write(folder / file, text);
   }
-  std::ofstream(folder / "fake_system.json") << gen::to_json(signature);
+  write(folder / "fake_system.json", gen::to_json(signature));
   return folder;
 }
 

@@ -79,6 +79,37 @@ void expect_pass(const model::Design& design, const std::string& folder, Simulat
   }
 }
 
+/// Every other row a pair of tangent spheres, which only a reference can decide.
+model::Comparisons half_tangent(std::size_t rows) {
+  const model::FloatFormat s53e8 = format("s53e8");
+  const auto inputs = test::sphere_graph().inputs();
+  model::Table table{.format = s53e8, .columns = inputs};
+  for (std::size_t k = 0; k < rows; ++k) {
+    const auto scale = static_cast<long>(1 + counter_random(9, k) % 1000);
+    const long gap = k % 2 == 0 ? 0 : scale;
+    const long values[] = {3 * scale + gap, 0, 4 * scale, 0, gap, 0, 2 * scale, 3 * scale};
+    for (const long value : values) {
+      table.values.push_back(model::golden::from_rational(s53e8, value));
+    }
+  }
+  return model::Comparisons::rows(table, inputs).value();
+}
+
+TEST(SphereSystem, HalfOfEverythingRecomputed) {
+  const auto design = test::sphere_design(format("s12e8"), format("s53e8"), 7, 3);
+  const auto data = half_tangent(20'000);
+  const auto folder = generate(design, "sphere_half_recomputed");
+  for (const TrafficKind traffic : {TrafficKind::full_rate, TrafficKind::stressed}) {
+    const auto report =
+        verify(design, data, folder,
+               {.work_dir = fake_work_dir() / "builds", .traffic = traffic, .resets = 6});
+    ASSERT_TRUE(report.ok()) << report.error().to_string();
+    EXPECT_TRUE(report->passed()) << to_text(*report);
+    EXPECT_EQ(report->recomputations, 10'000u);
+    EXPECT_EQ(report->verdicts[1], 10'000u);
+  }
+}
+
 TEST(SphereSystem, OneLaneOneReferenceInVerilator) {
   expect_pass(test::sphere_design(format("s12e8"), format("s53e8"), 1, 1), "sphere_1x1",
               SimulatorKind::verilator, 100);

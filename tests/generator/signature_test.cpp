@@ -1,0 +1,91 @@
+#include "generator/emit/signature.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/scratch_directory.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+Signature some_signature() {
+  return {.top = "top",
+          .channel_module = "channel",
+          .reference_module = "reference",
+          .generator_version = "1.2.3",
+          .spec_hash = "abc",
+          .lane_format = *model::FloatFormat::parse("s17e8"),
+          .reference_format = *model::FloatFormat::parse("s53e11"),
+          .certified = true,
+          .inputs = {"a", "b", "c"},
+          .lanes = 87,
+          .references = 3,
+          .tdata_bytes = 24,
+          .tag_bits = 31,
+          .counter_bits = 48,
+          .slots = 64,
+          .lane_latency_cycles = 20,
+          .reference_latency_cycles = 40,
+          .order = model::ResultOrder::in_order,
+          .operands = model::OperandStore::refetched,
+          .target_mhz = 312.5,
+          .files = {"top.v", "channel.v"}};
+}
+
+model::Result<Signature> read_text(const std::string& text) {
+  const test::ScratchDirectory scratch;
+  const auto path = scratch.path() / "top.json";
+  std::ofstream(path) << text;
+  return read_signature(path);
+}
+
+std::string without(const std::string& text, const std::string& part, const std::string& instead) {
+  const auto at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return std::string(text).replace(at, part.size(), instead);
+}
+
+TEST(Signature, ReadsBackAsWritten) {
+  const std::string text = to_json(some_signature());
+  const auto read = read_text(text);
+  ASSERT_TRUE(read.ok()) << read.error().to_string();
+  EXPECT_EQ(to_json(*read), text);
+  EXPECT_EQ(read->lanes, 87);
+  EXPECT_EQ(read->reference_format, *model::FloatFormat::parse("s53e11"));
+  EXPECT_EQ(read->order, model::ResultOrder::in_order);
+  EXPECT_EQ(read->operands, model::OperandStore::refetched);
+  EXPECT_EQ(read->files, some_signature().files);
+}
+
+TEST(Signature, NamesTheFieldThatDoesNotFit) {
+  const std::string text = to_json(some_signature());
+  const auto lanes = read_text(without(text, "\"lanes\": 87", "\"lanes\": 0"));
+  ASSERT_FALSE(lanes.ok());
+  EXPECT_EQ(lanes.error().field, "lanes");
+  EXPECT_EQ(lanes.error().received, "0");
+  EXPECT_EQ(lanes.error().accepted, "an integer in 1..128");
+
+  const auto order = read_text(without(text, "\"in_order\"", "\"sorted\""));
+  ASSERT_FALSE(order.ok());
+  EXPECT_EQ(order.error().field, "order");
+  EXPECT_EQ(order.error().accepted, "\"tagged\", \"in_order\"");
+
+  const auto format = read_text(without(text, "\"s17e8\"", "\"s17\""));
+  ASSERT_FALSE(format.ok());
+  EXPECT_EQ(format.error().field, "lane_format");
+
+  const auto missing = read_text(without(text, "\"tag_bits\": 31,", ""));
+  ASSERT_FALSE(missing.ok());
+  EXPECT_EQ(missing.error().field, "tag_bits");
+  EXPECT_EQ(missing.error().message, "missing");
+}
+
+TEST(Signature, RefusesWhatIsNotAnObject) {
+  EXPECT_EQ(read_text("top = 1").error().message, "not JSON");
+  EXPECT_FALSE(read_text("[]").ok());
+  EXPECT_FALSE(read_signature("/nonexistent/top.json").ok());
+}
+
+}  // namespace
+}  // namespace mixcmp::gen
