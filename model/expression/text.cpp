@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace mixcmp::model {
 namespace {
 
@@ -43,16 +45,14 @@ public:
 
   std::string print(NodeId node) {
     expression(node, Binding::sum);
+    if (text_.size() > max_length_) text_ = text_.substr(0, max_length_) + "...";
     return text_;
   }
 
 private:
-  /// Stops descending once the text is long enough: shared nodes would print exponentially often.
+  /// Stops descending once the text is too long: shared nodes would print exponentially often.
   void expression(NodeId id, Binding least) {
-    if (text_.size() >= max_length_) {
-      text_ += "...";
-      return;
-    }
+    if (text_.size() > max_length_) return;
     const TypedNode& node = nodes_[static_cast<std::size_t>(id)];
     if (node.operation == Operation::convert) return expression(node.operands[0], least);
     const bool parenthesised = binding_of(node) < least;
@@ -116,11 +116,16 @@ int exact_decimals(const mpq_class& value, int most) {
 }
 
 std::string approximately(const mpq_class& value) {
+  constexpr int digits_shown = 6;
+  const double nearby = value.get_d();
+  if (1e-300 < std::abs(nearby) && std::abs(nearby) < 1e300) {
+    return fmt::format("about {:.{}g}", nearby, digits_shown);
+  }
   mp_exp_t exponent = 0;
-  std::string digits = mpf_class(value, 128).get_str(exponent, 10, 6);
+  std::string digits = mpf_class(value, 128).get_str(exponent, 10, digits_shown);
   const std::size_t leading = digits.starts_with('-') ? 2 : 1;
   if (digits.size() > leading) digits.insert(digits.begin() + static_cast<long>(leading), '.');
-  return fmt::format("about {}e{}", digits, exponent - 1);
+  return fmt::format("about {}e{:+03d}", digits, exponent - 1);
 }
 
 }  // namespace

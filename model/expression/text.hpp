@@ -11,7 +11,7 @@ namespace mixcmp::model {
 std::string to_text(const mpq_class& value);
 
 /// The expression under `node` as a user would write it, conversions left out, cut short with "..."
-/// soon after `max_length` characters.
+/// after `max_length` characters.
 std::string to_text(const std::vector<TypedNode>& nodes, const std::vector<std::string>& inputs,
                     NodeId node, std::size_t max_length);
 

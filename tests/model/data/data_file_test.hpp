@@ -14,6 +14,7 @@ namespace mixcmp::model {
 class DataFileTest : public testing::Test {
 protected:
   const std::filesystem::path& write(const std::string& bytes) {
+    std::filesystem::remove(path_);  // truncating a file in place waits for the disk
     std::ofstream(path_, std::ios::binary) << bytes;
     return path_;
   }
