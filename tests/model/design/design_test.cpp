@@ -1,0 +1,108 @@
+#include "model/design/design.hpp"
+
+#include <gtest/gtest.h>
+
+#include "model/golden/arithmetic.hpp"
+#include "tests/support/float_samples.hpp"
+#include "tests/support/graphs.hpp"
+
+namespace mixcmp::test {
+namespace {
+
+using model::BoundKind;
+using model::Comparisons;
+using model::Design;
+using model::Error;
+using model::IntervalDecision;
+using model::Scene;
+
+/// a^2 against b^2 in s17e8 with every choice made.
+Scene complete_scene() {
+  Scene scene{.path = "squares.toml",
+              .name = "squares",
+              .graph = graph_of("a^2", "b^2"),
+              .ranges = {std::nullopt, std::nullopt},
+              .reference = {format_of(53, 8)}};
+  scene.reduced.format = format_of(17, 8);
+  scene.system.lanes = 8;
+  scene.system.references = 0;
+  return scene;
+}
+
+Error error_of(const Scene& scene) {
+  const auto design = make_design(scene, nullptr);
+  EXPECT_FALSE(design.ok());
+  return design.ok() ? Error{} : design.error();
+}
+
+TEST(MakeDesign, CarriesWhatTheSceneChose) {
+  const Design design = make_design(complete_scene(), nullptr).value();
+  EXPECT_EQ(design.name, "squares");
+  EXPECT_EQ(design.inputs, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(design.lanes, 8);
+  EXPECT_EQ(design.references, 0);
+  EXPECT_TRUE(design.lane.certified());
+  EXPECT_EQ(design.lane.graph.arithmetic.format, format_of(17, 8));
+  EXPECT_EQ(design.lane.graph.input_format, format_of(53, 8));
+  EXPECT_EQ(design.reference.arithmetic.format, format_of(53, 8));
+}
+
+TEST(MakeDesign, NamesTheOptionForEachAuto) {
+  Scene scene = complete_scene();
+  scene.reduced.format.reset();
+  EXPECT_EQ(error_of(scene).field, "reduced.format");
+  EXPECT_NE(error_of(scene).message.find("--format s17e8"), std::string::npos);
+  EXPECT_EQ(error_of(scene).file, "squares.toml");
+
+  scene = complete_scene();
+  scene.system.lanes.reset();
+  EXPECT_EQ(error_of(scene).field, "system.lanes");
+  EXPECT_NE(error_of(scene).message.find("--lanes 8"), std::string::npos);
+
+  scene = complete_scene();
+  scene.system.references.reset();
+  EXPECT_EQ(error_of(scene).field, "system.references");
+  EXPECT_NE(error_of(scene).message.find("--references 1"), std::string::npos);
+}
+
+TEST(MakeDesign, UsesTheRangesOfTheScene) {
+  Scene scene = complete_scene();
+  scene.graph = graph_of("a * b + a^2", "b");
+  EXPECT_EQ(error_of(scene).field, "reduced.bound");
+  scene.ranges = {model::Range{0, 1}, model::Range{0, 1}};
+  EXPECT_TRUE(make_design(scene, nullptr).ok());
+  scene.ranges = {model::Range{0, 1}, model::Range{-1, 1}};
+  EXPECT_FALSE(make_design(scene, nullptr).ok());
+}
+
+TEST(MakeDesign, NeedsConstantsOrDataForAProfiledBound) {
+  Scene scene = complete_scene();
+  scene.reduced.bound = BoundKind::profiled;
+  EXPECT_NE(error_of(scene).field.find("relative_error_f"), std::string::npos);
+  scene.reduced.relative_error_f = mpq_class(1, 1000);
+  EXPECT_FALSE(make_design(scene, nullptr).ok());
+  scene.reduced.relative_error_g = mpq_class(1, 2000);
+  const Design design = make_design(scene, nullptr).value();
+  const auto& decision = std::get<IntervalDecision>(design.lane.decision);
+  EXPECT_EQ(decision.relative_error_f, mpq_class(1, 1000));
+  EXPECT_EQ(decision.relative_error_g, mpq_class(1, 2000));
+}
+
+TEST(MakeDesign, MeasuresMissingConstantsOnData) {
+  Scene scene = complete_scene();
+  scene.reduced.bound = BoundKind::profiled;
+  scene.reduced.relative_error_g = mpq_class(1, 2000);
+  model::Table table{.format = format_of(53, 8), .columns = {"a", "b"}};
+  for (const char* value : {"0.1", "0.3"}) {
+    table.values.push_back(model::golden::from_text(table.format, value).value());
+  }
+  const Comparisons data = Comparisons::rows(std::move(table), {"a", "b"}).value();
+  const Design design = make_design(scene, &data).value();
+  const auto& decision = std::get<IntervalDecision>(design.lane.decision);
+  EXPECT_GT(decision.relative_error_f, 0);
+  EXPECT_LT(decision.relative_error_f, mpq_class(1, 1 << 17));
+  EXPECT_EQ(decision.relative_error_g, mpq_class(1, 2000));
+}
+
+}  // namespace
+}  // namespace mixcmp::test
