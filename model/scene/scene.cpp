@@ -302,6 +302,25 @@ Result<Done> check_constants(const Settings& settings, const Graph& graph,
   return Done{};
 }
 
+/// Notes ends of ranges that data of the same decimal miss, being rounded to the reference format.
+void note_missed_ends(const std::vector<std::optional<Range>>& ranges, FloatFormat format,
+                      std::vector<std::string>& notes) {
+  for (const std::optional<Range>& range : ranges) {
+    if (!range) continue;
+    for (const mpq_class& end : {range->low, range->high}) {
+      const Bits bits = golden::from_rational(format, end);
+      if (format.is_infinite(bits)) continue;
+      const mpq_class rounded = golden::to_rational(format, bits);
+      if (range->low <= rounded && rounded <= range->high) continue;
+      const std::string note = fmt::format(
+          "the range end {} rounds out of its range in {}: data of just that value are out of "
+          "range",
+          to_text(end), format.name());
+      if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<bool> Scene::nonnegative_inputs() const {
@@ -323,6 +342,7 @@ Result<Scene> load_scene(const std::filesystem::path& path,
   MIXCMP_TRY(ranges, read_input_ranges(settings, graph.inputs()));
   MIXCMP_TRY(reference, read_reference(settings));
   MIXCMP_TRY(constants_checked, check_constants(settings, graph, reference, notes));
+  note_missed_ends(ranges, reference.format, notes);
   MIXCMP_TRY(reduced, read_reduced(settings, reference.format, notes));
   MIXCMP_TRY(system, read_system(settings));
   MIXCMP_TRY(data, read_data(settings, notes));

@@ -93,7 +93,9 @@ TEST_F(SceneTest, EveryKeyArrives) {
   EXPECT_EQ(scene->data->radius_max, 25);
   EXPECT_EQ(scene->data->seed, 7U);
   EXPECT_TRUE(scene->data->all_pairs);
-  EXPECT_TRUE(scene->notes.empty());
+  EXPECT_EQ(scene->notes, std::vector<std::string>{
+                              "the range end 0.1 rounds out of its range in s53e8: data of just "
+                              "that value are out of range"});
 }
 
 TEST_F(SceneTest, ReducedSystemAndDataMayBeAbsent) {
@@ -158,6 +160,7 @@ TEST_F(SceneTest, NotesTellOfInexactConstantsAndUnusedThings) {
   std::string text = sphere_scene;
   text.replace(text.find("\"(ri + rj)^2\""), 13, "\"(ri + rj)^2 + 0.1\"");
   text.replace(text.find("bound = \"profiled\"\n"), 19, "");
+  text.replace(text.find("[0, 0.1]"), 8, "[0, 1]");
   text += "[let]\nspare = \"cxi\"\n";
   const Result<Scene> scene = load(text);
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
@@ -203,6 +206,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[comparison]", "reduced = 3\n[comparison]",
                 ":14:1: TOML syntax: Error while parsing table header: cannot redefine existing "
                 "integer 'reduced' as table"},
+        Mistake{"[inputs]", "[!]",
+                ":6:2: TOML syntax: Error while parsing key: expected bare key starting character "
+                "or string delimiter, saw '!'"},
         Mistake{"[reference]\nformat = \"s53e8\"\n", "",
                 ": reference.format: missing: received nothing; accepted a key format"},
         Mistake{"[reference]\nformat = \"s53e8\"\n", "[reference]\n",
