@@ -182,6 +182,21 @@ TEST_P(System, ThroughputIsWhatTheSlotsAllow) {
   EXPECT_FALSE(run.failed()) << run.failure();
 }
 
+TEST_P(System, NoSlotIsLostOverTime) {
+  SystemRun run(GetParam(), 28);
+  const SystemTraffic sparse{"Sparse", 0.1, 1.0, 0.1};
+  for (int cycle = 0; cycle < 5000 && !run.failed(); ++cycle) run.cycle(sparse);
+  run.drain(patience);
+  const std::uint64_t before = run.accepted();
+  const SystemTraffic blocked{"Blocked", 1.0, 0.0, 0.0};
+  for (int cycle = 0; cycle < 2000; ++cycle) run.cycle(blocked);
+  // Every slot, and the result in the output register, whose slot is free again.
+  const std::uint64_t inside_a_lane = (std::uint64_t{1} << GetParam().slot_bits) + 1;
+  EXPECT_EQ(run.accepted() - before, inside_a_lane * GetParam().lanes);
+  run.drain(patience);
+  EXPECT_FALSE(run.failed()) << run.failure();
+}
+
 TEST_P(SharedReference, LanesOfOneReferenceShareItEvenly) {
   SystemRun run(GetParam(), 26);
   const SystemTraffic saturated{"Saturated", 1.0, 1.0, 1.0};
