@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "model/error/profiled_error.hpp"
+#include "model/golden/enclosure.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -176,6 +177,35 @@ TEST(Reference, OrdersWhatItComputed) {
 
 Verdict truth(const std::string& f, const std::string& g, const std::vector<std::string>& values) {
   return true_verdict(graph_of(f, g), binary64, encode(binary64, values));
+}
+
+/// The interval of few digits contains that of many, and neither is empty.
+void expect_nested(const model::golden::Interval& outer, const model::golden::Interval& inner) {
+  EXPECT_TRUE(mpfr_lessequal_p(outer.low.get(), inner.low.get()));
+  EXPECT_TRUE(mpfr_lessequal_p(inner.low.get(), inner.high.get()));
+  EXPECT_TRUE(mpfr_lessequal_p(inner.high.get(), outer.high.get()));
+}
+
+TEST(Enclosure, ContainsTheEnclosureOfMoreDigits) {
+  std::mt19937_64 random(2);
+  for (const char* f :
+       {"sqrt(a) * sqrt(b)", "-sqrt(a) * sqrt(b)", "sqrt(a) * -sqrt(b)", "-sqrt(a) * -sqrt(b)",
+        "sqrt(a) / sqrt(b)", "-sqrt(a) / sqrt(b)", "sqrt(a) / -sqrt(b)", "-sqrt(a) / -sqrt(b)",
+        "abs(sqrt(a))", "abs(-sqrt(a))", "(sqrt(a) - sqrt(b))^2", "abs(sqrt(a) * sqrt(a) - a)",
+        "(sqrt(a) * sqrt(a) - a) * (sqrt(b) * sqrt(b) - b)", "sqrt(sqrt(a) + 0.1)",
+        "sqrt(a) - sqrt(b)", "min(sqrt(a), -sqrt(b))", "max(a / 3, b / 7)"}) {
+    const Graph graph = graph_of(f, "0.1");
+    model::golden::Enclosure few(graph, 128), many(graph, 1024);
+    for (int trial = 0; trial < 100; ++trial) {
+      std::vector<Bits> inputs(graph.inputs().size());
+      for (Bits& input : inputs) input = binary64.magnitude(random_encoding(binary64, random));
+      if (few.compute(binary64, inputs) != model::golden::Knowledge::enclosed) continue;
+      ASSERT_EQ(many.compute(binary64, inputs), model::golden::Knowledge::enclosed);
+      expect_nested(few.f(), many.f());
+      expect_nested(few.g(), many.g());
+      ASSERT_FALSE(HasFailure()) << f;
+    }
+  }
 }
 
 TEST(TrueVerdict, SeesThroughRounding) {
