@@ -26,8 +26,7 @@ constexpr std::array<Tool, 8> tools = {{
     {"iverilog", "iverilog -V 2>/dev/null", "iverilog", "verify --simulator icarus"},
     {"yosys", "yosys -V", "yosys", "the lint and formal tests"},
     {"gappa", "gappa --version 2>&1", "gappa", "the machine check of error bounds in the tests"},
-    {"gtkwave", "gtkwave --version 2>/dev/null", "gtkwave",
-     "looking at the waves of verify --trace"},
+    {"gtkwave", "command -v gtkwave", "gtkwave", "looking at the waves of verify --trace"},
 }};
 
 /// First line of what the command prints; empty where it cannot run.

@@ -17,7 +17,7 @@ struct GenerateOptions {
 
 void print_text(const gen::GeneratedSystem& system, const std::filesystem::path& directory) {
   const gen::Signature& s = system.signature;
-  fmt::print("{}: {} lanes {} ({} cycles), {} references {} ({} cycles), {}\n", s.top, s.lanes,
+  fmt::print("{}: p_L = {} in {} ({} cycles), p_H = {} in {} ({} cycles), {}\n", s.top, s.lanes,
              s.lane_format.name(), s.lane_latency_cycles, s.references, s.reference_format.name(),
              s.reference_latency_cycles, s.certified ? "certified" : "not certified");
   for (const std::string& note : system.notes) fmt::print("note: {}\n", note);

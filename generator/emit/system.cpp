@@ -140,7 +140,7 @@ Described describe_top(const Design& design, const SystemShape& shape) {
   const int tdata_bits = shape.tdata_bytes() * 8;
   Described top = {
       top_module(shape),
-      {fmt::format("{}: {} lanes in {}, {} references in {}.", shape.top, shape.lanes,
+      {fmt::format("{}: p_L = {} lanes in {}, p_H = {} references in {}.", shape.top, shape.lanes,
                    design.lane.graph.arithmetic.format.name(), shape.references,
                    design.reference.arithmetic.format.name()),
        "Every per-lane port is a vector of one field a lane, lane 0 in the lowest bits.",
@@ -153,9 +153,10 @@ Described describe_top(const Design& design, const SystemShape& shape) {
   if (shape.counter_bits > 0) {
     top.facts.push_back("comparisons, recomputations, stalls: counts since reset, they wrap.");
   }
-  top.facts.push_back(fmt::format(
-      "Initiation interval 1 a lane; latency {} cycles and up. Reset: aresetn, synchronous, low.",
-      shape.lane_latency_cycles));
+  top.facts.push_back(
+      fmt::format("Initiation interval 1 a lane, latency {} cycles and up. Reset: aresetn, "
+                  "synchronous, active low.",
+                  shape.lane_latency_cycles));
   return top;
 }
 

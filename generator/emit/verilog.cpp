@@ -102,10 +102,11 @@ std::string print(const Instance& instance, const std::string& indent) {
   return text + " " + instance.name + " " + argument_list(indent, connections) + ";\n";
 }
 
-std::string print(const Wire& wire, const std::string& indent) {
-  const std::string bounds = range(wire.width, wire.vector);
+/// `range_width`: of the widest range among its neighbours, which its name stands clear of.
+std::string print(const Wire& wire, std::size_t range_width, const std::string& indent) {
   const std::string declared =
-      fmt::format("{}wire {}{}{}", indent, bounds, bounds.empty() ? "" : " ", wire.name);
+      fmt::format("{}wire {:<{}}{}{}", indent, range(wire.width, wire.vector), range_width,
+                  range_width == 0 ? "" : " ", wire.name);
   if (wire.value == nullptr) return declared + ";\n";
   const std::string value = print(wire.value);
   const bool fits = declared.size() + value.size() + 4 <= line_length;
@@ -121,11 +122,11 @@ std::string print(const ForGenerate& loop, const std::string& indent) {
       indent, loop.variable, loop.count, loop.label, print_items(loop.items, indent + "    "));
 }
 
-std::string print(const Item& item, const std::string& indent) {
+std::string print(const Item& item, std::size_t range_width, const std::string& indent) {
   return std::visit(
       Overloaded{
           [&](const Comment& c) { return fmt::format("\n{}// {}\n", indent, c.text); },
-          [&](const Wire& w) { return print(w, indent); },
+          [&](const Wire& w) { return print(w, range_width, indent); },
           [&](const Assignment& a) {
             return fmt::format("{}assign {} = {};\n", indent, print(a.target), print(a.value));
           },
@@ -137,18 +138,35 @@ std::string print(const Item& item, const std::string& indent) {
       item);
 }
 
-/// Instances and loops stand apart from what follows them; comments and instances bring their own
-/// blank line.
+/// The widest range in the run of wires that starts at `first`; 0 where it is no wire.
+std::size_t range_width_of_run(const std::vector<Item>& items, std::size_t first) {
+  std::size_t widest = 0;
+  for (std::size_t k = first; k < items.size(); ++k) {
+    const auto* wire = std::get_if<Wire>(&items[k]);
+    if (wire == nullptr) break;
+    widest = std::max(widest, range(wire->width, wire->vector).size());
+  }
+  return widest;
+}
+
+/// An instance or a loop, which stands apart from what follows it.
+bool is_block(const Item& item) {
+  return !std::holds_alternative<Wire>(item) && !std::holds_alternative<Comment>(item) &&
+         !std::holds_alternative<Assignment>(item);
+}
+
+/// Comments and blocks bring their own blank line, which the first item of a loop does not need.
 std::string print_items(const std::vector<Item>& items, const std::string& indent) {
   std::string text;
-  bool after_block = false;
-  for (const Item& item : items) {
-    const std::string printed = print(item, indent);
-    const bool needs_gap = after_block && !printed.starts_with('\n');
-    const bool first_in_loop = text.empty() && indent.size() > 2;
-    text += needs_gap ? "\n" + printed : printed.substr(first_in_loop && printed[0] == '\n');
-    after_block = !std::holds_alternative<Wire>(item) && !std::holds_alternative<Comment>(item) &&
-                  !std::holds_alternative<Assignment>(item);
+  std::size_t range_width = 0;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const bool run_goes_on = k > 0 && std::holds_alternative<Wire>(items[k - 1]);
+    if (!run_goes_on) range_width = range_width_of_run(items, k);
+    const std::string printed = print(items[k], range_width, indent);
+    const bool has_gap = printed.starts_with('\n');
+    const bool first_in_loop = k == 0 && indent.size() > 2;
+    if (!has_gap && k > 0 && is_block(items[k - 1])) text += '\n';
+    text += printed.substr(first_in_loop && has_gap ? 1 : 0);
   }
   return text;
 }
@@ -176,8 +194,9 @@ std::string to_verilog(const Module& module) {
   }
   text += "\n`default_nettype none\n\n";
   text += fmt::format("module {} (\n  {}\n);\n", module.name, print_ports(module.ports));
-  text += print_items(module.items, "  ");
-  return text + "\nendmodule\n\n`default_nettype wire\n";
+  const std::string body = print_items(module.items, "  ");
+  if (!body.starts_with('\n')) text += '\n';
+  return text + body + "\nendmodule\n\n`default_nettype wire\n";
 }
 
 }  // namespace mixcmp::gen
