@@ -10,7 +10,7 @@
 #include <iterator>
 
 #include "embedded/harness_files.hpp"
-#include "verilator_tb/content_hash.hpp"
+#include "model/common/content_hash.hpp"
 
 namespace mixcmp::tb {
 
@@ -160,7 +160,7 @@ model::Result<Executable> build_simulator(const System& system, const BuildOptio
   const bool ccache = tool_version("ccache", "--version", "ccache").ok();
   const Command command = verilator_command(system, options.waves, ccache);
 
-  ContentHash hash;
+  model::ContentHash hash;
   hash.add(version).add(to_shell(command));
   for (const auto& [name, text] : inputs) hash.add(name).add(text);
   const fs::path folder = fs::absolute(options.work_dir) /

@@ -11,8 +11,10 @@
 #include "generator/emit/templates.hpp"
 #include "generator/emit/verilog.hpp"
 #include "generator/emit/version.hpp"
+#include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/datapath_module.hpp"
 #include "generator/rtl/system_modules.hpp"
+#include "model/common/content_hash.hpp"
 
 namespace mixcmp::gen {
 namespace {
@@ -181,16 +183,12 @@ void collect_instances(const std::vector<rtl::Item>& items, std::set<std::string
   }
 }
 
-/// FNV-1a, 64 bits: names content, guards nothing.
-std::string content_hash(const std::vector<Described>& modules,
-                         const std::vector<std::string>& templates) {
-  std::uint64_t hash = 14695981039346656037u;
-  const auto mix = [&](std::string_view text) {
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  };
-  for (const Described& described : modules) mix(to_verilog(described.module));
-  for (const std::string& name : templates) mix(template_text(name));
-  return fmt::format("{:016x}", hash);
+std::string spec_hash(const std::vector<Described>& modules,
+                      const std::vector<std::string>& templates) {
+  model::ContentHash hash;
+  for (const Described& described : modules) hash.add(to_verilog(described.module));
+  for (const std::string& name : templates) hash.add(template_text(name));
+  return hash.hex().substr(0, 16);
 }
 
 std::vector<std::string> provenance(const Signature& signature, const std::string& command) {
@@ -238,7 +236,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   const std::vector<std::string> templates = template_closure(instantiated);
 
   GeneratedSystem system = {signature_of(design, shape), {}, {}};
-  system.signature.spec_hash = content_hash(modules, templates);
+  system.signature.spec_hash = spec_hash(modules, templates);
   for (const std::string& name : templates) system.files.push_back(template_file(name));
   for (Described& described : modules) {
     system.files.push_back(verilog_file(std::move(described), system.signature, command));

@@ -2,281 +2,14 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <map>
-#include <set>
-
-#include "generator/rtl/net_names.hpp"
-#include "model/common/check.hpp"
+#include "generator/rtl/datapath_builder.hpp"
 
 namespace mixcmp::gen {
 namespace {
 
 using namespace rtl;
 using model::FloatFormat;
-using model::NodeId;
-using model::Operation;
 using model::TypedGraph;
-using model::TypedNode;
-
-/// A net together with the cycle in which it carries its value.
-struct Signal {
-  Operand value;  ///< null: constantly 0 (a flag that nothing can raise)
-  std::string name;
-  int width = 1;
-  int cycle = 0;
-  bool constant = false;  ///< the same in every cycle: never delayed
-};
-
-/// For each signal, the later cycles in which it is needed.
-using DelayPlan = std::map<std::string, std::set<int>>;
-
-/// What an integrator's ports and our own fixed nets are called in a datapath.
-const std::set<std::string> reserved_names = {"aclk", "verdict", "decided", "decision"};
-
-/// Collects the items of one datapath. Delays are shared: a value needed in several later cycles
-/// goes through one chain of delay lines with taps. So that a tap can be laid before a later one, a
-/// first pass over the datapath (with an empty plan) learns the plan for the second.
-class DatapathBuilder {
-public:
-  DatapathBuilder(const std::vector<std::string>& inputs, const TypedGraph& graph,
-                  const Schedule& schedule, bool track_exceptional, DelayPlan plan)
-      : ports_(input_ports(inputs)),
-        graph_(graph),
-        schedule_(schedule),
-        pool_(taken_names(ports_)),
-        names_(name_nodes(graph, ports_, pool_)),
-        track_exceptional_(track_exceptional),
-        plan_(std::move(plan)) {}
-
-  std::vector<Port> data_ports() const {
-    std::vector<Port> ports = {{Direction::input, 1, "aclk"}};
-    for (const std::string& port : ports_) {
-      ports.push_back({Direction::input, graph_.input_format.width(), port});
-    }
-    return ports;
-  }
-
-  void build_nodes() {
-    if (!track_exceptional_) declare_unused_flags();
-    for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) build_node(id);
-  }
-
-  /// Set where one of these inputs has its sign bit set.
-  Signal any_negative(const std::vector<int>& inputs) {
-    if (inputs.empty()) return {};
-    std::vector<Operand> signs;
-    for (const int input : inputs) {
-      signs.push_back(bit(ports_[input], graph_.input_format.width() - 1));
-    }
-    const std::string name = pool_.unique("out_of_range");
-    add(Comment{"The bound's proof needs these inputs non-negative, as the scene declares."});
-    add(Wire{1, name, any_of(std::move(signs))});
-    return {net(name), name, 1, 0};
-  }
-
-  const Signal& value(NodeId node) const { return values_[node]; }
-  const Signal& flag(NodeId node) const { return flags_[node]; }
-
-  /// `signal` as it was, delayed to `cycle`.
-  Operand at(const Signal& signal, int cycle) {
-    MIXCMP_CHECK(cycle >= signal.cycle);
-    if (signal.constant || signal.value == nullptr || cycle == signal.cycle) return signal.value;
-    std::set<int>& needed = plan_[signal.name];
-    needed.insert(cycle);
-    std::map<int, Operand>& taps = taps_[signal.name];
-    Operand source = signal.value;
-    int source_cycle = signal.cycle;
-    for (auto tap = needed.begin(); tap != needed.end() && *tap <= cycle; ++tap) {
-      if (taps.find(*tap) == taps.end()) {
-        taps[*tap] = delayed(signal, source, source_cycle, *tap);
-      }
-      source = taps[*tap];
-      source_cycle = *tap;
-    }
-    return source;
-  }
-
-  /// One flag that is set where any of `signals` is, in `cycle`.
-  Operand any_at(const std::vector<Signal>& signals, int cycle) {
-    std::vector<Operand> raised;
-    for (const Signal& signal : signals) {
-      if (signal.value != nullptr) raised.push_back(at(signal, cycle));
-    }
-    return any_of(std::move(raised));
-  }
-
-  void add(Item item) { items_.push_back(std::move(item)); }
-  std::vector<Item> take() { return std::move(items_); }
-  DelayPlan plan() const { return plan_; }
-
-private:
-  void declare_unused_flags() {
-    int count = 0;
-    for (const Step& step : schedule_.steps) count += step.unit.module.empty() ? 0 : 1;
-    if (count == 0) return;
-    add(Comment{"A reference datapath answers whatever happened on the way."});
-    add(Wire{count, "unused_exceptional", nullptr, true});
-  }
-
-  Operand delayed(const Signal& signal, const Operand& source, int from, int to) {
-    const std::string name = pool_.unique(fmt::format("{}_d{}", signal.name, to - signal.cycle));
-    add(Wire{signal.width, name, nullptr});
-    add(Instance{"delay_line",
-                 pool_.unique("delay_" + name),
-                 {{"WIDTH", signal.width}, {"LENGTH", to - from}},
-                 {{"aclk", net("aclk")}, {"d", source}, {"q", net(name)}}});
-    return net(name);
-  }
-
-  void build_node(NodeId id) {
-    const TypedNode& node = graph_.nodes[id];
-    values_.push_back({nullptr, names_[id], node.format.width(), schedule_.steps[id].ready_cycle});
-    flags_.push_back({});
-    switch (node.operation) {
-      case Operation::input: values_[id].value = net(ports_[node.input]); break;
-      case Operation::constant:
-        values_[id].value = literal(node.format.width(), node.constant);
-        values_[id].constant = true;
-        break;
-      case Operation::negate:
-      case Operation::absolute: build_sign_change(id); break;
-      case Operation::convert:
-      case Operation::add:
-      case Operation::subtract:
-      case Operation::multiply:
-      case Operation::square:
-      case Operation::divide:
-      case Operation::square_root:
-      case Operation::minimum:
-      case Operation::maximum: build_unit(id); break;
-    }
-  }
-
-  void build_sign_change(NodeId id) {
-    const TypedNode& node = graph_.nodes[id];
-    const Signal operand = values_[node.operands[0]];
-    const int top = node.format.width() - 1;
-    const bool negate = node.operation == Operation::negate;
-    // A literal has no bits to select: give the constant a name first.
-    std::string source = operand.name;
-    if (operand.constant) {
-      source = pool_.unique(source + "_bits");
-      add(Wire{node.format.width(), source, operand.value});
-    }
-    const Operand sign = negate ? inverted(bit(source, top)) : literal(1, 0);
-    add(Comment{negate ? "A negation is its sign." : "An absolute value is its magnitude bits."});
-    add(Wire{node.format.width(), names_[id], concatenation({sign, slice(source, top - 1, 0)})});
-    values_[id].value = net(names_[id]);
-    values_[id].constant = operand.constant;
-    flags_[id] = flags_[node.operands[0]];
-  }
-
-  void build_unit(NodeId id) {
-    const TypedNode& node = graph_.nodes[id];
-    const Step& step = schedule_.steps[id];
-    std::vector<Connection> connections = {{"aclk", net("aclk")}};
-    for (int k = 0; k < model::arity(node.operation); ++k) {
-      connections.push_back({k == 0 ? "a" : "b", at(values_[node.operands[k]], step.start_cycle)});
-    }
-    connections.push_back({"y", net(names_[id])});
-    add(Comment{describe(id)});
-    add(Wire{node.format.width(), names_[id], nullptr});
-    values_[id].value = net(names_[id]);
-    connections.push_back({"exceptional", flag_output(id)});
-    add(Instance{step.unit.module, pool_.unique("unit_" + names_[id]), unit_parameters(node, step),
-                 std::move(connections)});
-    if (track_exceptional_) gather_flags(id);
-  }
-
-  Operand flag_output(NodeId id) {
-    if (!track_exceptional_) return bit("unused_exceptional", unused_flags_++);
-    const std::string name = pool_.unique(names_[id] + "_exceptional");
-    add(Wire{1, name, nullptr});
-    flags_[id] = {net(name), name, 1, schedule_.steps[id].ready_cycle};
-    return net(name);
-  }
-
-  /// A flag travels with the value: it is set where this operation or one before it was
-  /// exceptional.
-  void gather_flags(NodeId id) {
-    const TypedNode& node = graph_.nodes[id];
-    const int cycle = schedule_.steps[id].ready_cycle;
-    std::vector<Signal> all = {flags_[id]};
-    for (int k = 0; k < model::arity(node.operation); ++k) {
-      const Signal& inherited = flags_[node.operands[k]];
-      const bool known = k == 1 && inherited.name == flags_[node.operands[0]].name;
-      if (inherited.value != nullptr && !known) all.push_back(inherited);
-    }
-    if (all.size() == 1) return;
-    const Operand any = any_at(all, cycle);
-    const std::string name = pool_.unique(names_[id] + "_doubtful");
-    add(Wire{1, name, any});
-    flags_[id] = {net(name), name, 1, cycle};
-  }
-
-  std::string describe(NodeId id) const {
-    const TypedNode& node = graph_.nodes[id];
-    const Step& step = schedule_.steps[id];
-    return fmt::format("Cycles {} to {}: {}, {} {}.", step.start_cycle, step.ready_cycle,
-                       formula(graph_, id, names_),
-                       node.format == node.operand_format ? "in" : "rounded once to",
-                       node.format.name());
-  }
-
-  std::vector<Parameter> unit_parameters(const TypedNode& node, const Step& step) const {
-    std::vector<Parameter> parameters = {{"EXPONENT_BITS", node.operand_format.exponent_bits()},
-                                         {"PRECISION", node.operand_format.precision()}};
-    const bool selects =
-        node.operation == Operation::minimum || node.operation == Operation::maximum;
-    if (!selects && node.format != node.operand_format) {
-      parameters.push_back({"RESULT_EXPONENT_BITS", node.format.exponent_bits()});
-      parameters.push_back({"RESULT_PRECISION", node.format.precision()});
-    }
-    if (node.operation == Operation::add || node.operation == Operation::subtract) {
-      parameters.push_back({"SUBTRACT", node.operation == Operation::subtract ? 1 : 0});
-    }
-    if (selects) parameters.push_back({"MAXIMUM", node.operation == Operation::maximum ? 1 : 0});
-    const model::Arithmetic& arithmetic = graph_.arithmetic;
-    parameters.push_back({"GRADUAL", arithmetic.subnormals == model::Subnormals::gradual ? 1 : 0});
-    if (!selects) {
-      parameters.push_back(
-          {"TOWARD_ZERO", arithmetic.rounding == model::Rounding::toward_zero ? 1 : 0});
-    }
-    parameters.push_back({"CUTS", cut_mask(step)});
-    return parameters;
-  }
-
-  static std::set<std::string> taken_names(const std::vector<std::string>& ports) {
-    std::set<std::string> taken = reserved_names;
-    taken.insert(ports.begin(), ports.end());
-    return taken;
-  }
-
-public:
-  static Literal cut_mask(const Step& step) {
-    Literal mask = {static_cast<int>(step.cuts.size()), 0};
-    MIXCMP_CHECK(mask.width <= 128);
-    for (std::size_t k = 0; k < step.cuts.size(); ++k) {
-      if (step.cuts[k]) mask.value |= model::Bits{1} << k;
-    }
-    return mask;
-  }
-
-private:
-  std::vector<std::string> ports_;
-  const TypedGraph& graph_;
-  const Schedule& schedule_;
-  NamePool pool_;
-  std::vector<std::string> names_;
-  bool track_exceptional_;
-  int unused_flags_ = 0;
-  std::vector<Signal> values_;
-  std::vector<Signal> flags_;
-  DelayPlan plan_;
-  std::map<std::string, std::map<int, Operand>> taps_;
-  std::vector<Item> items_;
-};
 
 std::vector<Parameter> format_parameters(FloatFormat format) {
   return {{"EXPONENT_BITS", format.exponent_bits()}, {"PRECISION", format.precision()}};
@@ -298,7 +31,7 @@ void build_ulp_distance(DatapathBuilder& builder, const TypedGraph& graph,
   std::vector<Parameter> parameters = format_parameters(graph.arithmetic.format);
   parameters.push_back({"GUARD_ULP", Literal{graph.arithmetic.format.width(), decision.guard_ulp}});
   parameters.push_back({"NONNEGATIVE", decision.nonnegative ? 1 : 0});
-  parameters.push_back({"CUTS", DatapathBuilder::cut_mask(step)});
+  parameters.push_back({"CUTS", cut_mask(step)});
   builder.add(Instance{step.unit.module,
                        "decision",
                        std::move(parameters),
@@ -316,7 +49,7 @@ void build_interval(DatapathBuilder& builder, const TypedGraph& graph,
   const Operand maximum = builder.at(builder.value(decision.maximum), step.start_cycle);
   builder.add(Comment{decision_comment(step, "case I, II or III of the paper.")});
   std::vector<Parameter> parameters = format_parameters(graph.arithmetic.format);
-  parameters.push_back({"CUTS", DatapathBuilder::cut_mask(step)});
+  parameters.push_back({"CUTS", cut_mask(step)});
   builder.add(Instance{step.unit.module,
                        "decision",
                        std::move(parameters),
@@ -334,7 +67,7 @@ void build_comparison(DatapathBuilder& builder, const TypedGraph& graph, const S
   std::vector<Parameter> parameters = format_parameters(graph.arithmetic.format);
   parameters.push_back(
       {"GRADUAL", graph.arithmetic.subnormals == model::Subnormals::gradual ? 1 : 0});
-  parameters.push_back({"CUTS", DatapathBuilder::cut_mask(step)});
+  parameters.push_back({"CUTS", cut_mask(step)});
   builder.add(Instance{step.unit.module,
                        "decision",
                        std::move(parameters),
@@ -352,7 +85,9 @@ void build_lane_decision(DatapathBuilder& builder, const model::Lane& lane, cons
 
 DatapathBuilder lane_pass(const std::vector<std::string>& inputs, const model::Lane& lane,
                           const Schedule& schedule, DelayPlan plan) {
-  DatapathBuilder builder(inputs, lane.graph, schedule, lane.certified(), std::move(plan));
+  const ExceptionalFlags exceptional =
+      lane.certified() ? ExceptionalFlags::gathered : ExceptionalFlags::unused;
+  DatapathBuilder builder(inputs, lane.graph, schedule, exceptional, std::move(plan));
   builder.build_nodes();
   build_lane_decision(builder, lane, schedule.decision);
   return builder;
@@ -360,20 +95,13 @@ DatapathBuilder lane_pass(const std::vector<std::string>& inputs, const model::L
 
 DatapathBuilder reference_pass(const std::vector<std::string>& inputs, const TypedGraph& reference,
                                const Schedule& schedule, DelayPlan plan) {
-  DatapathBuilder builder(inputs, reference, schedule, false, std::move(plan));
+  DatapathBuilder builder(inputs, reference, schedule, ExceptionalFlags::unused, std::move(plan));
   builder.build_nodes();
   build_comparison(builder, reference, schedule.decision);
   return builder;
 }
 
 }  // namespace
-
-std::vector<std::string> input_ports(const std::vector<std::string>& inputs) {
-  NamePool pool(reserved_names);
-  std::vector<std::string> ports;
-  for (const std::string& input : inputs) ports.push_back(pool.unique(input));
-  return ports;
-}
 
 Module lane_module(std::string name, const std::vector<std::string>& inputs,
                    const model::Lane& lane, const Schedule& schedule) {

@@ -18,8 +18,4 @@ rtl::Module lane_module(std::string name, const std::vector<std::string>& inputs
 rtl::Module reference_module(std::string name, const std::vector<std::string>& inputs,
                              const model::TypedGraph& reference, const Schedule& schedule);
 
-/// The ports that lane_module and reference_module give the inputs: an input that bears the name of
-/// another port gets "_2" appended.
-std::vector<std::string> input_ports(const std::vector<std::string>& inputs);
-
 }  // namespace mixcmp::gen

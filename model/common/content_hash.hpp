@@ -5,9 +5,9 @@
 
 #include "model/format/bits.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::model {
 
-/// 128-bit FNV-1a over a sequence of texts: a key for caches, not a signature.
+/// 128-bit FNV-1a over a sequence of texts: it names contents, it guards nothing.
 class ContentHash {
 public:
   /// Texts are told apart: "ab", "c" and "a", "bc" differ.
@@ -17,15 +17,15 @@ public:
     return *this;
   }
 
-  std::string hex() const { return model::to_hex(state_, 128); }
+  std::string hex() const { return to_hex(state_, 128); }
 
 private:
   void add_bytes(std::string_view text) {
-    constexpr model::Bits prime = (model::Bits{1} << 88) + 0x13b;
+    constexpr Bits prime = (Bits{1} << 88) + 0x13b;
     for (const char c : text) state_ = (state_ ^ static_cast<unsigned char>(c)) * prime;
   }
 
-  model::Bits state_ = (model::Bits{0x6c62272e07bb0142u} << 64) + 0x62b821756295c58du;
+  Bits state_ = (Bits{0x6c62272e07bb0142u} << 64) + 0x62b821756295c58du;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::model

@@ -1,0 +1,241 @@
+#include "generator/rtl/datapath_builder.hpp"
+
+#include <fmt/core.h>
+
+#include "model/common/check.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using namespace rtl;
+using model::NodeId;
+using model::Operation;
+using model::TypedGraph;
+using model::TypedNode;
+
+/// What an integrator's ports and our own fixed nets are called in a datapath.
+const std::set<std::string> reserved_names = {"aclk", "verdict", "decided", "decision"};
+
+std::set<std::string> taken_names(const std::vector<std::string>& ports) {
+  std::set<std::string> taken = reserved_names;
+  taken.insert(ports.begin(), ports.end());
+  return taken;
+}
+
+}  // namespace
+
+DatapathBuilder::DatapathBuilder(const std::vector<std::string>& inputs, const TypedGraph& graph,
+                                 const Schedule& schedule, ExceptionalFlags exceptional,
+                                 DelayPlan plan)
+    : ports_(input_ports(inputs)),
+      graph_(graph),
+      schedule_(schedule),
+      pool_(taken_names(ports_)),
+      names_(name_nodes(graph, ports_, pool_)),
+      exceptional_(exceptional),
+      plan_(std::move(plan)) {}
+
+std::vector<Port> DatapathBuilder::data_ports() const {
+  std::vector<Port> ports = {{Direction::input, 1, "aclk"}};
+  for (const std::string& port : ports_) {
+    ports.push_back({Direction::input, graph_.input_format.width(), port});
+  }
+  return ports;
+}
+
+void DatapathBuilder::build_nodes() {
+  if (exceptional_ == ExceptionalFlags::unused) declare_unused_flags();
+  for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) build_node(id);
+}
+
+Signal DatapathBuilder::any_negative(const std::vector<int>& inputs) {
+  if (inputs.empty()) return {};
+  std::vector<Operand> signs;
+  for (const int input : inputs) {
+    signs.push_back(bit(ports_[input], graph_.input_format.width() - 1));
+  }
+  const std::string name = pool_.unique("out_of_range");
+  add(Comment{"The bound's proof needs these inputs non-negative, as the scene declares."});
+  add(Wire{1, name, any_of(std::move(signs))});
+  return {net(name), name, 1, 0};
+}
+
+Operand DatapathBuilder::at(const Signal& signal, int cycle) {
+  MIXCMP_CHECK(cycle >= signal.cycle);
+  if (signal.constant || signal.value == nullptr || cycle == signal.cycle) return signal.value;
+  std::set<int>& needed = plan_[signal.name];
+  needed.insert(cycle);
+  std::map<int, Operand>& taps = taps_[signal.name];
+  Operand source = signal.value;
+  int source_cycle = signal.cycle;
+  for (auto tap = needed.begin(); tap != needed.end() && *tap <= cycle; ++tap) {
+    if (taps.find(*tap) == taps.end()) {
+      taps[*tap] = delayed(signal, source, source_cycle, *tap);
+    }
+    source = taps[*tap];
+    source_cycle = *tap;
+  }
+  return source;
+}
+
+Operand DatapathBuilder::any_at(const std::vector<Signal>& signals, int cycle) {
+  std::vector<Operand> raised;
+  for (const Signal& signal : signals) {
+    if (signal.value != nullptr) raised.push_back(at(signal, cycle));
+  }
+  return any_of(std::move(raised));
+}
+
+void DatapathBuilder::declare_unused_flags() {
+  int count = 0;
+  for (const Step& step : schedule_.steps) count += step.unit.module.empty() ? 0 : 1;
+  if (count == 0) return;
+  add(Comment{"A reference datapath answers whatever happened on the way."});
+  add(Wire{count, "unused_exceptional", nullptr, true});
+}
+
+Operand DatapathBuilder::delayed(const Signal& signal, const Operand& source, int from, int to) {
+  const std::string name = pool_.unique(fmt::format("{}_d{}", signal.name, to - signal.cycle));
+  add(Wire{signal.width, name, nullptr});
+  add(Instance{"delay_line",
+               pool_.unique("delay_" + name),
+               {{"WIDTH", signal.width}, {"LENGTH", to - from}},
+               {{"aclk", net("aclk")}, {"d", source}, {"q", net(name)}}});
+  return net(name);
+}
+
+void DatapathBuilder::build_node(NodeId id) {
+  const TypedNode& node = graph_.nodes[id];
+  values_.push_back({nullptr, names_[id], node.format.width(), schedule_.steps[id].ready_cycle});
+  flags_.push_back({});
+  switch (node.operation) {
+    case Operation::input: values_[id].value = net(ports_[node.input]); break;
+    case Operation::constant:
+      values_[id].value = literal(node.format.width(), node.constant);
+      values_[id].constant = true;
+      break;
+    case Operation::negate:
+    case Operation::absolute: build_sign_change(id); break;
+    case Operation::convert:
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::multiply:
+    case Operation::square:
+    case Operation::divide:
+    case Operation::square_root:
+    case Operation::minimum:
+    case Operation::maximum: build_unit(id); break;
+  }
+}
+
+void DatapathBuilder::build_sign_change(NodeId id) {
+  const TypedNode& node = graph_.nodes[id];
+  const Signal operand = values_[node.operands[0]];
+  const int top = node.format.width() - 1;
+  const bool negate = node.operation == Operation::negate;
+  // A literal has no bits to select: give the constant a name first.
+  std::string source = operand.name;
+  if (operand.constant) {
+    source = pool_.unique(source + "_bits");
+    add(Wire{node.format.width(), source, operand.value});
+  }
+  const Operand sign = negate ? inverted(bit(source, top)) : literal(1, 0);
+  add(Comment{negate ? "A negation is its sign." : "An absolute value is its magnitude bits."});
+  add(Wire{node.format.width(), names_[id], concatenation({sign, slice(source, top - 1, 0)})});
+  values_[id].value = net(names_[id]);
+  values_[id].constant = operand.constant;
+  flags_[id] = flags_[node.operands[0]];
+}
+
+void DatapathBuilder::build_unit(NodeId id) {
+  const TypedNode& node = graph_.nodes[id];
+  const Step& step = schedule_.steps[id];
+  std::vector<Connection> connections = {{"aclk", net("aclk")}};
+  for (int k = 0; k < model::arity(node.operation); ++k) {
+    connections.push_back({k == 0 ? "a" : "b", at(values_[node.operands[k]], step.start_cycle)});
+  }
+  connections.push_back({"y", net(names_[id])});
+  add(Comment{describe(id)});
+  add(Wire{node.format.width(), names_[id], nullptr});
+  values_[id].value = net(names_[id]);
+  connections.push_back({"exceptional", flag_output(id)});
+  add(Instance{step.unit.module, pool_.unique("unit_" + names_[id]), unit_parameters(node, step),
+               std::move(connections)});
+  if (exceptional_ == ExceptionalFlags::gathered) gather_flags(id);
+}
+
+Operand DatapathBuilder::flag_output(NodeId id) {
+  if (exceptional_ == ExceptionalFlags::unused) return bit("unused_exceptional", unused_flags_++);
+  const std::string name = pool_.unique(names_[id] + "_exceptional");
+  add(Wire{1, name, nullptr});
+  flags_[id] = {net(name), name, 1, schedule_.steps[id].ready_cycle};
+  return net(name);
+}
+
+/// A flag travels with the value: it is set where this operation or one before it was
+/// exceptional.
+void DatapathBuilder::gather_flags(NodeId id) {
+  const TypedNode& node = graph_.nodes[id];
+  const int cycle = schedule_.steps[id].ready_cycle;
+  std::vector<Signal> all = {flags_[id]};
+  for (int k = 0; k < model::arity(node.operation); ++k) {
+    const Signal& inherited = flags_[node.operands[k]];
+    const bool known = k == 1 && inherited.name == flags_[node.operands[0]].name;
+    if (inherited.value != nullptr && !known) all.push_back(inherited);
+  }
+  if (all.size() == 1) return;
+  const Operand any = any_at(all, cycle);
+  const std::string name = pool_.unique(names_[id] + "_doubtful");
+  add(Wire{1, name, any});
+  flags_[id] = {net(name), name, 1, cycle};
+}
+
+std::string DatapathBuilder::describe(NodeId id) const {
+  const TypedNode& node = graph_.nodes[id];
+  const Step& step = schedule_.steps[id];
+  return fmt::format("Cycles {} to {}: {}, {} {}.", step.start_cycle, step.ready_cycle,
+                     formula(graph_, id, names_),
+                     node.format == node.operand_format ? "in" : "rounded once to",
+                     node.format.name());
+}
+
+std::vector<Parameter> DatapathBuilder::unit_parameters(const TypedNode& node,
+                                                        const Step& step) const {
+  std::vector<Parameter> parameters = {{"EXPONENT_BITS", node.operand_format.exponent_bits()},
+                                       {"PRECISION", node.operand_format.precision()}};
+  const bool selects = node.operation == Operation::minimum || node.operation == Operation::maximum;
+  if (!selects && node.format != node.operand_format) {
+    parameters.push_back({"RESULT_EXPONENT_BITS", node.format.exponent_bits()});
+    parameters.push_back({"RESULT_PRECISION", node.format.precision()});
+  }
+  if (node.operation == Operation::add || node.operation == Operation::subtract) {
+    parameters.push_back({"SUBTRACT", node.operation == Operation::subtract ? 1 : 0});
+  }
+  if (selects) parameters.push_back({"MAXIMUM", node.operation == Operation::maximum ? 1 : 0});
+  const model::Arithmetic& arithmetic = graph_.arithmetic;
+  parameters.push_back({"GRADUAL", arithmetic.subnormals == model::Subnormals::gradual ? 1 : 0});
+  if (!selects) {
+    parameters.push_back(
+        {"TOWARD_ZERO", arithmetic.rounding == model::Rounding::toward_zero ? 1 : 0});
+  }
+  parameters.push_back({"CUTS", cut_mask(step)});
+  return parameters;
+}
+
+std::vector<std::string> input_ports(const std::vector<std::string>& inputs) {
+  NamePool pool(reserved_names);
+  std::vector<std::string> ports;
+  for (const std::string& input : inputs) ports.push_back(pool.unique(input));
+  return ports;
+}
+
+Literal cut_mask(const Step& step) {
+  Literal mask = {static_cast<int>(step.cuts.size()), 0};
+  MIXCMP_CHECK(mask.width <= 128);
+  for (std::size_t k = 0; k < step.cuts.size(); ++k) {
+    if (step.cuts[k]) mask.value |= model::Bits{1} << k;
+  }
+  return mask;
+}
+
+}  // namespace mixcmp::gen

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "generator/datapath/schedule.hpp"
+#include "generator/rtl/module.hpp"
+#include "generator/rtl/net_names.hpp"
+
+namespace mixcmp::gen {
+
+/// A net together with the cycle in which it carries its value.
+struct Signal {
+  rtl::Operand value;  ///< null: constantly 0 (a flag that nothing can raise)
+  std::string name;
+  int width = 1;
+  int cycle = 0;
+  bool constant = false;  ///< the same in every cycle: never delayed
+};
+
+/// For each signal, the later cycles in which it is needed.
+using DelayPlan = std::map<std::string, std::set<int>>;
+
+/// What becomes of the units' `exceptional` outputs.
+enum class ExceptionalFlags {
+  gathered,  ///< a flag travels with each value
+  unused,
+};
+
+/// Collects the items of one datapath. Delays are shared: a value needed in several later cycles
+/// goes through one chain of delay lines with taps. So that a tap can be laid before a later one, a
+/// first pass over the datapath (with an empty plan) learns the plan for the second.
+class DatapathBuilder {
+public:
+  DatapathBuilder(const std::vector<std::string>& inputs, const model::TypedGraph& graph,
+                  const Schedule& schedule, ExceptionalFlags exceptional, DelayPlan plan);
+
+  /// aclk and the operands.
+  std::vector<rtl::Port> data_ports() const;
+
+  /// Every operation of the graph, with the delays that balance its operands.
+  void build_nodes();
+
+  const Signal& value(model::NodeId node) const { return values_[node]; }
+  /// Set where the node or one before it was exceptional; only where flags are gathered.
+  const Signal& flag(model::NodeId node) const { return flags_[node]; }
+  /// Set where one of these inputs has its sign bit set.
+  Signal any_negative(const std::vector<int>& inputs);
+
+  /// `signal` as it was, delayed to `cycle`.
+  rtl::Operand at(const Signal& signal, int cycle);
+  /// One flag that is set where any of `signals` is, in `cycle`.
+  rtl::Operand any_at(const std::vector<Signal>& signals, int cycle);
+
+  void add(rtl::Item item) { items_.push_back(std::move(item)); }
+  std::vector<rtl::Item> take() { return std::move(items_); }
+  DelayPlan plan() const { return plan_; }
+
+private:
+  void declare_unused_flags();
+  void build_node(model::NodeId id);
+  void build_sign_change(model::NodeId id);
+  void build_unit(model::NodeId id);
+  rtl::Operand flag_output(model::NodeId id);
+  void gather_flags(model::NodeId id);
+  rtl::Operand delayed(const Signal& signal, const rtl::Operand& source, int from, int to);
+  std::string describe(model::NodeId id) const;
+  std::vector<rtl::Parameter> unit_parameters(const model::TypedNode& node, const Step& step) const;
+
+  std::vector<std::string> ports_;
+  const model::TypedGraph& graph_;
+  const Schedule& schedule_;
+  NamePool pool_;
+  std::vector<std::string> names_;
+  ExceptionalFlags exceptional_;
+  int unused_flags_ = 0;
+  std::vector<Signal> values_;
+  std::vector<Signal> flags_;
+  DelayPlan plan_;
+  std::map<std::string, std::map<int, rtl::Operand>> taps_;
+  std::vector<rtl::Item> items_;
+};
+
+/// The ports that a datapath gives its inputs: one that bears the name of another port gets "_2"
+/// appended.
+std::vector<std::string> input_ports(const std::vector<std::string>& inputs);
+
+/// The value of a unit's CUTS parameter.
+rtl::Literal cut_mask(const Step& step);
+
+}  // namespace mixcmp::gen
