@@ -90,7 +90,7 @@ void DatapathBuilder::declare_unused_flags() {
   int count = 0;
   for (const Step& step : schedule_.steps) count += step.unit.module.empty() ? 0 : 1;
   if (count == 0) return;
-  add(Comment{"A reference datapath answers whatever happened on the way."});
+  add(Comment{"The verdict does not depend on what was exceptional on the way."});
   add(Wire{count, "unused_exceptional", nullptr, true});
 }
 
