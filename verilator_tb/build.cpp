@@ -18,11 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Above it a flat build takes many minutes, so that waves show the streams of the top alone.
-constexpr int max_flat_lanes = 8;
-
-bool is_hierarchical(const System& system, Waves waves) {
-  return waves == Waves::off ? system.signature.lanes > 2 : system.signature.lanes > max_flat_lanes;
+/// Two lanes are built as fast at once; more are one channel, verilated once.
+bool is_hierarchical(const System& system) {
+  return system.signature.lanes > 2;
 }
 
 std::string read_text(const fs::path& path) {
@@ -85,7 +83,7 @@ Command verilator_command(const System& system, Waves waves, bool ccache) {
                      "--timescale-override", "1ns/1ns", "-CFLAGS", "-std=c++20", "-MAKEFLAGS",
                      ccache ? "OPT_FAST=-O2 OBJCACHE=ccache" : "OPT_FAST=-O2"};
   if (waves == Waves::on) command.push_back("--trace-fst");
-  if (is_hierarchical(system, waves)) {
+  if (is_hierarchical(system)) {
     command.insert(command.end(), {"--hierarchical", "hierarchy.vlt"});
   }
   for (const std::string& file : system.signature.files) {

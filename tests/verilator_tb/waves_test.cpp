@@ -42,15 +42,15 @@ std::set<std::string> declared(const std::string& vcd) {
   return names;
 }
 
-class Waves : public testing::TestWithParam<SimulatorKind> {};
+class WavesOf : public testing::TestWithParam<SimulatorKind> {};
 
-INSTANTIATE_TEST_SUITE_P(In, Waves,
+INSTANTIATE_TEST_SUITE_P(In, WavesOf,
                          testing::Values(SimulatorKind::verilator, SimulatorKind::icarus),
                          [](const auto& test) {
                            return test.param == SimulatorKind::icarus ? "Icarus" : "Verilator";
                          });
 
-TEST_P(Waves, AreReadableAndTheSaveFileNamesWhatIsInThem) {
+TEST_P(WavesOf, AreReadableAndTheSaveFileNamesWhatIsInThem) {
   const FakeSystem fake{.name = "good"};
   const auto folder = write_fake_system(fake);
   const bool icarus = GetParam() == SimulatorKind::icarus;
@@ -79,6 +79,26 @@ TEST_P(Waves, AreReadableAndTheSaveFileNamesWhatIsInThem) {
   }
   EXPECT_EQ(named.size(), 13u);
   for (const std::string& name : named) EXPECT_TRUE(names.contains(name)) << name;
+}
+
+TEST(Waves, OfHierarchicalBlocksShowTheInsideOfTheFirst) {
+  const FakeSystem fake{
+      .name = "refetching", .lanes = 3, .operands = model::OperandStore::refetched};
+  const fs::path waves = fs::absolute(fake_work_dir()) / "hierarchical.fst";
+  fs::remove(waves);
+  const auto report = verify(fake_design(fake), fake_comparisons(200), write_fake_system(fake),
+                             {.work_dir = fake_work_dir() / "builds", .waves = waves});
+  ASSERT_TRUE(report.ok()) << report.error().to_string();
+  EXPECT_TRUE(report->passed());
+  const fs::path vcd = fs::path(waves).replace_extension(".vcd");
+  const auto converted = run_tool({"fst2vcd", "-f", waves.string(), "-o", vcd.string()}, "/",
+                                  waves.string() + ".log", {});
+  ASSERT_TRUE(converted.ok()) << converted.error().to_string();
+  bool inside = false;
+  for (const std::string& name : declared(read(vcd))) {
+    inside |= name.find("out_valid_q") != std::string::npos;
+  }
+  EXPECT_TRUE(inside);
 }
 
 }  // namespace

@@ -199,6 +199,7 @@ private:
 #if VM_TRACE
     if (settings_.trace.empty()) return;
     context_.traceEverOn(true);
+    model_->eval();  // hierarchical blocks are made in it, and trace() needs them
     trace_ = std::make_unique<VerilatedFstC>();
     model_->trace(trace_.get(), 99);
     trace_->open(settings_.trace.c_str());
