@@ -93,7 +93,8 @@ double Latency::mean_cycles() const {
 }
 
 bool VerifyReport::passed() const {
-  return comparisons == requested && mismatch_count == 0 && violation_count == 0;
+  const bool proof_holds = !certified || !truth || truth->wrong_by_lane == 0;
+  return comparisons == requested && mismatch_count == 0 && violation_count == 0 && proof_holds;
 }
 
 double VerifyReport::recomputation_rate() const {

@@ -88,7 +88,8 @@ struct VerifyReport {
   double build_seconds = 0;
   double run_seconds = 0;
 
-  /// Every comparison asked for came back once, as the golden model says, by the rules.
+  /// Every comparison asked for came back once, as the golden model says, by the rules; and where
+  /// the truth was asked for, no certified lane was wrong.
   bool passed() const;
   double recomputation_rate() const;
   double comparisons_per_cycle() const;

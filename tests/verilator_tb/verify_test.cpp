@@ -176,6 +176,7 @@ TEST(Verify, CountsVerdictsThatAreNotTheTruth) {
   const VerifyReport report = run({.name = "good"}, 1000, {.truth = TruthCheck{.graph = &graph}});
   EXPECT_TRUE(report.passed()) << to_text(report);
   ASSERT_TRUE(report.truth.has_value());
+  EXPECT_FALSE(report.passed()) << "a certified lane that is wrong";
   EXPECT_EQ(report.truth->checked, 1000u);
   EXPECT_EQ(report.truth->wrong_by_lane, 1000 - report.recomputations);
   EXPECT_EQ(report.truth->wrong_by_lane + report.truth->wrong_by_reference,
