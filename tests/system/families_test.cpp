@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "model/error/profiled_error.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 #include "tests/support/sphere_families.hpp"
@@ -63,6 +64,31 @@ INSTANTIATE_TEST_SUITE_P(Systems, Families,
                                               model::Subnormals::gradual,
                                               model::Subnormals::flush}),
                          [](const auto& instance) { return std::string(instance.param.name); });
+
+/// The paper's form with the error measured on ordinary spheres, then shown tangent ones: the
+/// hardware does what the golden model says, and that is wrong.
+TEST(ProfiledLanes, AreWrongOnTangentSpheres) {
+  const model::Graph graph = sphere_graph();
+  const model::FloatFormat s53e8 = format("s53e8");
+  model::Design design = sphere_design(format("s8e8"), s53e8, 2, 1);
+  const std::vector<SphereFamily> families = sphere_families(s53e8, 8, 4'000, 11);
+  const auto family = [&](const std::string& name) {
+    const auto found = std::find_if(families.begin(), families.end(),
+                                    [&](const auto& candidate) { return candidate.name == name; });
+    return model::Comparisons::rows(found->pairs, design.inputs).value();
+  };
+  model::TypedGraph typed = model::lane_graph(
+      graph, s53e8, {format("s8e8"), model::Rounding::nearest_even, model::Subnormals::flush},
+      model::LaneInputs::rounded);
+  const model::ProfiledError error =
+      model::profile_error(graph, typed, family("uniform"), 4'000, 1);
+  design.lane = model::profiled_lane(std::move(typed), error.f, error.g);
+  const tb::VerifyReport report =
+      simulate(design, family("tangent"), {.truth = tb::TruthCheck{.graph = &graph}});
+  EXPECT_TRUE(report.passed()) << to_text(report);
+  EXPECT_FALSE(report.certified);
+  EXPECT_GT(report.truth->wrong_by_lane, 0u) << to_text(report);
+}
 
 }  // namespace
 }  // namespace mixcmp::test

@@ -174,7 +174,6 @@ TEST(Verify, CountsVerdictsThatAreNotTheTruth) {
   const auto b = graph.input("b");
   graph.compare(b, a);
   const VerifyReport report = run({.name = "good"}, 1000, {.truth = TruthCheck{.graph = &graph}});
-  EXPECT_TRUE(report.passed()) << to_text(report);
   ASSERT_TRUE(report.truth.has_value());
   EXPECT_FALSE(report.passed()) << "a certified lane that is wrong";
   EXPECT_EQ(report.truth->checked, 1000u);
