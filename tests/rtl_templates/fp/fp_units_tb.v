@@ -1,0 +1,80 @@
+// fp_units_tb: the same units, the same answers, another simulator. Reads what `fp_... write` wrote:
+// latencies.hex, one a slot; stimuli.hex, {exceptional, a, b} each 128 bits; answers.hex, one a
+// behaviour and stimulus, {y matters, flag matters, flag, y}. Verilog-2001.
+`default_nettype none
+
+module fp_units_tb;
+
+  parameter         EXPONENT_BITS = 4;
+  parameter         PRECISION     = 4;
+  parameter [127:0] SOME_CUTS     = {64{2'b01}};
+  parameter         COUNT         = 1024;
+
+  localparam SLOTS      = 132;
+  localparam BEHAVIOURS = 44;
+  localparam MASKS      = 3;
+
+  reg          aclk = 1'b0;
+  reg  [256:0] stimuli  [0:COUNT-1];
+  reg  [130:0] answers  [0:COUNT*BEHAVIOURS-1];
+  reg  [31:0]  latencies[0:SLOTS-1];
+  reg  [256:0] stimulus = 257'd0;
+  reg  [130:0] answer;
+  integer      cycle;
+  integer      slot;
+  integer      then_cycle;
+  integer      checked = 0;
+  integer      wrong   = 0;
+
+  fp_units #(
+      .EXPONENT_BITS       (EXPONENT_BITS),
+      .PRECISION           (PRECISION),
+      .RESULT_EXPONENT_BITS(EXPONENT_BITS),
+      .RESULT_PRECISION    (PRECISION),
+      .SOME_CUTS           (SOME_CUTS),
+      .SLOTS               (SLOTS)
+  ) dut (
+      .aclk       (aclk),
+      .a          (stimulus[255:128]),
+      .b          (stimulus[127:0]),
+      .exceptional(stimulus[256])
+  );
+
+  // `!==`: an unknown answer is a wrong one.
+  task check;
+    begin
+      then_cycle = cycle - latencies[slot];
+      answer     = answers[then_cycle*BEHAVIOURS+slot/MASKS];
+      checked    = checked + 1;
+      if ((answer[130] && dut.y[slot] !== answer[127:0])
+          || (answer[129] && dut.flag[slot] !== answer[128])) begin
+        wrong = wrong + 1;
+        $display("WRONG slot %0d stimulus %h: expected %h flag %b, got %h flag %b", slot,
+                 stimuli[then_cycle], answer[127:0], answer[128], dut.y[slot], dut.flag[slot]);
+      end
+    end
+  endtask
+
+  initial begin
+    $readmemh("latencies.hex", latencies);
+    $readmemh("stimuli.hex", stimuli);
+    $readmemh("answers.hex", answers);
+    for (cycle = 0; checked < COUNT * SLOTS && cycle < COUNT + 128; cycle = cycle + 1) begin
+      stimulus = stimuli[cycle%COUNT];
+      #1;
+      for (slot = 0; slot < SLOTS; slot = slot + 1) begin
+        if (cycle >= latencies[slot] && cycle - latencies[slot] < COUNT) begin
+          check;
+        end
+      end
+      aclk = 1'b1;
+      #1 aclk = 1'b0;
+    end
+    $display("%0d answers, %0d wrong", checked, wrong);
+    if (wrong == 0 && checked == COUNT * SLOTS) $display("PASS");
+    $finish;
+  end
+
+endmodule
+
+`default_nettype wire

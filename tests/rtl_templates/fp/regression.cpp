@@ -1,0 +1,71 @@
+#include "tests/rtl_templates/fp/regression.hpp"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "model/golden/arithmetic.hpp"
+
+namespace mixcmp::test {
+namespace {
+
+constexpr uint64_t max_reports = 10;
+
+std::string text(FloatFormat format, Bits bits) {
+  return fmt::format("0x{} ({})", model::to_hex(bits, format.width()),
+                     model::golden::to_text(format, bits));
+}
+
+}  // namespace
+
+Regression::Regression(Simulation& simulation, const UnitsUnderTest& units, int first_mask,
+                       std::string program)
+    : simulation_(simulation),
+      units_(units),
+      first_mask_(first_mask),
+      program_(std::move(program)),
+      history_(units.max_latency_cycles() + 1) {}
+
+void Regression::feed(const Stimulus& stimulus) {
+  Expectation& now = history_[cycle_ % history_.size()];
+  now.stimulus = stimulus;
+  for (int i = 0; i < UnitsUnderTest::behaviours; ++i) now.answers[i] = units_.answer(i, stimulus);
+  simulation_.apply(stimulus);
+  for (int slot = 0; slot < UnitsUnderTest::slots; ++slot) {
+    if (slot % UnitsUnderTest::masks >= first_mask_) compare(slot);
+  }
+  simulation_.rise();
+  ++cycle_;
+}
+
+void Regression::drain() {
+  for (int i = 0; i < units_.max_latency_cycles(); ++i) feed({0, 0});
+}
+
+void Regression::compare(int slot) {
+  const uint64_t latency = static_cast<uint64_t>(units_.latency_cycles(slot));
+  if (cycle_ < latency) return;
+  const Expectation& then = history_[(cycle_ - latency) % history_.size()];
+  const Answer& expected = then.answers[slot / UnitsUnderTest::masks];
+  const bool y_wrong = expected.y_matters && simulation_.y(slot) != expected.y;
+  const bool flag_wrong = expected.flag_matters && simulation_.flag(slot) != expected.flag;
+  ++answers_;
+  if (!y_wrong && !flag_wrong) return;
+  if (failures_++ < max_reports) report(slot, then.stimulus, expected);
+}
+
+void Regression::report(int slot, const Stimulus& stimulus, const Answer& expected) const {
+  const FloatFormat operands = units_.operands();
+  const FloatFormat format = units_.format(slot);
+  fmt::print(
+      "WRONG {} -> {}, {}, latency {}\n"
+      "  a = {}\n  b = {}\n  expected {} flag {:d}\n  got      {} flag {:d}\n"
+      "  from {}; alone: {} pair 0x{} 0x{} {:d}\n",
+      operands.name(), units_.result().name(), units_.name(slot), units_.latency_cycles(slot),
+      text(operands, stimulus.a), text(operands, stimulus.b), text(format, expected.y),
+      expected.flag, text(format, simulation_.y(slot)), simulation_.flag(slot), origin_, program_,
+      model::to_hex(stimulus.a, operands.width()), model::to_hex(stimulus.b, operands.width()),
+      stimulus.exceptional);
+}
+
+}  // namespace mixcmp::test

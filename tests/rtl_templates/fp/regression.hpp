@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tests/rtl_templates/fp/units_under_test.hpp"
+
+namespace mixcmp::test {
+
+/// The simulated fp_units: one clock cycle at a time.
+class Simulation {
+public:
+  virtual ~Simulation() = default;
+  /// Sets the inputs and settles; the outputs are then those before the rising edge.
+  virtual void apply(const Stimulus& stimulus) = 0;
+  virtual Bits y(int slot) const = 0;
+  virtual bool flag(int slot) const = 0;
+  virtual void rise() = 0;
+};
+
+/// Feeds one stimulus a cycle and holds every slot's answer, in the very cycle its latency names,
+/// against the golden model.
+class Regression {
+public:
+  /// Masks below `first_mask` were not built. `program` is printed in the command that repeats a
+  /// failure.
+  Regression(Simulation& simulation, const UnitsUnderTest& units, int first_mask,
+             std::string program);
+
+  void feed(const Stimulus& stimulus);
+  /// Feeds until the last answer is out.
+  void drain();
+
+  uint64_t vectors() const { return cycle_; }
+  uint64_t answers() const { return answers_; }
+  uint64_t failures() const { return failures_; }
+  /// What a failure says about where its vector came from.
+  void set_origin(std::string origin) { origin_ = std::move(origin); }
+
+private:
+  struct Expectation {
+    Stimulus stimulus;
+    std::array<Answer, UnitsUnderTest::behaviours> answers;
+  };
+
+  void compare(int slot);
+  void report(int slot, const Stimulus& stimulus, const Answer& expected) const;
+
+  Simulation& simulation_;
+  const UnitsUnderTest& units_;
+  int first_mask_;
+  std::string program_;
+  std::string origin_;
+  std::vector<Expectation> history_;  ///< a ring of max_latency + 1 cycles
+  uint64_t cycle_ = 0;
+  uint64_t answers_ = 0;
+  uint64_t failures_ = 0;
+};
+
+}  // namespace mixcmp::test

@@ -1,0 +1,199 @@
+#include "tests/rtl_templates/fp/units_under_test.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+#include <string_view>
+
+#include "model/golden/arithmetic.hpp"
+
+namespace mixcmp::test {
+namespace {
+
+using model::Arithmetic;
+using model::Operation;
+using model::Rounding;
+using model::Subnormals;
+namespace golden = model::golden;
+
+enum UnitSlot {
+  add,
+  subtract,
+  multiply,
+  square,
+  divide,
+  square_root,
+  convert,
+  minimum_maximum,
+  comparison,
+  ulp_distance,
+  ulp_distance_wide,
+};
+
+struct Behaviour {
+  UnitSlot unit;
+  bool gradual;      ///< NONNEGATIVE of fp_ulp_distance
+  bool toward_zero;  ///< MAXIMUM; the interval decision; the larger guards
+};
+
+Behaviour behaviour_of(int index) {
+  return {static_cast<UnitSlot>(index / UnitsUnderTest::variants), (index & 2) != 0,
+          (index & 1) != 0};
+}
+
+int population_count(Bits bits) {
+  return std::popcount(static_cast<uint64_t>(bits)) +
+         std::popcount(static_cast<uint64_t>(bits >> 64));
+}
+
+Operation operation_of(UnitSlot unit) {
+  switch (unit) {
+    case add: return Operation::add;
+    case subtract: return Operation::subtract;
+    case multiply: return Operation::multiply;
+    case square: return Operation::square;
+    case divide: return Operation::divide;
+    case square_root: return Operation::square_root;
+    case convert: return Operation::convert;
+    case minimum_maximum: return Operation::minimum;
+    case comparison:
+    case ulp_distance:
+    case ulp_distance_wide: break;
+  }
+  MIXCMP_CHECK(!"not an operation");
+}
+
+Bits guard_of(FloatFormat format, const Behaviour& behaviour) {
+  const Bits widest = Bits{3} << (format.width() - 2);
+  if (behaviour.unit == ulp_distance) return behaviour.toward_zero ? 5 : 0;
+  return behaviour.toward_zero ? widest : 1;
+}
+
+/// The packed encoding as an integer with a sign, -0 and +0 the same: 129 bits would be needed for
+/// the difference of two, so it is compared without being formed.
+Answer ulp_distance_answer(FloatFormat format, const Behaviour& behaviour,
+                           const Stimulus& stimulus) {
+  const Bits f = format.magnitude(stimulus.a), g = format.magnitude(stimulus.b);
+  const bool f_negative = format.sign(stimulus.a), g_negative = format.sign(stimulus.b);
+  const bool promise_broken =
+      behaviour.gradual && ((f_negative && f != 0) || (g_negative && g != 0));
+  if (promise_broken) return {.y_matters = false, .flag_matters = false};
+
+  const bool like = f_negative == g_negative || f == 0 || g == 0;
+  const bool unlike_signs = f_negative != g_negative && !(f == 0 && g == 0);
+  const Bits distance = unlike_signs ? f + g : std::max(f, g) - std::min(f, g);
+  const bool less = unlike_signs ? f_negative : (f != g && (f < g) != f_negative);
+  const bool equal = like && distance == 0;
+  const bool decided = !stimulus.exceptional && distance >= guard_of(format, behaviour);
+  return {
+      .y = static_cast<Bits>(equal ? 1 : (less ? 0 : 2)), .flag = decided, .y_matters = decided};
+}
+
+Answer interval_answer(FloatFormat format, const Stimulus& stimulus) {
+  const bool unordered = format.is_nan(stimulus.a) || format.is_nan(stimulus.b);
+  const bool greater = !format.sign(stimulus.a) && !format.is_zero(stimulus.a);
+  const bool less = format.sign(stimulus.b) && !format.is_zero(stimulus.b);
+  const bool decided = !unordered && (greater || less);
+  return {.y = static_cast<Bits>(greater ? 2 : 0), .flag = decided, .y_matters = decided};
+}
+
+golden::Rounded rounded(const Arithmetic& result, FloatFormat operands, const Behaviour& behaviour,
+                        const Stimulus& stimulus) {
+  const Arithmetic same{operands, result.rounding, result.subnormals};
+  const Bits a = stimulus.a, b = stimulus.b;
+  switch (behaviour.unit) {
+    case add: return golden::add(result, operands, a, b);
+    case subtract: return golden::subtract(result, operands, a, b);
+    case multiply: return golden::multiply(result, operands, a, b);
+    case square: return golden::square(result, operands, a);
+    case divide: return golden::divide(result, operands, a, b);
+    case square_root: return golden::square_root(result, operands, a);
+    case convert: return golden::convert(result, operands, a);
+    case minimum_maximum:
+      return behaviour.toward_zero ? golden::maximum(same, a, b) : golden::minimum(same, a, b);
+    case comparison:
+    case ulp_distance:
+    case ulp_distance_wide: break;
+  }
+  MIXCMP_CHECK(!"not an operation");
+}
+
+}  // namespace
+
+UnitsUnderTest::UnitsUnderTest(FloatFormat operands, FloatFormat result, Bits some_cuts)
+    : operands_(operands), result_(result) {
+  for (int slot = 0; slot < slots; ++slot) {
+    const std::array<Bits, masks> cuts = {0, ~Bits{0}, some_cuts};
+    const Bits stages = model::low_mask(stage_count(slot / masks));
+    latencies_[slot] = population_count(cuts[slot % masks] & stages);
+  }
+}
+
+int UnitsUnderTest::max_latency_cycles() const {
+  return *std::max_element(latencies_.begin(), latencies_.end());
+}
+
+int UnitsUnderTest::stage_count(int behaviour) const {
+  const gen::DelayTable delays;
+  const Behaviour which = behaviour_of(behaviour);
+  const auto count = [](const gen::Unit& unit) { return static_cast<int>(unit.stages.size()); };
+  if (which.unit == comparison && which.toward_zero) {
+    return count(gen::interval_decision_unit(operands_, delays));
+  }
+  if (which.unit == comparison) return count(gen::compare_unit(operands_, delays));
+  if (which.unit == ulp_distance || which.unit == ulp_distance_wide) {
+    return count(gen::ulp_distance_unit(operands_, delays));
+  }
+  const model::TypedNode node{.operation = operation_of(which.unit),
+                              .operand_format = operands_,
+                              .format = which.unit == minimum_maximum ? operands_ : result_};
+  const Subnormals subnormals = which.gradual ? Subnormals::gradual : Subnormals::flush;
+  return count(gen::unit_for(node, subnormals, delays));
+}
+
+Answer UnitsUnderTest::answer(int behaviour, const Stimulus& stimulus) const {
+  const Behaviour which = behaviour_of(behaviour);
+  const Subnormals subnormals = which.gradual ? Subnormals::gradual : Subnormals::flush;
+  if (which.unit == ulp_distance || which.unit == ulp_distance_wide) {
+    return ulp_distance_answer(operands_, which, stimulus);
+  }
+  if (which.unit == comparison && which.toward_zero) return interval_answer(operands_, stimulus);
+  if (which.unit == comparison) {
+    const golden::Verdict verdict = golden::compare(operands_, subnormals, stimulus.a, stimulus.b);
+    return {.y = static_cast<Bits>(verdict), .flag_matters = false};
+  }
+  const Arithmetic result{
+      result_, which.toward_zero ? Rounding::toward_zero : Rounding::nearest_even, subnormals};
+  const golden::Rounded value = rounded(result, operands_, which, stimulus);
+  return {.y = value.bits, .flag = value.exceptional};
+}
+
+std::string UnitsUnderTest::name(int slot) const {
+  static constexpr std::array<std::string_view, minimum_maximum> names = {
+      "fp_add",    "fp_add SUBTRACT", "fp_multiply", "fp_square",
+      "fp_divide", "fp_square_root",  "fp_convert"};
+  static constexpr std::array<std::string_view, masks> mask_names = {"none", "all", "some"};
+  const Behaviour which = behaviour_of(slot / masks);
+  const std::string cuts = fmt::format("CUTS={}", mask_names[slot % masks]);
+  if (which.unit == ulp_distance || which.unit == ulp_distance_wide) {
+    return fmt::format("fp_ulp_distance GUARD_ULP=0x{} NONNEGATIVE={:d} {}",
+                       model::to_hex(guard_of(operands_, which), operands_.width()), which.gradual,
+                       cuts);
+  }
+  if (which.unit == comparison && which.toward_zero) return "fp_interval_decision " + cuts;
+  if (which.unit == comparison)
+    return fmt::format("fp_compare GRADUAL={:d} {}", which.gradual, cuts);
+  if (which.unit == minimum_maximum) {
+    return fmt::format("fp_minimum_maximum MAXIMUM={:d} GRADUAL={:d} {}", which.toward_zero,
+                       which.gradual, cuts);
+  }
+  return fmt::format("{} GRADUAL={:d} TOWARD_ZERO={:d} {}", names[which.unit], which.gradual,
+                     which.toward_zero, cuts);
+}
+
+FloatFormat UnitsUnderTest::format(int slot) const {
+  return slot / masks / variants < minimum_maximum ? result_ : operands_;
+}
+
+}  // namespace mixcmp::test

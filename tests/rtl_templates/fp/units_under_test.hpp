@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "generator/datapath/units.hpp"
+#include "model/format/float_format.hpp"
+
+namespace mixcmp::test {
+
+using model::Bits;
+using model::FloatFormat;
+
+/// What every unit of fp_units.v is given in one cycle.
+struct Stimulus {
+  Bits a;
+  Bits b;
+  bool exceptional = false;  ///< of fp_ulp_distance alone
+};
+
+/// What one unit must answer. A verdict that was not decided may be anything.
+struct Answer {
+  Bits y = 0;
+  bool flag = false;  ///< exceptional, or decided
+  bool y_matters = true;
+  bool flag_matters = true;
+};
+
+/// The outputs of fp_units.v: which slot is what, how late it answers and what it must say. A slot
+/// is (unit, variant, mask), the mask counting fastest; a behaviour is a slot without its mask.
+class UnitsUnderTest {
+public:
+  static constexpr int masks = 3, variants = 4, units = 11;
+  static constexpr int behaviours = units * variants, slots = behaviours * masks;
+
+  /// `some_cuts` is the mask between none and all.
+  UnitsUnderTest(FloatFormat operands, FloatFormat result, Bits some_cuts);
+
+  FloatFormat operands() const { return operands_; }
+  FloatFormat result() const { return result_; }
+
+  int latency_cycles(int slot) const { return latencies_[slot]; }
+  int max_latency_cycles() const;
+  Answer answer(int behaviour, const Stimulus& stimulus) const;
+  std::string name(int slot) const;
+  /// Of what a slot answers: the result's, or the operands' where a unit has no result format.
+  FloatFormat format(int slot) const;
+
+private:
+  int stage_count(int behaviour) const;
+
+  FloatFormat operands_;
+  FloatFormat result_;
+  std::array<int, slots> latencies_;
+};
+
+}  // namespace mixcmp::test
