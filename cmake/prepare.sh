@@ -33,8 +33,9 @@ install_packages() {
     apt-get install -y --no-install-recommends $absent
 }
 
+# build_release TARGET [OPTION]: OPTION goes to the configuration.
 build_release() {
   say "building into build/release"
-  logged build/log/configure.txt cmake --preset release
-  logged build/log/build.txt cmake --build --preset release --target "$@"
+  logged build/log/configure.txt cmake --preset release ${2:+"$2"}
+  logged build/log/build.txt cmake --build --preset release --target "$1"
 }

@@ -22,15 +22,16 @@ module fp_operand #(
     output wire                               flushed
 );
 
-  function integer bits_for(input integer value);
+  // Not the name of the units' own: Verilator 5.006 takes one inside the other for hiding.
+  function integer width_of(input integer value);
     integer rest;
     begin
-      bits_for = 0;
-      for (rest = value; rest > 0; rest = rest >> 1) bits_for = bits_for + 1;
+      width_of = 0;
+      for (rest = value; rest > 0; rest = rest >> 1) width_of = width_of + 1;
     end
   endfunction
 
-  localparam COUNT_BITS = bits_for(PRECISION);
+  localparam COUNT_BITS = width_of(PRECISION);
   localparam COUNTED    = 1 << COUNT_BITS;
   localparam FLAGS      = 5;
 

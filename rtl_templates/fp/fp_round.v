@@ -28,11 +28,12 @@ module fp_round #(
     output wire                                             exceptional
 );
 
-  function integer bits_for(input integer value);
+  // Not the name of the units' own: Verilator 5.006 takes one inside the other for hiding.
+  function integer width_of(input integer value);
     integer rest;
     begin
-      bits_for = 0;
-      for (rest = value; rest > 0; rest = rest >> 1) bits_for = bits_for + 1;
+      width_of = 0;
+      for (rest = value; rest > 0; rest = rest >> 1) width_of = width_of + 1;
     end
   endfunction
 
@@ -49,7 +50,7 @@ module fp_round #(
 
   generate
     if (DENORMALISE != 0) begin : denormalise
-      localparam AMOUNT_BITS = bits_for(WIDTH);
+      localparam AMOUNT_BITS = width_of(WIDTH);
 
       wire [EXPONENT_WIDTH-1:0] distance = {{(EXPONENT_WIDTH - 1) {1'b0}}, 1'b1} - exponent;
       wire                      tiny     = exponent[EXPONENT_WIDTH-1] || !(|exponent);
