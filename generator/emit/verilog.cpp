@@ -20,6 +20,7 @@ struct Overloaded : Cases... {
 };
 
 std::string print(const Literal& literal) {
+  MIXCMP_CHECK((literal.value & ~model::low_mask(literal.width)) == 0);
   const bool short_binary = literal.width <= 8;
   if (!short_binary) {
     return fmt::format("{}'h{}", literal.width, model::to_hex(literal.value, literal.width));

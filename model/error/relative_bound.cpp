@@ -92,6 +92,38 @@ RelativeBound square_root(const RelativeBound& a) {
   return {root(a.low, 0), root(a.high, 1)};
 }
 
+long bit_length(const mpz_class& value) {
+  return static_cast<long>(mpz_sizeinbase(value.get_mpz_t(), 2));
+}
+
+/// `value` to some 512 digits, rounded down (with `up`: up): powers of powers need not be exact.
+mpq_class shortened(const mpq_class& value, int up) {
+  constexpr long short_enough = 1024, kept = 512;
+  const mpz_class &num = value.get_num(), &den = value.get_den();
+  if (bit_length(num) <= short_enough && bit_length(den) <= short_enough) return value;
+  const long shift = kept + bit_length(den) - bit_length(num);
+  const mpz_class dividend = shift > 0 ? num << shift : num;
+  const mpz_class divisor = shift < 0 ? den << -shift : den;
+  mpz_class digits = dividend / divisor + up;
+  mpq_class result(digits);
+  if (shift > 0) mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), shift);
+  if (shift < 0) mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), -shift);
+  return result;
+}
+
+RelativeBound widened(const RelativeBound& bound) {
+  return {shortened(bound.low, 0), shortened(bound.high, 1)};
+}
+
+/// Allows more than the ratio of any two numbers of any format.
+bool is_useless(const RelativeBound& bound) {
+  constexpr long most_doublings = 2L << FloatFormat::max_exponent_bits;
+  const auto doublings = [](const mpq_class& value) {
+    return std::abs(bit_length(value.get_num()) - bit_length(value.get_den()));
+  };
+  return std::max(doublings(bound.low), doublings(bound.high)) > most_doublings;
+}
+
 NodeBound without_rounding(RelativeBound bound) {
   return {.relative = std::move(bound)};
 }
@@ -261,7 +293,9 @@ bool Analysis::rounds_nothing(const TypedNode& node) const {
 NodeBound Analysis::rounded(const TypedNode& node, const RelativeBound& bound) const {
   if (rounds_nothing(node)) return without_rounding(bound);
   const RelativeBound own = rounding_bound(node.format.precision(), graph_.arithmetic.rounding);
-  return {.relative = product(bound, own), .unrounded = bound};
+  const RelativeBound all = widened(product(bound, own));
+  if (is_useless(all)) return no_bound("so many operations round that the error is out of bounds");
+  return {.relative = all, .unrounded = bound};
 }
 
 std::string Analysis::text(NodeId id) const {
@@ -322,8 +356,14 @@ Bits smallest_guard(const NodeBound& f, const NodeBound& g, int precision) {
   return std::min(guard, guard_ulp_before_rounding(*f.unrounded, *g.unrounded, precision));
 }
 
-/// Larger than the distance of any two encodings.
-constexpr Bits never = ~Bits{0};
+/// Beyond the distances of every format.
+constexpr Bits unreachable = ~Bits{0};
+
+/// Beyond the distance of any two finite encodings, and as wide as one: the lane's hardware holds
+/// it.
+Bits never(FloatFormat format) {
+  return low_mask(format.width());
+}
 
 Bits to_bits(const mpz_class& value) {
   const mpz_class high = value >> 64;
@@ -342,7 +382,7 @@ Bits steps_beyond(const mpq_class& ratio, int precision) {
   int doublings = 0;
   mpq_class rest = ratio;  // ratio = rest * 2^doublings, 1 <= rest < 2
   for (; rest >= 2; rest /= 2) {
-    if (++doublings == most_doublings) return never;
+    if (++doublings == most_doublings) return unreachable;
   }
   const mpq_class steps = (1 - 1 / rest) * (mpz_class(1) << precision);
   const mpz_class whole = steps.get_num() / steps.get_den();
@@ -368,8 +408,9 @@ Result<Lane> certified_lane(TypedGraph graph, const std::vector<bool>& input_non
                  .received = "\"certified\"",
                  .accepted = what_helps(graph, failure)};
   }
+  const FloatFormat format = graph.arithmetic.format;
   UlpDistanceDecision decision{
-      .guard_ulp = smallest_guard(f, g, graph.arithmetic.format.precision()),
+      .guard_ulp = std::min(smallest_guard(f, g, format.precision()), never(format)),
       .nonnegative = f.nonnegative && g.nonnegative,
       .nonnegative_inputs = std::move(analysis.nonnegative_inputs)};
   return Lane{std::move(graph), std::move(decision)};
@@ -384,7 +425,7 @@ Bits guard_ulp_before_rounding(const RelativeBound& f, const RelativeBound& g, i
   const mpq_class ratio = worst_ratio(f, g);
   if (ratio == 1) return 1;
   const Bits steps = steps_beyond(ratio, precision);
-  return steps == never ? never : steps + 1;
+  return steps == unreachable ? unreachable : steps + 1;
 }
 
 }  // namespace mixcmp::model

@@ -215,6 +215,38 @@ TEST(GuardUlp, NeverDecidesWhereTheBoundsAreBeyondAnyFormat) {
   EXPECT_EQ(model::guard_ulp_before_rounding({1, 1}, {1, huge}, 113), ~Bits{0});
 }
 
+/// x^80 and more: the bounds are worth more steps than so narrow a format has encodings.
+TEST(GuardUlp, FitsTheWidthOfTheFormat) {
+  const FloatFormat narrow = format_of(4, 2);
+  for (const char* f : {"(x^5)^16", "(x^13)^16", "(((x^16)^16)^16)^16"}) {
+    const Graph graph = graph_of(f, "y");
+    const auto lane =
+        certified_lane(lane_graph(graph, reference, {narrow}, LaneInputs::exact), {false, false});
+    EXPECT_LE(certified_decision(*lane).guard_ulp, model::low_mask(narrow.width())) << f;
+    EXPECT_GT(certified_decision(*lane).guard_ulp, 2 * narrow.largest_finite(false)) << f;
+  }
+}
+
+/// Each step squares the bound and doubles its digits, were it kept exactly.
+TEST(CertifiedLane, GivesUpOnPowersOfPowers) {
+  Graph graph;
+  model::NodeId power = graph.input("x");
+  for (int k = 0; k < 99; ++k) power = graph.apply(model::Operation::square, power);
+  graph.compare(power, graph.input("y"));
+  const auto lane = certify(graph, {});
+  ASSERT_FALSE(lane.ok());
+  EXPECT_NE(lane.error().message.find("out of bounds"), std::string::npos) << lane.error().message;
+}
+
+/// Past the digits that are kept, the bound still holds what exact arithmetic gives.
+TEST(RelativeBounds, OfLongProductsAreRoundedOutward) {
+  const NodeBound bound = bound_of("((x^16)^16)^2", {});
+  mpq_class low(131071, 131072), exact = 1;
+  for (int k = 0; k < 511; ++k) exact *= low;
+  EXPECT_LE(bound.relative->low, exact);
+  EXPECT_GT(bound.relative->low, exact * (1 - mpq_class(1, mpz_class(1) << 400)));
+}
+
 TEST(GuardUlp, OfTheSphereIsSeven) {
   for (const int precision : {8, 11, 17, 24, 32, 52}) {
     const auto lane = certify(sphere_graph(), {.precision = precision});
