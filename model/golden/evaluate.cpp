@@ -86,7 +86,12 @@ LaneResult decide(const IntervalDecision& decision, const TypedGraph& graph, std
           greater ? Verdict::greater : Verdict::less};
 }
 
-constexpr mpfr_prec_t first_precision = 128, last_precision = 1 << 14;
+constexpr mpfr_prec_t first_precision = 128;
+
+/// Four times as many digits as the exponents of the format span, for products of sums.
+mpfr_prec_t last_precision(FloatFormat format) {
+  return std::max(1 << 14, 4 << format.exponent_bits());
+}
 
 /// `unordered` here: the intervals do not tell.
 Verdict order(const Interval& f, const Interval& g) {
@@ -124,7 +129,8 @@ Verdict evaluate_reference(const TypedGraph& reference, std::span<const Bits> in
 
 Verdict true_verdict(const Graph& graph, FloatFormat format, std::span<const Bits> inputs) {
   Knowledge knowledge = Knowledge::uncertain;
-  for (mpfr_prec_t precision = first_precision; precision <= last_precision; precision *= 2) {
+  for (mpfr_prec_t precision = first_precision; precision <= last_precision(format);
+       precision *= 2) {
     Enclosure enclosure(graph, precision);
     knowledge = enclosure.compute(format, inputs);
     if (knowledge == Knowledge::undefined) return Verdict::unordered;

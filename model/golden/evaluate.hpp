@@ -30,7 +30,7 @@ Verdict evaluate_reference(const TypedGraph& reference, std::span<const Bits> in
 /// The ordering of the real numbers f and g of these inputs, which are exact values in `format`.
 /// Decided by interval arithmetic of growing precision; `unordered` for a NaN, for an infinite
 /// input, for a division by an exact zero and for the root of a negative number. Precision stops at
-/// 2^14 bits: where f and g still cannot be told apart they are called equal, and a divisor or a
+/// 2^14 bits (2^15 to 2^17 for 13 to 15 exponent bits): where f and g still cannot be told apart they are called equal, and a divisor or a
 /// radicand that still may be zero or negative makes the verdict unordered.
 Verdict true_verdict(const Graph& graph, FloatFormat format, std::span<const Bits> inputs);
 

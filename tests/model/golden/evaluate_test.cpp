@@ -215,6 +215,13 @@ TEST(TrueVerdict, SeesThroughRounding) {
   EXPECT_EQ(truth("a * b", "c", {"1e-300", "1e-300", "0"}), Verdict::greater) << "no underflow";
 }
 
+TEST(TrueVerdict, SeesTheSmallestNumberBesideTheLargest) {
+  const FloatFormat wide = FloatFormat::make(24, 15).value();
+  const std::vector<Bits> ends = {1, wide.largest_finite(false)};
+  EXPECT_EQ(true_verdict(graph_of("a + b", "b"), wide, ends), Verdict::greater);
+  EXPECT_EQ(true_verdict(graph_of("a + b^2", "b^2"), wide, ends), Verdict::greater);
+}
+
 TEST(TrueVerdict, KnowsEquality) {
   EXPECT_EQ(truth("a^2 + b^2", "c^2", {"3", "-4", "5"}), Verdict::equal);
   EXPECT_EQ(truth("sqrt(a)", "b", {"9", "3"}), Verdict::equal);
