@@ -1,0 +1,293 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "model/error/relative_bound.hpp"
+#include "model/expression/text.hpp"
+#include "model/golden/evaluate.hpp"
+#include "tests/support/float_samples.hpp"
+#include "tests/support/graphs.hpp"
+
+/// Certified lanes of random graphs in random formats, on operands that are driven to where the
+/// lane is only just certain: what it decides is the order of the real numbers.
+namespace mixcmp::test {
+namespace {
+
+using model::Arithmetic;
+using model::Bits;
+using model::FloatFormat;
+using model::Graph;
+using model::Lane;
+using model::LaneInputs;
+using model::Node;
+using model::NodeId;
+using model::Operation;
+using model::golden::evaluate_lane;
+using model::golden::LaneResult;
+using model::golden::true_verdict;
+using model::golden::Verdict;
+
+using Random = std::mt19937_64;
+
+int below(Random& random, int end) {
+  return static_cast<int>(random() % static_cast<unsigned>(end));
+}
+
+template <class Values>
+auto any_of(const Values& values, Random& random) {
+  return values[static_cast<size_t>(below(random, static_cast<int>(values.size())))];
+}
+
+bool one_in(Random& random, int n) {
+  return below(random, n) == 0;
+}
+
+/// Zeros, powers of two, numbers no binary format has, and some at the ends of small formats.
+mpq_class random_constant(Random& random) {
+  static const std::vector<mpq_class> values = {0,
+                                                1,
+                                                2,
+                                                3,
+                                                mpq_class(1, 2),
+                                                mpq_class(1, 3),
+                                                mpq_class(7, 10),
+                                                mpq_class(31, 16),
+                                                mpq_class(1, 64),
+                                                mpq_class(1, 100),
+                                                mpq_class(3, 500),
+                                                48,
+                                                1000,
+                                                mpq_class(1000001, 1000000),
+                                                mpq_class(1, 40000)};
+  const mpq_class value = any_of(values, random);
+  return one_in(random, 3) ? -value : value;
+}
+
+Operation random_operation(Random& random) {
+  static constexpr std::array operations = {
+      Operation::add,      Operation::add,     Operation::subtract, Operation::multiply,
+      Operation::multiply, Operation::divide,  Operation::square,   Operation::square_root,
+      Operation::minimum,  Operation::maximum, Operation::negate,   Operation::absolute};
+  return any_of(operations, random);
+}
+
+/// Leaves first, then operations that mostly take one of the last nodes; f and g are late nodes.
+Graph random_graph(Random& random) {
+  Graph graph;
+  const int input_count = 1 + below(random, 3);
+  std::vector<NodeId> nodes;
+  for (int k = 0; k < input_count; ++k)
+    nodes.push_back(graph.input(std::string(1, static_cast<char>('a' + k))));
+  if (one_in(random, 2)) nodes.push_back(graph.constant(random_constant(random)));
+  const auto any = [&] { return any_of(nodes, random); };
+  const auto late = [&] { return one_in(random, 2) ? any() : nodes.back(); };
+  const int operation_count = below(random, 8);
+  for (int k = 0; k < operation_count; ++k) {
+    const Operation operation = random_operation(random);
+    nodes.push_back(arity(operation) == 1 ? graph.apply(operation, late())
+                                          : graph.apply(operation, late(), any()));
+  }
+  graph.compare(late(), any());
+  return graph;
+}
+
+FloatFormat random_reference(Random& random) {
+  switch (below(random, 4)) {
+    case 0: return format_of(4 + below(random, 3), 2 + below(random, 3));
+    case 1: return format_of(5 + below(random, 8), 2 + below(random, 6));
+    case 2: return format_of(11 + below(random, 43), 2 + below(random, 14));
+    default: return format_of(4 + below(random, 110), 2 + below(random, 14));
+  }
+}
+
+/// As scenes do.
+bool holds_constants(const Graph& graph, FloatFormat format) {
+  for (const Node& node : graph.nodes()) {
+    if (node.operation != Operation::constant) continue;
+    const Bits bits = model::golden::from_rational(format, node.value);
+    if (format.is_infinite(bits) || (format.is_zero(bits) && node.value != 0)) return false;
+  }
+  return true;
+}
+
+Arithmetic random_reduced(Random& random, FloatFormat reference) {
+  const int highest = std::min(reference.precision(), 52);
+  const int lowest = std::min(4, highest);
+  const int precision =
+      lowest +
+      below(random, one_in(random, 3) ? highest - lowest + 1 : std::min(4, highest - lowest + 1));
+  const int exponent_bits = one_in(random, 2) ? reference.exponent_bits() : 2 + below(random, 14);
+  return any_of(every_arithmetic(format_of(precision, exponent_bits)), random);
+}
+
+/// The values of f and g where both are rational numbers.
+class Rationals {
+public:
+  Rationals(const Graph& graph, FloatFormat format, const std::vector<Bits>& inputs) {
+    for (const Node& node : graph.nodes()) {
+      values_.push_back(value(node, format, inputs));
+    }
+    f_ = values_[static_cast<size_t>(graph.f())];
+    g_ = values_[static_cast<size_t>(graph.g())];
+  }
+
+  std::optional<Verdict> verdict() const {
+    if (!f_ || !g_) return std::nullopt;
+    if (*f_ == *g_) return Verdict::equal;
+    return *f_ < *g_ ? Verdict::less : Verdict::greater;
+  }
+
+private:
+  std::optional<mpq_class> value(const Node& node, FloatFormat format,
+                                 const std::vector<Bits>& inputs) const {
+    if (node.operation == Operation::constant) return node.value;
+    if (node.operation == Operation::input) {
+      const Bits input = inputs[static_cast<size_t>(node.input)];
+      if (format.is_nan(input) || format.is_infinite(input)) return std::nullopt;
+      return model::golden::to_rational(format, input);
+    }
+    for (int k = 0; k < arity(node.operation); ++k) {
+      if (!values_[static_cast<size_t>(node.operands[static_cast<size_t>(k)])]) return std::nullopt;
+    }
+    const mpq_class& a = *values_[static_cast<size_t>(node.operands[0])];
+    const mpq_class& b =
+        arity(node.operation) == 1 ? a : *values_[static_cast<size_t>(node.operands[1])];
+    switch (node.operation) {
+      case Operation::negate: return -a;
+      case Operation::absolute: return abs(a);
+      case Operation::add: return a + b;
+      case Operation::subtract: return a - b;
+      case Operation::multiply: return a * b;
+      case Operation::square: return a * a;
+      case Operation::divide:
+        if (b == 0) return std::nullopt;
+        return a / b;
+      case Operation::minimum: return std::min(a, b);
+      case Operation::maximum: return std::max(a, b);
+      case Operation::square_root: {
+        if (a < 0 || !mpz_perfect_square_p(a.get_num_mpz_t()) ||
+            !mpz_perfect_square_p(a.get_den_mpz_t()))
+          return std::nullopt;
+        return mpq_class(sqrt(a.get_num()), sqrt(a.get_den()));
+      }
+      case Operation::input:
+      case Operation::constant:
+      case Operation::convert: break;
+    }
+    MIXCMP_CHECK(false);
+  }
+
+  std::vector<std::optional<mpq_class>> values_;
+  std::optional<mpq_class> f_, g_;
+};
+
+/// A lane under attack.
+struct Target {
+  const Graph& graph;
+  const Lane& lane;
+  LaneInputs how;
+};
+
+std::string describe(const Target& target, const std::vector<Bits>& inputs) {
+  const model::TypedGraph& lane = target.lane.graph;
+  const auto text = [&](NodeId id) { return to_text(lane.nodes, lane.input_names, id, 200); };
+  std::string description = fmt::format(
+      "{} against {}, reference {}, lane {} {} {}, inputs {}, guard {}, signs checked {}:",
+      text(lane.f), text(lane.g), lane.input_format.name(), lane.arithmetic.format.name(),
+      to_string(lane.arithmetic.rounding), to_string(lane.arithmetic.subnormals),
+      target.how == LaneInputs::exact ? "exact" : "rounded",
+      static_cast<long>(certified_decision(target.lane).guard_ulp),
+      certified_decision(target.lane).nonnegative_inputs.size());
+  for (const Bits input : inputs) {
+    description += fmt::format(" 0x{}", model::to_hex(input, lane.input_format.width()));
+  }
+  return description;
+}
+
+/// |key(f) - key(g)|.
+Bits distance(FloatFormat format, const LaneResult& result) {
+  const Bits f = format.magnitude(result.f), g = format.magnitude(result.g);
+  if (format.sign(result.f) != format.sign(result.g)) return f + g;
+  return f > g ? f - g : g - f;
+}
+
+Bits random_operand(FloatFormat format, Random& random) {
+  if (one_in(random, 6)) return any_of(special_encodings(format), random);
+  if (one_in(random, 2)) return random_encoding(format, random);
+  return random_encoding_near(format, format.pack(false, format.bias(), 0), random);
+}
+
+Bits moved(FloatFormat format, Bits operand, Random& random) {
+  const Bits step = Bits{1} << below(random, format.width() - 1);
+  switch (below(random, 8)) {
+    case 0: return operand ^ format.zero(true);
+    case 1: return random_operand(format, random);
+    case 2:
+    case 3:
+    case 4: return (operand + step) & model::low_mask(format.width());
+    default: return (operand - step) & model::low_mask(format.width());
+  }
+}
+
+/// Holds one decision against the real numbers, and their enclosure against rational arithmetic.
+void hold(const Target& target, const std::vector<Bits>& inputs, Verdict decided) {
+  const FloatFormat format = target.lane.graph.input_format;
+  const Verdict truth = true_verdict(target.graph, format, inputs);
+  EXPECT_EQ(to_string(decided), to_string(truth)) << describe(target, inputs);
+  if (const auto rational = Rationals(target.graph, format, inputs).verdict()) {
+    EXPECT_EQ(to_string(*rational), to_string(truth)) << describe(target, inputs);
+  }
+}
+
+/// Walks from random operands towards the smallest distance that is still decided. Returns how
+/// many decisions it saw at the guard itself.
+int attack(const Target& target, Random& random) {
+  constexpr int steps = 60;
+  const FloatFormat reference = target.lane.graph.input_format;
+  const FloatFormat format = target.lane.graph.arithmetic.format;
+  std::vector<Bits> inputs(target.graph.inputs().size());
+  for (Bits& input : inputs) input = random_operand(reference, random);
+  if (one_in(random, 4)) inputs.front() = inputs.back();
+  Bits closest = ~Bits{0};
+  int at_the_guard = 0;
+  for (int step = 0; step < steps && !testing::Test::HasFailure(); ++step) {
+    std::vector<Bits> next = inputs;
+    Bits& operand = next[static_cast<size_t>(below(random, static_cast<int>(next.size())))];
+    if (step > 0) operand = moved(reference, operand, random);
+    const LaneResult result = evaluate_lane(target.lane, next);
+    if (!result.decided || distance(format, result) > closest) continue;
+    closest = distance(format, result);
+    inputs = next;
+    at_the_guard += closest == certified_decision(target.lane).guard_ulp ? 1 : 0;
+    hold(target, inputs, result.verdict);
+  }
+  return at_the_guard;
+}
+
+class RandomGraphs : public testing::TestWithParam<int> {};
+
+TEST_P(RandomGraphs, AreDecidedAsTheRealNumbersAre) {
+  Random random(static_cast<unsigned>(GetParam()));
+  int lanes = 0, at_the_guard = 0;
+  for (int k = 0; k < MIXCMP_FUZZED_GRAPHS && !HasFailure(); ++k) {
+    const Graph graph = random_graph(random);
+    const FloatFormat reference = random_reference(random);
+    if (!holds_constants(graph, reference)) continue;
+    std::vector<bool> ranges;
+    for (size_t i = 0; i < graph.inputs().size(); ++i) ranges.push_back(!one_in(random, 3));
+    const LaneInputs how = one_in(random, 2) ? LaneInputs::exact : LaneInputs::rounded;
+    const Arithmetic reduced = random_reduced(random, reference);
+    const auto lane = certified_lane(lane_graph(graph, reference, reduced, how), ranges);
+    if (!lane.ok()) continue;
+    ++lanes;
+    for (int walk = 0; walk < 4; ++walk) at_the_guard += attack({graph, *lane, how}, random);
+  }
+  EXPECT_GT(lanes, MIXCMP_FUZZED_GRAPHS / 2);
+  EXPECT_GT(at_the_guard, lanes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomGraphs, testing::Range(1, 5));
+
+}  // namespace
+}  // namespace mixcmp::test
