@@ -139,6 +139,7 @@ void DatapathBuilder::build_sign_change(NodeId id) {
     source = pool_.unique(source + "_bits");
     add(Wire{node.format.width(), source, operand.value});
   }
+  if (!negate) add(Wire{1, pool_.unique("unused_sign_of_" + source), bit(source, top)});
   const Operand sign = negate ? inverted(bit(source, top)) : literal(1, 0);
   add(Comment{negate ? "A negation is its sign." : "An absolute value is its magnitude bits."});
   add(Wire{node.format.width(), names_[id], concatenation({sign, slice(source, top - 1, 0)})});

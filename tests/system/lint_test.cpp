@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "model/expression/parser.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -28,6 +29,23 @@ model::Design with(model::Design design, const std::function<void(model::Design&
   return design;
 }
 
+/// Two certified lanes and a reference for any comparison.
+model::Design design_of(const std::string& f, const std::string& g, model::Arithmetic reduced,
+                        model::FloatFormat reference) {
+  model::Graph graph;
+  const model::NodeId left = parse_expression(graph, f, {}).value();
+  graph.compare(left, parse_expression(graph, g, {}).value());
+  model::TypedGraph lane = lane_graph(graph, reference, reduced, model::LaneInputs::exact);
+  const std::vector<bool> any_sign(graph.inputs().size(), false);
+  return {.name = "comparison",
+          .inputs = graph.inputs(),
+          .lane = certified_lane(std::move(lane), any_sign).value(),
+          .reference = model::reference_graph(graph, {reference}),
+          .lanes = 2,
+          .references = 1,
+          .system = {}};
+}
+
 std::vector<Variant> variants() {
   const model::Design base = sphere_design(format("s17e8"), format("s53e8"), 8, 1);
   const model::Design odd = sphere_design(format("s8e5"), format("s24e7"), 7, 3);
@@ -46,6 +64,13 @@ std::vector<Variant> variants() {
       {"padded_7x3", odd},
       {"refetched_padded_7x3",
        with(odd, [](auto& d) { d.system.operands = model::OperandStore::refetched; })},
+      {"every_operation",
+       design_of("max(abs(a) * b^2, min(-a, 0.3)) / (b - 1)", "sqrt(abs(b)) + a^2",
+                 {format("s9e6"), model::Rounding::toward_zero, model::Subnormals::gradual},
+                 format("s24e8"))},
+      {"magnitude_alone", design_of("abs(a)", "max(b, -c)", {format("s4e2")}, format("s53e11"))},
+      {"lane_format_is_reference",
+       design_of("sqrt(a) / b", "c", {format("s11e5")}, format("s11e5"))},
       {"lane_only", sphere_design(format("s12e6"), format("s24e8"), 3, 0)},
       {"single_lane", sphere_design(format("s4e8"), format("s11e8"), 1, 1)},
       {"more_references_than_lanes", sphere_design(format("s4e8"), format("s11e8"), 2, 3)},
