@@ -55,7 +55,8 @@ struct CounterTotal {
   std::uint64_t observed = 0;
 };
 
-/// Verdicts that are not the order of the real numbers f and g.
+/// Verdicts that are not the order of the real numbers f and g. A recomputed comparison with an
+/// infinite or NaN operand has no such order and is not checked.
 struct TruthCount {
   std::uint64_t checked = 0;
   std::uint64_t wrong_by_lane = 0;

@@ -31,8 +31,33 @@ Result<Lane> design_profiled_lane(const Scene& scene, TypedGraph graph, const Co
   }
   const std::uint64_t seed = scene.data ? scene.data->seed : 1;
   const ProfiledError profiled = profile_error(scene.graph, graph, *data, profile_samples, seed);
+  if (profiled.comparisons == 0) {
+    return Error{.field = "reduced.bound",
+                 .message = "no comparison of the data could be measured for the profile",
+                 .received = fmt::format("{} comparisons, none with finite f and g", data->size()),
+                 .accepted = "other data, or reduced.relative_error_f and relative_error_g"};
+  }
   return profiled_lane(std::move(graph), reduced.relative_error_f.value_or(profiled.f),
                        reduced.relative_error_g.value_or(profiled.g));
+}
+
+/// Whether any two results lie far enough apart for the lane to decide.
+bool can_decide(const Lane& lane) {
+  const auto* decision = std::get_if<UlpDistanceDecision>(&lane.decision);
+  if (decision == nullptr) return true;
+  const Bits largest = lane.graph.arithmetic.format.largest_finite(false);
+  return decision->guard_ulp <= (decision->nonnegative ? largest : 2 * largest);
+}
+
+Result<Lane> design_certified_lane(const Scene& scene, TypedGraph graph) {
+  MIXCMP_TRY(lane, certified_lane(std::move(graph), scene.nonnegative_inputs()));
+  if (can_decide(lane)) return lane;
+  return Error{.field = "reduced.format",
+               .message =
+                   "too many roundings for so few digits: no two results are far enough "
+                   "apart to be decided",
+               .received = lane.graph.arithmetic.format.name(),
+               .accepted = "more precision"};
 }
 
 Result<Lane> design_lane(const Scene& scene, const Comparisons* data) {
@@ -41,7 +66,7 @@ Result<Lane> design_lane(const Scene& scene, const Comparisons* data) {
   const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
   TypedGraph graph = lane_graph(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
   switch (reduced.bound) {
-    case BoundKind::certified: return certified_lane(std::move(graph), scene.nonnegative_inputs());
+    case BoundKind::certified: return design_certified_lane(scene, std::move(graph));
     case BoundKind::profiled: return design_profiled_lane(scene, std::move(graph), data);
   }
   MIXCMP_CHECK(false);

@@ -88,6 +88,30 @@ TEST(MakeDesign, NeedsConstantsOrDataForAProfiledBound) {
   EXPECT_EQ(decision.relative_error_g, mpq_class(1, 2000));
 }
 
+TEST(MakeDesign, RefusesALaneThatCouldNeverDecide) {
+  Scene scene = complete_scene();
+  const std::string fourth = "((a^16)^16)";
+  scene.graph = graph_of(fourth, "b");
+  scene.reduced.format = format_of(4, 2);
+  const Error error = error_of(scene);
+  EXPECT_EQ(error.field, "reduced.format");
+  EXPECT_EQ(error.received, "s4e2");
+  scene.reduced.format = format_of(17, 8);
+  EXPECT_TRUE(make_design(scene, nullptr).ok());
+}
+
+TEST(MakeDesign, RefusesAProfileOfNothing) {
+  Scene scene = complete_scene();
+  scene.reduced.bound = BoundKind::profiled;
+  model::Table table{.format = format_of(53, 8), .columns = {"a", "b"}};
+  table.values = {table.format.quiet_nan(), table.format.infinity(false)};
+  const Comparisons data = Comparisons::rows(std::move(table), {"a", "b"}).value();
+  const auto design = make_design(scene, &data);
+  ASSERT_FALSE(design.ok());
+  EXPECT_EQ(design.error().field, "reduced.bound");
+  EXPECT_NE(design.error().received.find("1 comparisons"), std::string::npos);
+}
+
 TEST(MakeDesign, MeasuresMissingConstantsOnData) {
   Scene scene = complete_scene();
   scene.reduced.bound = BoundKind::profiled;

@@ -27,6 +27,10 @@ struct Comparison {
   bool ranges = false;  ///< declares every input non-negative
 };
 
+void PrintTo(const Comparison& comparison, std::ostream* stream) {
+  *stream << comparison.f << " against " << comparison.g;
+}
+
 std::string describe(const Comparison& comparison, const Lane& lane, FloatFormat format,
                      const std::vector<Bits>& inputs) {
   const model::Arithmetic& arithmetic = lane.graph.arithmetic;
