@@ -90,8 +90,9 @@ private:
   }
 
   void note_slow(const Unit& unit, const Stage& stage) {
-    const std::string note = fmt::format("{}, stage \"{}\": {:.1f} ns of logic, {:.1f} ns wanted",
-                                         unit.module, stage.name, stage.delay_ns, logic_ns_);
+    const std::string note =
+        fmt::format("{}, stage \"{}\": about {:.1f} ns of logic, the target leaves {:.1f} ns",
+                    unit.module, stage.name, stage.delay_ns, logic_ns_);
     auto& notes = schedule_.slow_stages;
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
   }

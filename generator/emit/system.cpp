@@ -248,11 +248,10 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   system.files.push_back({shape.top + ".f", list});
   system.files.push_back(constraint_file(system.signature));
   system.files.push_back({shape.top + ".json", to_json(system.signature)});
-  system.notes = lane.slow_stages;
-  for (const std::string& note : reference.slow_stages) {
-    if (std::find(system.notes.begin(), system.notes.end(), note) == system.notes.end()) {
-      system.notes.push_back(note);
-    }
+  for (const std::string& stage : lane.slow_stages) system.notes.push_back("lane: " + stage);
+  if (!shape.recomputes()) return system;
+  for (const std::string& stage : reference.slow_stages) {
+    system.notes.push_back("reference: " + stage);
   }
   return system;
 }
