@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "verilator_tb/system_simulation.hpp"
 
 namespace mixcmp::tb {

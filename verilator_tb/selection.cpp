@@ -1,6 +1,7 @@
 #include "verilator_tb/selection.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace mixcmp::tb {
 

@@ -1,6 +1,7 @@
 #include "model/data/load.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "model/data/csv.hpp"
 #include "model/data/npy.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "model/common/file.hpp"
 #include "model/common/nearest.hpp"

@@ -1,5 +1,7 @@
 #include "model/data/uniform_spheres.hpp"
 
+#include <cstdint>
+
 #include "model/data/philox.hpp"
 #include "model/golden/arithmetic.hpp"
 

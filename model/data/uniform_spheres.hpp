@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "model/data/comparisons.hpp"
 
 namespace mixcmp::model {

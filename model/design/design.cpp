@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <cstdint>
+
 #include "model/error/profiled_error.hpp"
 #include "model/error/relative_bound.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <gmpxx.h>
 
+#include <cstdint>
 #include <limits>
 
 namespace mixcmp::model::golden {

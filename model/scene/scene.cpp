@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "model/common/nearest.hpp"
 #include "model/expression/name.hpp"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "model/common/nearest.hpp"
 #include "model/expression/literal.hpp"

@@ -3,6 +3,7 @@
 #include <gmpxx.h>
 
 #include <concepts>
+#include <cstdint>
 #include <initializer_list>
 #include <limits>
 #include <optional>

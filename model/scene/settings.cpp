@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "model/common/file.hpp"
 #include "model/common/quote.hpp"

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 #include "model/error/profiled_error.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"

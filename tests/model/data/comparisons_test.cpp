@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 #include "model/data/load.hpp"
 #include "model/golden/arithmetic.hpp"
 

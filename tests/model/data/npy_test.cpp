@@ -1,6 +1,7 @@
 #include "model/data/npy.hpp"
 
 #include <bit>
+#include <cstdint>
 #include <cstring>
 #include <random>
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "model/data/philox.hpp"
 #include "model/golden/arithmetic.hpp"

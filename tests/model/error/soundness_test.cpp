@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 #include "model/error/relative_bound.hpp"
 #include "model/golden/evaluate.hpp"
 #include "tests/support/float_samples.hpp"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 
 #include "model/error/profiled_error.hpp"
 #include "model/golden/evaluate.hpp"

@@ -1,6 +1,7 @@
 #include "tests/rtl_templates/stream/stream_system_run.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 
 namespace mixcmp::test {
