@@ -46,7 +46,7 @@ struct VerifyOptions {
   int resets = 0;  ///< in mid-stream, spread over the run
   std::uint64_t hang_cycles = 50'000;
   std::uint64_t block_size = 16'384;  ///< comparisons exchanged at a time
-  /// FST file (VCD from Icarus) to write; beside it goes a GTKWave save file, .gtkw.
+  /// FST file to write; beside it goes a GTKWave save file, .gtkw.
   std::filesystem::path waves;
   std::optional<TruthCheck> truth;
   std::string repeat_command;         ///< to which " --only INDEX" is added in the report

@@ -5,16 +5,77 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/cli/verbs.hpp"
+#include "generator/emit/system.hpp"
 #include "model/scene/summary.hpp"
 
 namespace mixcmp::cli {
 namespace {
 
+std::string decision_text(const model::Lane& lane) {
+  if (const auto* interval = std::get_if<model::IntervalDecision>(&lane.decision)) {
+    return fmt::format("profiled, not certified: RE_f = {:.4g}, RE_g = {:.4g}",
+                       interval->relative_error_f.get_d(), interval->relative_error_g.get_d());
+  }
+  const model::Bits guard = std::get<model::UlpDistanceDecision>(lane.decision).guard_ulp;
+  if (guard == 0) return "certified: f and g are exact, all is decided";
+  return fmt::format("certified: decided where f and g are {} ulp apart or more", guard);
+}
+
+/// What `generate` would write, or why it would refuse.
+struct Outlook {
+  std::string decision;
+  model::Result<gen::GeneratedSystem> system;
+};
+
+Outlook outlook(const LoadedScene& loaded) {
+  const auto design = make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr);
+  if (!design.ok()) return {"", design.error()};
+  return {decision_text(design->lane), gen::generate_system(*design, "")};
+}
+
+void print_text(const Outlook& outlook) {
+  const auto line = [](const char* name, const std::string& text) {
+    fmt::print("  {:<18} {}\n", name, text);
+  };
+  fmt::print("what generate writes\n");
+  if (!outlook.system.ok()) return line("nothing", outlook.system.error().to_string());
+  const gen::Signature& signature = outlook.system->signature;
+  line("top", signature.top);
+  line("lane", fmt::format("{} cycles", signature.lane_latency_cycles));
+  line("decision", outlook.decision);
+  if (signature.references == 0) return;
+  line("reference", fmt::format("{} cycles", signature.reference_latency_cycles));
+}
+
+nlohmann::json to_json(const Outlook& outlook) {
+  if (!outlook.system.ok()) {
+    const model::Error& error = outlook.system.error();
+    return {{"error",
+             {{"field", error.field},
+              {"message", error.message},
+              {"received", error.received},
+              {"accepted", error.accepted}}}};
+  }
+  const gen::Signature& signature = outlook.system->signature;
+  return {{"top", signature.top},
+          {"decision", outlook.decision},
+          {"lane_latency_cycles", signature.lane_latency_cycles},
+          {"reference_latency_cycles", signature.reference_latency_cycles}};
+}
+
 void run(const SceneOptions& options) {
   const LoadedScene loaded = value_or_exit(load(options));
   const model::Summary summary =
       model::summarise(loaded.scene, loaded.data ? &*loaded.data : nullptr);
-  fmt::print("{}", options.json ? to_json(summary).dump(2) + "\n" : to_text(summary));
+  const Outlook generated = outlook(loaded);
+  if (options.json) {
+    nlohmann::json report = to_json(summary);
+    report["generate"] = to_json(generated);
+    fmt::print("{}\n", report.dump(2));
+  } else {
+    fmt::print("{}", to_text(summary));
+    print_text(generated);
+  }
 }
 
 }  // namespace

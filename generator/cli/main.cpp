@@ -8,13 +8,16 @@ int main(int argc, char** argv) {
   CLI::App app("Turns a numerical comparison, the sign of f(x) - g(y), into verified Verilog.",
                "mixcmp");
   app.set_version_flag("--version", std::string(mixcmp::gen::version));
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   mixcmp::cli::add_check(app);
   mixcmp::cli::add_generate(app);
   mixcmp::cli::add_verify(app);
   mixcmp::cli::add_doctor(app);
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty()) {
+      throw CLI::RequiredError("A verb (check, generate, verify, doctor)");
+    }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;
   } catch (const mixcmp::cli::Exit& exit) {

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "generator/datapath/delays.hpp"
 #include "model/data/load.hpp"
 
 namespace mixcmp::cli {
@@ -30,14 +31,14 @@ bool needs_quotes(const std::string& text) {
   return text.find_first_of(" \t\"'$&|;<>()[]{}*?!#~`\\") != std::string::npos;
 }
 
+}  // namespace
+
 std::string quoted(const std::string& text) {
   if (!needs_quotes(text)) return text;
   std::string quoted_text = "'";
   for (const char c : text) quoted_text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted_text + "'";
 }
-
-}  // namespace
 
 void add_scene_options(CLI::App& verb, SceneOptions& options) {
   verb.add_option("SCENE", options.scene, "the scene file (docs/scene_file.md)")->required();
@@ -57,6 +58,11 @@ void add_scene_options(CLI::App& verb, SceneOptions& options) {
 
 model::Result<LoadedScene> load(const SceneOptions& options) {
   MIXCMP_TRY(scene, model::load_scene(options.scene, options.settings));
+  if (const auto delays = gen::delays_of(scene.system.device); !delays.ok()) {
+    model::Error error = delays.error();
+    error.file = options.scene.string();
+    return error;
+  }
   LoadedScene loaded = {std::move(scene), std::nullopt};
   if (loaded.scene.data) {
     MIXCMP_TRY(data, model::load_comparisons(loaded.scene));

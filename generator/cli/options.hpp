@@ -27,6 +27,9 @@ struct LoadedScene {
 };
 model::Result<LoadedScene> load(const SceneOptions& options);
 
+/// One word of a POSIX shell's command line, quoted where it must be.
+std::string quoted(const std::string& text);
+
 /// The verb and its settings as a command that gives the same result, the scene by its file name
 /// alone: it is printed into generated files.
 std::string command_line(const std::string& verb, const SceneOptions& options);

@@ -29,6 +29,13 @@ std::string field(const std::string& text) {
 
 }  // namespace
 
+ResultTable::~ResultTable() {
+  if (!stream_.is_open()) return;
+  stream_.close();
+  std::error_code ignored;
+  fs::remove(unfinished(path_), ignored);
+}
+
 ResultTable::ResultTable(fs::path path, std::ofstream stream, const model::Comparisons& data,
                          std::set<model::golden::Verdict> kept)
     : path_(std::move(path)), stream_(std::move(stream)), data_(&data), kept_(std::move(kept)) {}

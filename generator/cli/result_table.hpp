@@ -18,6 +18,11 @@ public:
                                          const model::Comparisons& data,
                                          std::set<model::golden::Verdict> kept);
 
+  ResultTable(ResultTable&&) = default;
+  ResultTable& operator=(ResultTable&&) = delete;
+  /// Of a table that was not finished nothing remains.
+  ~ResultTable();
+
   void add(const tb::VerifiedResult& result);
   model::Result<model::Done> finish();
 

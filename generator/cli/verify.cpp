@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/exit.hpp"
@@ -37,10 +39,30 @@ template <class Value>
 using Spellings = std::map<std::string, Value>;
 
 template <class Value>
-CLI::Option* add_choice(CLI::App& verb, const std::string& flag, Value& value,
-                        const Spellings<Value>& spellings, const std::string& help) {
-  return verb.add_option(flag, value, help)
-      ->transform(CLI::CheckedTransformer(spellings, CLI::ignore_case));
+void add_choice(CLI::App& verb, const std::string& flag, Value& value,
+                const Spellings<Value>& spellings, const std::string& help) {
+  std::set<std::string> names;
+  for (const auto& [name, meaning] : spellings) names.insert(name);
+  verb.add_option_function<std::string>(
+          flag, [&value, spellings](const std::string& name) { value = spellings.at(name); }, help)
+      ->check(CLI::IsMember(names));
+}
+
+/// An integer of at least `low`, in decimal; CLI11 itself wraps negative ones.
+CLI::Validator at_least(int low) {
+  return CLI::Validator(
+      [low](const std::string& text) -> std::string {
+        const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
+        if (digits && (low == 0 || text.find_first_not_of('0') != std::string::npos)) return "";
+        return fmt::format("received {}; accepted an integer of at least {}", text, low);
+      },
+      "");
+}
+
+/// Both simulators write FST, and the save file takes the same name with another ending.
+std::string fst_path(const std::string& text) {
+  if (fs::path(text).extension() == ".fst") return "";
+  return fmt::format("received {}; accepted a file that ends in .fst", text);
 }
 
 const Spellings<Verdict> verdict_spellings = {{"less", Verdict::less},
@@ -52,10 +74,14 @@ void add_options(CLI::App& verb, VerifyCommand& command) {
   add_scene_options(verb, command.scene);
   verb.add_option("--work", command.work,
                   "directory for the Verilog, the builds and the logs (default: TOP_simulation)");
-  auto* first = verb.add_option("--first", command.first, "only the first N comparisons");
-  auto* sample = verb.add_option("--sample", command.sample, "only N comparisons, spread over all");
-  verb.add_option("--seed", command.run.selection.seed, "of --sample and of --traffic stressed");
-  auto* only = verb.add_option("--only", command.only, "only comparison number N");
+  auto* first =
+      verb.add_option("--first", command.first, "only the first N comparisons")->check(at_least(1));
+  auto* sample = verb.add_option("--sample", command.sample, "only N comparisons, spread over all")
+                     ->check(at_least(1));
+  verb.add_option("--seed", command.run.selection.seed, "of --sample and of --traffic stressed")
+      ->check(at_least(0));
+  auto* only =
+      verb.add_option("--only", command.only, "only comparison number N")->check(at_least(0));
   first->excludes(sample)->excludes(only);
   sample->excludes(only);
   add_choice<tb::SimulatorKind>(
@@ -66,15 +92,16 @@ void add_options(CLI::App& verb, VerifyCommand& command) {
       verb, "--traffic", command.run.traffic,
       {{"full_rate", tb::TrafficKind::full_rate}, {"stressed", tb::TrafficKind::stressed}},
       "full_rate, or stressed: random gaps and backpressure");
-  verb.add_option("--resets", command.run.resets, "resets in mid-stream");
+  verb.add_option("--resets", command.run.resets, "resets in mid-stream")->check(at_least(0));
   verb.add_option("--trace", command.run.waves,
-                  "write waves: FST (VCD from icarus), beside it a GTKWave save file");
+                  "write waves to this .fst file, beside it a GTKWave save file")
+      ->check(CLI::Validator(fst_path, ""));
   add_choice<TruthOption>(verb, "--truth", command.truth,
                           {{"off", TruthOption::off},
                            {"recomputed", TruthOption::recomputed},
                            {"all", TruthOption::all}},
                           "hold verdicts also against exact arithmetic: off, recomputed, all");
-  verb.add_option("--csv", command.csv, "write the verdicts as CSV");
+  auto* csv = verb.add_option("--csv", command.csv, "write the verdicts as CSV");
   verb.add_option_function<std::vector<std::string>>(
           "--csv-verdict",
           [&command](const std::vector<std::string>& names) {
@@ -85,7 +112,8 @@ void add_options(CLI::App& verb, VerifyCommand& command) {
           },
           "only these verdicts in the CSV: less, equal, greater, unordered")
       ->check(CLI::IsMember({"less", "equal", "greater", "unordered"}))
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->needs(csv);
 }
 
 tb::Selection::Options selection(const VerifyCommand& command) {
@@ -102,8 +130,10 @@ void show_progress(const std::string& what) {
 }
 
 std::string repeat_command(const VerifyCommand& command) {
-  std::string line = "mixcmp verify " + command.scene.scene.string();
-  for (const std::string& setting : command.scene.settings) line += " --set '" + setting + "'";
+  std::string line = "mixcmp verify " + quoted(command.scene.scene.string());
+  for (const std::string& setting : command.scene.settings) line += " --set " + quoted(setting);
+  if (command.run.simulator == tb::SimulatorKind::icarus) line += " --simulator icarus";
+  if (command.truth != TruthOption::off) line += " --truth all";
   return line;
 }
 
@@ -134,6 +164,25 @@ tb::VerifyReport run_with_table(const model::Design& design, const model::Compar
   return report;
 }
 
+/// The makefiles of Verilator refuse blanks in the path of the folder that they build in.
+model::Result<model::Done> check_work(const VerifyCommand& command, const fs::path& work) {
+  const std::string path = fs::absolute(work).string();
+  const bool blanks = path.find_first_of(" \t\n") != std::string::npos;
+  if (command.run.simulator == tb::SimulatorKind::icarus || !blanks) return model::Done{};
+  return model::Error{.field = "--work",
+                      .message = "Verilator cannot build where the path has blanks",
+                      .received = path,
+                      .accepted = "--work with a path without blanks, or --simulator icarus"};
+}
+
+/// A trace that cannot be written should not cost a simulation first.
+model::Result<model::Done> check_trace(const fs::path& trace) {
+  if (trace.empty() || std::ofstream(trace, std::ios::app)) return model::Done{};
+  return model::Error{.file = trace.string(),
+                      .field = "--trace",
+                      .message = fmt::format("cannot be written: {}", std::strerror(errno))};
+}
+
 void run(const VerifyCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
   if (!loaded.data) {
@@ -148,6 +197,8 @@ void run(const VerifyCommand& command) {
       value_or_exit(gen::generate_system(design, command_line("generate", command.scene)));
   const fs::path work =
       command.work.empty() ? fs::path(system.signature.top + "_simulation") : command.work;
+  value_or_exit(check_work(command, work));
+  value_or_exit(check_trace(command.run.waves));
   const fs::path rtl = work / "rtl";
   value_or_exit(gen::write_system(system, rtl));
   const tb::VerifyReport report =

@@ -138,6 +138,12 @@ Described describe_reference_channel(const SystemShape& shape) {
            "Reset: aresetn, synchronous, active low."}};
 }
 
+/// Cycles from in to out beside the lane, of a decided comparison that never waits.
+int channel_latency_cycles(const SystemShape& shape) {
+  const bool merges = shape.order == model::ResultOrder::tagged && shape.recomputes();
+  return merges ? 5 : 4;
+}
+
 Described describe_top(const Design& design, const SystemShape& shape) {
   const int tdata_bits = shape.tdata_bytes() * 8;
   Described top = {
@@ -152,13 +158,17 @@ Described describe_top(const Design& design, const SystemShape& shape) {
        fmt::format("s_axis_tuser, m_axis_tuser, {} bits a lane: the tag.", shape.tag_bits),
        "m_axis_tdata, 8 bits a lane: {4'b0, undecided, recomputed, verdict[1:0]};",
        "  verdict: 0 less, 1 equal, 2 greater, 3 unordered."}};
+  if (shape.refetches()) {
+    top.facts.push_back("m_refetch_tdata, s_refetch_tdata, a field a reference: a tag out, in the");
+    top.facts.push_back("  order of the tags the operands of each back in.");
+  }
   if (shape.counter_bits > 0) {
     top.facts.push_back("comparisons, recomputations, stalls: counts since reset, they wrap.");
   }
   top.facts.push_back(
       fmt::format("Initiation interval 1 a lane, latency {} cycles and up. Reset: aresetn, "
                   "synchronous, active low.",
-                  shape.lane_latency_cycles));
+                  shape.lane_latency_cycles + channel_latency_cycles(shape)));
   return top;
 }
 

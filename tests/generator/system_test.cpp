@@ -98,6 +98,18 @@ TEST(System, EveryVerilogFileSaysItIsUnencumberedAndNamesNoPathOrDate) {
   }
 }
 
+/// docs/ports.md has the cycles beside the lane; simulation measures the same minimum.
+TEST(System, TopNamesTheLatencyFromPortToPort) {
+  for (const int references : {0, 1}) {
+    const GeneratedSystem system = sphere_system(2, references);
+    const int channel = references == 0 ? 4 : 5;
+    const std::string fact =
+        "latency " + std::to_string(system.signature.lane_latency_cycles + channel) + " cycles";
+    const std::string& text = find(system, system.signature.top + ".v")->text;
+    EXPECT_NE(text.find(fact), std::string::npos) << fact;
+  }
+}
+
 TEST(System, FileListAndSignatureNameTheSameFiles) {
   const GeneratedSystem system = sphere_system();
   std::string expected;
