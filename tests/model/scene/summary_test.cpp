@@ -79,7 +79,7 @@ TEST(Summary, MissingRangesLeaveItUnknown) {
   const Scene scene = load(path);
   const Summary summary = summarise(scene, nullptr);
   ASSERT_EQ(summary.datapaths.size(), 1U);
-  const Finding& root = event(summary.datapaths[0], "root of a negative number");
+  const Finding root = event(summary.datapaths[0], "root of a negative number");
   EXPECT_EQ(root.answer, Possibility::unknown);
   EXPECT_EQ(root.rangeless, std::vector<std::string>{"x"});
   EXPECT_EQ(root.operations, std::vector<std::string>{"sqrt(x)"});
