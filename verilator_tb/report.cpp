@@ -55,7 +55,8 @@ std::string totals(const VerifyReport& r) {
   if (r.resets > 0) text += line("resets in mid-stream", std::to_string(r.resets));
   for (const CounterTotal& counter : r.counters) {
     text += line(("counter " + counter.name).c_str(),
-                 fmt::format("{} (observed {})", counter.counted, counter.observed));
+                 fmt::format("{} (observed {}){}", counter.counted, counter.observed,
+                             r.resets > 0 ? " since the last reset" : ""));
   }
   if (r.truth) {
     text += line("against the truth",

@@ -37,11 +37,11 @@ ResultTable::~ResultTable() {
 }
 
 ResultTable::ResultTable(fs::path path, std::ofstream stream, const model::Comparisons& data,
-                         std::set<model::golden::Verdict> kept)
+                         std::set<std::string> kept)
     : path_(std::move(path)), stream_(std::move(stream)), data_(&data), kept_(std::move(kept)) {}
 
 model::Result<ResultTable> ResultTable::open(const fs::path& path, const model::Comparisons& data,
-                                             std::set<model::golden::Verdict> kept) {
+                                             std::set<std::string> kept) {
   std::ofstream stream(unfinished(path), std::ios::binary);
   stream << "index," << (data.pairs() ? "i,j," : "");
   if (data.pairs() && !data.table().labels.empty()) stream << "label_i,label_j,";
@@ -51,7 +51,8 @@ model::Result<ResultTable> ResultTable::open(const fs::path& path, const model::
 }
 
 void ResultTable::add(const tb::VerifiedResult& result) {
-  if (result.undecided || kept_.count(result.verdict) == 0) return;
+  const std::string verdict(result.undecided ? undecided : to_string(result.verdict));
+  if (kept_.count(verdict) == 0) return;
   stream_ << result.index << ',';
   if (data_->pairs()) {
     const auto [i, j] = data_->items(result.index);
@@ -59,7 +60,7 @@ void ResultTable::add(const tb::VerifiedResult& result) {
     const auto& labels = data_->table().labels;
     if (!labels.empty()) stream_ << field(labels[i]) << ',' << field(labels[j]) << ',';
   }
-  stream_ << model::golden::to_string(result.verdict) << ',' << (result.recomputed ? 1 : 0) << '\n';
+  stream_ << verdict << ',' << (result.recomputed ? 1 : 0) << '\n';
 }
 
 model::Result<model::Done> ResultTable::finish() {

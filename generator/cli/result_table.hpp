@@ -10,13 +10,15 @@
 namespace mixcmp::cli {
 
 /// The verdicts of a run as CSV: index, then i and j of a pair (with their labels where the data
-/// has some), verdict, recomputed. Written beside the final path and moved there when complete.
+/// has some), verdict ("undecided" where no reference answered), recomputed. Written beside the final path and moved there when complete.
 class ResultTable {
 public:
+  static constexpr std::string_view undecided = "undecided";
+
   /// Only verdicts in `kept` become rows.
   static model::Result<ResultTable> open(const std::filesystem::path& path,
                                          const model::Comparisons& data,
-                                         std::set<model::golden::Verdict> kept);
+                                         std::set<std::string> kept);
 
   ResultTable(ResultTable&&) = default;
   ResultTable& operator=(ResultTable&&) = delete;
@@ -28,12 +30,12 @@ public:
 
 private:
   ResultTable(std::filesystem::path path, std::ofstream stream, const model::Comparisons& data,
-              std::set<model::golden::Verdict> kept);
+              std::set<std::string> kept);
 
   std::filesystem::path path_;
   std::ofstream stream_;
   const model::Comparisons* data_;
-  std::set<model::golden::Verdict> kept_;
+  std::set<std::string> kept_;
 };
 
 }  // namespace mixcmp::cli

@@ -18,7 +18,9 @@ namespace mixcmp::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using model::golden::Verdict;
+
+const std::set<std::string> csv_verdict_names = {"less", "equal", "greater", "unordered",
+                                                 std::string(ResultTable::undecided)};
 
 enum class TruthOption { off, recomputed, all };
 
@@ -27,8 +29,7 @@ struct VerifyCommand {
   tb::VerifyOptions run;
   fs::path work;
   fs::path csv;
-  std::set<Verdict> csv_verdicts = {Verdict::less, Verdict::equal, Verdict::greater,
-                                    Verdict::unordered};
+  std::set<std::string> csv_verdicts = csv_verdict_names;
   std::uint64_t first = 0;   ///< 0: not asked for
   std::uint64_t sample = 0;  ///< 0: not asked for
   std::optional<std::uint64_t> only;
@@ -65,11 +66,6 @@ std::string fst_path(const std::string& text) {
   return fmt::format("received {}; accepted a file that ends in .fst", text);
 }
 
-const Spellings<Verdict> verdict_spellings = {{"less", Verdict::less},
-                                              {"equal", Verdict::equal},
-                                              {"greater", Verdict::greater},
-                                              {"unordered", Verdict::unordered}};
-
 void add_options(CLI::App& verb, VerifyCommand& command) {
   add_scene_options(verb, command.scene);
   verb.add_option("--work", command.work,
@@ -105,13 +101,10 @@ void add_options(CLI::App& verb, VerifyCommand& command) {
   verb.add_option_function<std::vector<std::string>>(
           "--csv-verdict",
           [&command](const std::vector<std::string>& names) {
-            command.csv_verdicts.clear();
-            for (const std::string& name : names) {
-              command.csv_verdicts.insert(verdict_spellings.at(name));
-            }
+            command.csv_verdicts = {names.begin(), names.end()};
           },
-          "only these verdicts in the CSV: less, equal, greater, unordered")
-      ->check(CLI::IsMember({"less", "equal", "greater", "unordered"}))
+          "only these verdicts in the CSV: less, equal, greater, unordered, undecided")
+      ->check(CLI::IsMember(csv_verdict_names))
       ->allow_extra_args(false)
       ->needs(csv);
 }

@@ -82,6 +82,18 @@ public:
     return names[0].value;
   }
 
+  std::vector<SignaturePort> ports(const char* field) {
+    std::vector<SignaturePort> ports;
+    for (const Json& entry : read<std::vector<Json>>(field, "a list of ports")) {
+      try {
+        ports.push_back({entry.at("name"), entry.at("direction"), entry.at("width")});
+      } catch (const Json::exception&) {
+        refuse(field, "ports of name, direction and width");
+      }
+    }
+    return ports;
+  }
+
   const std::optional<model::Error>& error() const { return error_; }
 
 private:
@@ -99,6 +111,14 @@ private:
   std::string file_;
   std::optional<model::Error> error_;
 };
+
+Json ports_to_json(const std::vector<SignaturePort>& ports) {
+  Json list = Json::array();
+  for (const SignaturePort& port : ports) {
+    list.push_back({{"name", port.name}, {"direction", port.direction}, {"width", port.width}});
+  }
+  return list;
+}
 
 }  // namespace
 
@@ -123,6 +143,10 @@ std::string to_json(const Signature& s) {
                      {"order", text_of(orders, s.order)},
                      {"operands", text_of(stores, s.operands)},
                      {"target_mhz", s.target_mhz},
+                     {"clock", "aclk"},
+                     {"reset", "aresetn, synchronous, active low"},
+                     {"initiation_interval_cycles", 1},
+                     {"ports", ports_to_json(s.ports)},
                      {"files", s.files}};
   return json.dump(2) + "\n";
 }
@@ -159,6 +183,7 @@ model::Result<Signature> read_signature(const std::filesystem::path& path) {
       .order = reader.choice("order", orders),
       .operands = reader.choice("operands", stores),
       .target_mhz = reader.read<double>("target_mhz", "a number"),
+      .ports = reader.ports("ports"),
       .files = reader.read<std::vector<std::string>>("files", "a list of Verilog files")};
   if (reader.error()) return *reader.error();
   return signature;

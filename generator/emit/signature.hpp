@@ -8,6 +8,13 @@
 
 namespace mixcmp::gen {
 
+/// A port of the top module.
+struct SignaturePort {
+  std::string name;
+  std::string direction;  ///< "input" or "output"
+  int width = 1;
+};
+
 /// What a testbench or an integrator must know of a generated system; printed as <top>.json.
 struct Signature {
   std::string top;
@@ -30,6 +37,9 @@ struct Signature {
   model::ResultOrder order = model::ResultOrder::tagged;
   model::OperandStore operands = model::OperandStore::carried;
   double target_mhz = 0;
+  /// In the order of the module's header. The clock is aclk; aresetn is synchronous and active low;
+  /// the initiation interval of a lane is one cycle.
+  std::vector<SignaturePort> ports;
   std::vector<std::string> files;  ///< Verilog, in compile order, relative to the signature
 };
 

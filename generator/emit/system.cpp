@@ -148,7 +148,7 @@ Described describe_top(const Design& design, const SystemShape& shape) {
   const int tdata_bits = shape.tdata_bytes() * 8;
   Described top = {
       top_module(shape),
-      {fmt::format("{}: p_L = {} lanes in {}, p_H = {} references in {}.", shape.top, shape.lanes,
+      {fmt::format("{}: p_L = {} in {}, p_H = {} in {}.", shape.top, shape.lanes,
                    design.lane.graph.arithmetic.format.name(), shape.references,
                    design.reference.arithmetic.format.name()),
        "Every per-lane port is a vector of one field a lane, lane 0 in the lowest bits.",
@@ -191,6 +191,15 @@ void collect_instances(const std::vector<rtl::Item>& items, std::set<std::string
       collect_instances((*loop)->items, modules);
     }
   }
+}
+
+std::vector<SignaturePort> signature_ports(const Module& top) {
+  std::vector<SignaturePort> ports;
+  for (const rtl::Port& port : top.ports) {
+    const bool input = port.direction == rtl::Direction::input;
+    ports.push_back({port.name, input ? "input" : "output", port.width});
+  }
+  return ports;
 }
 
 std::string spec_hash(const std::vector<Described>& modules,
@@ -247,6 +256,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
 
   GeneratedSystem system = {signature_of(design, shape), {}, {}};
   system.signature.spec_hash = spec_hash(modules, templates);
+  system.signature.ports = signature_ports(modules.back().module);
   for (const std::string& name : templates) system.files.push_back(template_file(name));
   for (Described& described : modules) {
     system.files.push_back(verilog_file(std::move(described), system.signature, command));

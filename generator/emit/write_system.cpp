@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "generator/emit/system.hpp"
@@ -23,14 +24,19 @@ Error write_error(const fs::path& path, std::string message) {
 }
 
 /// The file names that a previous output's signature claims, itself and its companions included.
+/// Of another version's signature, whatever else it holds, these fields are enough.
 std::set<std::string> files_of_previous_output(const fs::path& directory) {
   std::set<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
     if (entry.path().extension() != ".json") continue;
-    const Result<Signature> signature = read_signature(entry.path());
-    if (!signature.ok()) continue;
-    names.insert(signature->files.begin(), signature->files.end());
-    for (const char* extension : {".json", ".f", ".sdc"}) names.insert(signature->top + extension);
+    std::ifstream stream(entry.path());
+    const nlohmann::json signature = nlohmann::json::parse(stream, nullptr, false);
+    if (!signature.is_object() || !signature.contains("generator_version")) continue;
+    for (const nlohmann::json& file : signature.value("files", nlohmann::json::array())) {
+      if (file.is_string()) names.insert(file.get<std::string>());
+    }
+    const std::string top = entry.path().stem().string();
+    for (const char* extension : {".json", ".f", ".sdc"}) names.insert(top + extension);
   }
   return names;
 }

@@ -27,7 +27,7 @@ void build_ulp_distance(DatapathBuilder& builder, const TypedGraph& graph,
   const Operand doubtful = builder.any_at(
       {builder.flag(graph.f), builder.flag(graph.g), out_of_range}, step.start_cycle);
   builder.add(Comment{decision_comment(
-      step, "certain where the encodings are far enough apart (docs/error_bounds.md).")});
+      step, "certain where the encodings are GUARD_ULP or more apart.")});
   std::vector<Parameter> parameters = format_parameters(graph.arithmetic.format);
   parameters.push_back({"GUARD_ULP", Literal{graph.arithmetic.format.width(), decision.guard_ulp}});
   parameters.push_back({"NONNEGATIVE", decision.nonnegative ? 1 : 0});

@@ -57,7 +57,7 @@ struct SystemSpec {
   std::optional<int> lanes;       ///< p_L 1..128; none: "auto"
   std::optional<int> references;  ///< p_H 0..16; none: "auto"; 0: undecided ones are reported so
   double slack = 0.2;             ///< R_S
-  double target_mhz = 250;
+  double target_mhz = 200;
   ResultOrder order = ResultOrder::tagged;
   OperandStore operands = OperandStore::carried;
   int tag_bits = 32;      ///< 1..64

@@ -1,7 +1,6 @@
 // fp_add: a + b, or a - b with SUBTRACT, rounded once to the result format.
 // Latency: the population count of CUTS (nine bits); initiation interval 1; no reset.
 // Special values as IEEE 754: infinity - infinity is NaN, x - x is +0.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_add #(

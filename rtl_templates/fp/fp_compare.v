@@ -1,7 +1,6 @@
 // fp_compare: the order of a and b: 0 less, 1 equal, 2 greater, 3 unordered.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
 // Special values as IEEE 754: -0 equals +0, a NaN is unordered.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_compare #(

@@ -1,7 +1,6 @@
 // fp_convert: a in another format, rounded once.
 // Latency: the population count of CUTS (five bits); initiation interval 1; no reset.
 // Special values as IEEE 754, but for NaNs, which all become the one positive quiet NaN.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_convert #(

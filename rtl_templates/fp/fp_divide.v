@@ -2,7 +2,6 @@
 // Latency: the population count of CUTS (RESULT_PRECISION + 8 bits); initiation interval 1; no
 // reset.
 // Special values as IEEE 754: x / 0 is infinite, 0 / 0 and infinity / infinity are NaN.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_divide #(

@@ -1,6 +1,5 @@
 // fp_fit: brings a fraction to another width by its leading bits; `sticky` is the OR of the rest.
 // Combinational wiring, but for the OR.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_fit #(

@@ -2,7 +2,6 @@
 // greater (2) iff the minimum is above zero, less (0) iff the maximum is below it.
 // Latency: CUTS; initiation interval 1; no reset.
 // A verdict means something where `decided` is 1; a NaN in either bound never decides.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_interval_decision #(

@@ -1,6 +1,5 @@
 // fp_leading_zeros: how many zeros precede the first one, as a tree of halves.
 // Combinational. For an empty value `count` is all ones.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_leading_zeros #(

@@ -1,7 +1,6 @@
 // fp_operand: one packed operand with its significand normalised, for units that need it so.
 // Two cuts, initiation interval 1, no reset. `exponent` is biased and signed; that and the
 // significand are arbitrary for zeros, infinities and NaNs.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_operand #(

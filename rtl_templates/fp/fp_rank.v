@@ -1,6 +1,5 @@
 // fp_rank: one cut point, a row of registers where REGISTERED is 1 and wires where it is 0.
 // Latency REGISTERED, initiation interval 1, no reset.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_rank #(

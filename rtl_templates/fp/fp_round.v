@@ -1,7 +1,6 @@
 // fp_round: rounds an exact result, given by its leading bits and a sticky bit, and packs it.
 // Three cuts, initiation interval 1, no reset. Special values: `nan`, `infinite` and `zero` say
 // that the result is one (the first of them wins) whatever exponent and significand are.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_round #(

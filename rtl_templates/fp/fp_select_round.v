@@ -1,6 +1,5 @@
 // fp_select_round: rounds and packs a result whose leading one is in the first or second place.
 // Four cuts, initiation interval 1, no reset. Special values as in fp_round.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_select_round #(

@@ -1,6 +1,5 @@
 // fp_shift_left: moves a value up and keeps its KEPT leading bits; `sticky` is the OR of the rest.
 // Combinational. KEPT is less than WIDTH; ones must not be moved out at the top.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_shift_left #(

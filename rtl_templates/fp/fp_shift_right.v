@@ -1,6 +1,5 @@
 // fp_shift_right: moves a value down; `sticky` remembers whether a one fell off its end.
 // Combinational. An amount of WIDTH or more leaves nothing but the sticky bit.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_shift_right #(

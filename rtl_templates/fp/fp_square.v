@@ -1,7 +1,6 @@
 // fp_square: a * a, rounded once to the result format.
 // Latency: the population count of CUTS (nine bits); initiation interval 1; no reset.
 // Special values as IEEE 754.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_square #(

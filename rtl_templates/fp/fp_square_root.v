@@ -2,7 +2,6 @@
 // Latency: the population count of CUTS (RESULT_PRECISION + 6 bits); initiation interval 1; no
 // reset.
 // Special values as IEEE 754: the root of -0 is -0, of other negative numbers NaN.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_square_root #(

@@ -3,7 +3,6 @@
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
 // A verdict means something where `decided` is 1. NaNs must come with `exceptional`. A guard of 0
 // decides equality too. NONNEGATIVE promises that f and g are never below zero.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_ulp_distance #(

@@ -1,7 +1,6 @@
 // fp_unpack: one packed operand as sign, biased exponent and significand, and what kind it is.
 // Combinational. GRADUAL: a subnormal has exponent 1 and a leading zero. Otherwise it is a zero,
 // and `flushed` says so; a zero's significand is then arbitrary, to spare the gates.
-// Copied into generated designs, where it is unencumbered.
 `default_nettype none
 
 module fp_unpack #(
