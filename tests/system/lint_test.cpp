@@ -77,12 +77,18 @@ std::vector<Variant> variants() {
   };
 }
 
-/// Runs a shell command; its output and whether it succeeded.
+/// Runs a shell command; whether it succeeded, and its output without the lines in which newer
+/// Verilators report on themselves.
 std::pair<bool, std::string> run(const std::string& command) {
   FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  std::string output;
-  for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) output += static_cast<char>(c);
-  return {pclose(pipe) == 0, output};
+  std::string output, line;
+  for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) {
+    line += static_cast<char>(c);
+    if (c != '\n') continue;
+    if (!line.starts_with("- ")) output += line;
+    line.clear();
+  }
+  return {pclose(pipe) == 0, output + line};
 }
 
 bool is_installed(const std::string& tool) {
