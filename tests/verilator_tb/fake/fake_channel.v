@@ -132,7 +132,8 @@ module fake_channel (
   reg                waited_q;
 
   wire hang = (fault == HUNG) && (left >= VICTIM);
-  wire load = (!out_valid_q || m_axis_tready) && !hang && !again_q;
+  // Doubled: the next one to leave stays for a second time.
+  wire load = (!out_valid_q || m_axis_tready) && !hang && !(again_q && out_valid_q);
   assign slow_ready = load;
   assign direct_ready = load && !slow_valid;
 
@@ -159,7 +160,7 @@ module fake_channel (
       held_q <= 1'b0;
     end else begin
       waited_q <= m_axis_tvalid && !m_axis_tready;
-      again_q <= (fault == DOUBLED) && leave && (left == VICTIM);
+      again_q <= (fault == DOUBLED) && (leave ? (left == VICTIM) : again_q);
       if (accept) accepted <= accepted + 1;
       if (leave) left <= left + 1;
       if (hang && leave) out_valid_q <= 1'b0;
