@@ -11,16 +11,6 @@
 namespace mixcmp::cli {
 namespace {
 
-std::string decision_text(const model::Lane& lane) {
-  if (const auto* interval = std::get_if<model::IntervalDecision>(&lane.decision)) {
-    return fmt::format("profiled, not certified: RE_f = {:.4g}, RE_g = {:.4g}",
-                       interval->relative_error_f.get_d(), interval->relative_error_g.get_d());
-  }
-  const model::Bits guard = std::get<model::UlpDistanceDecision>(lane.decision).guard_ulp;
-  if (guard == 0) return "certified: f and g are exact, all is decided";
-  return fmt::format("certified: decided where f and g are {} ulp apart or more", guard);
-}
-
 /// What `generate` would write, or why it would refuse.
 struct Outlook {
   std::string decision;
@@ -30,7 +20,7 @@ struct Outlook {
 Outlook outlook(const LoadedScene& loaded) {
   const auto design = make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr);
   if (!design.ok()) return {"", design.error()};
-  return {decision_text(design->lane), gen::generate_system(*design, "")};
+  return {describe_decision(design->lane), gen::generate_system(*design, "")};
 }
 
 void print_text(const Outlook& outlook) {

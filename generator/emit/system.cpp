@@ -91,22 +91,23 @@ std::string arithmetic_fact(const model::Arithmetic& arithmetic) {
                      model::to_string(arithmetic.subnormals));
 }
 
-std::string decision_fact(const model::Lane& lane) {
-  if (const auto* interval = std::get_if<model::IntervalDecision>(&lane.decision)) {
-    return fmt::format("Decision: profiled, not certified: RE_f = {:.4g}, RE_g = {:.4g}.",
-                       interval->relative_error_f.get_d(), interval->relative_error_g.get_d());
-  }
-  return "Decision: certified; infinities, NaNs, overflow and underflow are left undecided.";
+std::vector<std::string> decision_facts(const model::Lane& lane) {
+  const std::string decision = "Decision: " + describe_decision(lane) + ".";
+  if (!lane.certified()) return {decision};
+  return {decision, "Infinities, NaNs, overflow and underflow are left undecided."};
 }
 
 Described describe_lane(const Design& design, const SystemShape& shape, const Schedule& schedule) {
-  return {lane_module(shape.lane, design.inputs, design.lane, schedule),
-          {shape.lane + ": decides the sign of f - g in reduced precision, or says it cannot.",
-           fmt::format("Operands: {}, {}.", design.reference.input_format.name(),
-                       fmt::join(design.inputs, ", ")),
-           arithmetic_fact(design.lane.graph.arithmetic), decision_fact(design.lane),
-           fmt::format("Latency {} cycles, initiation interval 1, no reset.",
-                       schedule.latency_cycles)}};
+  Described lane = {
+      lane_module(shape.lane, design.inputs, design.lane, schedule),
+      {shape.lane + ": decides the sign of f - g in reduced precision, or says it cannot.",
+       fmt::format("Operands: {}, {}.", design.reference.input_format.name(),
+                   fmt::join(design.inputs, ", ")),
+       arithmetic_fact(design.lane.graph.arithmetic)}};
+  for (std::string& fact : decision_facts(design.lane)) lane.facts.push_back(std::move(fact));
+  lane.facts.push_back(
+      fmt::format("Latency {} cycles, initiation interval 1, no reset.", schedule.latency_cycles));
+  return lane;
 }
 
 Described describe_reference(const Design& design, const SystemShape& shape,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -34,5 +35,8 @@ struct Lane {
 
   bool certified() const { return std::holds_alternative<UlpDistanceDecision>(decision); }
 };
+
+/// When the lane decides, for a report: "certified: where f and g are 7 ulp apart or more".
+std::string describe_decision(const Lane& lane);
 
 }  // namespace mixcmp::model
