@@ -7,6 +7,7 @@
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <ostream>
 #include <vector>
 
 #include "VArbiter1.h"
@@ -69,6 +70,10 @@ struct MergeSpec {
   int capacity;             ///< words held when nothing leaves; -1: not stated
   std::uint32_t round;      ///< words in which each busy input is served at least once
 };
+
+void PrintTo(const MergeSpec& spec, std::ostream* stream) {
+  *stream << spec.name;
+}
 
 template <class Model>
 std::unique_ptr<MergeDut> make() {

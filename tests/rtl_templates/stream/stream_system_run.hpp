@@ -6,6 +6,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -52,6 +53,10 @@ struct SystemSpec {
   int reference_latency_cycles;
   int slot_bits;
 };
+
+inline void PrintTo(const SystemSpec& spec, std::ostream* stream) {
+  *stream << spec.name;
+}
 
 /// Chances per cycle, and of a comparison being undecided.
 struct SystemTraffic {
