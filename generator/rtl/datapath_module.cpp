@@ -19,9 +19,16 @@ std::string decision_comment(const Step& step, std::string_view what) {
   return fmt::format("Cycles {} to {}: {}", step.start_cycle, step.ready_cycle, what);
 }
 
-void build_ulp_distance(DatapathBuilder& builder, const TypedGraph& graph,
+std::vector<int> checked_inputs(const model::Lane& lane) {
+  std::vector<int> inputs;
+  for (const model::RangeCheck& check : lane.checks) inputs.push_back(check.input);
+  return inputs;
+}
+
+void build_ulp_distance(DatapathBuilder& builder, const model::Lane& lane,
                         const model::UlpDistanceDecision& decision, const Step& step) {
-  const Signal out_of_range = builder.any_negative(decision.nonnegative_inputs);
+  const TypedGraph& graph = lane.graph;
+  const Signal out_of_range = builder.any_negative(checked_inputs(lane));
   const Operand f = builder.at(builder.value(graph.f), step.start_cycle);
   const Operand g = builder.at(builder.value(graph.g), step.start_cycle);
   const Operand doubtful = builder.any_at(
@@ -78,8 +85,7 @@ void build_lane_decision(DatapathBuilder& builder, const model::Lane& lane, cons
   if (const auto* interval = std::get_if<model::IntervalDecision>(&lane.decision)) {
     build_interval(builder, lane.graph, *interval, step);
   } else {
-    build_ulp_distance(builder, lane.graph, std::get<model::UlpDistanceDecision>(lane.decision),
-                       step);
+    build_ulp_distance(builder, lane, std::get<model::UlpDistanceDecision>(lane.decision), step);
   }
 }
 

@@ -52,7 +52,7 @@ bool can_decide(const Lane& lane) {
 }
 
 Result<Lane> design_certified_lane(const Scene& scene, TypedGraph graph) {
-  MIXCMP_TRY(lane, certified_lane(std::move(graph), scene.nonnegative_inputs()));
+  MIXCMP_TRY(lane, relative_lane(std::move(graph), scene.nonnegative_inputs()));
   if (can_decide(lane)) return lane;
   return Error{.field = "reduced.format",
                .message =

@@ -4,19 +4,34 @@
 #include <variant>
 #include <vector>
 
+#include "model/error/bound_graph.hpp"
+#include "model/error/range_check.hpp"
 #include "model/expression/typed_graph.hpp"
 
 namespace mixcmp::model {
 
-/// Certified decision on packed encodings. With key(x) = +-magnitude bits of x by its sign, the
-/// lane is decided iff nothing is exceptional and |key(f) - key(g)| >= guard_ulp; the verdict is
-/// then the order of the keys. guard_ulp = 0 means f and g are exact: all is decided, equality too.
+/// Certified decision on packed encodings, for relative bounds. With key(x) = +-magnitude bits of x
+/// by its sign, the lane is decided iff nothing is exceptional and |key(f) - key(g)| >= guard_ulp;
+/// the verdict is then the order of the keys. guard_ulp = 0 means f and g are exact: all is decided,
+/// equality too.
 struct UlpDistanceDecision {
   Bits guard_ulp;
   /// f and g are never negative: the hardware compares plain magnitudes.
   bool nonnegative;
-  /// Inputs whose range the proof needs to be non-negative: a set sign bit is exceptional.
-  std::vector<int> nonnegative_inputs;
+};
+
+/// A bound holds only where bound node `bound` <= |value|, a node of the lane's format.
+struct BoundCondition {
+  int bound;
+  NodeId value;
+};
+
+/// Certified decision for absolute bounds, running or constant: decided iff nothing is exceptional,
+/// every condition holds and |difference| > bound, strictly; the verdict is the difference's sign.
+struct AbsoluteBoundDecision {
+  NodeId difference;  ///< f - g, rounded: a node of the lane's graph
+  BoundGraph bound;
+  std::vector<BoundCondition> conditions;
 };
 
 /// The paper's decision, equations 1-3, in the lane's format: D = f - g, E = |f|*RE_f + |g|*RE_g,
@@ -28,12 +43,25 @@ struct IntervalDecision {
   mpq_class relative_error_g;
 };
 
+/// What the range checks cannot rule out of one operation; what they rule out is not built.
+struct Hazards {
+  bool special_operand = true;  ///< a NaN or an infinity among the operands
+  bool overflow = true;
+  bool underflow = true;
+
+  friend bool operator==(const Hazards&, const Hazards&) = default;
+};
+
 /// One reduced-precision datapath: what it computes and when it dares to decide.
 struct Lane {
   TypedGraph graph;
-  std::variant<UlpDistanceDecision, IntervalDecision> decision;
+  std::variant<UlpDistanceDecision, AbsoluteBoundDecision, IntervalDecision> decision;
+  /// An operand that fails its check leaves the lane undecided.
+  std::vector<RangeCheck> checks = {};
+  /// One a node; empty: nothing is ruled out.
+  std::vector<Hazards> hazards = {};
 
-  bool certified() const { return std::holds_alternative<UlpDistanceDecision>(decision); }
+  bool certified() const { return !std::holds_alternative<IntervalDecision>(decision); }
 };
 
 /// When the lane decides, for a report: "certified: where f and g are 7 ulp apart or more".

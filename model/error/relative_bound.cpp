@@ -397,7 +397,7 @@ RelativeAnalysis analyse_relative(const TypedGraph& graph,
   return Analysis(graph, input_nonnegative).run();
 }
 
-Result<Lane> certified_lane(TypedGraph graph, const std::vector<bool>& input_nonnegative) {
+Result<Lane> relative_lane(TypedGraph graph, const std::vector<bool>& input_nonnegative) {
   RelativeAnalysis analysis = analyse_relative(graph, input_nonnegative);
   const NodeBound& f = analysis.nodes[graph.f];
   const NodeBound& g = analysis.nodes[graph.g];
@@ -411,9 +411,12 @@ Result<Lane> certified_lane(TypedGraph graph, const std::vector<bool>& input_non
   const FloatFormat format = graph.arithmetic.format;
   UlpDistanceDecision decision{
       .guard_ulp = std::min(smallest_guard(f, g, format.precision()), never(format)),
-      .nonnegative = f.nonnegative && g.nonnegative,
-      .nonnegative_inputs = std::move(analysis.nonnegative_inputs)};
-  return Lane{std::move(graph), std::move(decision)};
+      .nonnegative = f.nonnegative && g.nonnegative};
+  std::vector<RangeCheck> checks;
+  for (const int input : analysis.nonnegative_inputs) {
+    checks.push_back(sign_check(input, RequiredSign::nonnegative));
+  }
+  return Lane{std::move(graph), std::move(decision), std::move(checks)};
 }
 
 Bits guard_ulp(const RelativeBound& f, const RelativeBound& g, int precision) {

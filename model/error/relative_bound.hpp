@@ -37,7 +37,7 @@ RelativeAnalysis analyse_relative(const TypedGraph& graph,
 
 /// The lane with its certified decision, or an error that says which operation has no bound and
 /// what the user can do.
-Result<Lane> certified_lane(TypedGraph graph, const std::vector<bool>& input_nonnegative);
+Result<Lane> relative_lane(TypedGraph graph, const std::vector<bool>& input_nonnegative);
 
 /// Smallest distance in ulps that decides, from the bounds of f and g in precision P
 /// (docs/error_bounds.md, theorem 3).

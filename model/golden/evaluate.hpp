@@ -14,6 +14,13 @@ namespace mixcmp::model::golden {
 /// infinite operands.
 std::vector<Rounded> evaluate(const TypedGraph& graph, std::span<const Bits> inputs);
 
+/// Every node of `bound` for the values that `evaluate` gave for the lane's graph.
+std::vector<Bits> evaluate_bound(const BoundGraph& bound, const TypedGraph& graph,
+                                 const std::vector<Rounded>& values);
+
+/// Whether an operand passes its check; `format` is the operand's.
+bool passes(const RangeCheck& check, FloatFormat format, Bits operand);
+
 struct LaneResult {
   Bits f;
   Bits g;

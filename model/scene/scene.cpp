@@ -179,6 +179,18 @@ void read_reduced_format(Section& section, FloatFormat reference,
   }
 }
 
+void read_error_bound(Section& section, std::optional<ErrorBoundKind>& target) {
+  std::string word = "auto";
+  section.text("error_bound", word);
+  for (const ErrorBoundKind kind :
+       {ErrorBoundKind::relative, ErrorBoundKind::running, ErrorBoundKind::constant}) {
+    if (word == to_string(kind)) target = kind;
+  }
+  if (target || word == "auto") return;
+  section.fail("error_bound", "not a choice", fmt::format("\"{}\"", word),
+               "auto, relative, running, constant");
+}
+
 void read_relative_error(Section& section, const std::string& key,
                          std::optional<mpq_class>& target) {
   section.exact(key, target);
@@ -193,6 +205,8 @@ Result<ReducedSpec> read_reduced(const Settings& settings, FloatFormat reference
   Section section(settings, "reduced");
   read_reduced_format(section, reference, spec.format);
   section.choice("bound", spec.bound, {BoundKind::certified, BoundKind::profiled});
+  read_error_bound(section, spec.error_bound);
+  section.integer("bound_digits", spec.bound_digits, 1, 8);
   section.choice("inputs", spec.inputs, {LaneInputs::rounded, LaneInputs::exact});
   section.choice("rounding", spec.rounding, {Rounding::nearest_even, Rounding::toward_zero});
   section.choice("subnormals", spec.subnormals, {Subnormals::flush, Subnormals::gradual});
@@ -248,8 +262,15 @@ void check_data_source(Section& section, const DataSpec& spec, std::vector<std::
                  items ? "items and file" : "neither items nor file",
                  "items = \"uniform_spheres\", or file = a .pdb, .csv or .npy file");
   }
-  if (items && spec.items != "uniform_spheres") {
-    section.fail("items", "not a choice", fmt::format("\"{}\"", spec.items), "uniform_spheres");
+  const bool family = spec.items == "sphere_family";
+  if (items && !family && spec.items != "uniform_spheres") {
+    section.fail("items", "not a choice", fmt::format("\"{}\"", spec.items),
+                 "uniform_spheres, sphere_family");
+  }
+  if (family != (section.find("family") != nullptr)) {
+    section.fail("family", family ? "required" : "only of items = \"sphere_family\"",
+                 family ? "nothing" : fmt::format("\"{}\"", spec.family),
+                 family ? "the name of a family of sphere pairs" : "no family here");
   }
   for (const char* key : {"count", "side", "radius_max", "seed"}) {
     if (section.find(key) == nullptr || !file) continue;
@@ -264,6 +285,7 @@ Result<std::optional<DataSpec>> read_data(const Settings& settings,
   DataSpec spec{.line = section.line()};
   std::string pairs;
   section.text("items", spec.items);
+  section.text("family", spec.family);
   read_data_file(section, settings.path, spec);
   section.integer("count", spec.count, 1, max_items);
   section.number("side", spec.side, 0, largest_number);

@@ -7,16 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
 #include "model/expression/typed_graph.hpp"
 
 namespace mixcmp::model {
-
-/// Inclusive; as written in the scene, exactly.
-struct Range {
-  mpq_class low;
-  mpq_class high;
-};
 
 enum class BoundKind {
   certified,
@@ -44,6 +39,8 @@ std::string_view to_string(OperandStore store);
 struct ReducedSpec {
   std::optional<FloatFormat> format;  ///< none: "auto"
   BoundKind bound = BoundKind::certified;
+  std::optional<ErrorBoundKind> error_bound;  ///< of a certified bound; none: the first that exists
+  int bound_digits = 4;                       ///< of a running bound, 1..8; 1: exponents alone
   LaneInputs inputs = LaneInputs::exact;
   Rounding rounding = Rounding::nearest_even;
   Subnormals subnormals = Subnormals::flush;
@@ -65,7 +62,8 @@ struct SystemSpec {
 };
 
 struct DataSpec {
-  std::string items;           ///< "uniform_spheres", or empty when a file is named
+  std::string items;           ///< a generator's name, or empty when a file is named
+  std::string family;          ///< of "sphere_family"; one of sphere_family_names()
   std::filesystem::path file;  ///< .pdb, .csv or .npy; relative to the scene file
   std::int64_t count = 8192;
   double side = 100;

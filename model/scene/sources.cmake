@@ -1,6 +1,5 @@
 target_sources(mixcmp_model PRIVATE
   scene/input_ranges.cpp
-  scene/range_analysis.cpp
   scene/scene.cpp
   scene/section.cpp
   scene/settings.cpp

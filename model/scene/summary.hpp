@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "model/data/comparisons.hpp"
-#include "model/scene/range_analysis.hpp"
+#include "model/error/range_analysis.hpp"
 
 namespace mixcmp::model {
 

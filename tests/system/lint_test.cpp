@@ -39,7 +39,7 @@ model::Design design_of(const std::string& f, const std::string& g, model::Arith
   const std::vector<bool> any_sign(graph.inputs().size(), false);
   return {.name = "comparison",
           .inputs = graph.inputs(),
-          .lane = certified_lane(std::move(lane), any_sign).value(),
+          .lane = relative_lane(std::move(lane), any_sign).value(),
           .reference = model::reference_graph(graph, {reference}),
           .lanes = 2,
           .references = 1,

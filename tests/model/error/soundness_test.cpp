@@ -51,7 +51,7 @@ std::vector<Lane> lanes_of(const Graph& graph, FloatFormat reference, bool range
   for (const FloatFormat format : {format_of(2, 4), format_of(3, 4), format_of(4, 5)}) {
     for (const model::Arithmetic& arithmetic : every_arithmetic(format)) {
       for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
-        auto lane = certified_lane(lane_graph(graph, reference, arithmetic, inputs), nonnegative);
+        auto lane = relative_lane(lane_graph(graph, reference, arithmetic, inputs), nonnegative);
         if (lane.ok()) lanes.push_back(std::move(lane).value());
       }
     }

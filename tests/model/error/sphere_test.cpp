@@ -58,7 +58,7 @@ public:
     const std::vector<bool> any_sign(8, false);
     for (const Arithmetic& arithmetic : every_arithmetic(format_of(precision, 8))) {
       auto typed = lane_graph(graph_, reference, arithmetic, LaneInputs::exact);
-      lanes_.push_back(certified_lane(std::move(typed), any_sign).value());
+      lanes_.push_back(relative_lane(std::move(typed), any_sign).value());
     }
   }
 
@@ -251,7 +251,7 @@ TEST_F(Counterexample, IsDecidedWronglyByTheProfiledLane) {
 }
 
 TEST_F(Counterexample, IsLeftOpenByTheCertifiedLane) {
-  const Lane lane = certified_lane(typed(), std::vector<bool>(8, false)).value();
+  const Lane lane = relative_lane(typed(), std::vector<bool>(8, false)).value();
   EXPECT_FALSE(evaluate_lane(lane, inputs_).decided);
 }
 

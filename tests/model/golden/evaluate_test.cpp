@@ -82,16 +82,17 @@ TEST(Evaluate, ChangesSignsOfNansAndInfinitiesAndSaysSo) {
 
 /// Compares two inputs that the lane holds exactly, by a chosen decision.
 LaneResult decide(const UlpDistanceDecision& decision, Bits a, Bits b,
-                  Subnormals subnormals = Subnormals::gradual) {
+                  Subnormals subnormals = Subnormals::gradual,
+                  std::vector<model::RangeCheck> checks = {}) {
   const FloatFormat format = format_of(4, 4);
   const Arithmetic arithmetic{format, Rounding::nearest_even, subnormals};
   const Lane lane{lane_graph(graph_of("a", "b"), format, arithmetic, LaneInputs::rounded),
-                  decision};
+                  decision, std::move(checks)};
   return evaluate_lane(lane, std::vector<Bits>{a, b});
 }
 
 TEST(UlpDistance, DecidesFromTheGuardOn) {
-  const UlpDistanceDecision guard{.guard_ulp = 3, .nonnegative = false, .nonnegative_inputs = {}};
+  const UlpDistanceDecision guard{.guard_ulp = 3, .nonnegative = false};
   EXPECT_FALSE(decide(guard, 40, 40).decided);
   EXPECT_FALSE(decide(guard, 42, 40).decided);
   EXPECT_FALSE(decide(guard, 40, 42).decided);
@@ -103,7 +104,7 @@ TEST(UlpDistance, DecidesFromTheGuardOn) {
 
 TEST(UlpDistance, AddsMagnitudesAcrossZero) {
   const Bits sign = format_of(4, 4).zero(true);
-  const UlpDistanceDecision guard{.guard_ulp = 3, .nonnegative = false, .nonnegative_inputs = {}};
+  const UlpDistanceDecision guard{.guard_ulp = 3, .nonnegative = false};
   EXPECT_FALSE(decide(guard, 1, sign | 1).decided);
   EXPECT_TRUE(decide(guard, 2, sign | 1).decided);
   EXPECT_EQ(decide(guard, 2, sign | 1).verdict, Verdict::greater);
@@ -115,7 +116,7 @@ TEST(UlpDistance, AddsMagnitudesAcrossZero) {
 
 TEST(UlpDistance, DecidesEqualityWithoutAGuard) {
   const Bits sign = format_of(4, 4).zero(true);
-  const UlpDistanceDecision exact{.guard_ulp = 0, .nonnegative = false, .nonnegative_inputs = {}};
+  const UlpDistanceDecision exact{.guard_ulp = 0, .nonnegative = false};
   for (const auto& [a, b] : {std::pair<Bits, Bits>{40, 40}, {0, sign}, {sign, 0}}) {
     EXPECT_TRUE(decide(exact, a, b).decided);
     EXPECT_EQ(decide(exact, a, b).verdict, Verdict::equal);
@@ -124,7 +125,7 @@ TEST(UlpDistance, DecidesEqualityWithoutAGuard) {
 
 TEST(UlpDistance, IsNeverDecidedWhereSomethingIsExceptional) {
   const FloatFormat format = format_of(4, 4);
-  const UlpDistanceDecision exact{.guard_ulp = 0, .nonnegative = false, .nonnegative_inputs = {}};
+  const UlpDistanceDecision exact{.guard_ulp = 0, .nonnegative = false};
   EXPECT_FALSE(decide(exact, format.infinity(false), 40).decided);
   EXPECT_FALSE(decide(exact, 40, format.quiet_nan()).decided);
   EXPECT_FALSE(decide(exact, 40, 1, Subnormals::flush).decided);
@@ -133,10 +134,14 @@ TEST(UlpDistance, IsNeverDecidedWhereSomethingIsExceptional) {
 
 TEST(UlpDistance, IsNeverDecidedWhereAnInputBreaksItsRange) {
   const Bits sign = format_of(4, 4).zero(true);
-  const UlpDistanceDecision second{.guard_ulp = 0, .nonnegative = false, .nonnegative_inputs = {1}};
-  EXPECT_TRUE(decide(second, sign | 40, 40).decided);
-  EXPECT_FALSE(decide(second, 40, sign | 40).decided);
-  EXPECT_FALSE(decide(second, 40, sign).decided);
+  const UlpDistanceDecision exact{.guard_ulp = 0, .nonnegative = false};
+  const auto decided = [&](Bits a, Bits b) {
+    const auto second = model::sign_check(1, model::RequiredSign::nonnegative);
+    return decide(exact, a, b, Subnormals::gradual, {second}).decided;
+  };
+  EXPECT_TRUE(decided(sign | 40, 40));
+  EXPECT_FALSE(decided(40, sign | 40));
+  EXPECT_FALSE(decided(40, sign));
 }
 
 /// Equations 1-3 by hand: f = a, g = b, both constants 1/8.

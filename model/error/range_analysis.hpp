@@ -1,6 +1,12 @@
 #pragma once
 
-#include "model/scene/scene.hpp"
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "model/expression/range.hpp"
+#include "model/expression/typed_graph.hpp"
 
 namespace mixcmp::model {
 

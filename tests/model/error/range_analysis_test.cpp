@@ -1,4 +1,4 @@
-#include "model/scene/range_analysis.hpp"
+#include "model/error/range_analysis.hpp"
 
 #include <gtest/gtest.h>
 

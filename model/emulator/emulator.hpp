@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "model/error/lane.hpp"
+
+namespace mixcmp::model {
+
+/// What a lane or a reference says of one comparison: golden::Verdict, or that it is open.
+enum class Decision : std::uint8_t {
+  less = 0,
+  equal = 1,
+  greater = 2,
+  unordered = 3,
+  undecided = 4,
+};
+
+/// Operands of a batch: one array of doubles an input, exact values of the reference format.
+using OperandColumns = std::span<const double* const>;
+
+/// Evaluates lanes and references on batches of comparisons with SIMD operations in double,
+/// bit-exact with the golden model: `decide` with evaluate_lane (with evaluate_reference where it is
+/// made from a reference), `compute` with evaluate. Wherever double cannot be trusted (a result near
+/// the ends of double's exponents, a NaN) the comparison falls back to the golden model by itself;
+/// formats that double cannot hold at all (precision above 53, more than 11 exponent bits) fall back
+/// always. Thread-safe: all members are const, scratch memory belongs to the call.
+class Emulator {
+public:
+  explicit Emulator(const Lane& lane);
+  /// A reference datapath: never undecided. Its graph may have up to 53 digits.
+  explicit Emulator(const TypedGraph& reference);
+  ~Emulator();
+  Emulator(Emulator&&) noexcept;
+  Emulator& operator=(Emulator&&) noexcept;
+
+  void decide(OperandColumns operands, std::size_t count, std::span<Decision> decisions) const;
+
+  /// What the lane would say without its error bound: the order of f and g as computed (unordered
+  /// for a NaN).
+  void compare(OperandColumns operands, std::size_t count, std::span<Decision> decisions) const;
+
+  /// f and g as computed, as doubles; and whether anything on the way was exceptional.
+  void compute(OperandColumns operands, std::size_t count, std::span<double> f, std::span<double> g,
+               std::span<std::uint8_t> exceptional) const;
+
+  /// Comparisons that fell back to the golden model since construction.
+  std::uint64_t fallbacks() const;
+
+  /// The instruction set that run-time dispatch chose, "AVX2".
+  static const char* instruction_set();
+
+private:
+  class Program;
+  std::unique_ptr<const Program> program_;
+};
+
+}  // namespace mixcmp::model

@@ -1,0 +1,1 @@
+#include "model/error/running_bound.hpp"

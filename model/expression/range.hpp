@@ -1,0 +1,15 @@
+#pragma once
+
+#include <gmpxx.h>
+
+namespace mixcmp::model {
+
+/// A closed interval of exact numbers.
+struct Range {
+  mpq_class low;
+  mpq_class high;
+
+  friend bool operator==(const Range&, const Range&) = default;
+};
+
+}  // namespace mixcmp::model

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "model/error/bound_graph.hpp"
+
+/// The golden model of rtl_templates/bound: MPFR, rounded up. Rules in model/error/bound_graph.hpp.
+namespace mixcmp::model::golden {
+
+Bits bound_constant(BoundFormat format, const mpq_class& value);
+Bits bound_magnitude(BoundFormat format, FloatFormat operand, Bits x);
+Bits bound_binade(BoundFormat format, FloatFormat operand, Bits x);
+Bits bound_reciprocal(BoundFormat format, FloatFormat operand, Bits x);
+Bits bound_add(BoundFormat format, Bits a, Bits b);
+Bits bound_multiply(BoundFormat format, Bits a, Bits b);
+
+/// Of anything but an infinite bound.
+mpq_class bound_value(BoundFormat format, Bits bound);
+
+/// Whether bound < |x| (`at_most`: bound <= |x|), x of a format with as many exponent bits and at
+/// least as many digits.
+bool bound_is_below(BoundFormat format, Bits bound, FloatFormat operand, Bits x);
+bool bound_is_at_most(BoundFormat format, Bits bound, FloatFormat operand, Bits x);
+
+}  // namespace mixcmp::model::golden
