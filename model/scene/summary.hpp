@@ -5,6 +5,7 @@
 
 #include "model/data/comparisons.hpp"
 #include "model/error/range_analysis.hpp"
+#include "model/scene/scene.hpp"
 
 namespace mixcmp::model {
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <random>
 
+#include "model/expression/parser.hpp"
 #include "model/golden/evaluate.hpp"
 
 namespace mixcmp::model {
