@@ -27,11 +27,16 @@ struct BoundCondition {
 };
 
 /// Certified decision for absolute bounds, running or constant: decided iff nothing is exceptional,
-/// every condition holds and |difference| > bound, strictly; the verdict is the difference's sign.
+/// every condition holds and magnitude(difference) > magnitude(bound) + guard_ulp, magnitudes as
+/// encoded in the lane's format; the verdict is the difference's sign. An infinite bound decides
+/// nothing.
 struct AbsoluteBoundDecision {
   NodeId difference;  ///< f - g, rounded: a node of the lane's graph
   BoundGraph bound;
   std::vector<BoundCondition> conditions;
+  /// Covers factors near 1 that the bound leaves out. A bound has few digits, so the guard stands
+  /// in the places below them: {bound, guard} in hardware, where it fits.
+  Bits guard_ulp = 0;
 };
 
 /// The paper's decision, equations 1-3, in the lane's format: D = f - g, E = |f|*RE_f + |g|*RE_g,

@@ -108,10 +108,6 @@ mpq_class bound_value(BoundFormat format, Bits bound) {
   return value;
 }
 
-bool bound_is_below(BoundFormat format, Bits bound, FloatFormat operand, Bits x) {
-  return mpfr_cmpabs(decoded(format, bound).get(), operand_value(operand, x).get()) < 0;
-}
-
 bool bound_is_at_most(BoundFormat format, Bits bound, FloatFormat operand, Bits x) {
   return mpfr_cmpabs(decoded(format, bound).get(), operand_value(operand, x).get()) <= 0;
 }

@@ -15,9 +15,7 @@ Bits bound_multiply(BoundFormat format, Bits a, Bits b);
 /// Of anything but an infinite bound.
 mpq_class bound_value(BoundFormat format, Bits bound);
 
-/// Whether bound < |x| (`at_most`: bound <= |x|), x of a format with as many exponent bits and at
-/// least as many digits.
-bool bound_is_below(BoundFormat format, Bits bound, FloatFormat operand, Bits x);
+/// Whether bound <= |x|.
 bool bound_is_at_most(BoundFormat format, Bits bound, FloatFormat operand, Bits x);
 
 }  // namespace mixcmp::model::golden

@@ -99,6 +99,11 @@ Decision decide(const UlpDistanceDecision& decision, const TypedGraph& graph,
   return {ulp >= decision.guard_ulp, verdict};
 }
 
+/// The encoding of a bound in the lane's format.
+Bits padded(BoundFormat format, Bits bound, FloatFormat lane) {
+  return bound << (lane.precision() - format.precision);
+}
+
 Decision decide(const AbsoluteBoundDecision& decision, const TypedGraph& graph,
                 const std::vector<Rounded>& values) {
   const BoundFormat format = decision.bound.format;
@@ -110,7 +115,8 @@ Decision decide(const AbsoluteBoundDecision& decision, const TypedGraph& graph,
         return bound_is_at_most(format, bounds[condition.bound], lane,
                                 values[condition.value].bits);
       });
-  return {valid && bound_is_below(format, bounds.back(), lane, difference),
+  return {valid && bounds.back() != format.infinity() &&
+              lane.magnitude(difference) > padded(format, bounds.back(), lane) + decision.guard_ulp,
           lane.sign(difference) ? Verdict::less : Verdict::greater};
 }
 

@@ -291,7 +291,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"count = 512", "count = 0",
                 ":28: data.count: out of range: received 0; accepted an integer 1..16777216"},
         Mistake{"\"uniform_spheres\"", "\"cubes\"",
-                ":27: data.items: not a choice: received \"cubes\"; accepted uniform_spheres"},
+                ":27: data.items: not a choice: received \"cubes\"; accepted uniform_spheres, sphere_family"},
         Mistake{"seed = 7", "file = \"a.csv\"",
                 ":26: data: two sources of data: received items and file; accepted items = "
                 "\"uniform_spheres\", or file = a .pdb, .csv or .npy file"},
@@ -403,7 +403,8 @@ TEST_F(SceneTest, MistakesInOverridesNameTheOption) {
             "--set: data.count: wrong type: received \"many\" (a string); accepted an integer "
             "1..16777216");
   EXPECT_EQ(error("data.cuont=3"),
-            "--set: data.cuont: unknown key: received cuont; accepted count (the nearest), file, "
+            "--set: data.cuont: unknown key: received cuont; accepted count (the nearest), family, "
+            "file, "
             "items, pairs, radius_max, seed, side");
   EXPECT_EQ(error("dato.count=3").substr(0, 28), "--set: dato: unknown section");
   EXPECT_EQ(error("comparison.f=cxi +* 2"),
