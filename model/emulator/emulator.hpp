@@ -22,11 +22,11 @@ enum class Decision : std::uint8_t {
 using OperandColumns = std::span<const double* const>;
 
 /// Evaluates lanes and references on batches of comparisons with SIMD operations in double,
-/// bit-exact with the golden model: `decide` with evaluate_lane (with evaluate_reference where it is
-/// made from a reference), `compute` with evaluate. Wherever double cannot be trusted (a result near
-/// the ends of double's exponents, a NaN) the comparison falls back to the golden model by itself;
-/// formats that double cannot hold at all (precision above 53, more than 11 exponent bits) fall back
-/// always. Thread-safe: all members are const, scratch memory belongs to the call.
+/// bit-exact with the golden model: `decide` with evaluate_lane (with evaluate_reference where it
+/// is made from a reference), `compute` with evaluate. Wherever double cannot be trusted (a result
+/// near the ends of double's exponents, a NaN) the comparison falls back to the golden model by
+/// itself; formats that double cannot hold at all (precision above 53, more than 11 exponent bits)
+/// fall back always. Thread-safe: all members are const, scratch memory belongs to the call.
 class Emulator {
 public:
   explicit Emulator(const Lane& lane);

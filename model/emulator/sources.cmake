@@ -1,1 +1,4 @@
-target_sources(mixcmp_model PRIVATE)
+target_sources(mixcmp_model PRIVATE
+  emulator/emulator.cpp
+  emulator/operand.cpp
+)
