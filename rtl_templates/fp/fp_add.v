@@ -1,6 +1,7 @@
 // fp_add: a + b, or a - b with SUBTRACT, rounded once to the result format.
 // Latency: the population count of CUTS (nine bits); initiation interval 1; no reset.
 // Special values as IEEE 754: infinity - infinity is NaN, x - x is +0.
+// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/architecture.md.
 `default_nettype none
 
 module fp_add #(
@@ -9,6 +10,9 @@ module fp_add #(
     parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,
     parameter       RESULT_PRECISION     = PRECISION,
     parameter       SUBTRACT             = 0,
+    parameter       SPECIAL_OPERANDS     = 1,
+    parameter       OVERFLOW             = 1,
+    parameter       UNDERFLOW            = 1,
     parameter       GRADUAL              = 0,
     parameter       TOWARD_ZERO          = 0,
     parameter [8:0] CUTS                 = 9'b0
@@ -32,6 +36,9 @@ module fp_add #(
     larger = (first > second) ? first : second;
   endfunction
 
+  // Without underflow there are no subnormals to be gradual about.
+  localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
+
   // The smaller operand is aligned on the larger one's leading bit and as many fraction bits as
   // make both a cancellation and the bit beyond the result's guard bit exact.
   localparam ALIGNED = larger(PRECISION, RESULT_PRECISION + 1) + 1;
@@ -52,7 +59,7 @@ module fp_add #(
   localparam integer REBIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - (1 << (EXPONENT_BITS - 1));
   // With a result exponent no narrower than the operands', not normalising below exponent 1 is
   // all that a subnormal sum asks for.
-  localparam DENORMALISE = (GRADUAL != 0) && (RESULT_EXPONENT_BITS < EXPONENT_BITS);
+  localparam DENORMALISE = (SUBNORMALS != 0) && (RESULT_EXPONENT_BITS < EXPONENT_BITS);
 
   // Stage compare: packed magnitudes order as integers; both exponent differences are at hand
   // when the order is known.
@@ -65,9 +72,11 @@ module fp_add #(
   wire                     s0_a_flushed;
 
   fp_unpack #(
-      .EXPONENT_BITS(EXPONENT_BITS),
-      .PRECISION    (PRECISION),
-      .GRADUAL      (GRADUAL)
+      .EXPONENT_BITS   (EXPONENT_BITS),
+      .PRECISION       (PRECISION),
+      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+      .UNDERFLOW       (UNDERFLOW),
+      .GRADUAL         (SUBNORMALS)
   ) s0_unpack_a (
       .a          (a),
       .sign       (s0_a_sign),
@@ -88,9 +97,11 @@ module fp_add #(
   wire                     s0_b_flushed;
 
   fp_unpack #(
-      .EXPONENT_BITS(EXPONENT_BITS),
-      .PRECISION    (PRECISION),
-      .GRADUAL      (GRADUAL)
+      .EXPONENT_BITS   (EXPONENT_BITS),
+      .PRECISION       (PRECISION),
+      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+      .UNDERFLOW       (UNDERFLOW),
+      .GRADUAL         (SUBNORMALS)
   ) s0_unpack_b (
       .a          (b),
       .sign       (s0_b_packed_sign),
@@ -111,7 +122,7 @@ module fp_add #(
   wire s0_infinite = s0_a_infinite || s0_b_infinite;
   wire s0_nan      = s0_a_nan || s0_b_nan || (s0_a_infinite && s0_b_infinite && s0_cancel);
   wire s0_suspect  = s0_infinite || s0_nan || s0_a_flushed || s0_b_flushed;
-  wire s0_zero     = (GRADUAL == 0) && s0_a_zero && s0_b_zero;
+  wire s0_zero     = (SUBNORMALS == 0) && s0_a_zero && s0_b_zero;
 
   wire [EXPONENT_BITS-1:0] s1_a_exponent;
   wire [PRECISION-1:0]     s1_a_significand;
@@ -278,7 +289,7 @@ module fp_add #(
       - {{(EXPONENT_WIDTH - COUNT_BITS) {1'b0}}, s5_amount};
 
   generate
-    if (GRADUAL != 0) begin : gradual
+    if (SUBNORMALS != 0) begin : gradual
       wire s5_no_room = s5_room[EXPONENT_WIDTH-1];
       wire s5_little_room =
           s5_room[EXPONENT_WIDTH-2:0] < {{(EXPONENT_WIDTH - 1 - COUNT_BITS) {1'b0}}, s5_count};
@@ -326,7 +337,9 @@ module fp_add #(
       .EXPONENT_WIDTH      (EXPONENT_WIDTH),
       .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
       .RESULT_PRECISION    (RESULT_PRECISION),
-      .GRADUAL             (GRADUAL),
+      .OVERFLOW            (OVERFLOW),
+      .UNDERFLOW           (UNDERFLOW),
+      .GRADUAL             (SUBNORMALS),
       .DENORMALISE         (DENORMALISE),
       .TOWARD_ZERO         (TOWARD_ZERO),
       .CUTS                (CUTS[8:6])

@@ -1,6 +1,7 @@
 // fp_convert: a in another format, rounded once.
 // Latency: the population count of CUTS (five bits); initiation interval 1; no reset.
 // Special values as IEEE 754, but for NaNs, which all become the one positive quiet NaN.
+// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/architecture.md.
 `default_nettype none
 
 module fp_convert #(
@@ -8,6 +9,9 @@ module fp_convert #(
     parameter       PRECISION            = 53,
     parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,
     parameter       RESULT_PRECISION     = PRECISION,
+    parameter       SPECIAL_OPERANDS     = 1,
+    parameter       OVERFLOW             = 1,
+    parameter       UNDERFLOW            = 1,
     parameter       GRADUAL              = 0,
     parameter       TOWARD_ZERO          = 0,
     parameter [4:0] CUTS                 = 5'b0
@@ -30,13 +34,16 @@ module fp_convert #(
     larger = (first > second) ? first : second;
   endfunction
 
+  // Without underflow there are no subnormals to be gradual about.
+  localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
+
   localparam KEPT = RESULT_PRECISION + 2;
   localparam EXPONENT_WIDTH =
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS), bits_for(larger(PRECISION, KEPT))) + 2;
 
   localparam integer REBIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - (1 << (EXPONENT_BITS - 1));
   // Otherwise even the smallest subnormal operand is a normal number of the result format.
-  localparam DENORMALISE = (GRADUAL != 0) && (REBIAS < PRECISION - 1);
+  localparam DENORMALISE = (SUBNORMALS != 0) && (REBIAS < PRECISION - 1);
 
   // Stages count, normalise: the significand gets a leading one.
   wire                      s2_sign;
@@ -48,11 +55,13 @@ module fp_convert #(
   wire                      s2_flushed;
 
   fp_operand #(
-      .EXPONENT_BITS (EXPONENT_BITS),
-      .PRECISION     (PRECISION),
-      .EXPONENT_WIDTH(EXPONENT_WIDTH),
-      .GRADUAL       (GRADUAL),
-      .CUTS          (CUTS[1:0])
+      .EXPONENT_BITS   (EXPONENT_BITS),
+      .PRECISION       (PRECISION),
+      .EXPONENT_WIDTH  (EXPONENT_WIDTH),
+      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+      .UNDERFLOW       (UNDERFLOW),
+      .GRADUAL         (SUBNORMALS),
+      .CUTS            (CUTS[1:0])
   ) s0_operand (
       .aclk       (aclk),
       .a          (a),
@@ -84,7 +93,9 @@ module fp_convert #(
       .EXPONENT_WIDTH      (EXPONENT_WIDTH),
       .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
       .RESULT_PRECISION    (RESULT_PRECISION),
-      .GRADUAL             (GRADUAL),
+      .OVERFLOW            (OVERFLOW),
+      .UNDERFLOW           (UNDERFLOW),
+      .GRADUAL             (SUBNORMALS),
       .DENORMALISE         (DENORMALISE),
       .TOWARD_ZERO         (TOWARD_ZERO),
       .CUTS                (CUTS[4:2])

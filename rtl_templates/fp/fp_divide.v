@@ -2,6 +2,8 @@
 // Latency: the population count of CUTS (RESULT_PRECISION + 8 bits); initiation interval 1; no
 // reset.
 // Special values as IEEE 754: x / 0 is infinite, 0 / 0 and infinity / infinity are NaN.
+// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/architecture.md. A
+// divisor of zero is an overflow.
 `default_nettype none
 
 module fp_divide #(
@@ -9,6 +11,9 @@ module fp_divide #(
     parameter PRECISION            = 24,
     parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,
     parameter RESULT_PRECISION     = PRECISION,
+    parameter SPECIAL_OPERANDS     = 1,
+    parameter OVERFLOW             = 1,
+    parameter UNDERFLOW            = 1,
     parameter GRADUAL              = 0,
     parameter TOWARD_ZERO          = 0,
     parameter [RESULT_PRECISION+7:0] CUTS = 0
@@ -32,6 +37,9 @@ module fp_divide #(
     larger = (first > second) ? first : second;
   endfunction
 
+  // Without underflow there are no subnormals to be gradual about.
+  localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
+
   // The quotient lies in (1/2, 2): its bits up to the guard bit, and one more where it is below 1.
   localparam DIGITS    = RESULT_PRECISION + 2;
   localparam REMAINDER = PRECISION + 1;
@@ -53,11 +61,13 @@ module fp_divide #(
   wire                      s2_a_flushed;
 
   fp_operand #(
-      .EXPONENT_BITS (EXPONENT_BITS),
-      .PRECISION     (PRECISION),
-      .EXPONENT_WIDTH(EXPONENT_WIDTH),
-      .GRADUAL       (GRADUAL),
-      .CUTS          (CUTS[1:0])
+      .EXPONENT_BITS   (EXPONENT_BITS),
+      .PRECISION       (PRECISION),
+      .EXPONENT_WIDTH  (EXPONENT_WIDTH),
+      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+      .UNDERFLOW       (UNDERFLOW),
+      .GRADUAL         (SUBNORMALS),
+      .CUTS            (CUTS[1:0])
   ) s0_operand_a (
       .aclk       (aclk),
       .a          (a),
@@ -73,24 +83,26 @@ module fp_divide #(
   wire                      s2_b_sign;
   wire [EXPONENT_WIDTH-1:0] s2_b_exponent;
   wire [PRECISION-1:0]      s2_b_significand;
-  wire                      s2_b_zero;
+  wire                      s2_b_is_zero;
   wire                      s2_b_infinite;
   wire                      s2_b_nan;
   wire                      s2_b_flushed;
 
   fp_operand #(
-      .EXPONENT_BITS (EXPONENT_BITS),
-      .PRECISION     (PRECISION),
-      .EXPONENT_WIDTH(EXPONENT_WIDTH),
-      .GRADUAL       (GRADUAL),
-      .CUTS          (CUTS[1:0])
+      .EXPONENT_BITS   (EXPONENT_BITS),
+      .PRECISION       (PRECISION),
+      .EXPONENT_WIDTH  (EXPONENT_WIDTH),
+      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+      .UNDERFLOW       (UNDERFLOW),
+      .GRADUAL         (SUBNORMALS),
+      .CUTS            (CUTS[1:0])
   ) s0_operand_b (
       .aclk       (aclk),
       .a          (b),
       .sign       (s2_b_sign),
       .exponent   (s2_b_exponent),
       .significand(s2_b_significand),
-      .zero       (s2_b_zero),
+      .zero       (s2_b_is_zero),
       .infinite   (s2_b_infinite),
       .nan        (s2_b_nan),
       .flushed    (s2_b_flushed)
@@ -100,6 +112,7 @@ module fp_divide #(
   // the remainder went below zero and the divisor is added instead of subtracted; its sign is the
   // next bit either way, and is kept there alone, since the remainder stays within +-divisor.
   wire [EXPONENT_WIDTH-1:0] s2_exponent = s2_a_exponent - s2_b_exponent;
+  wire                      s2_b_zero   = (OVERFLOW != 0) && s2_b_is_zero;
   wire                      s2_sign     = s2_a_sign ^ s2_b_sign;
   wire                      s2_nan      = s2_a_nan || s2_b_nan || (s2_a_infinite && s2_b_infinite)
                                           || (s2_a_zero && s2_b_zero);
@@ -181,7 +194,9 @@ module fp_divide #(
       .EXPONENT_WIDTH      (EXPONENT_WIDTH),
       .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
       .RESULT_PRECISION    (RESULT_PRECISION),
-      .GRADUAL             (GRADUAL),
+      .OVERFLOW            (OVERFLOW),
+      .UNDERFLOW           (UNDERFLOW),
+      .GRADUAL             (SUBNORMALS),
       .TOWARD_ZERO         (TOWARD_ZERO),
       .CUTS                (CUTS[DIGITS+5:DIGITS+2])
   ) last_select_round (

@@ -1,14 +1,18 @@
 // fp_minimum_maximum: the smaller of a and b, or the larger with MAXIMUM.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
 // Special values as IEEE 754-2019: a NaN gives NaN, -0 is less than +0.
+// SPECIAL_OPERANDS, UNDERFLOW: 0 promises that there are none; docs/architecture.md.
 `default_nettype none
 
 module fp_minimum_maximum #(
-    parameter       EXPONENT_BITS = 8,
-    parameter       PRECISION     = 24,
-    parameter       MAXIMUM       = 0,
-    parameter       GRADUAL       = 0,
-    parameter [1:0] CUTS          = 2'b00
+    parameter       EXPONENT_BITS    = 8,
+    parameter       PRECISION        = 24,
+    parameter       MAXIMUM          = 0,
+    parameter       SPECIAL_OPERANDS = 1,
+    parameter       OVERFLOW         = 1,     // nothing to leave out: for uniformity
+    parameter       UNDERFLOW        = 1,
+    parameter       GRADUAL          = 0,
+    parameter [1:0] CUTS             = 2'b00
 ) (
     input  wire                               aclk,
     input  wire [EXPONENT_BITS+PRECISION-1:0] a,
@@ -20,6 +24,9 @@ module fp_minimum_maximum #(
   localparam PACKED   = EXPONENT_BITS + PRECISION;
   localparam SIGN     = PACKED - 1;
   localparam EXPONENT = PRECISION - 1;
+  localparam FLUSHING = (GRADUAL == 0) && (UNDERFLOW != 0);
+
+  wire unused_overflow = OVERFLOW != 0;
 
   localparam [PACKED-1:0] QUIET_NAN =
       {1'b0, {EXPONENT_BITS{1'b1}}, ~({EXPONENT{1'b1}} >> 1)};
@@ -27,10 +34,10 @@ module fp_minimum_maximum #(
   // Stage compare: packed magnitudes order as integers, against them where both are negative.
   wire s0_a_fraction = |a[EXPONENT-1:0];
   wire s0_b_fraction = |b[EXPONENT-1:0];
-  wire s0_a_special  = &a[SIGN-1:EXPONENT];
-  wire s0_b_special  = &b[SIGN-1:EXPONENT];
-  wire s0_a_flush    = (GRADUAL == 0) && !(|a[SIGN-1:EXPONENT]);
-  wire s0_b_flush    = (GRADUAL == 0) && !(|b[SIGN-1:EXPONENT]);
+  wire s0_a_special  = (SPECIAL_OPERANDS != 0) && (&a[SIGN-1:EXPONENT]);
+  wire s0_b_special  = (SPECIAL_OPERANDS != 0) && (&b[SIGN-1:EXPONENT]);
+  wire s0_a_flush    = FLUSHING && !(|a[SIGN-1:EXPONENT]);
+  wire s0_b_flush    = FLUSHING && !(|b[SIGN-1:EXPONENT]);
   wire s0_nan        = (s0_a_special && s0_a_fraction) || (s0_b_special && s0_b_fraction);
   wire s0_suspect    = s0_a_special || s0_b_special
                        || (s0_a_flush && s0_a_fraction) || (s0_b_flush && s0_b_fraction);

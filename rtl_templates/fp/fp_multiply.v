@@ -1,6 +1,7 @@
 // fp_multiply: a * b, rounded once to the result format.
 // Latency: the population count of CUTS (nine bits); initiation interval 1; no reset.
 // Special values as IEEE 754: infinity * 0 is NaN.
+// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/architecture.md.
 `default_nettype none
 
 module fp_multiply #(
@@ -8,6 +9,9 @@ module fp_multiply #(
     parameter       PRECISION            = 24,
     parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,
     parameter       RESULT_PRECISION     = PRECISION,
+    parameter       SPECIAL_OPERANDS     = 1,
+    parameter       OVERFLOW             = 1,
+    parameter       UNDERFLOW            = 1,
     parameter       GRADUAL              = 0,
     parameter       TOWARD_ZERO          = 0,
     parameter [8:0] CUTS                 = 9'b0
@@ -31,6 +35,9 @@ module fp_multiply #(
     larger = (first > second) ? first : second;
   endfunction
 
+  // Without underflow there are no subnormals to be gradual about.
+  localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
+
   localparam PRODUCT = 2 * PRECISION;
   localparam EXPONENT_WIDTH =
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS),
@@ -50,11 +57,13 @@ module fp_multiply #(
   wire                      s2_a_flushed;
 
   fp_operand #(
-      .EXPONENT_BITS (EXPONENT_BITS),
-      .PRECISION     (PRECISION),
-      .EXPONENT_WIDTH(EXPONENT_WIDTH),
-      .GRADUAL       (GRADUAL),
-      .CUTS          (CUTS[1:0])
+      .EXPONENT_BITS   (EXPONENT_BITS),
+      .PRECISION       (PRECISION),
+      .EXPONENT_WIDTH  (EXPONENT_WIDTH),
+      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+      .UNDERFLOW       (UNDERFLOW),
+      .GRADUAL         (SUBNORMALS),
+      .CUTS            (CUTS[1:0])
   ) s0_operand_a (
       .aclk       (aclk),
       .a          (a),
@@ -76,11 +85,13 @@ module fp_multiply #(
   wire                      s2_b_flushed;
 
   fp_operand #(
-      .EXPONENT_BITS (EXPONENT_BITS),
-      .PRECISION     (PRECISION),
-      .EXPONENT_WIDTH(EXPONENT_WIDTH),
-      .GRADUAL       (GRADUAL),
-      .CUTS          (CUTS[1:0])
+      .EXPONENT_BITS   (EXPONENT_BITS),
+      .PRECISION       (PRECISION),
+      .EXPONENT_WIDTH  (EXPONENT_WIDTH),
+      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+      .UNDERFLOW       (UNDERFLOW),
+      .GRADUAL         (SUBNORMALS),
+      .CUTS            (CUTS[1:0])
   ) s0_operand_b (
       .aclk       (aclk),
       .a          (b),
@@ -155,7 +166,9 @@ module fp_multiply #(
       .EXPONENT_WIDTH      (EXPONENT_WIDTH),
       .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
       .RESULT_PRECISION    (RESULT_PRECISION),
-      .GRADUAL             (GRADUAL),
+      .OVERFLOW            (OVERFLOW),
+      .UNDERFLOW           (UNDERFLOW),
+      .GRADUAL             (SUBNORMALS),
       .TOWARD_ZERO         (TOWARD_ZERO),
       .CUTS                (CUTS[8:5])
   ) s5_select_round (

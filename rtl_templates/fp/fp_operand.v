@@ -1,14 +1,16 @@
 // fp_operand: one packed operand with its significand normalised, for units that need it so.
 // Two cuts, initiation interval 1, no reset. `exponent` is biased and signed; that and the
-// significand are arbitrary for zeros, infinities and NaNs.
+// significand are arbitrary for zeros, infinities and NaNs. SPECIAL_OPERANDS, UNDERFLOW: fp_unpack.
 `default_nettype none
 
 module fp_operand #(
-    parameter       EXPONENT_BITS  = 8,
-    parameter       PRECISION      = 24,
-    parameter       EXPONENT_WIDTH = 10,    // above EXPONENT_BITS and the width of PRECISION
-    parameter       GRADUAL        = 0,
-    parameter [1:0] CUTS           = 2'b00
+    parameter       EXPONENT_BITS    = 8,
+    parameter       PRECISION        = 24,
+    parameter       EXPONENT_WIDTH   = 10,    // above EXPONENT_BITS and the width of PRECISION
+    parameter       SPECIAL_OPERANDS = 1,
+    parameter       UNDERFLOW        = 1,
+    parameter       GRADUAL          = 0,     // 1: with UNDERFLOW alone
+    parameter [1:0] CUTS             = 2'b00
 ) (
     input  wire                               aclk,
     input  wire [EXPONENT_BITS+PRECISION-1:0] a,
@@ -44,9 +46,11 @@ module fp_operand #(
   wire                     s0_flushed;
 
   fp_unpack #(
-      .EXPONENT_BITS(EXPONENT_BITS),
-      .PRECISION    (PRECISION),
-      .GRADUAL      (GRADUAL)
+      .EXPONENT_BITS   (EXPONENT_BITS),
+      .PRECISION       (PRECISION),
+      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+      .UNDERFLOW       (UNDERFLOW),
+      .GRADUAL         (GRADUAL)
   ) s0_unpack (
       .a          (a),
       .sign       (s0_sign),

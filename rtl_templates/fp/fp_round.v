@@ -1,13 +1,16 @@
 // fp_round: rounds an exact result, given by its leading bits and a sticky bit, and packs it.
 // Three cuts, initiation interval 1, no reset. Special values: `nan`, `infinite` and `zero` say
 // that the result is one (the first of them wins) whatever exponent and significand are.
+// OVERFLOW = 0 or UNDERFLOW = 0 promises that no other result is too large or too small.
 `default_nettype none
 
 module fp_round #(
     parameter       EXPONENT_WIDTH       = 10,     // above RESULT_EXPONENT_BITS + 1
     parameter       RESULT_EXPONENT_BITS = 8,
     parameter       RESULT_PRECISION     = 24,
-    parameter       GRADUAL              = 0,
+    parameter       OVERFLOW             = 1,
+    parameter       UNDERFLOW            = 1,
+    parameter       GRADUAL              = 0,      // 1: with UNDERFLOW alone
     // 1: exponents below 1 occur with GRADUAL, and then the significand is normalised.
     // 0: they do not, but a significand of exponent 1 may have leading zeros.
     parameter       DENORMALISE          = GRADUAL,
@@ -40,6 +43,11 @@ module fp_round #(
   localparam WIDTH         = RESULT_PRECISION + 2;
   localparam FLAGS         = 5;
   localparam ROUNDED_WIDTH = EXPONENT_WIDTH + FRACTION_BITS;
+
+  localparam VANISHING     = (UNDERFLOW != 0) && (GRADUAL == 0);
+  // A special result is put in front of the rounding, where it shares the adder's gates, if
+  // nothing behind the rounding has to replace its result anyway.
+  localparam SPECIAL_FIRST = (OVERFLOW == 0) && !VANISHING;
 
   localparam [FRACTION_BITS-1:0] QUIET = ~({FRACTION_BITS{1'b1}} >> 1);
 
@@ -99,9 +107,20 @@ module fp_round #(
   wire                      s1_up      = (TOWARD_ZERO == 0) && s1_guard && (s1_odd || s1_tail);
   wire [EXPONENT_WIDTH-1:0] s1_field   =
       s1_exponent & {EXPONENT_WIDTH{s1_leading || (GRADUAL == 0)}};
-  wire [ROUNDED_WIDTH-1:0]  s1_rounded =
-      {s1_field, s1_significand[WIDTH-2:2]} + {{(ROUNDED_WIDTH - 1) {1'b0}}, s1_up};
   wire                      s1_inexact_subnormal = !s1_leading && (s1_guard || s1_tail);
+
+  wire s1_nan       = SPECIAL_FIRST && s1_flags[3];
+  wire s1_all_ones  = SPECIAL_FIRST && (s1_flags[3] || s1_flags[2]);
+  wire s1_all_zeros = SPECIAL_FIRST && s1_flags[1];
+  wire s1_finite    = !(s1_all_ones || s1_all_zeros);
+
+  wire [EXPONENT_WIDTH-1:0] s1_known_field    =
+      (s1_field & {EXPONENT_WIDTH{!s1_all_zeros}}) | {EXPONENT_WIDTH{s1_all_ones}};
+  wire [FRACTION_BITS-1:0]  s1_known_fraction =
+      (s1_significand[WIDTH-2:2] & {FRACTION_BITS{s1_finite}}) | (QUIET & {FRACTION_BITS{s1_nan}});
+  wire [ROUNDED_WIDTH-1:0]  s1_rounded =
+      {s1_known_field, s1_known_fraction}
+      + {{(ROUNDED_WIDTH - 1) {1'b0}}, s1_up && s1_finite};
 
   wire [EXPONENT_WIDTH-1:0] s2_field;
   wire [FRACTION_BITS-1:0]  s2_fraction;
@@ -130,15 +149,17 @@ module fp_round #(
   wire s2_negative  = s2_field[EXPONENT_WIDTH-1];
   wire s2_too_large = (|s2_field[EXPONENT_WIDTH-2:RESULT_EXPONENT_BITS])
                       || (&s2_field[RESULT_EXPONENT_BITS-1:0]);
-  wire s2_overflow  = s2_finite && !s2_negative && s2_too_large;
-  wire s2_vanished  = s2_finite && (GRADUAL == 0) && (s2_negative || !(|s2_field));
+  wire s2_overflow  = (OVERFLOW != 0) && s2_finite && s2_too_large
+                      && !((UNDERFLOW != 0) && s2_negative);
+  wire s2_vanished  = VANISHING && s2_finite && (s2_negative || !(|s2_field));
   wire s2_imprecise = s2_finite && (GRADUAL != 0) && s2_inexact_subnormal
                       && !(s2_field[0] && s2_beyond);
 
   wire s2_overflow_to_largest = s2_overflow && (TOWARD_ZERO != 0);
-  wire s2_all_ones            = s2_nan || s2_infinite || s2_overflow;
-  wire s2_all_zeros           = s2_zero || s2_vanished;
-  wire s2_keep_fraction       = s2_finite && !s2_overflow && !s2_vanished;
+  wire s2_all_ones            = (!SPECIAL_FIRST && (s2_nan || s2_infinite)) || s2_overflow;
+  wire s2_all_zeros           = (!SPECIAL_FIRST && s2_zero) || s2_vanished;
+  wire s2_keep_fraction       =
+      (SPECIAL_FIRST || s2_finite) && !s2_overflow && !s2_vanished;
 
   wire [RESULT_EXPONENT_BITS-1:0] s2_y_field =
       ((s2_field[RESULT_EXPONENT_BITS-1:0] & {RESULT_EXPONENT_BITS{!s2_all_zeros}})
@@ -147,7 +168,7 @@ module fp_round #(
   wire [FRACTION_BITS-1:0] s2_y_fraction =
       (s2_fraction & {FRACTION_BITS{s2_keep_fraction}})
       | {FRACTION_BITS{s2_overflow_to_largest}}
-      | (QUIET & {FRACTION_BITS{s2_nan}});
+      | (QUIET & {FRACTION_BITS{!SPECIAL_FIRST && s2_nan}});
 
   fp_rank #(
       .WIDTH     (RESULT_EXPONENT_BITS + RESULT_PRECISION + 1),

@@ -1,5 +1,5 @@
 // fp_select_round: rounds and packs a result whose leading one is in the first or second place.
-// Four cuts, initiation interval 1, no reset. Special values as in fp_round.
+// Four cuts, initiation interval 1, no reset. Special values and promises as in fp_round.
 `default_nettype none
 
 module fp_select_round #(
@@ -7,7 +7,9 @@ module fp_select_round #(
     parameter       EXPONENT_WIDTH       = 10,  // above RESULT_EXPONENT_BITS + 1
     parameter       RESULT_EXPONENT_BITS = 8,
     parameter       RESULT_PRECISION     = 24,
-    parameter       GRADUAL              = 0,
+    parameter       OVERFLOW             = 1,
+    parameter       UNDERFLOW            = 1,
+    parameter       GRADUAL              = 0,   // 1: with UNDERFLOW alone
     parameter       TOWARD_ZERO          = 0,
     parameter [3:0] CUTS                 = 4'b0
 ) (
@@ -66,6 +68,8 @@ module fp_select_round #(
       .EXPONENT_WIDTH      (EXPONENT_WIDTH),
       .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
       .RESULT_PRECISION    (RESULT_PRECISION),
+      .OVERFLOW            (OVERFLOW),
+      .UNDERFLOW           (UNDERFLOW),
       .GRADUAL             (GRADUAL),
       .TOWARD_ZERO         (TOWARD_ZERO),
       .CUTS                (CUTS[3:1])

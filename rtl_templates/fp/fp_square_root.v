@@ -2,6 +2,7 @@
 // Latency: the population count of CUTS (RESULT_PRECISION + 6 bits); initiation interval 1; no
 // reset.
 // Special values as IEEE 754: the root of -0 is -0, of other negative numbers NaN.
+// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/architecture.md.
 `default_nettype none
 
 module fp_square_root #(
@@ -9,6 +10,9 @@ module fp_square_root #(
     parameter PRECISION            = 24,
     parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,
     parameter RESULT_PRECISION     = PRECISION,
+    parameter SPECIAL_OPERANDS     = 1,
+    parameter OVERFLOW             = 1,
+    parameter UNDERFLOW            = 1,
     parameter GRADUAL              = 0,
     parameter TOWARD_ZERO          = 0,
     parameter [RESULT_PRECISION+5:0] CUTS = 0
@@ -31,6 +35,9 @@ module fp_square_root #(
     larger = (first > second) ? first : second;
   endfunction
 
+  // Without underflow there are no subnormals to be gradual about.
+  localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
+
   // The root's bits up to the guard bit, and two bits of the radicand for each.
   localparam ROOT     = RESULT_PRECISION + 1;
   localparam RADICAND = 2 * ROOT;
@@ -42,7 +49,7 @@ module fp_square_root #(
   localparam integer BIAS        = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer RESULT_BIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 1;
   // Half the exponent of even the smallest subnormal is a normal one unless the result's is short.
-  localparam DENORMALISE = (GRADUAL != 0) && (BIAS + PRECISION > 2 * RESULT_BIAS);
+  localparam DENORMALISE = (SUBNORMALS != 0) && (BIAS + PRECISION > 2 * RESULT_BIAS);
 
   // Stages count, normalise: the significand gets a leading one.
   wire                      s2_sign;
@@ -54,11 +61,13 @@ module fp_square_root #(
   wire                      s2_flushed;
 
   fp_operand #(
-      .EXPONENT_BITS (EXPONENT_BITS),
-      .PRECISION     (PRECISION),
-      .EXPONENT_WIDTH(EXPONENT_WIDTH),
-      .GRADUAL       (GRADUAL),
-      .CUTS          (CUTS[1:0])
+      .EXPONENT_BITS   (EXPONENT_BITS),
+      .PRECISION       (PRECISION),
+      .EXPONENT_WIDTH  (EXPONENT_WIDTH),
+      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+      .UNDERFLOW       (UNDERFLOW),
+      .GRADUAL         (SUBNORMALS),
+      .CUTS            (CUTS[1:0])
   ) s0_operand (
       .aclk       (aclk),
       .a          (a),
@@ -196,7 +205,9 @@ module fp_square_root #(
       .EXPONENT_WIDTH      (EXPONENT_WIDTH),
       .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
       .RESULT_PRECISION    (RESULT_PRECISION),
-      .GRADUAL             (GRADUAL),
+      .OVERFLOW            (OVERFLOW),
+      .UNDERFLOW           (UNDERFLOW),
+      .GRADUAL             (SUBNORMALS),
       .DENORMALISE         (DENORMALISE),
       .TOWARD_ZERO         (TOWARD_ZERO),
       .CUTS                (CUTS[ROOT+4:ROOT+2])

@@ -1,12 +1,15 @@
 // fp_unpack: one packed operand as sign, biased exponent and significand, and what kind it is.
 // Combinational. GRADUAL: a subnormal has exponent 1 and a leading zero. Otherwise it is a zero,
-// and `flushed` says so; a zero's significand is then arbitrary, to spare the gates.
+// and `flushed` says so; a zero's significand is then arbitrary, to spare the gates. What
+// SPECIAL_OPERANDS = 0 or UNDERFLOW = 0 excludes is not looked for: docs/architecture.md.
 `default_nettype none
 
 module fp_unpack #(
-    parameter       EXPONENT_BITS = 8,
-    parameter       PRECISION     = 24,
-    parameter       GRADUAL       = 0
+    parameter       EXPONENT_BITS    = 8,
+    parameter       PRECISION        = 24,
+    parameter       SPECIAL_OPERANDS = 1,
+    parameter       UNDERFLOW        = 1,
+    parameter       GRADUAL          = 0   // 1: with UNDERFLOW alone
 ) (
     input  wire [EXPONENT_BITS+PRECISION-1:0] a,
     output wire                               sign,
@@ -24,8 +27,8 @@ module fp_unpack #(
   wire                     fraction_some = |fraction;
 
   assign sign     = a[EXPONENT_BITS+PRECISION-1];
-  assign infinite = (&field) && !fraction_some;
-  assign nan      = (&field) && fraction_some;
+  assign infinite = (SPECIAL_OPERANDS != 0) && (&field) && !fraction_some;
+  assign nan      = (SPECIAL_OPERANDS != 0) && (&field) && fraction_some;
 
   generate
     if (GRADUAL != 0) begin : gradual
@@ -37,7 +40,7 @@ module fp_unpack #(
       assign exponent    = field;
       assign significand = {1'b1, fraction};
       assign zero        = field_empty;
-      assign flushed     = field_empty && fraction_some;
+      assign flushed     = (UNDERFLOW != 0) && field_empty && fraction_some;
     end
   endgenerate
 
