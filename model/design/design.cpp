@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
+#include "model/error/certified_lane.hpp"
 #include "model/error/profiled_error.hpp"
-#include "model/error/relative_bound.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -52,7 +52,10 @@ bool can_decide(const Lane& lane) {
 }
 
 Result<Lane> design_certified_lane(const Scene& scene, TypedGraph graph) {
-  MIXCMP_TRY(lane, relative_lane(std::move(graph), scene.nonnegative_inputs()));
+  const CertifiedOptions options{.kind = scene.reduced.error_bound,
+                                 .bound_digits = scene.reduced.bound_digits,
+                                 .ranges = scene.ranges};
+  MIXCMP_TRY(lane, certified_lane(std::move(graph), options));
   if (can_decide(lane)) return lane;
   return Error{.field = "reduced.format",
                .message =

@@ -1,9 +1,236 @@
 #include "model/error/certified_lane.hpp"
 
-#include "model/common/check.hpp"
-#include "model/error/relative_bound.hpp"
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "model/error/constant_bound.hpp"
+#include "model/error/error_analysis.hpp"
+#include "model/error/hazards.hpp"
+#include "model/expression/text.hpp"
+#include "model/golden/arithmetic.hpp"
 
 namespace mixcmp::model {
+namespace {
+
+using Ranges = std::vector<std::optional<Range>>;
+
+std::vector<bool> nonnegative(const Ranges& ranges, int input_count) {
+  std::vector<bool> result(static_cast<std::size_t>(input_count), false);
+  for (std::size_t input = 0; input < ranges.size(); ++input) {
+    result[input] = ranges[input] && ranges[input]->low >= 0;
+  }
+  return result;
+}
+
+/// The first node that has no bound although its operands have.
+template <typename Missing>
+NodeId first_failure(const ErrorAnalysis& analysis, Missing missing) {
+  const auto first = std::find_if(analysis.nodes.begin(), analysis.nodes.end(), missing);
+  MIXCMP_CHECK(first != analysis.nodes.end());
+  return static_cast<NodeId>(first - analysis.nodes.begin());
+}
+
+/// With inputs = "exact" this operand would not be rounded.
+bool would_be_exact(const TypedGraph& graph, NodeId id) {
+  const TypedNode& node = graph.nodes[id];
+  switch (node.operation) {
+    case Operation::input: return true;
+    case Operation::constant:
+      return golden::to_rational(graph.input_format,
+                                 golden::from_rational(graph.input_format, node.value)) ==
+             node.value;
+    case Operation::convert:
+    case Operation::negate:
+    case Operation::absolute: return would_be_exact(graph, node.operands[0]);
+    case Operation::minimum:
+    case Operation::maximum:
+      return would_be_exact(graph, node.operands[0]) && would_be_exact(graph, node.operands[1]);
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::multiply:
+    case Operation::square:
+    case Operation::divide:
+    case Operation::square_root: return false;
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::string what_helps(const TypedGraph& graph, NodeId failure) {
+  const TypedNode& node = graph.nodes[failure];
+  if (node.operation == Operation::constant) return "a reduced.format with more exponent bits";
+  std::string help = "reduced.error_bound = \"running\", ";
+  if (would_be_exact(graph, node.operands[0]) && would_be_exact(graph, node.operands[1])) {
+    help += "reduced.inputs = \"exact\", ";
+  }
+  const std::vector<bool> all_nonnegative(graph.input_count, true);
+  if (analyse_errors(graph, all_nonnegative).nodes[failure].relative) {
+    help += "ranges that exclude negative inputs, ";
+  }
+  return help + "reduced.bound = \"profiled\", or another formulation of f and g";
+}
+
+Error no_bound(ErrorBoundKind kind, const std::string& reason, std::string accepted) {
+  return {.field = "reduced.bound",
+          .message = fmt::format("no {} bound can be proven: {}", to_string(kind), reason),
+          .received = "\"certified\"",
+          .accepted = std::move(accepted)};
+}
+
+/// Beyond the distance of any two finite encodings, and as wide as one: the lane's hardware holds
+/// it.
+Bits never(FloatFormat format) {
+  return low_mask(format.width());
+}
+
+Bits smallest_guard(const NodeBound& f, const NodeBound& g, int precision) {
+  const Bits guard = guard_ulp(*f.relative, *g.relative, precision);
+  if (!f.unrounded || !g.unrounded) return guard;
+  return std::min(guard, guard_ulp_before_rounding(*f.unrounded, *g.unrounded, precision));
+}
+
+std::vector<RangeCheck> sign_checks(const ErrorAnalysis& analysis) {
+  std::vector<RangeCheck> checks;
+  for (const int input : analysis.nonnegative_inputs) {
+    checks.push_back(sign_check(input, RequiredSign::nonnegative));
+  }
+  return checks;
+}
+
+Result<Lane> relative_lane(TypedGraph graph, const CertifiedOptions& options) {
+  const ErrorAnalysis analysis =
+      analyse_errors(graph, nonnegative(options.ranges, graph.input_count));
+  const NodeBound &f = analysis.nodes[graph.f], &g = analysis.nodes[graph.g];
+  if (!f.relative || !g.relative) {
+    const NodeId failure = first_failure(analysis, [](const NodeBound& b) { return !b.relative; });
+    return no_bound(ErrorBoundKind::relative, analysis.nodes[failure].reason,
+                    what_helps(graph, failure));
+  }
+  const FloatFormat format = graph.arithmetic.format;
+  UlpDistanceDecision decision{
+      .guard_ulp = std::min(smallest_guard(f, g, format.precision()), never(format)),
+      .nonnegative = f.nonnegative && g.nonnegative};
+  return Lane{std::move(graph), std::move(decision), sign_checks(analysis)};
+}
+
+/// Appends f - g, rounded; its node.
+NodeId append_difference(TypedGraph& graph) {
+  graph.nodes.push_back({.operation = Operation::subtract,
+                         .operands = {graph.f, graph.g},
+                         .operand_format = graph.arithmetic.format,
+                         .format = graph.arithmetic.format,
+                         .value = {}});
+  return static_cast<NodeId>(graph.nodes.size()) - 1;
+}
+
+/// The nodes that the bound and the conditions need, the bound last.
+class Pruner {
+public:
+  explicit Pruner(const std::vector<BoundNode>& nodes) : nodes_(nodes), ids_(nodes.size(), -1) {}
+
+  int keep(int id) {
+    if (ids_[id] >= 0) return ids_[id];
+    BoundNode node = nodes_[id];
+    for (int k = 0; k < arity(node.operation); ++k) node.operands[k] = keep(node.operands[k]);
+    kept_.push_back(std::move(node));
+    return ids_[id] = static_cast<int>(kept_.size()) - 1;
+  }
+
+  std::vector<BoundNode> take(int bound) {
+    const int last = bound == no_bound_node ? -1 : keep(bound);
+    const bool in_place = last >= 0 && last + 1 == static_cast<int>(kept_.size());
+    if (!in_place) kept_.push_back(last < 0 ? BoundNode{BoundOperation::constant} : kept_[last]);
+    return std::move(kept_);
+  }
+
+private:
+  const std::vector<BoundNode>& nodes_;
+  std::vector<int> ids_;
+  std::vector<BoundNode> kept_;
+};
+
+/// What |f - g| as computed must exceed: docs/error_bounds.md, theorem 8.
+struct DifferenceBound {
+  NodeId difference;
+  ErrorAnalysis analysis;
+  AbsolutePart bound;
+};
+
+Result<DifferenceBound> bound_difference(TypedGraph& graph, ErrorBoundKind kind,
+                                         const CertifiedOptions& options) {
+  const NodeId difference = append_difference(graph);
+  DifferenceBound result{
+      .difference = difference,
+      .analysis = analyse_errors(graph, nonnegative(options.ranges, graph.input_count)),
+      .bound = {}};
+  const NodeBound& bound = result.analysis.nodes[difference];
+  if (!bound.mixed) {
+    const NodeId failure =
+        first_failure(result.analysis, [](const NodeBound& node) { return !node.mixed; });
+    const bool constant = graph.nodes[failure].operation == Operation::constant;
+    return no_bound(kind, result.analysis.nodes[failure].reason,
+                    constant ? "a reduced.format with more exponent bits"
+                             : "a reduced.format with more precision, or another formulation");
+  }
+  // Before its own rounding f - g has a factor m: |f - g| m > |a| is what decides.
+  result.bound = bound.mixed->absolute;
+  const RelativeBound own =
+      rounding_bound(graph.arithmetic.format.precision(), graph.arithmetic.rounding);
+  const mpq_class low = bound.mixed->factor.low / own.low;
+  if (low < 1) result.bound.fudge = widened_up(result.bound.fudge / low);
+  return result;
+}
+
+Result<Lane> running_lane(TypedGraph graph, const CertifiedOptions& options) {
+  MIXCMP_TRY(found, bound_difference(graph, ErrorBoundKind::running, options));
+  const FloatFormat format = graph.arithmetic.format;
+  Pruner pruner(found.analysis.bounds);
+  AbsoluteBoundDecision decision{.difference = found.difference,
+                                 .bound = {.format = {.precision = 1, .exponent_bits = 1}}};
+  for (const BoundCondition& condition : found.analysis.conditions) {
+    decision.conditions.push_back({pruner.keep(condition.bound), condition.value});
+  }
+  decision.bound = {.format = {.precision = std::min(options.bound_digits, format.precision()),
+                               .exponent_bits = format.exponent_bits()},
+                    .nodes = pruner.take(found.bound.bound)};
+  if (found.bound.fudge > 1) {
+    decision.guard_ulp =
+        std::min(steps_beyond(found.bound.fudge, format.precision()), never(format));
+  }
+  return Lane{std::move(graph), std::move(decision), sign_checks(found.analysis)};
+}
+
+Result<Lane> constant_lane(TypedGraph graph, const CertifiedOptions& options) {
+  MIXCMP_TRY(found, bound_difference(graph, ErrorBoundKind::constant, options));
+  const std::vector<RangeCheck> checks = full_range_checks(graph, options.ranges);
+  MIXCMP_TRY(bound, constant_bound(graph, found.analysis, found.bound, checks));
+  const FloatFormat format = graph.arithmetic.format;
+  AbsoluteBoundDecision decision{
+      .difference = found.difference,
+      .bound = {.format = {.precision = format.precision(),
+                           .exponent_bits = format.exponent_bits()},
+                .nodes = {{.operation = BoundOperation::constant, .constant = bound}}},
+      .conditions = {}};
+  return Lane{std::move(graph), std::move(decision), checks};
+}
+
+Result<Lane> lane_of(ErrorBoundKind kind, TypedGraph graph, const CertifiedOptions& options) {
+  switch (kind) {
+    case ErrorBoundKind::relative: return relative_lane(std::move(graph), options);
+    case ErrorBoundKind::running: return running_lane(std::move(graph), options);
+    case ErrorBoundKind::constant: return constant_lane(std::move(graph), options);
+  }
+  MIXCMP_CHECK(false);
+}
+
+Result<Lane> first_lane(const TypedGraph& graph, const CertifiedOptions& options) {
+  Result<Lane> relative = relative_lane(graph, options);
+  if (relative.ok()) return relative;
+  return running_lane(graph, options);
+}
+
+}  // namespace
 
 std::string_view to_string(ErrorBoundKind kind) {
   switch (kind) {
@@ -12,6 +239,28 @@ std::string_view to_string(ErrorBoundKind kind) {
     case ErrorBoundKind::constant: return "constant";
   }
   MIXCMP_CHECK(false);
+}
+
+Result<Lane> certified_lane(TypedGraph graph, const CertifiedOptions& options) {
+  MIXCMP_TRY(lane, options.kind ? lane_of(*options.kind, std::move(graph), options)
+                                : first_lane(graph, options));
+  if (options.hazards == HazardRemoval::remove) remove_hazards(lane, options.ranges);
+  return lane;
+}
+
+std::vector<CandidateLane> candidate_lanes(const TypedGraph& graph, const Ranges& ranges) {
+  std::vector<CandidateLane> candidates;
+  const auto add = [&](ErrorBoundKind kind, int digits) {
+    candidates.push_back(
+        {kind, digits,
+         certified_lane(graph,
+                        {.kind = kind, .bound_digits = std::max(digits, 1), .ranges = ranges})});
+  };
+  add(ErrorBoundKind::relative, 0);
+  add(ErrorBoundKind::running, 4);
+  add(ErrorBoundKind::running, 1);
+  add(ErrorBoundKind::constant, 0);
+  return candidates;
 }
 
 }  // namespace mixcmp::model

@@ -16,25 +16,33 @@ enum class ErrorBoundKind {
 };
 std::string_view to_string(ErrorBoundKind kind);
 
+/// Whether what the ranges rule out of a lane's operations is left out of them.
+enum class HazardRemoval {
+  remove,
+  keep,  ///< ranges serve the bound alone
+};
+
 struct CertifiedOptions {
-  std::optional<ErrorBoundKind> kind;  ///< none: the first that exists
-  /// Digits of a running bound, 1..8; 1: exponents alone.
+  std::optional<ErrorBoundKind> kind = {};  ///< none: the first that exists
+  /// Digits of a running bound, 1..8, at most the lane's; 1: exponents alone.
   int bound_digits = 4;
-  /// What the scene declares, one per input; checked in hardware as far as a proof or a removal
-  /// uses it.
-  std::vector<std::optional<Range>> ranges;
+  /// What the scene declares, one per input (empty: nothing); the lane checks what a proof or a
+  /// removal uses.
+  std::vector<std::optional<Range>> ranges = {};
+  HazardRemoval hazards = HazardRemoval::remove;
 };
 
 /// The lane with its certified decision, checks and hazards, or an error that says which operation
 /// has no bound of the kind, why, and what the user can do. Proofs: docs/error_bounds.md.
 Result<Lane> certified_lane(TypedGraph graph, const CertifiedOptions& options);
 
-/// Every kind that exists for the graph, running ones with 4 digits and with exponents alone.
+/// One way to certify a graph, or why it does not exist.
 struct CandidateLane {
   ErrorBoundKind kind;
-  int bound_digits;   ///< 0 where it does not apply
-  Result<Lane> lane;  ///< or why it does not exist
+  int bound_digits;  ///< of a running bound; else 0
+  Result<Lane> lane;
 };
+/// Relative; running with 4 digits and with exponents alone; constant.
 std::vector<CandidateLane> candidate_lanes(const TypedGraph& graph,
                                            const std::vector<std::optional<Range>>& ranges);
 

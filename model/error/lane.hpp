@@ -12,8 +12,8 @@ namespace mixcmp::model {
 
 /// Certified decision on packed encodings, for relative bounds. With key(x) = +-magnitude bits of x
 /// by its sign, the lane is decided iff nothing is exceptional and |key(f) - key(g)| >= guard_ulp;
-/// the verdict is then the order of the keys. guard_ulp = 0 means f and g are exact: all is decided,
-/// equality too.
+/// the verdict is then the order of the keys. guard_ulp = 0 means f and g are exact: all is
+/// decided, equality too.
 struct UlpDistanceDecision {
   Bits guard_ulp;
   /// f and g are never negative: the hardware compares plain magnitudes.

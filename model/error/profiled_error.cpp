@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "model/error/relative_bound.hpp"
+#include "model/error/error_analysis.hpp"
 #include "model/golden/arithmetic.hpp"
 #include "model/golden/enclosure.hpp"
 #include "model/golden/encoding.hpp"
@@ -158,7 +158,7 @@ Lane profiled_lane(TypedGraph graph, const mpq_class& relative_error_f,
                    const mpq_class& relative_error_g) {
   // Without ranges: a profiled lane checks no sign bits.
   const std::vector<bool> no_ranges(graph.input_count, false);
-  const std::vector<NodeBound> known = analyse_relative(graph, no_ranges).nodes;
+  const std::vector<NodeBound> known = analyse_errors(graph, no_ranges).nodes;
   Appender append(graph);
   const NodeId difference = append.operation(Operation::subtract, graph.f, graph.g);
   const NodeId error_f = append.error(graph.f, known[graph.f].nonnegative, relative_error_f);

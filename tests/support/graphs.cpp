@@ -17,4 +17,14 @@ const model::UlpDistanceDecision& certified_decision(const model::Lane& lane) {
   return std::get<model::UlpDistanceDecision>(lane.decision);
 }
 
+model::Result<model::Lane> relative_lane(model::TypedGraph graph,
+                                         const std::vector<bool>& nonnegative) {
+  model::CertifiedOptions options{.kind = model::ErrorBoundKind::relative,
+                                  .hazards = model::HazardRemoval::keep};
+  for (const bool input : nonnegative) {
+    options.ranges.push_back(input ? std::optional(model::Range{0, 1}) : std::nullopt);
+  }
+  return certified_lane(std::move(graph), options);
+}
+
 }  // namespace mixcmp::test

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "model/error/lane.hpp"
+#include "model/error/certified_lane.hpp"
 #include "model/expression/graph.hpp"
 
 namespace mixcmp::test {
@@ -13,5 +13,10 @@ model::Graph graph_of(const std::string& f, const std::string& g);
 
 /// Where the certified decision exists: what it is.
 const model::UlpDistanceDecision& certified_decision(const model::Lane& lane);
+
+/// The lane with a relative bound, if there is one, and nothing left out of its operations; the
+/// ranges of these inputs exclude negative values.
+model::Result<model::Lane> relative_lane(model::TypedGraph graph,
+                                         const std::vector<bool>& nonnegative);
 
 }  // namespace mixcmp::test

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/design/design.hpp"
-#include "model/error/relative_bound.hpp"
+#include "tests/support/graphs.hpp"
 #include "model/expression/graph.hpp"
 
 /// The paper's comparison, built without the parser.
@@ -32,7 +32,7 @@ inline model::Design sphere_design(model::FloatFormat lane, model::FloatFormat r
   const model::Arithmetic reduced = {lane, model::Rounding::nearest_even, model::Subnormals::flush};
   const std::vector<bool> any_sign(graph.inputs().size(), false);
   model::Lane certified =
-      model::relative_lane(model::lane_graph(graph, reference, reduced, model::LaneInputs::exact),
+      relative_lane(model::lane_graph(graph, reference, reduced, model::LaneInputs::exact),
                             any_sign)
           .value();
   return {.name = "sphere",

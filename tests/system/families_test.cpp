@@ -31,7 +31,7 @@ model::Design design_of(const Case& c) {
   const model::Graph graph = sphere_graph();
   model::Design design = sphere_design(format(c.lane), format(c.reference), 2, 1);
   const model::Arithmetic reduced = {format(c.lane), c.rounding, c.lane_subnormals};
-  design.lane = model::relative_lane(model::lane_graph(graph, format(c.reference), reduced,
+  design.lane = relative_lane(model::lane_graph(graph, format(c.reference), reduced,
                                                         model::LaneInputs::exact),
                                       std::vector<bool>(8, false))
                     .value();

@@ -1,4 +1,4 @@
-#include "model/error/relative_bound.hpp"
+#include "model/error/error_analysis.hpp"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ NodeBound bound_of(const std::string& f, Setting setting) {
                               setting.subnormals};
   setting.nonnegative.resize(graph.inputs().size(), false);
   const auto typed = lane_graph(graph, reference, arithmetic, setting.inputs);
-  return analyse_relative(typed, setting.nonnegative).nodes[typed.f];
+  return analyse_errors(typed, setting.nonnegative).nodes[typed.f];
 }
 
 std::vector<int> checked_inputs(const Lane& lane) {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "model/error/relative_bound.hpp"
+#include "model/error/error_analysis.hpp"
 #include "model/golden/evaluate.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"

@@ -1,0 +1,415 @@
+#include "model/error/error_analysis.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "model/error/sign.hpp"
+#include "model/expression/text.hpp"
+#include "model/golden/arithmetic.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// A divisor's error may be 1/32 of it at most, so that dividing by the true divisor costs the
+/// bound a factor of 32/31.
+constexpr int divisor_margin = 32;
+
+/// A bound of the exact result of an operation on the computed operands, or why there is none.
+struct Exact {
+  std::optional<MixedBound> mixed;
+  std::string reason;  ///< why it is not relative
+};
+
+Exact without_bound(std::string reason) {
+  return {std::nullopt, std::move(reason)};
+}
+
+/// First, what is no bound at all; then, what is no relative bound.
+std::string first_reason(const NodeBound* a, const NodeBound* b) {
+  for (const NodeBound* operand : {a, b}) {
+    if (operand != nullptr && !operand->mixed) return operand->reason;
+  }
+  for (const NodeBound* operand : {a, b}) {
+    if (operand != nullptr && !operand->reason.empty()) return operand->reason;
+  }
+  return "";
+}
+
+bool is_power_of_two(const TypedNode& node) {
+  if (node.operation != Operation::constant || node.value == 0) return false;
+  const mpz_class product = abs(node.value.get_num()) * node.value.get_den();
+  return mpz_popcount(product.get_mpz_t()) == 1;
+}
+
+mpq_class farthest(const RelativeBound& factor, const mpq_class& center) {
+  return std::max<mpq_class>(factor.high - center, center - factor.low);
+}
+
+/// value = few digits * fudge, if so few come near it: a bound of few digits need not round them
+/// up.
+std::pair<mpq_class, mpq_class> few_digits(const mpq_class& value) {
+  constexpr long digits = 3;
+  if (value == 0) return {value, 1};
+  const long shift = static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2)) -
+                     static_cast<long>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) + digits;
+  mpq_class scaled = value, unit = 1;
+  if (shift >= 0) {
+    scaled *= mpz_class(1) << shift;
+    unit /= mpz_class(1) << shift;
+  } else {
+    scaled /= mpz_class(1) << -shift;
+    unit *= mpz_class(1) << -shift;
+  }
+  const mpq_class rounded = mpz_class(scaled.get_num() / scaled.get_den()) * unit;
+  const mpq_class fudge = value / rounded;
+  if (fudge > mpq_class(33, 32)) return {value, 1};
+  return {rounded, fudge};
+}
+
+class Analysis {
+public:
+  Analysis(const TypedGraph& graph, const std::vector<bool>& input_nonnegative)
+      : graph_(graph), signs_(analyse_signs(graph, input_nonnegative)) {}
+
+  ErrorAnalysis run() &&;
+
+private:
+  const TypedNode& node(NodeId id) const { return graph_.nodes[id]; }
+  const MixedBound& mixed(NodeId id) const { return *bounds_[id].mixed; }
+
+  NodeBound bound_of(NodeId id);
+  Exact exact(NodeId id);
+  Exact exact_constant(NodeId id);
+  Exact exact_sum(NodeId id);
+  MixedBound exact_product(NodeId a, NodeId b);
+  MixedBound exact_square(NodeId a);
+  MixedBound exact_quotient(NodeId id, NodeId a, NodeId b);
+  MixedBound exact_root(NodeId id, NodeId a);
+  MixedBound exact_selection(NodeId a, NodeId b);
+  Exact cancelling_sum(NodeId id, NodeId a, NodeId b);
+
+  bool rounds_nothing(const TypedNode& node) const;
+  bool rounds_once(NodeId id) const;
+  mpq_class center_of(NodeId a, NodeId b) const;
+  AbsolutePart deviations(NodeId a, NodeId b, const mpq_class& center);
+  AbsolutePart rounding_error(NodeId id);
+  BoundId selection_error(NodeId id);
+  BoundId magnitude(NodeId id);
+  BoundId reciprocal(NodeId id);
+  AbsolutePart sum(const AbsolutePart& a, const AbsolutePart& b);
+  NodeBound rounded(NodeId id, Exact exact) const;
+  std::string text(NodeId id) const;
+
+  const TypedGraph& graph_;
+  std::vector<Sign> signs_;
+  std::set<int> used_;
+  std::vector<NodeBound> bounds_;
+  BoundBuilder builder_;
+  std::vector<BoundCondition> conditions_;
+};
+
+ErrorAnalysis Analysis::run() && {
+  for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) {
+    bounds_.push_back(bound_of(id));
+  }
+  const auto is_checked = [&](const SignProof& proof) {
+    return proof && std::includes(used_.begin(), used_.end(), proof->begin(), proof->end());
+  };
+  for (size_t id = 0; id < bounds_.size(); ++id) {
+    bounds_[id].nonnegative = is_checked(signs_[id].nonnegative);
+    bounds_[id].nonpositive = is_checked(signs_[id].nonpositive);
+  }
+  return {
+      std::move(bounds_), builder_.nodes(), std::move(conditions_), {used_.begin(), used_.end()}};
+}
+
+NodeBound Analysis::bound_of(NodeId id) {
+  const auto operand = [&](int k) {
+    return k < arity(node(id).operation) ? &bounds_[node(id).operands[k]] : nullptr;
+  };
+  const NodeBound *a = operand(0), *b = operand(1);
+  if ((a != nullptr && !a->mixed) || (b != nullptr && !b->mixed)) {
+    return rounded(id, without_bound(first_reason(a, b)));
+  }
+  Exact result = exact(id);
+  if (result.reason.empty()) result.reason = first_reason(a, b);
+  return rounded(id, std::move(result));
+}
+
+Exact Analysis::exact(NodeId id) {
+  const auto [a, b] = node(id).operands;
+  switch (node(id).operation) {
+    case Operation::input: return {MixedBound{}, ""};
+    case Operation::constant: return exact_constant(id);
+    case Operation::convert:
+    case Operation::negate:
+    case Operation::absolute: return {mixed(a), ""};
+    case Operation::minimum:
+    case Operation::maximum: return {exact_selection(a, b), ""};
+    case Operation::add:
+    case Operation::subtract: return exact_sum(id);
+    case Operation::multiply: return {exact_product(a, b), ""};
+    case Operation::square: return {exact_square(a), ""};
+    case Operation::divide: return {exact_quotient(id, a, b), ""};
+    case Operation::square_root: return {exact_root(id, a), ""};
+  }
+  MIXCMP_CHECK(false);
+}
+
+Exact Analysis::exact_constant(NodeId id) {
+  const mpq_class& value = node(id).value;
+  const std::string name = fmt::format("the constant {}", to_text(value));
+  const FloatFormat format = node(id).format;
+  if (format.is_infinite(node(id).constant)) {
+    return without_bound(fmt::format("{} overflows {}", name, format.name()));
+  }
+  if (value == 0) return {MixedBound{}, ""};
+  if (format.is_zero(node(id).constant)) {
+    return {MixedBound{.factor = {}, .absolute = {builder_.constant(abs(value))}},
+            fmt::format("{} rounds to zero in {}", name, format.name())};
+  }
+  if (format.is_subnormal(node(id).constant) && graph_.arithmetic.subnormals == Subnormals::flush) {
+    return without_bound(fmt::format("{} is subnormal in {}, and subnormals are flushed to zero",
+                                     name, format.name()));
+  }
+  const mpq_class ratio = value / golden::to_rational(format, node(id).constant);
+  return {MixedBound{.factor = {ratio, ratio}, .absolute = {}}, ""};
+}
+
+Exact Analysis::exact_sum(NodeId id) {
+  const auto [a, b] = node(id).operands;
+  const bool is_difference = node(id).operation == Operation::subtract;
+  const AbsolutePart absolute = sum(mixed(a).absolute, mixed(b).absolute);
+  if (is_exact(mixed(a).factor) && is_exact(mixed(b).factor)) {
+    return {MixedBound{.factor = {}, .absolute = absolute}, ""};
+  }
+  const Sign sign = sum_sign(signs_[a], is_difference ? signs_[b].negated() : signs_[b]);
+  const SignProof proof = either(sign.nonnegative, sign.nonpositive);
+  if (!proof) return cancelling_sum(id, a, b);
+  used_.insert(proof->begin(), proof->end());
+  return {MixedBound{.factor = hull(mixed(a).factor, mixed(b).factor), .absolute = absolute}, ""};
+}
+
+/// a s + b t = (a + b) m + a (s - m) + b (t - m).
+Exact Analysis::cancelling_sum(NodeId id, NodeId a, NodeId b) {
+  const mpq_class center = center_of(a, b);
+  const AbsolutePart inherited = sum(mixed(a).absolute, mixed(b).absolute);
+  const AbsolutePart absolute = sum(inherited, deviations(a, b, center));
+  const bool is_difference = node(id).operation == Operation::subtract;
+  return {MixedBound{.factor = {center, center}, .absolute = absolute},
+          fmt::format("the {} {} takes inexact operands that may cancel, so that its error has no "
+                      "bound relative to its result",
+                      is_difference ? "difference" : "sum", text(id))};
+}
+
+/// (a s + c)(b t + d) = ab st + (a s + c) d + b t c.
+MixedBound Analysis::exact_product(NodeId a, NodeId b) {
+  const auto& [s, c] = mixed(a);
+  const auto& [t, d] = mixed(b);
+  MixedBound result{.factor = product(s, t), .absolute = {}};
+  if (mixed(a).is_relative() && mixed(b).is_relative()) return result;
+  const BoundId first = builder_.add(d.bound < 0 ? no_bound_node : magnitude(a), c.bound);
+  const BoundId second = c.bound < 0 ? no_bound_node : magnitude(b);
+  result.absolute = {
+      builder_.add(builder_.multiply(first, d.bound), builder_.multiply(second, c.bound)),
+      widened_up(
+          std::max<mpq_class>(std::max<mpq_class>(s.high, c.fudge) * d.fudge, t.high * c.fudge))};
+  return result;
+}
+
+/// (a s + c)^2 = a^2 s^2 + c (2 a s + c).
+MixedBound Analysis::exact_square(NodeId a) {
+  const auto& [s, c] = mixed(a);
+  MixedBound result{.factor = product(s, s), .absolute = {}};
+  if (mixed(a).is_relative()) return result;
+  const BoundId twice = builder_.scale(magnitude(a), 2);
+  result.absolute = {builder_.multiply(builder_.add(twice, c.bound), c.bound),
+                     widened_up(c.fudge * std::max<mpq_class>(s.high, c.fudge))};
+  return result;
+}
+
+/// (a s + c) / (b t + d) = (a / b)(s / t) + (c - (a / b)(s / t) d) / (b t + d), |d| <= |b t| / 32.
+MixedBound Analysis::exact_quotient(NodeId id, NodeId a, NodeId b) {
+  const auto& [s, c] = mixed(a);
+  const auto& [t, d] = mixed(b);
+  MixedBound result{.factor = quotient(s, t), .absolute = {}};
+  if (mixed(a).is_relative() && mixed(b).is_relative()) return result;
+  mpq_class fudge = c.fudge;
+  BoundId numerator = c.bound;
+  if (d.bound != no_bound_node) {
+    conditions_.push_back({builder_.scale(d.bound, d.fudge * divisor_margin / t.low), b});
+    numerator = builder_.add(numerator, builder_.multiply(magnitude(id), d.bound));
+    const RelativeBound own =
+        rounding_bound(node(id).format.precision(), graph_.arithmetic.rounding);
+    fudge = std::max<mpq_class>(fudge, own.high * result.factor.high * d.fudge);
+    fudge *= mpq_class(divisor_margin, divisor_margin - 1);
+  }
+  result.absolute = {builder_.multiply(numerator, reciprocal(b)), widened_up(fudge / t.low)};
+  return result;
+}
+
+/// sqrt(a s + c) - sqrt(a s) = c / (sqrt(a s + c) + sqrt(a s)), at most c / sqrt(a s).
+MixedBound Analysis::exact_root(NodeId id, NodeId a) {
+  const auto& [s, c] = mixed(a);
+  MixedBound result{.factor = square_root(s), .absolute = {}};
+  if (mixed(a).is_relative()) return result;
+  if (!signs_[a].nonnegative) {
+    conditions_.push_back({builder_.scale(c.bound, c.fudge / s.low), a});
+  } else {
+    used_.insert(signs_[a].nonnegative->begin(), signs_[a].nonnegative->end());
+  }
+  const RelativeBound own = rounding_bound(node(id).format.precision(), graph_.arithmetic.rounding);
+  result.absolute = {builder_.multiply(c.bound, reciprocal(id)),
+                     widened_up(c.fudge / (root_below(s.low) * own.low))};
+  return result;
+}
+
+/// A selection moves by no more than an operand does.
+MixedBound Analysis::exact_selection(NodeId a, NodeId b) {
+  const auto& [s, c] = mixed(a);
+  const auto& [t, d] = mixed(b);
+  return {hull(s, t), {builder_.maximum(c.bound, d.bound), std::max(c.fudge, d.fudge)}};
+}
+
+bool Analysis::rounds_nothing(const TypedNode& node) const {
+  const int operand_digits = node.operand_format.precision();
+  const int digits = node.format.precision();
+  const auto scales_by = [&](int operand) {
+    return operand_digits <= digits && is_power_of_two(graph_.nodes[node.operands[operand]]);
+  };
+  switch (node.operation) {
+    case Operation::convert: return operand_digits <= digits;
+    case Operation::multiply: return 2 * operand_digits <= digits || scales_by(0) || scales_by(1);
+    case Operation::square: return 2 * operand_digits <= digits;
+    case Operation::divide: return scales_by(1);
+    case Operation::input:
+    case Operation::constant:
+    case Operation::negate:
+    case Operation::absolute:
+    case Operation::minimum:
+    case Operation::maximum: return true;
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::square_root: return false;
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// Its own rounding is all its error, and it is in the lane's format: an error of half an ulp (one
+/// toward zero) of its binade.
+bool Analysis::rounds_once(NodeId id) const {
+  const NodeBound& bound = bounds_[id];
+  return bound.relative && bound.unrounded && is_exact(*bound.unrounded);
+}
+
+/// Errors toward zero lie on one side: half of them counts as a factor of both operands.
+mpq_class Analysis::center_of(NodeId a, NodeId b) const {
+  const auto is_fixed = [&](NodeId id) {
+    return is_exact(mixed(id).factor) || node(id).operation == Operation::constant ||
+           !(node(id).format == graph_.arithmetic.format);
+  };
+  if (graph_.arithmetic.rounding == Rounding::nearest_even || is_fixed(a) || is_fixed(b)) return 1;
+  const RelativeBound all = hull(mixed(a).factor, mixed(b).factor);
+  return std::max<mpq_class>(1, (all.low + all.high) / 2);
+}
+
+/// |a (s - m)| + |b (t - m)|: where both need magnitudes, from the larger one.
+AbsolutePart Analysis::deviations(NodeId a, NodeId b, const mpq_class& center) {
+  AbsolutePart total;
+  BoundId larger = no_bound_node;
+  mpq_class deviation = 0;
+  for (const NodeId operand : {a, b}) {
+    const RelativeBound& factor = mixed(operand).factor;
+    const bool is_plain = node(operand).operation == Operation::constant ||
+                          !(node(operand).format == graph_.arithmetic.format);
+    if (is_exact(factor) && center == 1) continue;
+    if (center == 1 && is_plain) {
+      total = sum(total, {selection_error(operand)});
+    } else if (center == 1 && rounds_once(operand)) {
+      total = sum(total, rounding_error(operand));
+    } else {
+      larger = builder_.maximum(larger, magnitude(operand));
+      deviation += farthest(factor, center);
+    }
+  }
+  const auto [factor, fudge] = few_digits(widened_up(deviation));
+  return sum(total, {builder_.scale(larger, factor), fudge});
+}
+
+AbsolutePart Analysis::rounding_error(NodeId id) {
+  const int digits = node(id).format.precision();
+  const int doubled = graph_.arithmetic.rounding == Rounding::nearest_even ? 0 : 1;
+  return {builder_.scale(builder_.of_value(BoundOperation::binade, id),
+                         mpq_class(1, mpz_class(1) << (digits - doubled)))};
+}
+
+/// How far a constant is off, or a selection among constants and operands in reference format.
+BoundId Analysis::selection_error(NodeId id) {
+  const TypedNode& selected = node(id);
+  if (selected.operation == Operation::input) return no_bound_node;
+  if (selected.operation == Operation::constant) {
+    return builder_.constant(
+        abs(selected.value - golden::to_rational(selected.format, selected.constant)));
+  }
+  BoundId error = no_bound_node;
+  for (int k = 0; k < arity(selected.operation); ++k) {
+    error = builder_.maximum(error, selection_error(selected.operands[k]));
+  }
+  return error;
+}
+
+BoundId Analysis::magnitude(NodeId id) {
+  if (node(id).operation == Operation::constant) {
+    return builder_.constant(abs(golden::to_rational(node(id).format, node(id).constant)));
+  }
+  MIXCMP_CHECK(node(id).format == graph_.arithmetic.format);
+  return builder_.of_value(BoundOperation::magnitude, id);
+}
+
+BoundId Analysis::reciprocal(NodeId id) {
+  MIXCMP_CHECK(node(id).format == graph_.arithmetic.format);
+  return builder_.of_value(BoundOperation::reciprocal, id);
+}
+
+AbsolutePart Analysis::sum(const AbsolutePart& a, const AbsolutePart& b) {
+  return {builder_.add(a.bound, b.bound), std::max(a.fudge, b.fudge)};
+}
+
+/// The exact result's bound, after the operation's own rounding.
+NodeBound Analysis::rounded(NodeId id, Exact exact) const {
+  NodeBound bound{.reason = std::move(exact.reason)};
+  if (!exact.mixed) return bound;
+  MixedBound& mixed = *exact.mixed;
+  if (!rounds_nothing(node(id))) {
+    const RelativeBound own =
+        rounding_bound(node(id).format.precision(), graph_.arithmetic.rounding);
+    if (mixed.is_relative()) bound.unrounded = mixed.factor;
+    mixed.factor = widened(product(mixed.factor, own));
+  }
+  if (is_useless(mixed.factor) || is_useless({1, mixed.absolute.fudge})) {
+    return {.reason = "so many operations round that the error is out of bounds"};
+  }
+  if (mixed.is_relative()) {
+    bound.relative = mixed.factor;
+    bound.reason.clear();
+  }
+  bound.mixed = std::move(mixed);
+  return bound;
+}
+
+std::string Analysis::text(NodeId id) const {
+  constexpr std::size_t readable_length = 60;
+  return to_text(graph_.nodes, graph_.input_names, id, readable_length);
+}
+
+}  // namespace
+
+ErrorAnalysis analyse_errors(const TypedGraph& graph, const std::vector<bool>& input_nonnegative) {
+  MIXCMP_CHECK(static_cast<int>(input_nonnegative.size()) == graph.input_count);
+  return Analysis(graph, input_nonnegative).run();
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/error/bound_builder.hpp"
+#include "model/error/lane.hpp"
+#include "model/error/relative_bound.hpp"
+
+namespace mixcmp::model {
+
+/// |a| <= fudge * the bound node `bound`; fudge >= 1, near 1, is kept out of the hardware's few
+/// digits and ends up in the decision's guard.
+struct AbsolutePart {
+  BoundId bound = no_bound_node;  ///< none: a = 0
+  mpq_class fudge = 1;
+};
+
+/// true value = computed value * t + a, t within `factor`, a within `absolute`, wherever nothing
+/// was exceptional and every condition holds (docs/error_bounds.md, theorem 7).
+struct MixedBound {
+  RelativeBound factor;
+  AbsolutePart absolute;
+
+  bool is_relative() const { return absolute.bound == no_bound_node; }
+};
+
+/// What is known of one node of a lane's graph.
+struct NodeBound {
+  std::optional<MixedBound> mixed;
+  /// The mixed bound's factor where it has no absolute part.
+  std::optional<RelativeBound> relative;
+  /// Relative, where the node rounds: true value = (the operation's exact result, before its own
+  /// rounding) * t.
+  std::optional<RelativeBound> unrounded;
+  bool nonnegative = false;
+  bool nonpositive = false;
+  std::string reason;  ///< why there is no relative bound, in words for the user
+};
+
+struct ErrorAnalysis {
+  std::vector<NodeBound> nodes;
+  std::vector<BoundNode> bounds;           ///< what absolute parts are made of; no format yet
+  std::vector<BoundCondition> conditions;  ///< on nodes of `bounds`
+  std::vector<int> nonnegative_inputs;     ///< whose ranges the proof used
+};
+
+/// docs/error_bounds.md proves each rule. `input_nonnegative[i]`: the scene's range of input i
+/// excludes negative values (the proof may use it; the lane then checks the sign bit).
+ErrorAnalysis analyse_errors(const TypedGraph& graph, const std::vector<bool>& input_nonnegative);
+
+}  // namespace mixcmp::model

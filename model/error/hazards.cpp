@@ -1,0 +1,131 @@
+#include "model/error/hazards.hpp"
+
+#include <algorithm>
+
+#include "model/error/range_analysis.hpp"
+#include "model/golden/arithmetic.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+class HazardAnalysis {
+public:
+  HazardAnalysis(const TypedGraph& graph, const std::vector<std::optional<Range>>& checked)
+      : graph_(graph), checked_(checked), ranges_(analyse_ranges(graph, checked)) {}
+
+  std::vector<Hazards> run() {
+    std::vector<Hazards> hazards;
+    for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) {
+      hazards.push_back(hazards_of(id));
+      special_.push_back(is_special(id, hazards.back()));
+    }
+    return hazards;
+  }
+
+private:
+  const TypedNode& node(NodeId id) const { return graph_.nodes[id]; }
+  const NodeRange& range(NodeId id) const { return ranges_[static_cast<std::size_t>(id)]; }
+
+  template <typename Predicate>
+  bool any_operand(NodeId id, Predicate predicate) const {
+    const auto operands = node(id).operands.begin();
+    return std::any_of(operands, operands + arity(node(id).operation), predicate);
+  }
+
+  Hazards hazards_of(NodeId id) const {
+    const bool from_reach = any_operand(id, [&](NodeId k) { return may_be_subnormal(k); });
+    return {.special_operand = any_operand(id, [&](NodeId k) { return special_[k]; }),
+            .overflow = range(id).may(Event::overflow) || range(id).may(Event::division_by_zero),
+            .underflow = range(id).may(Event::underflow) || from_reach};
+  }
+
+  bool is_special(NodeId id, const Hazards& hazards) const {
+    if (node(id).operation == Operation::input) return !checked_[node(id).input];
+    if (node(id).operation == Operation::constant) {
+      return node(id).format.is_infinite(node(id).constant);
+    }
+    return hazards.special_operand || hazards.overflow || range(id).may(Event::root_of_negative);
+  }
+
+  bool may_be_subnormal(NodeId id) const {
+    if (graph_.arithmetic.subnormals == Subnormals::flush && is_computed(id)) return false;
+    const mpq_class normal =
+        golden::to_rational(node(id).format, node(id).format.smallest_normal(false));
+    const Range& value = range(id).value;
+    const bool only_zero = value.low == 0 && value.high == 0;
+    return !only_zero && value.low < normal && value.high > -normal;
+  }
+
+  /// Not an operand or a constant, nor one of them selected: flushing operations have no subnormal
+  /// results.
+  bool is_computed(NodeId id) const {
+    switch (node(id).operation) {
+      case Operation::input:
+      case Operation::constant: return false;
+      case Operation::negate:
+      case Operation::absolute:
+      case Operation::minimum:
+      case Operation::maximum: return !any_operand(id, [&](NodeId k) { return !is_computed(k); });
+      case Operation::convert:
+      case Operation::add:
+      case Operation::subtract:
+      case Operation::multiply:
+      case Operation::square:
+      case Operation::divide:
+      case Operation::square_root: return true;
+    }
+    MIXCMP_CHECK(false);
+  }
+
+  const TypedGraph& graph_;
+  const std::vector<std::optional<Range>>& checked_;
+  std::vector<NodeRange> ranges_;
+  std::vector<bool> special_;
+};
+
+bool is_ruled_out(const Hazards& hazards) {
+  return !hazards.special_operand || !hazards.overflow || !hazards.underflow;
+}
+
+bool has_unit(Operation operation) {
+  return arity(operation) > 0 && operation != Operation::negate && operation != Operation::absolute;
+}
+
+}  // namespace
+
+std::vector<RangeCheck> full_range_checks(const TypedGraph& graph,
+                                          const std::vector<std::optional<Range>>& ranges) {
+  std::vector<RangeCheck> checks;
+  for (std::size_t input = 0; input < ranges.size(); ++input) {
+    if (!ranges[input]) continue;
+    checks.push_back(range_check(static_cast<int>(input), graph.input_format, *ranges[input]));
+  }
+  return checks;
+}
+
+std::vector<std::optional<Range>> checked_ranges(const TypedGraph& graph,
+                                                 const std::vector<RangeCheck>& checks) {
+  std::vector<std::optional<Range>> ranges(static_cast<std::size_t>(graph.input_count));
+  for (const RangeCheck& check : checks) {
+    if (check.leading_bits > 0) {
+      ranges[check.input] = checked_range(check, graph.input_format);
+    }
+  }
+  return ranges;
+}
+
+void remove_hazards(Lane& lane, const std::vector<std::optional<Range>>& ranges) {
+  std::vector<RangeCheck> checks = full_range_checks(lane.graph, ranges);
+  if (checks.empty()) return;
+  const std::vector<std::optional<Range>> checked = checked_ranges(lane.graph, checks);
+  std::vector<Hazards> hazards = HazardAnalysis(lane.graph, checked).run();
+  bool useful = false;
+  for (std::size_t id = 0; id < hazards.size(); ++id) {
+    useful |= has_unit(lane.graph.nodes[id].operation) && is_ruled_out(hazards[id]);
+  }
+  if (!useful) return;
+  lane.checks = std::move(checks);
+  lane.hazards = std::move(hazards);
+}
+
+}  // namespace mixcmp::model

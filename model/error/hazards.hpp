@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/error/lane.hpp"
+
+namespace mixcmp::model {
+
+/// A check of sign and magnitude for every declared range.
+std::vector<RangeCheck> full_range_checks(const TypedGraph& graph,
+                                          const std::vector<std::optional<Range>>& ranges);
+
+/// What the checks imply of each input; none for one that is not checked.
+std::vector<std::optional<Range>> checked_ranges(const TypedGraph& graph,
+                                                 const std::vector<RangeCheck>& checks);
+
+/// Marks what interval analysis rules out of each operation, given full range checks; where that is
+/// something, the lane gets those checks.
+void remove_hazards(Lane& lane, const std::vector<std::optional<Range>>& ranges);
+
+}  // namespace mixcmp::model

@@ -1,1 +1,0 @@
-#include "model/error/running_bound.hpp"

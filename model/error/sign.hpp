@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <set>
+
+#include "model/expression/typed_graph.hpp"
+
+namespace mixcmp::model {
+
+/// The inputs whose ranges prove a sign; none where nothing proves it.
+using SignProof = std::optional<std::set<int>>;
+
+/// What asks for both; for the one that asks for less.
+SignProof both(const SignProof& a, const SignProof& b);
+SignProof either(const SignProof& a, const SignProof& b);
+
+/// Holds for a node's computed value and for its true value alike (docs/error_bounds.md, theorem
+/// 6); zeros count as both.
+struct Sign {
+  SignProof nonnegative;
+  SignProof nonpositive;
+
+  Sign negated() const { return {nonpositive, nonnegative}; }
+};
+
+/// Of a sum: known if both operands lie on the same side of zero.
+Sign sum_sign(const Sign& a, const Sign& b);
+
+/// One a node. `input_nonnegative[i]`: the range of input i excludes negative values.
+std::vector<Sign> analyse_signs(const TypedGraph& graph,
+                                const std::vector<bool>& input_nonnegative);
+
+}  // namespace mixcmp::model
