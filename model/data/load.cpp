@@ -6,6 +6,7 @@
 #include "model/data/csv.hpp"
 #include "model/data/npy.hpp"
 #include "model/data/pdb.hpp"
+#include "model/data/sphere_family.hpp"
 #include "model/data/uniform_spheres.hpp"
 
 namespace mixcmp::model {
@@ -25,12 +26,14 @@ std::vector<std::string> needed_columns(const std::vector<std::string>& inputs, 
 Result<Table> load_table(const Scene& scene) {
   const DataSpec& data = *scene.data;
   const FloatFormat format = scene.reference.format;
+  const auto count = static_cast<std::uint64_t>(data.count);
+  if (data.items == "sphere_family") {
+    return sphere_family({.name = data.family, .count = count, .seed = data.seed}, format);
+  }
   if (data.file.empty()) {
-    return uniform_spheres({.count = static_cast<std::uint64_t>(data.count),
-                            .side = data.side,
-                            .radius_max = data.radius_max,
-                            .seed = data.seed},
-                           format);
+    return uniform_spheres(
+        {.count = count, .side = data.side, .radius_max = data.radius_max, .seed = data.seed},
+        format);
   }
   const auto columns = needed_columns(scene.graph.inputs(), data.all_pairs);
   if (data.file.extension() == ".pdb") return read_pdb(data.file, format);

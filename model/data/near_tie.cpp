@@ -1,0 +1,258 @@
+#include "model/data/near_tie.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "model/common/check.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+mpz_class shifted_left(const mpz_class& value, int count) {
+  mpz_class result;
+  mpz_mul_2exp(result.get_mpz_t(), value.get_mpz_t(), static_cast<mp_bitcnt_t>(count));
+  return result;
+}
+
+mpz_class power_of_two(int exponent) {
+  return exponent < 0 ? mpz_class(0) : shifted_left(1, exponent);
+}
+
+/// The largest multiple of 2^quantum_bits that is not above `value` >= 0.
+mpz_class quantized(mpz_class value, int quantum_bits) {
+  const auto count = static_cast<mp_bitcnt_t>(quantum_bits);
+  mpz_tdiv_q_2exp(value.get_mpz_t(), value.get_mpz_t(), count);
+  mpz_mul_2exp(value.get_mpz_t(), value.get_mpz_t(), count);
+  return value;
+}
+
+int digits_of(const mpz_class& value) {
+  return static_cast<int>(mpz_sizeinbase(value.get_mpz_t(), 2));
+}
+
+mpz_class root_of(const mpz_class& value) {
+  mpz_class root;
+  mpz_sqrt(root.get_mpz_t(), value.get_mpz_t());
+  return root;
+}
+
+/// To `precision` digits, to nearest, ties to even.
+mpz_class rounded(mpz_class value, int precision) {
+  const int drop = digits_of(value) - precision;
+  if (drop <= 0) return value;
+  const auto half_place = static_cast<mp_bitcnt_t>(drop - 1);
+  const bool half = mpz_tstbit(value.get_mpz_t(), half_place) != 0;
+  const bool odd = mpz_tstbit(value.get_mpz_t(), half_place + 1) != 0;
+  const bool more = mpz_scan1(value.get_mpz_t(), 0) < half_place;
+  mpz_tdiv_q_2exp(value.get_mpz_t(), value.get_mpz_t(), half_place + 1);
+  if (half && (more || odd)) value += mpz_sgn(value.get_mpz_t()) < 0 ? -1 : 1;
+  return shifted_left(value, drop);
+}
+
+struct Sides {
+  mpz_class f;
+  mpz_class g;
+};
+
+/// f and g of the numbers, each result passed through `round`.
+template <class Round>
+Sides sides_of(const std::array<mpz_class, 8>& numbers, const Round& round) {
+  std::array<mpz_class, 3> squares;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const mpz_class difference = round(mpz_class(numbers[2 * axis] - numbers[2 * axis + 1]));
+    squares[axis] = round(mpz_class(difference * difference));
+  }
+  const mpz_class radii = round(mpz_class(numbers[6] + numbers[7]));
+  const mpz_class sum = round(mpz_class(squares[0] + squares[1]));
+  return {round(mpz_class(sum + squares[2])), round(mpz_class(radii * radii))};
+}
+
+Sides exact_sides(const std::array<mpz_class, 8>& numbers) {
+  return sides_of(numbers, [](mpz_class value) { return value; });
+}
+
+Sides lane_sides(std::array<mpz_class, 8> numbers, const NearTieTarget& target) {
+  const auto round = [&](mpz_class value) { return rounded(std::move(value), target.precision); };
+  if (target.inputs == LaneInputs::rounded) {
+    for (mpz_class& number : numbers) number = round(number);
+  }
+  return sides_of(numbers, round);
+}
+
+/// Numbers are integers in units of 2^-fraction_bits; distances lie just above 1.
+class Builder {
+public:
+  using Numbers = std::array<mpz_class, 8>;
+
+  Builder(const NearTieTarget& target, RowRandom& random)
+      : target_(target),
+        digits_(target.reference.precision()),
+        misread_inputs_(target.inputs == LaneInputs::rounded && target.precision < digits_),
+        fraction_bits_(std::min(2 * digits_ - 1, digits_ - 1 - target.reference.min_exponent())),
+        shared_(misread_inputs_ || random.one_in(2)),
+        quantum_bits_(shared_ ? std::max(0, fraction_bits_ - digits_ + 3) : 0),
+        wrong_way_(random.sign()),
+        random_(random) {
+    MIXCMP_CHECK(target.precision <= digits_);
+  }
+
+  int fraction_bits() const { return fraction_bits_; }
+
+  /// Centres as the construction wants them, radii still open.
+  Numbers centres() {
+    Numbers numbers;
+    if (misread_inputs_) {
+      misread_centres(numbers);
+    } else {
+      while (!exact_centres(numbers)) {
+      }
+    }
+    return numbers;
+  }
+
+  /// The shortest sum of radii above the distance, or the longest below it.
+  mpz_class closest_radii(const Numbers& numbers) const {
+    const mpz_class square = exact_sides(numbers).f;
+    mpz_class radii = quantized(root_of(square), quantum_bits_);
+    if (wrong_way_ > 0) return radii + power_of_two(quantum_bits_);
+    if (radii * radii == square) radii -= power_of_two(quantum_bits_);
+    return radii;
+  }
+
+  /// The same sum, or one up to 6 * 2^-L of it away.
+  mpz_class moved(const mpz_class& sum) {
+    const mpz_class step = sum * random_.between(-96, 96) >> (target_.precision + 4);
+    return quantized(sum + step, quantum_bits_);
+  }
+
+  void share_radii(Numbers& numbers, const mpz_class& sum) {
+    if (!shared_) {
+      numbers[6] = quantized(sum, std::max(0, digits_of(sum) - digits_));
+    } else {
+      const mpz_class share = quantized(sum * random_.below(257) / 256, quantum_bits_);
+      numbers[6] = misread_inputs_ ? misread(rounded(share, target_.precision)) : share;
+      if (numbers[6] > sum) numbers[6] = share;
+    }
+    numbers[7] = sum - numbers[6];
+    if (random_.one_in(2)) std::swap(numbers[6], numbers[7]);
+  }
+
+  /// How far, in units of 2^-L, the lane's order contradicts the order that the radii were made
+  /// for.
+  double deceit_ulp(const Numbers& numbers) const {
+    const Sides lane = lane_sides(numbers, target_);
+    const mpz_class difference = shifted_left(lane.f - lane.g, target_.precision);
+    const mpz_class& larger = std::max(lane.f, lane.g);
+    return larger == 0 ? 0 : wrong_way_ * mpq_class(difference, larger).get_d();
+  }
+
+private:
+  mpz_class half_place() const { return power_of_two(fraction_bits_ - target_.precision); }
+  mpz_class one_and(const mpz_class& last_places) const {
+    return power_of_two(fraction_bits_) +
+           shifted_left(last_places, std::max(0, fraction_bits_ - target_.precision + 1));
+  }
+
+  /// Half a last place of a number in [1, 2) less a hair: nothing, or some power of two.
+  mpz_class nearly_half_place() {
+    const int below = fraction_bits_ - target_.precision - 1;
+    const int exponent = random_.between(quantum_bits_ - 1, std::max(quantum_bits_, below));
+    const bool none = exponent < quantum_bits_ || exponent >= below;
+    return half_place() - (none ? mpz_class(0) : power_of_two(exponent));
+  }
+
+  /// m with 4u^2m^2 just above (`up`) or below (2k + 1)u, or any m of that size.
+  mpz_class misleading_places(int k, bool up) {
+    if (random_.one_in(5)) return random_.integer(target_.precision / 2 + 1);
+    const mpz_class root = root_of(shifted_left(2 * k + 1, target_.precision - 2));
+    return up ? mpz_class(root + 1) : root;
+  }
+
+  /// False where what x and z leave for y^2 is negative.
+  bool exact_centres(Numbers& numbers) {
+    const int k = random_.below(3);
+    const mpz_class x_places = misleading_places(k, wrong_way_ > 0);
+    const mpz_class r_places = misleading_places(k + random_.between(1, 4), wrong_way_ < 0);
+    const mpz_class x = one_and(x_places) - wrong_way_ * nearly_half_place();
+    const mpz_class r = one_and(r_places) + wrong_way_ * nearly_half_place();
+    mpz_class z_square = power_of_two(2 * fraction_bits_ - target_.precision);
+    z_square += wrong_way_ * (z_square >> random_.between(1, target_.precision / 2 + 2));
+    const mpz_class y_square = r * r - x * x - z_square;
+    if (y_square <= 0) return false;
+    const std::size_t first = random_.one_in(2) ? 2 : 0;
+    place(numbers, first, x);
+    place(numbers, 2 - first, root_of(y_square));
+    place(numbers, 4, root_of(z_square));
+    return true;
+  }
+
+  /// Two coordinates at this distance, up to the quantum.
+  void place(Numbers& numbers, std::size_t at, mpz_class distance) {
+    distance = quantized(distance, quantum_bits_);
+    mpz_class& first = numbers[at];
+    mpz_class& second = numbers[at + 1];
+    if (shared_) {
+      second = shifted_left(random_.integer(fraction_bits_ - quantum_bits_), quantum_bits_);
+      first = second + distance;
+    } else {
+      first = quantized(distance, std::max(0, digits_of(distance) - digits_));
+      second = first - distance;
+    }
+    if (random_.one_in(2)) std::swap(first, second);
+  }
+
+  /// A number just short of the midpoint, that rounds to `value` although it is larger (or smaller,
+  /// by the wrong way).
+  mpz_class misread(const mpz_class& value) {
+    return value + wrong_way_ * quantized(nearly_half_place(), quantum_bits_);
+  }
+
+  void misread_centres(Numbers& numbers) {
+    for (const std::size_t at : {0, 2, 4}) {
+      mpz_class near = one_and(random_.integer(target_.precision - 1));
+      mpz_class far = one_and(random_.integer(target_.precision - 1));
+      if (near > far) std::swap(near, far);
+      const mpz_class outward = wrong_way_ * quantized(nearly_half_place(), quantum_bits_);
+      numbers[at] = far - outward;
+      numbers[at + 1] = near + outward;
+      if (random_.one_in(2)) std::swap(numbers[at], numbers[at + 1]);
+    }
+  }
+
+  NearTieTarget target_;
+  int digits_;
+  bool misread_inputs_;  ///< the lane's first rounding is of the operands themselves
+  int fraction_bits_;
+  bool shared_;  ///< both items have part of a distance, instead of one all but the last digits
+  int quantum_bits_;
+  int wrong_way_;  ///< 1: the truth is less, the lane shall say greater; -1: the reverse
+  RowRandom& random_;
+};
+
+}  // namespace
+
+NearTie near_tie(const NearTieTarget& target, const NearTieEffort& effort, RowRandom& random) {
+  Builder builder(target, random);
+  NearTie best = {{{}, -builder.fraction_bits()}, -std::numeric_limits<double>::infinity()};
+  for (int attempt = 0; attempt < effort.attempts && best.deceit_ulp < effort.enough_ulp;
+       ++attempt) {
+    Builder::Numbers numbers = builder.centres();
+    builder.share_radii(numbers, builder.closest_radii(numbers));
+    const double deceit_ulp = builder.deceit_ulp(numbers);
+    if (deceit_ulp <= best.deceit_ulp) continue;
+    best.deceit_ulp = deceit_ulp;
+    best.pair.numbers = std::move(numbers);
+  }
+  return best;
+}
+
+DyadicPair near_edge(const NearTieTarget& target, RowRandom& random) {
+  Builder builder(target, random);
+  Builder::Numbers numbers = builder.centres();
+  builder.share_radii(numbers, builder.moved(builder.closest_radii(numbers)));
+  return {std::move(numbers), -builder.fraction_bits()};
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+
+#include "model/data/row_random.hpp"
+#include "model/expression/typed_graph.hpp"
+
+namespace mixcmp::model {
+
+/// The lane that a near tie is aimed at: it rounds to nearest, in the order
+/// (dx^2 + dy^2) + dz^2 against (ri + rj)^2.
+struct NearTieTarget {
+  int precision;  ///< L
+  LaneInputs inputs;
+  FloatFormat reference;  ///< of the operands; L digits or more
+};
+
+/// cxi, cxj, cyi, cyj, czi, czj, ri, rj: integer * 2^exponent, each of them a number of the
+/// reference format.
+struct DyadicPair {
+  std::array<mpz_class, 8> numbers;
+  int exponent;
+};
+
+struct NearTieEffort {
+  int attempts;       ///< 1 or more
+  double enough_ulp;  ///< stop where a deceit reaches this
+};
+
+struct NearTie {
+  DyadicPair pair;
+  /// (f_L - g_L) / max(f_L, g_L) in units of 2^-L, taken as positive where the lane's order
+  /// contradicts the truth. Nothing that rounds to nearest reaches 8 (docs/error_bounds.md).
+  double deceit_ulp;
+};
+
+/// The most misleading of several constructed pairs whose exact f and g differ by about the last
+/// place of the operands, or less, while the lane's roundings all err towards the wrong order.
+///
+/// Exact inputs: significands lie just above 1, where half a last place is the largest part u of
+/// the number. x = X - (u - a hair) rounds to X = 1 + 2um, whose square is just above a midpoint
+/// (4u^2m^2 = (2k + 1)u modulo 2u); y^2 and z^2 are odd multiples of u and a hair, so that both
+/// sums round up, too: f_L = f(1 + 5u), nearly. The radii mirror it with another k: g_L = g(1 -
+/// 3u), nearly. Everything the other way round for the other wrong order. Rounded inputs: every
+/// coordinate sits a hair from the midpoint that makes its difference err the same way.
+NearTie near_tie(const NearTieTarget& target, const NearTieEffort& effort, RowRandom& random);
+
+/// The same construction with the radii moved by up to 6 * 2^-L of their sum: on either side of
+/// what the lane can tell.
+DyadicPair near_edge(const NearTieTarget& target, RowRandom& random);
+
+}  // namespace mixcmp::model

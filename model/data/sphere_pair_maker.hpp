@@ -1,0 +1,95 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <cstdint>
+
+#include "model/data/near_tie.hpp"
+#include "model/data/row_random.hpp"
+#include "model/format/float_format.hpp"
+
+namespace mixcmp::model {
+
+/// Makes one row of one family of sphere pairs: call one of the families once.
+class SpherePairMaker {
+public:
+  /// cxi, cxj, cyi, cyj, czi, czj, ri, rj.
+  using Row = std::array<Bits, 8>;
+  /// The precisions that counterexamples are aimed at.
+  static constexpr int first_counterexample = 11, last_counterexample = 32;
+
+  SpherePairMaker(FloatFormat format, std::uint64_t row, RowRandom random)
+      : format_(format), row_(row), random_(random) {}
+
+  /// Centres in [0, 100)^3, radii in [0, 25).
+  Row uniform();
+  /// Distance and radii are whole numbers of a power of two with x^2 + y^2 + z^2 = d^2, exactly if
+  /// the format has 11 digits; every third one place off in one number.
+  Row tangent();
+  /// f = 0; a quarter with radii of zero (a tie), a quarter with radii whose square underflows.
+  Row coincident();
+  /// The second sphere lies deep inside the first, its centre nearby.
+  Row nested();
+  /// Far from the origin, on a grid as coarse as the last place there; half of them nearly touch.
+  template <int decimal_exponent>
+  Row offset() {
+    return far_from_origin(decimal_exponent);
+  }
+  /// Numbers around the smallest subnormal or the smallest normal number; or touching spheres whose
+  /// squares are there.
+  Row smallest();
+  /// The same around the largest finite number.
+  Row largest();
+  /// Nearly touching spheres, scaled by any power of two in the format.
+  Row scales();
+  /// Every number of its own scale; or one huge difference with radii that equal it, and two so
+  /// small that they vanish beside it although they decide.
+  Row mixed_scales();
+  /// Points: g = 0, of either sign; they coincide, are one place apart, or anywhere.
+  Row zero_radii();
+  /// Nearly touching spheres, one radius or both negated.
+  Row negative_radii();
+  /// Small whole numbers of one power of two: many exact ties.
+  Row grid();
+  /// One to three numbers are not finite or at the ends of the format; one at least is not finite.
+  Row infinities_and_nans();
+  /// Aimed at the lane of 11 + row mod 22 digits that takes exact inputs; its error is near the
+  /// proven bound, far beyond what samples show.
+  Row counterexample();
+  /// Aimed at the lane of this precision that rounds to nearest, odd rows at one with rounded
+  /// inputs; half of the rows at the wrong order, half around the edge of what it can tell.
+  Row near_tie(int precision);
+
+  /// A finite number did not fit the format.
+  bool overflowed() const { return overflowed_; }
+
+private:
+  Bits encode(const mpq_class& value);
+  Row encode(const DyadicPair& pair);
+  /// limit * [0, 1), in the format's digits.
+  mpq_class unit(const mpq_class& limit);
+  /// In [0, 100 * 2^exponent).
+  Bits coordinate(int exponent);
+  mpq_class any_exponent();
+  /// One encoding further from zero or closer to it; ends stay as they are.
+  Bits next(Bits value, int steps) const;
+  Bits signed_randomly(Bits magnitude);
+
+  /// Sets the radii to sum to the distance, exactly as far as the format can, or nearly.
+  void touch(Row& row);
+  /// In a cube of side 100 * 2^exponent.
+  Row touching(int exponent);
+  Row far_from_origin(int decimal_exponent);
+  /// Every number at most `reach` encodings from `middle`, signs at random but of radii.
+  Row encodings_around(Bits middle, int reach);
+  /// A distance along one axis that the radii equal exactly, others that vanish beside it.
+  Row vanishing();
+
+  FloatFormat format_;
+  std::uint64_t row_;
+  RowRandom random_;
+  bool overflowed_ = false;
+};
+
+}  // namespace mixcmp::model
