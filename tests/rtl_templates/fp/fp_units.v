@@ -1,7 +1,9 @@
 // fp_units: every floating-point unit in every variant, for the regression alone. A slot of the
-// answers belongs to {unit, GRADUAL, TOWARD_ZERO, mask}, the mask counting fastest; the units are
-// in the order of `unit_slots` in units_under_test.cpp. Where a unit lacks a parameter, another
-// takes its place: see below.
+// answers belongs to {unit, GRADUAL, TOWARD_ZERO, column}, the column counting fastest; the units
+// are in the order of `UnitSlot` in units_under_test.cpp. Columns 0 to 2 are masks: no cuts, all,
+// SOME_CUTS. Columns 3 to 9 are SOME_CUTS with 1 to 7 promised, bit 0 for SPECIAL_OPERANDS = 0, 1
+// for OVERFLOW = 0, 2 for UNDERFLOW = 0. Where a unit lacks a parameter, another takes its place:
+// see below.
 `default_nettype none
 
 module fp_units #(
@@ -10,9 +12,10 @@ module fp_units #(
     parameter         RESULT_EXPONENT_BITS = 4,
     parameter         RESULT_PRECISION     = 4,
     parameter [127:0] SOME_CUTS            = {64{2'b01}},
-    parameter         FIRST_MASK           = 0,    // 2: SOME_CUTS alone, to build in less time
+    parameter         FIRST_COLUMN         = 0,    // others are not built, to take less time
+    parameter         LAST_COLUMN          = 2,
     parameter         SLOT                 = 128,  // width of a result, zero-extended
-    parameter         SLOTS                = 132
+    parameter         SLOTS                = 440
 ) (
     input wire         aclk,
     input wire [127:0] a,
@@ -24,6 +27,8 @@ module fp_units #(
   wire [SLOT-1:0] y    [0:SLOTS-1]  /* verilator public_flat_rd */;
   wire            flag [0:SLOTS-1]  /* verilator public_flat_rd */;  // exceptional or decided
 
+  localparam COLUMNS       = 10;
+  localparam UNIT          = 4 * COLUMNS;
   localparam PACKED        = EXPONENT_BITS + PRECISION;
   localparam RESULT_PACKED = RESULT_EXPONENT_BITS + RESULT_PRECISION;
 
@@ -32,17 +37,18 @@ module fp_units #(
 
   genvar gradual;
   genvar toward_zero;
-  genvar mask;
+  genvar column;
   genvar subtract;
   genvar guard;
 
   generate
     for (gradual = 0; gradual < 2; gradual = gradual + 1) begin : with_subnormals
       for (toward_zero = 0; toward_zero < 2; toward_zero = toward_zero + 1) begin : with_rounding
-        for (mask = FIRST_MASK; mask < 3; mask = mask + 1) begin : with_cuts
-          localparam VARIANT = (gradual * 2 + toward_zero) * 3 + mask;
-          localparam [127:0] ALL_OR_NONE = {128{mask == 1}};
-          localparam [127:0] CUTS = (mask == 2) ? SOME_CUTS : ALL_OR_NONE;
+        for (column = FIRST_COLUMN; column <= LAST_COLUMN; column = column + 1) begin : with_cuts
+          localparam VARIANT = (gradual * 2 + toward_zero) * COLUMNS + column;
+          localparam [127:0] ALL_OR_NONE = {128{column == 1}};
+          localparam [127:0] CUTS = (column >= 2) ? SOME_CUTS : ALL_OR_NONE;
+          localparam [2:0] PROMISED = (column >= 2) ? column - 2 : 0;
 
           for (subtract = 0; subtract < 2; subtract = subtract + 1) begin : add
             wire [RESULT_PACKED-1:0] r;
@@ -52,6 +58,9 @@ module fp_units #(
                 .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
                 .RESULT_PRECISION    (RESULT_PRECISION),
                 .SUBTRACT            (subtract),
+                .SPECIAL_OPERANDS    (!PROMISED[0]),
+                .OVERFLOW            (!PROMISED[1]),
+                .UNDERFLOW           (!PROMISED[2]),
                 .GRADUAL             (gradual),
                 .TOWARD_ZERO         (toward_zero),
                 .CUTS                (CUTS[8:0])
@@ -60,9 +69,9 @@ module fp_units #(
                 .a          (x0),
                 .b          (x1),
                 .y          (r),
-                .exceptional(flag[12*subtract+VARIANT])
+                .exceptional(flag[UNIT*subtract+VARIANT])
             );
-            assign y[12*subtract+VARIANT] = r;
+            assign y[UNIT*subtract+VARIANT] = r;
           end
 
           wire [RESULT_PACKED-1:0] product;
@@ -71,6 +80,9 @@ module fp_units #(
               .PRECISION           (PRECISION),
               .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
               .RESULT_PRECISION    (RESULT_PRECISION),
+              .SPECIAL_OPERANDS    (!PROMISED[0]),
+              .OVERFLOW            (!PROMISED[1]),
+              .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
               .CUTS                (CUTS[8:0])
@@ -79,9 +91,9 @@ module fp_units #(
               .a          (x0),
               .b          (x1),
               .y          (product),
-              .exceptional(flag[12*2+VARIANT])
+              .exceptional(flag[UNIT*2+VARIANT])
           );
-          assign y[12*2+VARIANT] = product;
+          assign y[UNIT*2+VARIANT] = product;
 
           wire [RESULT_PACKED-1:0] squared;
           fp_square #(
@@ -89,6 +101,9 @@ module fp_units #(
               .PRECISION           (PRECISION),
               .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
               .RESULT_PRECISION    (RESULT_PRECISION),
+              .SPECIAL_OPERANDS    (!PROMISED[0]),
+              .OVERFLOW            (!PROMISED[1]),
+              .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
               .CUTS                (CUTS[8:0])
@@ -96,9 +111,9 @@ module fp_units #(
               .aclk       (aclk),
               .a          (x0),
               .y          (squared),
-              .exceptional(flag[12*3+VARIANT])
+              .exceptional(flag[UNIT*3+VARIANT])
           );
-          assign y[12*3+VARIANT] = squared;
+          assign y[UNIT*3+VARIANT] = squared;
 
           wire [RESULT_PACKED-1:0] quotient;
           fp_divide #(
@@ -106,6 +121,9 @@ module fp_units #(
               .PRECISION           (PRECISION),
               .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
               .RESULT_PRECISION    (RESULT_PRECISION),
+              .SPECIAL_OPERANDS    (!PROMISED[0]),
+              .OVERFLOW            (!PROMISED[1]),
+              .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
               .CUTS                (CUTS[RESULT_PRECISION+7:0])
@@ -114,9 +132,9 @@ module fp_units #(
               .a          (x0),
               .b          (x1),
               .y          (quotient),
-              .exceptional(flag[12*4+VARIANT])
+              .exceptional(flag[UNIT*4+VARIANT])
           );
-          assign y[12*4+VARIANT] = quotient;
+          assign y[UNIT*4+VARIANT] = quotient;
 
           wire [RESULT_PACKED-1:0] root;
           fp_square_root #(
@@ -124,6 +142,9 @@ module fp_units #(
               .PRECISION           (PRECISION),
               .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
               .RESULT_PRECISION    (RESULT_PRECISION),
+              .SPECIAL_OPERANDS    (!PROMISED[0]),
+              .OVERFLOW            (!PROMISED[1]),
+              .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
               .CUTS                (CUTS[RESULT_PRECISION+5:0])
@@ -131,9 +152,9 @@ module fp_units #(
               .aclk       (aclk),
               .a          (x0),
               .y          (root),
-              .exceptional(flag[12*5+VARIANT])
+              .exceptional(flag[UNIT*5+VARIANT])
           );
-          assign y[12*5+VARIANT] = root;
+          assign y[UNIT*5+VARIANT] = root;
 
           wire [RESULT_PACKED-1:0] converted;
           fp_convert #(
@@ -141,6 +162,9 @@ module fp_units #(
               .PRECISION           (PRECISION),
               .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
               .RESULT_PRECISION    (RESULT_PRECISION),
+              .SPECIAL_OPERANDS    (!PROMISED[0]),
+              .OVERFLOW            (!PROMISED[1]),
+              .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
               .CUTS                (CUTS[4:0])
@@ -148,26 +172,29 @@ module fp_units #(
               .aclk       (aclk),
               .a          (x0),
               .y          (converted),
-              .exceptional(flag[12*6+VARIANT])
+              .exceptional(flag[UNIT*6+VARIANT])
           );
-          assign y[12*6+VARIANT] = converted;
+          assign y[UNIT*6+VARIANT] = converted;
 
           // Takes the rounding's place: minimum or maximum.
           wire [PACKED-1:0] extremum;
           fp_minimum_maximum #(
-              .EXPONENT_BITS(EXPONENT_BITS),
-              .PRECISION    (PRECISION),
-              .MAXIMUM      (toward_zero),
-              .GRADUAL      (gradual),
-              .CUTS         (CUTS[1:0])
+              .EXPONENT_BITS   (EXPONENT_BITS),
+              .PRECISION       (PRECISION),
+              .MAXIMUM         (toward_zero),
+              .SPECIAL_OPERANDS(!PROMISED[0]),
+              .OVERFLOW        (!PROMISED[1]),
+              .UNDERFLOW       (!PROMISED[2]),
+              .GRADUAL         (gradual),
+              .CUTS            (CUTS[1:0])
           ) minimum_maximum (
               .aclk       (aclk),
               .a          (x0),
               .b          (x1),
               .y          (extremum),
-              .exceptional(flag[12*7+VARIANT])
+              .exceptional(flag[UNIT*7+VARIANT])
           );
-          assign y[12*7+VARIANT] = extremum;
+          assign y[UNIT*7+VARIANT] = extremum;
 
           // Takes the rounding's place: comparison or interval decision.
           wire [1:0] verdict;
@@ -183,7 +210,7 @@ module fp_units #(
                 .b      (x1),
                 .verdict(verdict)
             );
-            assign flag[12*8+VARIANT] = 1'b0;
+            assign flag[UNIT*8+VARIANT] = 1'b0;
           end else begin : interval_decision
             fp_interval_decision #(
                 .EXPONENT_BITS(EXPONENT_BITS),
@@ -194,10 +221,10 @@ module fp_units #(
                 .minimum(x0),
                 .maximum(x1),
                 .verdict(verdict),
-                .decided(flag[12*8+VARIANT])
+                .decided(flag[UNIT*8+VARIANT])
             );
           end
-          assign y[12*8+VARIANT] = verdict;
+          assign y[UNIT*8+VARIANT] = verdict;
 
           // Take the subnormals' and the rounding's place: NONNEGATIVE and four guards.
           for (guard = 0; guard < 2; guard = guard + 1) begin : ulp_distance
@@ -216,9 +243,9 @@ module fp_units #(
                 .g          (x1),
                 .exceptional(exceptional),
                 .verdict    (order),
-                .decided    (flag[12*(9+guard)+VARIANT])
+                .decided    (flag[UNIT*(9+guard)+VARIANT])
             );
-            assign y[12*(9+guard)+VARIANT] = order;
+            assign y[UNIT*(9+guard)+VARIANT] = order;
           end
         end
       end

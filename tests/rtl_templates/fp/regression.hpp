@@ -19,13 +19,24 @@ public:
   virtual void rise() = 0;
 };
 
+/// Columns of UnitsUnderTest, both ends included.
+struct ColumnRange {
+  int first;
+  int last;
+
+  bool contains(int slot) const {
+    const int column = slot % UnitsUnderTest::columns;
+    return first <= column && column <= last;
+  }
+  bool has_promises() const { return last >= UnitsUnderTest::masks; }
+};
+
 /// Feeds one stimulus a cycle and holds every slot's answer, in the very cycle its latency names,
 /// against the golden model.
 class Regression {
 public:
-  /// Masks below `first_mask` were not built. `program` is printed in the command that repeats a
-  /// failure.
-  Regression(Simulation& simulation, const UnitsUnderTest& units, int first_mask,
+  /// Other columns were not built. `program` is printed in the command that repeats a failure.
+  Regression(Simulation& simulation, const UnitsUnderTest& units, ColumnRange columns,
              std::string program);
 
   void feed(const Stimulus& stimulus);
@@ -35,6 +46,8 @@ public:
   uint64_t vectors() const { return cycle_; }
   uint64_t answers() const { return answers_; }
   uint64_t failures() const { return failures_; }
+  /// The built slots to which every stimulus broke a promise.
+  std::vector<int> idle_slots() const;
   /// What a failure says about where its vector came from.
   void set_origin(std::string origin) { origin_ = std::move(origin); }
 
@@ -42,19 +55,22 @@ private:
   struct Expectation {
     Stimulus stimulus;
     std::array<Answer, UnitsUnderTest::behaviours> answers;
+    std::array<HazardSet, UnitsUnderTest::behaviours> hazards;
   };
 
   void compare(int slot);
+  void judge(int slot, const Stimulus& stimulus, const Answer& expected);
   void report(int slot, const Stimulus& stimulus, const Answer& expected) const;
 
   Simulation& simulation_;
   const UnitsUnderTest& units_;
-  int first_mask_;
+  ColumnRange columns_;
   std::string program_;
   std::string origin_;
   std::vector<Expectation> history_;  ///< a ring of max_latency + 1 cycles
   uint64_t cycle_ = 0;
   uint64_t answers_ = 0;
+  std::array<uint64_t, UnitsUnderTest::slots> kept_promises_ = {};
   uint64_t failures_ = 0;
 };
 

@@ -119,14 +119,48 @@ golden::Rounded rounded(const Arithmetic& result, FloatFormat operands, const Be
   MIXCMP_CHECK(!"not an operation");
 }
 
+bool has_promises(UnitSlot unit) {
+  return unit <= minimum_maximum;
+}
+
+bool has_two_operands(UnitSlot unit) {
+  return unit != square && unit != square_root && unit != convert;
+}
+
+HazardSet operand_hazards(FloatFormat format, Bits operand) {
+  const bool special = format.is_nan(operand) || format.is_infinite(operand);
+  return {.special_operands = special, .underflow = format.is_subnormal(operand)};
+}
+
+/// The exponent range is so wide that nothing these formats give leaves it.
+FloatFormat with_unbounded_exponent(FloatFormat format) {
+  return FloatFormat::make(format.precision(), FloatFormat::max_exponent_bits).value();
+}
+
+/// Where `unbounded`, of the same precision, lies with respect to the format's range.
+HazardSet result_hazards(FloatFormat format, FloatFormat unbounded_format, Bits unbounded) {
+  const int exponent = unbounded_format.biased_exponent(unbounded) - unbounded_format.bias();
+  const bool finite =
+      !unbounded_format.is_nan(unbounded) && !unbounded_format.is_infinite(unbounded);
+  const bool zero = unbounded_format.is_zero(unbounded);
+  return {.overflow = finite && exponent > format.max_exponent(),
+          .underflow = !zero && exponent < format.min_exponent()};
+}
+
+void include(HazardSet& all, const HazardSet& more) {
+  all.special_operands |= more.special_operands;
+  all.overflow |= more.overflow;
+  all.underflow |= more.underflow;
+}
+
 }  // namespace
 
 UnitsUnderTest::UnitsUnderTest(FloatFormat operands, FloatFormat result, Bits some_cuts)
     : operands_(operands), result_(result) {
   for (int slot = 0; slot < slots; ++slot) {
     const std::array<Bits, masks> cuts = {0, ~Bits{0}, some_cuts};
-    const Bits stages = model::low_mask(stage_count(slot / masks));
-    latencies_[slot] = population_count(cuts[slot % masks] & stages);
+    const Bits stages = model::low_mask(stage_count(slot / columns));
+    latencies_[slot] = population_count(cuts[std::min(slot % columns, masks - 1)] & stages);
   }
 }
 
@@ -169,13 +203,46 @@ Answer UnitsUnderTest::answer(int behaviour, const Stimulus& stimulus) const {
   return {.y = value.bits, .flag = value.exceptional};
 }
 
+HazardSet UnitsUnderTest::promised(int slot) const {
+  if (!has_promises(behaviour_of(slot / columns).unit)) return {};
+  const int bits = std::max(slot % columns - (masks - 1), 0);
+  return {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
+}
+
+HazardSet UnitsUnderTest::hazards(int behaviour, const Stimulus& stimulus) const {
+  const Behaviour which = behaviour_of(behaviour);
+  if (!has_promises(which.unit)) return {};
+  HazardSet all = operand_hazards(operands_, stimulus.a);
+  if (has_two_operands(which.unit)) include(all, operand_hazards(operands_, stimulus.b));
+  if (which.unit == minimum_maximum) return all;
+
+  const Arithmetic unbounded{with_unbounded_exponent(result_),
+                             which.toward_zero ? Rounding::toward_zero : Rounding::nearest_even,
+                             which.gradual ? Subnormals::gradual : Subnormals::flush};
+  const golden::Rounded value = rounded(unbounded, operands_, which, stimulus);
+  include(all, result_hazards(result_, unbounded.format, value.bits));
+  const bool zero_divisor =
+      operands_.is_zero(stimulus.b) || (!which.gradual && operands_.is_subnormal(stimulus.b));
+  all.overflow |= which.unit == divide && zero_divisor;
+  return all;
+}
+
+bool UnitsUnderTest::exceptional_by_hazards_alone(int behaviour) const {
+  const UnitSlot unit = behaviour_of(behaviour).unit;
+  return has_promises(unit) && unit != square_root;
+}
+
 std::string UnitsUnderTest::name(int slot) const {
   static constexpr std::array<std::string_view, minimum_maximum> names = {
       "fp_add",    "fp_add SUBTRACT", "fp_multiply", "fp_square",
       "fp_divide", "fp_square_root",  "fp_convert"};
   static constexpr std::array<std::string_view, masks> mask_names = {"none", "all", "some"};
-  const Behaviour which = behaviour_of(slot / masks);
-  const std::string cuts = fmt::format("CUTS={}", mask_names[slot % masks]);
+  const Behaviour which = behaviour_of(slot / columns);
+  const HazardSet promises = promised(slot);
+  std::string cuts = fmt::format("CUTS={}", mask_names[std::min(slot % columns, masks - 1)]);
+  if (promises.special_operands) cuts += " SPECIAL_OPERANDS=0";
+  if (promises.overflow) cuts += " OVERFLOW=0";
+  if (promises.underflow) cuts += " UNDERFLOW=0";
   if (which.unit == ulp_distance || which.unit == ulp_distance_wide) {
     return fmt::format("fp_ulp_distance GUARD_ULP=0x{} NONNEGATIVE={:d} {}",
                        model::to_hex(guard_of(operands_, which), operands_.width()), which.gradual,
@@ -193,7 +260,7 @@ std::string UnitsUnderTest::name(int slot) const {
 }
 
 FloatFormat UnitsUnderTest::format(int slot) const {
-  return slot / masks / variants < minimum_maximum ? result_ : operands_;
+  return slot / columns / variants < minimum_maximum ? result_ : operands_;
 }
 
 }  // namespace mixcmp::test

@@ -18,6 +18,19 @@ struct Stimulus {
   bool exceptional = false;  ///< of fp_ulp_distance alone
 };
 
+/// Hazards that a unit was promised not to meet, or that a stimulus is: docs/architecture.md.
+struct HazardSet {
+  bool special_operands = false;
+  bool overflow = false;
+  bool underflow = false;
+
+  bool meets(const HazardSet& other) const {
+    return (special_operands && other.special_operands) || (overflow && other.overflow) ||
+           (underflow && other.underflow);
+  }
+  friend bool operator==(const HazardSet&, const HazardSet&) = default;
+};
+
 /// What one unit must answer. A verdict that was not decided may be anything.
 struct Answer {
   Bits y = 0;
@@ -27,11 +40,12 @@ struct Answer {
 };
 
 /// The outputs of fp_units.v: which slot is what, how late it answers and what it must say. A slot
-/// is (unit, variant, mask), the mask counting fastest; a behaviour is a slot without its mask.
+/// is (unit, variant, column), the column counting fastest; a behaviour is a slot without its
+/// column. The first columns differ in their masks, the others in what they were promised.
 class UnitsUnderTest {
 public:
-  static constexpr int masks = 3, variants = 4, units = 11;
-  static constexpr int behaviours = units * variants, slots = behaviours * masks;
+  static constexpr int masks = 3, columns = masks + 7, variants = 4, units = 11;
+  static constexpr int behaviours = units * variants, slots = behaviours * columns;
 
   /// `some_cuts` is the mask between none and all.
   UnitsUnderTest(FloatFormat operands, FloatFormat result, Bits some_cuts);
@@ -41,7 +55,13 @@ public:
 
   int latency_cycles(int slot) const { return latencies_[slot]; }
   int max_latency_cycles() const;
+  /// If no promise was broken.
   Answer answer(int behaviour, const Stimulus& stimulus) const;
+  HazardSet promised(int slot) const;
+  HazardSet hazards(int behaviour, const Stimulus& stimulus) const;
+  /// Whether `exceptional` can speak of hazards alone: nothing but the root of a negative number
+  /// is exceptional without one.
+  bool exceptional_by_hazards_alone(int behaviour) const;
   std::string name(int slot) const;
   /// Of what a slot answers: the result's, or the operands' where a unit has no result format.
   FloatFormat format(int slot) const;
