@@ -1,0 +1,69 @@
+#include "model/proof/claims.hpp"
+
+#include <algorithm>
+
+#include "model/error/error_analysis.hpp"
+
+namespace mixcmp::model::proof {
+namespace {
+
+constexpr long slack_bits = 400;
+constexpr long kept_digits = 460;
+
+mpq_class two_to(long exponent) {
+  mpq_class one(1);
+  mpq_class result;
+  if (exponent < 0) {
+    mpq_div_2exp(result.get_mpq_t(), one.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  } else {
+    mpq_mul_2exp(result.get_mpq_t(), one.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  }
+  return result;
+}
+
+long binade(const mpq_class& value) {
+  const auto bits = [](const mpz_class& number) {
+    return static_cast<long>(mpz_sizeinbase(number.get_mpz_t(), 2));
+  };
+  return bits(value.get_num()) - bits(value.get_den());
+}
+
+enum class Direction { down, up };
+
+/// A positive value to `kept_digits` digits.
+mpq_class shortened(const mpq_class& value, Direction direction) {
+  const mpq_class unit = two_to(binade(value) - kept_digits);
+  const mpq_class steps = value / unit;
+  mpz_class whole = steps.get_num() / steps.get_den();
+  if (direction == Direction::up && whole != steps) ++whole;
+  return whole * unit;
+}
+
+}  // namespace
+
+std::vector<NodeClaim> relative_claims(const Lane& lane) {
+  std::vector<bool> nonnegative;
+  for (int input = 0; input < lane.graph.input_count; ++input) {
+    nonnegative.push_back(is_checked_nonnegative(lane.checks, input));
+  }
+  std::vector<NodeClaim> claims;
+  for (const NodeBound& bound : analyse_errors(lane.graph, nonnegative).nodes) {
+    claims.push_back({bound.relative, bound.unrounded, bound.nonnegative, bound.nonpositive});
+  }
+  return claims;
+}
+
+bool is_checked_nonnegative(const std::vector<RangeCheck>& checks, int input) {
+  return std::any_of(checks.begin(), checks.end(), [&](const RangeCheck& check) {
+    return check.input == input && check.sign == RequiredSign::nonnegative;
+  });
+}
+
+RelativeBound provable(const RelativeBound& bound, int depth) {
+  if (bound.low == 1 && bound.high == 1) return bound;
+  const mpq_class slack = two_to(2L * depth - slack_bits);
+  return {shortened(bound.low * (1 - slack), Direction::down),
+          shortened(bound.high * (1 + slack), Direction::up)};
+}
+
+}  // namespace mixcmp::model::proof

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/error/error_analysis.hpp"
+#include "model/error/lane.hpp"
+
+namespace mixcmp::model::proof {
+
+/// What the error analysis asserts of one node, and what is to be proven. Words and meaning as in
+/// docs/error_bounds.md: true value = computed value * t, low <= t <= high, and the same from the
+/// operation's exact result, before its own rounding.
+struct NodeClaim {
+  std::optional<RelativeBound> relative;
+  std::optional<RelativeBound> unrounded;
+  bool nonnegative = false;
+  bool nonpositive = false;
+
+  bool is_exact() const { return relative && relative->low == 1 && relative->high == 1; }
+};
+
+/// One claim a node, as the analysis derives them with no more signs than the lane checks.
+std::vector<NodeClaim> relative_claims(const Lane& lane);
+
+/// Whether the lane decides nothing where this input's sign bit is set.
+bool is_checked_nonnegative(const std::vector<RangeCheck>& checks, int input);
+
+/// `bound` with its ends moved outward by one part in 2^400 * 4^-depth and shortened to dyadic
+/// rationals of some 460 digits; [1, 1] remains. Gappa's own interval ends are dyadic and rounded
+/// outward, so that it could not prove an end like 1/3, nor a chain of them, to the last digit.
+RelativeBound provable(const RelativeBound& bound, int depth);
+
+/// The deepest graph for which `provable` moves ends by less than one part in 2^300.
+constexpr int max_provable_depth = 50;
+
+}  // namespace mixcmp::model::proof

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/proof/claims.hpp"
+
+namespace mixcmp::model::proof {
+
+enum class Outcome {
+  proven,      ///< by Gappa, or by exact arithmetic where the finding says so
+  not_proven,  ///< Gappa finds no proof of what is within its theory: the bound is refused
+  out_of_time,
+  not_expressible,  ///< in Gappa; the proof by hand stands
+  unchecked,        ///< no Gappa
+};
+std::string_view to_string(Outcome outcome);
+
+struct ScriptResult {
+  Outcome outcome;
+  std::string detail;  ///< Gappa's words where it is not proven
+  std::string file;    ///< of the kept script, if any
+};
+/// Runs one script, or knows its result.
+using Prove = std::function<ScriptResult(const std::string& script)>;
+
+/// One statement and what became of it.
+struct Finding {
+  std::string what;
+  Outcome outcome;
+  std::string detail;
+  std::vector<std::string> files = {};  ///< kept scripts
+  /// Another way has been taken where this one is not proven: nothing depends on it.
+  bool optional = false;
+};
+
+enum class Effort {
+  operations,  ///< a lemma per operation
+  whole,       ///< the whole expression, one script per combination of zeros; operations where that
+               ///< fails
+};
+
+struct LaneProof {
+  std::string lane;  ///< "s17e8, nearest_even"
+  std::string kind;  ///< of the error bound
+  std::vector<Finding> findings;
+  std::vector<std::string> by_hand;  ///< what no machine has checked, and where it is proven
+
+  /// Everything that is not by hand.
+  bool machine_checked() const;
+  /// Something within Gappa's theory is not proven: the bound must not be called certified.
+  bool refused() const;
+  /// "machine-checked", "refused: ...", "not machine-checked: ...".
+  std::string verdict() const;
+};
+
+/// Proves what the lane's decision rests on; see docs/error_bounds.md.
+LaneProof prove_lane(const Lane& lane, const Prove& prove, Effort effort);
+
+/// The same with the analysis' claims given: one a node, all of them relative.
+LaneProof prove_relative(const Lane& lane, const std::vector<NodeClaim>& claims, const Prove& prove,
+                         Effort effort);
+
+}  // namespace mixcmp::model::proof

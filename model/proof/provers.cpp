@@ -1,0 +1,143 @@
+#include "model/proof/provers.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "model/common/check.hpp"
+#include "model/common/content_hash.hpp"
+#include "model/common/file.hpp"
+#include "model/proof/gappa.hpp"
+
+namespace mixcmp::model::proof {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Its words on one line, where there are many the first.
+std::string first_words(const std::string& message) {
+  constexpr std::size_t enough = 160;
+  std::string words;
+  for (const char c : message) words += c == '\n' ? ' ' : c;
+  while (!words.empty() && words.back() == ' ') words.pop_back();
+  return words.size() > enough ? words.substr(0, enough) + "..." : words;
+}
+
+ScriptResult to_result(const GappaRun& run, double seconds) {
+  switch (run.verdict) {
+    case GappaVerdict::proven: return {Outcome::proven, "", ""};
+    case GappaVerdict::not_proven: return {Outcome::not_proven, first_words(run.message), ""};
+    case GappaVerdict::out_of_time:
+      return {Outcome::out_of_time, fmt::format("after {:.3g} s", seconds), ""};
+    case GappaVerdict::broken:
+      return {Outcome::not_proven, "no verdict: " + first_words(run.message), ""};
+  }
+  MIXCMP_CHECK(false);
+}
+
+const ScriptResult no_gappa = {Outcome::unchecked, "gappa is not installed", ""};
+
+Error write_error(const fs::path& path, const std::string& what) {
+  return {.file = path.string(), .field = "--proof-dir", .message = "cannot be written: " + what};
+}
+
+/// Beside its place first, so that the name is a whole file's.
+Result<Done> write_whole(const fs::path& path, const std::string& text) {
+  const fs::path unfinished = fmt::format("{}.{}.part", path.string(), getpid());
+  std::ofstream stream(unfinished, std::ios::binary);
+  stream << text;
+  stream.close();
+  std::error_code failed;
+  if (stream) fs::rename(unfinished, path, failed);
+  if (stream && !failed) return Done{};
+  Error error = write_error(path, failed ? failed.message() : std::strerror(errno));
+  fs::remove(unfinished, failed);
+  return error;
+}
+
+std::string hash_of(const std::string& text) {
+  return ContentHash().add(text).hex();
+}
+
+}  // namespace
+
+QuickProver::QuickProver(double budget_seconds)
+    : version_(gappa_version()), seconds_left_(budget_seconds) {}
+
+ScriptResult QuickProver::operator()(const std::string& script) {
+  if (!version_) return no_gappa;
+  const auto [place, is_new] = known_.try_emplace(script);
+  if (!is_new) return place->second;
+  if (seconds_left_ <= 0) return place->second = {Outcome::out_of_time, "", ""};
+  const auto start = std::chrono::steady_clock::now();
+  const GappaRun run = run_gappa(script, Certificate::none, seconds_left_);
+  place->second = to_result(run, seconds_left_);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  seconds_left_ -= spent.count();
+  return place->second;
+}
+
+Result<ProofDirectory> ProofDirectory::open(const fs::path& path, double seconds_a_script) {
+  std::error_code failed;
+  fs::create_directories(path, failed);
+  if (failed) return write_error(path, failed.message());
+  return ProofDirectory(path, gappa_version(), seconds_a_script);
+}
+
+ScriptResult ProofDirectory::operator()(const std::string& script) {
+  const std::string hash = hash_of(script);
+  const auto [place, is_new] = known_.try_emplace(hash);
+  if (!is_new) return place->second;
+  if (!version_) {
+    place->second = no_gappa;
+    keep(hash, script, "", "");
+  } else if (is_proven(hash, script)) {
+    ++reused_;
+    place->second = {Outcome::proven, "", ""};
+  } else {
+    const GappaRun run = run_gappa(script, Certificate::coq, seconds_);
+    place->second = to_result(run, seconds_);
+    const std::string words = fmt::format("{}\n{}", to_string(place->second.outcome), run.message);
+    keep(hash, script, verdict_text(words, run.certificate), run.certificate);
+  }
+  place->second.file = hash + ".g";
+  return place->second;
+}
+
+std::string ProofDirectory::verdict_text(const std::string& words,
+                                         const std::string& certificate) const {
+  return fmt::format("gappa {}\ncertificate {}\n{}", *version_, hash_of(certificate), words);
+}
+
+bool ProofDirectory::is_proven(const std::string& hash, const std::string& script) const {
+  const auto content = [&](const char* extension) { return read_file(path_ / (hash + extension)); };
+  const auto kept = content(".g"), certificate = content(".v"), verdict = content(".verdict");
+  if (!kept.ok() || !certificate.ok() || !verdict.ok() || *kept != script) return false;
+  const std::string proven = fmt::format("{}\n", to_string(Outcome::proven));
+  return verdict->starts_with(verdict_text(proven, *certificate));
+}
+
+void ProofDirectory::keep(const std::string& hash, const std::string& script,
+                          const std::string& verdict, const std::string& certificate) {
+  const auto write = [&](const char* extension, const std::string& text) {
+    if (failure_) return;
+    const Result<Done> written = write_whole(path_ / (hash + extension), text);
+    if (!written.ok()) failure_ = written.error();
+  };
+  write(".g", script);
+  if (!certificate.empty()) write(".v", certificate);
+  if (!verdict.empty()) write(".verdict", verdict);
+}
+
+Result<Done> ProofDirectory::write_report(const std::string& file_name,
+                                          const std::string& text) const {
+  return write_whole(path_ / file_name, text);
+}
+
+}  // namespace mixcmp::model::proof

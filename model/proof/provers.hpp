@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "model/common/result.hpp"
+#include "model/proof/lane_proof.hpp"
+
+namespace mixcmp::model::proof {
+
+/// Keeps nothing: runs each script once, for `budget_seconds` in all. Without Gappa every script is
+/// unchecked.
+class QuickProver {
+public:
+  explicit QuickProver(double budget_seconds);
+  ScriptResult operator()(const std::string& script);
+
+private:
+  std::optional<std::string> version_;
+  double seconds_left_;
+  std::map<std::string, ScriptResult> known_;
+};
+
+/// Keeps scripts, Coq certificates and verdicts in a directory, each under the hash of its script:
+///   HASH.g        what Gappa reads
+///   HASH.v        its proof, for coqc with the library of Gappa
+///   HASH.verdict  its verdict, its words and who gave it
+/// A verdict is written last, each file whole or not at all: an interrupted run resumes. What the
+/// same Gappa has proven is not proven again.
+class ProofDirectory {
+public:
+  /// Makes the directory. An error where that cannot be.
+  static Result<ProofDirectory> open(const std::filesystem::path& path, double seconds_a_script);
+
+  ScriptResult operator()(const std::string& script);
+  /// The lane's proof for a reader, beside the scripts that it names.
+  Result<Done> write_report(const std::string& file_name, const std::string& text) const;
+
+  const std::filesystem::path& path() const { return path_; }
+  /// None where there is no Gappa.
+  const std::optional<std::string>& gappa() const { return version_; }
+  int reused() const { return reused_; }
+  /// A file that could not be written, if any: scripts are proven all the same.
+  const std::optional<Error>& failure() const { return failure_; }
+
+private:
+  ProofDirectory(std::filesystem::path path, std::optional<std::string> version, double seconds)
+      : path_(std::move(path)), version_(std::move(version)), seconds_(seconds) {}
+
+  bool is_proven(const std::string& hash, const std::string& script) const;
+  std::string verdict_text(const std::string& words, const std::string& certificate) const;
+  void keep(const std::string& hash, const std::string& script, const std::string& verdict,
+            const std::string& certificate);
+
+  std::filesystem::path path_;
+  std::optional<std::string> version_;
+  double seconds_;
+  std::map<std::string, ScriptResult> known_;
+  int reused_ = 0;
+  std::optional<Error> failure_;
+};
+
+}  // namespace mixcmp::model::proof

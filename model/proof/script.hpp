@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/error/relative_bound.hpp"
+
+namespace mixcmp::model::proof {
+
+/// A dyadic rational as Gappa writes it: "-3b-17".
+std::string dyadic(const mpq_class& value);
+
+/// Gappa's name of a rounding of `precision` digits whose exponents have no end that matters.
+std::string rounding_operator(int precision, Rounding rounding);
+
+/// Theorem 1 of docs/error_bounds.md: exact result = rounded result * t, t in this interval.
+RelativeBound rounding_interval(int precision, Rounding rounding);
+
+/// A Gappa script: definitions, then hypotheses that imply goals.
+class Script {
+public:
+  void comment(const std::string& text);
+  void define(const std::string& name, const std::string& expression);
+  void define_operator(const std::string& name, const std::string& definition);
+
+  void assume(const std::string& fact);
+  void assume_within(const std::string& expression, const std::string& low,
+                     const std::string& high);
+  /// truth = computed * t, t in the bound.
+  void assume_relative(const std::string& truth, const std::string& computed,
+                       const RelativeBound& bound);
+  void conclude(const std::string& fact);
+  void conclude_relative(const std::string& truth, const std::string& computed,
+                         const RelativeBound& bound);
+  /// Both sides are equal numbers, and bounding the second bounds the first.
+  void hint(const std::string& from, const std::string& to);
+
+  /// What Gappa reads, its options included: enough digits, no search by splitting intervals (what
+  /// does not follow at once would be searched for hours).
+  std::string text() const;
+
+private:
+  std::string definitions_;
+  std::vector<std::string> assumptions_;
+  std::vector<std::string> conclusions_;
+  std::string hints_;
+};
+
+/// Theorem 1 in the binades from 1 to 2 and from -2 to -1; exponents are unbounded, so that every
+/// other one is the same times a power of two.
+std::vector<std::string> rounding_scripts(int precision, Rounding rounding);
+
+enum class ExactOperation { convert, multiply, square };
+std::string_view to_string(ExactOperation operation);
+
+/// That rounding to `precision` digits changes no result on operands of `operand_precision` digits.
+std::string exactness_script(ExactOperation operation, int operand_precision, int precision,
+                             Rounding rounding);
+
+}  // namespace mixcmp::model::proof
