@@ -117,7 +117,7 @@ SpherePairMaker::Row SpherePairMaker::nested() {
   const mpq_class reach = scaled(mpq_class(outer - inner), -2 - random_.below(40));
   for (const std::size_t at : first_of_axis) {
     const mpq_class away = random_.sign() * unit(1) * reach;
-    row[at + 1] = encode(golden::to_rational(format_, row[at]) + away);
+    row[at + 1] = encode(decode(row[at]) + away);
   }
   row[radius_i] = encode(outer);
   row[radius_j] = encode(inner);
@@ -203,11 +203,21 @@ SpherePairMaker::Row SpherePairMaker::negative_radii() {
 }
 
 SpherePairMaker::Row SpherePairMaker::grid() {
-  const int exponent = -random_.below(4);
+  const int exponent = -random_.below(8);
   Row row;
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    row[k] = encode(scaled(random_.below(k < radius_i ? 6 : 5), exponent));
+  int square = 0;
+  for (const std::size_t at : first_of_axis) {
+    const int from = random_.below(16);
+    const int to = random_.one_in(2) ? from : random_.below(16);
+    row[at] = encode(scaled(from, exponent));
+    row[at + 1] = encode(scaled(to, exponent));
+    square += (to - from) * (to - from);
   }
+  const int distance = static_cast<int>(mpz_class(sqrt(mpz_class(square))).get_si());
+  const int sum = random_.one_in(2) ? distance : random_.below(26);
+  const int share = random_.below(sum + 1);
+  row[radius_i] = encode(scaled(share, exponent));
+  row[radius_j] = encode(scaled(sum - share, exponent));
   return row;
 }
 
@@ -244,6 +254,10 @@ Bits SpherePairMaker::encode(const mpq_class& value) {
   const Bits bits = golden::from_rational(format_, value);
   overflowed_ = overflowed_ || format_.is_infinite(bits);
   return bits;
+}
+
+mpq_class SpherePairMaker::decode(Bits bits) const {
+  return format_.is_infinite(bits) ? mpq_class(0) : golden::to_rational(format_, bits);
 }
 
 SpherePairMaker::Row SpherePairMaker::encode(const DyadicPair& pair) {
@@ -285,8 +299,7 @@ void SpherePairMaker::touch(Row& row) {
   const int digits = format_.precision();
   mpq_class square = 0;
   for (const std::size_t at : first_of_axis) {
-    const mpq_class away =
-        golden::to_rational(format_, row[at]) - golden::to_rational(format_, row[at + 1]);
+    const mpq_class away = decode(row[at]) - decode(row[at + 1]);
     square += away * away;
   }
   mpq_class sum = root_of(square, digits + guard_digits);
@@ -294,7 +307,7 @@ void SpherePairMaker::touch(Row& row) {
     sum *= 1 + scaled(random_.between(-16, 16), -4 - random_.between(2, digits + 2));
   }
   row[radius_i] = encode(scaled(sum * random_.below(257), -8));
-  row[radius_j] = encode(sum - golden::to_rational(format_, row[radius_i]));
+  row[radius_j] = encode(sum - decode(row[radius_i]));
 }
 
 SpherePairMaker::Row SpherePairMaker::touching(int exponent) {

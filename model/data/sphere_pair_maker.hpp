@@ -50,7 +50,7 @@ public:
   Row zero_radii();
   /// Nearly touching spheres, one radius or both negated.
   Row negative_radii();
-  /// Small whole numbers of one power of two: many exact ties.
+  /// Whole numbers 0..15 of one power of two, radii to 25 of it: many exact ties.
   Row grid();
   /// One to three numbers are not finite or at the ends of the format; one at least is not finite.
   Row infinities_and_nans();
@@ -67,6 +67,8 @@ public:
 private:
   Bits encode(const mpq_class& value);
   Row encode(const DyadicPair& pair);
+  /// Zero for what has overflowed: the row is lost anyway.
+  mpq_class decode(Bits bits) const;
   /// limit * [0, 1), in the format's digits.
   mpq_class unit(const mpq_class& limit);
   /// In [0, 100 * 2^exponent).

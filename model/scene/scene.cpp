@@ -7,6 +7,8 @@
 #include <cstdint>
 
 #include "model/common/nearest.hpp"
+#include "model/common/quote.hpp"
+#include "model/data/sphere_family.hpp"
 #include "model/expression/name.hpp"
 #include "model/expression/text.hpp"
 #include "model/golden/arithmetic.hpp"
@@ -254,6 +256,26 @@ void read_data_file(Section& section, const std::filesystem::path& scene, DataSp
   }
 }
 
+void check_family(Section& section, const DataSpec& spec) {
+  const bool given = section.find("family") != nullptr;
+  if (spec.items != "sphere_family") {
+    if (!given) return;
+    section.fail("family", "only of items = \"sphere_family\"", in_quotes(spec.family),
+                 "no family here");
+    return;
+  }
+  const std::vector<std::string> names = sphere_family_names();
+  if (!given) {
+    section.fail("family", "required", "nothing", accepted_sphere_families(""));
+  } else if (std::find(names.begin(), names.end(), spec.family) == names.end()) {
+    section.fail("family", "not a family of sphere pairs", in_quotes(spec.family),
+                 accepted_sphere_families(spec.family));
+  }
+  if (spec.all_pairs) {
+    section.fail("pairs", "the rows of a family are pairs already", "\"all\"", "no pairs here");
+  }
+}
+
 void check_data_source(Section& section, const DataSpec& spec, std::vector<std::string>& notes) {
   const bool items = section.find("items") != nullptr;
   const bool file = section.find("file") != nullptr;
@@ -267,14 +289,14 @@ void check_data_source(Section& section, const DataSpec& spec, std::vector<std::
     section.fail("items", "not a choice", fmt::format("\"{}\"", spec.items),
                  "uniform_spheres, sphere_family");
   }
-  if (family != (section.find("family") != nullptr)) {
-    section.fail("family", family ? "required" : "only of items = \"sphere_family\"",
-                 family ? "nothing" : fmt::format("\"{}\"", spec.family),
-                 family ? "the name of a family of sphere pairs" : "no family here");
-  }
+  check_family(section, spec);
   for (const char* key : {"count", "side", "radius_max", "seed"}) {
     if (section.find(key) == nullptr || !file) continue;
     notes.push_back(fmt::format("data.{} is not used: the data come from a file", key));
+  }
+  for (const char* key : {"side", "radius_max"}) {
+    if (section.find(key) == nullptr || !family) continue;
+    notes.push_back(fmt::format("data.{} is not used: a family has its own sizes", key));
   }
 }
 

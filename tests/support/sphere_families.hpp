@@ -14,9 +14,8 @@ struct SphereFamily {
   model::Table pairs;
 };
 
-/// `count` pairs each of: uniform, tangent (exact and one last place off), near_tangent in the
-/// lane's last places, coincident, nested, offset by 1e6, the whole exponent range, mixed scales,
-/// zeros and subnormals, infinities and NaNs. Seeded; in binary64's values rounded to `format`.
+/// `count` pairs of each of model::sphere_family_names() that fits the format; of the near ties
+/// only those aimed at the lane.
 std::vector<SphereFamily> sphere_families(model::FloatFormat format, int lane_precision,
                                           std::size_t count, std::uint64_t seed);
 

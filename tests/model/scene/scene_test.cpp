@@ -221,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "counter_bits, device, lanes, operands, order, references, tag_bits, target_mhz"},
         Mistake{"seed = 7", "sead = 7",
                 ":30: data.sead: unknown key: received sead; accepted seed (the nearest), count, "
-                "file, items, pairs, radius_max, side"}));
+                "family, file, items, pairs, radius_max, side"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Types, SceneMistake,

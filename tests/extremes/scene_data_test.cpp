@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "model/data/load.hpp"
+#include "model/data/sphere_family.hpp"
+
+/// A scene names a family; mistakes are told with their place.
+namespace mixcmp::test {
+namespace {
+
+const std::string scene_path = MIXCMP_SOURCE_DIR "/examples/extremes/scene.toml";
+
+std::string error_of(const std::vector<std::string>& overrides) {
+  const auto scene = model::load_scene(scene_path, overrides);
+  if (!scene.ok()) return scene.error().to_string();
+  const auto data = model::load_comparisons(*scene);
+  return data.ok() ? "" : data.error().to_string();
+}
+
+TEST(SceneData, IsTheFamilyThatTheSceneNames) {
+  for (const char* family : {"tangent", "near_tie_17"}) {
+    const std::vector<std::string> overrides = {std::string("data.family=") + family,
+                                                "data.count=50", "data.seed=3"};
+    const auto scene = model::load_scene(scene_path, overrides);
+    ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+    const auto data = model::load_comparisons(*scene);
+    ASSERT_TRUE(data.ok()) << data.error().to_string();
+    EXPECT_FALSE(data->pairs());
+    const auto expected =
+        model::sphere_family({.name = family, .count = 50, .seed = 3}, scene->reference.format);
+    EXPECT_EQ(data->table().values, expected->values);
+  }
+}
+
+TEST(SceneData, UnknownFamiliesAreAnErrorOfTheScene) {
+  const std::string error = error_of({"data.family=neted"});
+  EXPECT_EQ(
+      error.find("--set: data.family: not a family of sphere pairs: received \"neted\"; accepted "
+                 "nested (the nearest), uniform, tangent, "),
+      0u)
+      << error;
+}
+
+TEST(SceneData, FamiliesAreMadeOfPairs) {
+  EXPECT_EQ(
+      error_of({"data.pairs=all"}),
+      "--set: data.pairs: the rows of a family are pairs already: received \"all\"; accepted no "
+      "pairs here");
+}
+
+TEST(SceneData, OnlyFamiliesHaveAFamily) {
+  EXPECT_EQ(
+      error_of({"data.items=uniform_spheres", "data.pairs=all"}),
+      scene_path +
+          ":24: data.family: only of items = \"sphere_family\": received \"tangent\"; accepted "
+          "no family here");
+}
+
+TEST(SceneData, FamiliesThatDoNotFitTheReferenceAreAnErrorOfItsData) {
+  EXPECT_EQ(
+      error_of({"data.family=near_tie_17", "reference.format=binary16", "reduced.format=s8e5"}),
+      scene_path +
+          ":22: data.family: near_tie_17 needs operands of 17 digits: received s11e5, a "
+          "reference of 11; accepted a reference of 17 digits or more");
+}
+
+TEST(SceneData, SizesOfACubeAreNotedAsUnused) {
+  const std::vector<std::string> overrides = {"data.side=5"};
+  const auto scene = model::load_scene(scene_path, overrides);
+  ASSERT_TRUE(scene.ok());
+  EXPECT_EQ(std::count(scene->notes.begin(), scene->notes.end(),
+                       "data.side is not used: a family has its own sizes"),
+            1);
+}
+
+}  // namespace
+}  // namespace mixcmp::test
