@@ -1,5 +1,13 @@
 # Every hand-written module; the generator embeds them and copies the ones a system uses.
 set(MIXCMP_RTL_TEMPLATES
+  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_add.v
+  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_at_most.v
+  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_binade.v
+  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_decision.v
+  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_magnitude.v
+  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_maximum.v
+  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_multiply.v
+  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_reciprocal.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_add.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_compare.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_convert.v
@@ -10,6 +18,7 @@ set(MIXCMP_RTL_TEMPLATES
   ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_minimum_maximum.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_multiply.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_operand.v
+  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_range_check.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_rank.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_round.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_select_round.v

@@ -1,0 +1,40 @@
+// bound_at_most: holds where bound <= |x|.
+// Latency: CUTS; initiation interval 1; no reset.
+// Means nothing for NaNs, which must come with `exceptional`.
+`default_nettype none
+
+module bound_at_most #(
+    parameter       EXPONENT_BITS   = 8,
+    parameter       PRECISION       = 24,
+    parameter       BOUND_PRECISION = 4,
+    parameter [0:0] CUTS            = 1'b0
+) (
+    input  wire                                     aclk,
+    input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] bound,
+    input  wire [EXPONENT_BITS+PRECISION-1:0]       x,
+    output wire                                     holds
+);
+
+  localparam SIGN  = EXPONENT_BITS + PRECISION - 1;
+  localparam BOUND = EXPONENT_BITS + BOUND_PRECISION - 1;
+  localparam REST  = PRECISION - BOUND_PRECISION + 1;
+
+  // Stage compare: a bound has zeros where x goes on: the leading digits of x tell.
+  wire             unused_sign = x[SIGN];
+  wire [BOUND-1:0] s0_leading;
+  wire [REST-1:0]  s0_unused_rest;
+
+  assign {s0_leading, s0_unused_rest} = {x[SIGN-1:0], 1'b0};
+
+  fp_rank #(
+      .WIDTH     (1),
+      .REGISTERED(CUTS[0])
+  ) rank_0 (
+      .aclk(aclk),
+      .d   (bound <= s0_leading),
+      .q   (holds)
+  );
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,42 @@
+// bound_binade: the power of two at or below |x|: its exponent. 0 of 0.
+// Latency: CUTS; initiation interval 1; no reset.
+// A subnormal x gives the smallest bound. y means nothing for infinities, NaNs and, with
+// GRADUAL = 0, subnormal numbers: all of these must come with `exceptional`.
+`default_nettype none
+
+module bound_binade #(
+    parameter       EXPONENT_BITS   = 8,
+    parameter       PRECISION       = 24,
+    parameter       BOUND_PRECISION = 4,
+    parameter       GRADUAL         = 0,
+    parameter [0:0] CUTS            = 1'b0
+) (
+    input  wire                                     aclk,
+    input  wire [EXPONENT_BITS+PRECISION-1:0]       x,
+    output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
+);
+
+  localparam SIGN     = EXPONENT_BITS + PRECISION - 1;
+  localparam EXPONENT = PRECISION - 1;
+  localparam BOUND    = EXPONENT_BITS + BOUND_PRECISION - 1;
+
+  localparam [BOUND-1:0] FRACTION = {BOUND{1'b1}} >> EXPONENT_BITS;
+  localparam [BOUND-1:0] SMALLEST = FRACTION + 1'b1;
+
+  // Stage binade: the exponent field alone.
+  wire             unused_sign  = x[SIGN];
+  wire [BOUND-1:0] s0_leading   = x[SIGN-1:SIGN-BOUND];
+  wire             s0_subnormal = (GRADUAL != 0) && !(|x[SIGN-1:EXPONENT]) && (|x[EXPONENT-1:0]);
+
+  fp_rank #(
+      .WIDTH     (BOUND),
+      .REGISTERED(CUTS[0])
+  ) rank_0 (
+      .aclk(aclk),
+      .d   ((s0_leading & ~FRACTION) | (SMALLEST & {BOUND{s0_subnormal}})),
+      .q   (y)
+  );
+
+endmodule
+
+`default_nettype wire

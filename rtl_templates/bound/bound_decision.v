@@ -1,0 +1,72 @@
+// bound_decision: decides the sign of a difference iff its magnitude is more than GUARD_ULP steps of
+// its encoding above the bound of its error, and nothing that led to either was exceptional: less (0)
+// or greater (2).
+// Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
+// A verdict means something where `decided` is 1. NaNs must come with `exceptional`. No finite
+// difference exceeds an infinite bound.
+`default_nettype none
+
+module bound_decision #(
+    parameter EXPONENT_BITS   = 8,
+    parameter PRECISION       = 24,
+    parameter BOUND_PRECISION = 4,
+    parameter [EXPONENT_BITS+PRECISION-1:0] GUARD_ULP = 0,
+    parameter [1:0] CUTS      = 2'b00
+) (
+    input  wire                                     aclk,
+    input  wire [EXPONENT_BITS+PRECISION-1:0]       difference,
+    input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] bound,
+    input  wire                                     exceptional,
+    output wire [1:0]                               verdict,
+    output wire                                     decided
+);
+
+  localparam SIGN  = EXPONENT_BITS + PRECISION - 1;
+  localparam BOUND = EXPONENT_BITS + BOUND_PRECISION - 1;
+
+  // The guard's places below the bound's digits, and those beside them.
+  localparam [SIGN:0] REST       = ~({(SIGN + 1) {1'b1}} << (PRECISION - BOUND_PRECISION));
+  localparam [SIGN:0] GUARD_LOW  = GUARD_ULP & REST;
+  localparam [SIGN:0] GUARD_HIGH = GUARD_ULP >> (PRECISION - BOUND_PRECISION);
+
+  // Stage limit: a bound has zeros where the difference goes on; a guard that fits there costs no
+  // adder.
+  wire [BOUND-1:0] s0_leading = difference[SIGN-1:SIGN-BOUND];
+  wire             s0_beyond  = (difference & REST) > GUARD_LOW;
+  wire [BOUND+1:0] s0_limit   = {2'b00, bound} + {1'b0, GUARD_HIGH[BOUND:0]};
+
+  wire [BOUND-1:0] s1_leading;
+  wire [BOUND+1:0] s1_limit;
+  wire             s1_beyond;
+  wire             s1_less;
+  wire             s1_exceptional;
+
+  fp_rank #(
+      .WIDTH     (2 * BOUND + 5),
+      .REGISTERED(CUTS[0])
+  ) rank_0 (
+      .aclk(aclk),
+      .d   ({s0_leading, s0_limit, s0_beyond, difference[SIGN], exceptional}),
+      .q   ({s1_leading, s1_limit, s1_beyond, s1_less, s1_exceptional})
+  );
+
+  // Stage compare: leading > limit where leading + ~limit carries; where they are equal the rest
+  // decides, as a carry in, out of an extra last place.
+  wire             s1_exceeds;
+  wire [BOUND+2:0] s1_unused_places;
+
+  assign {s1_exceeds, s1_unused_places} =
+      {3'b000, s1_leading, 1'b1} + {1'b0, ~s1_limit, s1_beyond};
+
+  fp_rank #(
+      .WIDTH     (3),
+      .REGISTERED(CUTS[1])
+  ) rank_1 (
+      .aclk(aclk),
+      .d   ({!s1_less, 1'b0, s1_exceeds && !s1_exceptional}),
+      .q   ({verdict, decided})
+  );
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,59 @@
+// bound_magnitude: an upper bound of |x|: its leading digits, rounded up.
+// Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
+// y is infinite where rounding leaves the format. It means nothing for infinities, NaNs and, with
+// GRADUAL = 0, subnormal numbers: all of these must come with `exceptional`.
+`default_nettype none
+
+module bound_magnitude #(
+    parameter       EXPONENT_BITS   = 8,
+    parameter       PRECISION       = 24,
+    parameter       BOUND_PRECISION = 4,
+    parameter       GRADUAL         = 0,
+    parameter [1:0] CUTS            = 2'b00
+) (
+    input  wire                                     aclk,
+    input  wire [EXPONENT_BITS+PRECISION-1:0]       x,
+    output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
+);
+
+  localparam SIGN     = EXPONENT_BITS + PRECISION - 1;
+  localparam EXPONENT = PRECISION - 1;
+  localparam BOUND    = EXPONENT_BITS + BOUND_PRECISION - 1;
+  localparam REST     = PRECISION - BOUND_PRECISION + 1;
+
+  localparam [BOUND-1:0] FRACTION = {BOUND{1'b1}} >> EXPONENT_BITS;
+
+  // Stage reduce: a place below the last, so that even BOUND_PRECISION = PRECISION leaves a rest. A
+  // subnormal number rounds up to the smallest bound, as if its leading digits were ones.
+  wire             unused_sign  = x[SIGN];
+  wire [BOUND-1:0] s0_leading;
+  wire [REST-1:0]  s0_rest;
+  wire             s0_subnormal = (GRADUAL != 0) && !(|x[SIGN-1:EXPONENT]) && (|x[EXPONENT-1:0]);
+
+  assign {s0_leading, s0_rest} = {x[SIGN-1:0], 1'b0};
+
+  wire [BOUND-1:0] s1_leading;
+  wire             s1_round_up;
+
+  fp_rank #(
+      .WIDTH     (BOUND + 1),
+      .REGISTERED(CUTS[0])
+  ) rank_0 (
+      .aclk(aclk),
+      .d   ({s0_leading | (FRACTION & {BOUND{s0_subnormal}}), s0_subnormal || (|s0_rest)}),
+      .q   ({s1_leading, s1_round_up})
+  );
+
+  // Stage round: a carry out of the fraction is the next power of two, at last infinity.
+  fp_rank #(
+      .WIDTH     (BOUND),
+      .REGISTERED(CUTS[1])
+  ) rank_1 (
+      .aclk(aclk),
+      .d   (s1_leading + {{(BOUND - 1) {1'b0}}, s1_round_up}),
+      .q   (y)
+  );
+
+endmodule
+
+`default_nettype wire

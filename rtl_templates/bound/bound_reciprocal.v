@@ -1,0 +1,47 @@
+// bound_reciprocal: a power of two at or above 1 / |x|: the exponent negated.
+// Latency: CUTS; initiation interval 1; no reset.
+// Infinite for zeros and subnormal x. y means nothing for infinities and NaNs, which must come
+// with `exceptional`.
+`default_nettype none
+
+module bound_reciprocal #(
+    parameter       EXPONENT_BITS   = 8,
+    parameter       PRECISION       = 24,
+    parameter       BOUND_PRECISION = 4,
+    parameter [0:0] CUTS            = 1'b0
+) (
+    input  wire                                     aclk,
+    input  wire [EXPONENT_BITS+PRECISION-1:0]       x,
+    output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
+);
+
+  localparam SIGN     = EXPONENT_BITS + PRECISION - 1;
+  localparam EXPONENT = PRECISION - 1;
+  localparam BOUND    = EXPONENT_BITS + BOUND_PRECISION - 1;
+
+  localparam [BOUND-1:0] FRACTION = {BOUND{1'b1}} >> EXPONENT_BITS;
+  localparam [BOUND-1:0] SMALLEST = FRACTION + 1'b1;
+
+  // Stage negate: with all ones for zero, twice the bias less the exponent is its complement less
+  // one. The complement itself serves at both ends: infinite for zero, the smallest bound where the
+  // exponent is the largest.
+  wire                     unused_sign     = x[SIGN];
+  wire [EXPONENT-1:0]      unused_fraction = x[EXPONENT-1:0];
+  wire [EXPONENT_BITS-1:0] s0_exponent     = x[SIGN-1:EXPONENT];
+  wire                     s0_zero         = !(|s0_exponent);
+  wire                     s0_largest      = (&s0_exponent[EXPONENT_BITS-1:1]) && !s0_exponent[0];
+  wire                     s0_between      = !s0_zero && !s0_largest;
+  wire [BOUND-1:0]         s0_complement   = ~(x[SIGN-1:SIGN-BOUND] | FRACTION);
+
+  fp_rank #(
+      .WIDTH     (BOUND),
+      .REGISTERED(CUTS[0])
+  ) rank_0 (
+      .aclk(aclk),
+      .d   (s0_complement - (SMALLEST & {BOUND{s0_between}})),
+      .q   (y)
+  );
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,43 @@
+// fp_range_check: fails where an operand breaks the promise made of it: its sign, and its leading
+// magnitude bits (exponent first) from LEAST to GREATEST.
+// Latency: CUTS; initiation interval 1; no reset.
+// A zero has a sign, too. NaNs and infinities fail where GREATEST is finite.
+`default_nettype none
+
+module fp_range_check #(
+    parameter       EXPONENT_BITS = 8,
+    parameter       PRECISION     = 24,
+    parameter       SIGN          = 0,  // 0 any, 1 non-negative, 2 non-positive
+    parameter       LEADING_BITS  = 0,  // 0: any magnitude
+    parameter [EXPONENT_BITS+PRECISION-2:0] LEAST    = 0,
+    parameter [EXPONENT_BITS+PRECISION-2:0] GREATEST = 0,
+    parameter [0:0] CUTS          = 1'b0
+) (
+    input  wire                               aclk,
+    input  wire [EXPONENT_BITS+PRECISION-1:0] x,
+    output wire                               fails
+);
+
+  localparam MAGNITUDE = EXPONENT_BITS + PRECISION - 1;
+  localparam REST      = MAGNITUDE - LEADING_BITS;
+
+  localparam [MAGNITUDE-1:0] LARGEST = {MAGNITUDE{1'b1}} >> REST;
+
+  // Stage check: magnitudes order as integers; limits that nothing breaks are not compared with.
+  wire [MAGNITUDE-1:0] s0_leading    = x[MAGNITUDE-1:0] >> REST;
+  wire                 s0_wrong_sign = (SIGN == 1) ? x[MAGNITUDE] : (SIGN == 2) && !x[MAGNITUDE];
+  wire                 s0_below      = (LEAST != 0) && (s0_leading < LEAST);
+  wire                 s0_above      = (GREATEST != LARGEST) && (s0_leading > GREATEST);
+
+  fp_rank #(
+      .WIDTH     (1),
+      .REGISTERED(CUTS[0])
+  ) rank_0 (
+      .aclk(aclk),
+      .d   (s0_wrong_sign || ((LEADING_BITS != 0) && (s0_below || s0_above))),
+      .q   (fails)
+  );
+
+endmodule
+
+`default_nettype wire

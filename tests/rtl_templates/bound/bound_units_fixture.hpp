@@ -1,0 +1,91 @@
+#pragma once
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+
+#include "Vbound_units.h"
+#include "Vbound_units___024root.h"
+#include "tests/rtl_templates/bound/expected.hpp"
+
+/// The bound units of one format under every mask of cuts, one stimulus a cycle, each answer in the
+/// very cycle its latency names.
+namespace mixcmp::test {
+
+inline const FloatFormat lane = FloatFormat::make(PRECISION, EXPONENT_BITS).value();
+inline constexpr BoundFormat bound = {.precision = BOUND_PRECISION, .exponent_bits = EXPONENT_BITS};
+
+class BoundUnits : public testing::Test {
+protected:
+  BoundUnits() : units_(&context_), expected_(lane, bound) {
+    units_.aclk = 0;
+    units_.eval();
+  }
+
+  void TearDown() override {
+    for (int i = 0; i < max_latency_cycles; ++i) feed({});
+    EXPECT_EQ(wrong_, 0) << "of " << checked_;
+    EXPECT_GT(checked_, 0);
+  }
+
+  void feed(const Stimulus& stimulus) {
+    units_.x = static_cast<std::uint64_t>(stimulus.x);
+    units_.a = static_cast<std::uint64_t>(stimulus.a);
+    units_.b = static_cast<std::uint64_t>(stimulus.b);
+    units_.exceptional = stimulus.exceptional;
+    units_.aclk = 0;
+    units_.eval();
+    expect(stimulus);
+    for (int slot = 0; slot < unit_count * mask_count; ++slot) compare(slot);
+    units_.aclk = 1;
+    units_.eval();
+    ++cycle_;
+  }
+
+private:
+  static constexpr int max_latency_cycles = 2, max_reports = 5;
+
+  struct Expectation {
+    Stimulus stimulus;
+    std::array<Answer, unit_count> answers;
+  };
+
+  void expect(const Stimulus& stimulus) {
+    Expectation& now = history_[cycle_ % history_.size()];
+    now.stimulus = stimulus;
+    for (int unit = 0; unit < unit_count; ++unit) {
+      now.answers[unit] = expected_.answer(static_cast<Unit>(unit), stimulus);
+    }
+  }
+
+  void compare(int slot) {
+    const Unit unit = static_cast<Unit>(slot / mask_count);
+    const auto latency =
+        static_cast<std::size_t>(expected_.latency_cycles(unit, slot % mask_count));
+    if (cycle_ < latency) return;
+    const Expectation& then = history_[(cycle_ - latency) % history_.size()];
+    const Answer& answer = then.answers[slot / mask_count];
+    const Bits got = units_.rootp->bound_units__DOT__y[slot];
+    ++checked_;
+    if (((got ^ answer.y) & answer.matters) == 0) return;
+    if (wrong_++ >= max_reports) return;
+    ADD_FAILURE() << fmt::format(
+        "{} CUTS={:02b}: x = {}, a = {}, b = {}, exceptional {:d}: expected {}, got {}",
+        to_string(unit), slot % mask_count, model::to_hex(then.stimulus.x, lane.width()),
+        model::to_hex(then.stimulus.a, bound.width()),
+        model::to_hex(then.stimulus.b, bound.width()), then.stimulus.exceptional,
+        model::to_hex(answer.y, bound.width()), model::to_hex(got, bound.width()));
+  }
+
+  VerilatedContext context_;
+  Vbound_units units_;
+  ExpectedAnswers expected_;
+  std::array<Expectation, max_latency_cycles + 1> history_;
+  std::size_t cycle_ = 0;
+  long checked_ = 0;
+  int wrong_ = 0;
+};
+
+}  // namespace mixcmp::test
