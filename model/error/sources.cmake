@@ -2,6 +2,8 @@ target_sources(mixcmp_model PRIVATE
   error/certified_lane.cpp
   error/constant_bound.cpp
   error/error_analysis.cpp
+  error/exactness.cpp
+  error/exponent_range.cpp
   error/hazards.cpp
   error/lane.cpp
   error/bound_builder.cpp

@@ -15,7 +15,17 @@ bool is_pattern(const std::string& key) {
   return key.find('*') != std::string::npos;
 }
 
-Result<Range> read_range(const Settings& settings, const Setting& entry) {
+struct InputDeclaration {
+  Range range;
+  std::optional<mpq_class> grid;
+};
+
+bool is_power_of_two(const mpq_class& value) {
+  return value > 0 && mpz_popcount(value.get_num_mpz_t()) == 1 &&
+         mpz_popcount(value.get_den_mpz_t()) == 1;
+}
+
+Result<InputDeclaration> read_input(const Settings& settings, const Setting& entry) {
   const std::string field = "inputs." + entry.key;
   const std::string accepted = "{ range = [low, high] }, low <= high";
   if (!std::holds_alternative<Setting::Table>(entry.value)) {
@@ -24,6 +34,11 @@ Result<Range> read_range(const Settings& settings, const Setting& entry) {
   Section section(settings, field, entry);
   section.require("range");
   const Setting* range = section.find("range");
+  std::optional<mpq_class> grid;
+  section.exact("grid", grid);
+  if (grid && !is_power_of_two(*grid)) {
+    section.fail("grid", "not a power of two", to_text(*grid), "1, 0.25, \"0x1p-10\", ...");
+  }
   if (const auto error = section.finish()) return *error;
   const auto wrong = [&](std::string message, std::string received) {
     return section.mistake("range", std::move(message), std::move(received),
@@ -38,7 +53,7 @@ Result<Range> read_range(const Settings& settings, const Setting& entry) {
   if (*low > *high) {
     return wrong("the range is empty", fmt::format("[{}, {}]", to_text(*low), to_text(*high)));
   }
-  return Range{.low = *low, .high = *high};
+  return InputDeclaration{.range = {.low = *low, .high = *high}, .grid = grid};
 }
 
 /// The entry that declares `input`, if any.
@@ -82,8 +97,8 @@ bool matches(std::string_view pattern, std::string_view name) {
   return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
-Result<std::vector<std::optional<Range>>> read_input_ranges(
-    const Settings& settings, const std::vector<std::string>& inputs) {
+Result<InputDeclarations> read_inputs(const Settings& settings,
+                                      const std::vector<std::string>& inputs) {
   const Section section(settings, "inputs");
   if (settings.root.find("inputs") != nullptr && !section.present()) return *section.finish();
   for (const Setting& entry : section.entries()) {
@@ -93,15 +108,17 @@ Result<std::vector<std::optional<Range>>> read_input_ranges(
                         fmt::format("\"{}\"", entry.key), list_with_nearest(entry.key, inputs));
     }
   }
-  std::vector<std::optional<Range>> ranges;
+  InputDeclarations declared;
   for (const std::string& input : inputs) {
     MIXCMP_TRY(entry, entry_for(settings, section.entries(), input));
-    ranges.emplace_back();
+    declared.ranges.emplace_back();
+    declared.grids.emplace_back();
     if (entry == nullptr) continue;
-    MIXCMP_TRY(range, read_range(settings, *entry));
-    ranges.back() = range;
+    MIXCMP_TRY(declaration, read_input(settings, *entry));
+    declared.ranges.back() = declaration.range;
+    declared.grids.back() = declaration.grid;
   }
-  return ranges;
+  return declared;
 }
 
 }  // namespace mixcmp::model

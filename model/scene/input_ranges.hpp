@@ -5,11 +5,16 @@
 
 namespace mixcmp::model {
 
-/// The ranges that [inputs] declares, one per name of `inputs`. In a pattern, '*' stands for any
-/// characters; an exact key beats patterns; a key that matches nothing, and two patterns that match
-/// the same input, are errors.
-Result<std::vector<std::optional<Range>>> read_input_ranges(const Settings& settings,
-                                                            const std::vector<std::string>& inputs);
+/// What [inputs] declares, one per name of the inputs.
+struct InputDeclarations {
+  std::vector<std::optional<Range>> ranges;
+  std::vector<std::optional<mpq_class>> grids;  ///< powers of two; only with a range
+};
+
+/// In a pattern, '*' stands for any characters; an exact key beats patterns; a key that matches
+/// nothing, and two patterns that match the same input, are errors.
+Result<InputDeclarations> read_inputs(const Settings& settings,
+                                      const std::vector<std::string>& inputs);
 
 /// Whether `name` matches `pattern`.
 bool matches(std::string_view pattern, std::string_view name);

@@ -9,6 +9,7 @@
 #include "model/common/nearest.hpp"
 #include "model/common/quote.hpp"
 #include "model/data/sphere_family.hpp"
+#include "model/error/exponent_range.hpp"
 #include "model/expression/name.hpp"
 #include "model/expression/text.hpp"
 #include "model/golden/arithmetic.hpp"
@@ -167,11 +168,24 @@ Result<Arithmetic> read_reference(const Settings& settings) {
   return Arithmetic{.format = *format, .subnormals = subnormals};
 }
 
-void read_reduced_format(Section& section, FloatFormat reference,
-                         std::optional<FloatFormat>& target) {
+/// The 17 of "s17".
+std::optional<int> precision_alone(const std::string& word) {
+  const bool shaped = word.size() >= 2 && word.size() <= 4 && word[0] == 's' &&
+                      word.find_first_not_of("0123456789", 1) == std::string::npos;
+  return shaped ? std::optional(std::stoi(word.substr(1))) : std::nullopt;
+}
+
+void read_reduced_format(Section& section, FloatFormat reference, ReducedSpec& spec) {
+  std::optional<FloatFormat>& target = spec.format;
   const Setting* setting = section.find("format");
   const auto* word = setting == nullptr ? nullptr : std::get_if<std::string>(&setting->value);
-  if (word == nullptr || *word != "auto") section.format("format", target);
+  const std::optional<int> precision = word == nullptr ? std::nullopt : precision_alone(*word);
+  if (precision && *precision >= min_reduced_precision && *precision <= max_reduced_precision) {
+    target = FloatFormat::make(*precision, reference.exponent_bits()).value();
+    spec.exponent_bits_from_ranges = true;
+  } else if (word == nullptr || *word != "auto") {
+    section.format("format", target);
+  }
   if (!target) return;
   const int highest = std::min(max_reduced_precision, reference.precision());
   if (target->precision() < min_reduced_precision || target->precision() > highest) {
@@ -205,7 +219,7 @@ Result<ReducedSpec> read_reduced(const Settings& settings, FloatFormat reference
                                  std::vector<std::string>& notes) {
   ReducedSpec spec;
   Section section(settings, "reduced");
-  read_reduced_format(section, reference, spec.format);
+  read_reduced_format(section, reference, spec);
   section.choice("bound", spec.bound, {BoundKind::certified, BoundKind::profiled});
   read_error_bound(section, spec.error_bound);
   section.integer("bound_digits", spec.bound_digits, 1, 8);
@@ -221,6 +235,15 @@ Result<ReducedSpec> read_reduced(const Settings& settings, FloatFormat reference
         "reduced.relative_error_f and _g are not used: a certified bound proves its own");
   }
   return spec;
+}
+
+/// A profiled lane checks no range, so that its exponents must reach as far as the reference's.
+void choose_exponent_bits(ReducedSpec& reduced, const Graph& graph, FloatFormat reference,
+                          const std::vector<std::optional<Range>>& ranges) {
+  if (reduced.bound == BoundKind::profiled) return;
+  const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
+  const int bits = lane_exponent_bits(graph, reference, arithmetic, reduced.inputs, ranges);
+  reduced.format = FloatFormat::make(reduced.format->precision(), bits).value();
 }
 
 Result<SystemSpec> read_system(const Settings& settings) {
@@ -384,11 +407,14 @@ Result<Scene> load_scene(const std::filesystem::path& path,
   MIXCMP_TRY(comparison, read_comparison(settings));
   MIXCMP_TRY(lets, read_lets(settings));
   MIXCMP_TRY(graph, read_graph(settings, lets, notes));
-  MIXCMP_TRY(ranges, read_input_ranges(settings, graph.inputs()));
+  MIXCMP_TRY(declared, read_inputs(settings, graph.inputs()));
   MIXCMP_TRY(reference, read_reference(settings));
   MIXCMP_TRY(constants_checked, check_constants(settings, graph, reference, notes));
-  note_missed_ends(ranges, reference.format, notes);
+  note_missed_ends(declared.ranges, reference.format, notes);
   MIXCMP_TRY(reduced, read_reduced(settings, reference.format, notes));
+  if (reduced.exponent_bits_from_ranges) {
+    choose_exponent_bits(reduced, graph, reference.format, declared.ranges);
+  }
   MIXCMP_TRY(system, read_system(settings));
   MIXCMP_TRY(data, read_data(settings, notes));
   return Scene{.path = path,
@@ -396,7 +422,8 @@ Result<Scene> load_scene(const std::filesystem::path& path,
                .f_text = comparison.f,
                .g_text = comparison.g,
                .graph = std::move(graph),
-               .ranges = std::move(ranges),
+               .ranges = std::move(declared.ranges),
+               .grids = std::move(declared.grids),
                .reference = reference,
                .reduced = std::move(reduced),
                .system = std::move(system),

@@ -38,6 +38,8 @@ std::string_view to_string(OperandStore store);
 
 struct ReducedSpec {
   std::optional<FloatFormat> format;  ///< none: "auto"
+  /// Written as "s17": the format's exponent bits are the fewest that the ranges allow.
+  bool exponent_bits_from_ranges = false;
   BoundKind bound = BoundKind::certified;
   std::optional<ErrorBoundKind> error_bound;  ///< of a certified bound; none: the first that exists
   int bound_digits = 4;                       ///< of a running bound, 1..8; 1: exponents alone
@@ -80,7 +82,8 @@ struct Scene {
   std::string f_text;
   std::string g_text;
   Graph graph;
-  std::vector<std::optional<Range>> ranges;  ///< one per graph input
+  std::vector<std::optional<Range>> ranges;     ///< one per graph input
+  std::vector<std::optional<mpq_class>> grids;  ///< one per graph input: a power of two
   Arithmetic reference;                      ///< rounds to nearest even
   ReducedSpec reduced;
   SystemSpec system;

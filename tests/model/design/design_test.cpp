@@ -68,6 +68,7 @@ TEST(MakeDesign, NamesTheOptionForEachAuto) {
 TEST(MakeDesign, UsesTheRangesOfTheScene) {
   Scene scene = complete_scene();
   scene.graph = graph_of("a * b + a^2", "b");
+  scene.reduced.error_bound = model::ErrorBoundKind::relative;
   EXPECT_EQ(error_of(scene).field, "reduced.bound");
   scene.ranges = {model::Range{0, 1}, model::Range{0, 1}};
   EXPECT_TRUE(make_design(scene, nullptr).ok());

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 
 #include "model/error/error_analysis.hpp"
@@ -16,6 +17,8 @@ namespace {
 
 using model::Arithmetic;
 using model::Bits;
+using model::CertifiedOptions;
+using model::ErrorBoundKind;
 using model::FloatFormat;
 using model::Graph;
 using model::Lane;
@@ -23,6 +26,7 @@ using model::LaneInputs;
 using model::Node;
 using model::NodeId;
 using model::Operation;
+using model::Range;
 using model::golden::evaluate_lane;
 using model::golden::LaneResult;
 using model::golden::true_verdict;
@@ -193,11 +197,10 @@ std::string describe(const Target& target, const std::vector<Bits>& inputs) {
   const model::TypedGraph& lane = target.lane.graph;
   const auto text = [&](NodeId id) { return to_text(lane.nodes, lane.input_names, id, 200); };
   std::string description = fmt::format(
-      "{} against {}, reference {}, lane {} {} {}, inputs {}, guard {}, signs checked {}:",
+      "{} against {}, reference {}, lane {} {} {}, inputs {}, {}, operands checked {}:",
       text(lane.f), text(lane.g), lane.input_format.name(), lane.arithmetic.format.name(),
       to_string(lane.arithmetic.rounding), to_string(lane.arithmetic.subnormals),
-      target.how == LaneInputs::exact ? "exact" : "rounded",
-      static_cast<long>(certified_decision(target.lane).guard_ulp),
+      target.how == LaneInputs::exact ? "exact" : "rounded", describe_decision(target.lane),
       target.lane.checks.size());
   for (const Bits input : inputs) {
     description += fmt::format(" 0x{}", model::to_hex(input, lane.input_format.width()));
@@ -210,6 +213,20 @@ Bits distance(FloatFormat format, const LaneResult& result) {
   const Bits f = format.magnitude(result.f), g = format.magnitude(result.g);
   if (format.sign(result.f) != format.sign(result.g)) return f + g;
   return f > g ? f - g : g - f;
+}
+
+/// By how many steps a decided lane is more certain than it had to be.
+Bits margin(const Lane& lane, const std::vector<Bits>& inputs, const LaneResult& result) {
+  const FloatFormat format = lane.graph.arithmetic.format;
+  if (const auto* relative = std::get_if<model::UlpDistanceDecision>(&lane.decision)) {
+    return distance(format, result) - relative->guard_ulp;
+  }
+  const auto& absolute = std::get<model::AbsoluteBoundDecision>(lane.decision);
+  const auto values = model::golden::evaluate(lane.graph, inputs);
+  const Bits bound = model::golden::evaluate_bound(absolute.bound, lane.graph, values).back();
+  const int padding = format.precision() - absolute.bound.format.precision;
+  const Bits limit = (bound << padding) + absolute.guard_ulp;
+  return format.magnitude(values[absolute.difference].bits) - limit - 1;
 }
 
 Bits random_operand(FloatFormat format, Random& random) {
@@ -245,21 +262,20 @@ void hold(const Target& target, const std::vector<Bits>& inputs, Verdict decided
 int attack(const Target& target, Random& random) {
   constexpr int steps = 60;
   const FloatFormat reference = target.lane.graph.input_format;
-  const FloatFormat format = target.lane.graph.arithmetic.format;
   std::vector<Bits> inputs(target.graph.inputs().size());
   for (Bits& input : inputs) input = random_operand(reference, random);
   if (one_in(random, 4)) inputs.front() = inputs.back();
-  Bits closest = ~Bits{0};
+  Bits smallest = ~Bits{0};
   int at_the_guard = 0;
   for (int step = 0; step < steps && !testing::Test::HasFailure(); ++step) {
     std::vector<Bits> next = inputs;
     Bits& operand = next[static_cast<size_t>(below(random, static_cast<int>(next.size())))];
     if (step > 0) operand = moved(reference, operand, random);
     const LaneResult result = evaluate_lane(target.lane, next);
-    if (!result.decided || distance(format, result) > closest) continue;
-    closest = distance(format, result);
+    if (!result.decided || margin(target.lane, next, result) > smallest) continue;
+    smallest = margin(target.lane, next, result);
     inputs = next;
-    at_the_guard += closest == certified_decision(target.lane).guard_ulp ? 1 : 0;
+    at_the_guard += smallest == 0 ? 1 : 0;
     hold(target, inputs, result.verdict);
   }
   return at_the_guard;
@@ -267,24 +283,48 @@ int attack(const Target& target, Random& random) {
 
 class RandomGraphs : public testing::TestWithParam<int> {};
 
+/// A range for some inputs; the operands under attack break it often.
+std::optional<Range> random_range(Random& random) {
+  static const std::vector<std::optional<Range>> ranges = {
+      std::nullopt, std::nullopt,  Range{0, 100}, Range{mpq_class(1, 3), 5},
+      Range{-4, 4}, Range{-9, -1}, Range{0, 1}};
+  return any_of(ranges, random);
+}
+
+CertifiedOptions random_options(Random& random, std::size_t inputs) {
+  static const std::vector<ErrorBoundKind> kinds = {
+      ErrorBoundKind::relative, ErrorBoundKind::running, ErrorBoundKind::running,
+      ErrorBoundKind::constant};
+  CertifiedOptions options{.kind = any_of(kinds, random), .bound_digits = 1 + below(random, 8)};
+  for (size_t i = 0; i < inputs; ++i) options.ranges.push_back(random_range(random));
+  return options;
+}
+
 TEST_P(RandomGraphs, AreDecidedAsTheRealNumbersAre) {
   Random random(static_cast<unsigned>(GetParam()));
-  int lanes = 0, at_the_guard = 0;
+  std::map<ErrorBoundKind, int> lanes, at_the_guard;
   for (int k = 0; k < MIXCMP_FUZZED_GRAPHS && !HasFailure(); ++k) {
     const Graph graph = random_graph(random);
     const FloatFormat reference = random_reference(random);
     if (!holds_constants(graph, reference)) continue;
-    std::vector<bool> ranges;
-    for (size_t i = 0; i < graph.inputs().size(); ++i) ranges.push_back(!one_in(random, 3));
+    const CertifiedOptions options = random_options(random, graph.inputs().size());
     const LaneInputs how = one_in(random, 2) ? LaneInputs::exact : LaneInputs::rounded;
     const Arithmetic reduced = random_reduced(random, reference);
-    const auto lane = relative_lane(lane_graph(graph, reference, reduced, how), ranges);
+    const auto lane = certified_lane(lane_graph(graph, reference, reduced, how), options);
     if (!lane.ok()) continue;
-    ++lanes;
-    for (int walk = 0; walk < 4; ++walk) at_the_guard += attack({graph, *lane, how}, random);
+    ++lanes[*options.kind];
+    for (int walk = 0; walk < 4; ++walk) {
+      at_the_guard[*options.kind] += attack({graph, *lane, how}, random);
+    }
   }
-  EXPECT_GT(lanes, MIXCMP_FUZZED_GRAPHS / 2);
-  EXPECT_GT(at_the_guard, lanes);
+  for (const auto& [kind, count] : lanes) {
+    fmt::print("{}: {} lanes, {} decisions at the guard\n", to_string(kind), count,
+               at_the_guard[kind]);
+  }
+  EXPECT_GT(lanes[ErrorBoundKind::relative], MIXCMP_FUZZED_GRAPHS / 20);
+  EXPECT_GT(lanes[ErrorBoundKind::running], MIXCMP_FUZZED_GRAPHS / 4);
+  EXPECT_GT(lanes[ErrorBoundKind::constant], MIXCMP_FUZZED_GRAPHS / 100);
+  for (const auto& [kind, count] : lanes) EXPECT_GT(at_the_guard[kind], count / 8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomGraphs, testing::Range(1, 5));
