@@ -1,0 +1,154 @@
+#include "model/emulator/decision_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <variant>
+
+#include "model/common/check.hpp"
+#include "model/emulator/operand.hpp"
+#include "model/golden/bound_arithmetic.hpp"
+
+namespace mixcmp::model::emulator {
+namespace {
+
+constexpr int double_digits = 53;
+constexpr int double_bias = 1023;
+
+double bound_as_double(BoundFormat format, Bits bound) {
+  if (bound == format.infinity()) return std::numeric_limits<double>::infinity();
+  return golden::bound_value(format, bound).get_d();
+}
+
+Kernel kernel_of(BoundOperation operation) {
+  switch (operation) {
+    case BoundOperation::magnitude: return Kernel::bound_magnitude;
+    case BoundOperation::binade: return Kernel::bound_binade;
+    case BoundOperation::reciprocal: return Kernel::bound_reciprocal;
+    case BoundOperation::add: return Kernel::bound_add;
+    case BoundOperation::multiply: return Kernel::bound_multiply;
+    case BoundOperation::maximum: return Kernel::bound_maximum;
+    case BoundOperation::constant: break;
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// Errors of products are lost where they are below 2^-1074: those of short bounds are 0, and the
+/// others must stay above.
+bool is_safe(BoundFormat format) {
+  constexpr int error_free_digits = 26, free_exponent_bits = 9;
+  return format.precision <= error_free_digits || format.exponent_bits <= free_exponent_bits;
+}
+
+void add_bound_node(Plan& plan, const BoundNode& node, BoundFormat format, int first_column) {
+  const int column = plan.columns++;
+  if (node.operation == BoundOperation::constant) {
+    const Bits bound = golden::bound_constant(format, node.constant);
+    plan.constants.emplace_back(column, bound_as_double(format, bound));
+    return;
+  }
+  const auto operand = [&](int k) { return node.operands[k] + first_column; };
+  const bool of_value = arity(node.operation) == 0;
+  const double above_one = 2 - std::ldexp(1, 1 - format.precision);
+  plan.bounds.push_back({.kernel = kernel_of(node.operation),
+                         .result = column,
+                         .a = of_value ? node.value : operand(0),
+                         .b = of_value ? node.value : operand(1),
+                         .dropped_digits = double_digits - format.precision,
+                         .smallest = std::ldexp(1, 1 - format.bias()),
+                         .largest = std::ldexp(above_one, format.bias())});
+}
+
+bool add(Plan& plan, const Lane&, const AbsoluteBoundDecision& decision) {
+  if (!is_safe(decision.bound.format)) return false;
+  const int first_column = plan.columns;
+  for (const BoundNode& node : decision.bound.nodes) {
+    add_bound_node(plan, node, decision.bound.format, first_column);
+  }
+  plan.decision.rule = Rule::absolute_bound;
+  plan.decision.first = decision.difference;
+  plan.decision.second = plan.columns - 1;
+  for (const BoundCondition& condition : decision.conditions) {
+    plan.decision.conditions.push_back({first_column + condition.bound, condition.value});
+  }
+  return true;
+}
+
+bool add(Plan& plan, const Lane& lane, const UlpDistanceDecision& decision) {
+  const FloatFormat format = lane.graph.arithmetic.format;
+  if (format.precision() == double_digits) return false;  // keys need the last bit
+  if (decision.guard_ulp == 0) return true;               // the order of exact f and g
+  constexpr auto never = std::numeric_limits<std::int64_t>::max();
+  const int shift = double_digits - 1 - format.precision();
+  const Bits guard = decision.guard_ulp << shift;
+  const bool lost = (guard >> shift) != decision.guard_ulp;
+  plan.decision.rule = Rule::ulp_distance;
+  plan.decision.guard = lost || guard > Bits{never} ? never : static_cast<std::int64_t>(guard);
+  plan.decision.rebias = static_cast<std::int64_t>(double_bias - format.bias())
+                         << (double_digits - 1);
+  plan.decision.nonnegative = false;
+  return true;
+}
+
+bool add(Plan& plan, const Lane&, const IntervalDecision& decision) {
+  plan.decision.rule = Rule::interval;
+  plan.decision.first = decision.minimum;
+  plan.decision.second = decision.maximum;
+  return true;
+}
+
+Sign sign_of(RequiredSign sign) {
+  switch (sign) {
+    case RequiredSign::any: return Sign::any;
+    case RequiredSign::nonnegative: return Sign::nonnegative;
+    case RequiredSign::nonpositive: return Sign::nonpositive;
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// Encodings order magnitudes, so that limits on leading bits are limits on magnitudes: those of
+/// the encodings that end in zeros and in ones. One that is NaN lies above every number.
+double magnitude_limit(FloatFormat format, Bits encoding) {
+  const Bits magnitude = std::min(encoding, format.infinity(false));
+  return decode(format, magnitude);
+}
+
+OperandCheck operand_check(const RangeCheck& check, int column, FloatFormat format) {
+  OperandCheck result{.column = column, .sign = sign_of(check.sign)};
+  if (check.leading_bits == 0) return result;
+  const int rest = format.width() - 1 - check.leading_bits;
+  result.least = magnitude_limit(format, check.least << rest);
+  result.greatest = magnitude_limit(format, ((check.greatest + 1) << rest) - 1);
+  return result;
+}
+
+/// False where a check reads an operand that the graph does not.
+bool add_checks(Plan& plan, const Lane& lane) {
+  for (const RangeCheck& check : lane.checks) {
+    const auto reads = [&](const auto& input) { return input.second == check.input; };
+    const auto input = std::find_if(plan.inputs.begin(), plan.inputs.end(), reads);
+    if (input == plan.inputs.end()) return false;
+    plan.decision.checks.push_back(operand_check(check, input->first, lane.graph.input_format));
+  }
+  return true;
+}
+
+}  // namespace
+
+bool add_decision(Plan& plan, const Lane& lane) {
+  if (!add_checks(plan, lane)) return false;
+  return std::visit([&](const auto& decision) { return add(plan, lane, decision); }, lane.decision);
+}
+
+std::vector<NodeId> values_in_bound(const Lane& lane) {
+  std::vector<NodeId> values;
+  const auto* decision = std::get_if<AbsoluteBoundDecision>(&lane.decision);
+  if (decision == nullptr) return values;
+  for (const BoundNode& node : decision->bound.nodes) {
+    if (node.value >= 0) values.push_back(node.value);
+  }
+  return values;
+}
+
+}  // namespace mixcmp::model::emulator

@@ -1,0 +1,73 @@
+#include "model/emulator/execution.hpp"
+
+#include <algorithm>
+
+#include "model/common/check.hpp"
+
+namespace mixcmp::model::emulator {
+namespace {
+
+/// Columns apart by other than a power of two, so that they do not compete for the same cache sets.
+constexpr std::size_t padding = 8;
+
+/// All columns fit half of a first-level cache, if they are not too many.
+std::size_t fitting_block_size(int columns) {
+  constexpr std::size_t cached_numbers = 4096, smallest_block = 2 * block_granularity;
+  const std::size_t fitting = cached_numbers / static_cast<std::size_t>(std::max(columns, 1));
+  return std::clamp(fitting / block_granularity * block_granularity, smallest_block,
+                    max_block_size);
+}
+
+std::size_t whole_vectors(std::size_t count) {
+  return (count + block_granularity - 1) / block_granularity * block_granularity;
+}
+
+}  // namespace
+
+Execution::Execution(const Plan& plan, std::span<const double* const> operands, std::size_t count,
+                     Scope scope)
+    : plan_(plan),
+      operands_(operands),
+      count_(count),
+      scope_(scope),
+      block_size_(std::min(fitting_block_size(plan.columns), whole_vectors(count))),
+      memory_(new double[static_cast<std::size_t>(plan.columns) * (block_size_ + padding)]),
+      columns_(static_cast<std::size_t>(plan.columns)),
+      results_(static_cast<std::size_t>(plan.columns)) {
+  for (int column = 0; column < plan.columns; ++column) {
+    columns_[column] = results_[column] = scratch_column(column);
+  }
+  for (const auto& [column, value] : plan.constants) {
+    std::fill_n(results_[column], block_size_, value);
+  }
+}
+
+double* Execution::scratch_column(int index) {
+  return memory_.get() + static_cast<std::size_t>(index) * (block_size_ + padding);
+}
+
+void Execution::point_to_operands() {
+  const std::size_t whole = whole_vectors(size_);
+  for (const auto& [column, operand] : plan_.inputs) {
+    const double* values = operands_[operand] + first_;
+    columns_[column] = values;
+    if (whole == size_) continue;
+    double* copy = scratch_column(column);
+    std::fill(std::copy_n(values, size_, copy), copy + whole, values[0]);
+    columns_[column] = copy;
+  }
+}
+
+bool Execution::next() {
+  first_ += size_;
+  size_ = std::min(block_size_, count_ - first_);
+  if (size_ == 0) return false;
+  point_to_operands();
+  block_ = {.columns = columns_.data(), .results = results_.data(), .size = whole_vectors(size_)};
+  execute(plan_.values, block_);
+  if (scope_ == Scope::decision) execute(plan_.bounds, block_);
+  any_doubt_ = find_doubts(plan_.ranges, block_, doubts_.data());
+  return true;
+}
+
+}  // namespace mixcmp::model::emulator

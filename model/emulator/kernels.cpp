@@ -1,0 +1,221 @@
+#include "model/emulator/kernels.hpp"
+
+// The baseline, AVX2 and AVX-512 (elsewhere: what Highway has) are worth their compile time.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "model/emulator/kernels.cpp"
+#include "hwy/foreach_target.h"
+// after foreach_target.h
+#include "hwy/highway.h"
+#include "model/emulator/bounds-inl.hpp"
+#include "model/emulator/doubts-inl.hpp"
+#include "model/emulator/judge-inl.hpp"
+#include "model/emulator/rounding-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace mixcmp::model::emulator::HWY_NAMESPACE {
+
+struct Addition {
+  static constexpr bool unary = false, product = false;
+  static HWY_INLINE Vec result(Vec a, Vec b) { return hn::Add(a, b); }
+  static HWY_INLINE Vec error(Vec a, Vec b, Vec r) { return sum_error(a, b, r); }
+};
+struct Subtraction {
+  static constexpr bool unary = false, product = false;
+  static HWY_INLINE Vec result(Vec a, Vec b) { return hn::Sub(a, b); }
+  static HWY_INLINE Vec error(Vec a, Vec b, Vec r) { return sum_error(a, hn::Neg(b), r); }
+};
+struct Multiplication {
+  static constexpr bool unary = false, product = true;
+  static HWY_INLINE Vec result(Vec a, Vec b) { return hn::Mul(a, b); }
+  static HWY_INLINE Vec error(Vec a, Vec b, Vec r) { return product_error(a, b, r); }
+};
+struct Squaring : Multiplication {
+  static constexpr bool unary = true;
+};
+struct Division {
+  static constexpr bool unary = false, product = false;
+  static HWY_INLINE Vec result(Vec a, Vec b) { return hn::Div(a, b); }
+  static HWY_INLINE Vec error(Vec a, Vec b, Vec r) {  // (a - r b) / b, but for its magnitude
+    return hn::Xor(remainder(r, b, a), sign_bits(b));
+  }
+};
+struct Root {
+  static constexpr bool unary = true, product = false;
+  static HWY_INLINE Vec result(Vec a, Vec) { return hn::Sqrt(a); }
+  static HWY_INLINE Vec error(Vec a, Vec, Vec r) { return remainder(r, r, a); }
+};
+struct Conversion {
+  static constexpr bool unary = true, product = false;
+  static HWY_INLINE Vec result(Vec a, Vec) { return a; }
+  static HWY_INLINE Vec error(Vec, Vec, Vec) { return hn::Zero(Tag()); }
+};
+
+/// One loop over the columns of an operation; `finish` maps operands and r to the result.
+template <class Operation, class Finisher>
+HWY_INLINE void loop(const Instruction& instruction, const Block& block, Finisher finish) {
+  const double* HWY_RESTRICT a_column = block.columns[instruction.a];
+  const double* HWY_RESTRICT b_column = block.columns[instruction.b];
+  double* HWY_RESTRICT results = block.results[instruction.result];
+  for (std::size_t i = 0; i < block.size; i += hn::Lanes(Tag())) {
+    const Vec a = hn::LoadU(Tag(), a_column + i);
+    const Vec b = Operation::unary ? a : hn::LoadU(Tag(), b_column + i);
+    hn::StoreU(finish(a, b, Operation::result(a, b)), Tag(), results + i);
+  }
+}
+
+/// Four vectors at a time without errors; again with them where a result lies half way.
+template <class Operation>
+void loop_watched(const Instruction& instruction, const Block& block) {
+  const Rounder rounder(instruction.dropped_digits);
+  const double* HWY_RESTRICT a_column = block.columns[instruction.a];
+  const double* HWY_RESTRICT b_column = block.columns[instruction.b];
+  double* HWY_RESTRICT results = block.results[instruction.result];
+  const std::size_t lanes = hn::Lanes(Tag());
+  for (std::size_t i = 0; i < block.size; i += 4 * lanes) {
+    IntVec any = hn::Zero(Int());
+    for (std::size_t k = i; k < i + 4 * lanes; k += lanes) {
+      const Vec a = hn::LoadU(Tag(), a_column + k), b = hn::LoadU(Tag(), b_column + k);
+      IntVec ties;
+      hn::StoreU(from_bits(rounder.half_up(Operation::result(a, b), ties)), Tag(), results + k);
+      any = hn::Or(any, ties);
+    }
+    if (HWY_LIKELY(hn::AllFalse(Int(), hn::MaskFromVec(any)))) continue;
+    for (std::size_t k = i; k < i + 4 * lanes; k += lanes) {
+      const Vec a = hn::LoadU(Tag(), a_column + k), b = hn::LoadU(Tag(), b_column + k);
+      const Vec r = Operation::result(a, b);
+      hn::StoreU(rounder.corrected(r, Operation::error(a, b, r)), Tag(), results + k);
+    }
+  }
+}
+
+template <class Operation>
+void loop_corrected(const Instruction& instruction, const Block& block) {
+  const Rounder rounder(instruction.dropped_digits);
+  loop<Operation>(instruction, block, [&](Vec a, Vec b, Vec r) HWY_ATTR {
+    return rounder.corrected(r, Operation::error(a, b, r));
+  });
+}
+
+template <class Operation>
+void loop_fused(const Instruction& instruction, const Block& block) {
+#if HWY_NATIVE_FMA
+  const Rounder rounder(instruction.dropped_digits);
+  loop<Operation>(instruction, block, [&](Vec a, Vec b, Vec r) HWY_ATTR {
+    const Vec rounded = rounder.fused(a, b, r);
+    // M - M is +0 where a * b is -0; everywhere else the signs are those of r.
+    return Operation::unary ? rounded : hn::Or(rounded, sign_bits(r));
+  });
+#else
+  loop_corrected<Operation>(instruction, block);
+#endif
+}
+
+template <class Operation>
+void apply(const Instruction& instruction, const Block& block) {
+  const Rounder rounder(instruction.dropped_digits);
+  switch (instruction.finish) {
+    case Finish::hardware:
+      return loop<Operation>(instruction, block, [&](Vec, Vec, Vec r) HWY_ATTR { return r; });
+    case Finish::nearest:
+      return loop<Operation>(instruction, block,
+                             [&](Vec, Vec, Vec r) HWY_ATTR { return rounder.nearest(r); });
+    case Finish::watched: return loop_watched<Operation>(instruction, block);
+    case Finish::corrected: return loop_corrected<Operation>(instruction, block);
+    case Finish::fused:
+      if constexpr (Operation::product) loop_fused<Operation>(instruction, block);
+      return;
+    case Finish::truncated:
+      return loop<Operation>(instruction, block, [&](Vec a, Vec b, Vec r) HWY_ATTR {
+        return rounder.truncated(r, Operation::error(a, b, r));
+      });
+  }
+}
+
+/// Operations that round nothing.
+struct Selection {
+  static constexpr bool unary = false;
+  static HWY_INLINE Vec result(Vec a, Vec) { return a; }
+};
+
+void select(const Instruction& instruction, const Block& block) {
+  const Vec sign = hn::SignBit(Tag());
+  switch (instruction.kernel) {
+    case Kernel::negate:
+      return loop<Selection>(instruction, block,
+                             [&](Vec a, Vec, Vec) HWY_ATTR { return hn::Xor(a, sign); });
+    case Kernel::absolute:
+      return loop<Selection>(instruction, block,
+                             [&](Vec a, Vec, Vec) HWY_ATTR { return hn::AndNot(sign, a); });
+    // Of equal numbers only zeros can differ, in their signs: -0 < +0.
+    case Kernel::minimum:
+      return loop<Selection>(instruction, block, [&](Vec a, Vec b, Vec) HWY_ATTR {
+        return hn::IfThenElse(hn::Eq(a, b), hn::Or(a, b), hn::Min(a, b));
+      });
+    default:
+      return loop<Selection>(instruction, block, [&](Vec a, Vec b, Vec) HWY_ATTR {
+        return hn::IfThenElse(hn::Eq(a, b), hn::And(a, b), hn::Max(a, b));
+      });
+  }
+}
+
+void execute_one(const Instruction& instruction, const Block& block) {
+  switch (instruction.kernel) {
+    case Kernel::add: return apply<Addition>(instruction, block);
+    case Kernel::subtract: return apply<Subtraction>(instruction, block);
+    case Kernel::multiply: return apply<Multiplication>(instruction, block);
+    case Kernel::square: return apply<Squaring>(instruction, block);
+    case Kernel::divide: return apply<Division>(instruction, block);
+    case Kernel::square_root: return apply<Root>(instruction, block);
+    case Kernel::convert: return apply<Conversion>(instruction, block);
+    case Kernel::negate:
+    case Kernel::absolute:
+    case Kernel::minimum:
+    case Kernel::maximum: return select(instruction, block);
+    case Kernel::bound_magnitude:
+    case Kernel::bound_binade:
+    case Kernel::bound_reciprocal:
+    case Kernel::bound_add:
+    case Kernel::bound_multiply:
+    case Kernel::bound_maximum: return bound(instruction, block);
+  }
+}
+
+void execute(const std::vector<Instruction>& instructions, const Block& block) {
+  for (const Instruction& instruction : instructions) execute_one(instruction, block);
+}
+
+const char* instruction_set() {
+  return hwy::TargetName(HWY_TARGET);
+}
+
+}  // namespace mixcmp::model::emulator::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace mixcmp::model::emulator {
+
+HWY_EXPORT(execute);
+HWY_EXPORT(find_doubts);
+HWY_EXPORT(judge);
+HWY_EXPORT(instruction_set);
+
+void execute(const std::vector<Instruction>& instructions, const Block& block) {
+  HWY_DYNAMIC_DISPATCH(execute)(instructions, block);
+}
+
+bool find_doubts(const std::vector<TrustedRange>& ranges, const Block& block,
+                 std::uint64_t* doubts) {
+  return HWY_DYNAMIC_DISPATCH(find_doubts)(ranges, block, doubts);
+}
+
+void judge(const Judgement& judgement, const Block& block, std::uint8_t* codes) {
+  HWY_DYNAMIC_DISPATCH(judge)(judgement, block, codes);
+}
+
+const char* instruction_set() {
+  return HWY_DYNAMIC_DISPATCH(instruction_set)();
+}
+
+}  // namespace mixcmp::model::emulator
+#endif

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+/// The part of the emulator that is compiled once per instruction set. A plan is executed block by
+/// block: every node of a graph is a column of doubles, every instruction one loop over columns.
+namespace mixcmp::model::emulator {
+
+/// Blocks hold a multiple of so many comparisons: four of the widest vectors.
+inline constexpr std::size_t block_granularity = 32;
+inline constexpr std::size_t max_block_size = 256;
+
+enum class Kernel : std::uint8_t {
+  add,
+  subtract,
+  multiply,
+  square,
+  divide,
+  square_root,
+  convert,
+  negate,
+  absolute,
+  minimum,
+  maximum,
+  bound_magnitude,
+  bound_binade,
+  bound_reciprocal,
+  bound_add,
+  bound_multiply,
+  bound_maximum,
+};
+
+/// How an exact result x becomes one of the lane's P digits, P <= 53. Hardware gives r, x rounded
+/// to 53 digits, and at some cost the sign of the error e = x - r.
+enum class Finish : std::uint8_t {
+  hardware,   ///< nearest, P = 53: r itself
+  nearest,    ///< r rounded: x = r, or rounding twice is known to be harmless
+  watched,    ///< as `nearest`; where r lies half way between numbers of P digits, `corrected`
+  corrected,  ///< e decides where r lies half way
+  fused,      ///< products: rounded once, by a fused multiply-add
+  truncated,  ///< toward zero, by r and e
+};
+
+struct Instruction {
+  Kernel kernel;
+  Finish finish = Finish::hardware;
+  int result = -1;
+  int a = -1;
+  int b = -1;              ///< equals a for one operand
+  int dropped_digits = 0;  ///< 53 - P, of lanes and bounds
+  /// Bounds: a non-zero result below is this; one above the largest is infinite.
+  double smallest = 0;
+  double largest = 0;
+};
+
+/// Magnitudes that need no second look: 0 and [least, limit), powers of two.
+struct TrustedRange {
+  std::vector<int> columns;
+  double least = 0;  ///< 0: small ones are not looked at
+  double limit = 0;
+  /// The columns may hold doubles below 2^-1022, too.
+  bool any_double = false;
+  /// Lowest bits of a double that must be 0 in each column.
+  std::uint64_t zero_bits = 0;
+};
+
+enum class Sign : std::uint8_t {
+  any,
+  nonnegative,
+  nonpositive,
+};
+
+/// An operand's range check: sign bit and magnitude, both limits inclusive.
+struct OperandCheck {
+  int column = -1;
+  Sign sign = Sign::any;
+  double least = 0;
+  double greatest = std::numeric_limits<double>::infinity();
+};
+
+enum class Rule : std::uint8_t {
+  order,           ///< of columns `first` and `second`: always decided
+  ulp_distance,    ///< of `first` and `second`
+  absolute_bound,  ///< |`first`| > `second`
+  interval,        ///< `first` > 0 or `second` < 0
+};
+
+struct Judgement {
+  Rule rule = Rule::order;
+  int first = -1;
+  int second = -1;
+  /// ulp_distance: at least 1, in steps of a double's last bit but one; 2^(P - 52) ulps of the
+  /// lane.
+  std::int64_t guard = 1;
+  /// ulp_distance: what a normal number's magnitude bits exceed 2^(53 - P) times its magnitude bits
+  /// in the lane by.
+  std::int64_t rebias = 0;
+  /// ulp_distance: neither is negative.
+  bool nonnegative = false;
+  /// absolute_bound: columns with bound <= |value|.
+  struct Condition {
+    int bound;
+    int value;
+  };
+  std::vector<Condition> conditions;
+  std::vector<OperandCheck> checks;
+};
+
+struct Block {
+  const double* const* columns;  ///< `size` numbers each
+  double* const* results;        ///< the same columns; null for inputs and constants
+  std::size_t size;              ///< a multiple of block_granularity
+};
+
+void execute(const std::vector<Instruction>& instructions, const Block& block);
+
+/// Whether any value of the columns is outside its range; sign bits of `doubts` say where. `doubts`
+/// holds block.size words.
+bool find_doubts(const std::vector<TrustedRange>& ranges, const Block& block,
+                 std::uint64_t* doubts);
+
+/// Codes of model::Decision.
+void judge(const Judgement& judgement, const Block& block, std::uint8_t* codes);
+
+/// The instruction set that run-time dispatch chose.
+const char* instruction_set();
+
+}  // namespace mixcmp::model::emulator

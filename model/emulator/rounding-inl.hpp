@@ -1,0 +1,142 @@
+// Rounding of doubles to fewer digits; included once per instruction set, by kernels.cpp alone.
+#if defined(MIXCMP_EMULATOR_ROUNDING_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIXCMP_EMULATOR_ROUNDING_INL
+#undef MIXCMP_EMULATOR_ROUNDING_INL
+#else
+#define MIXCMP_EMULATOR_ROUNDING_INL
+#endif
+
+#include <cstdint>
+
+#include "hwy/highway.h"
+#include "model/emulator/kernels.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace mixcmp::model::emulator::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Tag = hn::ScalableTag<double>;
+using Int = hn::RebindToSigned<Tag>;
+using Vec = hn::Vec<Tag>;
+using IntVec = hn::Vec<Int>;
+
+HWY_INLINE IntVec bits_of(Vec x) {
+  return hn::BitCast(Int(), x);
+}
+HWY_INLINE Vec from_bits(IntVec x) {
+  return hn::BitCast(Tag(), x);
+}
+HWY_INLINE Vec sign_bits(Vec x) {
+  return hn::And(x, hn::SignBit(Tag()));
+}
+/// All ones where x and y differ in sign.
+HWY_INLINE IntVec opposite_signs(Vec x, Vec y) {
+  return hn::BroadcastSignBit(bits_of(hn::Xor(x, y)));
+}
+
+/// Exact errors of r = RN(a op b), op = +, -, *; of a quotient or root, a number of the error's
+/// sign that is 0 where the error is. Nothing here may underflow: docs/emulator.md.
+HWY_INLINE Vec sum_error(Vec a, Vec b, Vec r) {  // Knuth's TwoSum
+  const Vec b_part = hn::Sub(r, a);
+  return hn::Add(hn::Sub(a, hn::Sub(r, b_part)), hn::Sub(b, b_part));
+}
+
+#if HWY_NATIVE_FMA
+HWY_INLINE Vec product_error(Vec a, Vec b, Vec r) {
+  return hn::MulSub(a, b, r);
+}
+/// c - a * b, a number of 53 digits.
+HWY_INLINE Vec remainder(Vec a, Vec b, Vec c) {
+  return hn::NegMulAdd(a, b, c);
+}
+#else
+HWY_INLINE Vec high_half(Vec x) {  // Veltkamp: 26 digits, and as many are left
+  const Vec scaled = hn::Mul(x, hn::Set(Tag(), 0x1p27 + 1));
+  return hn::Sub(scaled, hn::Sub(scaled, x));
+}
+HWY_INLINE Vec product_error(Vec a, Vec b, Vec r) {  // Dekker
+  const Vec a_high = high_half(a), a_low = hn::Sub(a, a_high);
+  const Vec b_high = high_half(b), b_low = hn::Sub(b, b_high);
+  Vec error = hn::Sub(hn::Mul(a_high, b_high), r);
+  error = hn::Add(error, hn::Mul(a_high, b_low));
+  error = hn::Add(error, hn::Mul(a_low, b_high));
+  return hn::Add(error, hn::Mul(a_low, b_low));
+}
+HWY_INLINE Vec remainder(Vec a, Vec b, Vec c) {
+  const Vec product = hn::Mul(a, b);
+  return hn::Sub(hn::Sub(c, product), product_error(a, b, product));
+}
+#endif
+
+/// Rounds r, 53 digits, to P = 53 - dropped digits. In the integer of r's bits a step of P digits
+/// is 2^dropped, and carries run into the exponent as they should; the sign bit stays.
+class Rounder {
+public:
+  HWY_INLINE explicit Rounder(int dropped_digits)
+      : step_(hn::Set(Int(), std::int64_t{1} << dropped_digits)),
+        half_(hn::Set(Int(), (std::int64_t{1} << dropped_digits) >> 1)),
+        kept_(hn::Set(Int(), -(std::int64_t{1} << dropped_digits))),
+        scale_(hn::Set(Tag(), static_cast<double>(std::int64_t{1} << dropped_digits))) {}
+
+  /// r rounded to nearest, upward where it lies half way; `ties` gets all ones where it does: there
+  /// the dropped digits of r + half are all 0.
+  HWY_INLINE IntVec half_up(Vec r, IntVec& ties) const {
+    const IntVec raised = hn::Add(bits_of(r), half_);
+    const IntVec rounded = hn::And(raised, kept_);
+    ties = hn::VecFromMask(Int(), hn::Eq(raised, rounded));
+    return rounded;
+  }
+
+  HWY_INLINE Vec nearest(Vec r) const {
+    IntVec ties;
+    const IntVec up = half_up(r, ties);
+    return from_bits(hn::AndNot(hn::And(ties, step_), up));  // to even: the last digit kept is 0
+  }
+
+  /// Numbers half way between neighbours of P digits have P + 1 <= 53 digits. As rounding to 53
+  /// digits is monotone, x lies on the same side of each as r does, unless r is one: then e tells.
+  HWY_INLINE Vec corrected(Vec r, Vec e) const {
+    IntVec ties;
+    const IntVec up = half_up(r, ties);
+    const hn::Mask<Int> exact = hn::RebindMask(Int(), hn::Eq(e, hn::Zero(Tag())));
+    const IntVec down = hn::IfThenElse(exact, up, opposite_signs(e, r));
+    return from_bits(hn::Sub(up, hn::And(hn::And(ties, step_), down)));
+  }
+
+  /// Below x in magnitude: the next double below r where e points there.
+  HWY_INLINE Vec truncated(Vec r, Vec e) const {
+    const hn::Mask<Int> inexact = hn::RebindMask(Int(), hn::Ne(e, hn::Zero(Tag())));
+    const IntVec minus_one = hn::IfThenElseZero(inexact, opposite_signs(e, r));
+    return from_bits(hn::And(hn::Add(bits_of(r), minus_one), kept_));
+  }
+
+  /// A bound, never negative, rounded up to P digits, P <= 52: past r where e > 0. Where e < 0, r
+  /// is at most half a double's step too high, and no number of P digits lies between.
+  HWY_INLINE Vec raised(Vec r, Vec e) const {
+    const IntVec above = hn::BitCast(Int(), hn::VecFromMask(Tag(), hn::Gt(e, hn::Zero(Tag()))));
+    return raised(from_bits(hn::Sub(bits_of(r), above)));
+  }
+  HWY_INLINE Vec raised(Vec r) const {
+    const IntVec rest = hn::Not(kept_);
+    return from_bits(hn::And(hn::Add(bits_of(r), rest), kept_));
+  }
+
+  /// a * b rounded once: with M = 2^(dropped + floor(log2 |r|)) of r's sign, one step of a double
+  /// in M's binade is one of P digits in r's, and a * b + M stays within it (or is its upper end).
+  /// If r was rounded up to a power of two, both binades' steps round a * b to that power.
+  HWY_INLINE Vec fused(Vec a, Vec b, Vec r) const {
+    const Vec power = hn::And(r, from_bits(hn::Set(Int(), ~((std::int64_t{1} << 52) - 1))));
+    const Vec m = hn::Mul(power, scale_);
+    return hn::Sub(hn::MulAdd(a, b, m), m);
+  }
+
+private:
+  IntVec step_, half_, kept_;
+  Vec scale_;
+};
+
+}  // namespace mixcmp::model::emulator::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

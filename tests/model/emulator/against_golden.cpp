@@ -1,0 +1,160 @@
+#include "tests/model/emulator/against_golden.hpp"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <hwy/highway.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "model/emulator/operand.hpp"
+#include "model/expression/text.hpp"
+#include "model/golden/evaluate.hpp"
+
+namespace mixcmp::test {
+namespace {
+
+using model::Bits;
+using model::Decision;
+using model::Emulator;
+using model::FloatFormat;
+using model::TypedGraph;
+
+/// All that the emulator says of one comparison.
+struct Answer {
+  Decision decision;
+  Decision order;
+  std::uint64_t f, g;  ///< bits of doubles; one NaN
+  bool exceptional;
+  friend bool operator==(const Answer&, const Answer&) = default;
+};
+
+std::uint64_t bits_of(double value) {
+  return std::isnan(value) ? ~std::uint64_t{0} : std::bit_cast<std::uint64_t>(value);
+}
+
+std::string describe(const Answer& answer) {
+  return fmt::format("decision {}, order {}, f {:a} ({:016x}), g {:a} ({:016x}), exceptional {}",
+                     static_cast<int>(answer.decision), static_cast<int>(answer.order),
+                     std::bit_cast<double>(answer.f), answer.f, std::bit_cast<double>(answer.g),
+                     answer.g, answer.exceptional);
+}
+
+std::vector<Bits> row(const Operands& operands, std::size_t index) {
+  std::vector<Bits> inputs;
+  for (const std::vector<Bits>& column : operands) inputs.push_back(column[index]);
+  return inputs;
+}
+
+Answer golden_values(const TypedGraph& graph, const std::vector<Bits>& inputs) {
+  const auto values = model::golden::evaluate(graph, inputs);
+  const auto value = [&](model::NodeId id) {
+    return bits_of(model::emulator::decode(graph.nodes[id].format, values[id].bits));
+  };
+  Answer answer{.f = value(graph.f), .g = value(graph.g)};
+  for (const auto& node : values) answer.exceptional |= node.exceptional;
+  answer.order = static_cast<Decision>(
+      model::golden::compare(graph.arithmetic.format, graph.arithmetic.subnormals,
+                             values[graph.f].bits, values[graph.g].bits));
+  return answer;
+}
+
+std::vector<Answer> emulate(const Emulator& emulator, const OperandBatch& batch) {
+  const std::size_t count = batch.count();
+  std::vector<Decision> decisions(count), orders(count);
+  std::vector<double> f(count), g(count);
+  std::vector<std::uint8_t> exceptional(count);
+  emulator.decide(batch.columns(), count, decisions);
+  emulator.compare(batch.columns(), count, orders);
+  emulator.compute(batch.columns(), count, f, g, exceptional);
+  std::vector<Answer> answers;
+  for (std::size_t k = 0; k < count; ++k) {
+    answers.push_back({decisions[k], orders[k], bits_of(f[k]), bits_of(g[k]), exceptional[k] != 0});
+  }
+  return answers;
+}
+
+std::string describe(const TypedGraph& graph, const std::vector<Bits>& inputs) {
+  const auto text = [&](model::NodeId id) {
+    return to_text(graph.nodes, graph.input_names, id, 200);
+  };
+  std::string description =
+      fmt::format("{} against {}, inputs {}, in {} {} {}:", text(graph.f), text(graph.g),
+                  graph.input_format.name(), graph.arithmetic.format.name(),
+                  to_string(graph.arithmetic.rounding), to_string(graph.arithmetic.subnormals));
+  for (const Bits bits : inputs) {
+    description += fmt::format(" {} ({:a})", model::to_hex(bits, graph.input_format.width()),
+                               model::emulator::decode(graph.input_format, bits));
+  }
+  return description;
+}
+
+std::uint64_t judge(const Emulator& emulator, const TypedGraph& graph, const Operands& operands,
+                    const std::vector<Answer>& expected) {
+  const OperandBatch batch(graph.input_format, operands);
+  std::uint64_t fallbacks = 0;
+  for_each_instruction_set([&] {
+    if (testing::Test::HasFailure()) return;
+    const std::uint64_t before = emulator.fallbacks();
+    const std::vector<Answer> got = emulate(emulator, batch);
+    fallbacks = emulator.fallbacks() - before;
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      if (got[k] == expected[k]) continue;
+      ADD_FAILURE() << Emulator::instruction_set() << ", comparison " << k << ": "
+                    << describe(graph, row(operands, k)) << "\nexpected " << describe(expected[k])
+                    << "\ngot      " << describe(got[k]);
+      return;
+    }
+  });
+  return fallbacks;
+}
+
+}  // namespace
+
+OperandBatch::OperandBatch(FloatFormat format, const Operands& operands) {
+  for (const std::vector<Bits>& column : operands) {
+    std::vector<double>& values = columns_.emplace_back();
+    for (const Bits bits : column) values.push_back(model::emulator::decode(format, bits));
+  }
+  for (const std::vector<double>& column : columns_) pointers_.push_back(column.data());
+}
+
+void for_each_instruction_set(const std::function<void()>& test) {
+  const std::int64_t supported = hwy::SupportedTargets();
+  const auto choose = [](std::int64_t targets) {
+    hwy::SetSupportedTargetsForTest(targets);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  };
+  for (const std::int64_t target :
+       {std::int64_t{HWY_AVX3}, std::int64_t{HWY_AVX2}, std::int64_t{HWY_STATIC_TARGET}}) {
+    if (target != HWY_STATIC_TARGET && (supported & target) == 0) continue;
+    choose(target);
+    test();
+  }
+  choose(0);
+}
+
+std::uint64_t expect_golden(const model::Lane& lane, const Operands& operands) {
+  std::vector<Answer> expected;
+  for (std::size_t k = 0; k < operands.front().size(); ++k) {
+    const std::vector<Bits> inputs = row(operands, k);
+    const model::golden::LaneResult result = model::golden::evaluate_lane(lane, inputs);
+    Answer answer = golden_values(lane.graph, inputs);
+    answer.decision = result.decided ? static_cast<Decision>(result.verdict) : Decision::undecided;
+    expected.push_back(answer);
+  }
+  return judge(Emulator(lane), lane.graph, operands, expected);
+}
+
+std::uint64_t expect_golden(const TypedGraph& reference, const Operands& operands) {
+  std::vector<Answer> expected;
+  for (std::size_t k = 0; k < operands.front().size(); ++k) {
+    Answer answer = golden_values(reference, row(operands, k));
+    answer.decision = answer.order;
+    expected.push_back(answer);
+  }
+  return judge(Emulator(reference), reference, operands, expected);
+}
+
+}  // namespace mixcmp::test

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "model/emulator/emulator.hpp"
+
+/// Judges the emulator by the golden model, bit for bit, on every instruction set of this machine.
+namespace mixcmp::test {
+
+/// Operands of comparisons: one column an input, encodings of the graph's input format.
+using Operands = std::vector<std::vector<model::Bits>>;
+
+/// The same as doubles.
+class OperandBatch {
+public:
+  OperandBatch(model::FloatFormat format, const Operands& operands);
+  std::size_t count() const { return columns_.empty() ? 0 : columns_.front().size(); }
+  model::OperandColumns columns() const { return pointers_; }
+
+private:
+  std::vector<std::vector<double>> columns_;
+  std::vector<const double*> pointers_;
+};
+
+/// Runs `test` once an instruction set, and leaves the best one chosen.
+void for_each_instruction_set(const std::function<void()>& test);
+
+/// decide, compare and compute. One failure names the first comparison that differs. Returns how
+/// many calls of the golden model the emulator made per instruction set and function.
+std::uint64_t expect_golden(const model::Lane& lane, const Operands& operands);
+std::uint64_t expect_golden(const model::TypedGraph& reference, const Operands& operands);
+
+}  // namespace mixcmp::test
