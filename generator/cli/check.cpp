@@ -1,9 +1,11 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
+#include "generator/cli/prove.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/system.hpp"
 #include "model/scene/summary.hpp"
@@ -53,19 +55,44 @@ nlohmann::json to_json(const Outlook& outlook) {
           {"reference_latency_cycles", signature.reference_latency_cycles}};
 }
 
-void run(const SceneOptions& options) {
-  const LoadedScene loaded = value_or_exit(load(options));
+struct CheckOptions {
+  SceneOptions scene;
+  ProveOptions prove;
+};
+
+void print_text(const std::vector<ProvenLane>& proven) {
+  for (const ProvenLane& lane : proven) fmt::print("{}", to_text(lane));
+}
+
+nlohmann::json to_json(const std::vector<ProvenLane>& proven) {
+  nlohmann::json report = nlohmann::json::array();
+  for (const ProvenLane& lane : proven) report.push_back(nlohmann::json(to_json(lane)));
+  return report;
+}
+
+bool any_refused(const std::vector<ProvenLane>& proven) {
+  return std::any_of(proven.begin(), proven.end(),
+                     [](const ProvenLane& lane) { return lane.proof.refused(); });
+}
+
+void run(const CheckOptions& options) {
+  const LoadedScene loaded = value_or_exit(load(options.scene));
   const model::Summary summary =
       model::summarise(loaded.scene, loaded.data ? &*loaded.data : nullptr);
   const Outlook generated = outlook(loaded);
-  if (options.json) {
+  std::vector<ProvenLane> proven;
+  if (options.prove.prove) proven = prove(loaded, options.prove);
+  if (options.scene.json) {
     nlohmann::json report = to_json(summary);
     report["generate"] = to_json(generated);
+    if (options.prove.prove) report["proof"] = to_json(proven);
     fmt::print("{}\n", report.dump(2));
   } else {
     fmt::print("{}", to_text(summary));
     print_text(generated);
+    print_text(proven);
   }
+  if (any_refused(proven)) throw Exit{2};
 }
 
 }  // namespace
@@ -73,8 +100,9 @@ void run(const SceneOptions& options) {
 void add_check(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("check", "parse a scene; say what was understood and what it requires");
-  auto options = std::make_shared<SceneOptions>();
-  add_scene_options(*verb, *options);
+  auto options = std::make_shared<CheckOptions>();
+  add_scene_options(*verb, options->scene);
+  add_prove_options(*verb, options->prove);
   verb->callback([options] { run(*options); });
 }
 

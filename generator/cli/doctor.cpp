@@ -25,7 +25,8 @@ constexpr std::array<Tool, 8> tools = {{
     {"ccache", "ccache --version", "ccache", "nothing; builds of simulations take longer"},
     {"iverilog", "iverilog -V 2>/dev/null", "iverilog", "verify --simulator icarus"},
     {"yosys", "yosys -V", "yosys", "the lint and formal tests"},
-    {"gappa", "gappa --version 2>&1", "gappa", "the machine check of error bounds in the tests"},
+    {"gappa", "gappa --version 2>&1", "gappa",
+     "check --prove, and the machine check of error bounds before generate"},
     {"gtkwave", "command -v gtkwave", "gtkwave", "looking at the waves of verify --trace"},
 }};
 

@@ -4,7 +4,7 @@
 
 /// One function a verb: it adds its subcommand, whose callback runs it. A user's mistake is printed
 /// to stderr and ends the program with exit code 1; `verify` ends with 2 where the hardware and the
-/// golden model disagree.
+/// golden model disagree, `check --prove` where Gappa refuses a bound.
 namespace mixcmp::cli {
 
 void add_check(CLI::App& app);

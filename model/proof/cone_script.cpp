@@ -12,10 +12,6 @@
 namespace mixcmp::model::proof {
 namespace {
 
-mpz_class power_of_two(int exponent) {
-  return mpz_class(1) << exponent;
-}
-
 /// One case as a script. Node number k of the cone is ck as computed and tk truly, or xk where both
 /// are one number; what is zero has no name.
 class CaseScript {
@@ -40,8 +36,10 @@ private:
   void add_leaf(NodeId id, int number);
   void add_constant(NodeId id, int number);
   void add_operation(NodeId id, int number);
-  void add_sign(NodeId id);
-  void assume_magnitude(NodeId id, const char* shape);
+  void add_magnitude(NodeId id);
+  void assume_nonzero(NodeId id, const char* shape);
+  std::string least_magnitude(NodeId id) const;
+  std::string limit(NodeId id) const;
   void add_goals();
   std::string expression(NodeId id, std::string Names::*name) const;
   std::string sum(const TypedNode& node, std::string Names::*name) const;
@@ -76,7 +74,7 @@ std::string CaseScript::text() && {
       add_operation(id, number);
     }
   }
-  for (const NodeId id : must_be_nonzero_) assume_magnitude(id, "|{}|");
+  for (const NodeId id : must_be_nonzero_) assume_nonzero(id, "|{}|");
   add_goals();
   return script_.text();
 }
@@ -106,19 +104,26 @@ void CaseScript::add_leaf(NodeId id, int number) {
     names_[id] = {name, truth, name};
     script_.assume_relative(truth, name, bound(id, *claim(id).relative));
   }
-  add_sign(id);
+  add_magnitude(id);
 }
 
-/// Nothing is assumed of an input's sign that the lane does not check.
-void CaseScript::add_sign(NodeId id) {
-  const TypedNode& node = graph_.nodes[id];
-  const std::string most = power_of_two(node.format.max_exponent() + 1).get_str();
-  const bool is_input = node.operation == Operation::input;
-  const bool nonnegative =
-      is_input ? is_checked_nonnegative(*cone_.checks, node.input) : claim(id).nonnegative;
+/// Nothing is assumed of an input's sign that the lane does not check. Sign and magnitude in one
+/// fact: Gappa discards as too small an improvement what it would conclude from two.
+void CaseScript::add_magnitude(NodeId id) {
+  const bool is_input = graph_.nodes[id].operation == Operation::input;
+  const bool nonnegative = is_input ? is_checked_nonnegative(*cone_.checks, graph_.nodes[id].input)
+                                    : claim(id).nonnegative;
   const bool nonpositive = !is_input && claim(id).nonpositive;
-  script_.assume_within(names_[id].computed, nonnegative ? "0" : "-" + most,
-                        nonpositive ? "0" : most);
+  const auto found = std::find(must_be_nonzero_.begin(), must_be_nonzero_.end(), id);
+  const bool nonzero = found != must_be_nonzero_.end();
+  if (nonzero) must_be_nonzero_.erase(found);
+  const std::string& name = names_[id].computed;
+  const std::string least = nonzero ? least_magnitude(id) : "0", most = limit(id);
+  if (nonnegative || nonpositive) {
+    script_.assume_within(name, nonnegative ? least : "-" + most, nonpositive ? "-" + least : most);
+  } else {
+    script_.assume_within("|" + name + "|", least, most);
+  }
 }
 
 void CaseScript::add_constant(NodeId id, int number) {
@@ -137,9 +142,9 @@ void CaseScript::add_operation(NodeId id, int number) {
   const TypedNode& node = graph_.nodes[id];
   for (int k = 0; k < arity(node.operation); ++k) {
     const bool divides = node.operation == Operation::divide && k == 1;
-    if (divides) assume_magnitude(node.operands[k], "|{}|");
+    if (divides) assume_nonzero(node.operands[k], "|{}|");
   }
-  if (node.operation == Operation::square_root) assume_magnitude(node.operands[0], "{}");
+  if (node.operation == Operation::square_root) assume_nonzero(node.operands[0], "{}");
   const std::string computed = expression(id, &Names::computed);
   const std::string truth = expression(id, &Names::truth);
   Names& names = names_[id];
@@ -189,13 +194,20 @@ std::string CaseScript::sum(const TypedNode& node, std::string Names::*name) con
   return fmt::format("({} {} {})", a, subtracts ? "-" : "+", b);
 }
 
+/// The smallest number of the node's format, and a limit above all finite ones.
+std::string CaseScript::least_magnitude(NodeId id) const {
+  const FloatFormat format = graph_.nodes[id].format;
+  return fmt::format("1b-{}", format.fraction_bits() - format.min_exponent());
+}
+
+std::string CaseScript::limit(NodeId id) const {
+  return fmt::format("1b{}", graph_.nodes[id].format.max_exponent() + 1);
+}
+
 /// A finite number of its format that is not zero.
-void CaseScript::assume_magnitude(NodeId id, const char* shape) {
-  const TypedNode& node = graph_.nodes[id];
-  const int least = node.format.fraction_bits() - node.format.min_exponent();
-  script_.assume_within(fmt::format(fmt::runtime(shape), names_[id].computed),
-                        fmt::format("1b-{}", least),
-                        power_of_two(node.format.max_exponent() + 1).get_str());
+void CaseScript::assume_nonzero(NodeId id, const char* shape) {
+  script_.assume_within(fmt::format(fmt::runtime(shape), names_[id].computed), least_magnitude(id),
+                        limit(id));
 }
 
 void CaseScript::add_goals() {

@@ -49,8 +49,10 @@ std::string LaneProof::verdict() const {
   if (const Finding* finding = first_with(findings, Outcome::not_proven)) {
     return "refused: Gappa does not prove " + described(*finding);
   }
-  for (const Outcome outcome :
-       {Outcome::unchecked, Outcome::out_of_time, Outcome::not_expressible}) {
+  if (const Finding* finding = first_with(findings, Outcome::unchecked)) {
+    return "not machine-checked: " + finding->detail;
+  }
+  for (const Outcome outcome : {Outcome::out_of_time, Outcome::not_expressible}) {
     if (const Finding* finding = first_with(findings, outcome)) {
       return fmt::format("not machine-checked: {}, {}", to_string(outcome), described(*finding));
     }

@@ -16,6 +16,8 @@ class QuickProver {
 public:
   explicit QuickProver(double budget_seconds);
   ScriptResult operator()(const std::string& script);
+  /// Its version; none where there is no Gappa.
+  const std::optional<std::string>& gappa() const { return version_; }
 
 private:
   std::optional<std::string> version_;

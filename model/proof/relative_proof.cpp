@@ -56,6 +56,7 @@ private:
   void prove_rounding();
   void prove_exactness();
   void prove_root(const std::string& name, NodeId root);
+  /// Whether nothing remains to be tried.
   bool prove_whole(const std::string& name, const Cone& cone);
   void prove_node(NodeId id);
   void check_constant(NodeId id);
@@ -169,10 +170,10 @@ bool RelativeProof::prove_whole(const std::string& name, const Cone& cone) {
   Finding finding = run_scripts(fmt::format("{}, {} case{}", what, cases->size(),
                                             cases->size() == 1 ? "" : "s of zero terms"),
                                 *cases);
-  const bool proven = finding.outcome == Outcome::proven;
-  finding.optional = !proven;
+  const bool settled = finding.outcome == Outcome::proven || finding.outcome == Outcome::unchecked;
+  finding.optional = !settled;
   findings_.push_back(std::move(finding));
-  return proven;
+  return settled;
 }
 
 void RelativeProof::prove_node(NodeId id) {

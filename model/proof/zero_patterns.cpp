@@ -51,6 +51,13 @@ void add_atoms(const Cone& cone, NodeId id, std::set<NodeId>& atoms) {
   atoms.insert(id);
 }
 
+/// A leaf that is neither positive nor negative.
+bool is_always_zero(const Cone& cone, NodeId id) {
+  if (is_constant(cone, id)) return cone.graph->nodes[id].value == 0;
+  const NodeClaim& claim = (*cone.claims)[id];
+  return claim.nonnegative && claim.nonpositive;
+}
+
 /// What its operands say; an atom's own choice is known already.
 bool zero_by_operands(const TypedNode& node, const Zeros& zeros) {
   const bool a = zeros[node.operands[0]];
@@ -98,12 +105,13 @@ Zeros zeros_from(const Cone& cone, const std::vector<NodeId>& atoms, unsigned lo
   }
   for (const NodeId id : nodes_of(cone)) {
     const TypedNode& node = cone.graph->nodes[id];
-    zeros[id] = chosen[id] || (is_constant(cone, id) && node.value == 0);
-    if (!is_inner(cone, id)) continue;
-    if (node.operation == Operation::divide && zeros[node.operands[1]]) return {};
-    const bool follows = zero_by_operands(node, zeros);
+    if (is_inner(cone, id) && node.operation == Operation::divide && zeros[node.operands[1]]) {
+      return {};
+    }
+    const bool follows =
+        is_inner(cone, id) ? zero_by_operands(node, zeros) : is_always_zero(cone, id);
     if (follows && is_atom[id] && !chosen[id]) return {};
-    zeros[id] = zeros[id] || follows;
+    zeros[id] = chosen[id] || follows;
   }
   return zeros;
 }

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <random>
+#include <string>
+
+#include "tests/model/proof/proof_support.hpp"
+
+namespace mixcmp::test {
+
+/// A random expression of every operation in inputs a, b, c and a few constants.
+inline model::NodeId random_expression(model::Graph& graph, std::mt19937_64& random, int depth) {
+  using model::Operation;
+  static constexpr std::array operations = {
+      Operation::add,    Operation::subtract,    Operation::multiply, Operation::square,
+      Operation::divide, Operation::square_root, Operation::minimum,  Operation::maximum,
+      Operation::negate, Operation::absolute};
+  static const std::array<mpq_class, 5> constants = {2, mpq_class(1, 10), 3, mpq_class(-7, 3), 0};
+  const auto below = [&](std::size_t end) { return random() % end; };
+  if (depth == 0 || below(8) == 0) {
+    if (below(5) == 0) return graph.constant(constants[below(constants.size())]);
+    return graph.input(std::string(1, static_cast<char>('a' + below(3))));
+  }
+  const Operation operation = operations[below(operations.size())];
+  const model::NodeId first = random_expression(graph, random, depth - 1);
+  if (arity(operation) == 1) return graph.apply(operation, first);
+  return graph.apply(operation, first, random_expression(graph, random, depth - 1));
+}
+
+inline model::Graph random_comparison(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  model::Graph graph;
+  const model::NodeId f = random_expression(graph, random, 3);
+  graph.compare(f, random_expression(graph, random, 3));
+  return graph;
+}
+
+inline LaneOptions random_options(std::uint64_t seed) {
+  static constexpr std::array formats = {"s4e8", "s8e8", "s11e5", "s17e8", "s24e8", "s52e11"};
+  std::mt19937_64 random(seed ^ 0x9e3779b97f4a7c15u);
+  return {
+      .format = formats[random() % formats.size()],
+      .rounding = random() % 2 == 0 ? model::Rounding::nearest_even : model::Rounding::toward_zero,
+      .inputs = random() % 2 == 0 ? model::LaneInputs::exact : model::LaneInputs::rounded};
+}
+
+}  // namespace mixcmp::test
