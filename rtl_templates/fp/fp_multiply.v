@@ -45,7 +45,8 @@ module fp_multiply #(
 
   localparam integer BIAS        = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer RESULT_BIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 1;
-  localparam integer REBIAS      = RESULT_BIAS - 2 * BIAS;
+  // One less, which leaves zeros at its end: the one is the carry into the sum of the exponents.
+  localparam integer REBIAS      = RESULT_BIAS - 2 * BIAS - 1;
 
   // Stages count, normalise: both significands get a leading one.
   wire                      s2_a_sign;
@@ -106,12 +107,15 @@ module fp_multiply #(
 
   // Stage multiply: the product of two significands in [1, 2) lies in [1, 4).
   wire [PRODUCT-1:0]        s2_product  = s2_a_significand * s2_b_significand;
-  wire [EXPONENT_WIDTH-1:0] s2_exponent = s2_a_exponent + s2_b_exponent;
+  wire [EXPONENT_WIDTH-1:0] s2_exponent;
+  wire                      s2_unused_place;
   wire                      s2_sign     = s2_a_sign ^ s2_b_sign;
   wire                      s2_infinite = s2_a_infinite || s2_b_infinite;
   wire                      s2_zero     = s2_a_zero || s2_b_zero;
   wire                      s2_nan      = s2_a_nan || s2_b_nan || (s2_infinite && s2_zero);
   wire                      s2_suspect  = s2_nan || s2_infinite || s2_a_flushed || s2_b_flushed;
+
+  assign {s2_exponent, s2_unused_place} = {s2_a_exponent, 1'b1} + {s2_b_exponent, 1'b1};
 
   wire [PRODUCT-1:0]        s3_product;
   wire [EXPONENT_WIDTH-1:0] s3_sum;
