@@ -1,88 +1,18 @@
 #include "model/error/profiled_error.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <utility>
 
+#include "model/data/permutation.hpp"
 #include "model/error/error_analysis.hpp"
+#include "model/error/largest_relative_error.hpp"
 #include "model/golden/arithmetic.hpp"
 #include "model/golden/enclosure.hpp"
-#include "model/golden/encoding.hpp"
 #include "model/golden/evaluate.hpp"
 
 namespace mixcmp::model {
 namespace {
-
-using golden::BigFloat;
-
-constexpr mpfr_prec_t truth_precision = 500;
-constexpr mpfr_prec_t error_precision = 64;
-
-/// SplitMix64's finaliser (Steele, Lea, Flood 2014).
-std::uint64_t mix(std::uint64_t value) {
-  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9;
-  value = (value ^ (value >> 27)) * 0x94d049bb133111eb;
-  return value ^ (value >> 31);
-}
-
-/// A permutation of [0, size): a Feistel network on the next even number of bits, walked until it
-/// comes back into the range.
-class Permutation {
-public:
-  Permutation(std::uint64_t size, std::uint64_t seed)
-      : size_(size), half_bits_((static_cast<int>(std::bit_width(size)) + 1) / 2), seed_(seed) {}
-
-  std::uint64_t operator()(std::uint64_t index) const {
-    do {
-      index = scramble(index);
-    } while (index >= size_);
-    return index;
-  }
-
-private:
-  std::uint64_t scramble(std::uint64_t index) const {
-    const std::uint64_t mask = (std::uint64_t{1} << half_bits_) - 1;
-    std::uint64_t left = index >> half_bits_, right = index & mask;
-    for (std::uint64_t round = 0; round < 4; ++round) {
-      left ^= mix(seed_ + mix(right * 4 + round)) & mask;
-      std::swap(left, right);
-    }
-    return left << half_bits_ | right;
-  }
-
-  std::uint64_t size_;
-  int half_bits_;
-  std::uint64_t seed_;
-};
-
-/// The largest relative error seen of one function.
-class Maximum {
-public:
-  explicit Maximum(FloatFormat format) : format_(format) { mpfr_set_zero(largest_.get(), 1); }
-
-  void measure(Bits computed, const BigFloat& truth) {
-    golden::decode(computed_, format_, computed);
-    if (!mpfr_number_p(computed_.get()) || !mpfr_regular_p(truth.get())) return;
-    mpfr_sub(difference_.get(), computed_.get(), truth.get(), MPFR_RNDA);
-    mpfr_div(error_.get(), difference_.get(), truth.get(), MPFR_RNDA);
-    mpfr_abs(error_.get(), error_.get(), MPFR_RNDU);
-    mpfr_max(largest_.get(), largest_.get(), error_.get(), MPFR_RNDU);
-  }
-
-  mpq_class value() const {
-    mpq_class value;
-    mpfr_get_q(value.get_mpq_t(), largest_.get());
-    return value;
-  }
-
-private:
-  FloatFormat format_;
-  BigFloat computed_{golden::encoding_precision};
-  BigFloat difference_{truth_precision};
-  BigFloat error_{error_precision};
-  BigFloat largest_{error_precision};
-};
 
 /// Of `value` >= 0: the smallest number of the arithmetic that is not below it.
 Bits round_up(const Arithmetic& arithmetic, const mpq_class& value) {
@@ -137,8 +67,8 @@ ProfiledError profile_error(const Graph& graph, const TypedGraph& lane, const Co
                             std::uint64_t sample_count, std::uint64_t seed) {
   const Permutation permutation(data.size(), seed);
   const std::uint64_t count = std::min(sample_count, data.size());
-  golden::Enclosure truth(graph, truth_precision);
-  Maximum f(lane.arithmetic.format), g(lane.arithmetic.format);
+  golden::Enclosure truth(graph, error_truth_precision);
+  LargestRelativeError f(lane.arithmetic.format), g(lane.arithmetic.format);
   std::vector<Bits> operands(data.input_count());
   ProfiledError profiled;
   for (std::uint64_t index = 0; index < count; ++index) {

@@ -1,49 +1,95 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "model/data/comparisons.hpp"
-#include "model/error/certified_lane.hpp"
+#include "model/expression/typed_graph.hpp"
 #include "model/scene/scene.hpp"
 
+/// What a scene's comparisons do at every precision: figures 4 and 5 of the paper, and the truth.
+/// docs/profile.md says what the numbers mean and proves that the fast way counts exactly.
 namespace mixcmp::model {
 
-/// One way to build and run a lane, at one precision, on all the data.
-struct SystemCounts {
-  std::string system;           ///< "certified relative", "profiled", "lanes alone", ...
-  int precision = 0;            ///< L
-  std::uint64_t undecided = 0;  ///< recomputed; recomputation rate = undecided / comparisons
-  /// Verdicts that differ from the order of the real numbers f and g of the operands.
-  std::uint64_t wrong = 0;
-};
-
-/// Figure 5 and its truth: every system at every precision, against exact arithmetic.
-struct RateProfile {
-  std::uint64_t comparisons = 0;
-  std::uint64_t reference_wrong = 0;  ///< of the reference datapath alone
-  std::vector<SystemCounts> counts;
-};
-
-/// Figure 4: measured and proven relative error of f and g at one precision.
-struct ErrorAtPrecision {
-  int precision = 0;
-  LaneInputs inputs = LaneInputs::exact;
-  double f = 0, g = 0;                     ///< measured maximum of |f_L - f_T| / |f_T|
-  std::optional<double> f_bound, g_bound;  ///< certified; none where no relative bound exists
+/// How the counts are found; both give the same.
+enum class ProfileMethod {
+  envelope,     ///< comparisons that are decided, rightly, at every further precision are dropped
+  brute_force,  ///< every comparison through every lane, every true verdict by MPFR
 };
 
 struct ProfileOptions {
   int first_precision = 4, last_precision = 52;
-  std::uint64_t error_samples = 1'000'000;
-  int threads = 0;  ///< 0: as many as the machine has; results do not depend on it
+  std::uint64_t error_samples = 1'000'000;  ///< for figure 4 and the profiled constants
+  unsigned threads = 0;                     ///< 0: as many as the machine has
+  ProfileMethod method = ProfileMethod::envelope;
+  /// Called with what is being done and the share that is, 0..1; from any thread, one at a time.
+  std::function<void(const std::string&, double)> progress = {};
 };
 
-std::vector<ErrorAtPrecision> profile_errors(const Scene& scene, const Comparisons& data,
-                                             const ProfileOptions& options);
-RateProfile profile_rates(const Scene& scene, const Comparisons& data,
+/// Errors name the scene's field: a reference that double does not hold, precisions that no lane
+/// can have.
+Result<Done> check_profile(const Scene& scene, const ProfileOptions& options);
+
+/// Figure 4: the relative error of f and g at one precision.
+struct ErrorAtPrecision {
+  int precision = 0;
+  /// Measured: maximum of |f_L - f_T| / |f_T|, upward to 64 bits, f_T of 500 bits.
+  mpq_class f = 0, g = 0;
+  /// Proven for every comparison; none where no relative bound exists.
+  std::optional<double> f_bound, g_bound;
+};
+
+struct ErrorProfile {
+  LaneInputs inputs = LaneInputs::exact;
+  std::uint64_t comparisons = 0;  ///< measured: those with finite f_T and g_T
+  std::vector<ErrorAtPrecision> precisions;
+  std::string no_f_bound, no_g_bound;  ///< why, where there is none at the last precision
+};
+
+/// One profile for each of `inputs`; the 500-bit values are computed once for all.
+std::vector<ErrorProfile> profile_errors(const Scene& scene, const Comparisons& data,
+                                         const std::vector<LaneInputs>& inputs,
+                                         const ProfileOptions& options);
+
+enum class SystemKind {
+  lanes_alone,  ///< the order of f_L and g_L: no error bound, no recomputation
+  profiled,     ///< the paper's decision with the constants of figure 4
+  certified,
+};
+
+/// What one kind of system did at one precision.
+struct SystemCounts {
+  bool exists = false;
+  std::uint64_t undecided = 0;  ///< recomputed
+  /// Verdicts that differ from the order of the real numbers f and g of the operands; an undecided
+  /// comparison has the reference's verdict.
+  std::uint64_t wrong = 0;
+
+  friend bool operator==(const SystemCounts&, const SystemCounts&) = default;
+};
+
+struct SystemProfile {
+  std::string name;  ///< "running_4"
+  SystemKind kind = SystemKind::certified;
+  std::vector<SystemCounts> counts;  ///< one a precision
+  std::string reason;                ///< why it does not exist, where it does not
+};
+
+/// Figure 5 and the wrong verdicts.
+struct RateProfile {
+  LaneInputs inputs = LaneInputs::exact;
+  int first_precision = 4;
+  std::uint64_t comparisons = 0;
+  std::uint64_t reference_wrong = 0;  ///< verdicts of the reference datapath alone
+  std::uint64_t true_verdicts = 0;    ///< how many it took MPFR to decide
+  std::uint64_t emulated = 0;         ///< lane evaluations
+  std::vector<SystemProfile> systems;
+};
+
+RateProfile profile_rates(const Scene& scene, const Comparisons& data, const ErrorProfile& errors,
                           const ProfileOptions& options);
 
 }  // namespace mixcmp::model

@@ -1,0 +1,176 @@
+#include "model/profile/bound_envelope.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "model/common/check.hpp"
+#include "model/golden/bound_arithmetic.hpp"
+#include "model/profile/envelope_kernels.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+using envelope_kernels::for_each_lane;
+using envelope_kernels::infinity;
+using envelope_kernels::outward;
+
+const AbsoluteBoundDecision& decision_of(const Lane& lane) {
+  return std::get<AbsoluteBoundDecision>(lane.decision);
+}
+
+/// The constant as the hardware has it; infinite where its format has no such number.
+double encoded(BoundFormat format, const mpq_class& value) {
+  const Bits bound = golden::bound_constant(format, value);
+  if (bound == format.infinity()) return infinity;
+  return golden::bound_value(format, bound).get_d();
+}
+
+/// Positive doubles order as their encodings do, and one more in the last place is one step up.
+double with_step(double value, bool step) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) + (step ? 1 : 0));
+}
+double binade(double value) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) >> 52 << 52);
+}
+
+/// a + b or the next double above; never below the exact sum.
+double sum_up(double a, double b) {
+  const double larger = a < b ? b : a, smaller = a < b ? a : b;
+  const double sum = larger + smaller;
+  return with_step(sum, smaller - (sum - larger) > 0);
+}
+
+/// |computed| at most, at every precision.
+double largest(const NodeEnvelope& node, std::size_t k) {
+  return (std::fabs(node.value[k]) + 1.5 * node.error[k]) * outward;
+}
+double smallest(const NodeEnvelope& node, std::size_t k) {
+  return (std::fabs(node.value[k]) - 1.5 * node.error[k]) / outward;
+}
+
+}  // namespace
+
+bool BoundEnvelope::same_structure(const AbsoluteBoundDecision& a, const AbsoluteBoundDecision& b) {
+  const auto same_node = [](const BoundNode& x, const BoundNode& y) {
+    return x.operation == y.operation && x.operands == y.operands && x.value == y.value;
+  };
+  const auto same_condition = [](const BoundCondition& x, const BoundCondition& y) {
+    return x.bound == y.bound && x.value == y.value;
+  };
+  return a.bound.format == b.bound.format &&
+         std::equal(a.bound.nodes.begin(), a.bound.nodes.end(), b.bound.nodes.begin(),
+                    b.bound.nodes.end(), same_node) &&
+         std::equal(a.conditions.begin(), a.conditions.end(), b.conditions.begin(),
+                    b.conditions.end(), same_condition);
+}
+
+BoundEnvelope::BoundEnvelope(std::span<const Lane* const> lanes, int first, int last,
+                             const Envelope& envelope)
+    : anchor_(envelope.anchor()),
+      digits_(decision_of(*lanes.front()).bound.format.precision),
+      conditions_(decision_of(*lanes.front()).conditions) {
+  const BoundGraph& bound = decision_of(*lanes.front()).bound;
+  const double tiny = std::ldexp(1.0, 1 - bound.format.bias());
+  smallest_[0] = tiny;
+  smallest_[1] = std::ldexp(tiny, last - anchor_);
+  largest_ = std::ldexp(1.0, bound.format.bias());
+  for (const BoundNode& node : bound.nodes) {
+    Step step{.operation = node.operation, .operands = node.operands, .value = node.value};
+    const auto degree = [&](int k) { return steps_[node.operands[k]].degree; };
+    switch (node.operation) {
+      case BoundOperation::constant:
+        add_constant(step, lanes, first, static_cast<int>(steps_.size()));
+        break;
+      case BoundOperation::magnitude:
+      case BoundOperation::binade:
+      case BoundOperation::reciprocal: break;
+      case BoundOperation::add:
+      case BoundOperation::maximum: step.degree = std::min(degree(0), degree(1)); break;
+      case BoundOperation::multiply: step.degree = std::max(degree(0), degree(1)); break;
+    }
+    steps_.push_back(step);
+  }
+}
+
+/// Degree 1 where the constants shrink about as fast as 2^-L; sound either way.
+void BoundEnvelope::add_constant(Step& step, std::span<const Lane* const> lanes, int first,
+                                 int id) {
+  double plain = 0, scaled = 0;
+  int precision = first;
+  for (const Lane* lane : lanes) {
+    const BoundGraph& bound = decision_of(*lane).bound;
+    const double value = encoded(bound.format, bound.nodes[id].constant);
+    plain = std::max(plain, value);
+    scaled = std::max(scaled, std::ldexp(value, precision - anchor_));
+    ++precision;
+  }
+  const double at_first = std::ldexp(plain, first - anchor_);
+  step.degree = scaled <= 4 * at_first ? 1 : 0;
+  step.constant = step.degree == 1 ? scaled : plain;
+}
+
+/// Scaling by a power of two commutes with rounding up, so one rounding serves every precision.
+void BoundEnvelope::round_up(EnvelopeRow& row, double least, EnvelopeRow& wild) const {
+  const std::uint64_t below = (std::uint64_t{1} << (53 - digits_)) - 1;
+  for_each_lane([&](std::size_t k) {
+    const double value = row[k] > least ? row[k] : least;
+    const double rounded =
+        std::bit_cast<double>((std::bit_cast<std::uint64_t>(value) + below) & ~below);
+    wild[k] = rounded < largest_ ? wild[k] : 1;
+    row[k] = rounded;
+  });
+}
+
+void BoundEnvelope::evaluate(const Step& step, const EnvelopeBlock& block,
+                             std::vector<EnvelopeRow>& rows, EnvelopeRow& wild) const {
+  EnvelopeRow& y = rows[&step - steps_.data()];
+  const EnvelopeRow& a = rows[std::max(step.operands[0], 0)];
+  const EnvelopeRow& b = rows[std::max(step.operands[1], 0)];
+  const NodeEnvelope& value = block.nodes[std::max(step.value, 0)];
+  // Products of so few digits are exact in double.
+  const double product_error = digits_ <= 26 ? 1 : outward;
+  switch (step.operation) {
+    case BoundOperation::constant: y.fill(step.constant); break;
+    case BoundOperation::magnitude:
+      for_each_lane([&](std::size_t k) { y[k] = largest(value, k); });
+      break;
+    case BoundOperation::binade:
+      for_each_lane([&](std::size_t k) { y[k] = binade(largest(value, k)); });
+      break;
+    case BoundOperation::reciprocal:
+      for_each_lane([&](std::size_t k) {
+        const double least = smallest(value, k);
+        y[k] = least > 0 ? 1 / binade(least) : infinity;
+      });
+      break;
+    case BoundOperation::add:
+      for_each_lane([&](std::size_t k) { y[k] = sum_up(a[k], b[k]); });
+      break;
+    case BoundOperation::multiply:
+      for_each_lane([&](std::size_t k) { y[k] = a[k] * b[k] * product_error; });
+      break;
+    case BoundOperation::maximum:
+      for_each_lane([&](std::size_t k) { y[k] = a[k] < b[k] ? b[k] : a[k]; });
+      break;
+  }
+  round_up(y, smallest_[step.degree], wild);
+}
+
+void BoundEnvelope::raise(const EnvelopeBlock& block, EnvelopeRow& scaled, EnvelopeRow& fixed,
+                          EnvelopeRow& wild) const {
+  thread_local std::vector<EnvelopeRow> rows;
+  rows.resize(std::max(rows.size(), steps_.size()));
+  for (const Step& step : steps_) evaluate(step, block, rows, wild);
+  for (const BoundCondition& condition : conditions_) {
+    const EnvelopeRow& bound = rows[condition.bound];
+    const NodeEnvelope& value = block.nodes[condition.value];
+    for_each_lane([&](std::size_t k) { wild[k] = bound[k] <= smallest(value, k) ? wild[k] : 1; });
+  }
+  const EnvelopeRow& bound = rows[steps_.size() - 1];
+  EnvelopeRow& target = steps_.back().degree == 1 ? scaled : fixed;
+  for_each_lane([&](std::size_t k) { target[k] = target[k] < bound[k] ? bound[k] : target[k]; });
+}
+
+}  // namespace mixcmp::model

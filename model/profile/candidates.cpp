@@ -1,0 +1,21 @@
+#include "model/profile/candidates.hpp"
+
+namespace mixcmp::model {
+
+Candidates::Candidates(std::size_t inputs, std::size_t capacity)
+    : truth(capacity),
+      reference(capacity),
+      systems(capacity),
+      failing(capacity),
+      operands_(inputs, capacity) {}
+
+void Candidates::append(const Candidates& from, std::size_t row, std::uint32_t systems_left) {
+  const std::size_t place = size();
+  truth[place] = from.truth[row];
+  reference[place] = from.reference[row];
+  systems[place] = systems_left;
+  failing[place] = from.failing[row];
+  operands_.append(from.operands_, row);
+}
+
+}  // namespace mixcmp::model

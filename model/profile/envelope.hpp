@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "model/expression/typed_graph.hpp"
+#include "model/profile/node_magnitudes.hpp"
+
+namespace mixcmp::model {
+
+/// Comparisons that the envelope treats at once.
+inline constexpr std::size_t envelope_width = 256;
+using EnvelopeRow = std::array<double, envelope_width>;
+
+/// What the envelope knows of one node on a block of comparisons, as far as they are tame.
+struct NodeEnvelope {
+  alignas(64) EnvelopeRow value;  ///< double evaluation of the true value x
+  alignas(64) EnvelopeRow error;  ///< E: |computed - x| <= E 2^(A-L) at every precision L >= A
+};
+
+/// Room for one block; belongs to a thread.
+struct EnvelopeBlock {
+  std::vector<NodeEnvelope> nodes;
+  /// 1 where some lane may meet an exceptional operation, so that nothing here holds.
+  alignas(64) EnvelopeRow wild;
+};
+
+/// Values and errors of every lane of precision A, A+1, ... last at once. Proof: docs/profile.md,
+/// theorem 1.
+class Envelope {
+public:
+  struct Options {
+    int anchor = 4;  ///< A
+    int last = 52;
+    FloatFormat reference;  ///< also evaluates the comparison, in its own precision
+    std::vector<NodeMagnitude> inputs;
+  };
+
+  /// `lane`: the graph that all the lanes share, built at precision A. f - g is appended to it.
+  Envelope(const TypedGraph& lane, const Options& options);
+
+  int anchor() const { return options_.anchor; }
+  int node_count() const { return static_cast<int>(steps_.size()); }
+  /// The lane's graph and f - g, its last node.
+  const TypedGraph& graph() const { return graph_; }
+  NodeId difference() const { return node_count() - 1; }
+
+  /// Exponents that no value of a tame comparison leaves: 0 or 2^lowest .. 2^highest.
+  int lowest() const { return lowest_; }
+  int highest() const { return highest_; }
+  /// The largest relative error of one rounding at precision A.
+  double unit() const { return unit_; }
+
+  /// Comparisons first .. first + envelope_width - 1 of the columns; those beyond the end of the
+  /// data may be anything.
+  void evaluate(std::span<const double* const> columns, EnvelopeBlock& block) const;
+
+private:
+  /// How a node is evaluated and what must be checked of it.
+  struct Step {
+    Operation operation;
+    std::array<NodeId, 2> operands;
+    int input;
+    double constant, constant_error;
+    bool may_be_large;
+    /// Otherwise |value| >= tiny + factor * error, or an exact zero, is checked.
+    bool never_tiny;
+    double tiny_factor;
+  };
+  Step step(const TypedNode& node) const;
+  void add_checks();
+  void check(const Step& step, const NodeEnvelope& node, EnvelopeRow& wild) const;
+
+  Options options_;
+  double unit_;
+  int lowest_, highest_;
+  TypedGraph graph_;
+  std::vector<Step> steps_;
+};
+
+}  // namespace mixcmp::model

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "model/profile/envelope.hpp"
+
+/// One operation of an envelope on a block. With x in value and E in error, Q bounds the error that
+/// the operands bring in, as in theorem 1 of docs/profile.md; plain loops, for the vectoriser.
+namespace mixcmp::model::envelope_kernels {
+
+/// Covers the roundings of an error's own computation in double: a few steps of 2^-53.
+inline constexpr double outward = 1 + 0x1p-45;
+/// Covers products of errors that underflow in double, and stays below 2^-52 of any tame value.
+inline constexpr double error_floor = 0x1p-980;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <class Function>
+void for_each_lane(Function function) {
+  for (std::size_t k = 0; k < envelope_width; ++k) function(k);
+}
+
+/// The error after a rounding of relative error `unit`. 2Q instead of Q, since `value` is
+/// itself rounded and may lie on the other side of x.
+inline double after_rounding(double value, double q, double unit) {
+  return (q + unit * (std::fabs(value) + 2 * q)) * outward;
+}
+
+inline void sum(NodeEnvelope& y, const NodeEnvelope& a, const NodeEnvelope& b, double sign,
+                double unit) {
+  for_each_lane([&](std::size_t k) {
+    const double value = a.value[k] + sign * b.value[k];
+    y.value[k] = value;
+    y.error[k] = after_rounding(value, a.error[k] + b.error[k], unit);
+  });
+}
+
+inline void product(NodeEnvelope& y, const NodeEnvelope& a, const NodeEnvelope& b, double unit) {
+  for_each_lane([&](std::size_t k) {
+    const double av = std::fabs(a.value[k]), bv = std::fabs(b.value[k]);
+    const double ae = a.error[k], be = b.error[k];
+    const double value = a.value[k] * b.value[k];
+    const double error = after_rounding(value, (av + ae) * be + (bv + be) * ae, unit) + error_floor;
+    const bool zero = av + ae == 0 || bv + be == 0;
+    y.value[k] = value;
+    y.error[k] = zero ? 0 * error : error;
+  });
+}
+
+inline void square(NodeEnvelope& y, const NodeEnvelope& a, double unit) {
+  for_each_lane([&](std::size_t k) {
+    const double magnitude = std::fabs(a.value[k]), error_in = a.error[k];
+    const double value = a.value[k] * a.value[k];
+    const double error =
+        after_rounding(value, 2 * (magnitude + error_in) * error_in, unit) + error_floor;
+    y.value[k] = value;
+    y.error[k] = magnitude + error_in == 0 ? 0 : error;
+  });
+}
+
+inline void quotient(NodeEnvelope& y, const NodeEnvelope& a, const NodeEnvelope& b, double unit) {
+  for_each_lane([&](std::size_t k) {
+    const double least = (std::fabs(b.value[k]) - 1.5 * b.error[k]) * (1 - 0x1p-50);
+    const double largest = std::fabs(a.value[k]) + a.error[k];
+    const double ratio = largest / least;
+    const double q = (a.error[k] + ratio * b.error[k]) / least;
+    const double value = a.value[k] / b.value[k];
+    const double error = after_rounding(value, q, unit) + error_floor;
+    y.value[k] = value;
+    y.error[k] = !(least > 0) ? infinity : largest == 0 ? 0 : error;
+  });
+}
+
+inline void root(NodeEnvelope& y, const NodeEnvelope& a, double unit) {
+  for_each_lane([&](std::size_t k) {
+    const double x = a.value[k], error_in = a.error[k];
+    const double value = std::sqrt(x);
+    const double least = std::sqrt((x - 0.5 * error_in) * (1 - 0x1p-50));
+    const double error = after_rounding(value, error_in / least, unit) + error_floor;
+    const bool inside = x - 1.5 * error_in > 0;
+    y.value[k] = value;
+    y.error[k] = inside ? error : x == 0 && error_in == 0 ? 0 : infinity;
+  });
+}
+
+inline void selection(NodeEnvelope& y, const NodeEnvelope& a, const NodeEnvelope& b, bool larger) {
+  for_each_lane([&](std::size_t k) {
+    const double av = a.value[k], bv = b.value[k];
+    const double ae = a.error[k], be = b.error[k];
+    y.value[k] = (av < bv) != larger ? av : bv;
+    // The last term is 0, or NaN where one of them is not finite: a comparison would lose that.
+    y.error[k] = (ae < be ? be : ae) + 0 * (ae + be);
+  });
+}
+
+inline void converted(NodeEnvelope& y, const NodeEnvelope& a, double unit) {
+  for_each_lane([&](std::size_t k) {
+    y.value[k] = a.value[k];
+    y.error[k] = after_rounding(a.value[k], a.error[k], unit);
+  });
+}
+
+inline void negated(NodeEnvelope& y, const NodeEnvelope& a) {
+  for_each_lane([&](std::size_t k) { y.value[k] = -a.value[k]; });
+  y.error = a.error;
+}
+
+inline void magnitude(NodeEnvelope& y, const NodeEnvelope& a) {
+  for_each_lane([&](std::size_t k) { y.value[k] = std::fabs(a.value[k]); });
+  y.error = a.error;
+}
+
+}  // namespace mixcmp::model::envelope_kernels

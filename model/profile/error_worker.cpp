@@ -1,0 +1,120 @@
+#include "model/profile/error_worker.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "model/error/largest_relative_error.hpp"
+#include "model/golden/evaluate.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// Beyond these exponents the low part of a true value might underflow, or its high part overflow.
+constexpr mpfr_exp_t lowest_exponent = -800, highest_exponent = 1000;
+
+}  // namespace
+
+void LargestError::add(const LargestError& other) {
+  if (other.error > error || (other.error == error && other.sample < sample)) *this = other;
+}
+
+void ErrorTally::add(const ErrorTally& other) {
+  for (std::size_t lane = 0; lane < f.size(); ++lane) {
+    f[lane].add(other.f[lane]);
+    g[lane].add(other.g[lane]);
+  }
+  comparisons += other.comparisons;
+}
+
+JudgedError judge_error(const ErrorJob& job, const TypedGraph& lane, std::uint64_t sample) {
+  std::vector<Bits> operands(job.source.data().input_count());
+  job.source.data().fetch(job.permutation(sample), operands);
+  golden::Enclosure truth(job.scene.graph, error_truth_precision);
+  if (truth.compute(lane.input_format, operands) != golden::Knowledge::enclosed) return {};
+  const std::vector<golden::Rounded> computed = golden::evaluate(lane, operands);
+  LargestRelativeError f(lane.arithmetic.format), g(lane.arithmetic.format);
+  f.measure(computed[lane.f].bits, truth.f().low);
+  g.measure(computed[lane.g].bits, truth.g().low);
+  return {f.value(), g.value()};
+}
+
+ErrorWorker::ErrorWorker(const ErrorJob& job)
+    : job_(job),
+      enclosure_(job.scene.graph, error_truth_precision),
+      operands_(job.source.data().input_count(), block),
+      scratch_(error_truth_precision),
+      f_(block),
+      g_(block),
+      exceptional_(block) {
+  tally_.f.resize(job.lanes.size());
+  tally_.g.resize(job.lanes.size());
+  for (Truth* truth : {&truth_f_, &truth_g_}) {
+    for (auto* part : {&truth->high, &truth->low, &truth->scale}) part->resize(block);
+  }
+}
+
+void ErrorWorker::run(const BlockSource& next) {
+  std::uint64_t first = 0, count = 0;
+  while (next(first, count)) {
+    find_truth(first, count);
+    for (std::size_t lane = 0; lane < job_.lanes.size(); ++lane) measure_lane(lane, first, count);
+  }
+}
+
+bool ErrorWorker::keep(Truth& truth, golden::BigFloat& scratch, const golden::BigFloat& value,
+                       std::size_t k) {
+  truth.high[k] = truth.low[k] = truth.scale[k] = 0;
+  if (!mpfr_regular_p(value.get())) return true;
+  const mpfr_exp_t exponent = mpfr_get_exp(value.get());
+  if (exponent < lowest_exponent || exponent > highest_exponent) return false;
+  truth.high[k] = mpfr_get_d(value.get(), MPFR_RNDN);
+  mpfr_sub_d(scratch.get(), value.get(), truth.high[k], MPFR_RNDN);
+  truth.low[k] = mpfr_get_d(scratch.get(), MPFR_RNDN);
+  truth.scale[k] = 1 / std::fabs(truth.high[k]);
+  return true;
+}
+
+void ErrorWorker::find_truth(std::uint64_t first, std::size_t count) {
+  std::vector<std::uint64_t> indices;
+  std::vector<Bits> operands(job_.source.data().input_count());
+  extreme_.clear();
+  for (std::size_t k = 0; k < count; ++k) {
+    indices.push_back(job_.permutation(first + k));
+    job_.source.data().fetch(indices.back(), operands);
+    truth_f_.scale[k] = truth_g_.scale[k] = 0;
+    const FloatFormat format = job_.source.data().table().format;
+    if (enclosure_.compute(format, operands) != golden::Knowledge::enclosed) continue;
+    ++tally_.comparisons;
+    const bool f_kept = keep(truth_f_, scratch_, enclosure_.f().low, k);
+    const bool g_kept = keep(truth_g_, scratch_, enclosure_.g().low, k);
+    if (!f_kept || !g_kept) extreme_.push_back(first + k);
+  }
+  job_.source.fetch(indices, operands_);
+}
+
+void ErrorWorker::measure_lane(std::size_t index, std::uint64_t first, std::size_t count) {
+  const ErrorLane& lane = job_.lanes[index];
+  lane.emulator.compute(operands_.columns(), count, f_, g_, exceptional_);
+  measure(truth_f_, f_, first, count, tally_.f[index]);
+  measure(truth_g_, g_, first, count, tally_.g[index]);
+  for (const std::uint64_t sample : extreme_) {
+    const JudgedError judged = judge_error(job_, lane.graph, sample);
+    tally_.f[index].add({judged.f.get_d(), sample});
+    tally_.g[index].add({judged.g.get_d(), sample});
+  }
+}
+
+void ErrorWorker::measure(const Truth& truth, const std::vector<double>& computed,
+                          std::uint64_t first, std::size_t count, LargestError& largest) {
+  for (std::size_t k = 0; k < count; ++k) {
+    // The first difference is exact where it is small.
+    const double difference = (computed[k] - truth.high[k]) - truth.low[k];
+    const double error = std::fabs(difference) * truth.scale[k];
+    // Not for a NaN or an infinity, which are passed over.
+    if (error > largest.error && error < std::numeric_limits<double>::infinity()) {
+      largest = {error, first + k};
+    }
+  }
+}
+
+}  // namespace mixcmp::model

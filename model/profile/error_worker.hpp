@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/data/permutation.hpp"
+#include "model/emulator/emulator.hpp"
+#include "model/golden/enclosure.hpp"
+#include "model/profile/operands.hpp"
+#include "model/profile/profile.hpp"
+#include "model/profile/workers.hpp"
+
+namespace mixcmp::model {
+
+/// The largest error so far, in double, and the first sample that has it.
+struct LargestError {
+  double error = 0;
+  std::uint64_t sample = 0;
+
+  void add(const LargestError& other);
+};
+
+struct ErrorLane {
+  TypedGraph graph;
+  Emulator emulator;
+};
+
+/// What the samples have in common: built once, read by all threads.
+struct ErrorJob {
+  const Scene& scene;
+  const OperandSource& source;
+  Permutation permutation;  ///< sample n is comparison permutation(n)
+  std::vector<ErrorLane> lanes;
+};
+
+struct ErrorTally {
+  std::vector<LargestError> f, g;  ///< one a lane
+  std::uint64_t comparisons = 0;
+
+  void add(const ErrorTally& other);
+};
+
+/// The errors of f and g of one sample, by MPFR alone.
+struct JudgedError {
+  mpq_class f = 0, g = 0;
+};
+JudgedError judge_error(const ErrorJob& job, const TypedGraph& lane, std::uint64_t sample);
+
+/// One thread's share of figure 4. Errors are measured in double, from 500-bit true values kept as
+/// sums of two doubles: right to 2^-48 of themselves, enough to find the largest.
+class ErrorWorker {
+public:
+  static constexpr std::size_t block = 2048;
+
+  explicit ErrorWorker(const ErrorJob& job);
+  void run(const BlockSource& next);
+  const ErrorTally& tally() const { return tally_; }
+
+private:
+  /// True values of one function: high + low. Where `scale` is 0 nothing is measured.
+  struct Truth {
+    std::vector<double> high, low, scale;
+  };
+
+  void find_truth(std::uint64_t first, std::size_t count);
+  /// False where double has no such exponents.
+  static bool keep(Truth& truth, golden::BigFloat& scratch, const golden::BigFloat& value,
+                   std::size_t k);
+  void measure_lane(std::size_t lane, std::uint64_t first, std::size_t count);
+  static void measure(const Truth& truth, const std::vector<double>& computed, std::uint64_t first,
+                      std::size_t count, LargestError& largest);
+
+  const ErrorJob& job_;
+  ErrorTally tally_;
+  golden::Enclosure enclosure_;
+  OperandBlock operands_;
+  Truth truth_f_, truth_g_;
+  std::vector<std::uint64_t> extreme_;  ///< samples of the block left to MPFR
+  golden::BigFloat scratch_;
+  std::vector<double> f_, g_;
+  std::vector<std::uint8_t> exceptional_;
+};
+
+}  // namespace mixcmp::model

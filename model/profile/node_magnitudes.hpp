@@ -1,0 +1,31 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "model/expression/typed_graph.hpp"
+#include "model/profile/operands.hpp"
+
+namespace mixcmp::model {
+
+/// What all comparisons of the data have in common at one node of a lane.
+struct NodeMagnitude {
+  static constexpr int unknown = std::numeric_limits<int>::min() / 4;
+
+  double largest;       ///< |true value|, |computed value| <= largest; infinite: not known
+  int grid = unknown;   ///< computed values are multiples of 2^grid
+  int least = unknown;  ///< computed values are 0 or at least 2^least in magnitude
+};
+
+/// Of the values an input takes; not finite ones make `largest` infinite.
+NodeMagnitude magnitude_of(const std::vector<double>& values);
+
+/// Of every node of `lane`, if its operations round to `precision` digits with unbounded exponent
+/// (docs/profile.md, "What cannot underflow"). `inputs`: one an input.
+std::vector<NodeMagnitude> node_magnitudes(const TypedGraph& lane, int precision,
+                                           const std::vector<NodeMagnitude>& inputs);
+
+/// Whether the operation rounds its result; the others are exact.
+bool rounds(Operation operation);
+
+}  // namespace mixcmp::model

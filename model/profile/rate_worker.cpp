@@ -1,0 +1,191 @@
+#include "model/profile/rate_worker.hpp"
+
+#include <algorithm>
+
+#include "model/golden/evaluate.hpp"
+
+namespace mixcmp::model {
+
+RateTally::RateTally(const RateJob& job) {
+  for (const SystemLanes& system : job.systems) {
+    std::vector<SystemCounts>& row = counts.emplace_back();
+    for (const auto& lane : system.lanes) row.push_back({.exists = lane.has_value()});
+  }
+}
+
+void RateTally::add(const RateTally& other) {
+  for (std::size_t system = 0; system < counts.size(); ++system) {
+    for (std::size_t k = 0; k < counts[system].size(); ++k) {
+      counts[system][k].undecided += other.counts[system][k].undecided;
+      counts[system][k].wrong += other.counts[system][k].wrong;
+    }
+  }
+  reference_wrong += other.reference_wrong;
+  true_verdicts += other.true_verdicts;
+  emulated += other.emulated;
+}
+
+RateWorker::RateWorker(const RateJob& job)
+    : job_(job),
+      tally_(job),
+      pending_(job.stages.size(), Candidates(job.source.data().input_count(), capacity)),
+      last_(job.systems.size() * capacity),
+      doubtful_(capacity),
+      order_(capacity),
+      chosen_(job.source.data().input_count(), capacity),
+      decisions_(capacity) {}
+
+void RateWorker::run(const BlockSource& next) {
+  std::uint64_t first = 0, count = 0;
+  while (next(first, count)) start(first, count);
+  for (std::size_t stage = 1; stage < pending_.size(); ++stage) process(stage);
+}
+
+/// Everything about new comparisons, up to the first stage's last precision.
+void RateWorker::start(std::uint64_t first, std::size_t count) {
+  Candidates& candidates = pending_.front();
+  job_.source.fetch(first, count, candidates.operands());
+  const auto all = static_cast<std::uint32_t>((std::uint64_t{1} << job_.systems.size()) - 1);
+  std::fill_n(candidates.systems.begin(), count, all);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (job_.failing_first.empty()) break;
+    const auto [i, j] = job_.source.data().items(first + k);
+    candidates.failing[k] = job_.failing_first[i] | job_.failing_second[j];
+  }
+  look(job_.stages.front(), candidates, true);
+  find_true_verdicts(first, candidates);
+  process(0);
+}
+
+/// Envelopes of all candidates; for new ones the verdicts, too.
+void RateWorker::look(const Stage& stage, Candidates& candidates, bool is_first) {
+  const Envelope& envelope = stage.envelope();
+  const int reference = job_.scene.reference.format.precision();
+  for (std::size_t at = 0; at < candidates.size(); at += envelope_width) {
+    envelope.evaluate(candidates.operands().columns(at), envelope_);
+    stage.last_open(envelope_, capacity, last_.data() + at);
+    if (!is_first) continue;
+    find_doubtful(envelope, reference, envelope_, doubtful_.data() + at);
+    for (std::size_t k = 0; k < envelope_width; ++k) {
+      const bool greater = envelope_.nodes.back().value[k] > 0;
+      candidates.truth[at + k] = greater ? Decision::greater : Decision::less;
+    }
+  }
+  if (job_.method == ProfileMethod::brute_force) {
+    std::fill(last_.begin(), last_.end(), static_cast<LastOpen>(stage.next()));
+    std::fill(doubtful_.begin(), doubtful_.end(), 1);
+  }
+}
+
+void RateWorker::find_true_verdicts(std::uint64_t first, Candidates& candidates) {
+  candidates.reference = candidates.truth;
+  std::vector<std::uint64_t> indices;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if (doubtful_[k] != 0) indices.push_back(first + k);
+  }
+  job_.source.fetch(indices, chosen_.operands());
+  job_.reference.decide(chosen_.operands().columns(), indices.size(), decisions_);
+  std::vector<Bits> operands(job_.source.data().input_count());
+  for (std::size_t n = 0; n < indices.size(); ++n) {
+    const std::size_t k = indices[n] - first;
+    job_.source.data().fetch(indices[n], operands);
+    candidates.reference[k] = decisions_[n];
+    candidates.truth[k] = static_cast<Decision>(
+        golden::true_verdict(job_.scene.graph, job_.scene.reference.format, operands));
+    if (candidates.reference[k] != candidates.truth[k]) ++tally_.reference_wrong;
+  }
+  tally_.true_verdicts += indices.size();
+}
+
+void RateWorker::process(std::size_t index) {
+  const Stage& stage = job_.stages[index];
+  Candidates& candidates = pending_[index];
+  if (index > 0) look(stage, candidates, false);
+  settle_finished(stage, candidates);
+  for (std::size_t system = 0; system < stage.system_count(); ++system) {
+    run_system(stage, system, candidates);
+  }
+  if (index + 1 < pending_.size()) pass_on(stage, candidates, pending_[index + 1]);
+  candidates.operands().resize(0);
+  if (index + 1 < pending_.size() && pending_[index + 1].size() >= block) process(index + 1);
+}
+
+/// What an earlier stage settled stays so; a failing check can leave a lane undecided forever.
+void RateWorker::settle_finished(const Stage& stage, const Candidates& candidates) {
+  for (std::size_t system = 0; system < stage.system_count(); ++system) {
+    LastOpen* const last = last_.data() + system * capacity;
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      if ((candidates.failing[k] >> system & 1) != 0) last[k] = static_cast<LastOpen>(stage.next());
+      if ((candidates.systems[k] >> system & 1) == 0) {
+        last[k] = static_cast<LastOpen>(stage.anchor() - 1);
+      }
+    }
+  }
+}
+
+void RateWorker::run_system(const Stage& stage, std::size_t system, const Candidates& candidates) {
+  choose(stage, system, candidates);
+  const std::vector<const double*> columns = chosen_.operands().columns();
+  for (int precision = stage.anchor(); precision < stage.next(); ++precision) {
+    const std::size_t count = open_at_[precision - stage.anchor()];
+    const Stage::Runner& runner = stage.runner(system, precision);
+    if (count == 0) break;
+    if (!runner.emulator) continue;
+    if (runner.kind == SystemKind::lanes_alone) {
+      runner.emulator->compare(columns, count, decisions_);
+    } else {
+      runner.emulator->decide(columns, count, decisions_);
+    }
+    tally_.emulated += count;
+    const std::size_t index = precision - job_.stages.front().anchor();
+    count_decisions(tally_.counts[system][index], count);
+  }
+}
+
+/// Those that are open at some precision of the stage, longest open first: what is open at L is
+/// then a beginning of the list.
+void RateWorker::choose(const Stage& stage, std::size_t system, const Candidates& candidates) {
+  const LastOpen* const last = last_.data() + system * capacity;
+  const int anchor = stage.anchor(), steps = stage.next() - anchor + 1;
+  open_at_.assign(steps + 1, 0);
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if (last[k] >= anchor) ++open_at_[last[k] - anchor];
+  }
+  for (int step = steps; step-- > 0;) open_at_[step] += open_at_[step + 1];
+  std::vector<std::size_t> place(open_at_.begin() + 1, open_at_.end());
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if (last[k] >= anchor) order_[place[last[k] - anchor]++] = static_cast<std::uint32_t>(k);
+  }
+  const std::size_t count = open_at_[0];
+  chosen_.operands().resize(count);
+  for (std::size_t input = 0; input < job_.source.data().input_count(); ++input) {
+    const double* const from = candidates.operands().column(input);
+    double* const to = chosen_.operands().column(input);
+    for (std::size_t n = 0; n < count; ++n) to[n] = from[order_[n]];
+  }
+  for (std::size_t n = 0; n < count; ++n) {
+    chosen_.truth[n] = candidates.truth[order_[n]];
+    chosen_.reference[n] = candidates.reference[order_[n]];
+  }
+}
+
+void RateWorker::count_decisions(SystemCounts& counts, std::size_t count) const {
+  for (std::size_t n = 0; n < count; ++n) {
+    const bool undecided = decisions_[n] == Decision::undecided;
+    const Decision verdict = undecided ? chosen_.reference[n] : decisions_[n];
+    counts.undecided += undecided ? 1 : 0;
+    counts.wrong += verdict != chosen_.truth[n] ? 1 : 0;
+  }
+}
+
+void RateWorker::pass_on(const Stage& stage, const Candidates& from, Candidates& to) {
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    std::uint32_t left = 0;
+    for (std::size_t system = 0; system < stage.system_count(); ++system) {
+      if (last_[system * capacity + k] >= stage.next()) left |= std::uint32_t{1} << system;
+    }
+    if (left != 0) to.append(from, k, left);
+  }
+}
+
+}  // namespace mixcmp::model

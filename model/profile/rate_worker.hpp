@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/profile/candidates.hpp"
+#include "model/profile/stage.hpp"
+#include "model/profile/workers.hpp"
+
+namespace mixcmp::model {
+
+/// What the comparisons have in common: built once, read by all threads.
+struct RateJob {
+  const Scene& scene;
+  const OperandSource& source;
+  ProfileMethod method;
+  std::vector<SystemLanes> systems;
+  std::vector<Stage> stages;  ///< neighbours: the next of one is the anchor of the following
+  Emulator reference;
+  /// Bit k of a row: as first (second) item it may fail a range check of system k.
+  std::vector<std::uint32_t> failing_first, failing_second;
+};
+
+/// Integer sums over comparisons: their order does not matter.
+struct RateTally {
+  /// One a system, one a precision.
+  std::vector<std::vector<SystemCounts>> counts;
+  std::uint64_t reference_wrong = 0, true_verdicts = 0, emulated = 0;
+
+  explicit RateTally(const RateJob& job);
+  void add(const RateTally& other);
+};
+
+/// One thread's share: comparisons go through the stages and are dropped as soon as every system is
+/// settled on them.
+class RateWorker {
+public:
+  static constexpr std::size_t block = 16384;
+
+  explicit RateWorker(const RateJob& job);
+  void run(const BlockSource& next);
+  const RateTally& tally() const { return tally_; }
+
+private:
+  /// A stage's queue is emptied when it holds `block`, and one more block may have been added.
+  static constexpr std::size_t capacity = 2 * block;
+
+  void start(std::uint64_t first, std::size_t count);
+  void process(std::size_t stage);
+  void look(const Stage& stage, Candidates& candidates, bool is_first);
+  void find_true_verdicts(std::uint64_t first, Candidates& candidates);
+  void settle_finished(const Stage& stage, const Candidates& candidates);
+  void run_system(const Stage& stage, std::size_t system, const Candidates& candidates);
+  void choose(const Stage& stage, std::size_t system, const Candidates& candidates);
+  void count_decisions(SystemCounts& counts, std::size_t count) const;
+  void pass_on(const Stage& stage, const Candidates& from, Candidates& to);
+
+  const RateJob& job_;
+  RateTally tally_;
+  EnvelopeBlock envelope_;
+  std::vector<Candidates> pending_;  ///< one a stage
+  std::vector<LastOpen> last_;       ///< `capacity` of one system, of the next, ...
+  std::vector<std::uint8_t> doubtful_;
+  std::vector<std::uint32_t> order_;  ///< rows of the candidates, longest open first
+  std::vector<std::size_t> open_at_;  ///< [L - anchor]: how many are open at L
+  Candidates chosen_;                 ///< the candidates of one system, in that order
+  std::vector<Decision> decisions_;
+};
+
+}  // namespace mixcmp::model

@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <utility>
+
+#include "model/golden/evaluate.hpp"
+#include "model/profile/rate_worker.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// Where envelopes are computed anew: the errors of a few digits are coarse.
+constexpr std::array<int, 8> usual_anchors = {5, 7, 10, 14, 20, 28, 36, 44};
+
+std::vector<int> anchors_of(const ErrorProfile& errors) {
+  const int first = errors.precisions.front().precision, last = errors.precisions.back().precision;
+  std::vector<int> anchors = {first};
+  for (const int anchor : usual_anchors) {
+    if (anchor > first && anchor <= last) anchors.push_back(anchor);
+  }
+  anchors.push_back(last + 1);
+  return anchors;
+}
+
+std::vector<NodeMagnitude> input_magnitudes(const OperandSource& source) {
+  std::vector<NodeMagnitude> magnitudes;
+  for (std::size_t input = 0; input < source.data().input_count(); ++input) {
+    magnitudes.push_back(magnitude_of(source.values(input)));
+  }
+  return magnitudes;
+}
+
+/// Checks repeat from precision to precision; one of each is enough.
+std::vector<RangeCheck> distinct_checks(const SystemLanes& system) {
+  std::vector<RangeCheck> checks;
+  for (const std::optional<Lane>& lane : system.lanes) {
+    if (!lane) continue;
+    for (const RangeCheck& check : lane->checks) {
+      if (std::find(checks.begin(), checks.end(), check) == checks.end()) checks.push_back(check);
+    }
+  }
+  return checks;
+}
+
+/// Bit k: the operand fails some check that system k makes of this input.
+std::uint32_t failing_systems(const std::vector<std::vector<RangeCheck>>& checks, int input,
+                              FloatFormat format, Bits operand) {
+  std::uint32_t failing = 0;
+  for (std::size_t system = 0; system < checks.size(); ++system) {
+    for (const RangeCheck& check : checks[system]) {
+      const bool fails = check.input == input && !golden::passes(check, format, operand);
+      failing |= std::uint32_t{fails} << system;
+    }
+  }
+  return failing;
+}
+
+void find_failing(RateJob& job) {
+  std::vector<std::vector<RangeCheck>> checks;
+  for (const SystemLanes& system : job.systems) checks.push_back(distinct_checks(system));
+  const Comparisons& data = job.source.data();
+  const Table& table = data.table();
+  std::vector<std::uint32_t> first(table.rows(), 0), second(table.rows(), 0);
+  std::uint32_t any = 0;
+  for (std::size_t input = 0; input < data.input_count(); ++input) {
+    const auto [column, is_second] = data.sources()[input];
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      const std::uint32_t failing =
+          failing_systems(checks, static_cast<int>(input), table.format, table.at(row, column));
+      (is_second ? second : first)[row] |= failing;
+      any |= failing;
+    }
+  }
+  if (any == 0) return;
+  job.failing_first = std::move(first);
+  job.failing_second = std::move(second);
+}
+
+std::vector<SystemLanes> existing_systems(std::vector<SystemLanes> systems) {
+  std::erase_if(systems, [](const SystemLanes& system) { return !system.exists(); });
+  return systems;
+}
+
+void add_stages(RateJob& job, const ErrorProfile& errors) {
+  const std::vector<int> anchors = anchors_of(errors);
+  const std::vector<NodeMagnitude> inputs = input_magnitudes(job.source);
+  for (std::size_t k = 0; k + 1 < anchors.size(); ++k) {
+    const Envelope::Options options{.anchor = anchors[k],
+                                    .last = anchors.back() - 1,
+                                    .reference = job.scene.reference.format,
+                                    .inputs = inputs};
+    job.stages.emplace_back(options, anchors[k + 1], anchors.front(),
+                            graph_at(job.scene, anchors[k], errors.inputs), job.systems);
+  }
+}
+
+RateTally run(const RateJob& job, const ProfileOptions& options) {
+  RateTally total(job);
+  std::mutex mutex;
+  WorkSplit split{
+      .size = job.source.data().size(), .block = RateWorker::block, .threads = options.threads};
+  if (options.progress) {
+    split.progress = [&](double share) { options.progress("recomputation rates", share); };
+  }
+  run_workers(split, [&](const BlockSource& next) {
+    RateWorker worker(job);
+    worker.run(next);
+    const std::lock_guard lock(mutex);
+    total.add(worker.tally());
+  });
+  return total;
+}
+
+}  // namespace
+
+RateProfile profile_rates(const Scene& scene, const Comparisons& data, const ErrorProfile& errors,
+                          const ProfileOptions& options) {
+  const std::vector<SystemLanes> systems = make_systems(scene, errors);
+  const OperandSource source(data);
+  RateJob job{.scene = scene,
+              .source = source,
+              .method = options.method,
+              .systems = existing_systems(systems),
+              .stages = {},
+              .reference = Emulator(reference_graph(scene.graph, scene.reference)),
+              .failing_first = {},
+              .failing_second = {}};
+  find_failing(job);
+  add_stages(job, errors);
+  const RateTally tally = run(job, options);
+  RateProfile profile{.inputs = errors.inputs,
+                      .first_precision = errors.precisions.front().precision,
+                      .comparisons = data.size(),
+                      .reference_wrong = tally.reference_wrong,
+                      .true_verdicts = tally.true_verdicts,
+                      .emulated = tally.emulated,
+                      .systems = {}};
+  std::size_t counted = 0;
+  for (const SystemLanes& system : systems) {
+    SystemProfile& row =
+        profile.systems.emplace_back(SystemProfile{system.name, system.kind, {}, system.reason});
+    row.counts = system.exists() ? tally.counts[counted++]
+                                 : std::vector<SystemCounts>(errors.precisions.size());
+  }
+  return profile;
+}
+
+}  // namespace mixcmp::model

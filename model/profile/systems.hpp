@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/error/lane.hpp"
+#include "model/profile/profile.hpp"
+
+namespace mixcmp::model {
+
+/// One way to build a lane, at every precision where it exists.
+struct SystemLanes {
+  std::string name;
+  SystemKind kind;
+  std::vector<std::optional<Lane>> lanes;  ///< from the first precision on
+  std::string reason;                      ///< why it does not exist, where it does not
+
+  bool exists() const;
+};
+
+/// The lane's graph at one precision; exponent bits are those of reduced.format, or of the
+/// reference where that is "auto".
+TypedGraph graph_at(const Scene& scene, int precision, LaneInputs inputs);
+
+/// Lanes alone, profiled with the constants of `errors`, and every certified candidate.
+std::vector<SystemLanes> make_systems(const Scene& scene, const ErrorProfile& errors);
+
+}  // namespace mixcmp::model

@@ -1,0 +1,164 @@
+#include "model/profile/threshold.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "model/common/check.hpp"
+#include "model/golden/arithmetic.hpp"
+#include "model/profile/envelope_kernels.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+using envelope_kernels::for_each_lane;
+using envelope_kernels::outward;
+
+/// |computed| at most, at every precision.
+double largest(const NodeEnvelope& node, std::size_t k) {
+  return (std::fabs(node.value[k]) + 1.5 * node.error[k]) * outward;
+}
+
+/// Upward.
+double to_double(Bits bits) {
+  return (std::ldexp(static_cast<double>(static_cast<std::uint64_t>(bits >> 64)), 64) +
+          static_cast<double>(static_cast<std::uint64_t>(bits))) *
+         outward;
+}
+
+/// The constant that multiplies |f| or |g| on the way to D - E: relative_error as the lane has it.
+double encoded_error(const TypedGraph& graph, NodeId product) {
+  const TypedNode& node = graph.nodes[graph.nodes[product].operands[1]];
+  MIXCMP_CHECK(node.operation == Operation::constant);
+  if (node.format.is_infinite(node.constant)) return envelope_kernels::infinity;
+  return golden::to_rational(node.format, node.constant).get_d() * outward;
+}
+
+bool same_node(const TypedNode& a, const TypedNode& b) {
+  return a.operation == b.operation && a.operands == b.operands && a.input == b.input &&
+         a.value == b.value;
+}
+
+/// Whether a lane's graph begins with `count` nodes of the first lane's.
+bool begins_alike(const TypedGraph& a, const TypedGraph& b, std::size_t count) {
+  return a.f == b.f && a.g == b.g && a.nodes.size() >= count && b.nodes.size() >= count &&
+         std::equal(a.nodes.begin(), a.nodes.begin() + static_cast<std::ptrdiff_t>(count),
+                    b.nodes.begin(), same_node);
+}
+
+/// What `guard_ulp` steps multiply a number by, at most: theorem 3.
+double guard_factor(const Lane& lane) {
+  const Bits guard = std::get<AbsoluteBoundDecision>(lane.decision).guard_ulp;
+  const int precision = lane.graph.arithmetic.format.precision();
+  const Bits binade = Bits{1} << (precision - 1);
+  const double doublings = to_double(guard / binade);
+  return std::exp2(doublings) * (1 + to_double(guard % binade) / to_double(binade)) * outward *
+         outward;
+}
+
+bool looks_at_shared_nodes(const AbsoluteBoundDecision& decision, const Envelope& envelope) {
+  const auto shared = [&](const auto& part) { return part.value < envelope.node_count(); };
+  return decision.difference == envelope.difference() &&
+         std::all_of(decision.bound.nodes.begin(), decision.bound.nodes.end(), shared) &&
+         std::all_of(decision.conditions.begin(), decision.conditions.end(), shared);
+}
+
+}  // namespace
+
+Threshold Threshold::of_order() {
+  return {Order{}, 0, 0, 0};
+}
+
+Threshold Threshold::of_lanes(std::span<const Lane* const> lanes, const Envelope& envelope) {
+  const bool known = std::all_of(lanes.begin(), lanes.end(), [&](const Lane* lane) {
+    return lane != nullptr && lanes.front() != nullptr &&
+           lane->decision.index() == lanes.front()->decision.index() &&
+           begins_alike(lane->graph, envelope.graph(), envelope.node_count() - 1);
+  });
+  const double floor = std::ldexp(1.0, envelope.lowest() + 2);
+  return {known ? kind_of(lanes, envelope) : Kind{Unknown{}}, floor, envelope.graph().f,
+          envelope.graph().g};
+}
+
+Threshold::Kind Threshold::kind_of(std::span<const Lane* const> lanes, const Envelope& envelope) {
+  const auto& decision = lanes.front()->decision;
+  if (std::holds_alternative<UlpDistanceDecision>(decision)) return distance(lanes, envelope);
+  if (std::holds_alternative<IntervalDecision>(decision)) return interval(lanes, envelope);
+  return absolute(lanes, envelope);
+}
+
+Threshold::Kind Threshold::distance(std::span<const Lane* const> lanes, const Envelope& envelope) {
+  double guard = 0;
+  for (const Lane* lane : lanes) {
+    guard = std::max(guard, to_double(std::get<UlpDistanceDecision>(lane->decision).guard_ulp));
+  }
+  return Distance{std::ldexp(guard, 1 - envelope.anchor())};
+}
+
+Threshold::Kind Threshold::interval(std::span<const Lane* const> lanes, const Envelope& envelope) {
+  double f = 0, g = 0;
+  int precision = envelope.anchor();
+  for (const Lane* lane : lanes) {
+    const TypedGraph& graph = lane->graph;
+    const auto& decision = std::get<IntervalDecision>(lane->decision);
+    // minimum = D - E, E = E_f + E_g, each a magnitude times a constant.
+    const TypedNode& error = graph.nodes[graph.nodes[decision.minimum].operands[1]];
+    MIXCMP_CHECK(error.operation == Operation::add);
+    const double scale = std::ldexp(1.0, precision - envelope.anchor());
+    f = std::max(f, encoded_error(graph, error.operands[0]) * scale);
+    g = std::max(g, encoded_error(graph, error.operands[1]) * scale);
+    ++precision;
+  }
+  const double unit = envelope.unit();
+  const double factor = (1 + unit) * (1 + unit) / (1 - unit) * outward;
+  return Interval{f * factor, g * factor};
+}
+
+Threshold::Kind Threshold::absolute(std::span<const Lane* const> lanes, const Envelope& envelope) {
+  const auto decision = [&](std::size_t k) -> const AbsoluteBoundDecision& {
+    return std::get<AbsoluteBoundDecision>(lanes[k]->decision);
+  };
+  double guard = 1;
+  for (const Lane* lane : lanes) guard = std::max(guard, guard_factor(*lane));
+  Absolute absolute{.bounds = {}, .factor = guard * outward / (1 - envelope.unit())};
+  const int last = envelope.anchor() + static_cast<int>(lanes.size()) - 1;
+  for (std::size_t first = 0, next = 0; first < lanes.size(); first = next) {
+    // Beyond the shared nodes there may only be the difference, and it is the envelope's.
+    if (!looks_at_shared_nodes(decision(first), envelope)) return Unknown{};
+    while (next < lanes.size() && BoundEnvelope::same_structure(decision(first), decision(next))) {
+      ++next;
+    }
+    const int precision = envelope.anchor() + static_cast<int>(first);
+    absolute.bounds.emplace_back(lanes.subspan(first, next - first), precision, last, envelope);
+  }
+  return absolute;
+}
+
+void Threshold::evaluate(const EnvelopeBlock& block, EnvelopeRow& scaled, EnvelopeRow& fixed,
+                         EnvelopeRow& wild) const {
+  const NodeEnvelope& f = block.nodes[f_];
+  const NodeEnvelope& g = block.nodes[g_];
+  scaled.fill(0);
+  fixed.fill(0);
+  if (const auto* distance = std::get_if<Distance>(&kind_)) {
+    for_each_lane([&](std::size_t k) {
+      const double lf = largest(f, k), lg = largest(g, k);
+      scaled[k] = (lf < lg ? lg : lf) * distance->steps;
+    });
+  } else if (const auto* interval = std::get_if<Interval>(&kind_)) {
+    for_each_lane([&](std::size_t k) {
+      scaled[k] = largest(f, k) * interval->f + largest(g, k) * interval->g;
+    });
+  } else if (const auto* absolute = std::get_if<Absolute>(&kind_)) {
+    for (const BoundEnvelope& bound : absolute->bounds) bound.raise(block, scaled, fixed, wild);
+    for_each_lane([&](std::size_t k) {
+      scaled[k] *= absolute->factor;
+      fixed[k] *= absolute->factor;
+    });
+  } else if (std::holds_alternative<Unknown>(kind_)) {
+    wild.fill(1);
+  }
+  for_each_lane([&](std::size_t k) { fixed[k] += floor_; });
+}
+
+}  // namespace mixcmp::model

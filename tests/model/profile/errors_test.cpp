@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+
+#include "model/data/uniform_spheres.hpp"
+#include "model/error/profiled_error.hpp"
+#include "model/profile/systems.hpp"
+#include "tests/model/profile/profile_cases.hpp"
+#include "tests/support/sphere.hpp"
+
+namespace mixcmp::test {
+namespace {
+
+using model::Arithmetic;
+using model::Comparisons;
+using model::ErrorProfile;
+using model::LaneInputs;
+using model::ProfiledError;
+using model::ProfileOptions;
+using model::Scene;
+
+/// Equal but for the last few of 2^-48 of itself.
+void expect_same(const mpq_class& got, const mpq_class& expected, const std::string& what) {
+  EXPECT_LE(got, expected) << what;
+  EXPECT_GE(got * (1 + mpq_class(1, mpz_class(1) << 46)), expected) << what;
+}
+
+void expect_slow_profile(const Scene& scene, const Comparisons& data,
+                         const ProfileOptions& options) {
+  const std::vector<LaneInputs> both = {LaneInputs::rounded, LaneInputs::exact};
+  const std::vector<ErrorProfile> profiles = profile_errors(scene, data, both, options);
+  ASSERT_EQ(profiles.size(), 2u);
+  for (const ErrorProfile& profile : profiles) {
+    for (const model::ErrorAtPrecision& error : profile.precisions) {
+      const model::TypedGraph lane = graph_at(scene, error.precision, profile.inputs);
+      const ProfiledError slow = profile_error(scene.graph, lane, data, options.error_samples, 1);
+      const std::string what = "L = " + std::to_string(error.precision);
+      expect_same(error.f, slow.f, what);
+      expect_same(error.g, slow.g, what);
+      EXPECT_EQ(profile.comparisons, slow.comparisons);
+    }
+  }
+}
+
+Comparisons spheres(const Scene& scene, std::size_t count) {
+  model::Table table = uniform_spheres({.count = count, .side = 100, .radius_max = 30, .seed = 2},
+                                       scene.reference.format);
+  return Comparisons::all_pairs(std::move(table), scene.graph.inputs()).value();
+}
+
+Scene sphere_scene() {
+  const Arithmetic reduced{format_of(8, 8), model::Rounding::nearest_even,
+                           model::Subnormals::flush};
+  Scene scene = scene_of(sphere_graph(), format_of(53, 11), reduced);
+  for (auto& range : scene.ranges) range = model::Range{0, 100};
+  return scene;
+}
+
+TEST(Errors, AreThoseThatMpfrFinds) {
+  const Scene scene = sphere_scene();
+  expect_slow_profile(
+      scene, spheres(scene, 100),
+      {.first_precision = 4, .last_precision = 52, .error_samples = 300, .threads = 2});
+}
+
+TEST(Errors, OfAnyExpressionAreThoseThatMpfrFinds) {
+  std::mt19937_64 random(4);
+  for (const auto& [f, g] : expressions) {
+    for (const Family family : all_families) {
+      const auto arithmetics = every_arithmetic(format_of(8, 11));
+      const Scene scene = scene_of(graph_of(f, g), format_of(53, 11), arithmetics[random() % 4]);
+      expect_slow_profile(scene, random_rows(scene, family, 20, random),
+                          {.first_precision = 47, .last_precision = 52, .threads = 1});
+    }
+  }
+}
+
+TEST(Errors, StayWithinTheCertifiedBound) {
+  const Scene scene = sphere_scene();
+  const auto profiles = profile_errors(scene, spheres(scene, 200), {LaneInputs::exact},
+                                       {.error_samples = 5000, .threads = 1});
+  for (const model::ErrorAtPrecision& error : profiles.front().precisions) {
+    ASSERT_TRUE(error.f_bound && error.g_bound);
+    EXPECT_LE(error.f, mpq_class(*error.f_bound));
+    EXPECT_LE(error.g, mpq_class(*error.g_bound));
+    // Worst cases of 5000 samples come near: RESEARCH.md 2.
+    EXPECT_GT(error.f, mpq_class(*error.f_bound) / 3);
+    EXPECT_GT(error.g, mpq_class(*error.g_bound) / 3);
+  }
+}
+
+TEST(Errors, SayWhereNoBoundExists) {
+  const Scene scene = sphere_scene();
+  const auto profiles = profile_errors(scene, spheres(scene, 20), {LaneInputs::rounded},
+                                       {.error_samples = 10, .threads = 1});
+  EXPECT_FALSE(profiles.front().precisions.back().f_bound);
+  EXPECT_TRUE(profiles.front().precisions.back().g_bound);
+  EXPECT_NE(profiles.front().no_f_bound, "");
+  EXPECT_EQ(profiles.front().no_g_bound, "");
+}
+
+TEST(Errors, DoNotDependOnThreads) {
+  const Scene scene = sphere_scene();
+  const Comparisons data = spheres(scene, 200);
+  const auto errors = [&](unsigned threads) {
+    const auto profiles = profile_errors(scene, data, {LaneInputs::rounded},
+                                         {.error_samples = 12000, .threads = threads});
+    std::vector<mpq_class> all;
+    for (const auto& error : profiles.front().precisions) all.insert(all.end(), {error.f, error.g});
+    return all;
+  };
+  EXPECT_EQ(errors(1), errors(3));
+}
+
+}  // namespace
+}  // namespace mixcmp::test

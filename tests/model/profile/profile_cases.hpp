@@ -1,0 +1,98 @@
+#pragma once
+
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/golden/arithmetic.hpp"
+#include "model/profile/profile.hpp"
+#include "tests/support/float_samples.hpp"
+#include "tests/support/graphs.hpp"
+
+/// Scenes and data for the tests of model/profile.
+namespace mixcmp::test {
+
+inline model::Scene scene_of(model::Graph graph, model::FloatFormat reference,
+                             const model::Arithmetic& reduced) {
+  model::Scene scene{.graph = std::move(graph), .reference = {.format = reference}};
+  scene.ranges.resize(scene.graph.inputs().size());
+  scene.reduced.format = reduced.format;
+  scene.reduced.rounding = reduced.rounding;
+  scene.reduced.subnormals = reduced.subnormals;
+  return scene;
+}
+
+/// One column an input.
+inline model::Comparisons rows_of(const model::Graph& graph, model::FloatFormat format,
+                                  std::vector<model::Bits> values) {
+  model::Table table{.format = format, .columns = graph.inputs(), .values = std::move(values)};
+  return model::Comparisons::rows(std::move(table), graph.inputs()).value();
+}
+
+/// Where operands come from; each is hard for the envelope in another way.
+enum class Family {
+  uniform,     ///< in [1, 2): nothing exceptional
+  small_grid,  ///< small integers: ties, zeros, cancellation
+  neighbours,  ///< one value and its neighbours: differences of a few last places
+  wide,        ///< exponents from end to end of the lane's
+  encodings,   ///< any encoding, specials among them
+};
+inline constexpr Family all_families[] = {Family::uniform, Family::small_grid, Family::neighbours,
+                                          Family::wide, Family::encodings};
+
+inline model::Bits random_operand(Family family, model::FloatFormat format, model::FloatFormat lane,
+                                  std::mt19937_64& random) {
+  const auto below = [&](int end) {
+    return static_cast<int>(random() % static_cast<unsigned>(end));
+  };
+  const int fraction_bits = format.fraction_bits();
+  const model::Bits fraction = random() & model::low_mask(fraction_bits);
+  const model::Bits one = format.pack(false, format.bias(), 0);
+  switch (family) {
+    case Family::uniform: return one | fraction;
+    case Family::small_grid:
+      return model::golden::from_rational(format, mpq_class(below(9) - 2, 4));
+    case Family::neighbours: return one + model::Bits(below(40)) * (below(4) == 0 ? 1 : 1000);
+    case Family::wide: {
+      const int exponent =
+          lane.min_exponent() - 3 + below(lane.max_exponent() - lane.min_exponent());
+      const int biased = std::clamp(exponent + format.bias(), 0, format.max_biased_exponent() - 1);
+      return format.pack(below(4) == 0, biased, below(2) == 0 ? fraction : 0);
+    }
+    case Family::encodings:
+      return below(5) == 0 ? special_encodings(format)[random() % special_encodings(format).size()]
+                           : random_encoding_near(format, one, random);
+  }
+  return one;
+}
+
+inline model::Comparisons random_rows(const model::Scene& scene, Family family, std::size_t count,
+                                      std::mt19937_64& random) {
+  std::vector<model::Bits> values;
+  for (std::size_t k = 0; k < count * scene.graph.inputs().size(); ++k) {
+    values.push_back(random_operand(family, scene.reference.format, *scene.reduced.format, random));
+  }
+  return rows_of(scene.graph, scene.reference.format, std::move(values));
+}
+
+inline const std::vector<std::pair<std::string, std::string>> expressions = {
+    {"(a - b)^2 + (c - d)^2", "(a + d)^2"},
+    {"a * b", "c + d"},
+    {"a - b", "c - d"},
+    {"(a - b) * (c - d)", "a * d - b * c"},
+    {"a / b", "c / d"},
+    {"a / (b - c)", "d"},
+    {"sqrt(a * b)", "sqrt(c) + d"},
+    {"sqrt(a - b)", "c"},
+    {"min(a, b) + 0.1", "max(c, d) * 0.7"},
+    {"abs(a - b)", "abs(c) + 0"},
+    {"min(a - b, c)", "max(a * c, -d)"},
+    {"a", "b"},
+    {"a", "0"},
+    {"-a * 3", "b^2 - 0.5"},
+    {"((a - b)^2)^2", "((c - d)^2)^2 + 1"},
+};
+
+}  // namespace mixcmp::test

@@ -1,0 +1,198 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/data/sphere_family.hpp"
+#include "model/data/uniform_spheres.hpp"
+#include "model/golden/evaluate.hpp"
+#include "model/profile/systems.hpp"
+#include "tests/model/profile/profile_cases.hpp"
+#include "tests/support/sphere.hpp"
+
+/// The counts of profile_rates against the golden model, comparison by comparison.
+namespace mixcmp::test {
+namespace {
+
+using model::Arithmetic;
+using model::Bits;
+using model::Comparisons;
+using model::ErrorProfile;
+using model::FloatFormat;
+using model::Lane;
+using model::LaneInputs;
+using model::ProfileOptions;
+using model::RateProfile;
+using model::Scene;
+using model::SystemCounts;
+using model::SystemKind;
+using model::SystemLanes;
+using model::golden::evaluate_lane;
+using model::golden::evaluate_reference;
+using model::golden::true_verdict;
+using model::golden::Verdict;
+
+struct Truth {
+  Verdict reference, real;
+};
+
+std::vector<Truth> truths(const Scene& scene, const Comparisons& data) {
+  const model::TypedGraph reference = reference_graph(scene.graph, scene.reference);
+  std::vector<Truth> result;
+  std::vector<Bits> operands(data.input_count());
+  for (std::uint64_t index = 0; index < data.size(); ++index) {
+    data.fetch(index, operands);
+    result.push_back({evaluate_reference(reference, operands),
+                      true_verdict(scene.graph, scene.reference.format, operands)});
+  }
+  return result;
+}
+
+SystemCounts golden_counts(SystemKind kind, const Lane& lane, const Comparisons& data,
+                           const std::vector<Truth>& truth) {
+  SystemCounts counts{.exists = true};
+  std::vector<Bits> operands(data.input_count());
+  for (std::uint64_t index = 0; index < data.size(); ++index) {
+    data.fetch(index, operands);
+    Verdict verdict = truth[index].reference;
+    if (kind == SystemKind::lanes_alone) {
+      verdict = evaluate_reference(lane.graph, operands);
+    } else if (const auto result = evaluate_lane(lane, operands); result.decided) {
+      verdict = result.verdict;
+    } else {
+      ++counts.undecided;
+    }
+    if (verdict != truth[index].real) ++counts.wrong;
+  }
+  return counts;
+}
+
+void expect_golden(const Scene& scene, const Comparisons& data, const ErrorProfile& errors,
+                   const RateProfile& profile, const std::string& what) {
+  const std::vector<Truth> truth = truths(scene, data);
+  const auto wrong = std::count_if(truth.begin(), truth.end(),
+                                   [](const Truth& t) { return t.reference != t.real; });
+  EXPECT_EQ(profile.reference_wrong, static_cast<std::uint64_t>(wrong)) << what;
+  const std::vector<SystemLanes> systems = make_systems(scene, errors);
+  ASSERT_EQ(profile.systems.size(), systems.size());
+  for (std::size_t s = 0; s < systems.size(); ++s) {
+    ASSERT_EQ(profile.systems[s].counts.size(), systems[s].lanes.size());
+    for (std::size_t k = 0; k < systems[s].lanes.size(); ++k) {
+      const SystemCounts& got = profile.systems[s].counts[k];
+      const auto& lane = systems[s].lanes[k];
+      const SystemCounts expected =
+          lane ? golden_counts(systems[s].kind, *lane, data, truth) : SystemCounts{};
+      EXPECT_EQ(got, expected) << what << ": " << systems[s].name
+                               << " at L = " << errors.precisions[k].precision << ": undecided "
+                               << got.undecided << ", expected " << expected.undecided << "; wrong "
+                               << got.wrong << ", expected " << expected.wrong;
+    }
+  }
+}
+
+ProfileOptions options_of(int first, int last) {
+  return {.first_precision = first, .last_precision = last, .error_samples = 200, .threads = 1};
+}
+
+/// The profile, held against the golden model.
+RateProfile checked_profile(const Scene& scene, const Comparisons& data, LaneInputs inputs,
+                            const ProfileOptions& options, const std::string& what) {
+  const ErrorProfile errors = profile_errors(scene, data, {inputs}, options).front();
+  RateProfile profile = profile_rates(scene, data, errors, options);
+  expect_golden(scene, data, errors, profile, what);
+  return profile;
+}
+
+const FloatFormat binary64 = format_of(53, 11);
+
+Arithmetic nearest(FloatFormat format) {
+  return {format, model::Rounding::nearest_even, model::Subnormals::flush};
+}
+
+Comparisons spheres(const Scene& scene, std::size_t count, double radius_max) {
+  model::Table table = uniform_spheres(
+      {.count = count, .side = 100, .radius_max = radius_max, .seed = 5}, scene.reference.format);
+  return Comparisons::all_pairs(std::move(table), scene.graph.inputs()).value();
+}
+
+Scene sphere_scene() {
+  Scene scene = scene_of(sphere_graph(), format_of(53, 8), nearest(format_of(8, 8)));
+  for (auto& range : scene.ranges) range = model::Range{0, 100};
+  return scene;
+}
+
+TEST(Rates, OfAllPairsOfSpheresAreTheGoldenModels) {
+  const Scene scene = sphere_scene();
+  for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
+    const RateProfile profile = checked_profile(scene, spheres(scene, 40, 40), inputs,
+                                                options_of(4, 52), std::string(to_string(inputs)));
+    // The data is such that dropping nothing would be noticed.
+    const std::uint64_t all = profile.comparisons * 49 * 6;
+    EXPECT_LT(profile.emulated, all / 4);
+    EXPECT_LT(profile.true_verdicts, profile.comparisons / 100);
+  }
+}
+
+TEST(Rates, OfHardFamiliesAreTheGoldenModels) {
+  const Scene scene = sphere_scene();
+  for (const std::string& name : model::sphere_family_names()) {
+    auto pairs = sphere_family({.name = name, .count = 12, .seed = 3}, scene.reference.format);
+    if (!pairs.ok()) continue;
+    const Comparisons data =
+        Comparisons::rows(std::move(pairs).value(), scene.graph.inputs()).value();
+    for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
+      checked_profile(scene, data, inputs, options_of(4, 52), name);
+    }
+  }
+}
+
+/// Every expression on every family of operands, formats and roundings drawn.
+TEST(Rates, OfAnyExpressionAreTheGoldenModels) {
+  std::mt19937_64 random(11);
+  const std::vector<FloatFormat> references = {binary64, format_of(53, 8), format_of(24, 8),
+                                               format_of(37, 6)};
+  for (const auto& [f, g] : expressions) {
+    for (const Family family : all_families) {
+      const FloatFormat reference = references[random() % references.size()];
+      const int exponent_bits = 5 + static_cast<int>(random() % 4);
+      const auto arithmetics = every_arithmetic(format_of(8, exponent_bits));
+      const Arithmetic reduced = arithmetics[random() % arithmetics.size()];
+      Scene scene = scene_of(graph_of(f, g), reference, reduced);
+      if (random() % 2 == 0) {
+        for (auto& range : scene.ranges) range = model::Range{0, 4};
+      }
+      const int first = 4 + static_cast<int>(random() % 4);
+      const int last =
+          std::min(reference.precision() - 1, first + 7 + static_cast<int>(random() % 36));
+      const LaneInputs inputs = random() % 2 == 0 ? LaneInputs::exact : LaneInputs::rounded;
+      const std::string what = fmt::format(
+          "{} against {}, family {}, reference {}, lanes e{} {} {}, {} inputs", f, g,
+          static_cast<int>(family), reference.name(), exponent_bits, to_string(reduced.rounding),
+          to_string(reduced.subnormals), to_string(inputs));
+      checked_profile(scene, random_rows(scene, family, 60, random), inputs,
+                      options_of(first, last), what);
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+TEST(Rates, DoNotDependOnThreadsOrMethod) {
+  const Scene scene = sphere_scene();
+  const Comparisons data = spheres(scene, 300, 60);
+  const ErrorProfile errors =
+      profile_errors(scene, data, {LaneInputs::rounded}, options_of(4, 20)).front();
+  const auto counts = [&](ProfileOptions options) {
+    options.first_precision = 4;
+    options.last_precision = 20;
+    const RateProfile profile = profile_rates(scene, data, errors, options);
+    std::vector<std::vector<SystemCounts>> all;
+    for (const auto& system : profile.systems) all.push_back(system.counts);
+    return all;
+  };
+  const auto one = counts({.threads = 1});
+  EXPECT_EQ(counts({.threads = 3}), one);
+  EXPECT_EQ(counts({.threads = 2, .method = model::ProfileMethod::brute_force}), one);
+}
+
+}  // namespace
+}  // namespace mixcmp::test
