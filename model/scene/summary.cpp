@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "model/error/exactness.hpp"
 #include "model/expression/text.hpp"
 #include "model/golden/arithmetic.hpp"
 
@@ -100,44 +101,130 @@ bool takes_part(const Comparisons& data, std::size_t row, bool second) {
   return second ? row > 0 : row + 1 < data.table().rows();
 }
 
+bool is_multiple(const mpq_class& grid, FloatFormat format, Bits bits) {
+  if (format.is_nan(bits) || format.is_infinite(bits)) return false;
+  return mpq_class(golden::to_rational(format, bits) / grid).get_den() == 1;
+}
+
 bool is_within(const Range& range, FloatFormat format, Bits bits) {
   if (format.is_nan(bits) || format.is_infinite(bits)) return false;
   const mpq_class value = golden::to_rational(format, bits);
   return range.low <= value && value <= range.high;
 }
 
-/// The first input whose range the number at (row, column) breaks; -1 if none.
-int broken_input(const Scene& scene, const Comparisons& data, std::size_t row, std::size_t column) {
-  for (std::size_t input = 0; input < data.sources().size(); ++input) {
-    const Comparisons::Source& source = data.sources()[input];
-    if (source.column != column || !scene.ranges[input]) continue;
-    if (!takes_part(data, row, source.second)) continue;
-    if (!is_within(*scene.ranges[input], data.table().format, data.table().at(row, column))) {
-      return static_cast<int>(input);
+/// Counts numbers of the data that break a declaration, and words for the first.
+struct Breaches {
+  std::uint64_t count = 0;
+  std::string first;
+
+  template <typename Words>
+  void add(Words words) {
+    if (count++ == 0) first = words();
+  }
+};
+
+/// Holds one number of the table against what each input that reads it declares.
+class DataCheck {
+public:
+  DataCheck(const Scene& scene, const Comparisons& data) : scene_(scene), data_(data) {}
+
+  void run() {
+    for (std::size_t row = 0; row < data_.table().rows(); ++row) {
+      for (std::size_t column = 0; column < data_.table().columns.size(); ++column) {
+        hold(row, column);
+      }
     }
   }
-  return -1;
-}
+
+  const Breaches& ranges() const { return ranges_; }
+  const Breaches& grids() const { return grids_; }
+
+private:
+  void hold(std::size_t row, std::size_t column) {
+    const Table& table = data_.table();
+    const Bits bits = table.at(row, column);
+    bool within = true, on_grid = true;
+    for (std::size_t input = 0; input < data_.sources().size(); ++input) {
+      const Comparisons::Source& source = data_.sources()[input];
+      if (source.column != column || !takes_part(data_, row, source.second)) continue;
+      const auto& range = scene_.ranges[input];
+      const auto& grid = scene_.grids[input];
+      if (within && range && !is_within(*range, table.format, bits)) {
+        within = false;
+        ranges_.add([&] {
+          return fmt::format("{} is outside [{}, {}] of {}", number(row, column),
+                             to_text(range->low), to_text(range->high), name(input));
+        });
+      }
+      if (on_grid && grid && !is_multiple(*grid, table.format, bits)) {
+        on_grid = false;
+        grids_.add([&] {
+          return fmt::format("{} is no multiple of {} as {} is", number(row, column),
+                             to_text(*grid), name(input));
+        });
+      }
+    }
+  }
+
+  std::string number(std::size_t row, std::size_t column) const {
+    const Table& table = data_.table();
+    const std::string label = table.labels.empty() ? fmt::format("row {}", row) : table.labels[row];
+    return fmt::format("{}: {} = {}", label, table.columns[column],
+                       golden::to_text(table.format, table.at(row, column)));
+  }
+
+  const std::string& name(std::size_t input) const { return scene_.graph.inputs()[input]; }
+
+  const Scene& scene_;
+  const Comparisons& data_;
+  Breaches ranges_, grids_;
+};
 
 DataSummary summarise_data(const Scene& scene, const Comparisons& data) {
-  const Table& table = data.table();
-  DataSummary summary{.source = scene.data ? data_source(*scene.data) : "",
-                      .rows = table.rows(),
-                      .comparisons = data.size()};
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    for (std::size_t column = 0; column < table.columns.size(); ++column) {
-      const int input = broken_input(scene, data, row, column);
-      if (input < 0 || summary.out_of_range++ > 0) continue;
-      const Range& range = *scene.ranges[static_cast<std::size_t>(input)];
-      const std::string label =
-          table.labels.empty() ? fmt::format("row {}", row) : table.labels[row];
-      summary.first_out_of_range =
-          fmt::format("{}: {} = {} is outside [{}, {}] of {}", label, table.columns[column],
-                      golden::to_text(table.format, table.at(row, column)), to_text(range.low),
-                      to_text(range.high), scene.graph.inputs()[static_cast<std::size_t>(input)]);
-    }
+  DataCheck check(scene, data);
+  check.run();
+  return {.source = scene.data ? data_source(*scene.data) : "",
+          .rows = data.table().rows(),
+          .comparisons = data.size(),
+          .out_of_range = check.ranges().count,
+          .first_out_of_range = check.ranges().first,
+          .off_grid = check.grids().count,
+          .first_off_grid = check.grids().first};
+}
+
+Exactness summarise_exactness(const Scene& scene, const TypedGraph& reference) {
+  const std::vector<bool> exact = exact_on_grid(reference, scene.ranges, scene.grids);
+  const auto first = std::find(exact.begin(), exact.end(), false);
+  if (first == exact.end()) return {.exact = true, .first_rounding = {}};
+  return {
+      .exact = false,
+      .first_rounding = to_text(reference.nodes, reference.input_names,
+                                static_cast<NodeId>(first - exact.begin()), max_expression_length)};
+}
+
+bool has_unit(Operation operation) {
+  return arity(operation) > 0 && operation != Operation::negate && operation != Operation::absolute;
+}
+
+std::optional<LaneSavings> summarise_savings(const Scene& scene, const TypedGraph& graph) {
+  if (scene.reduced.bound != BoundKind::certified) return std::nullopt;
+  const Result<Lane> lane = certified_lane(graph, {.kind = scene.reduced.error_bound,
+                                                   .bound_digits = scene.reduced.bound_digits,
+                                                   .ranges = scene.ranges});
+  if (!lane.ok() || lane->hazards.empty()) return std::nullopt;
+  LaneSavings savings;
+  for (const RangeCheck& check : lane->checks) {
+    savings.checked_inputs.push_back(scene.graph.inputs()[static_cast<std::size_t>(check.input)]);
   }
-  return summary;
+  for (std::size_t id = 0; id < lane->hazards.size(); ++id) {
+    if (!has_unit(lane->graph.nodes[id].operation)) continue;
+    const Hazards& hazards = lane->hazards[id];
+    ++savings.operations;
+    savings.without_special_operands += hazards.special_operand ? 0 : 1;
+    savings.without_overflow += hazards.overflow ? 0 : 1;
+    savings.without_underflow += hazards.underflow ? 0 : 1;
+  }
+  return savings;
 }
 
 }  // namespace
@@ -165,7 +252,9 @@ Summary summarise(const Scene& scene, const Comparisons* data) {
     const TypedGraph lane =
         lane_graph(scene.graph, scene.reference.format, reduced, scene.reduced.inputs);
     summary.datapaths.push_back(summarise_datapath("lane", lane, scene.ranges));
+    summary.savings = summarise_savings(scene, lane);
   }
+  summary.reference = summarise_exactness(scene, reference);
   if (data != nullptr) summary.data = summarise_data(scene, *data);
   return summary;
 }

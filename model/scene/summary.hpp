@@ -48,12 +48,27 @@ struct DatapathSummary {
   std::vector<Finding> events;           ///< one per event that its operations know
 };
 
+/// What a certified lane does not build because its range checks rule it out.
+struct LaneSavings {
+  std::vector<std::string> checked_inputs;
+  int operations = 0;  ///< that have a unit
+  int without_special_operands = 0, without_overflow = 0, without_underflow = 0;
+};
+
+/// Whether the reference rounds at all on this scene.
+struct Exactness {
+  bool exact = false;          ///< every verdict of a reference is the order of the real numbers
+  std::string first_rounding;  ///< the first operation that may round, as an expression
+};
+
 struct DataSummary {
   std::string source;
   std::uint64_t rows = 0;
   std::uint64_t comparisons = 0;
   std::uint64_t out_of_range = 0;  ///< numbers of the table that break a declared range
   std::string first_out_of_range;  ///< in words; empty if there is none
+  std::uint64_t off_grid = 0;      ///< numbers of the table that are no multiple of a declared grid
+  std::string first_off_grid;
 };
 
 /// What `mixcmp check` tells.
@@ -61,6 +76,8 @@ struct Summary {
   const Scene* scene;
   std::vector<SideSummary> sides;          ///< f, g
   std::vector<DatapathSummary> datapaths;  ///< reference; lane unless its format is "auto"
+  Exactness reference;
+  std::optional<LaneSavings> savings;  ///< of a lane that checks ranges
   std::optional<DataSummary> data;
 };
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -67,7 +68,9 @@ void print_understood(Page& page, const Scene& scene) {
   page.line("g", scene.g_text);
   page.section("inputs");
   for (std::size_t k = 0; k < scene.ranges.size(); ++k) {
-    page.line(scene.graph.inputs()[k], scene.ranges[k] ? shown(*scene.ranges[k]) : "no range");
+    std::string declared = scene.ranges[k] ? shown(*scene.ranges[k]) : "no range";
+    if (scene.grids[k]) declared += fmt::format(", multiples of {}", to_text(*scene.grids[k]));
+    page.line(scene.graph.inputs()[k], declared);
   }
   page.section("formats");
   page.line("reference", shown(scene.reference));
@@ -97,6 +100,36 @@ void print_data(Page& page, const DataSummary& data) {
                                 ? std::string("none")
                                 : fmt::format("{} numbers, the first: {}", data.out_of_range,
                                               data.first_out_of_range));
+  if (data.off_grid > 0) {
+    page.line("off the grid",
+              fmt::format("{} numbers, the first: {}", data.off_grid, data.first_off_grid));
+  }
+}
+
+void print_savings(Page& page, const LaneSavings& savings) {
+  const auto left_out = [&](const char* what, int count) {
+    page.line(what, fmt::format("not built in {} of {} operations", count, savings.operations));
+  };
+  page.section("what a lane leaves out");
+  page.line("operands checked", fmt::format("{}", fmt::join(savings.checked_inputs, ", ")));
+  left_out("NaN, infinity", savings.without_special_operands);
+  left_out("overflow", savings.without_overflow);
+  left_out("underflow", savings.without_underflow);
+}
+
+/// Nobody expects a reference to be exact who has declared no grid.
+void print_exactness(Page& page, const Summary& summary) {
+  const auto& grids = summary.scene->grids;
+  const bool any = std::any_of(grids.begin(), grids.end(), [](const auto& grid) { return !!grid; });
+  if (!any) return;
+  const bool broken =
+      summary.data && (summary.data->off_grid > 0 || summary.data->out_of_range > 0);
+  std::string text = "may round, first in " + summary.reference.first_rounding;
+  if (summary.reference.exact) {
+    text = broken ? "exact, but for data that break a range or a grid"
+                  : "exact: its verdicts are the order of the real numbers";
+  }
+  page.line("reference", text);
 }
 
 nlohmann::json json_of(const std::optional<Range>& range) {
@@ -149,7 +182,17 @@ nlohmann::json json_of(const DataSummary& data) {
           {"rows", data.rows},
           {"comparisons", data.comparisons},
           {"out_of_range", data.out_of_range},
-          {"first_out_of_range", data.first_out_of_range}};
+          {"first_out_of_range", data.first_out_of_range},
+          {"off_grid", data.off_grid},
+          {"first_off_grid", data.first_off_grid}};
+}
+
+nlohmann::json json_of(const LaneSavings& savings) {
+  return {{"checked_inputs", savings.checked_inputs},
+          {"operations", savings.operations},
+          {"without_special_operands", savings.without_special_operands},
+          {"without_overflow", savings.without_overflow},
+          {"without_underflow", savings.without_underflow}};
 }
 
 nlohmann::json json_of(const ReducedSpec& reduced) {
@@ -181,6 +224,8 @@ std::string to_text(const Summary& summary) {
       page.line(fmt::format("{} {}", datapath.name, event.question), answer(event, true));
     }
   }
+  print_exactness(page, summary);
+  if (summary.savings) print_savings(page, *summary.savings);
   if (summary.data) print_data(page, *summary.data);
   if (!summary.scene->notes.empty()) page.section("notes");
   for (const std::string& note : summary.scene->notes) page.line("-", note);
@@ -206,6 +251,9 @@ nlohmann::json to_json(const Summary& summary) {
   for (const DatapathSummary& datapath : summary.datapaths) {
     json["datapaths"][datapath.name] = json_of(datapath);
   }
+  json["reference_exact"] = summary.reference.exact;
+  if (!summary.reference.exact) json["first_rounding"] = summary.reference.first_rounding;
+  json["lane_leaves_out"] = summary.savings ? json_of(*summary.savings) : nlohmann::json();
   json["data"] = summary.data ? json_of(*summary.data) : nlohmann::json();
   return json;
 }

@@ -315,7 +315,7 @@ INSTANTIATE_TEST_SUITE_P(
                 ":8: inputs.*i: two patterns match the input cxi: received \"c*\" and \"*i\"; "
                 "accepted one pattern, or the exact key cxi"},
         Mistake{"range = [0, 100]", "rnage = [0, 100]",
-                ":7: inputs.c*.rnage: unknown key: received rnage; accepted range (the nearest)"},
+                ":7: inputs.c*.rnage: unknown key: received rnage; accepted range (the nearest), grid"},
         Mistake{"range = [0, 100]", "range = [100, 0]",
                 ":7: inputs.c*.range: the range is empty: received [100, 0]; accepted [low, high], "
                 "low <= high"},
