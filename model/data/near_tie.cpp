@@ -38,17 +38,18 @@ mpz_class root_of(const mpz_class& value) {
   return root;
 }
 
-/// To `precision` digits, to nearest, ties to even.
-mpz_class rounded(mpz_class value, int precision) {
+/// To `precision` digits; ties to even.
+mpz_class rounded(const mpz_class& value, int precision, Rounding rounding) {
   const int drop = digits_of(value) - precision;
   if (drop <= 0) return value;
   const auto half_place = static_cast<mp_bitcnt_t>(drop - 1);
-  const bool half = mpz_tstbit(value.get_mpz_t(), half_place) != 0;
-  const bool odd = mpz_tstbit(value.get_mpz_t(), half_place + 1) != 0;
-  const bool more = mpz_scan1(value.get_mpz_t(), 0) < half_place;
-  mpz_tdiv_q_2exp(value.get_mpz_t(), value.get_mpz_t(), half_place + 1);
-  if (half && (more || odd)) value += mpz_sgn(value.get_mpz_t()) < 0 ? -1 : 1;
-  return shifted_left(value, drop);
+  mpz_class magnitude = abs(value);  // GMP tests the bits of negative numbers in two's complement
+  const bool half = mpz_tstbit(magnitude.get_mpz_t(), half_place) != 0;
+  const bool odd = mpz_tstbit(magnitude.get_mpz_t(), half_place + 1) != 0;
+  const bool more = mpz_scan1(magnitude.get_mpz_t(), 0) < half_place;
+  mpz_tdiv_q_2exp(magnitude.get_mpz_t(), magnitude.get_mpz_t(), half_place + 1);
+  if (rounding == Rounding::nearest_even && half && (more || odd)) ++magnitude;
+  return shifted_left(value < 0 ? mpz_class(-magnitude) : magnitude, drop);
 }
 
 struct Sides {
@@ -74,7 +75,9 @@ Sides exact_sides(const std::array<mpz_class, 8>& numbers) {
 }
 
 Sides lane_sides(std::array<mpz_class, 8> numbers, const NearTieTarget& target) {
-  const auto round = [&](mpz_class value) { return rounded(std::move(value), target.precision); };
+  const auto round = [&](const mpz_class& value) {
+    return rounded(value, target.precision, target.rounding);
+  };
   if (target.inputs == LaneInputs::rounded) {
     for (mpz_class& number : numbers) number = round(number);
   }
@@ -121,9 +124,9 @@ public:
     return radii;
   }
 
-  /// The same sum, or one up to 6 * 2^-L of it away.
+  /// The same sum, or one up to 10 * 2^-L of it away.
   mpz_class moved(const mpz_class& sum) {
-    const mpz_class step = sum * random_.between(-96, 96) >> (target_.precision + 4);
+    const mpz_class step = sum * random_.between(-160, 160) >> (target_.precision + 4);
     return quantized(sum + step, quantum_bits_);
   }
 
@@ -131,9 +134,11 @@ public:
     if (!shared_) {
       numbers[6] = quantized(sum, std::max(0, digits_of(sum) - digits_));
     } else {
-      const mpz_class share = quantized(sum * random_.below(257) / 256, quantum_bits_);
-      numbers[6] = misread_inputs_ ? misread(rounded(share, target_.precision)) : share;
-      if (numbers[6] > sum) numbers[6] = share;
+      numbers[6] = quantized(sum * random_.below(257) / 256, quantum_bits_);
+      if (misread_inputs_) {
+        const mpz_class read = rounded(numbers[6], target_.precision, Rounding::toward_zero);
+        numbers[6] = std::min(misread(read, wrong_way_), sum);
+      }
     }
     numbers[7] = sum - numbers[6];
     if (random_.one_in(2)) std::swap(numbers[6], numbers[7]);
@@ -149,35 +154,51 @@ public:
   }
 
 private:
-  mpz_class half_place() const { return power_of_two(fraction_bits_ - target_.precision); }
+  bool to_nearest() const { return target_.rounding == Rounding::nearest_even; }
+
+  /// How far the lane's roundings reach in [1, 2): half a last place, or a whole one.
+  mpz_class reach() const {
+    return power_of_two(fraction_bits_ - target_.precision + (to_nearest() ? 0 : 1));
+  }
   mpz_class one_and(const mpz_class& last_places) const {
     return power_of_two(fraction_bits_) +
            shifted_left(last_places, std::max(0, fraction_bits_ - target_.precision + 1));
   }
 
-  /// Half a last place of a number in [1, 2) less a hair: nothing, or some power of two.
-  mpz_class nearly_half_place() {
-    const int below = fraction_bits_ - target_.precision - 1;
-    const int exponent = random_.between(quantum_bits_ - 1, std::max(quantum_bits_, below));
-    const bool none = exponent < quantum_bits_ || exponent >= below;
-    return half_place() - (none ? mpz_class(0) : power_of_two(exponent));
+  /// A power of two that is small beside the reach; or, where ties may go either way, nothing.
+  mpz_class hair() {
+    const int least = quantum_bits_ + (to_nearest() ? -1 : 2);
+    const int end = fraction_bits_ - target_.precision - 1;
+    const int exponent = random_.between(least, std::max(least, end));
+    return exponent < quantum_bits_ || exponent >= end ? mpz_class(0) : power_of_two(exponent);
   }
 
-  /// m with 4u^2m^2 just above (`up`) or below (2k + 1)u, or any m of that size.
-  mpz_class misleading_places(int k, bool up) {
+  /// A number that the lane rounds to `value`, a number of its own in [1, 2), although it is much
+  /// larger (way 1) or smaller (way -1). Where all roundings go down nothing is read as larger than
+  /// it is: then a hair larger, so that what is rounded down later does not fall below.
+  mpz_class misread(const mpz_class& value, int way) {
+    if (!to_nearest() && way < 0) return value + hair();
+    return value + way * quantized(reach() - hair(), quantum_bits_);
+  }
+
+  /// m such that the square of 1 + 2um is just where its rounding errs most: 4u^2m^2 is an odd
+  /// multiple of u (toward zero: an even one), and a little more (way -1) or less (way 1). Now and
+  /// then any m of that size.
+  mpz_class misleading_places(int k, int way) {
     if (random_.one_in(5)) return random_.integer(target_.precision / 2 + 1);
-    const mpz_class root = root_of(shifted_left(2 * k + 1, target_.precision - 2));
-    return up ? mpz_class(root + 1) : root;
+    const int multiple = 2 * k + (to_nearest() ? 1 : 2);
+    const mpz_class root = root_of(shifted_left(multiple, target_.precision - 2));
+    return way < 0 ? mpz_class(root + 1) : root;
   }
 
   /// False where what x and z leave for y^2 is negative.
   bool exact_centres(Numbers& numbers) {
     const int k = random_.below(3);
-    const mpz_class x_places = misleading_places(k, wrong_way_ > 0);
-    const mpz_class r_places = misleading_places(k + random_.between(1, 4), wrong_way_ < 0);
-    const mpz_class x = one_and(x_places) - wrong_way_ * nearly_half_place();
-    const mpz_class r = one_and(r_places) + wrong_way_ * nearly_half_place();
-    mpz_class z_square = power_of_two(2 * fraction_bits_ - target_.precision);
+    const mpz_class x_places = misleading_places(k, -wrong_way_);
+    const mpz_class r_places = misleading_places(k + random_.between(1, 4), wrong_way_);
+    const mpz_class x = misread(one_and(x_places), -wrong_way_);
+    const mpz_class r = misread(one_and(r_places), wrong_way_);
+    mpz_class z_square = shifted_left(reach(), fraction_bits_);
     z_square += wrong_way_ * (z_square >> random_.between(1, target_.precision / 2 + 2));
     const mpz_class y_square = r * r - x * x - z_square;
     if (y_square <= 0) return false;
@@ -203,20 +224,13 @@ private:
     if (random_.one_in(2)) std::swap(first, second);
   }
 
-  /// A number just short of the midpoint, that rounds to `value` although it is larger (or smaller,
-  /// by the wrong way).
-  mpz_class misread(const mpz_class& value) {
-    return value + wrong_way_ * quantized(nearly_half_place(), quantum_bits_);
-  }
-
   void misread_centres(Numbers& numbers) {
     for (const std::size_t at : {0, 2, 4}) {
       mpz_class near = one_and(random_.integer(target_.precision - 1));
       mpz_class far = one_and(random_.integer(target_.precision - 1));
       if (near > far) std::swap(near, far);
-      const mpz_class outward = wrong_way_ * quantized(nearly_half_place(), quantum_bits_);
-      numbers[at] = far - outward;
-      numbers[at + 1] = near + outward;
+      numbers[at] = misread(far, -wrong_way_);
+      numbers[at + 1] = misread(near, wrong_way_);
       if (random_.one_in(2)) std::swap(numbers[at], numbers[at + 1]);
     }
   }

@@ -9,11 +9,11 @@
 
 namespace mixcmp::model {
 
-/// The lane that a near tie is aimed at: it rounds to nearest, in the order
-/// (dx^2 + dy^2) + dz^2 against (ri + rj)^2.
+/// The lane that a near tie is aimed at: (dx^2 + dy^2) + dz^2 against (ri + rj)^2, in this order.
 struct NearTieTarget {
   int precision;  ///< L
   LaneInputs inputs;
+  Rounding rounding;
   FloatFormat reference;  ///< of the operands; L digits or more
 };
 
@@ -32,7 +32,8 @@ struct NearTieEffort {
 struct NearTie {
   DyadicPair pair;
   /// (f_L - g_L) / max(f_L, g_L) in units of 2^-L, taken as positive where the lane's order
-  /// contradicts the truth. Nothing that rounds to nearest reaches 8 (docs/error_bounds.md).
+  /// contradicts the truth. With exact inputs below 8 to nearest and below 10 toward zero:
+  /// the sum of all roundings.
   double deceit_ulp;
 };
 
@@ -47,7 +48,7 @@ struct NearTie {
 /// coordinate sits a hair from the midpoint that makes its difference err the same way.
 NearTie near_tie(const NearTieTarget& target, const NearTieEffort& effort, RowRandom& random);
 
-/// The same construction with the radii moved by up to 6 * 2^-L of their sum: on either side of
+/// The same construction with the radii moved by up to 10 * 2^-L of their sum: on either side of
 /// what the lane can tell.
 DyadicPair near_edge(const NearTieTarget& target, RowRandom& random);
 

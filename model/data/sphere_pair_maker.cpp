@@ -239,13 +239,14 @@ SpherePairMaker::Row SpherePairMaker::counterexample() {
   const int precision =
       first_counterexample +
       static_cast<int>(row_ % static_cast<std::uint64_t>(last - first_counterexample + 1));
-  const NearTieTarget target = {precision, LaneInputs::exact, format_};
+  const NearTieTarget target = {precision, LaneInputs::exact, Rounding::nearest_even, format_};
   return encode(model::near_tie(target, counterexample_effort, random_).pair);
 }
 
 SpherePairMaker::Row SpherePairMaker::near_tie(int precision) {
   const LaneInputs inputs = row_ % 2 != 0 ? LaneInputs::rounded : LaneInputs::exact;
-  const NearTieTarget target = {precision, inputs, format_};
+  const Rounding rounding = row_ % 4 < 2 ? Rounding::nearest_even : Rounding::toward_zero;
+  const NearTieTarget target = {precision, inputs, rounding, format_};
   if (random_.one_in(2)) return encode(near_edge(target, random_));
   return encode(model::near_tie(target, near_tie_effort, random_).pair);
 }

@@ -298,8 +298,8 @@ TEST(SphereFamily, NearTiesAreWithinWhatTheirLaneCanTell) {
   for (int precision = 4; precision <= 52; ++precision) {
     const auto pairs = wide_pairs("near_tie_" + std::to_string(precision));
     const double u = std::ldexp(1, -precision);
-    // Radii are moved by up to 6u of their sum, and then rounded to the grid of the centres.
-    const double widest = 1 / std::pow(1 - 6 * u, 2) - 1 + 0x1p-42;
+    // Radii are moved by up to 10u of their sum, and then rounded to the grid of the centres.
+    const double widest = 1 / std::pow(1 - 10 * u, 2) - 1 + 0x1p-42;
     EXPECT_EQ(share_of(pairs, [&](const Pair& pair) { return pair.gap() <= widest; }), 1)
         << precision;
     const auto hair = [&](const Pair& pair) { return pair.gap() <= std::max(u / 8, 0x1p-42); };

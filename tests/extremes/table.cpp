@@ -1,0 +1,269 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "model/data/load.hpp"
+#include "model/data/sphere_family.hpp"
+#include "model/emulator/emulator.hpp"
+#include "model/golden/evaluate.hpp"
+#include "model/profile/operands.hpp"
+#include "model/profile/systems.hpp"
+
+/// extremes_table SCENE CSV: every family of sphere pairs through every lane at some precisions.
+/// Prints the tables of examples/extremes/README.md, writes the numbers to CSV; an error where a
+/// certified lane is wrong. The profiled constants are those of the paper's uniform spheres.
+namespace mixcmp {
+namespace {
+
+using model::Decision;
+using model::LaneInputs;
+using model::SystemKind;
+
+constexpr int shown_precisions[] = {8, 11, 17, 24, 32, 40, 52};
+
+bool shown(int precision) {
+  return std::find(std::begin(shown_precisions), std::end(shown_precisions), precision) !=
+         std::end(shown_precisions);
+}
+
+bool shown(const std::string& family) {
+  return !family.starts_with("near_tie_") || shown(std::stoi(family.substr(9)));
+}
+
+/// One family's comparisons, what is true of them and what the reference says.
+class Family {
+public:
+  Family(std::string name, const model::Scene& scene, const model::Comparisons& data)
+      : name_(std::move(name)), block_(data.input_count(), data.size()) {
+    const model::OperandSource source(data);
+    source.fetch(0, data.size(), block_);
+    std::vector<model::Bits> operands(data.input_count());
+    for (std::uint64_t row = 0; row < data.size(); ++row) {
+      data.fetch(row, operands);
+      truth_.push_back(static_cast<Decision>(
+          model::golden::true_verdict(scene.graph, data.table().format, operands)));
+    }
+    reference_ = decisions(model::Emulator(reference_graph(scene.graph, scene.reference)));
+  }
+
+  const std::string& name() const { return name_; }
+  std::uint64_t size() const { return truth_.size(); }
+  std::vector<Decision> decisions(const model::Emulator& lane) const {
+    std::vector<Decision> result(size());
+    lane.decide(block_.columns(), size(), result);
+    return result;
+  }
+  std::vector<Decision> orders(const model::Emulator& lane) const {
+    std::vector<Decision> result(size());
+    lane.compare(block_.columns(), size(), result);
+    return result;
+  }
+
+  std::uint64_t ties() const { return count(truth_, Decision::equal); }
+  std::uint64_t reference_wrong() const { return wrong(reference_); }
+  std::uint64_t undecided(const std::vector<Decision>& decisions) const {
+    return count(decisions, Decision::undecided);
+  }
+  /// Decided, and not as in truth.
+  std::uint64_t wrong(const std::vector<Decision>& decisions) const {
+    std::uint64_t wrong = 0;
+    for (std::size_t row = 0; row < decisions.size(); ++row) {
+      wrong += decisions[row] != Decision::undecided && decisions[row] != truth_[row] ? 1 : 0;
+    }
+    return wrong;
+  }
+
+private:
+  static std::uint64_t count(const std::vector<Decision>& decisions, Decision counted) {
+    return static_cast<std::uint64_t>(std::count(decisions.begin(), decisions.end(), counted));
+  }
+
+  std::string name_;
+  model::OperandBlock block_;
+  std::vector<Decision> truth_;
+  std::vector<Decision> reference_;
+};
+
+struct Entry {
+  std::string family;
+  LaneInputs inputs;
+  int precision;
+  std::string system;
+  SystemKind kind;
+  std::uint64_t comparisons, undecided, wrong;
+};
+
+Entry entry_of(const Family& family, LaneInputs inputs, int precision,
+               const model::SystemLanes& system, const model::Lane& lane) {
+  const model::Emulator emulator(lane);
+  const std::vector<Decision> decisions =
+      system.kind == SystemKind::lanes_alone ? family.orders(emulator) : family.decisions(emulator);
+  return {family.name(),
+          inputs,
+          precision,
+          system.name,
+          system.kind,
+          family.size(),
+          family.undecided(decisions),
+          family.wrong(decisions)};
+}
+
+std::vector<Entry> entries_of(const Family& family, LaneInputs inputs, int first_precision,
+                              const std::vector<model::SystemLanes>& systems) {
+  std::vector<Entry> entries;
+  for (const model::SystemLanes& system : systems) {
+    for (std::size_t k = 0; k < system.lanes.size(); ++k) {
+      const int precision = first_precision + static_cast<int>(k);
+      if (!shown(precision) || !system.lanes[k]) continue;
+      entries.push_back(entry_of(family, inputs, precision, system, *system.lanes[k]));
+    }
+  }
+  return entries;
+}
+
+/// Of the first system of this kind: the bound that a scene gets by default.
+const Entry* find(const std::vector<Entry>& entries, const std::string& family, LaneInputs inputs,
+                  int precision, SystemKind kind) {
+  const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& candidate) {
+    return candidate.family == family && candidate.inputs == inputs &&
+           candidate.precision == precision && candidate.kind == kind;
+  });
+  return entry == entries.end() ? nullptr : &*entry;
+}
+
+std::string wrong_text(const Entry* entry) {
+  return entry == nullptr ? "-" : fmt::format("{}", entry->wrong);
+}
+
+/// Per cent, two digits of it.
+std::string rate_text(const Entry* entry) {
+  if (entry == nullptr) return "-";
+  if (entry->undecided == entry->comparisons) return "100";
+  const double rate =
+      100 * static_cast<double>(entry->undecided) / static_cast<double>(entry->comparisons);
+  return rate >= 10 ? fmt::format("{:.0f}", rate) : fmt::format("{:.2g}", rate);
+}
+
+void print_head(const std::string& title, const std::string& columns) {
+  fmt::print("\n{}\n\n| family |{}", title, columns);
+  for (const int precision : shown_precisions) fmt::print(" L = {} |", precision);
+  fmt::print("\n|---|");
+  for (std::size_t k = 0; k < std::size(shown_precisions); ++k) fmt::print("---|");
+  for (const char c : columns) fmt::print("{}", c == '|' ? "---|" : "");
+  fmt::print("\n");
+}
+
+void print_wrong(const std::vector<Family>& families, const std::vector<Entry>& entries,
+                 LaneInputs inputs) {
+  print_head(fmt::format("Wrong verdicts of lanes with {} inputs: alone / profiled / certified",
+                         to_string(inputs)),
+             " ties | reference |");
+  for (const Family& family : families) {
+    fmt::print("| `{}` | {} | {} |", family.name(), family.ties(), family.reference_wrong());
+    for (const int precision : shown_precisions) {
+      const auto text = [&](SystemKind kind) {
+        return wrong_text(find(entries, family.name(), inputs, precision, kind));
+      };
+      fmt::print(" {} / {} / {} |", text(SystemKind::lanes_alone), text(SystemKind::profiled),
+                 text(SystemKind::certified));
+    }
+    fmt::print("\n");
+  }
+}
+
+void print_rates(const std::vector<Family>& families, const std::vector<Entry>& entries,
+                 LaneInputs inputs) {
+  print_head(
+      fmt::format("Recomputed, per cent, {} inputs: profiled / certified", to_string(inputs)), "");
+  for (const Family& family : families) {
+    fmt::print("| `{}` |", family.name());
+    for (const int precision : shown_precisions) {
+      const auto text = [&](SystemKind kind) {
+        return rate_text(find(entries, family.name(), inputs, precision, kind));
+      };
+      fmt::print(" {} / {} |", text(SystemKind::profiled), text(SystemKind::certified));
+    }
+    fmt::print("\n");
+  }
+}
+
+/// The errors that the paper would have measured: all pairs of 8192 spheres, radii up to 25.
+model::Result<std::vector<model::ErrorProfile>> paper_errors(model::Scene scene) {
+  scene.data = model::DataSpec{.items = "uniform_spheres", .all_pairs = true};
+  MIXCMP_TRY(checked, model::check_profile(scene, {}));
+  MIXCMP_TRY(data, model::load_comparisons(scene));
+  return model::profile_errors(scene, data, {LaneInputs::exact, LaneInputs::rounded}, {});
+}
+
+model::Result<std::vector<Family>> load_families(model::Scene scene) {
+  std::vector<Family> families;
+  for (const std::string& name : model::sphere_family_names()) {
+    if (!shown(name)) continue;
+    scene.data->family = name;
+    MIXCMP_TRY(data, model::load_comparisons(scene));
+    families.emplace_back(name, scene, data);
+  }
+  return families;
+}
+
+model::Result<model::Done> write_csv(const char* path, const std::vector<Entry>& entries) {
+  std::ofstream file(path, std::ios::binary);
+  file << "family,inputs,L,system,comparisons,undecided,wrong\n";
+  for (const Entry& entry : entries) {
+    file << fmt::format("{},{},{},{},{},{},{}\n", entry.family, to_string(entry.inputs),
+                        entry.precision, entry.system, entry.comparisons, entry.undecided,
+                        entry.wrong);
+  }
+  file.flush();
+  if (file) return model::Done{};
+  return model::Error{.file = path, .message = "cannot be written"};
+}
+
+model::Result<model::Done> check_certified(const std::vector<Entry>& entries) {
+  for (const Entry& entry : entries) {
+    if (entry.kind != SystemKind::certified || entry.wrong == 0) continue;
+    return model::Error{
+        .message = fmt::format("{} with {} inputs is wrong on {} at L = {}", entry.system,
+                               to_string(entry.inputs), entry.family, entry.precision),
+        .received = fmt::format("{} wrong verdicts", entry.wrong),
+        .accepted = "none of a certified lane"};
+  }
+  return model::Done{};
+}
+
+model::Result<model::Done> run(const char* scene_path, const char* csv_path) {
+  MIXCMP_TRY(scene, model::load_scene(scene_path, {}));
+  MIXCMP_TRY(errors, paper_errors(scene));
+  MIXCMP_TRY(families, load_families(scene));
+  std::vector<Entry> entries;
+  for (const model::ErrorProfile& measured : errors) {
+    const auto systems = make_systems(scene, measured);
+    for (const Family& family : families) {
+      const auto found =
+          entries_of(family, measured.inputs, measured.precisions.front().precision, systems);
+      entries.insert(entries.end(), found.begin(), found.end());
+    }
+    print_wrong(families, entries, measured.inputs);
+    print_rates(families, entries, measured.inputs);
+  }
+  MIXCMP_TRY(written, write_csv(csv_path, entries));
+  return check_certified(entries);
+}
+
+}  // namespace
+}  // namespace mixcmp
+
+int main(int count, char** arguments) {
+  if (count != 3) {
+    fmt::print(stderr, "usage: extremes_table SCENE CSV\n");
+    return 1;
+  }
+  const auto done = mixcmp::run(arguments[1], arguments[2]);
+  if (done.ok()) return 0;
+  fmt::print(stderr, "{}\n", done.error().to_string());
+  return 1;
+}
