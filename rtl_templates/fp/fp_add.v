@@ -2,6 +2,7 @@
 // Latency: the population count of CUTS (nine bits); initiation interval 1; no reset.
 // Special values as IEEE 754: infinity - infinity is NaN, x - x is +0.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/architecture.md.
+// CANCELLATION = 0 promises that what is added never has unlike signs, zeros aside.
 `default_nettype none
 
 module fp_add #(
@@ -13,6 +14,7 @@ module fp_add #(
     parameter       SPECIAL_OPERANDS     = 1,
     parameter       OVERFLOW             = 1,
     parameter       UNDERFLOW            = 1,
+    parameter       CANCELLATION         = 1,
     parameter       GRADUAL              = 0,
     parameter       TOWARD_ZERO          = 0,
     parameter [8:0] CUTS                 = 9'b0
@@ -39,6 +41,9 @@ module fp_add #(
   // Without underflow there are no subnormals to be gradual about.
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
+  // Then the leading one of a sum is where the larger operand's is, or one place above it.
+  localparam GROWING = (CANCELLATION == 0) && !SUBNORMALS;
+
   // The smaller operand is aligned on the larger one's leading bit and as many fraction bits as
   // make both a cancellation and the bit beyond the result's guard bit exact.
   localparam ALIGNED = larger(PRECISION, RESULT_PRECISION + 1) + 1;
@@ -50,8 +55,7 @@ module fp_add #(
 
   localparam AMOUNT_BITS    = bits_for(ALIGNED);
   localparam DISTANCE_WIDTH = larger(EXPONENT_BITS, AMOUNT_BITS) + 1;
-  localparam COUNT_BITS     = bits_for(CANCELLING);
-  localparam COUNTED        = 1 << COUNT_BITS;
+  localparam COUNT_BITS     = GROWING ? 1 : bits_for(CANCELLING);
   localparam EXPONENT_WIDTH =
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS), bits_for(SUM)) + 2;
   localparam PACKED = EXPONENT_BITS + PRECISION;
@@ -122,7 +126,7 @@ module fp_add #(
   wire s0_infinite = s0_a_infinite || s0_b_infinite;
   wire s0_nan      = s0_a_nan || s0_b_nan || (s0_a_infinite && s0_b_infinite && s0_cancel);
   wire s0_suspect  = s0_infinite || s0_nan || s0_a_flushed || s0_b_flushed;
-  wire s0_zero     = (SUBNORMALS == 0) && s0_a_zero && s0_b_zero;
+  wire s0_zero     = (!SUBNORMALS || (CANCELLATION == 0)) && s0_a_zero && s0_b_zero;
 
   wire [EXPONENT_BITS-1:0] s1_a_exponent;
   wire [PRECISION-1:0]     s1_a_significand;
@@ -220,12 +224,13 @@ module fp_add #(
   );
 
   // Stage sum: minus x is not x plus one; the one enters as a carry out of an extra last place.
-  wire [SUM-1:0] s3_addend = {1'b0, s3_small} ^ {SUM{s3_cancel}};
+  wire           s3_subtract = (CANCELLATION != 0) && s3_cancel;
+  wire [SUM-1:0] s3_addend   = {1'b0, s3_small} ^ {SUM{s3_subtract}};
   wire [SUM-1:0] s3_sum;
   wire           s3_unused_place;
 
   assign {s3_sum, s3_unused_place} =
-      {1'b0, s3_large, {(SUM - 1 - PRECISION) {1'b0}}, 1'b1} + {s3_addend, s3_cancel};
+      {1'b0, s3_large, {(SUM - 1 - PRECISION) {1'b0}}, 1'b1} + {s3_addend, s3_subtract};
 
   wire [EXPONENT_BITS-1:0] s4_exponent;
   wire [SUM-1:0]           s4_sum;
@@ -247,19 +252,29 @@ module fp_add #(
   );
 
   // Stage count: leading zeros of the sum, and the room above exponent 1 to move it up in.
-  wire [COUNTED-1:0] s4_counted = {
-    s4_sum[SUM-1:SUM-CANCELLING], {(COUNTED - CANCELLING) {1'b0}}
-  };
   wire [COUNT_BITS-1:0] s4_count;
   wire                  s4_empty;
 
-  fp_leading_zeros #(
-      .COUNT_BITS(COUNT_BITS)
-  ) s4_leading_zeros (
-      .value(s4_counted),
-      .count(s4_count),
-      .empty(s4_empty)
-  );
+  generate
+    if (GROWING) begin : growing
+      assign s4_count = !s4_sum[SUM-1];
+      assign s4_empty = 1'b0;
+    end else begin : cancelling
+      localparam COUNTED = 1 << COUNT_BITS;
+
+      wire [COUNTED-1:0] s4_counted = {
+        s4_sum[SUM-1:SUM-CANCELLING], {(COUNTED - CANCELLING) {1'b0}}
+      };
+
+      fp_leading_zeros #(
+          .COUNT_BITS(COUNT_BITS)
+      ) s4_leading_zeros (
+          .value(s4_counted),
+          .count(s4_count),
+          .empty(s4_empty)
+      );
+    end
+  endgenerate
 
   wire [EXPONENT_WIDTH-1:0] s4_room =
       {{(EXPONENT_WIDTH - EXPONENT_BITS) {1'b0}}, s4_exponent} + REBIAS[EXPONENT_WIDTH-1:0];

@@ -1,9 +1,9 @@
 // fp_units: every floating-point unit in every variant, for the regression alone. A slot of the
 // answers belongs to {unit, GRADUAL, TOWARD_ZERO, column}, the column counting fastest; the units
 // are in the order of `UnitSlot` in units_under_test.cpp. Columns 0 to 2 are masks: no cuts, all,
-// SOME_CUTS. Columns 3 to 9 are SOME_CUTS with 1 to 7 promised, bit 0 for SPECIAL_OPERANDS = 0, 1
-// for OVERFLOW = 0, 2 for UNDERFLOW = 0. Where a unit lacks a parameter, another takes its place:
-// see below.
+// SOME_CUTS. Columns 3 to 11 are SOME_CUTS with 1 to 8 and 15 promised: bit 0 for SPECIAL_OPERANDS =
+// 0, 1 for OVERFLOW = 0, 2 for UNDERFLOW = 0, 3 for CANCELLATION = 0. Where a unit lacks a
+// parameter, another takes its place: see below.
 `default_nettype none
 
 module fp_units #(
@@ -15,7 +15,7 @@ module fp_units #(
     parameter         FIRST_COLUMN         = 0,    // others are not built, to take less time
     parameter         LAST_COLUMN          = 2,
     parameter         SLOT                 = 128,  // width of a result, zero-extended
-    parameter         SLOTS                = 440
+    parameter         SLOTS                = 528
 ) (
     input wire         aclk,
     input wire [127:0] a,
@@ -27,7 +27,7 @@ module fp_units #(
   wire [SLOT-1:0] y    [0:SLOTS-1]  /* verilator public_flat_rd */;
   wire            flag [0:SLOTS-1]  /* verilator public_flat_rd */;  // exceptional or decided
 
-  localparam COLUMNS       = 10;
+  localparam COLUMNS       = 12;
   localparam UNIT          = 4 * COLUMNS;
   localparam PACKED        = EXPONENT_BITS + PRECISION;
   localparam RESULT_PACKED = RESULT_EXPONENT_BITS + RESULT_PRECISION;
@@ -48,7 +48,8 @@ module fp_units #(
           localparam VARIANT = (gradual * 2 + toward_zero) * COLUMNS + column;
           localparam [127:0] ALL_OR_NONE = {128{column == 1}};
           localparam [127:0] CUTS = (column >= 2) ? SOME_CUTS : ALL_OR_NONE;
-          localparam [2:0] PROMISED = (column >= 2) ? column - 2 : 0;
+          localparam [3:0] COUNTED_UP = (column >= 2) ? column - 2 : 0;
+          localparam [3:0] PROMISED = (column == 11) ? 15 : COUNTED_UP;
 
           for (subtract = 0; subtract < 2; subtract = subtract + 1) begin : add
             wire [RESULT_PACKED-1:0] r;
@@ -61,6 +62,7 @@ module fp_units #(
                 .SPECIAL_OPERANDS    (!PROMISED[0]),
                 .OVERFLOW            (!PROMISED[1]),
                 .UNDERFLOW           (!PROMISED[2]),
+                .CANCELLATION        (!PROMISED[3]),
                 .GRADUAL             (gradual),
                 .TOWARD_ZERO         (toward_zero),
                 .CUTS                (CUTS[8:0])

@@ -11,7 +11,7 @@ module fp_units_tb;
   parameter         COUNT         = 1024;
 
   localparam BEHAVIOURS = 44;
-  localparam COLUMNS    = 10;
+  localparam COLUMNS    = 12;
   localparam MASKS      = 3;  // the columns that are built
   localparam SLOTS      = BEHAVIOURS * COLUMNS;
   localparam CHECKS     = COUNT * BEHAVIOURS * MASKS;

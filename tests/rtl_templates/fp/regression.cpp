@@ -52,7 +52,7 @@ void Regression::compare(int slot) {
   const int behaviour = slot / UnitsUnderTest::columns;
   const HazardSet promised = units_.promised(slot);
   if (promised.meets(then.hazards[behaviour])) {
-    const bool all = promised == HazardSet{true, true, true};
+    const bool all = promised.special_operands && promised.overflow && promised.underflow;
     if (!all || !units_.exceptional_by_hazards_alone(behaviour)) return;
     // Nothing matters any more but that no logic is left to speak of hazards.
     judge(slot, then.stimulus, {.flag = false, .y_matters = false});

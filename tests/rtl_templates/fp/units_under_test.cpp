@@ -147,6 +147,10 @@ HazardSet result_hazards(FloatFormat format, FloatFormat unbounded_format, Bits 
           .underflow = !zero && exponent < format.min_exponent()};
 }
 
+bool unlike_signs(FloatFormat format, const Stimulus& stimulus) {
+  return format.sign(stimulus.a) != format.sign(stimulus.b);
+}
+
 void include(HazardSet& all, const HazardSet& more) {
   all.special_operands |= more.special_operands;
   all.overflow |= more.overflow;
@@ -205,8 +209,9 @@ Answer UnitsUnderTest::answer(int behaviour, const Stimulus& stimulus) const {
 
 HazardSet UnitsUnderTest::promised(int slot) const {
   if (!has_promises(behaviour_of(slot / columns).unit)) return {};
-  const int bits = std::max(slot % columns - (masks - 1), 0);
-  return {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
+  const int column = slot % columns;
+  const int bits = column == columns - 1 ? 15 : std::max(column - (masks - 1), 0);
+  return {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0};
 }
 
 HazardSet UnitsUnderTest::hazards(int behaviour, const Stimulus& stimulus) const {
@@ -224,6 +229,9 @@ HazardSet UnitsUnderTest::hazards(int behaviour, const Stimulus& stimulus) const
   const bool zero_divisor =
       operands_.is_zero(stimulus.b) || (!which.gradual && operands_.is_subnormal(stimulus.b));
   all.overflow |= which.unit == divide && zero_divisor;
+  all.cancellation = (which.unit == add || which.unit == subtract) &&
+                     unlike_signs(operands_, stimulus) != (which.unit == subtract) &&
+                     !operands_.is_zero(stimulus.a) && !operands_.is_zero(stimulus.b);
   return all;
 }
 
@@ -243,6 +251,7 @@ std::string UnitsUnderTest::name(int slot) const {
   if (promises.special_operands) cuts += " SPECIAL_OPERANDS=0";
   if (promises.overflow) cuts += " OVERFLOW=0";
   if (promises.underflow) cuts += " UNDERFLOW=0";
+  if (promises.cancellation) cuts += " CANCELLATION=0";
   if (which.unit == ulp_distance || which.unit == ulp_distance_wide) {
     return fmt::format("fp_ulp_distance GUARD_ULP=0x{} NONNEGATIVE={:d} {}",
                        model::to_hex(guard_of(operands_, which), operands_.width()), which.gradual,

@@ -23,10 +23,11 @@ struct HazardSet {
   bool special_operands = false;
   bool overflow = false;
   bool underflow = false;
+  bool cancellation = false;
 
   bool meets(const HazardSet& other) const {
     return (special_operands && other.special_operands) || (overflow && other.overflow) ||
-           (underflow && other.underflow);
+           (underflow && other.underflow) || (cancellation && other.cancellation);
   }
   friend bool operator==(const HazardSet&, const HazardSet&) = default;
 };
@@ -44,7 +45,7 @@ struct Answer {
 /// column. The first columns differ in their masks, the others in what they were promised.
 class UnitsUnderTest {
 public:
-  static constexpr int masks = 3, columns = masks + 7, variants = 4, units = 11;
+  static constexpr int masks = 3, columns = masks + 9, variants = 4, units = 11;
   static constexpr int behaviours = units * variants, slots = behaviours * columns;
 
   /// `some_cuts` is the mask between none and all.
