@@ -93,9 +93,10 @@ private:
 
   bool rounds_nothing(const TypedNode& node) const;
   bool rounds_once(NodeId id) const;
+  bool is_plain(NodeId id) const;
   mpq_class center_of(NodeId a, NodeId b) const;
   AbsolutePart deviations(NodeId a, NodeId b, const mpq_class& center);
-  AbsolutePart rounding_error(NodeId id);
+  mpq_class rounding_error() const;
   BoundId selection_error(NodeId id);
   BoundId magnitude(NodeId id);
   BoundId reciprocal(NodeId id);
@@ -305,12 +306,15 @@ bool Analysis::rounds_once(NodeId id) const {
   return bound.relative && bound.unrounded && is_exact(*bound.unrounded);
 }
 
+/// A constant, or a selection among constants and operands in reference format.
+bool Analysis::is_plain(NodeId id) const {
+  return node(id).operation == Operation::constant ||
+         !(node(id).format == graph_.arithmetic.format);
+}
+
 /// Errors toward zero lie on one side: half of them counts as a factor of both operands.
 mpq_class Analysis::center_of(NodeId a, NodeId b) const {
-  const auto is_fixed = [&](NodeId id) {
-    return is_exact(mixed(id).factor) || node(id).operation == Operation::constant ||
-           !(node(id).format == graph_.arithmetic.format);
-  };
+  const auto is_fixed = [&](NodeId id) { return is_exact(mixed(id).factor) || is_plain(id); };
   if (graph_.arithmetic.rounding == Rounding::nearest_even || is_fixed(a) || is_fixed(b)) return 1;
   const RelativeBound all = hull(mixed(a).factor, mixed(b).factor);
   return std::max<mpq_class>(1, (all.low + all.high) / 2);
@@ -318,35 +322,32 @@ mpq_class Analysis::center_of(NodeId a, NodeId b) const {
 
 /// |a (s - m)| + |b (t - m)|: where both need magnitudes, from the larger one.
 AbsolutePart Analysis::deviations(NodeId a, NodeId b, const mpq_class& center) {
-  AbsolutePart total;
-  BoundId larger = no_bound_node;
+  BoundId constants = no_bound_node, binades = no_bound_node, larger = no_bound_node;
   mpq_class deviation = 0;
   for (const NodeId operand : {a, b}) {
     const RelativeBound& factor = mixed(operand).factor;
-    const bool is_plain = node(operand).operation == Operation::constant ||
-                          !(node(operand).format == graph_.arithmetic.format);
     if (is_exact(factor) && center == 1) continue;
-    if (center == 1 && is_plain) {
-      total = sum(total, {selection_error(operand)});
+    if (center == 1 && is_plain(operand)) {
+      constants = builder_.add(constants, selection_error(operand));
     } else if (center == 1 && rounds_once(operand)) {
-      total = sum(total, rounding_error(operand));
+      binades = builder_.add(binades, builder_.of_value(BoundOperation::binade, operand));
     } else {
       larger = builder_.maximum(larger, magnitude(operand));
       deviation += farthest(factor, center);
     }
   }
   const auto [factor, fudge] = few_digits(widened_up(deviation));
-  return sum(total, {builder_.scale(larger, factor), fudge});
+  const BoundId rounding = builder_.scale(binades, rounding_error());
+  return {builder_.add(builder_.add(constants, rounding), builder_.scale(larger, factor)), fudge};
 }
 
-AbsolutePart Analysis::rounding_error(NodeId id) {
-  const int digits = node(id).format.precision();
+/// Of one rounding, in units of its result's binade.
+mpq_class Analysis::rounding_error() const {
   const int doubled = graph_.arithmetic.rounding == Rounding::nearest_even ? 0 : 1;
-  return {builder_.scale(builder_.of_value(BoundOperation::binade, id),
-                         mpq_class(1, mpz_class(1) << (digits - doubled)))};
+  return mpq_class(1, mpz_class(1) << (graph_.arithmetic.format.precision() - doubled));
 }
 
-/// How far a constant is off, or a selection among constants and operands in reference format.
+/// How far a plain node is off.
 BoundId Analysis::selection_error(NodeId id) {
   const TypedNode& selected = node(id);
   if (selected.operation == Operation::input) return no_bound_node;
