@@ -126,7 +126,7 @@ module fp_add #(
   wire s0_infinite = s0_a_infinite || s0_b_infinite;
   wire s0_nan      = s0_a_nan || s0_b_nan || (s0_a_infinite && s0_b_infinite && s0_cancel);
   wire s0_suspect  = s0_infinite || s0_nan || s0_a_flushed || s0_b_flushed;
-  wire s0_zero     = (!SUBNORMALS || (CANCELLATION == 0)) && s0_a_zero && s0_b_zero;
+  wire s0_zero     = !SUBNORMALS && s0_a_zero && s0_b_zero;
 
   wire [EXPONENT_BITS-1:0] s1_a_exponent;
   wire [PRECISION-1:0]     s1_a_significand;
