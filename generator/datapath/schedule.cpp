@@ -9,6 +9,7 @@
 namespace mixcmp::gen {
 namespace {
 
+using model::FloatFormat;
 using model::NodeId;
 using model::Operation;
 using model::TypedGraph;
@@ -38,9 +39,9 @@ public:
   Scheduler(const DelayTable& delays, double target_mhz)
       : delays_(delays), logic_ns_(std::max(0.0, 1000 / target_mhz - delays.register_ns)) {}
 
-  Schedule run(const TypedGraph& graph, Unit decision, const std::vector<NodeId>& decided_from) {
+  void place_nodes(const TypedGraph& graph) {
     for (const TypedNode& node : graph.nodes) {
-      const int start = latest(operands_of(node));
+      const int start = latest(schedule_.steps, operands_of(node));
       if (is_wires(node.operation)) {
         schedule_.steps.push_back({.start_cycle = start, .ready_cycle = start});
       } else {
@@ -48,19 +49,53 @@ public:
             place(unit_for(node, graph.arithmetic.subnormals, delays_), start));
       }
     }
-    schedule_.decision = place(std::move(decision), latest(decided_from));
+  }
+
+  void place_checks(const std::vector<model::RangeCheck>& checks) {
+    for (const model::RangeCheck& check : checks) {
+      schedule_.checks.push_back(
+          check.leading_bits == 0 ? Step{} : place(range_check_unit(check, delays_), 0));
+    }
+  }
+
+  void place_bounds(const model::AbsoluteBoundDecision& decision, FloatFormat lane) {
+    const model::BoundFormat format = decision.bound.format;
+    for (const model::BoundNode& node : decision.bound.nodes) {
+      if (node.operation == model::BoundOperation::constant) {
+        schedule_.bounds.push_back({});
+        continue;
+      }
+      const int start = node.value >= 0 ? schedule_.steps[node.value].ready_cycle
+                                        : latest(schedule_.bounds, operands_of(node));
+      schedule_.bounds.push_back(place(bound_unit(node.operation, lane, format, delays_), start));
+    }
+    for (const model::BoundCondition& condition : decision.conditions) {
+      const int start = std::max(schedule_.bounds[condition.bound].ready_cycle,
+                                 schedule_.steps[condition.value].ready_cycle);
+      schedule_.conditions.push_back(place(bound_at_most_unit(format, delays_), start));
+    }
+  }
+
+  /// Once these nodes and everything else that has been placed beside nodes is there.
+  Schedule decide(Unit decision, const std::vector<NodeId>& decided_from) {
+    int start = latest(schedule_.steps, decided_from);
+    for (const auto* beside : {&schedule_.checks, &schedule_.bounds, &schedule_.conditions}) {
+      for (const Step& step : *beside) start = std::max(start, step.ready_cycle);
+    }
+    schedule_.decision = place(std::move(decision), start);
     schedule_.latency_cycles = schedule_.decision.ready_cycle;
     return std::move(schedule_);
   }
 
 private:
-  static std::vector<NodeId> operands_of(const TypedNode& node) {
+  template <typename Node>
+  static std::vector<int> operands_of(const Node& node) {
     return {node.operands.begin(), node.operands.begin() + model::arity(node.operation)};
   }
 
-  int latest(const std::vector<NodeId>& nodes) const {
+  static int latest(const std::vector<Step>& steps, const std::vector<int>& operands) {
     int cycle = 0;
-    for (const NodeId node : nodes) cycle = std::max(cycle, schedule_.steps[node].ready_cycle);
+    for (const int operand : operands) cycle = std::max(cycle, steps[operand].ready_cycle);
     return cycle;
   }
 
@@ -106,20 +141,28 @@ private:
 
 Schedule schedule_lane(const model::Lane& lane, const DelayTable& delays, double target_mhz) {
   const TypedGraph& graph = lane.graph;
+  const FloatFormat format = graph.arithmetic.format;
   Scheduler scheduler(delays, target_mhz);
+  scheduler.place_nodes(graph);
+  scheduler.place_checks(lane.checks);
   if (const auto* interval = std::get_if<model::IntervalDecision>(&lane.decision)) {
-    return scheduler.run(graph, interval_decision_unit(graph.arithmetic.format, delays),
-                         {interval->minimum, interval->maximum});
+    return scheduler.decide(interval_decision_unit(format, delays),
+                            {interval->minimum, interval->maximum});
   }
-  return scheduler.run(graph, ulp_distance_unit(graph.arithmetic.format, delays),
-                       {graph.f, graph.g});
+  if (const auto* absolute = std::get_if<model::AbsoluteBoundDecision>(&lane.decision)) {
+    scheduler.place_bounds(*absolute, format);
+    return scheduler.decide(bound_decision_unit(format, absolute->bound.format, delays),
+                            {absolute->difference});
+  }
+  return scheduler.decide(ulp_distance_unit(format, delays), {graph.f, graph.g});
 }
 
 Schedule schedule_reference(const TypedGraph& reference, const DelayTable& delays,
                             double target_mhz) {
-  return Scheduler(delays, target_mhz)
-      .run(reference, compare_unit(reference.arithmetic.format, delays),
-           {reference.f, reference.g});
+  Scheduler scheduler(delays, target_mhz);
+  scheduler.place_nodes(reference);
+  return scheduler.decide(compare_unit(reference.arithmetic.format, delays),
+                          {reference.f, reference.g});
 }
 
 }  // namespace mixcmp::gen

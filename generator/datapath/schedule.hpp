@@ -20,9 +20,12 @@ struct Step {
 /// When each node of a graph is computed; every path is balanced by delays of
 /// start_cycle - (ready_cycle of the operand).
 struct Schedule {
-  std::vector<Step> steps;  ///< one per node of the graph
-  Step decision;            ///< what turns f and g into a verdict
-  int latency_cycles = 0;   ///< from operands to verdict
+  std::vector<Step> steps;       ///< one per node of the graph
+  std::vector<Step> checks;      ///< one per range check of a lane; wires where it is a sign alone
+  std::vector<Step> bounds;      ///< one per node of a lane's absolute bound
+  std::vector<Step> conditions;  ///< one per condition of that bound
+  Step decision;                 ///< what turns f and g into a verdict
+  int latency_cycles = 0;        ///< from operands to verdict
   /// Stages that no cut can bring under the period, as estimated from the delay table.
   std::vector<std::string> slow_stages;
 };

@@ -9,6 +9,8 @@
 namespace mixcmp::gen {
 namespace {
 
+using model::BoundFormat;
+using model::BoundOperation;
 using model::FloatFormat;
 using model::Operation;
 using model::Subnormals;
@@ -162,6 +164,37 @@ Unit minimum_maximum_unit(FloatFormat format, const DelayTable& delays) {
   return std::move(stages).unit("fp_minimum_maximum");
 }
 
+Unit bound_add_unit(BoundFormat bound, const DelayTable& delays) {
+  const int shift = shift_levels(bits_for(bound.precision - 1));
+  StageList stages(delays);
+  stages.add("align", stages.carry(bound.exponent_bits + 1) + stages.luts(2 + shift));
+  stages.add("sum", stages.carry(bound.precision + 2) + stages.carry(bound.exponent_bits) +
+                        stages.luts(1));
+  return std::move(stages).unit("bound_add");
+}
+
+/// The significands' product is a row of additions a digit.
+Unit bound_multiply_unit(BoundFormat bound, const DelayTable& delays) {
+  StageList stages(delays);
+  const double product = (bound.precision - 1) * stages.carry(bound.precision + 1);
+  stages.add("multiply", std::max(product, stages.carry(bound.exponent_bits + 3)));
+  stages.add("round", stages.luts(1 + reduction_levels(bound.precision)) +
+                          stages.carry(bound.width() + 3) + stages.luts(2));
+  return std::move(stages).unit("bound_multiply");
+}
+
+Unit bound_magnitude_unit(FloatFormat lane, BoundFormat bound, const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add("reduce", stages.luts(1 + reduction_levels(lane.width() - bound.width())));
+  stages.add("round", stages.carry(bound.width()));
+  return std::move(stages).unit("bound_magnitude");
+}
+
+/// The units of a single stage.
+Unit single_stage_unit(std::string module, std::string stage, double delay_ns) {
+  return {std::move(module), {{std::move(stage), delay_ns}}};
+}
+
 }  // namespace
 
 Unit unit_for(const model::TypedNode& node, Subnormals subnormals, const DelayTable& delays) {
@@ -204,6 +237,45 @@ Unit interval_decision_unit(FloatFormat format, const DelayTable& delays) {
   StageList stages(delays);
   stages.add("decide", stages.luts(reduction_levels(format.width()) + 1));
   return std::move(stages).unit("fp_interval_decision");
+}
+
+Unit bound_unit(BoundOperation operation, FloatFormat lane, BoundFormat bound,
+                const DelayTable& delays) {
+  const StageList stages(delays);
+  switch (operation) {
+    case BoundOperation::magnitude: return bound_magnitude_unit(lane, bound, delays);
+    case BoundOperation::binade:
+      return single_stage_unit("bound_binade", "binade",
+                               stages.luts(1 + reduction_levels(lane.width() - 1)));
+    case BoundOperation::reciprocal:
+      return single_stage_unit("bound_reciprocal", "negate",
+                               stages.luts(1 + reduction_levels(lane.exponent_bits())) +
+                                   stages.carry(lane.exponent_bits()));
+    case BoundOperation::add: return bound_add_unit(bound, delays);
+    case BoundOperation::multiply: return bound_multiply_unit(bound, delays);
+    case BoundOperation::maximum:
+      return single_stage_unit("bound_maximum", "select",
+                               stages.carry(bound.width()) + stages.luts(1));
+    case BoundOperation::constant: break;
+  }
+  MIXCMP_CHECK(!"a constant bound has no unit");
+}
+
+Unit bound_at_most_unit(BoundFormat bound, const DelayTable& delays) {
+  return single_stage_unit("bound_at_most", "compare", StageList(delays).carry(bound.width()));
+}
+
+Unit bound_decision_unit(FloatFormat lane, BoundFormat bound, const DelayTable& delays) {
+  StageList stages(delays);
+  const double rest = stages.luts(1 + reduction_levels(lane.precision() - bound.precision));
+  stages.add("limit", std::max(rest, stages.carry(bound.width() + 2)));
+  stages.add("compare", stages.carry(bound.width() + 4) + stages.luts(1));
+  return std::move(stages).unit("bound_decision");
+}
+
+Unit range_check_unit(const model::RangeCheck& check, const DelayTable& delays) {
+  const int levels = 2 + reduction_levels(check.leading_bits);
+  return single_stage_unit("fp_range_check", "check", StageList(delays).luts(levels));
 }
 
 }  // namespace mixcmp::gen

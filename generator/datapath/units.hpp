@@ -37,4 +37,13 @@ Unit compare_unit(model::FloatFormat format, const DelayTable& delays);
 Unit ulp_distance_unit(model::FloatFormat format, const DelayTable& delays);
 Unit interval_decision_unit(model::FloatFormat format, const DelayTable& delays);
 
+/// The unit of a node of a lane's error bound (not for a constant: that is a literal).
+Unit bound_unit(model::BoundOperation operation, model::FloatFormat lane, model::BoundFormat bound,
+                const DelayTable& delays);
+Unit bound_at_most_unit(model::BoundFormat bound, const DelayTable& delays);
+Unit bound_decision_unit(model::FloatFormat lane, model::BoundFormat bound,
+                         const DelayTable& delays);
+/// Not for a sign alone: that is a wire.
+Unit range_check_unit(const model::RangeCheck& check, const DelayTable& delays);
+
 }  // namespace mixcmp::gen

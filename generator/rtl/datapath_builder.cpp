@@ -25,10 +25,11 @@ std::set<std::string> taken_names(const std::vector<std::string>& ports) {
 }  // namespace
 
 DatapathBuilder::DatapathBuilder(const std::vector<std::string>& inputs, const TypedGraph& graph,
-                                 const Schedule& schedule, ExceptionalFlags exceptional,
-                                 DelayPlan plan)
+                                 std::vector<model::Hazards> hazards, const Schedule& schedule,
+                                 ExceptionalFlags exceptional, DelayPlan plan)
     : ports_(input_ports(inputs)),
       graph_(graph),
+      hazards_(std::move(hazards)),
       schedule_(schedule),
       pool_(taken_names(ports_)),
       names_(name_nodes(graph, ports_, pool_)),
@@ -44,20 +45,8 @@ std::vector<Port> DatapathBuilder::data_ports() const {
 }
 
 void DatapathBuilder::build_nodes() {
-  if (exceptional_ == ExceptionalFlags::unused) declare_unused_flags();
+  declare_unused_flags();
   for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) build_node(id);
-}
-
-Signal DatapathBuilder::any_negative(const std::vector<int>& inputs) {
-  if (inputs.empty()) return {};
-  std::vector<Operand> signs;
-  for (const int input : inputs) {
-    signs.push_back(bit(ports_[input], graph_.input_format.width() - 1));
-  }
-  const std::string name = pool_.unique("out_of_range");
-  add(Comment{"The bound's proof needs these inputs non-negative, as the scene declares."});
-  add(Wire{1, name, any_of(std::move(signs))});
-  return {net(name), name, 1, 0};
 }
 
 Operand DatapathBuilder::at(const Signal& signal, int cycle) {
@@ -88,9 +77,13 @@ Operand DatapathBuilder::any_at(const std::vector<Signal>& signals, int cycle) {
 
 void DatapathBuilder::declare_unused_flags() {
   int count = 0;
-  for (const Step& step : schedule_.steps) count += step.unit.module.empty() ? 0 : 1;
+  for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) {
+    if (!schedule_.steps[id].unit.module.empty() && !gathers_flag(id)) ++count;
+  }
   if (count == 0) return;
-  add(Comment{"The verdict does not depend on what was exceptional on the way."});
+  add(Comment{exceptional_ == ExceptionalFlags::unused
+                  ? "The verdict does not depend on what was exceptional on the way."
+                  : "The range checks rule out that these operations are exceptional."});
   add(Wire{count, "unused_exceptional", nullptr, true});
 }
 
@@ -160,13 +153,21 @@ void DatapathBuilder::build_unit(NodeId id) {
   add(Wire{node.format.width(), names_[id], nullptr});
   values_[id].value = net(names_[id]);
   connections.push_back({"exceptional", flag_output(id)});
-  add(Instance{step.unit.module, pool_.unique("unit_" + names_[id]), unit_parameters(node, step),
+  add(Instance{step.unit.module, pool_.unique("unit_" + names_[id]), unit_parameters(id),
                std::move(connections)});
   if (exceptional_ == ExceptionalFlags::gathered) gather_flags(id);
 }
 
+/// A root of a negative number is never ruled out.
+bool DatapathBuilder::gathers_flag(NodeId id) const {
+  if (exceptional_ == ExceptionalFlags::unused) return false;
+  if (hazards_.empty() || graph_.nodes[id].operation == Operation::square_root) return true;
+  const model::Hazards& hazards = hazards_[id];
+  return hazards.special_operand || hazards.overflow || hazards.underflow;
+}
+
 Operand DatapathBuilder::flag_output(NodeId id) {
-  if (exceptional_ == ExceptionalFlags::unused) return bit("unused_exceptional", unused_flags_++);
+  if (!gathers_flag(id)) return bit("unused_exceptional", unused_flags_++);
   const std::string name = pool_.unique(names_[id] + "_exceptional");
   add(Wire{1, name, nullptr});
   flags_[id] = {net(name), name, 1, schedule_.steps[id].ready_cycle};
@@ -178,13 +179,17 @@ Operand DatapathBuilder::flag_output(NodeId id) {
 void DatapathBuilder::gather_flags(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
   const int cycle = schedule_.steps[id].ready_cycle;
-  std::vector<Signal> all = {flags_[id]};
+  std::vector<Signal> all;
+  if (flags_[id].value != nullptr) all.push_back(flags_[id]);
   for (int k = 0; k < model::arity(node.operation); ++k) {
     const Signal& inherited = flags_[node.operands[k]];
     const bool known = k == 1 && inherited.name == flags_[node.operands[0]].name;
     if (inherited.value != nullptr && !known) all.push_back(inherited);
   }
-  if (all.size() == 1) return;
+  if (all.size() <= 1) {
+    if (!all.empty()) flags_[id] = all.front();
+    return;
+  }
   const Operand any = any_at(all, cycle);
   const std::string name = pool_.unique(names_[id] + "_doubtful");
   add(Wire{1, name, any});
@@ -200,8 +205,8 @@ std::string DatapathBuilder::describe(NodeId id) const {
                      node.format.name());
 }
 
-std::vector<Parameter> DatapathBuilder::unit_parameters(const TypedNode& node,
-                                                        const Step& step) const {
+std::vector<Parameter> DatapathBuilder::unit_parameters(NodeId id) const {
+  const TypedNode& node = graph_.nodes[id];
   std::vector<Parameter> parameters = {{"EXPONENT_BITS", node.operand_format.exponent_bits()},
                                        {"PRECISION", node.operand_format.precision()}};
   const bool selects = node.operation == Operation::minimum || node.operation == Operation::maximum;
@@ -219,7 +224,11 @@ std::vector<Parameter> DatapathBuilder::unit_parameters(const TypedNode& node,
     parameters.push_back(
         {"TOWARD_ZERO", arithmetic.rounding == model::Rounding::toward_zero ? 1 : 0});
   }
-  parameters.push_back({"CUTS", cut_mask(step)});
+  const model::Hazards hazards = hazards_.empty() ? model::Hazards{} : hazards_[id];
+  if (!hazards.special_operand) parameters.push_back({"SPECIAL_OPERANDS", 0});
+  if (!hazards.overflow) parameters.push_back({"OVERFLOW", 0});
+  if (!hazards.underflow) parameters.push_back({"UNDERFLOW", 0});
+  parameters.push_back({"CUTS", cut_mask(schedule_.steps[id])});
   return parameters;
 }
 

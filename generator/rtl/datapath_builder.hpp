@@ -34,8 +34,10 @@ enum class ExceptionalFlags {
 /// first pass over the datapath (with an empty plan) learns the plan for the second.
 class DatapathBuilder {
 public:
+  /// `hazards`: of each operation, or empty where nothing is ruled out.
   DatapathBuilder(const std::vector<std::string>& inputs, const model::TypedGraph& graph,
-                  const Schedule& schedule, ExceptionalFlags exceptional, DelayPlan plan);
+                  std::vector<model::Hazards> hazards, const Schedule& schedule,
+                  ExceptionalFlags exceptional, DelayPlan plan);
 
   /// aclk and the operands.
   std::vector<rtl::Port> data_ports() const;
@@ -46,8 +48,12 @@ public:
   const Signal& value(model::NodeId node) const { return values_[node]; }
   /// Set where the node or one before it was exceptional; only where flags are gathered.
   const Signal& flag(model::NodeId node) const { return flags_[node]; }
-  /// Set where one of these inputs has its sign bit set.
-  Signal any_negative(const std::vector<int>& inputs);
+
+  const std::string& port(int input) const { return ports_[input]; }
+  const std::string& name(model::NodeId node) const { return names_[node]; }
+  /// One name a node.
+  const std::vector<std::string>& names() const { return names_; }
+  NamePool& pool() { return pool_; }
 
   /// `signal` as it was, delayed to `cycle`.
   rtl::Operand at(const Signal& signal, int cycle);
@@ -67,10 +73,12 @@ private:
   void gather_flags(model::NodeId id);
   rtl::Operand delayed(const Signal& signal, const rtl::Operand& source, int from, int to);
   std::string describe(model::NodeId id) const;
-  std::vector<rtl::Parameter> unit_parameters(const model::TypedNode& node, const Step& step) const;
+  bool gathers_flag(model::NodeId id) const;
+  std::vector<rtl::Parameter> unit_parameters(model::NodeId id) const;
 
   std::vector<std::string> ports_;
   const model::TypedGraph& graph_;
+  std::vector<model::Hazards> hazards_;
   const Schedule& schedule_;
   NamePool pool_;
   std::vector<std::string> names_;

@@ -2,7 +2,10 @@
 
 #include <fmt/core.h>
 
+#include "generator/rtl/bound_builder.hpp"
 #include "generator/rtl/datapath_builder.hpp"
+#include "generator/rtl/range_checks.hpp"
+#include "model/common/check.hpp"
 
 namespace mixcmp::gen {
 namespace {
@@ -19,22 +22,17 @@ std::string decision_comment(const Step& step, std::string_view what) {
   return fmt::format("Cycles {} to {}: {}", step.start_cycle, step.ready_cycle, what);
 }
 
-std::vector<int> checked_inputs(const model::Lane& lane) {
-  std::vector<int> inputs;
-  for (const model::RangeCheck& check : lane.checks) inputs.push_back(check.input);
-  return inputs;
-}
-
 void build_ulp_distance(DatapathBuilder& builder, const model::Lane& lane,
-                        const model::UlpDistanceDecision& decision, const Step& step) {
+                        const model::UlpDistanceDecision& decision, const Schedule& schedule) {
   const TypedGraph& graph = lane.graph;
-  const Signal out_of_range = builder.any_negative(checked_inputs(lane));
+  const Step& step = schedule.decision;
+  const Signal out_of_range = build_range_checks(builder, lane, schedule);
   const Operand f = builder.at(builder.value(graph.f), step.start_cycle);
   const Operand g = builder.at(builder.value(graph.g), step.start_cycle);
   const Operand doubtful = builder.any_at(
       {builder.flag(graph.f), builder.flag(graph.g), out_of_range}, step.start_cycle);
-  builder.add(Comment{decision_comment(
-      step, "certain where the encodings are GUARD_ULP or more apart.")});
+  builder.add(
+      Comment{decision_comment(step, "certain where the encodings are GUARD_ULP or more apart.")});
   std::vector<Parameter> parameters = format_parameters(graph.arithmetic.format);
   parameters.push_back({"GUARD_ULP", Literal{graph.arithmetic.format.width(), decision.guard_ulp}});
   parameters.push_back({"NONNEGATIVE", decision.nonnegative ? 1 : 0});
@@ -45,6 +43,35 @@ void build_ulp_distance(DatapathBuilder& builder, const model::Lane& lane,
                        {{"aclk", net("aclk")},
                         {"f", f},
                         {"g", g},
+                        {"exceptional", doubtful},
+                        {"verdict", net("verdict")},
+                        {"decided", net("decided")}}});
+}
+
+void build_absolute(DatapathBuilder& builder, const model::Lane& lane,
+                    const model::AbsoluteBoundDecision& decision, const Schedule& schedule) {
+  const FloatFormat format = lane.graph.arithmetic.format;
+  const Step& step = schedule.decision;
+  BoundBuilder bounds(builder, lane, decision, schedule);
+  bounds.build();
+  std::vector<Signal> doubts = bounds.failures();
+  doubts.push_back(builder.flag(decision.difference));
+  doubts.push_back(build_range_checks(builder, lane, schedule));
+  const Operand difference = builder.at(builder.value(decision.difference), step.start_cycle);
+  const Operand bound = builder.at(bounds.bound(), step.start_cycle);
+  const Operand doubtful = builder.any_at(doubts, step.start_cycle);
+  builder.add(Comment{
+      decision_comment(step, "certain where the difference exceeds the bound of its error.")});
+  std::vector<Parameter> parameters = format_parameters(format);
+  parameters.push_back({"BOUND_PRECISION", decision.bound.format.precision});
+  parameters.push_back({"GUARD_ULP", Literal{format.width(), decision.guard_ulp}});
+  parameters.push_back({"CUTS", cut_mask(step)});
+  builder.add(Instance{step.unit.module,
+                       "decision",
+                       std::move(parameters),
+                       {{"aclk", net("aclk")},
+                        {"difference", difference},
+                        {"bound", bound},
                         {"exceptional", doubtful},
                         {"verdict", net("verdict")},
                         {"decided", net("decided")}}});
@@ -81,11 +108,17 @@ void build_comparison(DatapathBuilder& builder, const TypedGraph& graph, const S
                        {{"aclk", net("aclk")}, {"a", f}, {"b", g}, {"verdict", net("verdict")}}});
 }
 
-void build_lane_decision(DatapathBuilder& builder, const model::Lane& lane, const Step& step) {
+void build_lane_decision(DatapathBuilder& builder, const model::Lane& lane,
+                         const Schedule& schedule) {
   if (const auto* interval = std::get_if<model::IntervalDecision>(&lane.decision)) {
-    build_interval(builder, lane.graph, *interval, step);
+    // The paper's decision has no input for doubts.
+    MIXCMP_CHECK(lane.checks.empty());
+    build_interval(builder, lane.graph, *interval, schedule.decision);
+  } else if (const auto* absolute = std::get_if<model::AbsoluteBoundDecision>(&lane.decision)) {
+    build_absolute(builder, lane, *absolute, schedule);
   } else {
-    build_ulp_distance(builder, lane, std::get<model::UlpDistanceDecision>(lane.decision), step);
+    build_ulp_distance(builder, lane, std::get<model::UlpDistanceDecision>(lane.decision),
+                       schedule);
   }
 }
 
@@ -93,15 +126,16 @@ DatapathBuilder lane_pass(const std::vector<std::string>& inputs, const model::L
                           const Schedule& schedule, DelayPlan plan) {
   const ExceptionalFlags exceptional =
       lane.certified() ? ExceptionalFlags::gathered : ExceptionalFlags::unused;
-  DatapathBuilder builder(inputs, lane.graph, schedule, exceptional, std::move(plan));
+  DatapathBuilder builder(inputs, lane.graph, lane.hazards, schedule, exceptional, std::move(plan));
   builder.build_nodes();
-  build_lane_decision(builder, lane, schedule.decision);
+  build_lane_decision(builder, lane, schedule);
   return builder;
 }
 
 DatapathBuilder reference_pass(const std::vector<std::string>& inputs, const TypedGraph& reference,
                                const Schedule& schedule, DelayPlan plan) {
-  DatapathBuilder builder(inputs, reference, schedule, ExceptionalFlags::unused, std::move(plan));
+  DatapathBuilder builder(inputs, reference, {}, schedule, ExceptionalFlags::unused,
+                          std::move(plan));
   builder.build_nodes();
   build_comparison(builder, reference, schedule.decision);
   return builder;

@@ -2,11 +2,16 @@
 
 #include <fmt/core.h>
 
+#include <cstdlib>
+
 #include "model/common/check.hpp"
 
 namespace mixcmp::gen {
 namespace {
 
+using model::BoundGraph;
+using model::BoundNode;
+using model::BoundOperation;
 using model::NodeId;
 using model::Operation;
 using model::TypedGraph;
@@ -51,6 +56,37 @@ std::string role(Operation operation) {
     case Operation::maximum: return "larger";
   }
   MIXCMP_CHECK(false);
+}
+
+std::string bound_role(BoundOperation operation, const std::string& value) {
+  switch (operation) {
+    case BoundOperation::constant: return "constant";
+    case BoundOperation::magnitude: return value + "_ceiling";
+    case BoundOperation::binade: return value + "_binade";
+    case BoundOperation::reciprocal: return value + "_inverse";
+    case BoundOperation::add: return "error_sum";
+    case BoundOperation::multiply: return "error_product";
+    case BoundOperation::maximum: return "error_maximum";
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// "2^-17", or four digits of the significand: "1.205 * 2^-17".
+std::string binary_text(const mpq_class& value) {
+  if (value == 0) return "0";
+  const auto length = [](const mpz_class& x) {
+    return static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2));
+  };
+  long exponent = length(value.get_num()) - length(value.get_den());
+  const auto significand = [&] {
+    mpq_class scaled;
+    const auto power = static_cast<unsigned long>(std::labs(exponent));
+    (exponent >= 0 ? mpq_div_2exp : mpq_mul_2exp)(scaled.get_mpq_t(), value.get_mpq_t(), power);
+    return scaled;
+  };
+  if (significand() < 1) --exponent;
+  if (significand() == 1) return fmt::format("2^{}", exponent);
+  return fmt::format("{:.4g} * 2^{}", significand().get_d(), exponent);
 }
 
 }  // namespace
@@ -105,6 +141,39 @@ std::string formula(const TypedGraph& graph, NodeId id, const std::vector<std::s
     case Operation::square_root: return "sqrt(" + operand(0) + ")";
     case Operation::minimum: return "min(" + operand(0) + ", " + operand(1) + ")";
     case Operation::maximum: return "max(" + operand(0) + ", " + operand(1) + ")";
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::vector<std::string> name_bounds(const BoundGraph& bound,
+                                     const std::vector<std::string>& values, NamePool& pool) {
+  std::vector<std::string> names;
+  for (std::size_t id = 0; id < bound.nodes.size(); ++id) {
+    const BoundNode& node = bound.nodes[id];
+    const std::string value = node.value < 0 ? "" : values[node.value];
+    const bool last = id + 1 == bound.nodes.size();
+    names.push_back(pool.unique(last ? "error_bound" : bound_role(node.operation, value)));
+  }
+  return names;
+}
+
+std::string bound_formula(const BoundGraph& bound, int id, const std::vector<std::string>& bounds,
+                          const std::vector<std::string>& values) {
+  const BoundNode& node = bound.nodes[id];
+  const auto operand = [&](int k) {
+    const int source = node.operands[k];
+    const bool constant = bound.nodes[source].operation == BoundOperation::constant;
+    return constant ? binary_text(bound.nodes[source].constant) : bounds[source];
+  };
+  switch (node.operation) {
+    case BoundOperation::constant: return binary_text(node.constant);
+    case BoundOperation::magnitude: return "|" + values[node.value] + "|";
+    case BoundOperation::binade: return "the power of two at or below |" + values[node.value] + "|";
+    case BoundOperation::reciprocal:
+      return "a power of two at or above 1 / |" + values[node.value] + "|";
+    case BoundOperation::add: return operand(0) + " + " + operand(1);
+    case BoundOperation::multiply: return operand(0) + " * " + operand(1);
+    case BoundOperation::maximum: return "max(" + operand(0) + ", " + operand(1) + ")";
   }
   MIXCMP_CHECK(false);
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/error/bound_graph.hpp"
 #include "model/expression/typed_graph.hpp"
 
 namespace mixcmp::gen {
@@ -27,5 +28,15 @@ std::vector<std::string> name_nodes(const model::TypedGraph& graph,
 /// The operation in words of its operands' names: "cxi - cxj".
 std::string formula(const model::TypedGraph& graph, model::NodeId node,
                     const std::vector<std::string>& names);
+
+/// A role word for every node of an error bound, in words of the values' names: the last is
+/// "error_bound", what depends on a value says how ("cxi_rounded_binade").
+std::vector<std::string> name_bounds(const model::BoundGraph& bound,
+                                     const std::vector<std::string>& values, NamePool& pool);
+
+/// A bound's operation in words of its operands' names: "2^-17 * cxi_rounded_binade".
+std::string bound_formula(const model::BoundGraph& bound, int node,
+                          const std::vector<std::string>& bounds,
+                          const std::vector<std::string>& values);
 
 }  // namespace mixcmp::gen

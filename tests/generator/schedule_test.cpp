@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "generator/datapath/delays.hpp"
+#include "model/error/certified_lane.hpp"
 #include "tests/support/sphere.hpp"
 
 namespace mixcmp::gen {
@@ -87,6 +89,36 @@ TEST_P(ScheduleAtTarget, CutsAreTheFewestThatMeetThePeriodAndTheOutputIsRegister
     } else {
       EXPECT_FALSE(schedule.slow_stages.empty()) << step.unit.module;
     }
+  }
+}
+
+/// What a lane checks and bounds beside its values is ready when it is read, and the decision waits
+/// for all of it.
+TEST_P(ScheduleAtTarget, BoundsFollowTheirOperandsAndPrecedeTheDecision) {
+  const model::Graph graph = test::sphere_graph();
+  const model::Lane lane =
+      certified_lane(
+          lane_graph(graph, format("s53e8"), {format("s17e8")}, model::LaneInputs::rounded),
+          {.kind = model::ErrorBoundKind::running,
+           .ranges = std::vector<std::optional<model::Range>>(8, model::Range{0, 100})})
+          .value();
+  const auto& decision = std::get<model::AbsoluteBoundDecision>(lane.decision);
+  const Schedule schedule = schedule_lane(lane, delays_, GetParam());
+  ASSERT_EQ(schedule.bounds.size(), decision.bound.nodes.size());
+  ASSERT_EQ(schedule.checks.size(), 8u);
+  for (std::size_t id = 0; id < decision.bound.nodes.size(); ++id) {
+    const model::BoundNode& node = decision.bound.nodes[id];
+    int latest = node.value >= 0 ? schedule.steps[node.value].ready_cycle : 0;
+    for (int k = 0; k < model::arity(node.operation); ++k) {
+      latest = std::max(latest, schedule.bounds[node.operands[k]].ready_cycle);
+    }
+    EXPECT_EQ(schedule.bounds[id].start_cycle, latest) << "bound node " << id;
+  }
+  EXPECT_GE(schedule.decision.start_cycle, schedule.bounds.back().ready_cycle);
+  EXPECT_GE(schedule.decision.start_cycle, schedule.steps[decision.difference].ready_cycle);
+  for (const Step& check : schedule.checks) {
+    EXPECT_EQ(check.unit.module, "fp_range_check");
+    EXPECT_GE(schedule.decision.start_cycle, check.ready_cycle);
   }
 }
 

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
-#include <fstream>
-#include <sstream>
+#include <optional>
 
+#include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
@@ -46,8 +46,23 @@ model::Design design_of(const std::string& f, const std::string& g, model::Arith
           .system = {}};
 }
 
+/// Spheres in a lane of any kind of error bound.
+model::Design bounded(model::ErrorBoundKind kind, int digits, model::Arithmetic reduced,
+                      std::optional<model::Range> range) {
+  const model::Graph graph = sphere_graph();
+  model::Design design = sphere_design(reduced.format, format("s53e8"), 2, 1);
+  const model::FloatFormat reference = design.reference.input_format;
+  design.lane = certified_lane(lane_graph(graph, reference, reduced, model::LaneInputs::rounded),
+                               {.kind = kind,
+                                .bound_digits = digits,
+                                .ranges = std::vector<std::optional<model::Range>>(8, range)})
+                    .value();
+  return design;
+}
+
 std::vector<Variant> variants() {
   const model::Design base = sphere_design(format("s17e8"), format("s53e8"), 8, 1);
+  constexpr auto running = model::ErrorBoundKind::running;
   const model::Design odd = sphere_design(format("s8e5"), format("s24e7"), 7, 3);
   return {
       {"tagged_8x1", base},
@@ -71,6 +86,16 @@ std::vector<Variant> variants() {
       {"magnitude_alone", design_of("abs(a)", "max(b, -c)", {format("s4e2")}, format("s53e11"))},
       {"lane_format_is_reference",
        design_of("sqrt(a) / b", "c", {format("s11e5")}, format("s11e5"))},
+      {"running_4_digits", bounded(running, 4, {format("s17e8")}, {})},
+      {"running_exponents_alone_in_ranges",
+       bounded(running, 1, {format("s17e8"), model::Rounding::toward_zero}, model::Range{0, 100})},
+      {"running_8_digits_flushing",
+       bounded(running, 8,
+               {format("s8e8"), model::Rounding::nearest_even, model::Subnormals::flush}, {})},
+      {"constant_in_ranges",
+       bounded(model::ErrorBoundKind::constant, 0,
+               {format("s17e8"), model::Rounding::nearest_even, model::Subnormals::flush},
+               model::Range{0, 100})},
       {"lane_only", sphere_design(format("s12e6"), format("s24e8"), 3, 0)},
       {"single_lane", sphere_design(format("s4e8"), format("s11e8"), 1, 1)},
       {"more_references_than_lanes", sphere_design(format("s4e8"), format("s11e8"), 2, 3)},

@@ -1,0 +1,146 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <optional>
+
+#include "generator/datapath/delays.hpp"
+#include "generator/rtl/datapath_module.hpp"
+#include "model/error/certified_lane.hpp"
+#include "tests/support/graphs.hpp"
+#include "tests/support/sphere.hpp"
+
+/// What a generated lane instantiates, and with which parameters.
+namespace mixcmp::gen {
+namespace {
+
+using model::ErrorBoundKind;
+using model::Lane;
+using model::Range;
+using test::format;
+using test::graph_of;
+
+std::vector<rtl::Instance> instances(const model::Graph& graph, const Lane& lane) {
+  const Schedule schedule = schedule_lane(lane, delays_of("virtex6-lx760").value(), 250);
+  std::vector<rtl::Instance> found;
+  for (const rtl::Item& item : lane_module("lane", graph.inputs(), lane, schedule).items) {
+    if (const auto* instance = std::get_if<rtl::Instance>(&item)) found.push_back(*instance);
+  }
+  return found;
+}
+
+/// None: the instance does not set it.
+std::optional<long long> parameter(const rtl::Instance& instance, const std::string& name) {
+  for (const rtl::Parameter& p : instance.parameters) {
+    if (p.name != name) continue;
+    if (const auto* literal = std::get_if<rtl::Literal>(&p.value)) {
+      return static_cast<long long>(literal->value);
+    }
+    return std::get<long long>(p.value);
+  }
+  return std::nullopt;
+}
+
+int count(const std::vector<rtl::Instance>& all, const std::string& module) {
+  return static_cast<int>(std::count_if(all.begin(), all.end(), [&](const rtl::Instance& instance) {
+    return instance.module == module;
+  }));
+}
+
+const rtl::Instance& only(const std::vector<rtl::Instance>& all, const std::string& module) {
+  MIXCMP_CHECK(count(all, module) == 1);
+  return *std::find_if(all.begin(), all.end(),
+                       [&](const rtl::Instance& instance) { return instance.module == module; });
+}
+
+Lane lane_of(const model::Graph& graph, ErrorBoundKind kind, model::Subnormals subnormals,
+             std::optional<Range> range) {
+  const model::Arithmetic reduced = {format("s8e8"), model::Rounding::nearest_even, subnormals};
+  return certified_lane(lane_graph(graph, format("s24e8"), reduced, model::LaneInputs::rounded),
+                        {.kind = kind,
+                         .ranges = std::vector<std::optional<Range>>(graph.inputs().size(), range)})
+      .value();
+}
+
+TEST(LaneModule, BoundHasAUnitForEveryOperation) {
+  const model::Graph graph = graph_of("a * b", "a + b");
+  const Lane lane = lane_of(graph, ErrorBoundKind::running, model::Subnormals::gradual, {});
+  const auto& decision = std::get<model::AbsoluteBoundDecision>(lane.decision);
+  std::map<std::string, int> expected;
+  for (const model::BoundNode& node : decision.bound.nodes) {
+    ++expected["bound_" + std::string(to_string(node.operation))];
+  }
+  const std::vector<rtl::Instance> all = instances(graph, lane);
+  for (const auto& [module, nodes] : expected) {
+    EXPECT_EQ(count(all, module), module == "bound_constant" ? 0 : nodes) << module;
+  }
+  EXPECT_EQ(count(all, "bound_at_most"), static_cast<int>(decision.conditions.size()));
+  EXPECT_EQ(parameter(only(all, "bound_decision"), "GUARD_ULP"),
+            static_cast<long long>(decision.guard_ulp));
+  EXPECT_EQ(count(all, "fp_range_check"), 0);
+}
+
+TEST(LaneModule, BoundsReadSubnormalNumbersOnlyWhereThereMayBeSome) {
+  const model::Graph graph = graph_of("a * b", "a + b");
+  const auto gradual = [&](model::Subnormals subnormals, std::optional<Range> range) {
+    const Lane lane = lane_of(graph, ErrorBoundKind::running, subnormals, range);
+    long long any = 0;
+    for (const rtl::Instance& instance : instances(graph, lane)) {
+      if (instance.module == "bound_magnitude") any |= parameter(instance, "GRADUAL").value();
+      if (instance.module == "bound_binade") any |= parameter(instance, "GRADUAL").value();
+    }
+    return any;
+  };
+  EXPECT_EQ(gradual(model::Subnormals::gradual, {}), 1);
+  EXPECT_EQ(gradual(model::Subnormals::flush, {}), 0);
+  EXPECT_EQ(gradual(model::Subnormals::gradual, Range{1, 100}), 0) << "ruled out by the ranges";
+}
+
+TEST(LaneModule, HazardsThatRangesRuleOutAreNotBuilt) {
+  const model::Graph graph = graph_of("a * b", "a + b");
+  const Range range = {1, 100};
+  const Lane lane = lane_of(graph, ErrorBoundKind::running, model::Subnormals::gradual, range);
+  const std::vector<rtl::Instance> all = instances(graph, lane);
+  EXPECT_EQ(count(all, "fp_range_check"), 2);
+  const rtl::Instance& product = only(all, "fp_multiply");
+  EXPECT_EQ(parameter(product, "SPECIAL_OPERANDS"), 0);
+  EXPECT_EQ(parameter(product, "OVERFLOW"), 0);
+  EXPECT_EQ(parameter(product, "UNDERFLOW"), 0);
+  const Lane unchecked = lane_of(graph, ErrorBoundKind::running, model::Subnormals::gradual, {});
+  const std::vector<rtl::Instance> unranged = instances(graph, unchecked);
+  for (const char* hazard : {"SPECIAL_OPERANDS", "OVERFLOW", "UNDERFLOW"}) {
+    EXPECT_EQ(parameter(only(unranged, "fp_multiply"), hazard), std::nullopt);
+  }
+}
+
+TEST(LaneModule, RangeChecksAreThoseOfTheLane) {
+  const model::Graph graph = graph_of("a * b", "a + b");
+  const Lane lane =
+      lane_of(graph, ErrorBoundKind::constant, model::Subnormals::flush, Range{-100, -1});
+  const std::vector<rtl::Instance> all = instances(graph, lane);
+  std::size_t k = 0;
+  for (const rtl::Instance& instance : all) {
+    if (instance.module != "fp_range_check") continue;
+    const model::RangeCheck& check = lane.checks.at(k++);
+    EXPECT_EQ(parameter(instance, "SIGN"), 2);
+    EXPECT_EQ(parameter(instance, "PRECISION"), 24) << "the operand's, not the lane's";
+    EXPECT_EQ(parameter(instance, "LEADING_BITS"), check.leading_bits);
+    EXPECT_EQ(parameter(instance, "LEAST"), static_cast<long long>(check.least));
+    EXPECT_EQ(parameter(instance, "GREATEST"), static_cast<long long>(check.greatest));
+  }
+  EXPECT_EQ(k, 2u);
+}
+
+TEST(LaneModule, SignChecksAreWires) {
+  const model::Graph graph = graph_of("a + b", "a * 0.3");
+  const Lane lane = certified_lane(lane_graph(graph, format("s24e8"), {format("s8e8")},
+                                              model::LaneInputs::rounded),
+                                   {.kind = ErrorBoundKind::relative,
+                                    .ranges = {Range{0, 100}, Range{0, 100}},
+                                    .hazards = model::HazardRemoval::keep})
+                        .value();
+  ASSERT_EQ(lane.checks.size(), 2u);
+  EXPECT_EQ(count(instances(graph, lane), "fp_range_check"), 0);
+}
+
+}  // namespace
+}  // namespace mixcmp::gen
