@@ -7,32 +7,14 @@
 namespace mixcmp::model::proof {
 namespace {
 
-constexpr long slack_bits = 400;
 constexpr long kept_digits = 460;
-
-mpq_class two_to(long exponent) {
-  mpq_class one(1);
-  mpq_class result;
-  if (exponent < 0) {
-    mpq_div_2exp(result.get_mpq_t(), one.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  } else {
-    mpq_mul_2exp(result.get_mpq_t(), one.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  }
-  return result;
-}
-
-long binade(const mpq_class& value) {
-  const auto bits = [](const mpz_class& number) {
-    return static_cast<long>(mpz_sizeinbase(number.get_mpz_t(), 2));
-  };
-  return bits(value.get_num()) - bits(value.get_den());
-}
 
 enum class Direction { down, up };
 
-/// A positive value to `kept_digits` digits.
+/// To `kept_digits` digits.
 mpq_class shortened(const mpq_class& value, Direction direction) {
-  const mpq_class unit = two_to(binade(value) - kept_digits);
+  if (value == 0) return value;
+  const mpq_class unit = power_of_two(binade_of(value) - kept_digits);
   const mpq_class steps = value / unit;
   mpz_class whole = steps.get_num() / steps.get_den();
   if (direction == Direction::up && whole != steps) ++whole;
@@ -61,9 +43,35 @@ bool is_checked_nonnegative(const std::vector<RangeCheck>& checks, int input) {
 
 RelativeBound provable(const RelativeBound& bound, int depth) {
   if (bound.low == 1 && bound.high == 1) return bound;
-  const mpq_class slack = two_to(2L * depth - slack_bits);
+  const mpq_class slack = power_of_two(2L * depth - slack_bits);
   return {shortened(bound.low * (1 - slack), Direction::down),
           shortened(bound.high * (1 + slack), Direction::up)};
+}
+
+mpq_class rounded_down(const mpq_class& value) {
+  return shortened(value, Direction::down);
+}
+
+mpq_class rounded_up(const mpq_class& value) {
+  return shortened(value, Direction::up);
+}
+
+mpq_class power_of_two(long exponent) {
+  const mpq_class one(1);
+  mpq_class result;
+  if (exponent < 0) {
+    mpq_div_2exp(result.get_mpq_t(), one.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  } else {
+    mpq_mul_2exp(result.get_mpq_t(), one.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  }
+  return result;
+}
+
+long binade_of(const mpq_class& value) {
+  const auto bits = [](const mpz_class& number) {
+    return static_cast<long>(mpz_sizeinbase(number.get_mpz_t(), 2));
+  };
+  return bits(value.get_num()) - bits(value.get_den());
 }
 
 }  // namespace mixcmp::model::proof

@@ -31,6 +31,16 @@ bool is_checked_nonnegative(const std::vector<RangeCheck>& checks, int input);
 /// outward, so that it could not prove an end like 1/3, nor a chain of them, to the last digit.
 RelativeBound provable(const RelativeBound& bound, int depth);
 
+/// A value >= 0 to some 460 digits.
+mpq_class rounded_down(const mpq_class& value);
+mpq_class rounded_up(const mpq_class& value);
+
+/// Of the slack at depth 0, as a power of two below one.
+constexpr long slack_bits = 400;
+mpq_class power_of_two(long exponent);
+/// floor(log2) of a positive value, or one more.
+long binade_of(const mpq_class& value);
+
 /// The deepest graph for which `provable` moves ends by less than one part in 2^300.
 constexpr int max_provable_depth = 50;
 

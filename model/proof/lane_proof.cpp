@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "model/common/check.hpp"
+#include "model/proof/absolute_proof.hpp"
+#include "model/proof/rule_proof.hpp"
 
 namespace mixcmp::model::proof {
 namespace {
@@ -63,6 +65,9 @@ std::string LaneProof::verdict() const {
 LaneProof prove_lane(const Lane& lane, const Prove& prove, Effort effort) {
   if (std::holds_alternative<UlpDistanceDecision>(lane.decision)) {
     return prove_relative(lane, relative_claims(lane), prove, effort);
+  }
+  if (std::holds_alternative<AbsoluteBoundDecision>(lane.decision)) {
+    return prove_absolute(lane, analysis_of(lane), prove);
   }
   LaneProof proof;
   proof.lane = lane.graph.arithmetic.format.name();

@@ -20,11 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Its words on one line, where there are many the first.
+/// Its words on one line, warnings before the error left out, where there are many the first.
 std::string first_words(const std::string& message) {
   constexpr std::size_t enough = 160;
+  const std::size_t error = message.find("Error: ");
   std::string words;
-  for (const char c : message) words += c == '\n' ? ' ' : c;
+  for (const char c : message.substr(error == std::string::npos ? 0 : error))
+    words += c == '\n' ? ' ' : c;
   while (!words.empty() && words.back() == ' ') words.pop_back();
   return words.size() > enough ? words.substr(0, enough) + "..." : words;
 }

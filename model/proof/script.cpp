@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "model/common/check.hpp"
+#include "model/proof/claims.hpp"
 
 namespace mixcmp::model::proof {
 namespace {
@@ -99,9 +100,12 @@ std::string Script::text() const {
       definitions_, given, conjunction(conclusions_), hints_);
 }
 
-std::vector<std::string> rounding_scripts(int precision, Rounding rounding) {
-  const RelativeBound bound = rounding_interval(precision, rounding);
-  const mpq_class least = 1, largest = 2 - mpq_class(1, mpz_class(1) << (precision - 1));
+namespace {
+
+/// `goal` of c, the rounded y, in both binades whose least magnitude is 1.
+std::vector<std::string> scripts_of_one_rounding(int precision, Rounding rounding,
+                                                 const std::string& goal) {
+  const mpq_class least = 1, largest = 2 - power_of_two(1 - precision);
   std::vector<std::string> scripts;
   for (const auto& [low, high] :
        {std::pair(least, largest), std::pair<mpq_class, mpq_class>(-largest, -least)}) {
@@ -110,11 +114,24 @@ std::vector<std::string> rounding_scripts(int precision, Rounding rounding) {
     script.define_operator("rnd", rounding_operator(precision, rounding));
     script.define("c", "rnd(y)");
     script.assume_within("c", dyadic(low), dyadic(high));
-    script.conclude(
-        fmt::format("(c - y) / c in [{}, {}]", dyadic(1 - bound.high), dyadic(1 - bound.low)));
+    script.conclude(goal);
     scripts.push_back(script.text());
   }
   return scripts;
+}
+
+}  // namespace
+
+std::vector<std::string> rounding_scripts(int precision, Rounding rounding) {
+  const RelativeBound bound = rounding_interval(precision, rounding);
+  return scripts_of_one_rounding(
+      precision, rounding,
+      fmt::format("(c - y) / c in [{}, {}]", dyadic(1 - bound.high), dyadic(1 - bound.low)));
+}
+
+std::vector<std::string> binade_scripts(int precision, Rounding rounding) {
+  const std::string most = dyadic(rounding_interval(precision, rounding).high - 1);
+  return scripts_of_one_rounding(precision, rounding, fmt::format("c - y in [-{0}, {0}]", most));
 }
 
 std::string_view to_string(ExactOperation operation) {

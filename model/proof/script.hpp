@@ -50,6 +50,9 @@ private:
 /// other one is the same times a power of two.
 std::vector<std::string> rounding_scripts(int precision, Rounding rounding);
 
+/// The same error as a part of the power of two at or below the rounded value.
+std::vector<std::string> binade_scripts(int precision, Rounding rounding);
+
 enum class ExactOperation { convert, multiply, square };
 std::string_view to_string(ExactOperation operation);
 

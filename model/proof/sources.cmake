@@ -5,9 +5,15 @@ target_sources(mixcmp_model PRIVATE
   proof/cone_script.cpp
   proof/gappa.cpp
   proof/lane_proof.cpp
+  proof/node_prover.cpp
+  proof/absolute_proof.cpp
   proof/provers.cpp
+  proof/range_script.cpp
   proof/relative_proof.cpp
   proof/report.cpp
+  proof/bound_sample.cpp
+  proof/rule.cpp
+  proof/rule_proof.cpp
   proof/script.cpp
   proof/zero_patterns.cpp
 )

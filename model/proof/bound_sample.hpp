@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/error/bound_builder.hpp"
+#include "model/expression/typed_graph.hpp"
+
+namespace mixcmp::model::proof {
+
+/// Random positive numbers in the place of what bound graphs read of a lane's nodes, of widely
+/// different sizes so that every term of a bound is the largest in some sample. Two bounds that are
+/// equal in `sample_count` samples are equal expressions, but for a chance beyond all measure.
+class BoundSample {
+public:
+  static constexpr int sample_count = 24;
+
+  BoundSample(const TypedGraph& graph, std::uint64_t seed);
+
+  /// |x| of a constant is its own.
+  const mpq_class& magnitude(NodeId id) const { return magnitudes_[id]; }
+  const mpq_class& binade(NodeId id) const { return binades_[id]; }
+  const mpq_class& reciprocal(NodeId id) const { return reciprocals_[id]; }
+  /// 0 of no bound.
+  mpq_class value(const std::vector<BoundNode>& bounds, BoundId id) const;
+
+private:
+  std::vector<mpq_class> magnitudes_;
+  std::vector<mpq_class> binades_;
+  std::vector<mpq_class> reciprocals_;
+};
+
+}  // namespace mixcmp::model::proof

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "model/proof/cone.hpp"
+#include "model/proof/lane_proof.hpp"
+
+namespace mixcmp::model::proof {
+
+/// "s17e8, nearest_even".
+std::string describe_arithmetic(const Arithmetic& arithmetic);
+
+/// The worse one for the claim.
+Outcome worse(Outcome a, Outcome b);
+
+/// Proves claims one by one and gathers findings, one a node at most.
+class NodeProver {
+public:
+  NodeProver(const Lane& lane, const std::vector<NodeClaim>& claims, const Prove& prove)
+      : lane_(lane), graph_(lane.graph), claims_(claims), prove_(prove) {}
+
+  /// Theorem 1 for every precision, and that what few digits allow rounds nothing.
+  void prove_arithmetic();
+  /// The node's claim from those of its operands. Inputs and constants by exact arithmetic.
+  void prove_node(NodeId id);
+  /// All scripts as one finding.
+  Finding run_scripts(std::string what, const std::vector<ConeCase>& cases) const;
+
+  /// A node's claim that is a finding is not proven again.
+  bool is_done(NodeId id) const { return done_.contains(id); }
+  void mark_done(NodeId id) { done_.insert(id); }
+  void add(Finding finding) { findings_.push_back(std::move(finding)); }
+  std::vector<Finding> take() && { return std::move(findings_); }
+  /// The node as a user would write it.
+  std::string text(NodeId id) const;
+
+private:
+  void prove_rounding();
+  void prove_exactness();
+  void check_constant(NodeId id);
+  void check_exact_input(NodeId id);
+  void prove_choice(NodeId id);
+
+  const Lane& lane_;
+  const TypedGraph& graph_;
+  const std::vector<NodeClaim>& claims_;
+  const Prove& prove_;
+  std::set<NodeId> done_;
+  std::vector<Finding> findings_;
+};
+
+}  // namespace mixcmp::model::proof

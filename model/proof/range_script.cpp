@@ -1,0 +1,117 @@
+#include <fmt/core.h>
+
+#include "model/common/check.hpp"
+#include "model/error/hazards.hpp"
+#include "model/golden/arithmetic.hpp"
+#include "model/proof/absolute_proof.hpp"
+#include "model/proof/claims.hpp"
+#include "model/proof/cone.hpp"
+#include "model/proof/script.hpp"
+
+namespace mixcmp::model::proof {
+namespace {
+
+/// Every node as computed (c) and truly (t), from inputs in their ranges.
+class RangeWriter {
+public:
+  explicit RangeWriter(const Lane& lane)
+      : graph_(lane.graph), ranges_(checked_ranges(lane.graph, lane.checks)) {}
+
+  RangeScript run(NodeId f, NodeId g, const mpq_class& bound) &&;
+
+private:
+  void visit(NodeId id);
+  void add_input(NodeId id);
+  void add_constant(NodeId id);
+  std::string expression(const TypedNode& node, char kind) const;
+  static std::string name(char kind, NodeId id) { return fmt::format("{}{}", kind, id); }
+
+  const TypedGraph& graph_;
+  std::vector<std::optional<Range>> ranges_;
+  std::vector<bool> seen_;
+  Script script_;
+  std::string obstacle_;
+};
+
+RangeScript RangeWriter::run(NodeId f, NodeId g, const mpq_class& bound) && {
+  seen_.resize(graph_.nodes.size(), false);
+  const int precision = graph_.arithmetic.format.precision();
+  script_.comment(
+      "c: as computed, every operation rounded; t: truly; from the ranges of the inputs.");
+  script_.define_operator("rnd", rounding_operator(precision, graph_.arithmetic.rounding));
+  visit(f);
+  visit(g);
+  if (!obstacle_.empty()) return {std::nullopt, obstacle_};
+  const std::string most = dyadic(rounded_down(bound));
+  script_.conclude(fmt::format("(t{0} - t{1}) - (c{0} - c{1}) in [-{2}, {2}]", f, g, most));
+  return {script_.text(), ""};
+}
+
+void RangeWriter::visit(NodeId id) {
+  if (seen_[id] || !obstacle_.empty()) return;
+  seen_[id] = true;
+  const TypedNode& node = graph_.nodes[id];
+  for (int k = 0; k < arity(node.operation); ++k) visit(node.operands[k]);
+  if (!obstacle_.empty()) return;
+  if (node.operation == Operation::input) return add_input(id);
+  if (node.operation == Operation::constant) return add_constant(id);
+  if (node.operation == Operation::minimum || node.operation == Operation::maximum) {
+    obstacle_ = fmt::format("{} is no word of Gappa's", to_string(node.operation));
+    return;
+  }
+  const bool rounds = own_rounding(graph_, node) == OwnRounding::rounds;
+  MIXCMP_CHECK(!rounds || node.format.precision() == graph_.arithmetic.format.precision());
+  const std::string computed = expression(node, 'c');
+  script_.define(name('c', id), rounds ? fmt::format("rnd({})", computed) : computed);
+  script_.define(name('t', id), expression(node, 't'));
+}
+
+/// An operand is true by definition: both names are one number.
+void RangeWriter::add_input(NodeId id) {
+  const int input = graph_.nodes[id].input;
+  const std::optional<Range>& range = ranges_[input];
+  if (!range) {
+    obstacle_ = fmt::format("{} has no range", graph_.input_names[input]);
+    return;
+  }
+  script_.define(name('c', id), fmt::format("x{}", input));
+  script_.define(name('t', id), fmt::format("x{}", input));
+  script_.assume_within(fmt::format("x{}", input), dyadic(range->low), dyadic(range->high));
+}
+
+void RangeWriter::add_constant(NodeId id) {
+  const TypedNode& node = graph_.nodes[id];
+  script_.define(name('c', id), dyadic(golden::to_rational(node.format, node.constant)));
+  const mpq_class& v = node.value;
+  script_.define(name('t', id), v.get_den() == 1 ? v.get_num().get_str()
+                                                 : fmt::format("({} / {})", v.get_num().get_str(),
+                                                               v.get_den().get_str()));
+}
+
+std::string RangeWriter::expression(const TypedNode& node, char kind) const {
+  const std::string a = name(kind, node.operands[0]), b = name(kind, node.operands[1]);
+  switch (node.operation) {
+    case Operation::convert: return a;
+    case Operation::negate: return fmt::format("-{}", a);
+    case Operation::absolute: return fmt::format("|{}|", a);
+    case Operation::add: return fmt::format("{} + {}", a, b);
+    case Operation::subtract: return fmt::format("{} - {}", a, b);
+    case Operation::multiply: return fmt::format("{} * {}", a, b);
+    case Operation::square: return fmt::format("{0} * {0}", a);
+    case Operation::divide: return fmt::format("{} / {}", a, b);
+    case Operation::square_root: return fmt::format("sqrt({})", a);
+    case Operation::input:
+    case Operation::constant:
+    case Operation::minimum:
+    case Operation::maximum: break;
+  }
+  MIXCMP_CHECK(false);
+}
+
+}  // namespace
+
+RangeScript range_script(const Lane& lane, NodeId f, NodeId g, const mpq_class& bound) {
+  return RangeWriter(lane).run(f, g, bound);
+}
+
+}  // namespace mixcmp::model::proof

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/error/error_analysis.hpp"
+#include "model/proof/bound_sample.hpp"
+
+namespace mixcmp::model::proof {
+
+/// A number of a script that is anywhere in its interval.
+struct RuleVariable {
+  std::string name;
+  mpq_class low;   ///< dyadic
+  mpq_class high;  ///< dyadic
+};
+
+/// weight * factor, a part of an operation's absolute error. Weights are positive and what the
+/// bound is the sum of; factors are expressions in the variables.
+struct RuleTerm {
+  std::function<mpq_class(const BoundSample&)> weight;
+  std::string factor;
+};
+
+/// An equation between real numbers, both sides as Gappa writes them.
+struct Identity {
+  std::string left;
+  std::string right;
+};
+
+/// One operation's absolute error as a sum of terms (docs/error_bounds.md, theorem 7).
+struct Rule {
+  std::vector<RuleVariable> variables;
+  std::vector<RuleTerm> terms;
+  std::optional<Identity> identity;  ///< why the error is this sum; none: by hand
+};
+
+/// What must hold of a bound for a rule to apply: `bound` <= |value| in every sample.
+struct RuleCondition {
+  NodeId value;
+  std::function<mpq_class(const BoundSample&)> bound;
+};
+
+/// The rules of one node; several where the error is one of several sums. Written from theorem 7,
+/// not from the analysis.
+struct NodeRules {
+  std::vector<Rule> rules;
+  std::vector<RuleCondition> conditions;
+  /// Where a sum's operands may cancel: the factor before the sum's own rounding.
+  std::optional<mpq_class> center;
+};
+NodeRules rules_of(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id);
+
+/// A fudge as it is proven: a little more than claimed, see `provable`.
+mpq_class provable_fudge(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id);
+
+/// That no factor exceeds `fudge` in magnitude: then the sum of terms does not exceed `fudge` times
+/// the sum of weights. And the identity, which Gappa checks by normalising both sides.
+std::string rule_script(const Rule& rule, const mpq_class& fudge);
+
+}  // namespace mixcmp::model::proof

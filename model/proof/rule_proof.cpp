@@ -1,0 +1,235 @@
+#include "model/proof/rule_proof.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "model/common/check.hpp"
+#include "model/error/constant_bound.hpp"
+#include "model/golden/arithmetic.hpp"
+#include "model/proof/cone.hpp"
+#include "model/proof/node_prover.hpp"
+#include "model/proof/rule.hpp"
+#include "model/proof/script.hpp"
+
+namespace mixcmp::model::proof {
+namespace {
+
+std::vector<BoundSample> samples_of(const TypedGraph& graph) {
+  std::vector<BoundSample> samples;
+  for (int seed = 0; seed < BoundSample::sample_count; ++seed) {
+    samples.emplace_back(graph, static_cast<std::uint64_t>(seed));
+  }
+  return samples;
+}
+
+/// The factors of mixed bounds as if they were all there is.
+std::vector<NodeClaim> factor_claims(const ErrorAnalysis& analysis) {
+  std::vector<NodeClaim> claims;
+  for (const NodeBound& bound : analysis.nodes) {
+    NodeClaim claim{.relative = {},
+                    .unrounded = bound.unrounded,
+                    .nonnegative = bound.nonnegative,
+                    .nonpositive = bound.nonpositive};
+    if (bound.mixed) claim.relative = bound.mixed->factor;
+    claims.push_back(std::move(claim));
+  }
+  return claims;
+}
+
+class RuleProof {
+public:
+  RuleProof(const Lane& lane, const ErrorAnalysis& analysis, const Prove& prove)
+      : graph_(lane.graph),
+        analysis_(analysis),
+        claims_(factor_claims(analysis)),
+        samples_(samples_of(lane.graph)),
+        nodes_(lane, claims_, prove) {}
+
+  std::vector<Finding> run() &&;
+
+private:
+  void prove_binade_rounding();
+  void prove_factor(NodeId id, const NodeRules& rules);
+  void prove_absolute_part(NodeId id, const NodeRules& rules);
+  void check_lost_constant(NodeId id);
+  void check_condition(const RuleCondition& condition);
+  bool is_the_bound(NodeId id, const Rule& rule) const;
+  const MixedBound& mixed(NodeId id) const { return *analysis_.nodes[id].mixed; }
+
+  const TypedGraph& graph_;
+  const ErrorAnalysis& analysis_;
+  std::vector<NodeClaim> claims_;
+  std::vector<BoundSample> samples_;
+  NodeProver nodes_;
+};
+
+std::vector<Finding> RuleProof::run() && {
+  nodes_.prove_arithmetic();
+  prove_binade_rounding();
+  for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) {
+    if (!analysis_.nodes[id].mixed) continue;
+    if (graph_.nodes[id].operation == Operation::constant && !mixed(id).is_relative()) {
+      check_lost_constant(id);
+      continue;
+    }
+    const NodeRules rules = rules_of(graph_, analysis_, id);
+    prove_factor(id, rules);
+    if (!mixed(id).is_relative()) prove_absolute_part(id, rules);
+    for (const RuleCondition& condition : rules.conditions) check_condition(condition);
+  }
+  return std::move(nodes_).take();
+}
+
+/// Theorem 1's error in units of the binade: what a sum takes of an operand that rounds once.
+void RuleProof::prove_binade_rounding() {
+  const int precision = graph_.arithmetic.format.precision();
+  std::vector<ConeCase> cases;
+  for (const std::string& script : binade_scripts(precision, graph_.arithmetic.rounding)) {
+    cases.push_back({"", script});
+  }
+  nodes_.add(nodes_.run_scripts("the same rounding's error as a part of the binade", cases));
+}
+
+void RuleProof::prove_factor(NodeId id, const NodeRules& rules) {
+  if (!rules.center) return nodes_.prove_node(id);
+  const RelativeBound own =
+      rounding_interval(graph_.arithmetic.format.precision(), graph_.arithmetic.rounding);
+  const RelativeBound& factor = mixed(id).factor;
+  const bool holds = factor.low <= *rules.center * own.low &&
+                     *rules.center * own.high <= factor.high && *rules.center > 0;
+  nodes_.add({fmt::format("{} {}, factor", to_string(graph_.nodes[id].operation), nodes_.text(id)),
+              holds ? Outcome::proven : Outcome::not_proven, "by exact arithmetic"});
+}
+
+void RuleProof::prove_absolute_part(NodeId id, const NodeRules& rules) {
+  const mpq_class fudge = provable_fudge(graph_, analysis_, id);
+  std::vector<ConeCase> cases;
+  for (const Rule& rule : rules.rules) cases.push_back({"", rule_script(rule, fudge)});
+  Finding finding = nodes_.run_scripts(
+      fmt::format("{} {}, absolute error", to_string(graph_.nodes[id].operation), nodes_.text(id)),
+      cases);
+  const bool same =
+      !rules.rules.empty() && std::all_of(rules.rules.begin(), rules.rules.end(),
+                                          [&](const Rule& rule) { return is_the_bound(id, rule); });
+  if (!same) {
+    finding.outcome = Outcome::not_proven;
+    finding.detail = "the bound is not the sum that theorem 7 asks for";
+  }
+  nodes_.add(std::move(finding));
+}
+
+bool RuleProof::is_the_bound(NodeId id, const Rule& rule) const {
+  return std::all_of(samples_.begin(), samples_.end(), [&](const BoundSample& sample) {
+    mpq_class sum = 0;
+    for (const RuleTerm& term : rule.terms) sum += term.weight(sample);
+    return sum == sample.value(analysis_.bounds, mixed(id).absolute.bound);
+  });
+}
+
+/// One that its format rounds to zero: its bound is a number.
+void RuleProof::check_lost_constant(NodeId id) {
+  const TypedNode& node = graph_.nodes[id];
+  const mpq_class computed = golden::to_rational(node.format, node.constant);
+  const MixedBound& bound = mixed(id);
+  const mpq_class error = samples_.front().value(analysis_.bounds, bound.absolute.bound);
+  const auto within = [&](const mpq_class& factor) {
+    return abs(node.value - computed * factor) <= bound.absolute.fudge * error;
+  };
+  nodes_.add({"constant " + nodes_.text(id),
+              within(bound.factor.low) && within(bound.factor.high) ? Outcome::proven
+                                                                    : Outcome::not_proven,
+              "by exact arithmetic"});
+}
+
+void RuleProof::check_condition(const RuleCondition& condition) {
+  const auto asks = [&](const BoundCondition& known) {
+    return known.value == condition.value &&
+           std::all_of(samples_.begin(), samples_.end(), [&](const BoundSample& sample) {
+             return sample.value(analysis_.bounds, known.bound) >= condition.bound(sample);
+           });
+  };
+  const auto& known = analysis_.conditions;
+  const bool found = std::any_of(known.begin(), known.end(), asks);
+  nodes_.add({"a condition on " + nodes_.text(condition.value),
+              found ? Outcome::proven : Outcome::not_proven, "by exact arithmetic"});
+}
+
+/// Where the lane's bound graph stands for the analysis' bound, in every sample.
+bool stands_for(const Lane& lane, int lane_bound, const ErrorAnalysis& analysis, BoundId bound) {
+  const auto& nodes = std::get<AbsoluteBoundDecision>(lane.decision).bound.nodes;
+  const std::vector<BoundSample> samples = samples_of(lane.graph);
+  return std::all_of(samples.begin(), samples.end(), [&](const BoundSample& sample) {
+    return sample.value(nodes, lane_bound) == sample.value(analysis.bounds, bound);
+  });
+}
+
+/// The least of the difference's factor before its own rounding, at most 1: theorem 8's l.
+mpq_class factor_before_rounding(const Lane& lane, const MixedBound& bound) {
+  const Arithmetic& arithmetic = lane.graph.arithmetic;
+  const RelativeBound own = rounding_interval(arithmetic.format.precision(), arithmetic.rounding);
+  return std::min<mpq_class>(1, bound.factor.low / own.low);
+}
+
+/// A guard of 0 serves a fudge that is no more than the proof's slack, too: numbers of P digits are
+/// further apart.
+bool guards(Bits guard, const mpq_class& fudge, int precision) {
+  if (fudge <= 1 + power_of_two(-precision - 2)) return true;
+  return guard >= steps_beyond(fudge, precision);
+}
+
+}  // namespace
+
+ErrorAnalysis analysis_of(const Lane& lane) {
+  std::vector<bool> nonnegative;
+  for (int input = 0; input < lane.graph.input_count; ++input) {
+    nonnegative.push_back(is_checked_nonnegative(lane.checks, input));
+  }
+  return analyse_errors(lane.graph, nonnegative);
+}
+
+std::vector<Finding> prove_rules(const Lane& lane, const ErrorAnalysis& analysis,
+                                 const Prove& prove) {
+  return RuleProof(lane, analysis, prove).run();
+}
+
+std::vector<Finding> check_running_decision(const Lane& lane, const ErrorAnalysis& analysis) {
+  const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
+  const Arithmetic& arithmetic = lane.graph.arithmetic;
+  const int precision = arithmetic.format.precision();
+  const auto finding = [](std::string what, bool holds) {
+    return Finding{std::move(what), holds ? Outcome::proven : Outcome::not_proven,
+                   "by exact arithmetic"};
+  };
+  const MixedBound& bound = *analysis.nodes[decision.difference].mixed;
+  const auto last = static_cast<int>(decision.bound.nodes.size()) - 1;
+  const mpq_class low = bound.factor.low / rounding_interval(precision, arithmetic.rounding).low;
+  const mpq_class fudge =
+      provable_fudge(lane.graph, analysis, decision.difference) / std::min<mpq_class>(1, low);
+  const bool conditions = std::all_of(
+      analysis.conditions.begin(), analysis.conditions.end(), [&](const BoundCondition& needed) {
+        return std::any_of(decision.conditions.begin(), decision.conditions.end(),
+                           [&](const BoundCondition& held) {
+                             return held.value == needed.value &&
+                                    stands_for(lane, held.bound, analysis, needed.bound);
+                           });
+      });
+  return {finding("the lane computes the bound of f - g",
+                  stands_for(lane, last, analysis, bound.absolute.bound)),
+          finding("its guard covers the factors left out",
+                  guards(decision.guard_ulp, fudge, precision) ||
+                      decision.guard_ulp == low_mask(arithmetic.format.width())),
+          finding("it asks for every condition", conditions)};
+}
+
+Finding check_constant_decision(const Lane& lane, const ErrorAnalysis& analysis) {
+  const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
+  const MixedBound& bound = *analysis.nodes[decision.difference].mixed;
+  const auto most = constant_bound(lane.graph, analysis, bound.absolute, lane.checks);
+  const bool holds = most.ok() && *most / factor_before_rounding(lane, bound) <=
+                                      decision.bound.nodes.back().constant;
+  return {"the constant, from that bound and the ranges",
+          holds ? Outcome::proven : Outcome::not_proven, "by the model's own interval arithmetic"};
+}
+
+}  // namespace mixcmp::model::proof

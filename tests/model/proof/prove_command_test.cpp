@@ -1,0 +1,185 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <stdio.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "model/proof/gappa.hpp"
+#include "tests/support/scratch_directory.hpp"
+
+/// check --prove, generate's quick proof and doctor as a user calls them.
+namespace mixcmp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string examples = MIXCMP_EXAMPLES;
+
+struct Outcome {
+  int exit_code;
+  std::string output;  ///< stdout and stderr
+};
+
+class ProveCommand : public testing::Test {
+protected:
+  /// In the scratch directory, with variables before the program.
+  Outcome mixcmp(const std::string& arguments, const std::string& environment = "") {
+    const std::string command =
+        fmt::format("cd '{}' && {} '{}' {} 2>&1", directory_.path().string(), environment,
+                    MIXCMP_PROGRAM, arguments);
+    FILE* pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr) throw std::runtime_error("no shell");
+    Outcome run{0, ""};
+    std::array<char, 4096> block;
+    for (std::size_t read = 0; (read = fread(block.data(), 1, block.size(), pipe)) > 0;) {
+      run.output.append(block.data(), read);
+    }
+    run.exit_code = WEXITSTATUS(pclose(pipe));
+    return run;
+  }
+
+  /// PATH with nothing but this in the place of gappa.
+  std::string with_gappa(const std::string& commands) {
+    const fs::path folder = directory_.path() / "fake";
+    fs::create_directories(folder);
+    std::ofstream(folder / "gappa")
+        << "#!/bin/sh\nif [ \"$1\" = --version ]; then echo Gappa 9.9; exit 0; fi\n"
+        << commands << "\n";
+    fs::permissions(folder / "gappa", fs::perms::owner_all);
+    return fmt::format("PATH='{}:/usr/bin:/bin'", folder.string());
+  }
+
+  std::string without_gappa() const { return fmt::format("PATH='{}'", directory_.path().string()); }
+
+  std::string refusing_gappa() {
+    return with_gappa("echo 'Error: some properties were not satisfied: BND(x)' >&2; exit 1");
+  }
+
+  ScratchDirectory directory_;
+};
+
+std::string scene(const char* example) {
+  return fmt::format("'{}/{}/scene.toml'", examples, example);
+}
+
+class ProvenExample : public ProveCommand, public testing::WithParamInterface<std::string> {};
+
+TEST_P(ProvenExample, IsProvenInEveryPrecision) {
+  if (!model::proof::gappa_version()) GTEST_SKIP() << "gappa is not installed";
+  const Outcome run = mixcmp(
+      fmt::format("check {} --prove --precisions 4,8,17,24,52 --json", scene(GetParam().c_str())));
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto proof = nlohmann::json::parse(run.output).at("proof");
+  ASSERT_EQ(proof.size(), 5U);
+  for (const auto& lane : proof) {
+    EXPECT_TRUE(lane.at("machine_checked")) << lane.dump(2);
+    const fs::path kept = directory_.path() / lane.at("directory").get<std::string>();
+    EXPECT_EQ(kept.filename().string(),
+              fmt::format("{}_{}_proof", GetParam(), lane.at("format").get<std::string>()));
+    for (const auto& finding : lane.at("findings")) {
+      for (const auto& script : finding.at("scripts")) {
+        EXPECT_TRUE(fs::exists(kept / script.get<std::string>()));
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, ProvenExample,
+                         testing::Values("sphere_collision", "protein_clash"),
+                         [](const auto& tested) { return tested.param; });
+
+TEST_F(ProveCommand, KeepsEverythingInTheDirectoryAsked) {
+  if (!model::proof::gappa_version()) GTEST_SKIP() << "gappa is not installed";
+  const std::string arguments =
+      "check " + scene("sphere_collision") + " --prove --proof-dir kept --precisions 8,17";
+  const Outcome first = mixcmp(arguments);
+  ASSERT_EQ(first.exit_code, 0) << first.output;
+  EXPECT_TRUE(fs::exists(directory_.path() / "kept" / "sphere_collision_s8e8.json"));
+  EXPECT_TRUE(fs::exists(directory_.path() / "kept" / "sphere_collision_s17e8.json"));
+  const Outcome again = mixcmp(arguments);
+  EXPECT_NE(again.output.find("10 proven before"), std::string::npos) << again.output;
+}
+
+TEST_F(ProveCommand, SaysWithoutGappaThatNothingIsChecked) {
+  const Outcome check = mixcmp("check " + scene("sphere_collision") + " --prove", without_gappa());
+  EXPECT_EQ(check.exit_code, 0) << check.output;
+  EXPECT_NE(check.output.find("not machine-checked: gappa is not installed"), std::string::npos)
+      << check.output;
+  const Outcome generate =
+      mixcmp("generate " + scene("sphere_collision") + " -o rtl", without_gappa());
+  EXPECT_EQ(generate.exit_code, 0) << generate.output;
+  EXPECT_NE(generate.output.find("not machine-checked: gappa is not installed"), std::string::npos)
+      << generate.output;
+}
+
+TEST_F(ProveCommand, RefusesWhatGappaDoesNotProve) {
+  const Outcome check = mixcmp("check " + scene("sphere_collision") + " --prove", refusing_gappa());
+  EXPECT_EQ(check.exit_code, 2) << check.output;
+  EXPECT_NE(check.output.find("refused: Gappa does not prove"), std::string::npos) << check.output;
+  const Outcome generate =
+      mixcmp("generate " + scene("sphere_collision") + " -o rtl", refusing_gappa());
+  EXPECT_EQ(generate.exit_code, 1) << generate.output;
+  EXPECT_NE(generate.output.find("scene.toml: reduced.bound: refused"), std::string::npos)
+      << generate.output;
+  EXPECT_FALSE(fs::exists(directory_.path() / "rtl"));
+}
+
+TEST_F(ProveCommand, GeneratesWithoutAProofWhereAskedTo) {
+  const Outcome run =
+      mixcmp("generate " + scene("sphere_collision") + " -o rtl --no-prove", refusing_gappa());
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(run.output.find("machine-checked"), std::string::npos) << run.output;
+}
+
+TEST_F(ProveCommand, GeneratedFilesDoNotDependOnGappa) {
+  EXPECT_EQ(mixcmp("generate " + scene("protein_clash") + " -o with").exit_code, 0);
+  EXPECT_EQ(mixcmp("generate " + scene("protein_clash") + " -o without", without_gappa()).exit_code,
+            0);
+  EXPECT_EQ(mixcmp("generate " + scene("protein_clash") + " -o none --no-prove").exit_code, 0);
+  const std::string root = directory_.path().string();
+  for (const char* other : {"without", "none"}) {
+    const std::string compare = fmt::format("diff -r '{0}/with' '{0}/{1}'", root, other);
+    EXPECT_EQ(std::system(compare.c_str()), 0) << other;
+  }
+}
+
+TEST_F(ProveCommand, AProfiledBoundHasNothingToProve) {
+  const Outcome run = mixcmp("check " + scene("sphere_collision") +
+                             " --prove --bound profiled --set reduced.relative_error_f=0.001 "
+                             "--set reduced.relative_error_g=0.001");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("it is measured, not derived"), std::string::npos) << run.output;
+}
+
+TEST_F(ProveCommand, OptionsOfTheProofNeedIt) {
+  for (const char* option : {"--proof-dir x", "--precisions 8", "--proof-seconds 1"}) {
+    const Outcome run = mixcmp(fmt::format("check {} {}", scene("sphere_collision"), option));
+    EXPECT_EQ(run.exit_code, 1) << run.output;
+    EXPECT_NE(run.output.find("--prove"), std::string::npos) << run.output;
+  }
+  for (const char* wrong : {"1", "114", "8,x"}) {
+    const Outcome run =
+        mixcmp(fmt::format("check {} --prove --precisions {}", scene("sphere_collision"), wrong));
+    EXPECT_EQ(run.exit_code, 1) << run.output;
+    EXPECT_NE(run.output.find("--precisions"), std::string::npos) << run.output;
+  }
+}
+
+TEST_F(ProveCommand, DoctorSaysWhatIsMissingWithoutGappa) {
+  const Outcome run = mixcmp("doctor --json", without_gappa());
+  for (const auto& tool : nlohmann::json::parse(run.output)) {
+    if (tool.at("tool") != "gappa") continue;
+    EXPECT_FALSE(tool.at("found"));
+    EXPECT_NE(tool.at("disables").get<std::string>().find("check --prove"), std::string::npos);
+    return;
+  }
+  FAIL() << run.output;
+}
+
+}  // namespace
+}  // namespace mixcmp::test
