@@ -1,6 +1,7 @@
 #include "model/emulator/decision_plan.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -79,15 +80,13 @@ bool add(Plan& plan, const Lane& lane, const UlpDistanceDecision& decision) {
   const FloatFormat format = lane.graph.arithmetic.format;
   if (format.precision() == double_digits) return false;  // keys need the last bit
   if (decision.guard_ulp == 0) return true;               // the order of exact f and g
-  constexpr auto never = std::numeric_limits<std::int64_t>::max();
-  const int shift = double_digits - 1 - format.precision();
-  const Bits guard = decision.guard_ulp << shift;
-  const bool lost = (guard >> shift) != decision.guard_ulp;
-  plan.decision.rule = Rule::ulp_distance;
-  plan.decision.guard = lost || guard > Bits{never} ? never : static_cast<std::int64_t>(guard);
-  plan.decision.rebias = static_cast<std::int64_t>(double_bias - format.bias())
-                         << (double_digits - 1);
-  plan.decision.nonnegative = false;
+  constexpr Bits never = std::numeric_limits<std::int64_t>::max();
+  const int steps = double_digits - format.precision() - (decision.nonnegative ? 0 : 1);
+  const bool fits = decision.guard_ulp <= never >> steps;
+  const std::uint64_t zero_exponent = static_cast<std::uint64_t>(double_bias - format.bias());
+  plan.decision.rule = decision.nonnegative ? Rule::magnitudes : Rule::signed_keys;
+  plan.decision.guard = static_cast<std::int64_t>(fits ? decision.guard_ulp << steps : never);
+  plan.decision.zero = std::bit_cast<double>(zero_exponent << (double_digits - 1));
   return true;
 }
 

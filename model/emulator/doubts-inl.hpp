@@ -16,6 +16,24 @@
 HWY_BEFORE_NAMESPACE();
 namespace mixcmp::model::emulator::HWY_NAMESPACE {
 
+bool all_inside(const OperandWindow& window, const Block& block) {
+  const auto least = hn::Set(Long(), window.least);
+  const std::size_t lanes = hn::Lanes(Tag());
+  auto even = hn::Zero(Long()), odd = hn::Zero(Long());
+  for (const int column : window.columns) {
+    const double* HWY_RESTRICT values = block.columns[column];
+    const auto above = [&](std::size_t i) HWY_ATTR {
+      return hn::Sub(hn::BitCast(Long(), hn::LoadU(Tag(), values + i)), least);
+    };
+    for (std::size_t i = 0; i < block.size; i += 4 * lanes) {
+      even = hn::Or(even, hn::Or(above(i), above(i + 2 * lanes)));
+      odd = hn::Or(odd, hn::Or(above(i + lanes), above(i + 3 * lanes)));
+    }
+  }
+  const auto outside = hn::And(hn::Or(even, odd), hn::Set(Long(), window.outside));
+  return hn::AllTrue(Long(), hn::Eq(outside, hn::Zero(Long())));
+}
+
 #if HWY_TARGET == HWY_SCALAR
 
 inline bool is_trusted(const TrustedRange& range, double value) {
@@ -46,9 +64,6 @@ bool find_doubts(const std::vector<TrustedRange>& ranges, const Block& block,
 
 /// Two vectors of doubles at a time: the upper halves of twice their bits (no sign, all of the
 /// exponent, 21 digits), the second vector's in odd places.
-using Word = hn::Repartition<std::uint32_t, Tag>;
-using WordVec = hn::Vec<Word>;
-using Long = hn::RebindToUnsigned<Int>;
 
 HWY_INLINE WordVec interleave(hn::Vec<Long> even, hn::Vec<Long> odd) {
   return hn::OddEven(hn::BitCast(Word(), odd), hn::BitCast(Word(), even));
@@ -69,13 +84,27 @@ inline std::uint32_t upper_half(double power_of_two) {
   return static_cast<std::uint32_t>(bits >> 31);
 }
 
+/// All ones where a number of the two vectors at i has a digit that it should not have.
+HWY_INLINE WordVec surplus_digits(const TrustedRange& range, const Block& block, std::size_t i) {
+  auto first = hn::Zero(Long()), second = hn::Zero(Long());
+  for (const int column : range.columns) {
+    const double* values = block.columns[column] + i;
+    first = hn::Or(first, hn::BitCast(Long(), hn::LoadU(Tag(), values)));
+    second = hn::Or(second, hn::BitCast(Long(), hn::LoadU(Tag(), values + hn::Lanes(Tag()))));
+  }
+  const auto zero_bits = hn::Set(Long(), range.zero_bits);
+  const auto has = [&](hn::Vec<Long> digits) HWY_ATTR {
+    return hn::VecFromMask(Long(), hn::Ne(hn::And(digits, zero_bits), hn::Zero(Long())));
+  };
+  return interleave(has(first), has(second));
+}
+
 /// All ones where a number of the two vectors at i is outside. One less than 0 is the largest of
 /// all, so that zeros never are the smallest.
 template <bool any_double>
 HWY_INLINE WordVec outside(const TrustedRange& range, const Block& block, std::size_t i) {
   const WordVec one = hn::Set(Word(), 1);
   WordVec smallest = hn::Set(Word(), ~0u), greatest = hn::Zero(Word());
-  auto first_digits = hn::Zero(Long()), second_digits = hn::Zero(Long());
   for (const int column : range.columns) {
     const double* values = block.columns[column] + i;
     const auto first = hn::BitCast(Long(), hn::LoadU(Tag(), values));
@@ -84,18 +113,11 @@ HWY_INLINE WordVec outside(const TrustedRange& range, const Block& block, std::s
     if (any_double) magnitudes = hn::Or(magnitudes, any_lower_digit(first, second));
     greatest = hn::Max(greatest, magnitudes);
     smallest = hn::Min(smallest, hn::Sub(magnitudes, one));
-    first_digits = hn::Or(first_digits, first);
-    second_digits = hn::Or(second_digits, second);
   }
-  const WordVec least = hn::Sub(hn::Set(Word(), std::max(upper_half(range.least), 1u)), one);
-  const auto zero_bits = hn::Set(Long(), range.zero_bits);
+  const WordVec least = hn::Set(Word(), std::max(upper_half(range.least), 1u) - 1);
   const WordVec most = hn::Set(Word(), upper_half(range.limit) - 1);
-  const WordVec surplus = hn::Or(hn::VecFromMask(Word(), hn::Lt(smallest, least)),
-                                 hn::VecFromMask(Word(), hn::Gt(greatest, most)));
-  const auto has = [&](hn::Vec<Long> digits) HWY_ATTR {
-    return hn::VecFromMask(Long(), hn::Ne(hn::And(digits, zero_bits), hn::Zero(Long())));
-  };
-  return hn::Or(surplus, interleave(has(first_digits), has(second_digits)));
+  return hn::Or(hn::VecFromMask(Word(), hn::Lt(smallest, least)),
+                hn::VecFromMask(Word(), hn::Gt(greatest, most)));
 }
 
 bool find_doubts(const std::vector<TrustedRange>& ranges, const Block& block,
@@ -107,6 +129,7 @@ bool find_doubts(const std::vector<TrustedRange>& ranges, const Block& block,
     for (const TrustedRange& range : ranges) {
       found = hn::Or(found, range.any_double ? outside<true>(range, block, i)
                                              : outside<false>(range, block, i));
+      if (range.zero_bits != 0) found = hn::Or(found, surplus_digits(range, block, i));
     }
     const auto pair = hn::BitCast(Long(), found);
     hn::StoreU(hn::ShiftLeft<32>(pair), Long(), doubts + i);

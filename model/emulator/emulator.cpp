@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstring>
 #include <optional>
 
 #include "model/common/check.hpp"
@@ -83,13 +84,17 @@ namespace {
 template <class Doubtful>
 void run(const Plan& plan, const emulator::Judgement& judgement, Execution::Scope scope,
          OperandColumns operands, std::span<Decision> decisions, Doubtful doubtful) {
-  std::array<std::uint8_t, emulator::max_block_size> codes;
+  static_assert(sizeof(Decision) == sizeof(std::uint8_t));
+  std::array<std::uint8_t, emulator::max_block_size> last_codes;
   Execution execution(plan, operands, decisions.size(), scope);
   while (execution.next()) {
-    emulator::judge(judgement, execution.block(), codes.data());
     Decision* const results = decisions.data() + execution.first();
-    std::transform(codes.begin(), codes.begin() + execution.size(), results,
-                   [](std::uint8_t code) { return static_cast<Decision>(code); });
+    if (execution.size() == execution.block().size) {
+      emulator::judge(judgement, execution.block(), reinterpret_cast<std::uint8_t*>(results));
+    } else {
+      emulator::judge(judgement, execution.block(), last_codes.data());
+      std::memcpy(results, last_codes.data(), execution.size());
+    }
     for (std::size_t k = 0; execution.any_doubt() && k < execution.size(); ++k) {
       if (execution.doubtful(k)) results[k] = doubtful(execution.first() + k);
     }

@@ -1,14 +1,31 @@
 #include "model/emulator/execution.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include "model/common/check.hpp"
 
 namespace mixcmp::model::emulator {
 namespace {
 
-/// Columns apart by other than a power of two, so that they do not compete for the same cache sets.
-constexpr std::size_t padding = 8;
+/// In doubles. Columns are apart by other than a power of two, so that they do not compete for the
+/// same cache sets; vectors never straddle lines.
+constexpr std::size_t cache_line = 8;
+
+std::size_t stride(std::size_t block_size) {
+  return block_size + cache_line;
+}
+
+std::size_t numbers(int columns, std::size_t block_size) {
+  return static_cast<std::size_t>(columns) * stride(block_size);
+}
+
+double* aligned(double* memory) {
+  void* address = memory;
+  std::size_t space = 2 * cache_line * sizeof(double);
+  return static_cast<double*>(
+      std::align(cache_line * sizeof(double), cache_line * sizeof(double), address, space));
+}
 
 /// All columns fit half of a first-level cache, if they are not too many.
 std::size_t fitting_block_size(int columns) {
@@ -31,7 +48,8 @@ Execution::Execution(const Plan& plan, std::span<const double* const> operands, 
       count_(count),
       scope_(scope),
       block_size_(std::min(fitting_block_size(plan.columns), whole_vectors(count))),
-      memory_(new double[static_cast<std::size_t>(plan.columns) * (block_size_ + padding)]),
+      memory_(new double[numbers(plan.columns, block_size_) + cache_line]),
+      scratch_(aligned(memory_.get())),
       columns_(static_cast<std::size_t>(plan.columns)),
       results_(static_cast<std::size_t>(plan.columns)) {
   for (int column = 0; column < plan.columns; ++column) {
@@ -43,7 +61,7 @@ Execution::Execution(const Plan& plan, std::span<const double* const> operands, 
 }
 
 double* Execution::scratch_column(int index) {
-  return memory_.get() + static_cast<std::size_t>(index) * (block_size_ + padding);
+  return scratch_ + numbers(index, block_size_);
 }
 
 void Execution::point_to_operands() {
@@ -66,7 +84,8 @@ bool Execution::next() {
   block_ = {.columns = columns_.data(), .results = results_.data(), .size = whole_vectors(size_)};
   execute(plan_.values, block_);
   if (scope_ == Scope::decision) execute(plan_.bounds, block_);
-  any_doubt_ = find_doubts(plan_.ranges, block_, doubts_.data());
+  const bool safe = plan_.window && all_inside(*plan_.window, block_);
+  any_doubt_ = !safe && find_doubts(plan_.ranges, block_, doubts_.data());
   return true;
 }
 

@@ -43,6 +43,7 @@ private:
   Scope scope_;
   std::size_t block_size_;
   std::unique_ptr<double[]> memory_;
+  double* scratch_;
   std::vector<const double*> columns_;
   std::vector<double*> results_;
   Block block_{};

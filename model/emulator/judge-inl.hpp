@@ -33,38 +33,59 @@ struct Order {
   }
 };
 
-/// A key is half of what its magnitude bits in the lane are, times 2^(53 - P): the last of a
-/// double's bits is always 0 here, and so a difference of two keys fits. Zeros lie below the
-/// rebias.
-class UlpDistance {
+/// The magnitude bits of f and g as doubles are, up to a constant that cancels, 2^(53 - P) times
+/// those in the lane. `zero` stands for 0: one binade below the smallest normal number.
+class Magnitudes {
 public:
-  HWY_INLINE explicit UlpDistance(const Judgement& judgement)
+  HWY_INLINE explicit Magnitudes(const Judgement& judgement)
       : first_(judgement.first),
         second_(judgement.second),
-        nonnegative_(judgement.nonnegative),
-        rebias_(hn::Set(Int(), judgement.rebias)),
-        below_guard_(hn::Set(Int(), judgement.guard - 1)) {}
+        zero_(hn::Set(Tag(), judgement.zero)),
+        below_guard_(hn::Set(Int(), judgement.guard - 1)),
+        above_minus_guard_(hn::Set(Int(), 1 - judgement.guard)) {}
 
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
-    const Vec f = hn::LoadU(Tag(), block.columns[first_] + i);
-    const Vec g = hn::LoadU(Tag(), block.columns[second_] + i);
-    const IntVec f_above = hn::Sub(key(f), key(g));
-    const IntVec g_above = hn::Sub(hn::Zero(Int()), f_above);
-    return greater_or_less(hn::Gt(f_above, below_guard_), hn::Gt(g_above, below_guard_));
+    const IntVec f = bits_of(hn::Max(hn::LoadU(Tag(), block.columns[first_] + i), zero_));
+    const IntVec g = bits_of(hn::Max(hn::LoadU(Tag(), block.columns[second_] + i), zero_));
+    const IntVec distance = hn::Sub(f, g);
+    return greater_or_less(hn::Gt(distance, below_guard_), hn::Gt(above_minus_guard_, distance));
+  }
+
+private:
+  int first_, second_;
+  Vec zero_;
+  IntVec below_guard_, above_minus_guard_;
+};
+
+/// The same with signs. Keys are half as large: so their difference fits, and the last of a
+/// double's bits is 0 here anyway.
+class SignedKeys {
+public:
+  HWY_INLINE explicit SignedKeys(const Judgement& judgement)
+      : first_(judgement.first),
+        second_(judgement.second),
+        zero_(hn::Set(Tag(), judgement.zero)),
+        below_guard_(hn::Set(Int(), judgement.guard - 1)),
+        above_minus_guard_(hn::Set(Int(), 1 - judgement.guard)) {}
+
+  HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
+    const IntVec f = key(hn::LoadU(Tag(), block.columns[first_] + i));
+    const IntVec g = key(hn::LoadU(Tag(), block.columns[second_] + i));
+    const IntVec distance = hn::Sub(f, g);
+    return greater_or_less(hn::Gt(distance, below_guard_), hn::Gt(above_minus_guard_, distance));
   }
 
 private:
   HWY_INLINE IntVec key(Vec x) const {
-    const IntVec magnitude = hn::Sub(bits_of(hn::Abs(x)), rebias_);
-    const IntVec halved = hn::ShiftRight<1>(hn::Max(magnitude, hn::Zero(Int())));
-    if (nonnegative_) return halved;
+    const IntVec magnitude = hn::Sub(bits_of(hn::Max(hn::Abs(x), zero_)), bits_of(zero_));
+    const IntVec halved = hn::ShiftRight<1>(magnitude);
     const IntVec sign = hn::BroadcastSignBit(bits_of(x));
     return hn::Sub(hn::Xor(halved, sign), sign);
   }
 
   int first_, second_;
-  bool nonnegative_;
-  IntVec rebias_, below_guard_;
+  Vec zero_;
+  IntVec below_guard_, above_minus_guard_;
 };
 
 /// The sign of the difference, where it exceeds the bound and every condition holds.
@@ -124,7 +145,8 @@ void judge_by(const RuleOf& rule, const Judgement& judgement, const Block& block
 void judge(const Judgement& judgement, const Block& block, std::uint8_t* codes) {
   switch (judgement.rule) {
     case Rule::order: return judge_by(Order{judgement}, judgement, block, codes);
-    case Rule::ulp_distance: return judge_by(UlpDistance(judgement), judgement, block, codes);
+    case Rule::magnitudes: return judge_by(Magnitudes(judgement), judgement, block, codes);
+    case Rule::signed_keys: return judge_by(SignedKeys(judgement), judgement, block, codes);
     case Rule::absolute_bound: return judge_by(AbsoluteBound{judgement}, judgement, block, codes);
     case Rule::interval: return judge_by(Interval{judgement}, judgement, block, codes);
   }

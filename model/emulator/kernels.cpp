@@ -64,8 +64,41 @@ HWY_INLINE void loop(const Instruction& instruction, const Block& block, Finishe
   }
 }
 
-/// Four vectors at a time without errors; again with them where a result lies half way.
-template <class Operation>
+/// Whether a result of a few vectors may lie half way: the digits dropped of a raised number are 0.
+class AnyDigit {
+public:
+  HWY_INLINE AnyDigit() : half_way_(hn::MaskFromVec(hn::Zero(Int()))) {}
+  HWY_INLINE void see(IntVec raised, IntVec kept) {
+    half_way_ = hn::Or(half_way_, hn::Eq(raised, kept));
+  }
+  HWY_INLINE bool may_be_half_way() const { return !hn::AllFalse(Int(), half_way_); }
+
+private:
+  hn::Mask<Int> half_way_;
+};
+
+#if HWY_TARGET == HWY_SCALAR
+using LowWord = AnyDigit;
+#else
+/// The same at less cost where more than 32 digits are dropped: the lower half is not 0.
+class LowWord {
+public:
+  HWY_INLINE LowWord() : smallest_(hn::Set(Word(), ~0u)) {}
+  HWY_INLINE void see(IntVec raised, IntVec) {
+    smallest_ = hn::Min(smallest_, hn::BitCast(Word(), raised));
+  }
+  HWY_INLINE bool may_be_half_way() const {
+    const IntVec low = hn::ShiftLeft<32>(hn::BitCast(Int(), smallest_));
+    return !hn::AllFalse(Int(), hn::Eq(low, hn::Zero(Int())));
+  }
+
+private:
+  WordVec smallest_;
+};
+#endif
+
+/// Four vectors at a time without errors; again with them where a result may lie half way.
+template <class Operation, class Watch>
 void loop_watched(const Instruction& instruction, const Block& block) {
   const Rounder rounder(instruction.dropped_digits);
   const double* HWY_RESTRICT a_column = block.columns[instruction.a];
@@ -73,14 +106,15 @@ void loop_watched(const Instruction& instruction, const Block& block) {
   double* HWY_RESTRICT results = block.results[instruction.result];
   const std::size_t lanes = hn::Lanes(Tag());
   for (std::size_t i = 0; i < block.size; i += 4 * lanes) {
-    IntVec any = hn::Zero(Int());
+    Watch watch;
     for (std::size_t k = i; k < i + 4 * lanes; k += lanes) {
       const Vec a = hn::LoadU(Tag(), a_column + k), b = hn::LoadU(Tag(), b_column + k);
-      IntVec ties;
-      hn::StoreU(from_bits(rounder.half_up(Operation::result(a, b), ties)), Tag(), results + k);
-      any = hn::Or(any, ties);
+      const IntVec raised = rounder.raised_half(Operation::result(a, b));
+      const IntVec kept = rounder.kept(raised);
+      watch.see(raised, kept);
+      hn::StoreU(from_bits(kept), Tag(), results + k);
     }
-    if (HWY_LIKELY(hn::AllFalse(Int(), hn::MaskFromVec(any)))) continue;
+    if (HWY_LIKELY(!watch.may_be_half_way())) continue;
     for (std::size_t k = i; k < i + 4 * lanes; k += lanes) {
       const Vec a = hn::LoadU(Tag(), a_column + k), b = hn::LoadU(Tag(), b_column + k);
       const Vec r = Operation::result(a, b);
@@ -120,7 +154,10 @@ void apply(const Instruction& instruction, const Block& block) {
     case Finish::nearest:
       return loop<Operation>(instruction, block,
                              [&](Vec, Vec, Vec r) HWY_ATTR { return rounder.nearest(r); });
-    case Finish::watched: return loop_watched<Operation>(instruction, block);
+    case Finish::watched:
+      return instruction.dropped_digits > 32
+                 ? loop_watched<Operation, LowWord>(instruction, block)
+                 : loop_watched<Operation, AnyDigit>(instruction, block);
     case Finish::corrected: return loop_corrected<Operation>(instruction, block);
     case Finish::fused:
       if constexpr (Operation::product) loop_fused<Operation>(instruction, block);
@@ -195,6 +232,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace mixcmp::model::emulator {
 
+HWY_EXPORT(all_inside);
 HWY_EXPORT(execute);
 HWY_EXPORT(find_doubts);
 HWY_EXPORT(judge);
@@ -207,6 +245,10 @@ void execute(const std::vector<Instruction>& instructions, const Block& block) {
 bool find_doubts(const std::vector<TrustedRange>& ranges, const Block& block,
                  std::uint64_t* doubts) {
   return HWY_DYNAMIC_DISPATCH(find_doubts)(ranges, block, doubts);
+}
+
+bool all_inside(const OperandWindow& window, const Block& block) {
+  return HWY_DYNAMIC_DISPATCH(all_inside)(window, block);
 }
 
 void judge(const Judgement& judgement, const Block& block, std::uint8_t* codes) {

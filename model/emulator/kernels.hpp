@@ -67,6 +67,15 @@ struct TrustedRange {
   std::uint64_t zero_bits = 0;
 };
 
+/// Numbers x that are inside where bits of x - `least` and `outside` have no bit in common: with as
+/// many exponents as a power of two from that of `least` on, those others set the exponent's
+/// leading bits, and so does what is below `least`, 0 included, by borrowing.
+struct OperandWindow {
+  std::vector<int> columns;
+  std::uint64_t least = 0;  ///< bits of a power of two
+  std::uint64_t outside = 0;
+};
+
 enum class Sign : std::uint8_t {
   any,
   nonnegative,
@@ -83,7 +92,8 @@ struct OperandCheck {
 
 enum class Rule : std::uint8_t {
   order,           ///< of columns `first` and `second`: always decided
-  ulp_distance,    ///< of `first` and `second`
+  magnitudes,      ///< by how many encodings `first` and `second`, not negative, differ
+  signed_keys,     ///< the same of either sign
   absolute_bound,  ///< |`first`| > `second`
   interval,        ///< `first` > 0 or `second` < 0
 };
@@ -92,14 +102,11 @@ struct Judgement {
   Rule rule = Rule::order;
   int first = -1;
   int second = -1;
-  /// ulp_distance: at least 1, in steps of a double's last bit but one; 2^(P - 52) ulps of the
-  /// lane.
+  /// The ulps of the lane that decide, at least 1; times 2^(53 - P) for magnitudes, 2^(52 - P) for
+  /// keys.
   std::int64_t guard = 1;
-  /// ulp_distance: what a normal number's magnitude bits exceed 2^(53 - P) times its magnitude bits
-  /// in the lane by.
-  std::int64_t rebias = 0;
-  /// ulp_distance: neither is negative.
-  bool nonnegative = false;
+  /// Of the two: the number whose encoding in the lane would be 0, were it normal.
+  double zero = 0;
   /// absolute_bound: columns with bound <= |value|.
   struct Condition {
     int bound;
@@ -121,6 +128,9 @@ void execute(const std::vector<Instruction>& instructions, const Block& block);
 /// holds block.size words.
 bool find_doubts(const std::vector<TrustedRange>& ranges, const Block& block,
                  std::uint64_t* doubts);
+
+/// Whether every value of the columns is inside.
+bool all_inside(const OperandWindow& window, const Block& block);
 
 /// Codes of model::Decision.
 void judge(const Judgement& judgement, const Block& block, std::uint8_t* codes);

@@ -1,19 +1,19 @@
 #include "model/emulator/plan.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 
 #include "model/common/check.hpp"
 #include "model/emulator/decision_plan.hpp"
 #include "model/emulator/operand.hpp"
+#include "model/emulator/safe_operands.hpp"
 
 namespace mixcmp::model::emulator {
 namespace {
 
 constexpr int double_digits = 53;
-/// Between 2^-500 and 2^500 nothing that a single operation needs vanishes or overflows in double.
-constexpr int widest_exponent = 500;
 /// Formats of fewer exponent bits lie within, subnormal numbers of 53 digits included.
 constexpr int widest_free_exponent_bits = 9;
 
@@ -21,18 +21,23 @@ bool is_wide(FloatFormat format) {
   return format.exponent_bits() > widest_free_exponent_bits;
 }
 
-/// Of results; operands may be subnormal where lanes read those as they are.
+/// Of results; operands may be subnormal where lanes read those as they are. Between 2^-500 and
+/// 2^500 nothing that a single operation needs vanishes or overflows in double.
 TrustedRange trusted(FloatFormat format) {
-  const int lowest = std::max(format.min_exponent(), -widest_exponent);
-  const int highest = std::min(format.max_exponent() + 1, widest_exponent);
-  return {.columns = {}, .least = std::ldexp(1, lowest), .limit = std::ldexp(1, highest)};
+  const auto [least, limit] = trusted_exponents(format);
+  return {.columns = {}, .least = std::ldexp(1, least), .limit = std::ldexp(1, limit)};
+}
+
+/// Bits of a double below the format's digits.
+std::uint64_t surplus_digits(FloatFormat format) {
+  return (std::uint64_t{1} << (double_digits - format.precision())) - 1;
 }
 
 TrustedRange trusted_operands(FloatFormat format, Subnormals subnormals) {
   TrustedRange range = trusted(format);
   if (subnormals == Subnormals::gradual && !is_wide(format)) range.least = 0;
   range.any_double = is_wide(format);
-  range.zero_bits = (std::uint64_t{1} << (double_digits - format.precision())) - 1;
+  range.zero_bits = surplus_digits(format);
   return range;
 }
 
@@ -79,15 +84,18 @@ Kernel kernel_of(Operation operation) {
   MIXCMP_CHECK(false);
 }
 
-/// Up to 25 digits in and out, rounding to 53 digits first is harmless (Figueroa). Where half way
-/// cases are rarer than mispredicted branches are dear, they are watched for.
+/// Up to 25 digits in and out, rounding to 53 digits first is harmless (Figueroa). Half way cases
+/// are watched for where they are rare: not where there are few digits to drop, as in sums of
+/// numbers that have few more themselves.
 Finish nearest_finish(Operation operation, int operand_digits, int digits) {
-  constexpr int twice_rounded_digits = 25, watched_digits = 46;
+  constexpr int twice_rounded_digits = 25, rare_digits = 8;
   if (digits == double_digits) return Finish::hardware;
   if (operation == Operation::convert) return Finish::nearest;
   if (operation == Operation::multiply || operation == Operation::square) return Finish::fused;
   if (operand_digits <= digits && digits <= twice_rounded_digits) return Finish::nearest;
-  return digits <= watched_digits ? Finish::watched : Finish::corrected;
+  const bool is_sum = operation == Operation::add || operation == Operation::subtract;
+  const int result_digits = is_sum ? operand_digits : double_digits;
+  return result_digits - digits >= rare_digits ? Finish::watched : Finish::corrected;
 }
 
 Finish finish_of(const TypedNode& node, Rounding rounding) {
@@ -175,6 +183,26 @@ bool doubtful_is_exceptional(const TypedGraph& graph) {
   return graph.arithmetic.subnormals == Subnormals::flush && !wide && inputs_are_judged(graph);
 }
 
+std::uint64_t power_bits(int exponent) {
+  return std::bit_cast<std::uint64_t>(std::ldexp(1, exponent));
+}
+
+/// As many exponents as a power of two, around 1 if they can be.
+void add_window(Plan& plan, const TypedGraph& graph) {
+  const std::optional<SafeOperands> safe = safe_operands(graph);
+  if (!safe || safe->high == safe->low || plan.inputs.empty()) return;
+  const int count = static_cast<int>(std::bit_floor(static_cast<unsigned>(safe->high - safe->low)));
+  const int low = std::max(safe->low, std::min(-count / 2, safe->high - count));
+  const std::uint64_t all_exponents = std::uint64_t{0x7ff} << (double_digits - 1);
+  const std::uint64_t inside = power_bits(low + count) - power_bits(low) - 1;
+  OperandWindow window = {
+      .columns = {},
+      .least = power_bits(low),
+      .outside = (all_exponents & ~inside) | surplus_digits(graph.input_format)};
+  for (const auto& [column, operand] : plan.inputs) window.columns.push_back(column);
+  plan.window = std::move(window);
+}
+
 }  // namespace
 
 std::optional<Plan> make_plan(const TypedGraph& graph, const Lane* lane) {
@@ -183,6 +211,7 @@ std::optional<Plan> make_plan(const TypedGraph& graph, const Lane* lane) {
   for (int id = 0; id < plan.columns; ++id) {
     if (!add_node(plan, graph, id)) return std::nullopt;
   }
+  add_window(plan, graph);
   plan.decision = {.rule = Rule::order, .first = graph.f, .second = graph.g};
   if (lane == nullptr) return plan;
   plan.doubtful_is_undecided = lane->certified() && doubtful_is_exceptional(graph);

@@ -18,6 +18,8 @@ struct Plan {
   std::vector<Instruction> values;
   std::vector<Instruction> bounds;   ///< after the values, for decisions alone
   std::vector<TrustedRange> ranges;  ///< values outside: the golden model answers
+  /// Where all operands are inside, all values are inside `ranges`.
+  std::optional<OperandWindow> window;
   int f = -1, g = -1;
   Judgement decision;
   /// Outside means exceptional, and so undecided: the golden model need not be asked.

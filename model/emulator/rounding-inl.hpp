@@ -20,6 +20,11 @@ using Tag = hn::ScalableTag<double>;
 using Int = hn::RebindToSigned<Tag>;
 using Vec = hn::Vec<Tag>;
 using IntVec = hn::Vec<Int>;
+using Long = hn::RebindToUnsigned<Int>;
+#if HWY_TARGET != HWY_SCALAR
+using Word = hn::Repartition<std::uint32_t, Tag>;
+using WordVec = hn::Vec<Word>;
+#endif
 
 HWY_INLINE IntVec bits_of(Vec x) {
   return hn::BitCast(Int(), x);
@@ -79,29 +84,25 @@ public:
         kept_(hn::Set(Int(), -(std::int64_t{1} << dropped_digits))),
         scale_(hn::Set(Tag(), static_cast<double>(std::int64_t{1} << dropped_digits))) {}
 
-  /// r rounded to nearest, upward where it lies half way; `ties` gets all ones where it does: there
-  /// the dropped digits of r + half are all 0.
-  HWY_INLINE IntVec half_up(Vec r, IntVec& ties) const {
-    const IntVec raised = hn::Add(bits_of(r), half_);
-    const IntVec rounded = hn::And(raised, kept_);
-    ties = hn::VecFromMask(Int(), hn::Eq(raised, rounded));
-    return rounded;
-  }
+  /// r + half a step: the digits kept are those of r rounded to nearest, upward where r lies half
+  /// way; there the digits dropped are all 0.
+  HWY_INLINE IntVec raised_half(Vec r) const { return hn::Add(bits_of(r), half_); }
+  HWY_INLINE IntVec kept(IntVec raised) const { return hn::And(raised, kept_); }
 
   HWY_INLINE Vec nearest(Vec r) const {
-    IntVec ties;
-    const IntVec up = half_up(r, ties);
-    return from_bits(hn::AndNot(hn::And(ties, step_), up));  // to even: the last digit kept is 0
+    const IntVec raised = raised_half(r), up = kept(raised);
+    const IntVec last_digit = hn::IfThenElseZero(hn::Eq(raised, up), step_);
+    return from_bits(hn::AndNot(last_digit, up));  // to even
   }
 
   /// Numbers half way between neighbours of P digits have P + 1 <= 53 digits. As rounding to 53
   /// digits is monotone, x lies on the same side of each as r does, unless r is one: then e tells.
   HWY_INLINE Vec corrected(Vec r, Vec e) const {
-    IntVec ties;
-    const IntVec up = half_up(r, ties);
+    const IntVec raised = raised_half(r), up = kept(raised);
+    const IntVec step = hn::IfThenElseZero(hn::Eq(raised, up), step_);
     const hn::Mask<Int> exact = hn::RebindMask(Int(), hn::Eq(e, hn::Zero(Tag())));
     const IntVec down = hn::IfThenElse(exact, up, opposite_signs(e, r));
-    return from_bits(hn::Sub(up, hn::And(hn::And(ties, step_), down)));
+    return from_bits(hn::Sub(up, hn::And(step, down)));
   }
 
   /// Below x in magnitude: the next double below r where e points there.

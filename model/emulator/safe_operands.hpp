@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "model/expression/typed_graph.hpp"
+
+namespace mixcmp::model::emulator {
+
+/// Magnitudes from 2^low up to 2^high; 0 is not among them.
+struct SafeOperands {
+  int low;
+  int high;
+};
+
+/// Trusted magnitudes of a format: 0 and [2^least, 2^limit).
+struct TrustedExponents {
+  int least;
+  int limit;
+};
+TrustedExponents trusted_exponents(FloatFormat format);
+
+/// If all operands of a comparison lie within, every node is provably 0 or within the trusted
+/// exponents of its format, nothing divides by 0 and no root is of a negative number. None where
+/// that cannot be shown of any range around 1, as for small formats.
+std::optional<SafeOperands> safe_operands(const TypedGraph& graph);
+
+}  // namespace mixcmp::model::emulator
