@@ -6,51 +6,10 @@
 #include <utility>
 
 #include "model/common/check.hpp"
+#include "model/data/dyadic.hpp"
 
 namespace mixcmp::model {
 namespace {
-
-mpz_class shifted_left(const mpz_class& value, int count) {
-  mpz_class result;
-  mpz_mul_2exp(result.get_mpz_t(), value.get_mpz_t(), static_cast<mp_bitcnt_t>(count));
-  return result;
-}
-
-mpz_class power_of_two(int exponent) {
-  return exponent < 0 ? mpz_class(0) : shifted_left(1, exponent);
-}
-
-/// The largest multiple of 2^quantum_bits that is not above `value` >= 0.
-mpz_class quantized(mpz_class value, int quantum_bits) {
-  const auto count = static_cast<mp_bitcnt_t>(quantum_bits);
-  mpz_tdiv_q_2exp(value.get_mpz_t(), value.get_mpz_t(), count);
-  mpz_mul_2exp(value.get_mpz_t(), value.get_mpz_t(), count);
-  return value;
-}
-
-int digits_of(const mpz_class& value) {
-  return static_cast<int>(mpz_sizeinbase(value.get_mpz_t(), 2));
-}
-
-mpz_class root_of(const mpz_class& value) {
-  mpz_class root;
-  mpz_sqrt(root.get_mpz_t(), value.get_mpz_t());
-  return root;
-}
-
-/// To `precision` digits; ties to even.
-mpz_class rounded(const mpz_class& value, int precision, Rounding rounding) {
-  const int drop = digits_of(value) - precision;
-  if (drop <= 0) return value;
-  const auto half_place = static_cast<mp_bitcnt_t>(drop - 1);
-  mpz_class magnitude = abs(value);  // GMP tests the bits of negative numbers in two's complement
-  const bool half = mpz_tstbit(magnitude.get_mpz_t(), half_place) != 0;
-  const bool odd = mpz_tstbit(magnitude.get_mpz_t(), half_place + 1) != 0;
-  const bool more = mpz_scan1(magnitude.get_mpz_t(), 0) < half_place;
-  mpz_tdiv_q_2exp(magnitude.get_mpz_t(), magnitude.get_mpz_t(), half_place + 1);
-  if (rounding == Rounding::nearest_even && half && (more || odd)) ++magnitude;
-  return shifted_left(value < 0 ? mpz_class(-magnitude) : magnitude, drop);
-}
 
 struct Sides {
   mpz_class f;
@@ -109,8 +68,7 @@ public:
     if (misread_inputs_) {
       misread_centres(numbers);
     } else {
-      while (!exact_centres(numbers)) {
-      }
+      exact_centres(numbers);
     }
     return numbers;
   }
@@ -156,13 +114,13 @@ public:
 private:
   bool to_nearest() const { return target_.rounding == Rounding::nearest_even; }
 
-  /// How far the lane's roundings reach in [1, 2): half a last place, or a whole one.
-  mpz_class reach() const {
-    return power_of_two(fraction_bits_ - target_.precision + (to_nearest() ? 0 : 1));
+  /// How far the lane's roundings reach around `value`: half a last place, or a whole one.
+  mpz_class reach(const mpz_class& value) const {
+    return power_of_two(digits_of(value) - 1 - target_.precision + (to_nearest() ? 0 : 1));
   }
+  mpz_class one() const { return power_of_two(fraction_bits_); }
   mpz_class one_and(const mpz_class& last_places) const {
-    return power_of_two(fraction_bits_) +
-           shifted_left(last_places, std::max(0, fraction_bits_ - target_.precision + 1));
+    return one() + shifted_left(last_places, std::max(0, fraction_bits_ - target_.precision + 1));
   }
 
   /// A power of two that is small beside the reach; or, where ties may go either way, nothing.
@@ -173,12 +131,12 @@ private:
     return exponent < quantum_bits_ || exponent >= end ? mpz_class(0) : power_of_two(exponent);
   }
 
-  /// A number that the lane rounds to `value`, a number of its own in [1, 2), although it is much
-  /// larger (way 1) or smaller (way -1). Where all roundings go down nothing is read as larger than
+  /// A number that the lane rounds to `value`, a number of its own, although it is much larger
+  /// (way 1) or smaller (way -1). Where all roundings go down nothing is read as larger than
   /// it is: then a hair larger, so that what is rounded down later does not fall below.
   mpz_class misread(const mpz_class& value, int way) {
     if (!to_nearest() && way < 0) return value + hair();
-    return value + way * quantized(reach() - hair(), quantum_bits_);
+    return value + way * quantized(std::max<mpz_class>(reach(value) - hair(), 0), quantum_bits_);
   }
 
   /// m such that the square of 1 + 2um is just where its rounding errs most: 4u^2m^2 is an odd
@@ -191,21 +149,64 @@ private:
     return way < 0 ? mpz_class(root + 1) : root;
   }
 
+  /// A number of the lane, a quarter below `value` or, in longer lanes, at most 8 * 2^(-L/2) of it;
+  /// one whose square's rounding errs far.
+  mpz_class near_misleading_square(const mpz_class& value, int way) {
+    constexpr int tries = 8;
+    const int nearness = std::max(2, target_.precision / 2 - 3);
+    mpz_class best, best_error = -1;
+    for (int k = 0; k < tries; ++k) {
+      const mpz_class below = (value * random_.below(1 << 10)) >> (10 + nearness);
+      const mpz_class candidate =
+          rounded(mpz_class(value - below), target_.precision, Rounding::toward_zero);
+      const mpz_class square = candidate * candidate;
+      const mpz_class error = way * (square - rounded(square, target_.precision, target_.rounding));
+      if (error <= best_error) continue;
+      best = candidate;
+      best_error = error;
+    }
+    return best;
+  }
+
+  void exact_centres(Numbers& numbers) {
+    constexpr int tries = 16;  // lanes of few digits have no diagonal that works out
+    for (int k = 0; target_.shape == NearTieShape::diagonal && k < tries; ++k) {
+      if (diagonal_centres(numbers)) return;
+    }
+    while (!centres_along_axis(numbers)) {
+    }
+  }
+
   /// False where what x and z leave for y^2 is negative.
-  bool exact_centres(Numbers& numbers) {
+  bool centres_along_axis(Numbers& numbers) {
     const int k = random_.below(3);
     const mpz_class x_places = misleading_places(k, -wrong_way_);
     const mpz_class r_places = misleading_places(k + random_.between(1, 4), wrong_way_);
     const mpz_class x = misread(one_and(x_places), -wrong_way_);
     const mpz_class r = misread(one_and(r_places), wrong_way_);
-    mpz_class z_square = shifted_left(reach(), fraction_bits_);
+    mpz_class z_square = shifted_left(reach(one()), fraction_bits_);
     z_square += wrong_way_ * (z_square >> random_.between(1, target_.precision / 2 + 2));
-    const mpz_class y_square = r * r - x * x - z_square;
+    return place_with(numbers, x, root_of(z_square), r);
+  }
+
+  /// The same with x just above 1, z just above or below sqrt(1/2) and r just below sqrt(2).
+  bool diagonal_centres(Numbers& numbers) {
+    const mpz_class root_of_half = root_of(power_of_two(2 * fraction_bits_ - 1));
+    const mpz_class x = one_and(misleading_places(random_.below(3), -wrong_way_));
+    const mpz_class z = near_misleading_square(root_of_half, -wrong_way_);
+    const mpz_class r = near_misleading_square(2 * root_of_half, wrong_way_);
+    return place_with(numbers, misread(x, -wrong_way_), misread(z, -wrong_way_),
+                      misread(r, wrong_way_));
+  }
+
+  /// With y so that the distance is r.
+  bool place_with(Numbers& numbers, const mpz_class& x, const mpz_class& z, const mpz_class& r) {
+    const mpz_class y_square = r * r - x * x - z * z;
     if (y_square <= 0) return false;
     const std::size_t first = random_.one_in(2) ? 2 : 0;
     place(numbers, first, x);
     place(numbers, 2 - first, root_of(y_square));
-    place(numbers, 4, root_of(z_square));
+    place(numbers, 4, z);
     return true;
   }
 

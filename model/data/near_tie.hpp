@@ -9,11 +9,18 @@
 
 namespace mixcmp::model {
 
+/// Where the distance lies.
+enum class NearTieShape {
+  along_axis,  ///< of length 1 and a little: the largest relative errors
+  diagonal,    ///< (1, sqrt(1/2), sqrt(1/2)), of length sqrt(2) less a little: the most last places
+};
+
 /// The lane that a near tie is aimed at: (dx^2 + dy^2) + dz^2 against (ri + rj)^2, in this order.
 struct NearTieTarget {
   int precision;  ///< L
   LaneInputs inputs;
   Rounding rounding;
+  NearTieShape shape;     ///< of exact inputs
   FloatFormat reference;  ///< of the operands; L digits or more
 };
 

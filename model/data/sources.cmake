@@ -1,6 +1,7 @@
 target_sources(mixcmp_model PRIVATE
   data/comparisons.cpp
   data/csv.cpp
+  data/dyadic.cpp
   data/load.cpp
   data/near_tie.cpp
   data/npy.cpp

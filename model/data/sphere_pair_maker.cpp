@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "model/data/dyadic.hpp"
 #include "model/golden/arithmetic.hpp"
 
 namespace mixcmp::model {
@@ -24,30 +25,6 @@ mpq_class power_of_ten(int exponent) {
   mpz_class power;
   mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(exponent));
   return power;
-}
-
-mpq_class scaled(mpq_class value, int exponent) {
-  if (exponent >= 0) {
-    mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  } else {
-    mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  }
-  return value;
-}
-
-int digits_of(const mpz_class& value) {
-  return static_cast<int>(mpz_sizeinbase(value.get_mpz_t(), 2));
-}
-
-/// The square root of value >= 0, to `digits` digits or more, rounded down.
-mpq_class root_of(const mpq_class& value, int digits) {
-  if (value == 0) return 0;
-  const int exponent = digits_of(value.get_num()) - digits_of(value.get_den());
-  const int shift = digits + 1 - exponent / 2;
-  const mpq_class shifted = scaled(value, 2 * shift);
-  mpz_class root = shifted.get_num() / shifted.get_den();
-  mpz_sqrt(root.get_mpz_t(), root.get_mpz_t());
-  return scaled(root, -shift);
 }
 
 /// a^2 + b^2 + c^2 = d^2: Lebesgue's parametrisation of Pythagorean quadruples.
@@ -213,7 +190,7 @@ SpherePairMaker::Row SpherePairMaker::grid() {
     row[at + 1] = encode(scaled(to, exponent));
     square += (to - from) * (to - from);
   }
-  const int distance = static_cast<int>(mpz_class(sqrt(mpz_class(square))).get_si());
+  const int distance = static_cast<int>(root_of(mpz_class(square)).get_si());
   const int sum = random_.one_in(2) ? distance : random_.below(26);
   const int share = random_.below(sum + 1);
   row[radius_i] = encode(scaled(share, exponent));
@@ -239,14 +216,16 @@ SpherePairMaker::Row SpherePairMaker::counterexample() {
   const int precision =
       first_counterexample +
       static_cast<int>(row_ % static_cast<std::uint64_t>(last - first_counterexample + 1));
-  const NearTieTarget target = {precision, LaneInputs::exact, Rounding::nearest_even, format_};
+  const NearTieTarget target = {precision, LaneInputs::exact, Rounding::nearest_even,
+                                NearTieShape::along_axis, format_};
   return encode(model::near_tie(target, counterexample_effort, random_).pair);
 }
 
 SpherePairMaker::Row SpherePairMaker::near_tie(int precision) {
   const LaneInputs inputs = row_ % 2 != 0 ? LaneInputs::rounded : LaneInputs::exact;
   const Rounding rounding = row_ % 4 < 2 ? Rounding::nearest_even : Rounding::toward_zero;
-  const NearTieTarget target = {precision, inputs, rounding, format_};
+  const NearTieShape shape = random_.one_in(2) ? NearTieShape::along_axis : NearTieShape::diagonal;
+  const NearTieTarget target = {precision, inputs, rounding, shape, format_};
   if (random_.one_in(2)) return encode(near_edge(target, random_));
   return encode(model::near_tie(target, near_tie_effort, random_).pair);
 }

@@ -18,6 +18,7 @@ using model::Bits;
 using model::FloatFormat;
 using model::LaneInputs;
 using model::NearTie;
+using model::NearTieShape;
 using model::NearTieTarget;
 using model::Rounding;
 using model::golden::Verdict;
@@ -27,10 +28,12 @@ struct Case {
   LaneInputs inputs;
   Rounding rounding;
   double least_deceit_ulp;  ///< of the best in 200 rows
+  NearTieShape shape = NearTieShape::along_axis;
 };
 
 void PrintTo(const Case& c, std::ostream* stream) {
-  *stream << "s" << c.precision << "_" << to_string(c.inputs) << "_" << to_string(c.rounding);
+  *stream << (c.shape == NearTieShape::diagonal ? "diagonal_" : "") << "s" << c.precision << "_"
+          << to_string(c.inputs) << "_" << to_string(c.rounding);
 }
 
 class NearTies : public testing::TestWithParam<Case> {
@@ -39,7 +42,8 @@ protected:
   const model::Graph graph_ = sphere_graph();
 
   NearTieTarget target() const {
-    return {GetParam().precision, GetParam().inputs, GetParam().rounding, reference_};
+    return {GetParam().precision, GetParam().inputs, GetParam().rounding, GetParam().shape,
+            reference_};
   }
   model::TypedGraph lane() const {
     const model::Arithmetic reduced = {format_of(GetParam().precision, 8), GetParam().rounding,
@@ -102,6 +106,10 @@ INSTANTIATE_TEST_SUITE_P(Lanes, NearTies,
                                          Case{17, LaneInputs::exact, Rounding::toward_zero, 9},
                                          Case{24, LaneInputs::exact, Rounding::toward_zero, 9},
                                          Case{40, LaneInputs::exact, Rounding::toward_zero, 9},
+                                         Case{17, LaneInputs::exact, Rounding::nearest_even, 4.9,
+                                              NearTieShape::diagonal},
+                                         Case{24, LaneInputs::exact, Rounding::toward_zero, 5.9,
+                                              NearTieShape::diagonal},
                                          Case{17, LaneInputs::rounded, Rounding::nearest_even, 40},
                                          Case{17, LaneInputs::rounded, Rounding::toward_zero, 40}),
                          testing::PrintToStringParamName());
