@@ -228,6 +228,7 @@ std::vector<Parameter> DatapathBuilder::unit_parameters(NodeId id) const {
   if (!hazards.special_operand) parameters.push_back({"SPECIAL_OPERANDS", 0});
   if (!hazards.overflow) parameters.push_back({"OVERFLOW", 0});
   if (!hazards.underflow) parameters.push_back({"UNDERFLOW", 0});
+  if (!hazards.cancellation) parameters.push_back({"CANCELLATION", 0});
   parameters.push_back({"CUTS", cut_mask(schedule_.steps[id])});
   return parameters;
 }

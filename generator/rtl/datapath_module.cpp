@@ -4,6 +4,7 @@
 
 #include "generator/rtl/bound_builder.hpp"
 #include "generator/rtl/datapath_builder.hpp"
+#include "model/error/hazards.hpp"
 #include "generator/rtl/range_checks.hpp"
 #include "model/common/check.hpp"
 
@@ -134,8 +135,8 @@ DatapathBuilder lane_pass(const std::vector<std::string>& inputs, const model::L
 
 DatapathBuilder reference_pass(const std::vector<std::string>& inputs, const TypedGraph& reference,
                                const Schedule& schedule, DelayPlan plan) {
-  DatapathBuilder builder(inputs, reference, {}, schedule, ExceptionalFlags::unused,
-                          std::move(plan));
+  DatapathBuilder builder(inputs, reference, model::structural_hazards(reference), schedule,
+                          ExceptionalFlags::unused, std::move(plan));
   builder.build_nodes();
   build_comparison(builder, reference, schedule.decision);
   return builder;

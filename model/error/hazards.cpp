@@ -3,15 +3,35 @@
 #include <algorithm>
 
 #include "model/error/range_analysis.hpp"
+#include "model/error/sign.hpp"
 #include "model/golden/arithmetic.hpp"
 
 namespace mixcmp::model {
 namespace {
 
+std::vector<bool> nonnegative(const std::vector<std::optional<Range>>& ranges) {
+  std::vector<bool> result;
+  for (const auto& range : ranges) result.push_back(range && range->low >= 0);
+  return result;
+}
+
+/// Of a sum whose operands are not proven to lie on the same side of zero.
+bool may_cancel(const TypedGraph& graph, const std::vector<Sign>& signs, NodeId id) {
+  const TypedNode& node = graph.nodes[id];
+  const bool subtracts = node.operation == Operation::subtract;
+  if (!subtracts && node.operation != Operation::add) return true;
+  const Sign& second = signs[node.operands[1]];
+  const Sign sum = sum_sign(signs[node.operands[0]], subtracts ? second.negated() : second);
+  return !sum.nonnegative && !sum.nonpositive;
+}
+
 class HazardAnalysis {
 public:
   HazardAnalysis(const TypedGraph& graph, const std::vector<std::optional<Range>>& checked)
-      : graph_(graph), checked_(checked), ranges_(analyse_ranges(graph, checked)) {}
+      : graph_(graph),
+        checked_(checked),
+        ranges_(analyse_ranges(graph, checked)),
+        signs_(analyse_signs(graph, nonnegative(checked))) {}
 
   std::vector<Hazards> run() {
     std::vector<Hazards> hazards;
@@ -36,7 +56,8 @@ private:
     const bool from_reach = any_operand(id, [&](NodeId k) { return may_be_subnormal(k); });
     return {.special_operand = any_operand(id, [&](NodeId k) { return special_[k]; }),
             .overflow = range(id).may(Event::overflow) || range(id).may(Event::division_by_zero),
-            .underflow = range(id).may(Event::underflow) || from_reach};
+            .underflow = range(id).may(Event::underflow) || from_reach,
+            .cancellation = may_cancel(graph_, signs_, id)};
   }
 
   bool is_special(NodeId id, const Hazards& hazards) const {
@@ -80,12 +101,9 @@ private:
   const TypedGraph& graph_;
   const std::vector<std::optional<Range>>& checked_;
   std::vector<NodeRange> ranges_;
+  std::vector<Sign> signs_;
   std::vector<bool> special_;
 };
-
-bool is_ruled_out(const Hazards& hazards) {
-  return !hazards.special_operand || !hazards.overflow || !hazards.underflow;
-}
 
 bool has_unit(Operation operation) {
   return arity(operation) > 0 && operation != Operation::negate && operation != Operation::absolute;
@@ -114,14 +132,24 @@ std::vector<std::optional<Range>> checked_ranges(const TypedGraph& graph,
   return ranges;
 }
 
+std::vector<Hazards> structural_hazards(const TypedGraph& graph) {
+  const std::vector<Sign> signs =
+      analyse_signs(graph, std::vector<bool>(static_cast<std::size_t>(graph.input_count), false));
+  std::vector<Hazards> hazards(graph.nodes.size());
+  for (NodeId id = 0; id < static_cast<NodeId>(hazards.size()); ++id) {
+    hazards[static_cast<std::size_t>(id)].cancellation = may_cancel(graph, signs, id);
+  }
+  return hazards;
+}
+
 void remove_hazards(Lane& lane, const std::vector<std::optional<Range>>& ranges) {
+  lane.hazards = structural_hazards(lane.graph);
   std::vector<RangeCheck> checks = full_range_checks(lane.graph, ranges);
-  if (checks.empty()) return;
   const std::vector<std::optional<Range>> checked = checked_ranges(lane.graph, checks);
   std::vector<Hazards> hazards = HazardAnalysis(lane.graph, checked).run();
   bool useful = false;
   for (std::size_t id = 0; id < hazards.size(); ++id) {
-    useful |= has_unit(lane.graph.nodes[id].operation) && is_ruled_out(hazards[id]);
+    useful |= has_unit(lane.graph.nodes[id].operation) && hazards[id] != lane.hazards[id];
   }
   if (!useful) return;
   lane.checks = std::move(checks);

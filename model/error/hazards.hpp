@@ -15,8 +15,11 @@ std::vector<RangeCheck> full_range_checks(const TypedGraph& graph,
 std::vector<std::optional<Range>> checked_ranges(const TypedGraph& graph,
                                                  const std::vector<RangeCheck>& checks);
 
-/// Marks what interval analysis rules out of each operation, given full range checks; where that is
-/// something, the lane gets those checks.
+/// What follows from the expression alone, whatever the operands are: sums of squares do not cancel.
+std::vector<Hazards> structural_hazards(const TypedGraph& graph);
+
+/// Marks what interval analysis and signs rule out of each operation, given full range checks; where ranges
+/// help, the lane gets those checks.
 void remove_hazards(Lane& lane, const std::vector<std::optional<Range>>& ranges);
 
 }  // namespace mixcmp::model

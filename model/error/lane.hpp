@@ -48,11 +48,13 @@ struct IntervalDecision {
   mpq_class relative_error_g;
 };
 
-/// What the range checks cannot rule out of one operation; what they rule out is not built.
+/// What neither the range checks nor the expression itself can rule out of one operation; what they
+/// rule out is not built (docs/architecture.md says what each promises to the hardware).
 struct Hazards {
   bool special_operand = true;  ///< a NaN or an infinity among the operands
-  bool overflow = true;
-  bool underflow = true;
+  bool overflow = true;         ///< or a division by zero
+  bool underflow = true;        ///< or a subnormal operand
+  bool cancellation = true;     ///< of an add or a subtract: what is added may have unlike signs
 
   friend bool operator==(const Hazards&, const Hazards&) = default;
 };

@@ -6,6 +6,7 @@
 
 #include "model/data/permutation.hpp"
 #include "model/error/error_analysis.hpp"
+#include "model/error/hazards.hpp"
 #include "model/error/largest_relative_error.hpp"
 #include "model/golden/arithmetic.hpp"
 #include "model/golden/enclosure.hpp"
@@ -99,7 +100,8 @@ Lane profiled_lane(TypedGraph graph, const mpq_class& relative_error_f,
       .maximum = append.operation(Operation::add, difference, error),
       .relative_error_f = relative_error_f,
       .relative_error_g = relative_error_g};
-  return {std::move(graph), decision};
+  std::vector<Hazards> hazards = structural_hazards(graph);
+  return {.graph = std::move(graph), .decision = decision, .hazards = std::move(hazards)};
 }
 
 }  // namespace mixcmp::model

@@ -223,6 +223,9 @@ std::optional<LaneSavings> summarise_savings(const Scene& scene, const TypedGrap
     savings.without_special_operands += hazards.special_operand ? 0 : 1;
     savings.without_overflow += hazards.overflow ? 0 : 1;
     savings.without_underflow += hazards.underflow ? 0 : 1;
+    const Operation operation = lane->graph.nodes[id].operation;
+    savings.sums += operation == Operation::add || operation == Operation::subtract ? 1 : 0;
+    savings.without_cancellation += hazards.cancellation ? 0 : 1;
   }
   return savings;
 }

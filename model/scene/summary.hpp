@@ -48,11 +48,13 @@ struct DatapathSummary {
   std::vector<Finding> events;           ///< one per event that its operations know
 };
 
-/// What a certified lane does not build because its range checks rule it out.
+/// What a certified lane does not build because its range checks, or signs, rule it out.
 struct LaneSavings {
   std::vector<std::string> checked_inputs;
   int operations = 0;  ///< that have a unit
   int without_special_operands = 0, without_overflow = 0, without_underflow = 0;
+  int sums = 0;
+  int without_cancellation = 0;
 };
 
 /// Whether the reference rounds at all on this scene.

@@ -107,14 +107,17 @@ void print_data(Page& page, const DataSummary& data) {
 }
 
 void print_savings(Page& page, const LaneSavings& savings) {
-  const auto left_out = [&](const char* what, int count) {
-    page.line(what, fmt::format("not built in {} of {} operations", count, savings.operations));
+  const auto left_out = [&](const char* what, int count, int all, const char* units) {
+    page.line(what, fmt::format("not built in {} of {} {}", count, all, units));
   };
+  const auto& checked = savings.checked_inputs;
   page.section("what a lane leaves out");
-  page.line("operands checked", fmt::format("{}", fmt::join(savings.checked_inputs, ", ")));
-  left_out("NaN, infinity", savings.without_special_operands);
-  left_out("overflow", savings.without_overflow);
-  left_out("underflow", savings.without_underflow);
+  page.line("operands checked",
+            checked.empty() ? std::string("none") : fmt::format("{}", fmt::join(checked, ", ")));
+  left_out("NaN, infinity", savings.without_special_operands, savings.operations, "operations");
+  left_out("overflow", savings.without_overflow, savings.operations, "operations");
+  left_out("underflow", savings.without_underflow, savings.operations, "operations");
+  left_out("cancellation", savings.without_cancellation, savings.sums, "sums");
 }
 
 /// Nobody expects a reference to be exact who has declared no grid.
@@ -192,7 +195,9 @@ nlohmann::json json_of(const LaneSavings& savings) {
           {"operations", savings.operations},
           {"without_special_operands", savings.without_special_operands},
           {"without_overflow", savings.without_overflow},
-          {"without_underflow", savings.without_underflow}};
+          {"without_underflow", savings.without_underflow},
+          {"sums", savings.sums},
+          {"without_cancellation", savings.without_cancellation}};
 }
 
 nlohmann::json json_of(const ReducedSpec& reduced) {

@@ -141,6 +141,11 @@ TEST(Hazards, AreRuledOutWhereTheRangesDoSo) {
   EXPECT_EQ(hazards_of("a * b", apart, format_of(8, 8)), none);
   EXPECT_EQ(hazards_of("a / b", apart, format_of(8, 8)), none);
   EXPECT_TRUE(hazards_of("a - b", apart, format_of(8, 8)).underflow) << "may cancel";
+  EXPECT_TRUE(hazards_of("a - b", apart, format_of(8, 8)).cancellation);
+  EXPECT_FALSE(hazards_of("a + b", apart, format_of(8, 8)).cancellation);
+  EXPECT_FALSE(hazards_of("a - -b", apart, format_of(8, 8)).cancellation);
+  EXPECT_TRUE(hazards_of("a + b", {std::nullopt, Range{1, 3}}, format_of(8, 8)).cancellation);
+  EXPECT_FALSE(hazards_of("a^2 + b^2", {std::nullopt, std::nullopt}, format_of(8, 8)).cancellation);
   EXPECT_TRUE(hazards_of("a * b", apart, format_of(8, 3)).overflow);
   EXPECT_TRUE(hazards_of("a / b", {Range{2, 6}, Range{-1, 3}}, format_of(8, 8)).overflow);
   EXPECT_TRUE(hazards_of("a * b", {Range{2, 6}, std::nullopt}, format_of(8, 8)).special_operand);
