@@ -4,9 +4,9 @@
 
 #include "generator/rtl/bound_builder.hpp"
 #include "generator/rtl/datapath_builder.hpp"
-#include "model/error/hazards.hpp"
 #include "generator/rtl/range_checks.hpp"
 #include "model/common/check.hpp"
+#include "model/error/hazards.hpp"
 
 namespace mixcmp::gen {
 namespace {
