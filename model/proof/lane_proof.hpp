@@ -13,7 +13,7 @@ enum class Outcome {
   not_proven,  ///< Gappa finds no proof of what is within its theory: the bound is refused
   out_of_time,
   not_expressible,  ///< in Gappa; the proof by hand stands
-  unchecked,        ///< no Gappa
+  unchecked,        ///< no Gappa, or none that answers
 };
 std::string_view to_string(Outcome outcome);
 

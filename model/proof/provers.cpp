@@ -38,7 +38,7 @@ ScriptResult to_result(const GappaRun& run, double seconds) {
     case GappaVerdict::out_of_time:
       return {Outcome::out_of_time, fmt::format("after {:.3g} s", seconds), ""};
     case GappaVerdict::broken:
-      return {Outcome::not_proven, "no verdict: " + first_words(run.message), ""};
+      return {Outcome::unchecked, "gappa gives no verdict: " + first_words(run.message), ""};
   }
   MIXCMP_CHECK(false);
 }

@@ -21,15 +21,6 @@ using namespace model::proof;
 
 constexpr std::array both_roundings = {Rounding::nearest_even, Rounding::toward_zero};
 
-LaneProof prove(const Lane& lane, const ErrorAnalysis& analysis) {
-  QuickProver prover = patient_prover();
-  return prove_absolute(lane, analysis, std::ref(prover));
-}
-
-LaneProof prove(const Lane& lane) {
-  return prove(lane, analysis_of(lane));
-}
-
 model::Result<Lane> absolute_lane(const model::Graph& graph, ErrorBoundKind kind,
                                   Rounding rounding = Rounding::nearest_even,
                                   const char* format = "s17e8") {
@@ -44,7 +35,15 @@ model::AbsoluteBoundDecision& decision_of(Lane& lane) {
   return std::get<model::AbsoluteBoundDecision>(lane.decision);
 }
 
-class AbsoluteProof : public WithGappa {};
+class AbsoluteProof : public WithGappa {
+protected:
+  LaneProof prove(const Lane& lane, const ErrorAnalysis& analysis) {
+    return prove_absolute(lane, analysis, std::ref(prover_));
+  }
+  LaneProof prove(const Lane& lane) { return prove(lane, analysis_of(lane)); }
+
+  QuickProver prover_ = patient_prover();  ///< remembers what it has proven
+};
 class AbsoluteProofIn : public AbsoluteProof, public testing::WithParamInterface<std::string> {};
 
 TEST_P(AbsoluteProofIn, SphereWithRoundedInputsIsProven) {

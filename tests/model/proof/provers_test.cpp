@@ -212,15 +212,26 @@ TEST(ProversWithAFake, ALaneWhoseGappaNeverAnswersIsNotRefused) {
       << proof.verdict();
 }
 
-TEST_F(Provers, BigCertificatesAndMuchOutputPass) {
-  std::string script = "{ x in [0, 1] -> ";
-  for (int k = 1; k <= 400; ++k) {
-    script +=
-        (k == 1 ? "" : " /\\ ") + std::string("x * x + ") + std::to_string(k) + " in [0, 500]";
-  }
-  const GappaRun run = run_gappa(script + " }", Certificate::coq, 60);
+TEST(ProversWithAFake, MuchOutputOnBothStreamsPasses) {
+  ScratchDirectory scratch;
+  const std::string search = getenv("PATH");
+  const std::string much = "head -c 300000 /dev/zero | tr '\\0' x";
+  const OtherPath path(fake_gappa(scratch, much + " >&2\n" + much + "\n").string() + ":" + search);
+  const GappaRun run = run_gappa(truth, Certificate::coq, 30);
   EXPECT_EQ(run.verdict, GappaVerdict::proven);
-  EXPECT_GT(run.certificate.size(), 65536U);
+  EXPECT_EQ(run.certificate.size(), 300000U);
+  EXPECT_EQ(run.message.size(), 300000U);
+}
+
+TEST(ProversWithAFake, OneThatCannotReadScriptsRefusesNothing) {
+  ScratchDirectory scratch;
+  const std::string search = getenv("PATH");
+  const std::string complaint = "echo 'Error: syntax error' >&2; exit 1\n";
+  const OtherPath path(fake_gappa(scratch, complaint).string() + ":" + search);
+  QuickProver quick(5);
+  const ScriptResult result = quick(truth);
+  EXPECT_EQ(result.outcome, Outcome::unchecked);
+  EXPECT_NE(result.detail.find("syntax error"), std::string::npos) << result.detail;
 }
 
 }  // namespace

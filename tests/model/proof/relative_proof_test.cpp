@@ -18,16 +18,6 @@ using namespace model::proof;
 
 constexpr std::array both_roundings = {Rounding::nearest_even, Rounding::toward_zero};
 
-LaneProof prove(const Lane& lane, Effort effort) {
-  QuickProver prover = patient_prover();
-  return prove_lane(lane, std::ref(prover), effort);
-}
-
-LaneProof prove(const Lane& lane, const std::vector<NodeClaim>& claims, Effort effort) {
-  QuickProver prover = patient_prover();
-  return prove_relative(lane, claims, std::ref(prover), effort);
-}
-
 bool any_optional(const LaneProof& proof) {
   return std::any_of(proof.findings.begin(), proof.findings.end(),
                      [](const Finding& finding) { return finding.optional; });
@@ -39,7 +29,17 @@ std::vector<NodeClaim> claims_of(const model::TypedGraph& graph,
   return relative_claims({.graph = graph, .decision = {}, .checks = checks});
 }
 
-using RelativeProof = WithGappa;
+class RelativeProof : public WithGappa {
+protected:
+  LaneProof prove(const Lane& lane, Effort effort) {
+    return prove_lane(lane, std::ref(prover_), effort);
+  }
+  LaneProof prove(const Lane& lane, const std::vector<NodeClaim>& claims, Effort effort) {
+    return prove_relative(lane, claims, std::ref(prover_), effort);
+  }
+
+  QuickProver prover_ = patient_prover();  ///< remembers what it has proven
+};
 
 struct Comparison {
   const char* f;
@@ -113,10 +113,9 @@ TEST_F(RelativeProof, WhatRoundsNothingIsProvenToRoundNothing) {
 }
 
 TEST_F(RelativeProof, OneDigitTooManyRounds) {
-  QuickProver prover = patient_prover();
   const auto proves = [&](ExactOperation operation, int from, int to) {
     const std::string script = exactness_script(operation, from, to, Rounding::nearest_even);
-    return prover(script).outcome == Outcome::proven;
+    return prover_(script).outcome == Outcome::proven;
   };
   for (const int digits : {2, 11, 26}) {
     EXPECT_TRUE(proves(ExactOperation::convert, digits, digits));
@@ -129,11 +128,10 @@ TEST_F(RelativeProof, OneDigitTooManyRounds) {
 }
 
 TEST_F(RelativeProof, TheoremOneHoldsFromTwoDigitsToMost) {
-  QuickProver prover = patient_prover();
   for (const int precision : {2, 3, 4, 5, 8, 11, 16, 17, 24, 32, 52, 53, 64, 112, 113}) {
     for (const Rounding rounding : both_roundings) {
       for (const std::string& script : rounding_scripts(precision, rounding)) {
-        EXPECT_EQ(prover(script).outcome, Outcome::proven) << script;
+        EXPECT_EQ(prover_(script).outcome, Outcome::proven) << script;
       }
     }
   }
@@ -273,7 +271,6 @@ TEST_F(RelativeProof, AGuardOneStepLowerIsRefused) {
 
 /// Hypotheses that contradict one another would prove anything.
 TEST_F(RelativeProof, NoScriptAssumesTheImpossible) {
-  QuickProver prover = patient_prover();
   int scripts = 0;
   for (const Lane& lane : tight_lanes()) {
     const std::vector<NodeClaim> claims = relative_claims(lane);
@@ -285,7 +282,7 @@ TEST_F(RelativeProof, NoScriptAssumesTheImpossible) {
         const std::size_t goal = one.script.rfind("->\n"), end = one.script.rfind('}');
         const std::string absurd =
             one.script.substr(0, goal) + "-> 1 in [2, 3] " + one.script.substr(end);
-        EXPECT_EQ(prover(absurd).outcome, Outcome::not_proven) << absurd;
+        EXPECT_EQ(prover_(absurd).outcome, Outcome::not_proven) << absurd;
         ++scripts;
       }
     }
