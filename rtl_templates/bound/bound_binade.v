@@ -1,7 +1,7 @@
-// bound_binade: the power of two at or below |x|: its exponent. 0 of 0.
+// bound_binade: the power of two at or below |x|: its exponent. Zero for zeros.
 // Latency: CUTS; initiation interval 1; no reset.
-// A subnormal x gives the smallest bound. y means nothing for infinities, NaNs and, with
-// GRADUAL = 0, subnormal numbers: all of these must come with `exceptional`.
+// The smallest bound for subnormal x, infinite for infinities and NaNs. With GRADUAL = 0 y means
+// nothing for subnormal x, which must come with `exceptional`.
 `default_nettype none
 
 module bound_binade #(

@@ -1,7 +1,7 @@
 // bound_magnitude: an upper bound of |x|: its leading digits, rounded up.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// y is infinite where rounding leaves the format. It means nothing for infinities, NaNs and, with
-// GRADUAL = 0, subnormal numbers: all of these must come with `exceptional`.
+// Infinite where rounding leaves the format. y means nothing for NaNs and, with GRADUAL = 0,
+// subnormal numbers, which must come with `exceptional`.
 `default_nettype none
 
 module bound_magnitude #(

@@ -1,7 +1,6 @@
 // bound_reciprocal: a power of two at or above 1 / |x|: the exponent negated.
 // Latency: CUTS; initiation interval 1; no reset.
-// Infinite for zeros and subnormal x. y means nothing for infinities and NaNs, which must come
-// with `exceptional`.
+// Infinite for zeros, subnormal x, infinities and NaNs.
 `default_nettype none
 
 module bound_reciprocal #(
