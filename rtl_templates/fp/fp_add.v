@@ -41,7 +41,8 @@ module fp_add #(
   // Without underflow there are no subnormals to be gradual about.
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
-  // Then the leading one of a sum is where the larger operand's is, or one place above it.
+  // Of like signs and normal, a sum has its leading one where the larger operand has, or one place
+  // above.
   localparam GROWING = (CANCELLATION == 0) && !SUBNORMALS;
 
   // The smaller operand is aligned on the larger one's leading bit and as many fraction bits as
@@ -64,6 +65,10 @@ module fp_add #(
   // With a result exponent no narrower than the operands', not normalising below exponent 1 is
   // all that a subnormal sum asks for.
   localparam DENORMALISE = (SUBNORMALS != 0) && (RESULT_EXPONENT_BITS < EXPONENT_BITS);
+
+  // What was not flushed does not add up to less unless it cancels.
+  localparam TINY_RESULTS =
+      (UNDERFLOW != 0) && !(GROWING && (RESULT_EXPONENT_BITS >= EXPONENT_BITS));
 
   // Stage compare: packed magnitudes order as integers; both exponent differences are at hand
   // when the order is known.
@@ -353,7 +358,7 @@ module fp_add #(
       .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
       .RESULT_PRECISION    (RESULT_PRECISION),
       .OVERFLOW            (OVERFLOW),
-      .UNDERFLOW           (UNDERFLOW),
+      .UNDERFLOW           (TINY_RESULTS),
       .GRADUAL             (SUBNORMALS),
       .DENORMALISE         (DENORMALISE),
       .TOWARD_ZERO         (TOWARD_ZERO),

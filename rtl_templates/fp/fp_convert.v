@@ -45,6 +45,10 @@ module fp_convert #(
   // Otherwise even the smallest subnormal operand is a normal number of the result format.
   localparam DENORMALISE = (SUBNORMALS != 0) && (REBIAS < PRECISION - 1);
 
+  // What was not flushed is a normal number of a format with no fewer exponent bits, too.
+  localparam TINY_RESULTS =
+      (UNDERFLOW != 0) && (SUBNORMALS || (RESULT_EXPONENT_BITS < EXPONENT_BITS));
+
   // Stages count, normalise: the significand gets a leading one.
   wire                      s2_sign;
   wire [EXPONENT_WIDTH-1:0] s2_a_exponent;
@@ -94,7 +98,7 @@ module fp_convert #(
       .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
       .RESULT_PRECISION    (RESULT_PRECISION),
       .OVERFLOW            (OVERFLOW),
-      .UNDERFLOW           (UNDERFLOW),
+      .UNDERFLOW           (TINY_RESULTS),
       .GRADUAL             (SUBNORMALS),
       .DENORMALISE         (DENORMALISE),
       .TOWARD_ZERO         (TOWARD_ZERO),

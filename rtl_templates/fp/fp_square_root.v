@@ -51,6 +51,10 @@ module fp_square_root #(
   // Half the exponent of even the smallest subnormal is a normal one unless the result's is short.
   localparam DENORMALISE = (SUBNORMALS != 0) && (BIAS + PRECISION > 2 * RESULT_BIAS);
 
+  // Nor is the root of a normal number below that.
+  localparam TINY_RESULTS =
+      (UNDERFLOW != 0) && (SUBNORMALS || (RESULT_EXPONENT_BITS < EXPONENT_BITS));
+
   // Stages count, normalise: the significand gets a leading one.
   wire                      s2_sign;
   wire [EXPONENT_WIDTH-1:0] s2_a_exponent;
@@ -206,7 +210,7 @@ module fp_square_root #(
       .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
       .RESULT_PRECISION    (RESULT_PRECISION),
       .OVERFLOW            (OVERFLOW),
-      .UNDERFLOW           (UNDERFLOW),
+      .UNDERFLOW           (TINY_RESULTS),
       .GRADUAL             (SUBNORMALS),
       .DENORMALISE         (DENORMALISE),
       .TOWARD_ZERO         (TOWARD_ZERO),
