@@ -189,8 +189,9 @@ std::uint64_t power_bits(int exponent) {
 
 /// As many exponents as a power of two, around 1 if they can be.
 void add_window(Plan& plan, const TypedGraph& graph) {
+  if (plan.inputs.empty()) return;  // no operand would limit the search
   const std::optional<SafeOperands> safe = safe_operands(graph);
-  if (!safe || safe->high == safe->low || plan.inputs.empty()) return;
+  if (!safe || safe->high == safe->low) return;
   const int count = static_cast<int>(std::bit_floor(static_cast<unsigned>(safe->high - safe->low)));
   const int low = std::max(safe->low, std::min(-count / 2, safe->high - count));
   const std::uint64_t all_exponents = std::uint64_t{0x7ff} << (double_digits - 1);

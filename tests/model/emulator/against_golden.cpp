@@ -91,7 +91,7 @@ std::string describe(const TypedGraph& graph, const std::vector<Bits>& inputs) {
 }
 
 std::uint64_t judge(const Emulator& emulator, const TypedGraph& graph, const Operands& operands,
-                    const std::vector<Answer>& expected) {
+                    const std::vector<Answer>& expected, const std::string& decision) {
   const OperandBatch batch(graph.input_format, operands);
   std::uint64_t fallbacks = 0;
   for_each_instruction_set([&] {
@@ -102,7 +102,7 @@ std::uint64_t judge(const Emulator& emulator, const TypedGraph& graph, const Ope
     for (std::size_t k = 0; k < expected.size(); ++k) {
       if (got[k] == expected[k]) continue;
       ADD_FAILURE() << Emulator::instruction_set() << ", comparison " << k << ": "
-                    << describe(graph, row(operands, k)) << "\nexpected " << describe(expected[k])
+                    << describe(graph, row(operands, k)) << "\n" << decision << "\nexpected " << describe(expected[k])
                     << "\ngot      " << describe(got[k]);
       return;
     }
@@ -144,7 +144,7 @@ std::uint64_t expect_golden(const model::Lane& lane, const Operands& operands) {
     answer.decision = result.decided ? static_cast<Decision>(result.verdict) : Decision::undecided;
     expected.push_back(answer);
   }
-  return judge(Emulator(lane), lane.graph, operands, expected);
+  return judge(Emulator(lane), lane.graph, operands, expected, describe_decision(lane));
 }
 
 std::uint64_t expect_golden(const TypedGraph& reference, const Operands& operands) {
@@ -154,7 +154,7 @@ std::uint64_t expect_golden(const TypedGraph& reference, const Operands& operand
     answer.decision = answer.order;
     expected.push_back(answer);
   }
-  return judge(Emulator(reference), reference, operands, expected);
+  return judge(Emulator(reference), reference, operands, expected, "a reference");
 }
 
 }  // namespace mixcmp::test

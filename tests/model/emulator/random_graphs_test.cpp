@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include "tests/model/emulator/random_lanes.hpp"
+#include "tests/support/float_samples.hpp"
+
+/// Random graphs in random formats with random decisions, checks and operands.
+namespace mixcmp::test {
+namespace {
+
+using model::Arithmetic;
+using model::FloatFormat;
+using model::Graph;
+
+class RandomLanes : public testing::TestWithParam<int> {};
+
+TEST_P(RandomLanes, AreEmulatedBitForBit) {
+  Random random(static_cast<unsigned>(GetParam()));
+  for (int k = 0; k < 250 && !HasFailure(); ++k) {
+    const Graph graph = random_graph(random);
+    const FloatFormat reference = random_reference(random);
+    const Arithmetic reduced = random_reduced(reference, random);
+    const model::Lane lane =
+        random_lane(lane_graph(graph, reference, reduced, random_inputs(random)), random);
+    const Operands operands = random_operands(lane.graph.input_count, reference, 200, random);
+    expect_golden(lane, operands);
+  }
+}
+
+TEST_P(RandomLanes, SoAreReferences) {
+  Random random(static_cast<unsigned>(GetParam()));
+  for (int k = 0; k < 100 && !HasFailure(); ++k) {
+    const Graph graph = random_graph(random);
+    const FloatFormat format = random_reference(random);
+    for (const Arithmetic& arithmetic : every_arithmetic(format)) {
+      const model::TypedGraph reference = reference_graph(graph, arithmetic);
+      expect_golden(reference, random_operands(reference.input_count, format, 100, random));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomLanes, testing::Range(1, 9));
+
+}  // namespace
+}  // namespace mixcmp::test
