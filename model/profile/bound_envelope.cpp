@@ -20,6 +20,11 @@ const AbsoluteBoundDecision& decision_of(const Lane& lane) {
   return std::get<AbsoluteBoundDecision>(lane.decision);
 }
 
+bool is_constant(const AbsoluteBoundDecision& decision) {
+  return decision.bound.nodes.size() == 1 &&
+         decision.bound.nodes.front().operation == BoundOperation::constant;
+}
+
 /// The constant as the hardware has it; infinite where its format has no such number.
 double encoded(BoundFormat format, const mpq_class& value) {
   const Bits bound = golden::bound_constant(format, value);
@@ -27,19 +32,16 @@ double encoded(BoundFormat format, const mpq_class& value) {
   return golden::bound_value(format, bound).get_d();
 }
 
-/// Positive doubles order as their encodings do, and one more in the last place is one step up.
-double with_step(double value, bool step) {
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) + (step ? 1 : 0));
-}
+/// 2^floor(log2 value) of a positive normal double.
 double binade(double value) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) >> 52 << 52);
 }
 
-/// a + b or the next double above; never below the exact sum.
+/// Above a + b by less than two last places, or equal to it.
 double sum_up(double a, double b) {
   const double larger = a < b ? b : a, smaller = a < b ? a : b;
   const double sum = larger + smaller;
-  return with_step(sum, smaller - (sum - larger) > 0);
+  return smaller - (sum - larger) > 0 ? sum * (1 + 0x1p-52) : sum;
 }
 
 /// |computed| at most, at every precision.
@@ -59,7 +61,9 @@ bool BoundEnvelope::same_structure(const AbsoluteBoundDecision& a, const Absolut
   const auto same_condition = [](const BoundCondition& x, const BoundCondition& y) {
     return x.bound == y.bound && x.value == y.value;
   };
-  return a.bound.format == b.bound.format &&
+  // Digits matter where something is rounded to them.
+  const bool alike = a.bound.format == b.bound.format || (is_constant(a) && is_constant(b));
+  return alike &&
          std::equal(a.bound.nodes.begin(), a.bound.nodes.end(), b.bound.nodes.begin(),
                     b.bound.nodes.end(), same_node) &&
          std::equal(a.conditions.begin(), a.conditions.end(), b.conditions.begin(),
@@ -69,7 +73,7 @@ bool BoundEnvelope::same_structure(const AbsoluteBoundDecision& a, const Absolut
 BoundEnvelope::BoundEnvelope(std::span<const Lane* const> lanes, int first, int last,
                              const Envelope& envelope)
     : anchor_(envelope.anchor()),
-      digits_(decision_of(*lanes.front()).bound.format.precision),
+      digits_(decision_of(*lanes.back()).bound.format.precision),
       conditions_(decision_of(*lanes.front()).conditions) {
   const BoundGraph& bound = decision_of(*lanes.front()).bound;
   const double tiny = std::ldexp(1.0, 1 - bound.format.bias());
@@ -142,7 +146,8 @@ void BoundEnvelope::evaluate(const Step& step, const EnvelopeBlock& block,
     case BoundOperation::reciprocal:
       for_each_lane([&](std::size_t k) {
         const double least = smallest(value, k);
-        y[k] = least > 0 ? 1 / binade(least) : infinity;
+        const double reciprocal = 1 / binade(least);
+        y[k] = least > 0 ? reciprocal : infinity;
       });
       break;
     case BoundOperation::add:

@@ -99,8 +99,8 @@ void Envelope::check(const Step& step, const NodeEnvelope& node, EnvelopeRow& wi
     const double tiny = std::ldexp(1.0, lowest_), factor = step.tiny_factor;
     kernels::for_each_lane([&](std::size_t k) {
       const double size = std::fabs(node.value[k]), error = node.error[k];
-      const bool tame = size >= (tiny + factor * error) * kernels::outward || size + error == 0;
-      wild[k] = tame ? wild[k] : 1;
+      const bool tame = size >= (tiny + factor * error) * kernels::outward;
+      wild[k] = tame | (size + error == 0) ? wild[k] : 1;
     });
   }
 }

@@ -6,7 +6,8 @@
 #include "model/profile/envelope.hpp"
 
 /// One operation of an envelope on a block. With x in value and E in error, Q bounds the error that
-/// the operands bring in, as in theorem 1 of docs/profile.md; plain loops, for the vectoriser.
+/// the operands bring in, as in theorem 1 of docs/profile.md. Plain loops for the vectoriser: it
+/// wants | and & for conditions, which || and && would branch on.
 namespace mixcmp::model::envelope_kernels {
 
 /// Covers the roundings of an error's own computation in double: a few steps of 2^-53.
@@ -41,7 +42,7 @@ inline void product(NodeEnvelope& y, const NodeEnvelope& a, const NodeEnvelope& 
     const double ae = a.error[k], be = b.error[k];
     const double value = a.value[k] * b.value[k];
     const double error = after_rounding(value, (av + ae) * be + (bv + be) * ae, unit) + error_floor;
-    const bool zero = av + ae == 0 || bv + be == 0;
+    const bool zero = (av + ae == 0) | (bv + be == 0);
     y.value[k] = value;
     y.error[k] = zero ? 0 * error : error;
   });
@@ -62,12 +63,12 @@ inline void quotient(NodeEnvelope& y, const NodeEnvelope& a, const NodeEnvelope&
   for_each_lane([&](std::size_t k) {
     const double least = (std::fabs(b.value[k]) - 1.5 * b.error[k]) * (1 - 0x1p-50);
     const double largest = std::fabs(a.value[k]) + a.error[k];
-    const double ratio = largest / least;
-    const double q = (a.error[k] + ratio * b.error[k]) / least;
+    const double q = (a.error[k] + largest / least * b.error[k]) / least;
     const double value = a.value[k] / b.value[k];
     const double error = after_rounding(value, q, unit) + error_floor;
+    const double inside = largest == 0 ? 0 : error;
     y.value[k] = value;
-    y.error[k] = !(least > 0) ? infinity : largest == 0 ? 0 : error;
+    y.error[k] = least > 0 ? inside : infinity;
   });
 }
 
@@ -77,9 +78,9 @@ inline void root(NodeEnvelope& y, const NodeEnvelope& a, double unit) {
     const double value = std::sqrt(x);
     const double least = std::sqrt((x - 0.5 * error_in) * (1 - 0x1p-50));
     const double error = after_rounding(value, error_in / least, unit) + error_floor;
-    const bool inside = x - 1.5 * error_in > 0;
+    const double outside = (x == 0) & (error_in == 0) ? 0 : infinity;
     y.value[k] = value;
-    y.error[k] = inside ? error : x == 0 && error_in == 0 ? 0 : infinity;
+    y.error[k] = x - 1.5 * error_in > 0 ? error : outside;
   });
 }
 

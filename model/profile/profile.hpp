@@ -29,6 +29,9 @@ struct ProfileOptions {
   std::function<void(const std::string&, double)> progress = {};
 };
 
+/// 52, or the reference's where that is less.
+int highest_profiled_precision(const Scene& scene);
+
 /// Errors name the scene's field: a reference that double does not hold, precisions that no lane
 /// can have.
 Result<Done> check_profile(const Scene& scene, const ProfileOptions& options);

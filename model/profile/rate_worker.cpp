@@ -32,7 +32,7 @@ RateWorker::RateWorker(const RateJob& job)
       last_(job.systems.size() * capacity),
       doubtful_(capacity),
       order_(capacity),
-      chosen_(job.source.data().input_count(), capacity),
+      picked_(job.source.data().input_count(), capacity),
       decisions_(capacity) {}
 
 void RateWorker::run(const BlockSource& next) {
@@ -83,8 +83,8 @@ void RateWorker::find_true_verdicts(std::uint64_t first, Candidates& candidates)
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     if (doubtful_[k] != 0) indices.push_back(first + k);
   }
-  job_.source.fetch(indices, chosen_.operands());
-  job_.reference.decide(chosen_.operands().columns(), indices.size(), decisions_);
+  job_.source.fetch(indices, picked_.operands());
+  job_.reference.decide(picked_.operands().columns(), indices.size(), decisions_);
   std::vector<Bits> operands(job_.source.data().input_count());
   for (std::size_t n = 0; n < indices.size(); ++n) {
     const std::size_t k = indices[n] - first;
@@ -123,59 +123,75 @@ void RateWorker::settle_finished(const Stage& stage, const Candidates& candidate
   }
 }
 
+/// Counting a comparison that is not open changes nothing: it is decided, and rightly. So where
+/// most are open all are run, and only where few are it pays to pick them.
 void RateWorker::run_system(const Stage& stage, std::size_t system, const Candidates& candidates) {
-  choose(stage, system, candidates);
-  const std::vector<const double*> columns = chosen_.operands().columns();
+  count_open(stage, system, candidates.size());
+  bool picked = false;
   for (int precision = stage.anchor(); precision < stage.next(); ++precision) {
-    const std::size_t count = open_at_[precision - stage.anchor()];
+    const std::size_t open = open_at_[precision - stage.anchor()];
+    if (open == 0) break;
     const Stage::Runner& runner = stage.runner(system, precision);
-    if (count == 0) break;
     if (!runner.emulator) continue;
-    if (runner.kind == SystemKind::lanes_alone) {
-      runner.emulator->compare(columns, count, decisions_);
-    } else {
-      runner.emulator->decide(columns, count, decisions_);
-    }
-    tally_.emulated += count;
-    const std::size_t index = precision - job_.stages.front().anchor();
-    count_decisions(tally_.counts[system][index], count);
+    const bool most = open > candidates.size() / 2;
+    if (!most && !picked) pick(stage, system, candidates);
+    picked = picked || !most;
+    run_lane(runner, system, precision, most ? candidates : picked_,
+             most ? candidates.size() : open);
   }
+}
+
+void RateWorker::count_open(const Stage& stage, std::size_t system, std::size_t count) {
+  const LastOpen* const last = last_.data() + system * capacity;
+  const int before = stage.anchor() - 1, steps = stage.next() - before;
+  std::vector<std::size_t>& with = open_at_;
+  with.assign(steps + 2, 0);
+  for (std::size_t k = 0; k < count; ++k) ++with[last[k] - before];
+  with.erase(with.begin());
+  for (int step = steps; step-- > 0;) with[step] += with[step + 1];
 }
 
 /// Those that are open at some precision of the stage, longest open first: what is open at L is
 /// then a beginning of the list.
-void RateWorker::choose(const Stage& stage, std::size_t system, const Candidates& candidates) {
+void RateWorker::pick(const Stage& stage, std::size_t system, const Candidates& candidates) {
   const LastOpen* const last = last_.data() + system * capacity;
-  const int anchor = stage.anchor(), steps = stage.next() - anchor + 1;
-  open_at_.assign(steps + 1, 0);
-  for (std::size_t k = 0; k < candidates.size(); ++k) {
-    if (last[k] >= anchor) ++open_at_[last[k] - anchor];
-  }
-  for (int step = steps; step-- > 0;) open_at_[step] += open_at_[step + 1];
+  const int anchor = stage.anchor();
   std::vector<std::size_t> place(open_at_.begin() + 1, open_at_.end());
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     if (last[k] >= anchor) order_[place[last[k] - anchor]++] = static_cast<std::uint32_t>(k);
   }
   const std::size_t count = open_at_[0];
-  chosen_.operands().resize(count);
+  picked_.operands().resize(count);
   for (std::size_t input = 0; input < job_.source.data().input_count(); ++input) {
     const double* const from = candidates.operands().column(input);
-    double* const to = chosen_.operands().column(input);
+    double* const to = picked_.operands().column(input);
     for (std::size_t n = 0; n < count; ++n) to[n] = from[order_[n]];
   }
   for (std::size_t n = 0; n < count; ++n) {
-    chosen_.truth[n] = candidates.truth[order_[n]];
-    chosen_.reference[n] = candidates.reference[order_[n]];
+    picked_.truth[n] = candidates.truth[order_[n]];
+    picked_.reference[n] = candidates.reference[order_[n]];
   }
 }
 
-void RateWorker::count_decisions(SystemCounts& counts, std::size_t count) const {
-  for (std::size_t n = 0; n < count; ++n) {
-    const bool undecided = decisions_[n] == Decision::undecided;
-    const Decision verdict = undecided ? chosen_.reference[n] : decisions_[n];
-    counts.undecided += undecided ? 1 : 0;
-    counts.wrong += verdict != chosen_.truth[n] ? 1 : 0;
+void RateWorker::run_lane(const Stage::Runner& runner, std::size_t system, int precision,
+                          const Candidates& candidates, std::size_t count) {
+  const std::vector<const double*> columns = candidates.operands().columns();
+  if (runner.kind == SystemKind::lanes_alone) {
+    runner.emulator->compare(columns, count, decisions_);
+  } else {
+    runner.emulator->decide(columns, count, decisions_);
   }
+  tally_.emulated += count;
+  std::uint64_t undecided = 0, wrong = 0;
+  for (std::size_t n = 0; n < count; ++n) {
+    const bool open = decisions_[n] == Decision::undecided;
+    const Decision verdict = open ? candidates.reference[n] : decisions_[n];
+    undecided += open ? 1 : 0;
+    wrong += verdict != candidates.truth[n] ? 1 : 0;
+  }
+  SystemCounts& counts = tally_.counts[system][precision - job_.stages.front().anchor()];
+  counts.undecided += undecided;
+  counts.wrong += wrong;
 }
 
 void RateWorker::pass_on(const Stage& stage, const Candidates& from, Candidates& to) {

@@ -51,8 +51,10 @@ private:
   void find_true_verdicts(std::uint64_t first, Candidates& candidates);
   void settle_finished(const Stage& stage, const Candidates& candidates);
   void run_system(const Stage& stage, std::size_t system, const Candidates& candidates);
-  void choose(const Stage& stage, std::size_t system, const Candidates& candidates);
-  void count_decisions(SystemCounts& counts, std::size_t count) const;
+  void count_open(const Stage& stage, std::size_t system, std::size_t count);
+  void pick(const Stage& stage, std::size_t system, const Candidates& candidates);
+  void run_lane(const Stage::Runner& runner, std::size_t system, int precision,
+                const Candidates& candidates, std::size_t count);
   void pass_on(const Stage& stage, const Candidates& from, Candidates& to);
 
   const RateJob& job_;
@@ -63,7 +65,7 @@ private:
   std::vector<std::uint8_t> doubtful_;
   std::vector<std::uint32_t> order_;  ///< rows of the candidates, longest open first
   std::vector<std::size_t> open_at_;  ///< [L - anchor]: how many are open at L
-  Candidates chosen_;                 ///< the candidates of one system, in that order
+  Candidates picked_;                 ///< the candidates of one system, in that order
   std::vector<Decision> decisions_;
 };
 

@@ -10,7 +10,7 @@ namespace mixcmp::model {
 namespace {
 
 /// Where envelopes are computed anew: the errors of a few digits are coarse.
-constexpr std::array<int, 8> usual_anchors = {5, 7, 10, 14, 20, 28, 36, 44};
+constexpr std::array<int, 8> usual_anchors = {7, 11, 16, 22, 29, 36, 42, 48};
 
 std::vector<int> anchors_of(const ErrorProfile& errors) {
   const int first = errors.precisions.front().precision, last = errors.precisions.back().precision;

@@ -13,11 +13,6 @@ namespace {
 using envelope_kernels::for_each_lane;
 using envelope_kernels::outward;
 
-/// floor(log2 x) of a positive normal double, also of infinity (1024).
-std::int64_t exponent_of(double x) {
-  return static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(x) >> 52) - 1023;
-}
-
 /// Below |f - g|, from its double evaluation.
 struct Gap {
   const NodeEnvelope &f, &g, &difference;
@@ -68,19 +63,21 @@ Stage::Stage(const Envelope::Options& options, int next, int first, const TypedG
 void Stage::last_open(const EnvelopeBlock& block, std::size_t stride, LastOpen* last) const {
   alignas(64) EnvelopeRow scaled, fixed, wild;
   const Gap gap = gap_of(envelope_, block);
-  const int before = anchor() - 1;
+  // Steps from anchor - 1: none below a ratio of 1, all of them from `enough` on.
+  const double enough = std::ldexp(1.0, next_ - anchor());
+  const auto bias = static_cast<std::uint64_t>(1022 - (anchor() - 1));
   for (std::size_t system = 0; system < thresholds_.size(); ++system) {
     wild = block.wild;
     thresholds_[system].evaluate(block, scaled, fixed, wild);
     LastOpen* const open = last + system * stride;
     for_each_lane([&](std::size_t k) {
       // Open at L only if (|f - g| - fixed) 2^(L-A) <= errors + scaled.
-      const double ratio = (gap.error(k) + scaled[k]) / (gap.least(k) - fixed[k]) * outward;
-      const std::int64_t steps = exponent_of(ratio);
-      const std::int64_t until =
-          steps < 0 ? before : std::min<std::int64_t>(before + 1 + steps, next_);
-      const bool known = wild[k] == 0 && ratio >= 0 && gap.least(k) > fixed[k];
-      open[k] = static_cast<LastOpen>(known ? until : next_);
+      const double apart = gap.least(k) - fixed[k];
+      const double ratio = (gap.error(k) + scaled[k]) / apart * outward;
+      const bool known = (wild[k] == 0) & (apart > 0) & (ratio < enough);
+      const double within = known ? ratio : enough;
+      const double clamped = within < 0.5 ? 0.5 : within;
+      open[k] = static_cast<LastOpen>((std::bit_cast<std::uint64_t>(clamped) >> 52) - bias);
     });
   }
 }
@@ -90,7 +87,7 @@ void find_doubtful(const Envelope& envelope, int reference_precision, const Enve
   const Gap gap = gap_of(envelope, block);
   const double in_reference = std::ldexp(outward, envelope.anchor() - reference_precision);
   for_each_lane([&](std::size_t k) {
-    const bool clear = block.wild[k] == 0 && gap.least(k) > gap.error(k) * in_reference;
+    const bool clear = (block.wild[k] == 0) & (gap.least(k) > gap.error(k) * in_reference);
     doubtful[k] = clear ? 0 : 1;
   });
 }

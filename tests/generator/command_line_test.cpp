@@ -61,7 +61,7 @@ protected:
 
 TEST_F(CommandLine, NamesAWordThatIsNoVerb) {
   expect_refused("chek scene.toml", "chek");
-  expect_refused("", "check, generate, verify, doctor");
+  expect_refused("", "check, generate, verify, profile, doctor");
 }
 
 TEST_F(CommandLine, CheckTellsWhatGenerateWillDo) {

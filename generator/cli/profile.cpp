@@ -1,0 +1,155 @@
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "generator/cli/exit.hpp"
+#include "generator/cli/options.hpp"
+#include "generator/cli/verbs.hpp"
+#include "model/profile/report.hpp"
+
+namespace mixcmp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ProfileCommand {
+  SceneOptions scene;
+  model::ProfileOptions run;
+  std::optional<int> last;
+  fs::path output;
+  bool both_inputs = false;
+  bool brute_force = false;
+};
+
+void add_options(CLI::App& verb, ProfileCommand& command) {
+  add_scene_options(verb, command.scene);
+  verb.add_option("--first", command.run.first_precision, "the lowest L, 4 or more (default: 4)");
+  verb.add_option("--last", command.last,
+                  "the highest L (default: 52, or the reference's digits if fewer)");
+  verb.add_option("--samples", command.run.error_samples,
+                  "comparisons that relative errors are measured on (default: 1000000)")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
+  verb.add_option("--threads", command.run.threads,
+                  "threads; results do not depend on them (default: one a processor)")
+      ->check(CLI::Range(1u, 1024u));
+  verb.add_flag("--both-inputs", command.both_inputs,
+                "rates for rounded and for exact inputs, whatever the scene says");
+  verb.add_flag("--brute-force", command.brute_force,
+                "every comparison through every lane and MPFR: slow, the same counts");
+  verb.add_option("-o,--output", command.output,
+                  "directory for figure4 and figure5 as .csv and .svg");
+}
+
+/// A line that is overwritten, on a terminal only.
+void show_progress(const std::string& what, double share) {
+  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K{}: {:.0f} %", what, share * 100);
+}
+
+void clear_progress() {
+  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K");
+}
+
+model::ProfileReport measure(const LoadedScene& loaded, const ProfileCommand& command,
+                             const model::ProfileOptions& options) {
+  using model::LaneInputs;
+  const model::Scene& scene = loaded.scene;
+  std::vector<LaneInputs> inputs = {scene.reduced.inputs};
+  inputs.push_back(inputs[0] == LaneInputs::exact ? LaneInputs::rounded : LaneInputs::exact);
+  model::ProfileReport report{.scene = scene.name,
+                              .reference = scene.reference.format,
+                              .comparisons = loaded.data->size(),
+                              .errors = profile_errors(scene, *loaded.data, inputs, options),
+                              .rates = {}};
+  for (const model::ErrorProfile& errors : report.errors) {
+    if (errors.inputs != scene.reduced.inputs && !command.both_inputs) continue;
+    report.rates.push_back(profile_rates(scene, *loaded.data, errors, options));
+  }
+  clear_progress();
+  return report;
+}
+
+model::Error cannot_write(const fs::path& path) {
+  return {.file = path.string(),
+          .message = fmt::format("cannot be written: {}", std::strerror(errno))};
+}
+
+/// Complete or not at all.
+model::Result<model::Done> write_file(const fs::path& path, const std::string& text) {
+  const fs::path unfinished = path.string() + ".part";
+  std::ofstream stream(unfinished, std::ios::binary);
+  stream << text;
+  stream.close();
+  std::error_code failed;
+  if (stream) fs::rename(unfinished, path, failed);
+  if (stream && !failed) return model::Done{};
+  const model::Error error = cannot_write(path);
+  fs::remove(unfinished, failed);
+  return error;
+}
+
+/// False where gnuplot cannot run.
+bool draw(const fs::path& directory, const std::string& name, const std::string& script) {
+  const fs::path script_path = directory / (name + ".gnuplot");
+  value_or_exit(write_file(script_path, script));
+  const std::string command =
+      fmt::format("cd {} && gnuplot {}.gnuplot >/dev/null 2>&1", quoted(directory.string()), name);
+  const bool drawn = std::system(command.c_str()) == 0;
+  fs::remove(script_path);
+  return drawn;
+}
+
+/// A directory that cannot be written should not cost a profile first.
+model::Result<model::Done> prepare(const fs::path& directory) {
+  if (directory.empty()) return model::Done{};
+  std::error_code failed;
+  fs::create_directories(directory, failed);
+  if (!failed && access(directory.c_str(), W_OK | X_OK) == 0) return model::Done{};
+  if (failed) errno = failed.value();
+  return cannot_write(directory);
+}
+
+void write_figures(const model::ProfileReport& report, const fs::path& directory) {
+  value_or_exit(write_file(directory / "figure4.csv", figure4_csv(report)));
+  value_or_exit(write_file(directory / "figure5.csv", figure5_csv(report)));
+  const bool drawn = draw(directory, "figure4", figure4_script(report, "figure4.svg")) &&
+                     draw(directory, "figure5", figure5_script(report, "figure5.svg"));
+  if (!drawn) {
+    fmt::print(stderr, "mixcmp: no pictures: gnuplot does not run (apt-get install gnuplot-nox)\n");
+  }
+}
+
+void run(const ProfileCommand& command) {
+  const LoadedScene loaded = value_or_exit(load(command.scene));
+  if (!loaded.data) {
+    value_or_exit<model::Done>(model::Error{.file = command.scene.scene.string(),
+                                            .field = "data",
+                                            .message = "a profile needs data to measure",
+                                            .received = "a scene without [data]",
+                                            .accepted = "[data] with items or file"});
+  }
+  model::ProfileOptions options = command.run;
+  options.last_precision = command.last.value_or(highest_profiled_precision(loaded.scene));
+  if (command.brute_force) options.method = model::ProfileMethod::brute_force;
+  options.progress = show_progress;
+  value_or_exit(check_profile(loaded.scene, options));
+  value_or_exit(prepare(command.output));
+  const model::ProfileReport report = measure(loaded, command, options);
+  if (!command.output.empty()) write_figures(report, command.output);
+  fmt::print("{}", command.scene.json ? to_json(report).dump(2) + "\n" : to_text(report));
+}
+
+}  // namespace
+
+void add_profile(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand(
+      "profile", "measure errors, recomputation rates and wrong verdicts at every precision");
+  auto command = std::make_shared<ProfileCommand>();
+  add_options(*verb, *command);
+  verb->callback([command] { run(*command); });
+}
+
+}  // namespace mixcmp::cli

@@ -1,0 +1,47 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/profile/operands.hpp"
+#include "model/profile/profile.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+Error unsuitable(const Scene& scene, const std::string& field, FloatFormat format) {
+  return {.file = scene.path.string(),
+          .field = field,
+          .message = "a profile computes in double, which does not hold this format",
+          .received = format.name(),
+          .accepted = "up to 53 digits and 11 exponent bits"};
+}
+
+}  // namespace
+
+int highest_profiled_precision(const Scene& scene) {
+  return std::min(52, scene.reference.format.precision());
+}
+
+Result<Done> check_profile(const Scene& scene, const ProfileOptions& options) {
+  if (!double_holds(scene.reference.format)) {
+    return unsuitable(scene, "reference.format", scene.reference.format);
+  }
+  if (scene.reduced.format && !double_holds(*scene.reduced.format)) {
+    return unsuitable(scene, "reduced.format", *scene.reduced.format);
+  }
+  const int highest = highest_profiled_precision(scene);
+  if (options.first_precision < 4 || options.last_precision > highest ||
+      options.first_precision > options.last_precision) {
+    return Error{
+        .file = scene.path.string(),
+        .field = "--first, --last",
+        .message = "no such precisions can be profiled",
+        .received = fmt::format("L = {}..{}", options.first_precision, options.last_precision),
+        .accepted = fmt::format("4..{}, at most the reference's, the first not after "
+                                "the last",
+                                highest)};
+  }
+  return Done{};
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,207 @@
+#include "model/profile/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+namespace mixcmp::model {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class Page {
+public:
+  template <class... Arguments>
+  void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
+  }
+  std::string take() { return std::move(text_); }
+
+private:
+  std::string text_;
+};
+
+double rate_of(const SystemCounts& counts, const RateProfile& profile) {
+  return static_cast<double>(counts.undecided) / static_cast<double>(profile.comparisons);
+}
+
+std::string shown(const std::optional<double>& bound) {
+  return bound ? fmt::format("{:.3e}", *bound) : "none";
+}
+
+void add_errors(Page& page, const ErrorProfile& profile) {
+  page.add(
+      "\nrelative error of f and g, {} inputs: the largest of {} comparisons, and what is proven\n",
+      to_string(profile.inputs), profile.comparisons);
+  page.add("{:>4}  {:>10}  {:>10}  {:>10}  {:>10}\n", "L", "f", "f bound", "g", "g bound");
+  for (const ErrorAtPrecision& error : profile.precisions) {
+    page.add("{:>4}  {:>10.3e}  {:>10}  {:>10.3e}  {:>10}\n", error.precision, error.f.get_d(),
+             shown(error.f_bound), error.g.get_d(), shown(error.g_bound));
+  }
+  if (!profile.no_f_bound.empty()) page.add("no bound for f: {}\n", profile.no_f_bound);
+  if (!profile.no_g_bound.empty()) page.add("no bound for g: {}\n", profile.no_g_bound);
+}
+
+std::string cell(const SystemProfile& system, std::size_t k, const RateProfile& profile) {
+  const SystemCounts& counts = system.counts[k];
+  if (!counts.exists) return fmt::format("  {:>20}", "-");
+  if (system.kind == SystemKind::lanes_alone) return fmt::format("  {:>12}", counts.wrong);
+  return fmt::format("  {:>9.2e} {:>10}", rate_of(counts, profile), counts.wrong);
+}
+
+bool exists(const SystemProfile& system) {
+  for (const SystemCounts& counts : system.counts) {
+    if (counts.exists) return true;
+  }
+  return false;
+}
+
+/// Up to the last precision at which some system recomputes or errs, or does not exist.
+std::size_t interesting_rows(const RateProfile& profile) {
+  std::size_t rows = 0;
+  for (const SystemProfile& system : profile.systems) {
+    if (!exists(system)) continue;
+    for (std::size_t k = 0; k < system.counts.size(); ++k) {
+      const SystemCounts& counts = system.counts[k];
+      if (!counts.exists || counts.undecided + counts.wrong > 0) rows = std::max(rows, k + 1);
+    }
+  }
+  return rows;
+}
+
+void add_rates(Page& page, const RateProfile& profile) {
+  page.add("\nrecomputation rate and wrong verdicts, {} inputs, {} comparisons\n",
+           to_string(profile.inputs), profile.comparisons);
+  page.add("the reference alone: {} wrong\n{:>4}", profile.reference_wrong, "L");
+  std::string units = "    ";
+  for (const SystemProfile& system : profile.systems) {
+    if (!exists(system)) continue;
+    const bool alone = system.kind == SystemKind::lanes_alone;
+    page.add("  {:>{}}", system.name, alone ? 12 : 20);
+    units +=
+        alone ? fmt::format("  {:>12}", "wrong") : fmt::format("  {:>9} {:>10}", "rate", "wrong");
+  }
+  page.add("\n{}\n", units);
+  const std::size_t rows = profile.systems.front().counts.size(), told = interesting_rows(profile);
+  for (std::size_t k = 0; k < told; ++k) {
+    page.add("{:>4}", profile.first_precision + static_cast<int>(k));
+    for (const SystemProfile& system : profile.systems) {
+      if (exists(system)) page.add("{}", cell(system, k, profile));
+    }
+    page.add("\n");
+  }
+  if (told < rows) {
+    page.add("from L = {} on all of them decide everything, and rightly\n",
+             profile.first_precision + static_cast<int>(told));
+  }
+  for (const SystemProfile& system : profile.systems) {
+    if (!system.reason.empty()) page.add("{}: {}\n", system.name, system.reason);
+  }
+}
+
+Json to_json(const ErrorProfile& profile) {
+  Json rows = Json::array();
+  const auto bound = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+  };
+  for (const ErrorAtPrecision& error : profile.precisions) {
+    rows.push_back({{"precision", error.precision},
+                    {"f_error", error.f.get_d()},
+                    {"g_error", error.g.get_d()},
+                    {"f_bound", bound(error.f_bound)},
+                    {"g_bound", bound(error.g_bound)}});
+  }
+  return {{"inputs", to_string(profile.inputs)},
+          {"comparisons", profile.comparisons},
+          {"no_f_bound", profile.no_f_bound},
+          {"no_g_bound", profile.no_g_bound},
+          {"precisions", std::move(rows)}};
+}
+
+Json to_json(const SystemProfile& system, const RateProfile& profile) {
+  Json rows = Json::array();
+  for (std::size_t k = 0; k < system.counts.size(); ++k) {
+    const SystemCounts& counts = system.counts[k];
+    if (!counts.exists) continue;
+    rows.push_back({{"precision", profile.first_precision + static_cast<int>(k)},
+                    {"undecided", counts.undecided},
+                    {"rate", rate_of(counts, profile)},
+                    {"wrong", counts.wrong}});
+  }
+  return {{"system", system.name},
+          {"certified", system.kind == SystemKind::certified},
+          {"reason", system.reason},
+          {"precisions", std::move(rows)}};
+}
+
+Json to_json(const RateProfile& profile) {
+  Json systems = Json::array();
+  for (const SystemProfile& system : profile.systems) systems.push_back(to_json(system, profile));
+  return {{"inputs", to_string(profile.inputs)},
+          {"comparisons", profile.comparisons},
+          {"reference_wrong", profile.reference_wrong},
+          {"true_verdicts_by_mpfr", profile.true_verdicts},
+          {"lane_evaluations", profile.emulated},
+          {"systems", std::move(systems)}};
+}
+
+}  // namespace
+
+std::string to_text(const ProfileReport& report) {
+  Page page;
+  page.add("{}: {} comparisons, reference {}\n", report.scene, report.comparisons,
+           report.reference.name());
+  for (const ErrorProfile& errors : report.errors) add_errors(page, errors);
+  for (const RateProfile& rates : report.rates) add_rates(page, rates);
+  return page.take();
+}
+
+Json to_json(const ProfileReport& report) {
+  Json errors = Json::array(), rates = Json::array();
+  for (const ErrorProfile& profile : report.errors) errors.push_back(to_json(profile));
+  for (const RateProfile& profile : report.rates) rates.push_back(to_json(profile));
+  return {{"scene", report.scene},
+          {"reference", report.reference.name()},
+          {"comparisons", report.comparisons},
+          {"relative_errors", std::move(errors)},
+          {"recomputation_rates", std::move(rates)}};
+}
+
+std::string figure4_csv(const ProfileReport& report) {
+  Page page;
+  page.add("inputs,precision,f_error,g_error,f_bound,g_bound\n");
+  const auto bound = [](const std::optional<double>& value) {
+    return value ? fmt::format("{}", *value) : "";
+  };
+  for (const ErrorProfile& profile : report.errors) {
+    for (const ErrorAtPrecision& error : profile.precisions) {
+      page.add("{},{},{},{},{},{}\n", to_string(profile.inputs), error.precision, error.f.get_d(),
+               error.g.get_d(), bound(error.f_bound), bound(error.g_bound));
+    }
+  }
+  return page.take();
+}
+
+std::string figure5_csv(const ProfileReport& report) {
+  Page page;
+  page.add("inputs,precision,system,comparisons,undecided,rate,wrong\n");
+  for (const RateProfile& profile : report.rates) {
+    const auto inputs = to_string(profile.inputs);
+    page.add("{},{},reference,{},0,0,{}\n", inputs, report.reference.precision(),
+             profile.comparisons, profile.reference_wrong);
+    for (const SystemProfile& system : profile.systems) {
+      for (std::size_t k = 0; k < system.counts.size(); ++k) {
+        const SystemCounts& counts = system.counts[k];
+        if (!counts.exists) continue;
+        page.add("{},{},{},{},{},{},{}\n", inputs, profile.first_precision + static_cast<int>(k),
+                 system.name, profile.comparisons, counts.undecided, rate_of(counts, profile),
+                 counts.wrong);
+      }
+    }
+  }
+  return page.take();
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "model/profile/profile.hpp"
+
+namespace mixcmp::model {
+
+/// All that one run of a profile found.
+struct ProfileReport {
+  std::string scene;
+  FloatFormat reference;
+  std::uint64_t comparisons = 0;
+  std::vector<ErrorProfile> errors;
+  std::vector<RateProfile> rates;
+};
+
+std::string to_text(const ProfileReport& report);
+nlohmann::ordered_json to_json(const ProfileReport& report);
+
+/// inputs,precision,f_error,g_error,f_bound,g_bound; a bound that does not exist is empty.
+std::string figure4_csv(const ProfileReport& report);
+/// inputs,precision,system,comparisons,undecided,rate,wrong; the reference alone has precision of
+/// its own and nothing undecided. Systems that do not exist have no rows.
+std::string figure5_csv(const ProfileReport& report);
+
+/// Gnuplot scripts that write SVG to `path`.
+std::string figure4_script(const ProfileReport& report, const std::string& path);
+std::string figure5_script(const ProfileReport& report, const std::string& path);
+
+}  // namespace mixcmp::model

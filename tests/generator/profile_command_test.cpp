@@ -1,0 +1,141 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <stdio.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "tests/support/scratch_directory.hpp"
+
+/// `mixcmp profile` as a user calls it.
+namespace mixcmp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int exit_code;
+  std::string output;  ///< stdout and stderr
+};
+
+class ProfileCommand : public testing::Test {
+protected:
+  ProfileCommand() {
+    write_scene("scene.toml", "binary64",
+                "[data]\nitems = \"uniform_spheres\"\n"
+                "count = 200\nradius_max = 40\nseed = 1\npairs = \"all\"\n");
+  }
+
+  void write_scene(const std::string& name, const std::string& reference, const std::string& data) {
+    std::ofstream(directory_.path() / name)
+        << "[comparison]\nname = \"spheres\"\n"
+        << "f = \"(cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2\"\ng = \"(ri + rj)^2\"\n"
+        << "[inputs]\n\"c*\" = { range = [0, 100] }\n\"r*\" = { range = [0, 100] }\n"
+        << "[reference]\nformat = \"" << reference << "\"\n[reduced]\nformat = \"s8e8\"\n"
+        << "[system]\nlanes = 1\nreferences = 1\n"
+        << data;
+  }
+
+  /// In the scratch directory; `environment` stands before the program.
+  Outcome profile(const std::string& arguments, const std::string& environment = "") {
+    const std::string command =
+        fmt::format("cd '{}' && {} '{}' profile {} 2>&1", directory_.path().string(), environment,
+                    MIXCMP_PROGRAM, arguments);
+    FILE* pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr) throw std::runtime_error("no shell");
+    Outcome run{0, ""};
+    std::array<char, 4096> block;
+    for (std::size_t read = 0; (read = fread(block.data(), 1, block.size(), pipe)) > 0;) {
+      run.output.append(block.data(), read);
+    }
+    run.exit_code = WEXITSTATUS(pclose(pipe));
+    return run;
+  }
+
+  void expect_refused(const std::string& arguments, const std::string& words) {
+    const Outcome run = profile(arguments);
+    EXPECT_EQ(run.exit_code, 1) << arguments << "\n" << run.output;
+    EXPECT_NE(run.output.find(words), std::string::npos) << arguments << "\n" << run.output;
+  }
+
+  std::string read(const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(directory_.path() / name).rdbuf();
+    return text.str();
+  }
+
+  ScratchDirectory directory_;
+};
+
+TEST_F(ProfileCommand, CountsEverySystemAtEveryPrecision) {
+  const Outcome run = profile("scene.toml --last 20 --json");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto report = nlohmann::json::parse(run.output);
+  EXPECT_EQ(report.at("comparisons"), 19900);
+  EXPECT_EQ(report.at("relative_errors").size(), 2u);
+  const auto& rates = report.at("recomputation_rates");
+  ASSERT_EQ(rates.size(), 1u);
+  for (const auto& system : rates[0].at("systems")) {
+    ASSERT_EQ(system.at("precisions").size(), 17u) << system.at("system");
+    const std::uint64_t first = system.at("precisions")[0].at("undecided");
+    const std::uint64_t last = system.at("precisions")[16].at("undecided");
+    if (system.at("system") == "lanes_alone") {
+      EXPECT_GT(system.at("precisions")[0].at("wrong"), 0);
+    } else {
+      EXPECT_GT(first, last) << system.at("system");
+    }
+    if (!system.at("certified")) continue;
+    for (const auto& row : system.at("precisions")) EXPECT_EQ(row.at("wrong"), 0);
+  }
+}
+
+TEST_F(ProfileCommand, BruteForceFindsTheSame) {
+  const std::string arguments = "scene.toml --set data.count=60 --both-inputs";
+  EXPECT_EQ(profile(arguments).output, profile(arguments + " --brute-force --threads 1").output);
+}
+
+TEST_F(ProfileCommand, WritesFigures) {
+  const Outcome run = profile("scene.toml --last 12 -o out");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const std::string figure4 = read("out/figure4.csv"), figure5 = read("out/figure5.csv");
+  EXPECT_EQ(std::count(figure4.begin(), figure4.end(), '\n'), 1 + 2 * 9);
+  // The reference, and six systems.
+  EXPECT_EQ(std::count(figure5.begin(), figure5.end(), '\n'), 1 + 1 + 6 * 9);
+  EXPECT_NE(figure4.find("\nrounded,12,"), std::string::npos);
+  EXPECT_NE(figure5.find("\nexact,12,relative,19900,"), std::string::npos);
+  EXPECT_FALSE(fs::exists(directory_.path() / "out" / "figure4.gnuplot"));
+}
+
+TEST_F(ProfileCommand, WithoutGnuplotOnlyThePicturesAreMissing) {
+  const Outcome run = profile("scene.toml --last 6 -o out", "PATH=/nowhere");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("no pictures: gnuplot does not run"), std::string::npos) << run.output;
+  EXPECT_TRUE(fs::exists(directory_.path() / "out" / "figure5.csv"));
+  EXPECT_FALSE(fs::exists(directory_.path() / "out" / "figure5.svg"));
+}
+
+TEST_F(ProfileCommand, RefusesWhatCannotBeProfiled) {
+  expect_refused("scene.toml --first 3", "L = 3..52; accepted 4..52");
+  expect_refused("scene.toml --first 9 --last 8", "L = 9..8");
+  expect_refused("scene.toml --last 53", "L = 4..53");
+  expect_refused("scene.toml --samples 0", "--samples");
+  expect_refused("scene.toml --threads 0", "--threads");
+  write_scene("wide.toml", "binary128", "[data]\nitems = \"uniform_spheres\"\npairs = \"all\"\n");
+  expect_refused("wide.toml", "wide.toml: reference.format");
+  write_scene("empty.toml", "binary64", "");
+  expect_refused("empty.toml", "empty.toml: data: a profile needs data");
+  write_scene("narrow.toml", "binary32", "[data]\nitems = \"uniform_spheres\"\npairs = \"all\"\n");
+  expect_refused("narrow.toml --last 25", "accepted 4..24");
+}
+
+TEST_F(ProfileCommand, WritesNothingWhereItCannot) {
+  std::ofstream(directory_.path() / "file") << "";
+  expect_refused("scene.toml -o file/out", "file/out: cannot be written");
+}
+
+}  // namespace
+}  // namespace mixcmp::test
