@@ -256,6 +256,12 @@ TEST_F(RelativeProof, ASignThatTheLaneDoesNotCheckIsRefused) {
     Lane unchecked = lane;
     unchecked.checks.clear();
     EXPECT_TRUE(prove(unchecked, claims, effort).refused());
+    std::vector<NodeClaim> tacit = claims;  // used, but not claimed of the inputs
+    for (std::size_t id = 0; id < tacit.size(); ++id) {
+      const bool input = lane.graph.nodes[id].operation == model::Operation::input;
+      if (input) tacit[id].nonnegative = false;
+    }
+    EXPECT_TRUE(prove(unchecked, tacit, effort).refused());
   }
 }
 
