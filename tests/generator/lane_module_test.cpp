@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -62,13 +63,15 @@ Lane lane_of(const model::Graph& graph, ErrorBoundKind kind, model::Subnormals s
 }
 
 TEST(LaneModule, BoundHasAUnitForEveryOperation) {
-  const model::Graph graph = graph_of("a * b", "a + b");
+  const model::Graph graph = graph_of("a / (b - 1.1)", "sqrt(a - 0.7)");
   const Lane lane = lane_of(graph, ErrorBoundKind::running, model::Subnormals::gradual, {});
   const auto& decision = std::get<model::AbsoluteBoundDecision>(lane.decision);
   std::map<std::string, int> expected;
   for (const model::BoundNode& node : decision.bound.nodes) {
     ++expected["bound_" + std::string(to_string(node.operation))];
   }
+  ASSERT_GT(decision.guard_ulp, 0u);
+  ASSERT_EQ(decision.conditions.size(), 2u);
   const std::vector<rtl::Instance> all = instances(graph, lane);
   for (const auto& [module, nodes] : expected) {
     EXPECT_EQ(count(all, module), module == "bound_constant" ? 0 : nodes) << module;
