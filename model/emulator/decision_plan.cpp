@@ -61,7 +61,15 @@ void add_bound_node(Plan& plan, const BoundNode& node, BoundFormat format, int f
                          .largest = std::ldexp(above_one, format.bias())});
 }
 
-bool add(Plan& plan, const Lane&, const AbsoluteBoundDecision& decision) {
+/// `guard` ulps are so many times a power of two of steps; more than there are differences is none.
+void set_guard(Judgement& decision, FloatFormat format, Bits guard, int power) {
+  constexpr Bits never = std::numeric_limits<std::int64_t>::max();
+  const auto zero_exponent = static_cast<std::uint64_t>(double_bias - format.bias());
+  decision.guard = static_cast<std::int64_t>(guard <= never >> power ? guard << power : never);
+  decision.zero = std::bit_cast<double>(zero_exponent << (double_digits - 1));
+}
+
+bool add(Plan& plan, const Lane& lane, const AbsoluteBoundDecision& decision) {
   if (!is_safe(decision.bound.format)) return false;
   const int first_column = plan.columns;
   for (const BoundNode& node : decision.bound.nodes) {
@@ -70,6 +78,8 @@ bool add(Plan& plan, const Lane&, const AbsoluteBoundDecision& decision) {
   plan.decision.rule = Rule::absolute_bound;
   plan.decision.first = decision.difference;
   plan.decision.second = plan.columns - 1;
+  const FloatFormat format = lane.graph.arithmetic.format;
+  set_guard(plan.decision, format, decision.guard_ulp, double_digits - format.precision());
   for (const BoundCondition& condition : decision.conditions) {
     plan.decision.conditions.push_back({first_column + condition.bound, condition.value});
   }
@@ -80,13 +90,9 @@ bool add(Plan& plan, const Lane& lane, const UlpDistanceDecision& decision) {
   const FloatFormat format = lane.graph.arithmetic.format;
   if (format.precision() == double_digits) return false;  // keys need the last bit
   if (decision.guard_ulp == 0) return true;               // the order of exact f and g
-  constexpr Bits never = std::numeric_limits<std::int64_t>::max();
-  const int steps = double_digits - format.precision() - (decision.nonnegative ? 0 : 1);
-  const bool fits = decision.guard_ulp <= never >> steps;
-  const std::uint64_t zero_exponent = static_cast<std::uint64_t>(double_bias - format.bias());
   plan.decision.rule = decision.nonnegative ? Rule::magnitudes : Rule::signed_keys;
-  plan.decision.guard = static_cast<std::int64_t>(fits ? decision.guard_ulp << steps : never);
-  plan.decision.zero = std::bit_cast<double>(zero_exponent << (double_digits - 1));
+  const int halved = decision.nonnegative ? 0 : 1;
+  set_guard(plan.decision, format, decision.guard_ulp, double_digits - format.precision() - halved);
   return true;
 }
 

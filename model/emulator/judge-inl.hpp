@@ -88,14 +88,22 @@ private:
   IntVec below_guard_, above_minus_guard_;
 };
 
-/// The sign of the difference, where it exceeds the bound and every condition holds.
-struct AbsoluteBound {
-  const Judgement& judgement;
+/// The sign of the difference, where its encoding exceeds the bound's by more than the guard and
+/// every condition holds. An infinite bound exceeds every difference.
+class AbsoluteBound {
+public:
+  HWY_INLINE explicit AbsoluteBound(const Judgement& judgement)
+      : judgement_(judgement),
+        zero_(hn::Set(Tag(), judgement.zero)),
+        guard_(hn::Set(Int(), judgement.guard)) {}
+
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
-    const Vec difference = hn::LoadU(Tag(), block.columns[judgement.first] + i);
-    const Vec bound = hn::LoadU(Tag(), block.columns[judgement.second] + i);
-    IntVec holds = as_int(hn::Lt(bound, hn::Abs(difference)));
-    for (const Judgement::Condition& condition : judgement.conditions) {
+    const Vec difference = hn::LoadU(Tag(), block.columns[judgement_.first] + i);
+    const Vec bound = hn::LoadU(Tag(), block.columns[judgement_.second] + i);
+    const IntVec excess =
+        hn::Sub(bits_of(hn::Max(hn::Abs(difference), zero_)), bits_of(hn::Max(bound, zero_)));
+    IntVec holds = hn::VecFromMask(Int(), hn::Gt(excess, guard_));
+    for (const Judgement::Condition& condition : judgement_.conditions) {
       const Vec limit = hn::LoadU(Tag(), block.columns[condition.bound] + i);
       const Vec value = hn::LoadU(Tag(), block.columns[condition.value] + i);
       holds = hn::And(holds, as_int(hn::Le(limit, hn::Abs(value))));
@@ -104,6 +112,11 @@ struct AbsoluteBound {
     return greater_or_less(hn::MaskFromVec(hn::AndNot(negative, holds)),
                            hn::MaskFromVec(hn::And(negative, holds)));
   }
+
+private:
+  const Judgement& judgement_;
+  Vec zero_;
+  IntVec guard_;
 };
 
 struct Interval {
@@ -147,7 +160,7 @@ void judge(const Judgement& judgement, const Block& block, std::uint8_t* codes) 
     case Rule::order: return judge_by(Order{judgement}, judgement, block, codes);
     case Rule::magnitudes: return judge_by(Magnitudes(judgement), judgement, block, codes);
     case Rule::signed_keys: return judge_by(SignedKeys(judgement), judgement, block, codes);
-    case Rule::absolute_bound: return judge_by(AbsoluteBound{judgement}, judgement, block, codes);
+    case Rule::absolute_bound: return judge_by(AbsoluteBound(judgement), judgement, block, codes);
     case Rule::interval: return judge_by(Interval{judgement}, judgement, block, codes);
   }
 }

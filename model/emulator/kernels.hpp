@@ -94,7 +94,7 @@ enum class Rule : std::uint8_t {
   order,           ///< of columns `first` and `second`: always decided
   magnitudes,      ///< by how many encodings `first` and `second`, not negative, differ
   signed_keys,     ///< the same of either sign
-  absolute_bound,  ///< |`first`| > `second`
+  absolute_bound,  ///< by how many encodings |`first`| exceeds `second`
   interval,        ///< `first` > 0 or `second` < 0
 };
 
@@ -102,10 +102,10 @@ struct Judgement {
   Rule rule = Rule::order;
   int first = -1;
   int second = -1;
-  /// The ulps of the lane that decide, at least 1; times 2^(53 - P) for magnitudes, 2^(52 - P) for
-  /// keys.
+  /// Ulps of the lane, times 2^(53 - P), or 2^(52 - P) for keys. So many decide, at least 1; an
+  /// absolute bound is to be exceeded by more.
   std::int64_t guard = 1;
-  /// Of the two: the number whose encoding in the lane would be 0, were it normal.
+  /// Of the three: the number whose encoding in the lane would be 0, were it normal.
   double zero = 0;
   /// absolute_bound: columns with bound <= |value|.
   struct Condition {

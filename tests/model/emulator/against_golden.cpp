@@ -102,8 +102,9 @@ std::uint64_t judge(const Emulator& emulator, const TypedGraph& graph, const Ope
     for (std::size_t k = 0; k < expected.size(); ++k) {
       if (got[k] == expected[k]) continue;
       ADD_FAILURE() << Emulator::instruction_set() << ", comparison " << k << ": "
-                    << describe(graph, row(operands, k)) << "\n" << decision << "\nexpected " << describe(expected[k])
-                    << "\ngot      " << describe(got[k]);
+                    << describe(graph, row(operands, k)) << "\n"
+                    << decision << "\nexpected " << describe(expected[k]) << "\ngot      "
+                    << describe(got[k]);
       return;
     }
   });

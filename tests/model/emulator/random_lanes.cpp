@@ -157,6 +157,7 @@ model::AbsoluteBoundDecision random_absolute_bound(TypedGraph& graph, Random& ra
       .difference = static_cast<NodeId>(graph.nodes.size()) - 1,
       .bound = {.format = {digits, format.exponent_bits()}, .nodes = {}},
       .conditions = {}};
+  if (below(random, 2) == 0) decision.guard_ulp = random_guard(format, random);
   auto& nodes = decision.bound.nodes;
   for (int k = 1 + below(random, 4); k > 0; --k) nodes.push_back(random_leaf(graph, random));
   for (int k = below(random, 6); k > 0; --k) {
