@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "generator/cli/costs.hpp"
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/cli/prove.hpp"
@@ -58,6 +59,7 @@ nlohmann::json to_json(const Outlook& outlook) {
 struct CheckOptions {
   SceneOptions scene;
   ProveOptions prove;
+  bool costs = false;
 };
 
 void print_text(const std::vector<ProvenLane>& proven) {
@@ -82,14 +84,18 @@ void run(const CheckOptions& options) {
   const Outlook generated = outlook(loaded);
   std::vector<ProvenLane> proven;
   if (options.prove.prove) proven = prove(loaded, options.prove);
+  std::optional<BoundCosts> costs;
+  if (options.costs) costs = measure_costs(loaded);
   if (options.scene.json) {
     nlohmann::json report = to_json(summary);
     report["generate"] = to_json(generated);
     if (options.prove.prove) report["proof"] = to_json(proven);
+    if (costs) report["costs"] = to_json(*costs);
     fmt::print("{}\n", report.dump(2));
   } else {
     fmt::print("{}", to_text(summary));
     print_text(generated);
+    if (costs) fmt::print("{}", to_text(*costs));
     print_text(proven);
   }
   if (any_refused(proven)) throw Exit{2};
@@ -103,6 +109,8 @@ void add_check(CLI::App& app) {
   auto options = std::make_shared<CheckOptions>();
   add_scene_options(*verb, options->scene);
   add_prove_options(*verb, options->prove);
+  verb->add_flag("--costs", options->costs,
+                 "recomputation rate and area of every error bound (Yosys maps each lane)");
   verb->callback([options] { run(*options); });
 }
 
