@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/exit.hpp"

@@ -1,6 +1,7 @@
 #include "model/proof/bound_sample.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <random>
 
 #include "model/common/check.hpp"

@@ -1,6 +1,7 @@
 #include "model/proof/cone.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "model/common/check.hpp"
 

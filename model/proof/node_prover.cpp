@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <tuple>
+#include <utility>
+
 #include "model/common/check.hpp"
 #include "model/expression/text.hpp"
 #include "model/golden/arithmetic.hpp"

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "model/common/result.hpp"
 #include "model/proof/lane_proof.hpp"

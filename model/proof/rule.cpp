@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "model/common/check.hpp"
 #include "model/golden/arithmetic.hpp"

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "model/common/check.hpp"
 #include "model/error/constant_bound.hpp"

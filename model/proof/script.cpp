@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "model/common/check.hpp"
 #include "model/proof/claims.hpp"
 

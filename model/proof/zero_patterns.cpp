@@ -1,6 +1,7 @@
 #include "model/proof/zero_patterns.hpp"
 
 #include <set>
+#include <vector>
 
 #include "model/common/check.hpp"
 

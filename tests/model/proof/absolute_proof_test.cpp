@@ -1,6 +1,8 @@
 #include "model/proof/absolute_proof.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "model/proof/report.hpp"
 #include "model/proof/rule_proof.hpp"

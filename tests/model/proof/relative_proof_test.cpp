@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "model/error/error_analysis.hpp"
 #include "model/proof/cone.hpp"
