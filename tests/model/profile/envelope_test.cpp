@@ -1,0 +1,266 @@
+#include "model/profile/envelope.hpp"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "model/error/certified_lane.hpp"
+#include "model/golden/bound_arithmetic.hpp"
+#include "model/golden/enclosure.hpp"
+#include "model/golden/evaluate.hpp"
+#include "model/profile/bound_envelope.hpp"
+#include "tests/model/profile/profile_cases.hpp"
+
+/// Theorems 1 and 3 of docs/profile.md, held against the golden model.
+namespace mixcmp::test {
+namespace {
+
+using model::AbsoluteBoundDecision;
+using model::Arithmetic;
+using model::Bits;
+using model::BoundEnvelope;
+using model::Comparisons;
+using model::Envelope;
+using model::envelope_width;
+using model::EnvelopeBlock;
+using model::EnvelopeRow;
+using model::FloatFormat;
+using model::Lane;
+using model::LaneInputs;
+using model::NodeMagnitude;
+using model::Scene;
+using model::TypedGraph;
+using model::golden::bound_is_at_most;
+using model::golden::evaluate;
+using model::golden::Rounded;
+using model::golden::to_rational;
+
+mpq_class power_of_two(int exponent) {
+  const mpq_class power(mpz_class(1) << std::abs(exponent));
+  return exponent < 0 ? 1 / power : power;
+}
+
+/// One scene and a block of its comparisons, with their envelope.
+struct Case {
+  Case(const Scene& of_scene, LaneInputs of_inputs, int anchor, int last, Family family,
+       std::mt19937_64& random)
+      : scene(of_scene),
+        inputs(of_inputs),
+        data(random_rows(scene, family, envelope_width, random)),
+        source(data),
+        envelope(graph(anchor), options(anchor, last)) {
+    model::OperandBlock operands(data.input_count(), envelope_width);
+    source.fetch(0, envelope_width, operands);
+    envelope.evaluate(operands.columns(), block);
+  }
+
+  TypedGraph graph(int precision) const {
+    Arithmetic arithmetic = {*scene.reduced.format, scene.reduced.rounding,
+                             scene.reduced.subnormals};
+    arithmetic.format = format_of(precision, arithmetic.format.exponent_bits());
+    return lane_graph(scene.graph, scene.reference.format, arithmetic, inputs);
+  }
+
+  Envelope::Options options(int anchor, int last) const {
+    std::vector<NodeMagnitude> magnitudes;
+    for (std::size_t k = 0; k < data.input_count(); ++k) {
+      magnitudes.push_back(model::magnitude_of(source.values(k)));
+    }
+    return {
+        .anchor = anchor, .last = last, .reference = scene.reference.format, .inputs = magnitudes};
+  }
+
+  std::vector<Bits> operands(std::size_t k) const {
+    std::vector<Bits> result(data.input_count());
+    data.fetch(k, result);
+    return result;
+  }
+
+  Scene scene;
+  LaneInputs inputs;
+  Comparisons data;
+  model::OperandSource source;
+  Envelope envelope;
+  EnvelopeBlock block;
+};
+
+struct Truth {
+  mpq_class f, g;
+};
+
+std::optional<Truth> truth_of(const Case& test, std::size_t k) {
+  model::golden::Enclosure enclosure(test.scene.graph, 900);
+  if (enclosure.compute(test.scene.reference.format, test.operands(k)) !=
+      model::golden::Knowledge::enclosed) {
+    return std::nullopt;
+  }
+  Truth truth;
+  mpfr_get_q(truth.f.get_mpq_t(), enclosure.f().low.get());
+  mpfr_get_q(truth.g.get_mpq_t(), enclosure.g().low.get());
+  return truth;
+}
+
+/// Theorem 1 on comparison k for one datapath of `precision` digits.
+void expect_within(const Case& test, std::size_t k, const TypedGraph& graph, int precision,
+                   const Truth& truth) {
+  const std::vector<Rounded> values = evaluate(graph, test.operands(k));
+  for (const Rounded& value : values) ASSERT_FALSE(value.exceptional);
+  const mpq_class shrunk = power_of_two(test.envelope.anchor() - precision);
+  const auto expect = [&](const char* name, model::NodeId computed, model::NodeId id,
+                          const mpq_class& real) {
+    const mpq_class value = to_rational(graph.nodes[computed].format, values[computed].bits);
+    const mpq_class error = test.block.nodes[id].error[k] * shrunk;
+    EXPECT_LE(abs(value - real), error)
+        << name << " with " << precision << " digits: off by " << mpq_class(value - real).get_d()
+        << ", envelope " << error.get_d();
+  };
+  const TypedGraph& shared = test.envelope.graph();
+  expect("f", graph.f, shared.f, truth.f);
+  expect("g", graph.g, shared.g, truth.g);
+}
+
+/// How many comparisons were tame.
+int expect_theorem_1(const Case& test, int last) {
+  int tame = 0;
+  const model::TypedGraph reference = reference_graph(test.scene.graph, test.scene.reference);
+  for (std::size_t k = 0; k < envelope_width; k += 5) {
+    if (test.block.wild[k] != 0) continue;
+    ++tame;
+    const std::optional<Truth> truth = truth_of(test, k);
+    EXPECT_TRUE(truth) << "tame, without real values";
+    if (!truth) continue;
+    const int anchor = test.envelope.anchor();
+    for (const int precision : {anchor, std::min(anchor + 1, last), (anchor + last) / 2, last}) {
+      expect_within(test, k, test.graph(precision), precision, *truth);
+    }
+    expect_within(test, k, reference, test.scene.reference.format.precision(), *truth);
+    const TypedGraph& shared = test.envelope.graph();
+    const mpq_class in_double = power_of_two(anchor - 53);
+    const auto& f = test.block.nodes[shared.f];
+    EXPECT_LE(abs(mpq_class(f.value[k]) - truth->f), f.error[k] * in_double);
+  }
+  return tame;
+}
+
+struct Drawn {
+  Scene scene;
+  std::string what;
+};
+
+Drawn draw(const std::string& f, const std::string& g, std::mt19937_64& random) {
+  const std::vector<FloatFormat> references = {format_of(53, 11), format_of(53, 8),
+                                               format_of(30, 7)};
+  const FloatFormat reference = references[random() % references.size()];
+  const FloatFormat lane = format_of(4, 5 + static_cast<int>(random() % 7));
+  const auto arithmetics = every_arithmetic(lane);
+  const Arithmetic reduced = arithmetics[random() % arithmetics.size()];
+  return {scene_of(graph_of(f, g), reference, reduced),
+          fmt::format("{} against {}, reference {}, e{} {} {}", f, g, reference.name(),
+                      lane.exponent_bits(), to_string(reduced.rounding),
+                      to_string(reduced.subnormals))};
+}
+
+int draw_and_expect(const std::string& f, const std::string& g, Family family,
+                    std::mt19937_64& random) {
+  const auto [scene, what] = draw(f, g, random);
+  const LaneInputs inputs = random() % 2 == 0 ? LaneInputs::exact : LaneInputs::rounded;
+  const int last = std::min(52, scene.reference.format.precision());
+  const int anchor = std::min(last, 4 + static_cast<int>(random() % 48));
+  SCOPED_TRACE(fmt::format("{}, family {}, anchor {}, {} inputs", what, static_cast<int>(family),
+                           anchor, to_string(inputs)));
+  const Case test(scene, inputs, anchor, last, family, random);
+  return expect_theorem_1(test, last);
+}
+
+TEST(Envelope, HoldsWhatEveryLaneComputes) {
+  std::mt19937_64 random(8);
+  for (const Family family : all_families) {
+    int tame = 0;
+    for (int round = 0; round < 6; ++round) {
+      for (const auto& [f, g] : expressions) {
+        tame += draw_and_expect(f, g, family, random);
+        if (testing::Test::HasFailure()) return;
+      }
+    }
+    // Some of every family, most of the harmless one.
+    EXPECT_GT(tame, family == Family::uniform ? 2000 : 200) << static_cast<int>(family);
+  }
+}
+
+/// Theorem 3 on comparison k; the bound of one lane.
+void expect_bound_within(const Case& test, std::size_t k, const Lane& lane, double scaled,
+                         double fixed) {
+  const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
+  const std::vector<Rounded> values = evaluate(lane.graph, test.operands(k));
+  const std::vector<Bits> bounds = evaluate_bound(decision.bound, lane.graph, values);
+  const model::BoundFormat format = decision.bound.format;
+  ASSERT_NE(bounds.back(), format.infinity());
+  const int steps = lane.graph.arithmetic.format.precision() - test.envelope.anchor();
+  EXPECT_LE(model::golden::bound_value(format, bounds.back()),
+            mpq_class(scaled) * power_of_two(-steps) + mpq_class(fixed));
+  for (const model::BoundCondition& condition : decision.conditions) {
+    EXPECT_TRUE(bound_is_at_most(format, bounds[condition.bound], lane.graph.arithmetic.format,
+                                 values[condition.value].bits));
+  }
+}
+
+int expect_theorem_3(const Case& test, const std::vector<const Lane*>& lanes, int last) {
+  const BoundEnvelope bound(lanes, test.envelope.anchor(), last, test.envelope);
+  EnvelopeRow scaled = {}, fixed = {}, wild = test.block.wild;
+  bound.raise(test.block, scaled, fixed, wild);
+  int tame = 0;
+  for (std::size_t k = 0; k < envelope_width; k += 9) {
+    if (wild[k] != 0) continue;
+    ++tame;
+    for (const Lane* lane : lanes) expect_bound_within(test, k, *lane, scaled[k], fixed[k]);
+  }
+  return tame;
+}
+
+/// The lanes of one kind from the anchor on, where all exist and are of one structure.
+std::vector<const Lane*> lanes_of_kind(
+    const std::map<int, std::vector<model::CandidateLane>>& candidates, std::size_t kind) {
+  std::vector<const Lane*> lanes;
+  for (const auto& [precision, all] : candidates) {
+    const auto& lane = all[kind].lane;
+    if (!lane.ok() || !std::holds_alternative<AbsoluteBoundDecision>(lane->decision)) return {};
+    const auto& decision = std::get<AbsoluteBoundDecision>(lane->decision);
+    const auto& first = lanes.empty() ? lane->decision : lanes.front()->decision;
+    if (!BoundEnvelope::same_structure(decision, std::get<AbsoluteBoundDecision>(first))) return {};
+    lanes.push_back(&*lane);
+  }
+  return lanes;
+}
+
+TEST(BoundEnvelope, IsNeverBelowWhatTheHardwareComputes) {
+  std::mt19937_64 random(9);
+  int tame = 0, kinds = 0;
+  for (const auto& [f, g] : expressions) {
+    for (const Family family : {Family::uniform, Family::neighbours, Family::wide}) {
+      auto [scene, what] = draw(f, g, random);
+      for (auto& range : scene.ranges) range = model::Range{0, 4};
+      const int last = std::min(52, scene.reference.format.precision());
+      const int anchor = 6 + static_cast<int>(random() % 10);
+      SCOPED_TRACE(fmt::format("{}, family {}, anchor {}", what, static_cast<int>(family), anchor));
+      const Case test(scene, LaneInputs::rounded, anchor, last, family, random);
+      std::map<int, std::vector<model::CandidateLane>> candidates;
+      for (int precision = anchor; precision <= last; ++precision) {
+        candidates[precision] = candidate_lanes(test.graph(precision), scene.ranges);
+      }
+      for (std::size_t kind = 0; kind < candidates[last].size(); ++kind) {
+        const std::vector<const Lane*> lanes = lanes_of_kind(candidates, kind);
+        if (lanes.empty()) continue;
+        ++kinds;
+        tame += expect_theorem_3(test, lanes, last);
+        if (testing::Test::HasFailure()) return;
+      }
+    }
+  }
+  EXPECT_GT(kinds, 40);
+  EXPECT_GT(tame, 500);
+}
+
+}  // namespace
+}  // namespace mixcmp::test
