@@ -3,7 +3,7 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include <optional>
+#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 
 #include "model/data/uniform_spheres.hpp"
 #include "model/error/certified_lane.hpp"
