@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -18,15 +19,18 @@ enum class Decision : std::uint8_t {
   undecided = 4,
 };
 
-/// Operands of a batch: one array of doubles an input, exact values of the reference format.
+/// Operands of a batch: one array of doubles an input, each a number of the reference format. Every
+/// NaN stands for the format's quiet NaN. Arrays aligned to 64 bytes are fastest, and batches of
+/// some hundred comparisons or more.
 using OperandColumns = std::span<const double* const>;
 
 /// Evaluates lanes and references on batches of comparisons with SIMD operations in double,
 /// bit-exact with the golden model: `decide` with evaluate_lane (with evaluate_reference where it
-/// is made from a reference), `compute` with evaluate. Wherever double cannot be trusted (a result
-/// near the ends of double's exponents, a NaN) the comparison falls back to the golden model by
-/// itself; formats that double cannot hold at all (precision above 53, more than 11 exponent bits)
-/// fall back always. Thread-safe: all members are const, scratch memory belongs to the call.
+/// is made from a reference), `compute` with evaluate; docs/emulator.md proves it. Wherever double
+/// cannot be trusted (a result that may be out of range, a NaN) the comparison falls back to the
+/// golden model by itself; formats that double cannot hold at all (precision above 53, more than 11
+/// exponent bits) fall back always. Results do not depend on how comparisons are split into
+/// batches. Thread-safe: all members are const, scratch memory belongs to the call.
 class Emulator {
 public:
   explicit Emulator(const Lane& lane);
@@ -42,7 +46,8 @@ public:
   /// for a NaN).
   void compare(OperandColumns operands, std::size_t count, std::span<Decision> decisions) const;
 
-  /// f and g as computed, as doubles; and whether anything on the way was exceptional.
+  /// f and g as computed, as doubles (where the format has more digits or exponents, the nearest);
+  /// and whether anything on the way was exceptional.
   void compute(OperandColumns operands, std::size_t count, std::span<double> f, std::span<double> g,
                std::span<std::uint8_t> exceptional) const;
 

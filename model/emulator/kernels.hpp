@@ -11,7 +11,7 @@ namespace mixcmp::model::emulator {
 
 /// Blocks hold a multiple of so many comparisons: four of the widest vectors.
 inline constexpr std::size_t block_granularity = 32;
-inline constexpr std::size_t max_block_size = 256;
+inline constexpr std::size_t max_block_size = 128;
 
 enum class Kernel : std::uint8_t {
   add,
