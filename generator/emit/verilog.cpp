@@ -110,8 +110,15 @@ std::string print(const Wire& wire, std::size_t range_width, const std::string& 
                   range_width == 0 ? "" : " ", wire.name);
   if (wire.value == nullptr) return declared + ";\n";
   const std::string value = print(wire.value);
-  const bool fits = declared.size() + value.size() + 4 <= line_length;
-  return fmt::format("{} ={}{};\n", declared, fits ? " " : "\n" + indent + "    ", value);
+  if (declared.size() + value.size() + 4 <= line_length) {
+    return fmt::format("{} = {};\n", declared, value);
+  }
+  const std::string next_line = "\n" + indent + "    ";
+  const auto* any = std::get_if<Or>(&wire.value->node);
+  const bool fits_alone = next_line.size() + value.size() <= line_length;
+  return fmt::format(
+      "{} ={}{};\n", declared, next_line,
+      any == nullptr || fits_alone ? value : print_all(any->operands, next_line + "| "));
 }
 
 std::string print_items(const std::vector<Item>& items, const std::string& indent);

@@ -24,10 +24,9 @@ std::string decision_comment(const Step& step, std::string_view what) {
 }
 
 void build_ulp_distance(DatapathBuilder& builder, const model::Lane& lane,
-                        const model::UlpDistanceDecision& decision, const Schedule& schedule) {
+                        const model::UlpDistanceDecision& decision, const Signal& out_of_range,
+                        const Step& step) {
   const TypedGraph& graph = lane.graph;
-  const Step& step = schedule.decision;
-  const Signal out_of_range = build_range_checks(builder, lane, schedule);
   const Operand f = builder.at(builder.value(graph.f), step.start_cycle);
   const Operand g = builder.at(builder.value(graph.g), step.start_cycle);
   const Operand doubtful = builder.any_at(
@@ -50,14 +49,15 @@ void build_ulp_distance(DatapathBuilder& builder, const model::Lane& lane,
 }
 
 void build_absolute(DatapathBuilder& builder, const model::Lane& lane,
-                    const model::AbsoluteBoundDecision& decision, const Schedule& schedule) {
+                    const model::AbsoluteBoundDecision& decision, const Signal& out_of_range,
+                    const Schedule& schedule) {
   const FloatFormat format = lane.graph.arithmetic.format;
   const Step& step = schedule.decision;
   BoundBuilder bounds(builder, lane, decision, schedule);
   bounds.build();
   std::vector<Signal> doubts = bounds.failures();
   doubts.push_back(builder.flag(decision.difference));
-  doubts.push_back(build_range_checks(builder, lane, schedule));
+  doubts.push_back(out_of_range);
   const Operand difference = builder.at(builder.value(decision.difference), step.start_cycle);
   const Operand bound = builder.at(bounds.bound(), step.start_cycle);
   const Operand doubtful = builder.any_at(doubts, step.start_cycle);
@@ -110,16 +110,16 @@ void build_comparison(DatapathBuilder& builder, const TypedGraph& graph, const S
 }
 
 void build_lane_decision(DatapathBuilder& builder, const model::Lane& lane,
-                         const Schedule& schedule) {
+                         const Signal& out_of_range, const Schedule& schedule) {
   if (const auto* interval = std::get_if<model::IntervalDecision>(&lane.decision)) {
     // The paper's decision has no input for doubts.
     MIXCMP_CHECK(lane.checks.empty());
     build_interval(builder, lane.graph, *interval, schedule.decision);
   } else if (const auto* absolute = std::get_if<model::AbsoluteBoundDecision>(&lane.decision)) {
-    build_absolute(builder, lane, *absolute, schedule);
+    build_absolute(builder, lane, *absolute, out_of_range, schedule);
   } else {
     build_ulp_distance(builder, lane, std::get<model::UlpDistanceDecision>(lane.decision),
-                       schedule);
+                       out_of_range, schedule.decision);
   }
 }
 
@@ -128,8 +128,9 @@ DatapathBuilder lane_pass(const std::vector<std::string>& inputs, const model::L
   const ExceptionalFlags exceptional =
       lane.certified() ? ExceptionalFlags::gathered : ExceptionalFlags::unused;
   DatapathBuilder builder(inputs, lane.graph, lane.hazards, schedule, exceptional, std::move(plan));
+  const Signal out_of_range = build_range_checks(builder, lane, schedule);
   builder.build_nodes();
-  build_lane_decision(builder, lane, schedule);
+  build_lane_decision(builder, lane, out_of_range, schedule);
   return builder;
 }
 

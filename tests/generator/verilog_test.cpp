@@ -71,5 +71,14 @@ TEST(Verilog, AnyOfNothingIsZeroAndOfOneIsItself) {
   EXPECT_NE(text.find("wire y = a;"), std::string::npos);
 }
 
+TEST(Verilog, LongAlternativesTakeALineEach) {
+  const std::string longest(60, 'a');
+  Module module = {"m", {}, {}, {}};
+  module.items = {Wire{1, "x", any_of({net(longest), net("b"), net(longest)})}};
+  EXPECT_NE(to_verilog(module).find("  wire x =\n      " + longest + "\n      | b\n      | " +
+                                    longest + ";\n"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace mixcmp::gen
