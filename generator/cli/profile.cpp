@@ -10,6 +10,7 @@
 #include "generator/cli/options.hpp"
 #include "generator/cli/verbs.hpp"
 #include "model/profile/report.hpp"
+#include "model/profile/trade.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -23,6 +24,9 @@ struct ProfileCommand {
   fs::path output;
   bool both_inputs = false;
   bool brute_force = false;
+  bool trade = false;
+  std::vector<double> accepted;  ///< wrong verdicts per million
+  fs::path areas;
 };
 
 void add_options(CLI::App& verb, ProfileCommand& command) {
@@ -40,8 +44,17 @@ void add_options(CLI::App& verb, ProfileCommand& command) {
                 "rates for rounded and for exact inputs, whatever the scene says");
   verb.add_flag("--brute-force", command.brute_force,
                 "every comparison through every lane and MPFR: slow, the same counts");
+  verb.add_flag("--trade", command.trade, "weigh wrong verdicts against area, system by system");
+  verb.add_option("--accept", command.accepted,
+                  "say which system is cheapest with at most N wrong verdicts per million; 0: "
+                  "certified; may be repeated (includes --trade)")
+      ->allow_extra_args(false)
+      ->check(CLI::NonNegativeNumber);
+  verb.add_option("--areas", command.areas,
+                  "measured areas instead of the cost model: CSV of system,precision,luts "
+                  "(includes --trade)");
   verb.add_option("-o,--output", command.output,
-                  "directory for figure4 and figure5 as .csv and .svg");
+                  "directory for figure4, figure5 and trade as .csv and .svg");
 }
 
 /// A line that is overwritten, on a terminal only.
@@ -112,14 +125,53 @@ model::Result<model::Done> prepare(const fs::path& directory) {
   return cannot_write(directory);
 }
 
-void write_figures(const model::ProfileReport& report, const fs::path& directory) {
+struct Trades {
+  std::vector<model::Trade> trades;
+  std::vector<std::string> advice;
+};
+
+Trades weigh(const LoadedScene& loaded, const model::ProfileReport& report,
+             const model::MeasuredAreas& areas, const std::vector<double>& accepted) {
+  Trades weighed;
+  for (const model::RateProfile& rates : report.rates) {
+    for (const model::ErrorProfile& errors : report.errors) {
+      if (errors.inputs != rates.inputs) continue;
+      weighed.trades.push_back(make_trade(loaded.scene, rates, errors, areas));
+    }
+    for (const double each : accepted) {
+      weighed.advice.push_back(model::advice(weighed.trades.back(), each));
+    }
+  }
+  return weighed;
+}
+
+void write_figures(const model::ProfileReport& report, const Trades& weighed,
+                   const fs::path& directory) {
   value_or_exit(write_file(directory / "figure4.csv", figure4_csv(report)));
   value_or_exit(write_file(directory / "figure5.csv", figure5_csv(report)));
-  const bool drawn = draw(directory, "figure4", figure4_script(report, "figure4.svg")) &&
-                     draw(directory, "figure5", figure5_script(report, "figure5.svg"));
+  bool drawn = draw(directory, "figure4", figure4_script(report, "figure4.svg")) &&
+               draw(directory, "figure5", figure5_script(report, "figure5.svg"));
+  if (!weighed.trades.empty()) {
+    value_or_exit(write_file(directory / "trade.csv", trade_csv(weighed.trades)));
+    const std::string script = trade_script(weighed.trades, report.scene, "trade.svg");
+    drawn = drawn && draw(directory, "trade", script);
+  }
   if (!drawn) {
     fmt::print(stderr, "mixcmp: no pictures: gnuplot does not run (apt-get install gnuplot-nox)\n");
   }
+}
+
+void print_text(const model::ProfileReport& report, const Trades& weighed) {
+  fmt::print("{}", to_text(report));
+  for (const model::Trade& trade : weighed.trades) fmt::print("{}", to_text(trade));
+  for (const std::string& advice : weighed.advice) fmt::print("{}", advice);
+}
+
+void print_json(const model::ProfileReport& report, const Trades& weighed) {
+  nlohmann::ordered_json all = to_json(report);
+  for (const model::Trade& trade : weighed.trades) all["trade"].push_back(to_json(trade));
+  for (const std::string& advice : weighed.advice) all["advice"].push_back(advice);
+  fmt::print("{}\n", all.dump(2));
 }
 
 void run(const ProfileCommand& command) {
@@ -136,10 +188,15 @@ void run(const ProfileCommand& command) {
   if (command.brute_force) options.method = model::ProfileMethod::brute_force;
   options.progress = show_progress;
   value_or_exit(check_profile(loaded.scene, options));
+  const model::MeasuredAreas areas = command.areas.empty()
+                                         ? model::MeasuredAreas()
+                                         : value_or_exit(model::MeasuredAreas::read(command.areas));
   value_or_exit(prepare(command.output));
   const model::ProfileReport report = measure(loaded, command, options);
-  if (!command.output.empty()) write_figures(report, command.output);
-  fmt::print("{}", command.scene.json ? to_json(report).dump(2) + "\n" : to_text(report));
+  const bool weighs = command.trade || !command.accepted.empty() || !command.areas.empty();
+  const Trades weighed = weighs ? weigh(loaded, report, areas, command.accepted) : Trades();
+  if (!command.output.empty()) write_figures(report, weighed, command.output);
+  command.scene.json ? print_json(report, weighed) : print_text(report, weighed);
 }
 
 }  // namespace

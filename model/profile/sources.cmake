@@ -2,9 +2,11 @@ target_sources(mixcmp_model PRIVATE
   profile/bound_envelope.cpp
   profile/candidates.cpp
   profile/check.cpp
+  profile/cost_model.cpp
   profile/envelope.cpp
   profile/error_worker.cpp
   profile/errors.cpp
+  profile/figures.cpp
   profile/node_magnitudes.cpp
   profile/operands.cpp
   profile/plot.cpp
@@ -14,6 +16,8 @@ target_sources(mixcmp_model PRIVATE
   profile/stage.cpp
   profile/systems.cpp
   profile/threshold.cpp
+  profile/trade.cpp
+  profile/trade_report.cpp
   profile/workers.cpp
 )
 # Neither changes a result; without them g++ does not vectorise conditions and square roots.

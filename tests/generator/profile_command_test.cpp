@@ -110,6 +110,20 @@ TEST_F(ProfileCommand, WritesFigures) {
   EXPECT_FALSE(fs::exists(directory_.path() / "out" / "figure4.gnuplot"));
 }
 
+TEST_F(ProfileCommand, WeighsSystems) {
+  const Outcome run = profile("scene.toml --last 12 -o out --accept 0 --accept 100000 --json");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto report = nlohmann::json::parse(run.output);
+  EXPECT_EQ(report.at("trade")[0].at("points").size(), 6u * 9);
+  ASSERT_EQ(report.at("advice").size(), 2u);
+  EXPECT_EQ(report.at("advice")[0].get<std::string>().rfind("certified, no wrong verdict", 0), 0u);
+  EXPECT_NE(report.at("advice")[1].get<std::string>().find("lanes_alone"), std::string::npos);
+  const std::string csv = read("out/trade.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 9);
+  expect_refused("scene.toml --accept -1", "--accept");
+  expect_refused("scene.toml --areas nowhere.csv", "nowhere.csv: cannot be read");
+}
+
 TEST_F(ProfileCommand, WithoutGnuplotOnlyThePicturesAreMissing) {
   const Outcome run = profile("scene.toml --last 6 -o out", "PATH=/nowhere");
   EXPECT_EQ(run.exit_code, 0) << run.output;

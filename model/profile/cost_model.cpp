@@ -1,0 +1,178 @@
+#include "model/profile/cost_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <vector>
+
+#include "model/common/check.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// LUTs of a unit: fixed + linear p + square p^2, p digits. docs/profile.md says where from.
+struct Fit {
+  double fixed, linear, square;
+
+  double operator()(double p) const { return fixed + linear * p + square * p * p; }
+};
+
+constexpr Fit addition = {45, 17.7, 0};
+constexpr Fit multiplication = {-10, 6, 2.35};
+constexpr Fit squaring = {0, -1.5, 2.5};
+constexpr Fit division = {20, 9, 1};
+constexpr Fit square_root = {5, 4, 0.45};
+constexpr Fit conversion = {37, 0.85, 0};
+constexpr Fit selection = {10, 3.5, 0};
+constexpr Fit comparison = {18, 1.1, 0};
+constexpr Fit ulp_distance = {8, 1.8, 0};
+constexpr Fit bound_decision = {12, 1.2, 0};
+constexpr Fit interval_decision = {6.5, 0.56, 0};
+/// A digit that an operand has more than the result.
+constexpr double dropped_digit = 13;
+/// A product with a constant keeps this share of its array.
+constexpr double constant_share = 0.5;
+
+bool is_constant(const TypedGraph& graph, NodeId id) {
+  return graph.nodes[id].operation == Operation::constant;
+}
+
+double node_luts(const TypedGraph& graph, const TypedNode& node) {
+  const int operand = node.operand_format.precision(), result = node.format.precision();
+  const double dropped = dropped_digit * std::max(operand - result, 0);
+  switch (node.operation) {
+    case Operation::input:
+    case Operation::constant:
+    case Operation::negate:
+    case Operation::absolute: return 0;
+    case Operation::convert: return conversion(result);
+    case Operation::add:
+    case Operation::subtract: return addition(result) + dropped;
+    case Operation::multiply: {
+      const bool half =
+          is_constant(graph, node.operands[0]) || is_constant(graph, node.operands[1]);
+      return multiplication(operand) * (half ? constant_share : 1);
+    }
+    case Operation::square: return squaring(operand);
+    case Operation::divide: return division(operand);
+    case Operation::square_root: return square_root(operand);
+    case Operation::minimum:
+    case Operation::maximum: return selection(operand);
+  }
+  MIXCMP_CHECK(false);
+}
+
+double graph_luts(const TypedGraph& graph) {
+  double luts = 0;
+  for (const TypedNode& node : graph.nodes) luts += node_luts(graph, node);
+  return luts;
+}
+
+double bound_luts(const BoundNode& node, int digits) {
+  switch (node.operation) {
+    case BoundOperation::constant:
+    case BoundOperation::binade: return 0;
+    case BoundOperation::magnitude: return 10;
+    case BoundOperation::reciprocal: return 10;
+    case BoundOperation::add: return 30 + 8 * digits;
+    case BoundOperation::multiply: return 15 + digits * digits;
+    case BoundOperation::maximum: return 8 + digits;
+  }
+  MIXCMP_CHECK(false);
+}
+
+struct DecisionLuts {
+  int precision;
+
+  double operator()(const UlpDistanceDecision& decision) const {
+    return decision.guard_ulp == 0 ? comparison(precision) : ulp_distance(precision);
+  }
+  double operator()(const AbsoluteBoundDecision& decision) const {
+    double luts = bound_decision(precision) * static_cast<double>(1 + decision.conditions.size());
+    for (const BoundNode& node : decision.bound.nodes) {
+      luts += bound_luts(node, decision.bound.format.precision);
+    }
+    return luts;
+  }
+  double operator()(const IntervalDecision&) const { return interval_decision(precision); }
+};
+
+Error bad_area(const std::filesystem::path& path, int line, const std::string& field,
+               const std::string& received, const std::string& accepted) {
+  return {.file = path.string(),
+          .line = line,
+          .field = field,
+          .message = "is not usable",
+          .received = "\"" + received + "\"",
+          .accepted = accepted};
+}
+
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields(1);
+  for (const char c : line) {
+    if (c == ',') {
+      fields.emplace_back();
+    } else if (c != '\r') {
+      fields.back() += c;
+    }
+  }
+  return fields;
+}
+
+template <class Number>
+bool read_number(const std::string& text, Number& number) {
+  const char* const end = text.data() + text.size();
+  const auto [stop, failed] = std::from_chars(text.data(), end, number);
+  return failed == std::errc() && stop == end;
+}
+
+}  // namespace
+
+double lane_luts(const Lane& lane) {
+  const int precision = lane.graph.arithmetic.format.precision();
+  return graph_luts(lane.graph) + std::visit(DecisionLuts{precision}, lane.decision);
+}
+
+double reference_luts(const TypedGraph& reference) {
+  return graph_luts(reference) + comparison(reference.arithmetic.format.precision());
+}
+
+Result<MeasuredAreas> MeasuredAreas::read(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string text;
+  const std::string header = "system,precision,luts";
+  if (!file || !std::getline(file, text)) {
+    return Error{.file = path.string(), .message = "cannot be read, or is empty"};
+  }
+  if (fields_of(text) != fields_of(header)) return bad_area(path, 1, "header", text, header);
+  MeasuredAreas areas;
+  for (int line = 2; std::getline(file, text); ++line) {
+    const std::vector<std::string> fields = fields_of(text);
+    int precision = 0;
+    double luts = 0;
+    if (fields.size() != 3) return bad_area(path, line, "line", text, header);
+    if (!read_number(fields[1], precision)) {
+      return bad_area(path, line, "precision", fields[1], "an integer");
+    }
+    if (!read_number(fields[2], luts) || !(luts > 0) || !std::isfinite(luts)) {
+      return bad_area(path, line, "luts", fields[2], "a positive number");
+    }
+    areas.luts_[{fields[0], fields[0] == "reference" ? 0 : precision}] = luts;
+  }
+  return areas;
+}
+
+std::optional<double> MeasuredAreas::of(const std::string& system, int precision) const {
+  const auto found = luts_.find({system, precision});
+  if (found == luts_.end()) return std::nullopt;
+  return found->second;
+}
+
+std::optional<double> MeasuredAreas::reference() const {
+  return of("reference", 0);
+}
+
+}  // namespace mixcmp::model

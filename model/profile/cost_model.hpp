@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "model/error/lane.hpp"
+
+namespace mixcmp::model {
+
+/// A rough area of datapaths, in LUTs of six inputs and no DSPs: one term an operation, fitted to
+/// what Yosys makes of our units (docs/profile.md has the measurements). Good for comparing
+/// precisions of one expression; registers, streams and the crossbar are not in it.
+double lane_luts(const Lane& lane);
+double reference_luts(const TypedGraph& reference);
+
+/// Areas that somebody has measured; they replace the rough ones, system by system.
+class MeasuredAreas {
+public:
+  /// CSV with a header and the columns system, precision, luts: "relative,17,2210". The system
+  /// "reference" stands for the reference datapath; its precision is not looked at.
+  static Result<MeasuredAreas> read(const std::filesystem::path& path);
+
+  std::optional<double> of(const std::string& system, int precision) const;
+  std::optional<double> reference() const;
+
+private:
+  std::map<std::pair<std::string, int>, double> luts_;
+};
+
+}  // namespace mixcmp::model

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mixcmp::model {
+
+/// One line of a picture.
+struct Curve {
+  std::string title;
+  std::string style;  ///< of gnuplot
+  std::vector<std::pair<double, double>> points;
+};
+
+/// With a logarithmic y axis.
+struct Picture {
+  std::string path;  ///< of the SVG
+  std::string title, x_label, y_label;
+  std::string axes;  ///< further lines of gnuplot
+  std::vector<Curve> curves;
+};
+
+/// A gnuplot script. Points are written into it, zeros left out: a logarithmic axis has no place
+/// for them, and gnuplot breaks lines at what it cannot draw.
+std::string script(const Picture& picture);
+
+/// Styles of what is measured and of what is proven, in one of a few colours.
+std::string measured_style(int color, int point);
+std::string proven_style(int color);
+
+}  // namespace mixcmp::model

@@ -1,0 +1,66 @@
+#include "model/profile/trade.hpp"
+
+#include "model/profile/systems.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+double per_million(std::uint64_t count, const RateProfile& rates) {
+  return 1e6 * static_cast<double>(count) / static_cast<double>(rates.comparisons);
+}
+
+TradePoint make_point(const RateProfile& rates, const SystemProfile& system,
+                      const SystemCounts& counts) {
+  TradePoint point{.system = system.name, .kind = system.kind};
+  point.wrong_per_million = per_million(counts.wrong, rates);
+  point.rate = static_cast<double>(counts.undecided) / static_cast<double>(rates.comparisons);
+  return point;
+}
+
+void price(const Trade& trade, const Lane& lane, const MeasuredAreas& areas, TradePoint& point) {
+  const std::optional<double> measured = areas.of(point.system, point.precision);
+  point.measured = measured.has_value();
+  point.lane_luts = measured ? *measured : lane_luts(lane);
+  const double share = point.rate * (1 + trade.slack);
+  point.per_kiloluts = 1000 / (point.lane_luts + share * trade.reference_luts);
+}
+
+bool qualifies(const TradePoint& point, double accepted_per_million) {
+  if (accepted_per_million > 0) return point.wrong_per_million <= accepted_per_million;
+  return point.kind == SystemKind::certified && point.wrong_per_million == 0;
+}
+
+}  // namespace
+
+Trade make_trade(const Scene& scene, const RateProfile& rates, const ErrorProfile& errors,
+                 const MeasuredAreas& areas) {
+  const TypedGraph reference = reference_graph(scene.graph, scene.reference);
+  Trade trade{.inputs = rates.inputs,
+              .slack = scene.system.slack,
+              .reference_luts = areas.reference().value_or(reference_luts(reference)),
+              .reference_measured = areas.reference().has_value(),
+              .reference_wrong_per_million = per_million(rates.reference_wrong, rates),
+              .points = {}};
+  const std::vector<SystemLanes> systems = make_systems(scene, errors);
+  for (std::size_t s = 0; s < systems.size(); ++s) {
+    for (std::size_t k = 0; k < systems[s].lanes.size(); ++k) {
+      if (!systems[s].lanes[k]) continue;
+      TradePoint point = make_point(rates, rates.systems[s], rates.systems[s].counts[k]);
+      point.precision = rates.first_precision + static_cast<int>(k);
+      price(trade, *systems[s].lanes[k], areas, point);
+      trade.points.push_back(std::move(point));
+    }
+  }
+  return trade;
+}
+
+const TradePoint* cheapest(const Trade& trade, double accepted_per_million) {
+  const TradePoint* best = nullptr;
+  for (const TradePoint& point : trade.points) {
+    if (!qualifies(point, accepted_per_million)) continue;
+    if (best == nullptr || point.per_kiloluts > best->per_kiloluts) best = &point;
+  }
+  return best;
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "model/profile/cost_model.hpp"
+#include "model/profile/profile.hpp"
+
+namespace mixcmp::model {
+
+/// One system at one precision: what it errs, what it costs.
+struct TradePoint {
+  std::string system;
+  SystemKind kind = SystemKind::certified;
+  int precision = 0;
+  double wrong_per_million = 0;
+  double rate = 0;
+  double lane_luts = 0;
+  bool measured = false;  ///< lane_luts is not from the cost model
+  /// Comparisons a cycle from 1000 LUTs, the share of a reference that a lane needs counted in:
+  /// 1000 / (lane + rate (1 + R_S) reference).
+  double per_kiloluts = 0;
+};
+
+struct Trade {
+  LaneInputs inputs = LaneInputs::exact;
+  double slack = 0;  ///< R_S
+  double reference_luts = 0;
+  bool reference_measured = false;
+  double reference_wrong_per_million = 0;
+  std::vector<TradePoint> points;  ///< by system, by precision
+};
+
+/// `rates` were counted with the constants of `errors`.
+Trade make_trade(const Scene& scene, const RateProfile& rates, const ErrorProfile& errors,
+                 const MeasuredAreas& areas);
+
+/// The point with the most comparisons per LUT among those with at most so many wrong verdicts per
+/// million; for 0 only certified systems without a wrong verdict qualify. Null where none does.
+const TradePoint* cheapest(const Trade& trade, double accepted_per_million);
+
+std::string to_text(const Trade& trade);
+/// What a user who accepts so many is told.
+std::string advice(const Trade& trade, double accepted_per_million);
+nlohmann::ordered_json to_json(const Trade& trade);
+/// inputs,system,precision,wrong_per_million,rate,lane_luts,reference_luts,area,comparisons_per_kiloluts
+std::string trade_csv(const std::vector<Trade>& trades);
+std::string trade_script(const std::vector<Trade>& trades, const std::string& scene,
+                         const std::string& path);
+
+}  // namespace mixcmp::model

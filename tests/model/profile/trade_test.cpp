@@ -1,0 +1,138 @@
+#include "model/profile/trade.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "model/error/profiled_error.hpp"
+#include "model/profile/systems.hpp"
+#include "tests/model/profile/profile_cases.hpp"
+#include "tests/support/scratch_directory.hpp"
+#include "tests/support/sphere.hpp"
+
+namespace mixcmp::test {
+namespace {
+
+using model::MeasuredAreas;
+using model::RateProfile;
+using model::Scene;
+using model::SystemCounts;
+using model::SystemKind;
+using model::Trade;
+using model::TradePoint;
+
+Scene sphere_scene() {
+  const model::Arithmetic reduced{format_of(8, 8)};
+  Scene scene = scene_of(sphere_graph(), format_of(53, 8), reduced);
+  scene.system.slack = 0.25;
+  return scene;
+}
+
+/// Of a thousand comparisons: what each system leaves undecided and errs at L = 8, 9, 10.
+Trade trade_of(const Scene& scene, const MeasuredAreas& areas) {
+  model::ErrorProfile errors;
+  for (int precision = 8; precision <= 10; ++precision) {
+    errors.precisions.push_back(
+        {.precision = precision, .f = mpq_class(1, 50), .g = mpq_class(1, 50)});
+  }
+  RateProfile rates{.first_precision = 8, .comparisons = 1000, .reference_wrong = 3};
+  for (const model::SystemLanes& system : make_systems(scene, errors)) {
+    const std::uint64_t wrong = system.kind == SystemKind::lanes_alone ? 20
+                                : system.kind == SystemKind::profiled  ? 1
+                                                                       : 0;
+    const std::uint64_t undecided = system.kind == SystemKind::lanes_alone ? 0 : 100;
+    rates.systems.push_back({.name = system.name, .kind = system.kind, .counts = {}, .reason = ""});
+    for (const std::uint64_t k : {1u, 2u, 4u}) {
+      rates.systems.back().counts.push_back(SystemCounts{true, undecided / k, wrong / k});
+    }
+  }
+  return make_trade(scene, rates, errors, areas);
+}
+
+const TradePoint& point_of(const Trade& trade, const std::string& system, int precision) {
+  for (const TradePoint& point : trade.points) {
+    if (point.system == system && point.precision == precision) return point;
+  }
+  throw std::runtime_error("no such point");
+}
+
+class Areas : public testing::Test {
+protected:
+  model::Result<MeasuredAreas> read(const std::string& text) {
+    const auto path = directory_.path() / "areas.csv";
+    std::ofstream(path) << text;
+    return MeasuredAreas::read(path);
+  }
+  ScratchDirectory directory_;
+};
+
+TEST_F(Areas, ReplaceTheModels) {
+  const auto areas = read("system,precision,luts\nreference,53,8000\nrelative,9,1000\r\n").value();
+  const Trade trade = trade_of(sphere_scene(), areas);
+  const TradePoint& measured = point_of(trade, "relative", 9);
+  EXPECT_TRUE(measured.measured && trade.reference_measured);
+  EXPECT_EQ(trade.reference_luts, 8000);
+  EXPECT_EQ(measured.rate, 0.05);
+  // One lane and 0.05 * 1.25 of a reference: 1500 LUTs for a comparison a cycle.
+  EXPECT_DOUBLE_EQ(measured.per_kiloluts, 1000.0 / 1500);
+  EXPECT_FALSE(point_of(trade, "relative", 10).measured);
+  EXPECT_FALSE(point_of(trade, "profiled", 9).measured);
+}
+
+TEST_F(Areas, NameWhatIsWrong) {
+  const auto message = [&](const std::string& text) { return read(text).error().to_string(); };
+  EXPECT_NE(message("").find("areas.csv"), std::string::npos);
+  EXPECT_NE(message("a,b\n").find("areas.csv:1: header"), std::string::npos);
+  const std::string header = "system,precision,luts\n";
+  EXPECT_NE(message(header + "relative,9\n").find("areas.csv:2"), std::string::npos);
+  EXPECT_NE(
+      message(header + "relative,nine,1\n").find("precision: is not usable: received \"nine\""),
+      std::string::npos);
+  for (const char* luts : {"0", "-1", "inf", "nan", "1x"}) {
+    EXPECT_NE(message(header + "relative,9," + luts + "\n").find("luts"), std::string::npos)
+        << luts;
+  }
+}
+
+TEST(TradeAdvice, IsTheCheapestThatQualifies) {
+  const Trade trade = trade_of(sphere_scene(), MeasuredAreas());
+  const auto expect_cheapest = [&](double accepted, auto qualifies) {
+    const TradePoint* best = cheapest(trade, accepted);
+    ASSERT_NE(best, nullptr);
+    EXPECT_TRUE(qualifies(*best)) << best->system;
+    for (const TradePoint& point : trade.points) {
+      if (!qualifies(point)) continue;
+      EXPECT_LE(point.per_kiloluts, best->per_kiloluts) << point.system;
+    }
+  };
+  expect_cheapest(0, [](const TradePoint& p) { return p.kind == SystemKind::certified; });
+  expect_cheapest(500, [](const TradePoint& p) { return p.wrong_per_million <= 500; });
+  expect_cheapest(1e6, [](const TradePoint&) { return true; });
+  EXPECT_EQ(cheapest(trade, 1e6)->system, "lanes_alone");
+  EXPECT_EQ(point_of(trade, "lanes_alone", 8).wrong_per_million, 20000);
+}
+
+TEST(TradeAdvice, SaysWhereNothingQualifies) {
+  Trade trade;
+  trade.points = {{.system = "relative", .kind = SystemKind::certified, .wrong_per_million = 1}};
+  EXPECT_EQ(cheapest(trade, 0), nullptr) << "the reference errs on what it recomputes";
+  EXPECT_NE(advice(trade, 0).find("no system"), std::string::npos);
+  EXPECT_NE(cheapest(trade, 2), nullptr);
+}
+
+TEST(CostModel, GrowsWithPrecisionAndWithTheErrorUnit) {
+  const Scene scene = sphere_scene();
+  double before = 0;
+  for (int precision = 4; precision <= 52; ++precision) {
+    const model::TypedGraph graph = graph_at(scene, precision, model::LaneInputs::rounded);
+    const model::Lane alone{graph, model::UlpDistanceDecision{.guard_ulp = 0, .nonnegative = true}};
+    const model::Lane profiled = model::profiled_lane(graph, mpq_class(1, 9), mpq_class(1, 9));
+    EXPECT_GT(lane_luts(alone), before);
+    EXPECT_GT(lane_luts(profiled), lane_luts(alone) + 100);
+    before = lane_luts(alone);
+  }
+  EXPECT_GT(reference_luts(reference_graph(scene.graph, scene.reference)), before);
+}
+
+}  // namespace
+}  // namespace mixcmp::test
