@@ -90,12 +90,12 @@ Kernel kernel_of(Operation operation) {
 Finish nearest_finish(Operation operation, int operand_digits, int digits) {
   constexpr int twice_rounded_digits = 25, rare_digits = 8;
   if (digits == double_digits) return Finish::hardware;
-  if (operation == Operation::convert) return Finish::nearest;
   if (operation == Operation::multiply || operation == Operation::square) return Finish::fused;
   if (operand_digits <= digits && digits <= twice_rounded_digits) return Finish::nearest;
-  const bool is_sum = operation == Operation::add || operation == Operation::subtract;
-  const int result_digits = is_sum ? operand_digits : double_digits;
-  return result_digits - digits >= rare_digits ? Finish::watched : Finish::corrected;
+  const bool is_quotient = operation == Operation::divide || operation == Operation::square_root;
+  const int result_digits = is_quotient ? double_digits : operand_digits;
+  if (result_digits - digits >= rare_digits) return Finish::watched;
+  return operation == Operation::convert ? Finish::nearest : Finish::corrected;
 }
 
 Finish finish_of(const TypedNode& node, Rounding rounding) {
