@@ -88,7 +88,11 @@ model::BoundNode random_leaf(const TypedGraph& graph, Random& random) {
   static constexpr std::array leaves = {BoundOperation::magnitude, BoundOperation::binade,
                                         BoundOperation::reciprocal};
   if (below(random, 4) == 0) {
-    const mpq_class value = below(random, 6) == 0 ? mpq_class(0) : random_magnitude(random);
+    // To where products of two are beyond the format, and beyond double.
+    const int bias = graph.arithmetic.format.bias();
+    const mpq_class scale =
+        power_of_two(below(random, 3) == 0 ? below(random, 2 * bias) - bias : 0);
+    const mpq_class value = below(random, 6) == 0 ? mpq_class(0) : scale * random_magnitude(random);
     return {.operation = BoundOperation::constant, .constant = value};
   }
   return {.operation = any_of(leaves, random), .value = lane_node(graph, random), .constant = {}};

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include "model/emulator/safe_operands.hpp"
+#include "tests/model/emulator/against_golden.hpp"
+#include "tests/support/float_samples.hpp"
+#include "tests/support/graphs.hpp"
+#include "tests/support/sphere.hpp"
+
+/// Whole batches of one scale, from where results vanish to where they overflow: what is said of
+/// all operands at once has to hold for neighbours, too.
+namespace mixcmp::test {
+namespace {
+
+using model::Arithmetic;
+using model::Bits;
+using model::FloatFormat;
+using model::Lane;
+using model::LaneInputs;
+using model::Rounding;
+using model::Subnormals;
+
+/// Both operands within two steps of each other, at the ends of binade `exponent` or at random.
+Operands neighbours(FloatFormat format, int exponent, std::mt19937_64& random) {
+  Operands operands(2);
+  for (int k = 0; k < 64; ++k) {
+    const Bits fraction = k % 4 == 0 ? 0 : random_encoding(format, random);
+    const Bits a = format.pack(false, exponent + format.bias(), format.fraction(fraction));
+    operands[0].push_back(a);
+    operands[1].push_back(a + 1 + random() % 2);
+  }
+  return operands;
+}
+
+class Scales : public testing::TestWithParam<const char*> {};
+
+TEST_P(Scales, NeighboursAreEmulatedBitForBit) {
+  const model::Graph graph = graph_of(GetParam(), "(a + b)^2");
+  std::mt19937_64 random(1);
+  for (const char* name : {"s53e8", "s24e8", "s53e9"}) {
+    const FloatFormat reference = format(name);
+    for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
+      const Arithmetic reduced = {format_of(17, reference.exponent_bits()), Rounding::nearest_even,
+                                  Subnormals::flush};
+      const Lane lane{.graph = lane_graph(graph, reference, reduced, inputs),
+                      .decision = model::UlpDistanceDecision{3, false}};
+      const int highest = reference.max_exponent() - 1;
+      for (int exponent = reference.min_exponent(); exponent <= highest; ++exponent) {
+        expect_golden(lane, neighbours(reference, exponent, random));
+        if (HasFailure()) return;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Expressions, Scales,
+                         testing::Values("(a - b)^2", "a / b", "sqrt(a * b)", "1 / (a * a)",
+                                         "(a - b) * a", "max(a, b) / min(a, 1000 * b)",
+                                         "abs(a - b) / (a * b)", "a * b * a * b"));
+
+TEST(SafeOperands, OfTheSphereComparisonAreLimitedBySquares) {
+  const auto safe = model::emulator::safe_operands(
+      lane_graph(sphere_graph(), format("s53e8"), {format("s17e8")}, LaneInputs::exact));
+  ASSERT_TRUE(safe.has_value());
+  // Differences are multiples of 2^(low - 52): (2^-63)^2 is the smallest normal number.
+  EXPECT_EQ(safe->low, -11);
+  // Sums of three squares of differences: 2 (high + 1) + 2 < 128.
+  EXPECT_EQ(safe->high, 61);
+}
+
+TEST(SafeOperands, DoNotExistWhereADivisorMayBeZero) {
+  EXPECT_FALSE(model::emulator::safe_operands(lane_graph(
+      graph_of("1 / (a - b)", "a"), format("s53e8"), {format("s17e8")}, LaneInputs::exact)));
+}
+
+TEST(SafeOperands, DoNotExistWhereARadicandMayBeNegative) {
+  EXPECT_FALSE(model::emulator::safe_operands(
+      lane_graph(graph_of("sqrt(a)", "b"), format("s53e8"), {format("s17e8")}, LaneInputs::exact)));
+}
+
+TEST(SafeOperands, DoNotExistWhereDifferencesMayVanishInASmallFormat) {
+  EXPECT_FALSE(model::emulator::safe_operands(lane_graph(
+      graph_of("(a - b)^2", "a"), format("s53e8"), {format("s8e4")}, LaneInputs::exact)));
+}
+
+}  // namespace
+}  // namespace mixcmp::test
