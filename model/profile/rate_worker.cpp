@@ -133,7 +133,7 @@ void RateWorker::run_system(const Stage& stage, std::size_t system, const Candid
     if (open == 0) break;
     const Stage::Runner& runner = stage.runner(system, precision);
     if (!runner.emulator) continue;
-    const bool most = open > candidates.size() / 2;
+    const bool most = open > candidates.size() / 4;
     if (!most && !picked) pick(stage, system, candidates);
     picked = picked || !most;
     run_lane(runner, system, precision, most ? candidates : picked_,

@@ -36,11 +36,13 @@ enum class Family {
   uniform,     ///< in [1, 2): nothing exceptional
   small_grid,  ///< small integers: ties, zeros, cancellation
   neighbours,  ///< one value and its neighbours: differences of a few last places
+  cancelling,  ///< 3/4 and a little, of any size: differences of every magnitude
   wide,        ///< exponents from end to end of the lane's
   encodings,   ///< any encoding, specials among them
 };
-inline constexpr Family all_families[] = {Family::uniform, Family::small_grid, Family::neighbours,
-                                          Family::wide, Family::encodings};
+inline constexpr Family all_families[] = {Family::uniform,    Family::small_grid,
+                                          Family::neighbours, Family::cancelling,
+                                          Family::wide,       Family::encodings};
 
 inline model::Bits random_operand(Family family, model::FloatFormat format, model::FloatFormat lane,
                                   std::mt19937_64& random) {
@@ -55,6 +57,11 @@ inline model::Bits random_operand(Family family, model::FloatFormat format, mode
     case Family::small_grid:
       return model::golden::from_rational(format, mpq_class(below(9) - 2, 4));
     case Family::neighbours: return one + model::Bits(below(40)) * (below(4) == 0 ? 1 : 1000);
+    case Family::cancelling: {
+      const model::Bits three_quarters =
+          format.pack(false, format.bias() - 1, model::Bits{1} << (fraction_bits - 1));
+      return three_quarters + ((fraction >> 1) >> below(fraction_bits));
+    }
     case Family::wide: {
       const int exponent =
           lane.min_exponent() - 3 + below(lane.max_exponent() - lane.min_exponent());
@@ -93,6 +100,7 @@ inline const std::vector<std::pair<std::string, std::string>> expressions = {
     {"a", "0"},
     {"-a * 3", "b^2 - 0.5"},
     {"((a - b)^2)^2", "((c - d)^2)^2 + 1"},
+    {"((a - b) + (c - d))^2", "1 / 1024"},
 };
 
 }  // namespace mixcmp::test
