@@ -146,7 +146,10 @@ bool add_decision(Plan& plan, const Lane& lane) {
   return std::visit([&](const auto& decision) { return add(plan, lane, decision); }, lane.decision);
 }
 
-std::vector<NodeId> values_in_bound(const Lane& lane) {
+std::vector<NodeId> values_as_encodings(const Lane& lane) {
+  if (std::holds_alternative<UlpDistanceDecision>(lane.decision)) {
+    return {lane.graph.f, lane.graph.g};
+  }
   std::vector<NodeId> values;
   const auto* decision = std::get_if<AbsoluteBoundDecision>(&lane.decision);
   if (decision == nullptr) return values;

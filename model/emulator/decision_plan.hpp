@@ -10,7 +10,8 @@ namespace mixcmp::model::emulator {
 /// trusted with its bound.
 bool add_decision(Plan& plan, const Lane& lane);
 
-/// The nodes that an absolute bound reads: not to be subnormal.
-std::vector<NodeId> values_in_bound(const Lane& lane);
+/// The nodes whose encodings the decision or its bound reads: those of subnormal numbers, which
+/// constants may be, do not follow from doubles.
+std::vector<NodeId> values_as_encodings(const Lane& lane);
 
 }  // namespace mixcmp::model::emulator

@@ -216,7 +216,7 @@ std::optional<Plan> make_plan(const TypedGraph& graph, const Lane* lane) {
   plan.decision = {.rule = Rule::order, .first = graph.f, .second = graph.g};
   if (lane == nullptr) return plan;
   plan.doubtful_is_undecided = lane->certified() && doubtful_is_exceptional(graph);
-  for (const NodeId id : values_in_bound(*lane)) {
+  for (const NodeId id : values_as_encodings(*lane)) {
     add_range(plan, trusted(graph.nodes[id].format), id);
   }
   if (!add_decision(plan, *lane)) return std::nullopt;

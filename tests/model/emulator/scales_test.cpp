@@ -57,6 +57,21 @@ INSTANTIATE_TEST_SUITE_P(Expressions, Scales,
                                          "(a - b) * a", "max(a, b) / min(a, 1000 * b)",
                                          "abs(a - b) / (a * b)", "a * b * a * b"));
 
+/// Steps of the encoding below the smallest normal number are not those of a double.
+TEST(SubnormalConstants, AreAsFarApartAsTheirEncodings) {
+  const FloatFormat reduced = format("s9e2");
+  const model::Graph graph = graph_of("max(a, 0.046875)", "-a");
+  const model::TypedGraph typed =
+      lane_graph(graph, format("s17e2"), {reduced, Rounding::nearest_even, Subnormals::gradual},
+                 LaneInputs::rounded);
+  std::mt19937_64 random(1);
+  Operands operands(1);
+  for (int k = 0; k < 500; ++k) operands[0].push_back(random_encoding(format("s17e2"), random));
+  for (Bits guard = 1; guard < 1024; guard *= 2) {
+    expect_golden({.graph = typed, .decision = model::UlpDistanceDecision{guard, false}}, operands);
+  }
+}
+
 TEST(SafeOperands, OfTheSphereComparisonAreLimitedBySquares) {
   const auto safe = model::emulator::safe_operands(
       lane_graph(sphere_graph(), format("s53e8"), {format("s17e8")}, LaneInputs::exact));
