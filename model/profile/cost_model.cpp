@@ -29,7 +29,7 @@ constexpr Fit conversion = {37, 0.85, 0};
 constexpr Fit selection = {10, 3.5, 0};
 constexpr Fit comparison = {18, 1.1, 0};
 constexpr Fit ulp_distance = {8, 1.8, 0};
-constexpr Fit bound_decision = {12, 1.2, 0};
+constexpr Fit bound_decision = {11, 0.37, 0};
 constexpr Fit interval_decision = {6.5, 0.56, 0};
 /// A digit that an operand has more than the result.
 constexpr double dropped_digit = 13;
@@ -75,11 +75,11 @@ double bound_luts(const BoundNode& node, int digits) {
   switch (node.operation) {
     case BoundOperation::constant:
     case BoundOperation::binade: return 0;
-    case BoundOperation::magnitude: return 10;
+    case BoundOperation::magnitude: return 5;
     case BoundOperation::reciprocal: return 10;
-    case BoundOperation::add: return 30 + 8 * digits;
-    case BoundOperation::multiply: return 15 + digits * digits;
-    case BoundOperation::maximum: return 8 + digits;
+    case BoundOperation::add: return 14 + 10 * digits;
+    case BoundOperation::multiply: return 23 + 6 * digits;
+    case BoundOperation::maximum: return 12 + 2 * digits;
   }
   MIXCMP_CHECK(false);
 }
