@@ -57,6 +57,38 @@ INSTANTIATE_TEST_SUITE_P(Expressions, Scales,
                                          "(a - b) * a", "max(a, b) / min(a, 1000 * b)",
                                          "abs(a - b) / (a * b)", "a * b * a * b"));
 
+/// A change of sign does not look at what it changes: a subnormal operand is not exceptional there.
+TEST(FlushingLanes, DecideOnOperandsThatOnlyChangeSign) {
+  using model::Operation;
+  using model::TypedNode;
+  const FloatFormat only = format("s9e4");
+  const auto node = [&](Operation operation, int operand, int input) {
+    return TypedNode{.operation = operation,
+                     .operands = {operand, -1},
+                     .operand_format = only,
+                     .format = only,
+                     .input = input,
+                     .value = {}};
+  };
+  const model::TypedGraph graph = {
+      .nodes = {node(Operation::input, -1, 0), node(Operation::negate, 0, -1),
+                node(Operation::input, -1, 1), node(Operation::absolute, 2, -1)},
+      .input_count = 2,
+      .input_names = {"a", "b"},
+      .input_format = only,
+      .arithmetic = {only, Rounding::nearest_even, Subnormals::flush},
+      .f = 1,
+      .g = 3};
+  Operands operands(2);
+  for (const Bits a : special_encodings(only)) {
+    for (const Bits b : special_encodings(only)) {
+      operands[0].push_back(only.is_nan(a) ? only.quiet_nan() : a);
+      operands[1].push_back(only.is_nan(b) ? only.quiet_nan() : b);
+    }
+  }
+  expect_golden({.graph = graph, .decision = model::UlpDistanceDecision{2, false}}, operands);
+}
+
 /// Steps of the encoding below the smallest normal number are not those of a double.
 TEST(SubnormalConstants, AreAsFarApartAsTheirEncodings) {
   const FloatFormat reduced = format("s9e2");
