@@ -18,7 +18,7 @@ struct Tool {
   const char* disables;  ///< what is missing without it
 };
 
-constexpr std::array<Tool, 8> tools = {{
+constexpr std::array<Tool, 9> tools = {{
     {"verilator", "verilator --version", "verilator", "verify"},
     {"make", "make --version", "make", "verify"},
     {"g++", "g++ --version", "g++", "verify"},
@@ -27,6 +27,7 @@ constexpr std::array<Tool, 8> tools = {{
     {"yosys", "yosys -V", "yosys", "the lint and formal tests"},
     {"gappa", "gappa --version 2>&1", "gappa",
      "check --prove, and the machine check of error bounds before generate"},
+    {"gnuplot", "gnuplot --version", "gnuplot-nox", "the pictures of profile"},
     {"gtkwave", "command -v gtkwave", "gtkwave", "looking at the waves of verify --trace"},
 }};
 

@@ -1,6 +1,7 @@
 #include "model/profile/envelope.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/common/check.hpp"
 #include "model/golden/arithmetic.hpp"

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 

@@ -37,12 +37,13 @@ enum class Family {
   small_grid,  ///< small integers: ties, zeros, cancellation
   neighbours,  ///< one value and its neighbours: differences of a few last places
   cancelling,  ///< 3/4 and a little, of any size: differences of every magnitude
+  lowest,      ///< just above the lane's smallest normal number
   wide,        ///< exponents from end to end of the lane's
   encodings,   ///< any encoding, specials among them
 };
-inline constexpr Family all_families[] = {Family::uniform,    Family::small_grid,
-                                          Family::neighbours, Family::cancelling,
-                                          Family::wide,       Family::encodings};
+inline constexpr Family all_families[] = {
+    Family::uniform, Family::small_grid, Family::neighbours, Family::cancelling,
+    Family::lowest,  Family::wide,       Family::encodings};
 
 inline model::Bits random_operand(Family family, model::FloatFormat format, model::FloatFormat lane,
                                   std::mt19937_64& random) {
@@ -61,6 +62,10 @@ inline model::Bits random_operand(Family family, model::FloatFormat format, mode
       const model::Bits three_quarters =
           format.pack(false, format.bias() - 1, model::Bits{1} << (fraction_bits - 1));
       return three_quarters + ((fraction >> 1) >> below(fraction_bits));
+    }
+    case Family::lowest: {
+      const int biased = lane.min_exponent() + below(4) + format.bias();
+      return format.pack(false, biased, fraction);
     }
     case Family::wide: {
       const int exponent =
