@@ -11,6 +11,7 @@
 #include "model/golden/enclosure.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/profile/bound_envelope.hpp"
+#include "model/profile/threshold.hpp"
 #include "tests/model/profile/profile_cases.hpp"
 
 /// Theorems 1 and 3 of docs/profile.md, held against the golden model.
@@ -239,8 +240,8 @@ void expect_bound_within(const Case& test, std::size_t k, const Lane& lane, doub
   const model::BoundFormat format = decision.bound.format;
   ASSERT_NE(bounds.back(), format.infinity());
   const int steps = lane.graph.arithmetic.format.precision() - test.envelope.anchor();
-  EXPECT_LE(model::golden::bound_value(format, bounds.back()),
-            mpq_class(scaled) * power_of_two(-steps) + mpq_class(fixed));
+  const mpq_class allowed = mpq_class(scaled) * power_of_two(-steps) + mpq_class(fixed);
+  EXPECT_LE(model::golden::bound_value(format, bounds.back()), allowed);
   for (const model::BoundCondition& condition : decision.conditions) {
     EXPECT_TRUE(bound_is_at_most(format, bounds[condition.bound], lane.graph.arithmetic.format,
                                  values[condition.value].bits));
@@ -258,6 +259,55 @@ int expect_theorem_3(const Case& test, const std::vector<const Lane*>& lanes, in
     for (const Lane* lane : lanes) expect_bound_within(test, k, *lane, scaled[k], fixed[k]);
   }
   return tame;
+}
+
+/// What |f - g| as computed must exceed for the lane to decide: the bound, and its guard in steps.
+std::optional<mpq_class> least_decided(const Lane& lane, const std::vector<Bits>& operands) {
+  const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
+  const FloatFormat format = lane.graph.arithmetic.format;
+  const auto values = evaluate(lane.graph, operands);
+  const Bits bound = evaluate_bound(decision.bound, lane.graph, values).back();
+  const Bits encoded =
+      (bound << (format.precision() - decision.bound.format.precision)) + decision.guard_ulp;
+  if (encoded > format.largest_finite(false)) return std::nullopt;
+  return to_rational(format, encoded);
+}
+
+/// Theorem 2 for absolute bounds, with their guards.
+TEST(Threshold, IsNeverBelowBoundAndGuard) {
+  std::mt19937_64 random(14);
+  int checked = 0, guarded = 0;
+  for (const auto& [f, g] : expressions) {
+    auto [scene, what] = draw(f, g, random);
+    for (auto& range : scene.ranges) range = model::Range{0, 4};
+    const int last = std::min(52, scene.reference.format.precision());
+    SCOPED_TRACE(what);
+    const Case test(scene, LaneInputs::rounded, 6, last, Family::uniform, random);
+    std::vector<Lane> all;
+    for (int precision = 6; precision <= last; ++precision) {
+      auto lane = certified_lane(test.graph(precision),
+                                 {.kind = model::ErrorBoundKind::running, .ranges = scene.ranges});
+      if (lane.ok()) all.push_back(std::move(lane).value());
+    }
+    std::vector<const Lane*> lanes;
+    for (const Lane& lane : all) lanes.push_back(&lane);
+    if (static_cast<int>(lanes.size()) != last - 5) continue;
+    EnvelopeRow scaled = {}, fixed = {}, wild = test.block.wild;
+    model::Threshold::of_lanes(lanes, test.envelope).evaluate(test.block, scaled, fixed, wild);
+    for (std::size_t k = 0; k < envelope_width; k += 8) {
+      for (std::size_t n = 0; n < lanes.size() && wild[k] == 0; n += 4) {
+        const auto least = least_decided(*lanes[n], test.operands(k));
+        ASSERT_TRUE(least);
+        const mpq_class allowed =
+            mpq_class(scaled[k]) * power_of_two(-static_cast<int>(n)) + mpq_class(fixed[k]);
+        EXPECT_LE(*least, allowed * (1 - mpq_class(test.envelope.unit())));
+        ++checked;
+        guarded += std::get<AbsoluteBoundDecision>(lanes[n]->decision).guard_ulp != 0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(checked, 500);
+  EXPECT_GT(guarded, 200);
 }
 
 /// The lanes of one kind from the anchor on, where all exist and are of one structure.
@@ -279,7 +329,8 @@ TEST(BoundEnvelope, IsNeverBelowWhatTheHardwareComputes) {
   std::mt19937_64 random(9);
   int tame = 0, kinds = 0;
   for (const auto& [f, g] : expressions) {
-    for (const Family family : {Family::uniform, Family::neighbours, Family::wide}) {
+    for (const Family family :
+         {Family::uniform, Family::neighbours, Family::lowest, Family::wide}) {
       auto [scene, what] = draw(f, g, random);
       for (auto& range : scene.ranges) range = model::Range{0, 4};
       const int last = std::min(52, scene.reference.format.precision());

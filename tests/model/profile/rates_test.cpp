@@ -178,6 +178,22 @@ TEST(Rates, OfAnyExpressionAreTheGoldenModels) {
   }
 }
 
+/// Both are normal numbers and their order is plain, but their difference is flushed: the lane that
+/// subtracts them cannot decide, however many digits it has.
+TEST(Rates, CountDifferencesThatUnderflow) {
+  std::mt19937_64 random(13);
+  const FloatFormat lane = format_of(8, 5);
+  const Arithmetic reduced{lane, model::Rounding::nearest_even, model::Subnormals::flush};
+  const Scene scene = scene_of(graph_of("a", "b"), format_of(53, 8), reduced);
+  const Comparisons data = random_rows(scene, Family::lowest, 200, random);
+  const RateProfile profile =
+      checked_profile(scene, data, LaneInputs::exact, options_of(4, 40), "lowest");
+  const auto running = std::find_if(profile.systems.begin(), profile.systems.end(),
+                                    [](const auto& system) { return system.name == "running_4"; });
+  ASSERT_NE(running, profile.systems.end());
+  EXPECT_GT(running->counts.back().undecided, 10u);
+}
+
 TEST(Rates, DoNotDependOnThreadsOrMethod) {
   const Scene scene = sphere_scene();
   const Comparisons data = spheres(scene, 300, 60);
