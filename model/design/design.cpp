@@ -2,10 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdint>
 
 #include "model/error/certified_lane.hpp"
+#include "model/error/hazards.hpp"
 #include "model/error/profiled_error.hpp"
+#include "model/error/range_analysis.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -43,12 +46,28 @@ Result<Lane> design_profiled_lane(const Scene& scene, TypedGraph graph, const Co
                        reduced.relative_error_g.value_or(profiled.g));
 }
 
+bool can_decide(const UlpDistanceDecision& decision, const Lane& lane) {
+  const Bits largest = lane.graph.arithmetic.format.largest_finite(false);
+  return decision.guard_ulp <= (decision.nonnegative ? largest : 2 * largest);
+}
+
+/// A constant bound can exceed every difference that the checked operands give.
+bool can_decide(const AbsoluteBoundDecision& decision, const Lane& lane) {
+  const BoundNode& bound = decision.bound.nodes.back();
+  if (bound.operation != BoundOperation::constant) return true;
+  const auto ranges = analyse_ranges(lane.graph, checked_ranges(lane.graph, lane.checks));
+  const Range& difference = ranges[static_cast<std::size_t>(decision.difference)].value;
+  return bound.constant < std::max<mpq_class>(abs(difference.low), abs(difference.high));
+}
+
+bool can_decide(const IntervalDecision&, const Lane&) {
+  return true;
+}
+
 /// Whether any two results lie far enough apart for the lane to decide.
 bool can_decide(const Lane& lane) {
-  const auto* decision = std::get_if<UlpDistanceDecision>(&lane.decision);
-  if (decision == nullptr) return true;
-  const Bits largest = lane.graph.arithmetic.format.largest_finite(false);
-  return decision->guard_ulp <= (decision->nonnegative ? largest : 2 * largest);
+  return std::visit([&](const auto& decision) { return can_decide(decision, lane); },
+                    lane.decision);
 }
 
 Result<Lane> design_certified_lane(const Scene& scene, TypedGraph graph) {

@@ -24,6 +24,9 @@ std::vector<bool> nonnegative(const Ranges& ranges, int input_count) {
   return result;
 }
 
+/// Of a constant bound: rounding it up to so many costs nothing that could be measured.
+constexpr int constant_bound_digits = 16;
+
 /// The first node that has no bound although its operands have.
 template <typename Missing>
 NodeId first_failure(const ErrorAnalysis& analysis, Missing missing) {
@@ -208,7 +211,7 @@ Result<Lane> constant_lane(TypedGraph graph, const CertifiedOptions& options) {
   const FloatFormat format = graph.arithmetic.format;
   AbsoluteBoundDecision decision{
       .difference = found.difference,
-      .bound = {.format = {.precision = format.precision(),
+      .bound = {.format = {.precision = std::min(constant_bound_digits, format.precision()),
                            .exponent_bits = format.exponent_bits()},
                 .nodes = {{.operation = BoundOperation::constant, .constant = bound}}},
       .conditions = {}};
@@ -222,6 +225,16 @@ Result<Lane> lane_of(ErrorBoundKind kind, TypedGraph graph, const CertifiedOptio
     case ErrorBoundKind::constant: return constant_lane(std::move(graph), options);
   }
   MIXCMP_CHECK(false);
+}
+
+/// A kind that the scene names: the error is about that choice.
+Result<Lane> asked_lane(ErrorBoundKind kind, TypedGraph graph, const CertifiedOptions& options) {
+  Result<Lane> lane = lane_of(kind, std::move(graph), options);
+  if (lane.ok() || lane.error().field != "reduced.bound") return lane;
+  Error error = lane.error();
+  error.field = "reduced.error_bound";
+  error.received = fmt::format("\"{}\"", to_string(kind));
+  return error;
 }
 
 Result<Lane> first_lane(const TypedGraph& graph, const CertifiedOptions& options) {
@@ -242,7 +255,7 @@ std::string_view to_string(ErrorBoundKind kind) {
 }
 
 Result<Lane> certified_lane(TypedGraph graph, const CertifiedOptions& options) {
-  MIXCMP_TRY(lane, options.kind ? lane_of(*options.kind, std::move(graph), options)
+  MIXCMP_TRY(lane, options.kind ? asked_lane(*options.kind, std::move(graph), options)
                                 : first_lane(graph, options));
   if (options.hazards == HazardRemoval::remove) remove_hazards(lane, options.ranges);
   return lane;

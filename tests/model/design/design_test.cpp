@@ -69,11 +69,23 @@ TEST(MakeDesign, UsesTheRangesOfTheScene) {
   Scene scene = complete_scene();
   scene.graph = graph_of("a * b + a^2", "b");
   scene.reduced.error_bound = model::ErrorBoundKind::relative;
-  EXPECT_EQ(error_of(scene).field, "reduced.bound");
+  EXPECT_EQ(error_of(scene).field, "reduced.error_bound");
   scene.ranges = {model::Range{0, 1}, model::Range{0, 1}};
   EXPECT_TRUE(make_design(scene, nullptr).ok());
   scene.ranges = {model::Range{0, 1}, model::Range{-1, 1}};
   EXPECT_FALSE(make_design(scene, nullptr).ok());
+}
+
+TEST(MakeDesign, RefusesAConstantBoundBeyondEveryDifference) {
+  Scene scene = complete_scene();
+  scene.graph = graph_of("a - b", "0.001 * a");
+  scene.reduced.inputs = model::LaneInputs::rounded;
+  scene.reduced.error_bound = model::ErrorBoundKind::constant;
+  scene.ranges = {model::Range{900, 901}, model::Range{900, 901}};
+  scene.reduced.format = format_of(4, 8);
+  EXPECT_NE(error_of(scene).message.find("far enough apart"), std::string::npos);
+  scene.reduced.format = format_of(30, 8);
+  EXPECT_TRUE(make_design(scene, nullptr).ok());
 }
 
 TEST(MakeDesign, NeedsConstantsOrDataForAProfiledBound) {
