@@ -70,6 +70,7 @@ struct SystemCounts {
   /// Verdicts that differ from the order of the real numbers f and g of the operands; an undecided
   /// comparison has the reference's verdict.
   std::uint64_t wrong = 0;
+  std::uint64_t wrong_by_lane = 0;  ///< of these, what a lane decided; 0 of every certified system
 
   friend bool operator==(const SystemCounts&, const SystemCounts&) = default;
 };

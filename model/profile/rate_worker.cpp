@@ -18,6 +18,7 @@ void RateTally::add(const RateTally& other) {
     for (std::size_t k = 0; k < counts[system].size(); ++k) {
       counts[system][k].undecided += other.counts[system][k].undecided;
       counts[system][k].wrong += other.counts[system][k].wrong;
+      counts[system][k].wrong_by_lane += other.counts[system][k].wrong_by_lane;
     }
   }
   reference_wrong += other.reference_wrong;
@@ -182,16 +183,19 @@ void RateWorker::run_lane(const Stage::Runner& runner, std::size_t system, int p
     runner.emulator->decide(columns, count, decisions_);
   }
   tally_.emulated += count;
-  std::uint64_t undecided = 0, wrong = 0;
+  std::uint64_t undecided = 0, wrong = 0, wrong_by_lane = 0;
   for (std::size_t n = 0; n < count; ++n) {
     const bool open = decisions_[n] == Decision::undecided;
     const Decision verdict = open ? candidates.reference[n] : decisions_[n];
     undecided += open ? 1 : 0;
-    wrong += verdict != candidates.truth[n] ? 1 : 0;
+    const bool is_wrong = verdict != candidates.truth[n];
+    wrong += is_wrong ? 1 : 0;
+    wrong_by_lane += is_wrong && !open ? 1 : 0;
   }
   SystemCounts& counts = tally_.counts[system][precision - job_.stages.front().anchor()];
   counts.undecided += undecided;
   counts.wrong += wrong;
+  counts.wrong_by_lane += wrong_by_lane;
 }
 
 void RateWorker::pass_on(const Stage& stage, const Candidates& from, Candidates& to) {

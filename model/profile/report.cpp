@@ -71,6 +71,18 @@ std::size_t interesting_rows(const RateProfile& profile) {
   return rows;
 }
 
+/// Where the reference errs, "wrong" says little of the lanes.
+void add_wrong_lanes(Page& page, const RateProfile& profile) {
+  page.add("wrong verdicts that a lane decided, at all L together:");
+  for (const SystemProfile& system : profile.systems) {
+    if (!exists(system)) continue;
+    std::uint64_t wrong = 0;
+    for (const SystemCounts& counts : system.counts) wrong += counts.wrong_by_lane;
+    page.add(" {} {}", system.name, wrong);
+  }
+  page.add("\n");
+}
+
 void add_rates(Page& page, const RateProfile& profile) {
   page.add("\nrecomputation rate and wrong verdicts, {} inputs, {} comparisons\n",
            to_string(profile.inputs), profile.comparisons);
@@ -96,6 +108,7 @@ void add_rates(Page& page, const RateProfile& profile) {
     page.add("from L = {} on all of them decide everything, and rightly\n",
              profile.first_precision + static_cast<int>(told));
   }
+  add_wrong_lanes(page, profile);
   for (const SystemProfile& system : profile.systems) {
     if (!system.reason.empty()) page.add("{}: {}\n", system.name, system.reason);
   }
@@ -128,7 +141,8 @@ Json to_json(const SystemProfile& system, const RateProfile& profile) {
     rows.push_back({{"precision", profile.first_precision + static_cast<int>(k)},
                     {"undecided", counts.undecided},
                     {"rate", rate_of(counts, profile)},
-                    {"wrong", counts.wrong}});
+                    {"wrong", counts.wrong},
+                    {"wrong_by_lane", counts.wrong_by_lane}});
   }
   return {{"system", system.name},
           {"certified", system.kind == SystemKind::certified},
@@ -186,18 +200,18 @@ std::string figure4_csv(const ProfileReport& report) {
 
 std::string figure5_csv(const ProfileReport& report) {
   Page page;
-  page.add("inputs,precision,system,comparisons,undecided,rate,wrong\n");
+  page.add("inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\n");
   for (const RateProfile& profile : report.rates) {
     const auto inputs = to_string(profile.inputs);
-    page.add("{},{},reference,{},0,0,{}\n", inputs, report.reference.precision(),
+    page.add("{},{},reference,{},0,0,{},0\n", inputs, report.reference.precision(),
              profile.comparisons, profile.reference_wrong);
     for (const SystemProfile& system : profile.systems) {
       for (std::size_t k = 0; k < system.counts.size(); ++k) {
         const SystemCounts& counts = system.counts[k];
         if (!counts.exists) continue;
-        page.add("{},{},{},{},{},{},{}\n", inputs, profile.first_precision + static_cast<int>(k),
+        page.add("{},{},{},{},{},{},{},{}\n", inputs, profile.first_precision + static_cast<int>(k),
                  system.name, profile.comparisons, counts.undecided, rate_of(counts, profile),
-                 counts.wrong);
+                 counts.wrong, counts.wrong_by_lane);
       }
     }
   }

@@ -55,14 +55,19 @@ SystemCounts golden_counts(SystemKind kind, const Lane& lane, const Comparisons&
   for (std::uint64_t index = 0; index < data.size(); ++index) {
     data.fetch(index, operands);
     Verdict verdict = truth[index].reference;
+    bool by_lane = true;
     if (kind == SystemKind::lanes_alone) {
       verdict = evaluate_reference(lane.graph, operands);
     } else if (const auto result = evaluate_lane(lane, operands); result.decided) {
       verdict = result.verdict;
     } else {
       ++counts.undecided;
+      by_lane = false;
     }
-    if (verdict != truth[index].real) ++counts.wrong;
+    if (verdict == truth[index].real) continue;
+    ++counts.wrong;
+    counts.wrong_by_lane += by_lane ? 1 : 0;
+    EXPECT_FALSE(by_lane && kind == SystemKind::certified) << "comparison " << index;
   }
   return counts;
 }
