@@ -1,14 +1,11 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
-#include <stdio.h>
-#include <sys/wait.h>
 
-#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/support/scratch_directory.hpp"
+#include "tests/support/program.hpp"
 
 /// The program as a user calls it: what it refuses, what it says, what it leaves behind.
 namespace mixcmp::test {
@@ -16,12 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int exit_code;
-  std::string output;  ///< stdout and stderr
-};
-
-class CommandLine : public testing::Test {
+class CommandLine : public ProgramTest {
 protected:
   CommandLine() {
     std::ofstream(directory_.path() / "data.csv") << "a,b,c\n1,2,3\n4,5,6\n";
@@ -34,29 +26,6 @@ protected:
         << "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"s8e8\"\n"
         << "[system]\nlanes = 1\nreferences = 1\n[data]\nfile = \"data.csv\"\n";
   }
-
-  /// In the scratch directory, which holds scene.toml.
-  Outcome mixcmp(const std::string& arguments) {
-    const std::string command = fmt::format("cd '{}' && '{}' {} 2>&1", directory_.path().string(),
-                                            MIXCMP_PROGRAM, arguments);
-    FILE* pipe = popen(command.c_str(), "r");
-    if (pipe == nullptr) throw std::runtime_error("no shell");
-    Outcome run{0, ""};
-    std::array<char, 4096> block;
-    for (std::size_t read = 0; (read = fread(block.data(), 1, block.size(), pipe)) > 0;) {
-      run.output.append(block.data(), read);
-    }
-    run.exit_code = WEXITSTATUS(pclose(pipe));
-    return run;
-  }
-
-  void expect_refused(const std::string& arguments, const std::string& words) {
-    const Outcome run = mixcmp(arguments);
-    EXPECT_EQ(run.exit_code, 1) << arguments << "\n" << run.output;
-    EXPECT_NE(run.output.find(words), std::string::npos) << arguments << "\n" << run.output;
-  }
-
-  ScratchDirectory directory_;
 };
 
 TEST_F(CommandLine, NamesAWordThatIsNoVerb) {

@@ -1,15 +1,12 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
-#include <stdio.h>
-#include <sys/wait.h>
 
-#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
-#include "tests/support/scratch_directory.hpp"
+#include "tests/support/program.hpp"
 
 /// `mixcmp profile` as a user calls it.
 namespace mixcmp::test {
@@ -17,12 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int exit_code;
-  std::string output;  ///< stdout and stderr
-};
-
-class ProfileCommand : public testing::Test {
+class ProfileCommand : public ProgramTest {
 protected:
   ProfileCommand() {
     write_scene("scene.toml", "binary64",
@@ -40,26 +32,12 @@ protected:
         << data;
   }
 
-  /// In the scratch directory; `environment` stands before the program.
   Outcome profile(const std::string& arguments, const std::string& environment = "") {
-    const std::string command =
-        fmt::format("cd '{}' && {} '{}' profile {} 2>&1", directory_.path().string(), environment,
-                    MIXCMP_PROGRAM, arguments);
-    FILE* pipe = popen(command.c_str(), "r");
-    if (pipe == nullptr) throw std::runtime_error("no shell");
-    Outcome run{0, ""};
-    std::array<char, 4096> block;
-    for (std::size_t read = 0; (read = fread(block.data(), 1, block.size(), pipe)) > 0;) {
-      run.output.append(block.data(), read);
-    }
-    run.exit_code = WEXITSTATUS(pclose(pipe));
-    return run;
+    return mixcmp("profile " + arguments, environment);
   }
 
-  void expect_refused(const std::string& arguments, const std::string& words) {
-    const Outcome run = profile(arguments);
-    EXPECT_EQ(run.exit_code, 1) << arguments << "\n" << run.output;
-    EXPECT_NE(run.output.find(words), std::string::npos) << arguments << "\n" << run.output;
+  void expect_profile_refused(const std::string& arguments, const std::string& words) {
+    expect_refused("profile " + arguments, words);
   }
 
   std::string read(const std::string& name) {
@@ -67,8 +45,6 @@ protected:
     text << std::ifstream(directory_.path() / name).rdbuf();
     return text.str();
   }
-
-  ScratchDirectory directory_;
 };
 
 TEST_F(ProfileCommand, CountsEverySystemAtEveryPrecision) {
@@ -120,8 +96,8 @@ TEST_F(ProfileCommand, WeighsSystems) {
   EXPECT_NE(report.at("advice")[1].get<std::string>().find("lanes_alone"), std::string::npos);
   const std::string csv = read("out/trade.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 9);
-  expect_refused("scene.toml --accept -1", "--accept");
-  expect_refused("scene.toml --areas nowhere.csv", "nowhere.csv: cannot be read");
+  expect_profile_refused("scene.toml --accept -1", "--accept");
+  expect_profile_refused("scene.toml --areas nowhere.csv", "nowhere.csv: cannot be read");
 }
 
 TEST_F(ProfileCommand, WithoutGnuplotOnlyThePicturesAreMissing) {
@@ -133,22 +109,22 @@ TEST_F(ProfileCommand, WithoutGnuplotOnlyThePicturesAreMissing) {
 }
 
 TEST_F(ProfileCommand, RefusesWhatCannotBeProfiled) {
-  expect_refused("scene.toml --first 3", "L = 3..52; accepted 4..52");
-  expect_refused("scene.toml --first 9 --last 8", "L = 9..8");
-  expect_refused("scene.toml --last 53", "L = 4..53");
-  expect_refused("scene.toml --samples 0", "--samples");
-  expect_refused("scene.toml --threads 0", "--threads");
+  expect_profile_refused("scene.toml --first 3", "L = 3..52; accepted 4..52");
+  expect_profile_refused("scene.toml --first 9 --last 8", "L = 9..8");
+  expect_profile_refused("scene.toml --last 53", "L = 4..53");
+  expect_profile_refused("scene.toml --samples 0", "--samples");
+  expect_profile_refused("scene.toml --threads 0", "--threads");
   write_scene("wide.toml", "binary128", "[data]\nitems = \"uniform_spheres\"\npairs = \"all\"\n");
-  expect_refused("wide.toml", "wide.toml: reference.format");
+  expect_profile_refused("wide.toml", "wide.toml: reference.format");
   write_scene("empty.toml", "binary64", "");
-  expect_refused("empty.toml", "empty.toml: data: a profile needs data");
+  expect_profile_refused("empty.toml", "empty.toml: data: a profile needs data");
   write_scene("narrow.toml", "binary32", "[data]\nitems = \"uniform_spheres\"\npairs = \"all\"\n");
-  expect_refused("narrow.toml --last 25", "accepted 4..24");
+  expect_profile_refused("narrow.toml --last 25", "accepted 4..24");
 }
 
 TEST_F(ProfileCommand, WritesNothingWhereItCannot) {
   std::ofstream(directory_.path() / "file") << "";
-  expect_refused("scene.toml -o file/out", "file/out: cannot be written");
+  expect_profile_refused("scene.toml -o file/out", "file/out: cannot be written");
 }
 
 }  // namespace

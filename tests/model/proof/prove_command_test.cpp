@@ -1,16 +1,13 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
-#include <stdio.h>
-#include <sys/wait.h>
 
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "model/proof/gappa.hpp"
-#include "tests/support/scratch_directory.hpp"
+#include "tests/support/program.hpp"
 
 /// check --prove, generate's quick proof and doctor as a user calls them.
 namespace mixcmp::test {
@@ -20,29 +17,8 @@ namespace fs = std::filesystem;
 
 const std::string examples = MIXCMP_EXAMPLES;
 
-struct Outcome {
-  int exit_code;
-  std::string output;  ///< stdout and stderr
-};
-
-class ProveCommand : public testing::Test {
+class ProveCommand : public ProgramTest {
 protected:
-  /// In the scratch directory, with variables before the program.
-  Outcome mixcmp(const std::string& arguments, const std::string& environment = "") {
-    const std::string command =
-        fmt::format("cd '{}' && {} '{}' {} 2>&1", directory_.path().string(), environment,
-                    MIXCMP_PROGRAM, arguments);
-    FILE* pipe = popen(command.c_str(), "r");
-    if (pipe == nullptr) throw std::runtime_error("no shell");
-    Outcome run{0, ""};
-    std::array<char, 4096> block;
-    for (std::size_t read = 0; (read = fread(block.data(), 1, block.size(), pipe)) > 0;) {
-      run.output.append(block.data(), read);
-    }
-    run.exit_code = WEXITSTATUS(pclose(pipe));
-    return run;
-  }
-
   /// PATH with nothing but this in the place of gappa.
   std::string with_gappa(const std::string& commands) {
     const fs::path folder = directory_.path() / "fake";
@@ -59,8 +35,6 @@ protected:
   std::string refusing_gappa() {
     return with_gappa("echo 'Error: some properties were not satisfied: BND(x)' >&2; exit 1");
   }
-
-  ScratchDirectory directory_;
 };
 
 std::string scene(const char* example) {
