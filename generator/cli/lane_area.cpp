@@ -2,10 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "generator/cli/scratch.hpp"
 #include "model/common/check.hpp"
 #include "verilator_tb/process.hpp"
 
@@ -48,26 +50,6 @@ Area count_cells(const nlohmann::json& statistics) {
   }
   return area;
 }
-
-/// A folder of our own that ends with us.
-class Scratch {
-public:
-  Scratch() {
-    std::string name = (std::filesystem::temp_directory_path() / "mixcmp.XXXXXX").string();
-    MIXCMP_CHECK(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
-private:
-  std::filesystem::path path_;
-};
 
 std::string lane_module(const gen::GeneratedSystem& system) {
   const std::string& channel = system.signature.channel_module;

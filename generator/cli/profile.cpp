@@ -2,16 +2,18 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
+#include "generator/cli/scratch.hpp"
 #include "generator/cli/verbs.hpp"
 #include "model/profile/report.hpp"
 #include "model/profile/trade.hpp"
+#include "verilator_tb/process.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -50,12 +52,20 @@ void add_options(CLI::App& verb, ProfileCommand& command) {
                   "say which system is cheapest with at most N wrong verdicts per million; 0: "
                   "certified; may be repeated (includes --trade)")
       ->allow_extra_args(false)
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            double value = 0;
+            const bool is_number = CLI::detail::lexical_cast(text, value) && value >= 0;
+            return is_number ? std::string()
+                             : fmt::format("received {}; accepted a number of at least 0", text);
+          },
+          "N"));
   verb.add_option("--areas", command.areas,
                   "measured areas instead of the cost model: CSV of system,precision,luts "
                   "(includes --trade)");
   verb.add_option("-o,--output", command.output,
-                  "directory for figure4, figure5 and trade as .csv and .svg");
+                  "directory for figure4, figure5 and trade as .csv and .svg, and all of it as "
+                  "profile.json");
 }
 
 /// A line that is overwritten, on a terminal only.
@@ -105,15 +115,25 @@ model::Result<model::Done> write_file(const fs::path& path, const std::string& t
   return error;
 }
 
-/// False where gnuplot cannot run.
+/// Drawn elsewhere first, so that no picture is ever half there. False where gnuplot cannot run.
 bool draw(const fs::path& directory, const std::string& name, const std::string& script) {
-  const fs::path script_path = directory / (name + ".gnuplot");
-  value_or_exit(write_file(script_path, script));
-  const std::string command =
-      fmt::format("cd {} && gnuplot {}.gnuplot >/dev/null 2>&1", quoted(directory.string()), name);
-  const bool drawn = std::system(command.c_str()) == 0;
-  fs::remove(script_path);
-  return drawn;
+  const Scratch scratch;
+  value_or_exit(write_file(scratch.path() / "script.gnuplot", script));
+  const auto drawn = tb::run_tool({"gnuplot", "script.gnuplot"}, scratch.path(),
+                                  scratch.path() / "gnuplot.log", {});
+  if (!drawn.ok()) return false;
+  std::ostringstream picture;
+  picture << std::ifstream(scratch.path() / (name + ".svg"), std::ios::binary).rdbuf();
+  value_or_exit(write_file(directory / (name + ".svg"), picture.str()));
+  return true;
+}
+
+/// Of a run before: what is not written again would tell of other data.
+void remove_old_results(const fs::path& directory) {
+  for (const char* name : {"figure4.csv", "figure4.svg", "figure5.csv", "figure5.svg", "trade.csv",
+                           "trade.svg", "profile.json"}) {
+    fs::remove(directory / name);
+  }
 }
 
 /// A directory that cannot be written should not cost a profile first.
@@ -146,8 +166,17 @@ Trades weigh(const LoadedScene& loaded, const model::ProfileReport& report,
   return weighed;
 }
 
-void write_figures(const model::ProfileReport& report, const Trades& weighed,
+nlohmann::ordered_json json_of(const model::ProfileReport& report, const Trades& weighed) {
+  nlohmann::ordered_json all = to_json(report);
+  for (const model::Trade& trade : weighed.trades) all["trade"].push_back(to_json(trade));
+  for (const std::string& advice : weighed.advice) all["advice"].push_back(advice);
+  return all;
+}
+
+void write_results(const model::ProfileReport& report, const Trades& weighed,
                    const fs::path& directory) {
+  remove_old_results(directory);
+  value_or_exit(write_file(directory / "profile.json", json_of(report, weighed).dump(2) + "\n"));
   value_or_exit(write_file(directory / "figure4.csv", figure4_csv(report)));
   value_or_exit(write_file(directory / "figure5.csv", figure5_csv(report)));
   bool drawn = draw(directory, "figure4", figure4_script(report, "figure4.svg")) &&
@@ -166,13 +195,6 @@ void print_text(const model::ProfileReport& report, const Trades& weighed) {
   fmt::print("{}", to_text(report));
   for (const model::Trade& trade : weighed.trades) fmt::print("{}", to_text(trade));
   for (const std::string& advice : weighed.advice) fmt::print("{}", advice);
-}
-
-void print_json(const model::ProfileReport& report, const Trades& weighed) {
-  nlohmann::ordered_json all = to_json(report);
-  for (const model::Trade& trade : weighed.trades) all["trade"].push_back(to_json(trade));
-  for (const std::string& advice : weighed.advice) all["advice"].push_back(advice);
-  fmt::print("{}\n", all.dump(2));
 }
 
 void run(const ProfileCommand& command) {
@@ -196,8 +218,12 @@ void run(const ProfileCommand& command) {
   const model::ProfileReport report = measure(loaded, command, options);
   const bool weighs = command.trade || !command.accepted.empty() || !command.areas.empty();
   const Trades weighed = weighs ? weigh(loaded, report, areas, command.accepted) : Trades();
-  if (!command.output.empty()) write_figures(report, weighed, command.output);
-  command.scene.json ? print_json(report, weighed) : print_text(report, weighed);
+  if (!command.output.empty()) write_results(report, weighed, command.output);
+  if (command.scene.json) {
+    fmt::print("{}\n", json_of(report, weighed).dump(2));
+  } else {
+    print_text(report, weighed);
+  }
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ void add_prove_options(CLI::App& verb, ProveOptions& options) {
   verb.add_option("--precisions", options.precisions,
                   "prove lanes of these precisions instead of the scene's: 4,8,17")
       ->delimiter(',')
-      ->check(CLI::Range(model::FloatFormat::min_precision, model::FloatFormat::max_precision))
+      ->check(CLI::Range(4, 52))
       ->needs(prove);
   verb.add_option("--proof-seconds", options.seconds_a_script, "for each script, 10 if not given")
       ->check(CLI::PositiveNumber)

@@ -207,6 +207,7 @@ Result<Lane> running_lane(TypedGraph graph, const CertifiedOptions& options) {
 Result<Lane> constant_lane(TypedGraph graph, const CertifiedOptions& options) {
   MIXCMP_TRY(found, bound_difference(graph, ErrorBoundKind::constant, options));
   const std::vector<RangeCheck> checks = full_range_checks(graph, options.ranges);
+  MIXCMP_TRY(divisors_checked, check_divisors(graph, checks));
   MIXCMP_TRY(bound, constant_bound(graph, found.analysis, found.bound, checks));
   const FloatFormat format = graph.arithmetic.format;
   AbsoluteBoundDecision decision{

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "model/error/hazards.hpp"
 #include "model/error/range_analysis.hpp"
@@ -30,11 +31,19 @@ mpq_class least_magnitude(const Range& range) {
 
 class Folder {
 public:
-  Folder(const TypedGraph& graph, const ErrorAnalysis& analysis,
-         const std::vector<RangeCheck>& checks)
+  Folder(const TypedGraph& graph, ErrorAnalysis analysis, const std::vector<RangeCheck>& checks)
       : graph_(graph),
-        analysis_(analysis),
+        analysis_(std::move(analysis)),
         ranges_(analyse_ranges(graph, checked_ranges(graph, checks))) {}
+
+  Result<Done> check_divisors() const {
+    for (const TypedNode& node : graph_.nodes) {
+      if (node.operation != Operation::divide) continue;
+      const NodeId divisor = node.operands[1];
+      if (least_magnitude(range(divisor)) == 0) return stands_in_the_way(divisor, "may be zero");
+    }
+    return Done{};
+  }
 
   Result<mpq_class> run(const AbsolutePart& bound) const {
     if (bound.bound == no_bound_node) return mpq_class(0);
@@ -112,11 +121,15 @@ private:
   }
 
   const TypedGraph& graph_;
-  const ErrorAnalysis& analysis_;
+  ErrorAnalysis analysis_;
   std::vector<NodeRange> ranges_;
 };
 
 }  // namespace
+
+Result<Done> check_divisors(const TypedGraph& graph, const std::vector<RangeCheck>& checks) {
+  return Folder(graph, {}, checks).check_divisors();
+}
 
 Result<mpq_class> constant_bound(const TypedGraph& graph, const ErrorAnalysis& analysis,
                                  const AbsolutePart& bound, const std::vector<RangeCheck>& checks) {

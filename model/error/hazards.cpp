@@ -53,10 +53,12 @@ private:
   }
 
   Hazards hazards_of(NodeId id) const {
-    const bool from_reach = any_operand(id, [&](NodeId k) { return may_be_subnormal(k); });
+    // A gradual sum below the smallest normal number is exact, but no less subnormal.
+    const bool subnormal =
+        may_be_subnormal(id) || any_operand(id, [&](NodeId k) { return may_be_subnormal(k); });
     return {.special_operand = any_operand(id, [&](NodeId k) { return special_[k]; }),
             .overflow = range(id).may(Event::overflow) || range(id).may(Event::division_by_zero),
-            .underflow = range(id).may(Event::underflow) || from_reach,
+            .underflow = range(id).may(Event::underflow) || subnormal,
             .cancellation = may_cancel(graph_, signs_, id)};
   }
 

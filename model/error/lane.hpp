@@ -53,7 +53,7 @@ struct IntervalDecision {
 struct Hazards {
   bool special_operand = true;  ///< a NaN or an infinity among the operands
   bool overflow = true;         ///< or a division by zero
-  bool underflow = true;        ///< or a subnormal operand
+  bool underflow = true;        ///< a subnormal result, exact or not, or a subnormal operand
   bool cancellation = true;     ///< of an add or a subtract: what is added may have unlike signs
 
   friend bool operator==(const Hazards&, const Hazards&) = default;

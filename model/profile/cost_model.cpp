@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -140,12 +141,24 @@ double reference_luts(const TypedGraph& reference) {
   return graph_luts(reference) + comparison(reference.arithmetic.format.precision());
 }
 
+namespace {
+
+const std::array<std::string_view, 7> names = {"reference", "lanes_alone", "profiled", "relative",
+                                               "running_4", "running_1",   "constant"};
+
+bool is_system(const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
 Result<MeasuredAreas> MeasuredAreas::read(const std::filesystem::path& path) {
   std::ifstream file(path);
   std::string text;
   const std::string header = "system,precision,luts";
   if (!file || !std::getline(file, text)) {
-    return Error{.file = path.string(), .message = "cannot be read, or is empty"};
+    return Error{
+        .file = path.string(), .field = "--areas", .message = "cannot be read, or is empty"};
   }
   if (fields_of(text) != fields_of(header)) return bad_area(path, 1, "header", text, header);
   MeasuredAreas areas;
@@ -154,13 +167,19 @@ Result<MeasuredAreas> MeasuredAreas::read(const std::filesystem::path& path) {
     int precision = 0;
     double luts = 0;
     if (fields.size() != 3) return bad_area(path, line, "line", text, header);
+    if (!is_system(fields[0])) {
+      return bad_area(path, line, "system", fields[0], fmt::format("{}", fmt::join(names, ", ")));
+    }
     if (!read_number(fields[1], precision)) {
       return bad_area(path, line, "precision", fields[1], "an integer");
     }
     if (!read_number(fields[2], luts) || !(luts > 0) || !std::isfinite(luts)) {
       return bad_area(path, line, "luts", fields[2], "a positive number");
     }
-    areas.luts_[{fields[0], fields[0] == "reference" ? 0 : precision}] = luts;
+    const std::pair key{fields[0], fields[0] == "reference" ? 0 : precision};
+    if (!areas.luts_.emplace(key, luts).second) {
+      return bad_area(path, line, "system, precision", text, "one line each");
+    }
   }
   return areas;
 }

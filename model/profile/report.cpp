@@ -27,6 +27,11 @@ double rate_of(const SystemCounts& counts, const RateProfile& profile) {
   return static_cast<double>(counts.undecided) / static_cast<double>(profile.comparisons);
 }
 
+/// Of no comparison there is no error.
+std::string measured(const mpq_class& error, const ErrorProfile& profile) {
+  return profile.comparisons == 0 ? "none" : fmt::format("{:.3e}", error.get_d());
+}
+
 std::string shown(const std::optional<double>& bound) {
   return bound ? fmt::format("{:.3e}", *bound) : "none";
 }
@@ -37,8 +42,8 @@ void add_errors(Page& page, const ErrorProfile& profile) {
       to_string(profile.inputs), profile.comparisons);
   page.add("{:>4}  {:>10}  {:>10}  {:>10}  {:>10}\n", "L", "f", "f bound", "g", "g bound");
   for (const ErrorAtPrecision& error : profile.precisions) {
-    page.add("{:>4}  {:>10.3e}  {:>10}  {:>10.3e}  {:>10}\n", error.precision, error.f.get_d(),
-             shown(error.f_bound), error.g.get_d(), shown(error.g_bound));
+    page.add("{:>4}  {:>10}  {:>10}  {:>10}  {:>10}\n", error.precision, measured(error.f, profile),
+             shown(error.f_bound), measured(error.g, profile), shown(error.g_bound));
   }
   if (!profile.no_f_bound.empty()) page.add("no bound for f: {}\n", profile.no_f_bound);
   if (!profile.no_g_bound.empty()) page.add("no bound for g: {}\n", profile.no_g_bound);

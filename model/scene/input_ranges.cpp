@@ -27,7 +27,7 @@ bool is_power_of_two(const mpq_class& value) {
 
 Result<InputDeclaration> read_input(const Settings& settings, const Setting& entry) {
   const std::string field = "inputs." + entry.key;
-  const std::string accepted = "{ range = [low, high] }, low <= high";
+  const std::string accepted = "{ range = [low, high] }, low <= high, and a grid beside it";
   if (!std::holds_alternative<Setting::Table>(entry.value)) {
     return mistake_at(settings, entry, field, "wrong type", entry.shown(), accepted);
   }

@@ -62,6 +62,10 @@ std::string answer(const Finding& finding, bool with_operations) {
   return text;
 }
 
+std::string_view error_bound_of(const ReducedSpec& reduced) {
+  return reduced.error_bound ? to_string(*reduced.error_bound) : "auto";
+}
+
 void print_understood(Page& page, const Scene& scene) {
   page.section(fmt::format("scene {}", scene.name));
   page.line("f", scene.f_text);
@@ -79,6 +83,10 @@ void print_understood(Page& page, const Scene& scene) {
                                    reduced.format ? reduced.format->name() : "auto",
                                    to_string(reduced.rounding), to_string(reduced.subnormals),
                                    to_string(reduced.inputs), to_string(reduced.bound)));
+  if (reduced.bound == BoundKind::certified) {
+    page.line("error bound", fmt::format("{}, running ones of {} digits", error_bound_of(reduced),
+                                         reduced.bound_digits));
+  }
   const SystemSpec& system = scene.system;
   page.section("system");
   page.line("device", fmt::format("{}, slack {}", system.device, system.slack));
@@ -202,7 +210,11 @@ nlohmann::json json_of(const LaneSavings& savings) {
 
 nlohmann::json json_of(const ReducedSpec& reduced) {
   return {{"format", reduced.format ? reduced.format->name() : "auto"},
+          {"rounding", to_string(reduced.rounding)},
+          {"subnormals", to_string(reduced.subnormals)},
           {"bound", to_string(reduced.bound)},
+          {"error_bound", error_bound_of(reduced)},
+          {"bound_digits", reduced.bound_digits},
           {"inputs", to_string(reduced.inputs)}};
 }
 

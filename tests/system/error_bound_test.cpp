@@ -99,6 +99,10 @@ INSTANTIATE_TEST_SUITE_P(
                          Subnormals::gradual},
                     Case{"constant_in_ranges", "a * b - a", "b", ErrorBoundKind::constant, 0,
                          "s5e5", LaneInputs::rounded, within_two},
+                    // Normal operands whose differences are subnormal.
+                    Case{"gradual_differences_in_ranges", "a - b", "4 * a", ErrorBoundKind::running,
+                         3, "s4e3", LaneInputs::rounded, Range{mpq_class(1, 4), mpq_class(7, 2)},
+                         Rounding::nearest_even, Subnormals::gradual},
                     Case{"relative_positive_ranges", "a * b", "a + b", ErrorBoundKind::relative, 0,
                          "s3e5", LaneInputs::exact, positive},
                     Case{"relative_negative_ranges", "a * b", "a / b", ErrorBoundKind::relative, 0,

@@ -9,6 +9,7 @@
 #include "model/golden/evaluate.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
+#include "tests/support/hazard_judge.hpp"
 
 /// Certified lanes of random graphs in random formats, on operands that are driven to where the
 /// lane is only just certain: what it decides is the order of the real numbers.
@@ -271,6 +272,7 @@ int attack(const Target& target, Random& random) {
     std::vector<Bits> next = inputs;
     Bits& operand = next[static_cast<size_t>(below(random, static_cast<int>(next.size())))];
     if (step > 0) operand = moved(reference, operand, random);
+    EXPECT_EQ(broken_promise(target.lane, next), "") << describe(target, next);
     const LaneResult result = evaluate_lane(target.lane, next);
     if (!result.decided || margin(target.lane, next, result) > smallest) continue;
     smallest = margin(target.lane, next, result);

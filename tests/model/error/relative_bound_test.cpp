@@ -1,7 +1,6 @@
-#include "model/error/error_analysis.hpp"
-
 #include <gtest/gtest.h>
 
+#include "model/error/error_analysis.hpp"
 #include "model/golden/arithmetic.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
@@ -36,7 +35,7 @@ model::Result<Lane> certify(const Graph& graph, Setting setting) {
                               setting.subnormals};
   setting.nonnegative.resize(graph.inputs().size(), false);
   return relative_lane(lane_graph(graph, reference, arithmetic, setting.inputs),
-                        setting.nonnegative);
+                       setting.nonnegative);
 }
 
 /// What is known of f in a lane.
@@ -164,7 +163,7 @@ TEST(RelativeBound, ChecksNoSignThatTheProofDoesNotNeed) {
 TEST(CertifiedLane, NamesTheOperationAndWhatHelps) {
   const auto rounded = certify(sphere_graph(), {.inputs = LaneInputs::rounded});
   ASSERT_FALSE(rounded.ok());
-  EXPECT_EQ(rounded.error().field, "reduced.bound");
+  EXPECT_EQ(rounded.error().field, "reduced.error_bound");
   EXPECT_NE(rounded.error().message.find("difference cxi - cxj"), std::string::npos);
   EXPECT_NE(rounded.error().accepted.find("reduced.inputs = \"exact\""), std::string::npos);
   EXPECT_EQ(rounded.error().accepted.find("range"), std::string::npos);
@@ -231,6 +230,17 @@ TEST(GuardUlp, FitsTheWidthOfTheFormat) {
     EXPECT_LE(certified_decision(*lane).guard_ulp, model::low_mask(narrow.width())) << f;
     EXPECT_GT(certified_decision(*lane).guard_ulp, 2 * narrow.largest_finite(false)) << f;
   }
+}
+
+TEST(CertifiedLane, NamesADivisorThatMayBeZero) {
+  const auto typed =
+      lane_graph(graph_of("a / (b - c)", "a"), reference, {format_of(17, 8)}, LaneInputs::exact);
+  const std::vector<std::optional<model::Range>> ranges(3, model::Range{1, 4});
+  const auto lane =
+      certified_lane(typed, {.kind = model::ErrorBoundKind::constant, .ranges = ranges});
+  ASSERT_FALSE(lane.ok());
+  EXPECT_NE(lane.error().message.find("b - c may be zero"), std::string::npos);
+  EXPECT_NE(lane.error().accepted.find("ranges that keep it away"), std::string::npos);
 }
 
 /// Each step squares the bound and doubles its digits, were it kept exactly.

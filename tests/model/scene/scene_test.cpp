@@ -242,7 +242,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "to 0.95"},
         Mistake{"\"r*\" = { range = [0, 0.1] }", "\"r*\" = [0, 0.1]",
                 ":8: inputs.r*: wrong type: received an array of 2; accepted { range = [low, high] "
-                "}, low <= high"}));
+                "}, low <= high, and a grid beside it"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Values, SceneMistake,
