@@ -104,7 +104,7 @@ TEST(LaneModule, HazardsThatRangesRuleOutAreNotBuilt) {
   const Lane lane = lane_of(graph, ErrorBoundKind::running, model::Subnormals::gradual, range);
   const std::vector<rtl::Instance> all = instances(graph, lane);
   EXPECT_EQ(count(all, "fp_range_check"), 2);
-  const rtl::Instance& product = only(all, "fp_multiply");
+  const rtl::Instance product = only(all, "fp_multiply");
   EXPECT_EQ(parameter(product, "SPECIAL_OPERANDS"), 0);
   EXPECT_EQ(parameter(product, "OVERFLOW"), 0);
   EXPECT_EQ(parameter(product, "UNDERFLOW"), 0);

@@ -62,7 +62,7 @@ RangeCheck random_check(const TypedGraph& graph, Random& random) {
   check.leading_bits = 1 + below(random, std::min(format.width() - 1, format.exponent_bits() + 4));
   const int rest = format.width() - 1 - check.leading_bits;
   const Bits one = random_encoding(format, random), other = random_encoding(format, random);
-  const auto [least, greatest] = std::minmax(format.magnitude(one), format.magnitude(other));
+  const auto [least, greatest] = std::minmax({format.magnitude(one), format.magnitude(other)});
   check.least = least >> rest;
   check.greatest = greatest >> rest;
   return check;
