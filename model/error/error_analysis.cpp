@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "model/common/power_of_two.hpp"
 #include "model/error/sign.hpp"
 #include "model/expression/text.hpp"
 #include "model/golden/arithmetic.hpp"
@@ -38,10 +39,8 @@ std::string first_reason(const NodeBound* a, const NodeBound* b) {
   return "";
 }
 
-bool is_power_of_two(const TypedNode& node) {
-  if (node.operation != Operation::constant || node.value == 0) return false;
-  const mpz_class product = abs(node.value.get_num()) * node.value.get_den();
-  return mpz_popcount(product.get_mpz_t()) == 1;
+bool scales_exactly(const TypedNode& node) {
+  return node.operation == Operation::constant && is_power_of_two(mpq_class(abs(node.value)));
 }
 
 mpq_class farthest(const RelativeBound& factor, const mpq_class& center) {
@@ -279,7 +278,7 @@ bool Analysis::rounds_nothing(const TypedNode& node) const {
   const int operand_digits = node.operand_format.precision();
   const int digits = node.format.precision();
   const auto scales_by = [&](int operand) {
-    return operand_digits <= digits && is_power_of_two(graph_.nodes[node.operands[operand]]);
+    return operand_digits <= digits && scales_exactly(graph_.nodes[node.operands[operand]]);
   };
   switch (node.operation) {
     case Operation::convert: return operand_digits <= digits;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/common/check.hpp"
+#include "model/common/power_of_two.hpp"
 #include "model/error/range_analysis.hpp"
 #include "model/golden/arithmetic.hpp"
 
@@ -17,11 +18,6 @@ Quantum quantum_of(const mpq_class& value) {
   if (value == 0 || mpz_popcount(value.get_den_mpz_t()) != 1) return std::nullopt;
   const mp_bitcnt_t zeros = mpz_scan1(value.get_num_mpz_t(), 0);
   return mpq_class(mpz_class(1) << zeros, value.get_den());
-}
-
-bool is_power_of_two(const mpq_class& value) {
-  return value > 0 && mpz_popcount(value.get_num_mpz_t()) == 1 &&
-         mpz_popcount(value.get_den_mpz_t()) == 1;
 }
 
 class Analysis {
@@ -87,8 +83,8 @@ private:
         std::max<mpq_class>(abs(range.value.low), abs(range.value.high)) / quantum;
     if (range.may(Event::overflow) || most > mpz_class(1) << format.precision()) return false;
     const bool gradual = graph_.arithmetic.subnormals == Subnormals::gradual;
-    return quantum >= golden::to_rational(
-                          format, gradual ? Bits{1} : format.smallest_normal(false));
+    return quantum >=
+           golden::to_rational(format, gradual ? Bits{1} : format.smallest_normal(false));
   }
 
   const TypedGraph& graph_;

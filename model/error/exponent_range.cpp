@@ -24,8 +24,8 @@ bool serves(const TypedGraph& lane, const std::vector<std::optional<Range>>& ran
   for (std::size_t id = 0; id < nodes.size(); ++id) {
     if (nodes[id].may(Event::overflow) || nodes[id].may(Event::division_by_zero)) return false;
     if (!(lane.nodes[id].format == lane.arithmetic.format)) continue;
-    largest = std::max<mpq_class>(largest, std::max<mpq_class>(abs(nodes[id].value.low),
-                                                               abs(nodes[id].value.high)));
+    largest = std::max<mpq_class>(
+        largest, std::max<mpq_class>(abs(nodes[id].value.low), abs(nodes[id].value.high)));
   }
   return reaches_below(lane.arithmetic.format, largest);
 }
@@ -34,8 +34,8 @@ bool serves(const TypedGraph& lane, const std::vector<std::optional<Range>>& ran
 
 int lane_exponent_bits(const Graph& graph, FloatFormat reference, const Arithmetic& arithmetic,
                        LaneInputs inputs, const std::vector<std::optional<Range>>& ranges) {
-  const bool all_ranges =
-      std::all_of(ranges.begin(), ranges.end(), [](const auto& range) { return range.has_value(); });
+  const bool all_ranges = std::all_of(ranges.begin(), ranges.end(),
+                                      [](const auto& range) { return range.has_value(); });
   if (!all_ranges) return reference.exponent_bits();
   constexpr int fewest = 4;
   for (int bits = fewest; bits < reference.exponent_bits(); ++bits) {

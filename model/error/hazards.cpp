@@ -107,11 +107,11 @@ private:
   std::vector<bool> special_;
 };
 
+}  // namespace
+
 bool has_unit(Operation operation) {
   return arity(operation) > 0 && operation != Operation::negate && operation != Operation::absolute;
 }
-
-}  // namespace
 
 std::vector<RangeCheck> full_range_checks(const TypedGraph& graph,
                                           const std::vector<std::optional<Range>>& ranges) {

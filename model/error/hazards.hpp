@@ -7,6 +7,9 @@
 
 namespace mixcmp::model {
 
+/// Whether hardware computes it: inputs and constants are given, negate and absolute are wires.
+bool has_unit(Operation operation);
+
 /// A check of sign and magnitude for every declared range.
 std::vector<RangeCheck> full_range_checks(const TypedGraph& graph,
                                           const std::vector<std::optional<Range>>& ranges);

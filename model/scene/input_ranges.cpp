@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/common/nearest.hpp"
+#include "model/common/power_of_two.hpp"
 #include "model/expression/text.hpp"
 #include "model/scene/section.hpp"
 
@@ -19,11 +20,6 @@ struct InputDeclaration {
   Range range;
   std::optional<mpq_class> grid;
 };
-
-bool is_power_of_two(const mpq_class& value) {
-  return value > 0 && mpz_popcount(value.get_num_mpz_t()) == 1 &&
-         mpz_popcount(value.get_den_mpz_t()) == 1;
-}
 
 Result<InputDeclaration> read_input(const Settings& settings, const Setting& entry) {
   const std::string field = "inputs." + entry.key;

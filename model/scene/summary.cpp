@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/error/exactness.hpp"
+#include "model/error/hazards.hpp"
 #include "model/expression/text.hpp"
 #include "model/golden/arithmetic.hpp"
 
@@ -200,10 +201,6 @@ Exactness summarise_exactness(const Scene& scene, const TypedGraph& reference) {
       .exact = false,
       .first_rounding = to_text(reference.nodes, reference.input_names,
                                 static_cast<NodeId>(first - exact.begin()), max_expression_length)};
-}
-
-bool has_unit(Operation operation) {
-  return arity(operation) > 0 && operation != Operation::negate && operation != Operation::absolute;
 }
 
 std::optional<LaneSavings> summarise_savings(const Scene& scene, const TypedGraph& graph) {

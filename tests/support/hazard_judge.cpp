@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "model/error/hazards.hpp"
 #include "model/golden/evaluate.hpp"
 
 namespace mixcmp::test {
@@ -17,10 +18,6 @@ using model::golden::Rounded;
 
 bool is_special(FloatFormat format, Bits bits) {
   return format.is_nan(bits) || format.is_infinite(bits);
-}
-
-bool has_unit(Operation operation) {
-  return arity(operation) > 0 && operation != Operation::negate && operation != Operation::absolute;
 }
 
 class Judge {
