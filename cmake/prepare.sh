@@ -4,7 +4,8 @@
 # What the build, the tests and `mixcmp verify` need, on Debian 12 and 13.
 packages="g++ cmake ninja-build ccache pkg-config make git ca-certificates
   libmpfr-dev libgmp-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
-  tao-pegtl-dev libgtest-dev libbenchmark-dev libhwy-dev zlib1g-dev verilator iverilog yosys gappa gnuplot-nox gtkwave"
+  tao-pegtl-dev libgtest-dev libbenchmark-dev libhwy-dev zlib1g-dev libsqlite3-dev coinor-libcbc-dev verilator iverilog yosys nextpnr-ice40 gappa glpk-utils
+  gnuplot-nox gtkwave"
 
 say() { printf '== %s\n' "$*"; }
 

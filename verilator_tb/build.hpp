@@ -4,9 +4,17 @@
 #include <string>
 
 #include "generator/emit/signature.hpp"
-#include "verilator_tb/process.hpp"
+#include "model/common/process.hpp"
 
 namespace mixcmp::tb {
+
+using model::Child;
+using model::Command;
+using model::last_lines;
+using model::Progress;
+using model::run_tool;
+using model::to_shell;
+using model::tool_version;
 
 /// A generated system in its folder.
 struct System {

@@ -9,7 +9,7 @@
 
 #include "generator/cli/scratch.hpp"
 #include "model/common/check.hpp"
-#include "verilator_tb/process.hpp"
+#include "model/common/process.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -59,7 +59,7 @@ std::string lane_module(const gen::GeneratedSystem& system) {
 }  // namespace
 
 model::Result<Area> lane_area(const model::Design& design) {
-  MIXCMP_TRY(version, tb::tool_version("yosys", "-V", "yosys"));
+  MIXCMP_TRY(version, model::tool_version("yosys", "-V", "yosys"));
   MIXCMP_TRY(system, gen::generate_system(design, ""));
   const Scratch scratch;
   for (const gen::GeneratedFile& file : system.files) {
@@ -68,7 +68,7 @@ model::Result<Area> lane_area(const model::Design& design) {
   const std::string script =
       fmt::format("read_verilog *.v; {} -top {}; tee -q -o statistics.json stat -json",
                   synthesis_for(design.system.device), lane_module(system));
-  MIXCMP_TRY(ran, tb::run_tool({"yosys", "-q", "-p", script}, scratch.path(),
+  MIXCMP_TRY(ran, model::run_tool({"yosys", "-q", "-p", script}, scratch.path(),
                                scratch.path() / "yosys.log", {}));
   std::ifstream stream(scratch.path() / "statistics.json");
   return count_cells(nlohmann::json::parse(stream));

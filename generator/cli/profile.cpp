@@ -13,7 +13,7 @@
 #include "generator/cli/verbs.hpp"
 #include "model/profile/report.hpp"
 #include "model/profile/trade.hpp"
-#include "verilator_tb/process.hpp"
+#include "model/common/process.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -119,7 +119,7 @@ model::Result<model::Done> write_file(const fs::path& path, const std::string& t
 bool draw(const fs::path& directory, const std::string& name, const std::string& script) {
   const Scratch scratch;
   value_or_exit(write_file(scratch.path() / "script.gnuplot", script));
-  const auto drawn = tb::run_tool({"gnuplot", "script.gnuplot"}, scratch.path(),
+  const auto drawn = model::run_tool({"gnuplot", "script.gnuplot"}, scratch.path(),
                                   scratch.path() / "gnuplot.log", {});
   if (!drawn.ok()) return false;
   std::ostringstream picture;

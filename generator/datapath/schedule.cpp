@@ -39,14 +39,14 @@ public:
   Scheduler(const DelayTable& delays, double target_mhz)
       : delays_(delays), logic_ns_(std::max(0.0, 1000 / target_mhz - delays.register_ns)) {}
 
-  void place_nodes(const TypedGraph& graph) {
+  void place_nodes(const TypedGraph& graph, model::Multipliers multipliers) {
     for (const TypedNode& node : graph.nodes) {
       const int start = latest(schedule_.steps, operands_of(node));
       if (is_wires(node.operation)) {
         schedule_.steps.push_back({.start_cycle = start, .ready_cycle = start});
       } else {
         schedule_.steps.push_back(
-            place(unit_for(node, graph.arithmetic.subnormals, delays_), start));
+            place(unit_for(node, graph.arithmetic.subnormals, multipliers, delays_), start));
       }
     }
   }
@@ -139,11 +139,12 @@ private:
 
 }  // namespace
 
-Schedule schedule_lane(const model::Lane& lane, const DelayTable& delays, double target_mhz) {
+Schedule schedule_lane(const model::Lane& lane, model::Multipliers multipliers,
+                       const DelayTable& delays, double target_mhz) {
   const TypedGraph& graph = lane.graph;
   const FloatFormat format = graph.arithmetic.format;
   Scheduler scheduler(delays, target_mhz);
-  scheduler.place_nodes(graph);
+  scheduler.place_nodes(graph, multipliers);
   scheduler.place_checks(lane.checks);
   if (const auto* interval = std::get_if<model::IntervalDecision>(&lane.decision)) {
     return scheduler.decide(interval_decision_unit(format, delays),
@@ -157,10 +158,10 @@ Schedule schedule_lane(const model::Lane& lane, const DelayTable& delays, double
   return scheduler.decide(ulp_distance_unit(format, delays), {graph.f, graph.g});
 }
 
-Schedule schedule_reference(const TypedGraph& reference, const DelayTable& delays,
-                            double target_mhz) {
+Schedule schedule_reference(const TypedGraph& reference, model::Multipliers multipliers,
+                            const DelayTable& delays, double target_mhz) {
   Scheduler scheduler(delays, target_mhz);
-  scheduler.place_nodes(reference);
+  scheduler.place_nodes(reference, multipliers);
   return scheduler.decide(compare_unit(reference.arithmetic.format, delays),
                           {reference.f, reference.g});
 }

@@ -5,6 +5,7 @@
 
 #include "generator/datapath/units.hpp"
 #include "model/error/lane.hpp"
+#include "model/scene/scene.hpp"
 
 namespace mixcmp::gen {
 
@@ -32,8 +33,9 @@ struct Schedule {
 
 /// As soon as possible, with as few registers in each unit as the period (before routing, by the
 /// delay table) allows; a unit's output is always registered. `target_mhz` > 0.
-Schedule schedule_lane(const model::Lane& lane, const DelayTable& delays, double target_mhz);
-Schedule schedule_reference(const model::TypedGraph& reference, const DelayTable& delays,
-                            double target_mhz);
+Schedule schedule_lane(const model::Lane& lane, model::Multipliers multipliers,
+                       const DelayTable& delays, double target_mhz);
+Schedule schedule_reference(const model::TypedGraph& reference, model::Multipliers multipliers,
+                            const DelayTable& delays, double target_mhz);
 
 }  // namespace mixcmp::gen

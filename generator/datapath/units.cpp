@@ -197,7 +197,8 @@ Unit single_stage_unit(std::string module, std::string stage, double delay_ns) {
 
 }  // namespace
 
-Unit unit_for(const model::TypedNode& node, Subnormals subnormals, const DelayTable& delays) {
+Unit unit_for(const model::TypedNode& node, Subnormals subnormals,
+              model::Multipliers /*multipliers*/, const DelayTable& delays) {
   const FloatFormat operands = node.operand_format;
   const FloatFormat result = node.format;
   switch (node.operation) {

@@ -3,21 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "model/devices/device.hpp"
 #include "model/error/lane.hpp"
 #include "model/expression/typed_graph.hpp"
+#include "model/scene/scene.hpp"
 
 namespace mixcmp::gen {
 
-/// Rough delays of one device family, in nanoseconds, routing included. They only steer where
-/// registers go; an estimate made from them is never called a clock.
-struct DelayTable {
-  double lut_ns = 0.7;             ///< one LUT and the wire to it
-  double carry_start_ns = 0.8;     ///< onto and off a carry chain
-  double carry_ns_per_bit = 0.02;  ///< along it
-  double multiplier_ns = 3.0;      ///< one embedded multiplier, unregistered
-  double multiplier_add_ns = 1.0;  ///< per level of adding partial products
-  double register_ns = 0.6;        ///< clock-to-output plus set-up
-};
+using model::DelayTable;
 
 /// The logic between two cut points of a unit.
 struct Stage {
@@ -32,7 +25,8 @@ struct Unit {
 };
 
 /// The unit that computes `node` (not for input, constant, negate, absolute: those are wires).
-Unit unit_for(const model::TypedNode& node, model::Subnormals subnormals, const DelayTable& delays);
+Unit unit_for(const model::TypedNode& node, model::Subnormals subnormals,
+              model::Multipliers multipliers, const DelayTable& delays);
 Unit compare_unit(model::FloatFormat format, const DelayTable& delays);
 Unit ulp_distance_unit(model::FloatFormat format, const DelayTable& delays);
 Unit interval_decision_unit(model::FloatFormat format, const DelayTable& delays);

@@ -245,8 +245,10 @@ GeneratedFile constraint_file(const Signature& signature) {
 
 Result<GeneratedSystem> generate_system(const Design& design, const std::string& command) {
   MIXCMP_TRY(delays, delays_of(design.system.device));
-  const Schedule lane = schedule_lane(design.lane, delays, design.system.target_mhz);
-  const Schedule reference = schedule_reference(design.reference, delays, design.system.target_mhz);
+  const double target_mhz = design.system.target_mhz;
+  const Schedule lane = schedule_lane(design.lane, design.lane_multipliers, delays, target_mhz);
+  const Schedule reference =
+      schedule_reference(design.reference, design.reference_multipliers, delays, target_mhz);
   const SystemShape shape = shape_of(design, lane, reference);
   std::vector<Described> modules = describe_modules(design, shape, lane, reference);
 

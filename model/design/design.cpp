@@ -103,7 +103,9 @@ Result<Design> choose(const Scene& scene, const Comparisons* data) {
   return Design{.name = scene.name,
                 .inputs = scene.graph.inputs(),
                 .lane = std::move(lane),
+                .lane_multipliers = scene.reduced.multipliers,
                 .reference = reference_graph(scene.graph, scene.reference),
+                .reference_multipliers = scene.reference_multipliers,
                 .lanes = *scene.system.lanes,
                 .references = *scene.system.references,
                 .system = scene.system};

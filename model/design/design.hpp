@@ -11,7 +11,9 @@ struct Design {
   std::string name;
   std::vector<std::string> inputs;  ///< in the order they are packed
   Lane lane;
+  Multipliers lane_multipliers = Multipliers::embedded;
   TypedGraph reference;
+  Multipliers reference_multipliers = Multipliers::embedded;
   int lanes = 1;       ///< p_L
   int references = 1;  ///< p_H
   SystemSpec system;

@@ -152,20 +152,27 @@ Result<Graph> read_graph(const Settings& settings, std::span<const LetDefinition
   return graph;
 }
 
-Result<Arithmetic> read_reference(const Settings& settings) {
+struct ReferenceSpec {
+  Arithmetic arithmetic;
+  Multipliers multipliers = Multipliers::embedded;
+};
+
+Result<ReferenceSpec> read_reference(const Settings& settings) {
   Section section(settings, "reference");
   std::optional<FloatFormat> format;
   Subnormals subnormals = Subnormals::gradual;
   section.require("format");
   section.format("format", format);
   section.choice("subnormals", subnormals, {Subnormals::flush, Subnormals::gradual});
+  Multipliers multipliers = Multipliers::embedded;
+  section.choice("multipliers", multipliers, {Multipliers::embedded, Multipliers::logic});
   if (format && format->precision() < min_reference_precision) {
     section.fail(
         "format", "precision out of range", format->name(),
         fmt::format("precision {}..{}", min_reference_precision, FloatFormat::max_precision));
   }
   if (const auto error = section.finish()) return *error;
-  return Arithmetic{.format = *format, .subnormals = subnormals};
+  return ReferenceSpec{{.format = *format, .subnormals = subnormals}, multipliers};
 }
 
 /// The 17 of "s17".
@@ -226,6 +233,7 @@ Result<ReducedSpec> read_reduced(const Settings& settings, FloatFormat reference
   section.choice("inputs", spec.inputs, {LaneInputs::rounded, LaneInputs::exact});
   section.choice("rounding", spec.rounding, {Rounding::nearest_even, Rounding::toward_zero});
   section.choice("subnormals", spec.subnormals, {Subnormals::flush, Subnormals::gradual});
+  section.choice("multipliers", spec.multipliers, {Multipliers::embedded, Multipliers::logic});
   read_relative_error(section, "relative_error_f", spec.relative_error_f);
   read_relative_error(section, "relative_error_g", spec.relative_error_g);
   if (const auto error = section.finish()) return *error;
@@ -408,7 +416,8 @@ Result<Scene> load_scene(const std::filesystem::path& path,
   MIXCMP_TRY(lets, read_lets(settings));
   MIXCMP_TRY(graph, read_graph(settings, lets, notes));
   MIXCMP_TRY(declared, read_inputs(settings, graph.inputs()));
-  MIXCMP_TRY(reference, read_reference(settings));
+  MIXCMP_TRY(reference_spec, read_reference(settings));
+  const Arithmetic reference = reference_spec.arithmetic;
   MIXCMP_TRY(constants_checked, check_constants(settings, graph, reference, notes));
   note_missed_ends(declared.ranges, reference.format, notes);
   MIXCMP_TRY(reduced, read_reduced(settings, reference.format, notes));
@@ -425,6 +434,7 @@ Result<Scene> load_scene(const std::filesystem::path& path,
                .ranges = std::move(declared.ranges),
                .grids = std::move(declared.grids),
                .reference = reference,
+               .reference_multipliers = reference_spec.multipliers,
                .reduced = std::move(reduced),
                .system = std::move(system),
                .data = std::move(data),

@@ -30,11 +30,18 @@ enum class OperandStore {
   refetched,  ///< only the tag leaves; the user's memory answers
 };
 
+/// What the multipliers of a datapath are made of.
+enum class Multipliers {
+  embedded,  ///< the device's multiplier blocks, as far as synthesis finds some
+  logic,     ///< rows of carry chains, on any device
+};
+
 /// The words of scene files, options and reports.
 std::string_view to_string(BoundKind bound);
 std::string_view to_string(LaneInputs inputs);
 std::string_view to_string(ResultOrder order);
 std::string_view to_string(OperandStore store);
+std::string_view to_string(Multipliers multipliers);
 
 struct ReducedSpec {
   std::optional<FloatFormat> format;  ///< none: "auto"
@@ -46,6 +53,7 @@ struct ReducedSpec {
   LaneInputs inputs = LaneInputs::exact;
   Rounding rounding = Rounding::nearest_even;
   Subnormals subnormals = Subnormals::flush;
+  Multipliers multipliers = Multipliers::embedded;
   /// The paper's RE_f and RE_g; none: measured on the scene's data.
   std::optional<mpq_class> relative_error_f;
   std::optional<mpq_class> relative_error_g;
@@ -84,7 +92,8 @@ struct Scene {
   Graph graph;
   std::vector<std::optional<Range>> ranges;     ///< one per graph input
   std::vector<std::optional<mpq_class>> grids;  ///< one per graph input: a power of two
-  Arithmetic reference;                      ///< rounds to nearest even
+  Arithmetic reference;                         ///< rounds to nearest even
+  Multipliers reference_multipliers = Multipliers::embedded;
   ReducedSpec reduced;
   SystemSpec system;
   std::optional<DataSpec> data;

@@ -34,4 +34,12 @@ std::string_view to_string(OperandStore store) {
   MIXCMP_CHECK(false);
 }
 
+std::string_view to_string(Multipliers multipliers) {
+  switch (multipliers) {
+    case Multipliers::embedded: return "embedded";
+    case Multipliers::logic: return "logic";
+  }
+  MIXCMP_CHECK(false);
+}
+
 }  // namespace mixcmp::model

@@ -57,7 +57,7 @@ protected:
 };
 
 TEST_P(ScheduleAtTarget, OperandsAreReadyBeforeTheyAreRead) {
-  const Schedule schedule = schedule_lane(design_.lane, delays_, GetParam());
+  const Schedule schedule = schedule_lane(design_.lane, model::Multipliers::embedded, delays_, GetParam());
   const auto& nodes = design_.lane.graph.nodes;
   ASSERT_EQ(schedule.steps.size(), nodes.size());
   for (std::size_t id = 0; id < nodes.size(); ++id) {
@@ -71,7 +71,7 @@ TEST_P(ScheduleAtTarget, OperandsAreReadyBeforeTheyAreRead) {
 }
 
 TEST_P(ScheduleAtTarget, LatencyOfAUnitIsTheNumberOfItsRegisters) {
-  const Schedule schedule = schedule_reference(design_.reference, delays_, GetParam());
+  const Schedule schedule = schedule_reference(design_.reference, model::Multipliers::embedded, delays_, GetParam());
   for (const Step& step : schedule.steps) {
     EXPECT_EQ(step.ready_cycle - step.start_cycle, registers(step.cuts));
   }
@@ -79,7 +79,7 @@ TEST_P(ScheduleAtTarget, LatencyOfAUnitIsTheNumberOfItsRegisters) {
 
 TEST_P(ScheduleAtTarget, CutsAreTheFewestThatMeetThePeriodAndTheOutputIsRegistered) {
   const double logic_ns = std::max(0.0, 1000 / GetParam() - delays_.register_ns);
-  const Schedule schedule = schedule_lane(design_.lane, delays_, GetParam());
+  const Schedule schedule = schedule_lane(design_.lane, model::Multipliers::embedded, delays_, GetParam());
   for (const Step& step : schedule.steps) {
     if (step.unit.module.empty()) continue;
     EXPECT_TRUE(step.cuts.back()) << step.unit.module;
@@ -103,7 +103,7 @@ TEST_P(ScheduleAtTarget, BoundsFollowTheirOperandsAndPrecedeTheDecision) {
            .ranges = std::vector<std::optional<model::Range>>(8, model::Range{0, 100})})
           .value();
   const auto& decision = std::get<model::AbsoluteBoundDecision>(lane.decision);
-  const Schedule schedule = schedule_lane(lane, delays_, GetParam());
+  const Schedule schedule = schedule_lane(lane, model::Multipliers::embedded, delays_, GetParam());
   ASSERT_EQ(schedule.bounds.size(), decision.bound.nodes.size());
   ASSERT_EQ(schedule.checks.size(), 8u);
   for (std::size_t id = 0; id < decision.bound.nodes.size(); ++id) {
@@ -129,7 +129,7 @@ TEST(Schedule, FasterTargetsNeverShortenTheLatency) {
   const DelayTable delays = delays_of("virtex6-lx760").value();
   int previous = 0;
   for (const double target_mhz : targets_mhz) {
-    const int latency = schedule_reference(design.reference, delays, target_mhz).latency_cycles;
+    const int latency = schedule_reference(design.reference, model::Multipliers::embedded, delays, target_mhz).latency_cycles;
     EXPECT_GE(latency, previous) << target_mhz << " MHz";
     previous = latency;
   }

@@ -187,7 +187,7 @@ int UnitsUnderTest::stage_count(int behaviour) const {
                               .operand_format = operands_,
                               .format = which.unit == minimum_maximum ? operands_ : result_};
   const Subnormals subnormals = which.gradual ? Subnormals::gradual : Subnormals::flush;
-  return count(gen::unit_for(node, subnormals, delays));
+  return count(gen::unit_for(node, subnormals, model::Multipliers::embedded, delays));
 }
 
 Answer UnitsUnderTest::answer(int behaviour, const Stimulus& stimulus) const {

@@ -12,7 +12,7 @@
 
 #include "model/common/result.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::model {
 
 using Command = std::vector<std::string>;
 
@@ -23,7 +23,7 @@ using Progress = std::function<void(const std::string&)>;
 /// error go to a log file.
 class Child {
 public:
-  static model::Result<Child> spawn(const Command& command, const std::filesystem::path& log);
+  static Result<Child> spawn(const Command& command, const std::filesystem::path& log);
   Child(Child&& other) noexcept;
   Child& operator=(Child&&) = delete;
   /// Ends the child.
@@ -41,12 +41,12 @@ private:
 };
 
 /// Runs a tool in `directory` to its end. If it fails, the error names the log and shows its end.
-model::Result<model::Done> run_tool(const Command& command, const std::filesystem::path& directory,
+Result<Done> run_tool(const Command& command, const std::filesystem::path& directory,
                                     const std::filesystem::path& log, const Progress& progress);
 
 /// The first line a tool prints about its version; an error that names the package if it is not
 /// there.
-model::Result<std::string> tool_version(const std::string& tool, const std::string& version_option,
+Result<std::string> tool_version(const std::string& tool, const std::string& version_option,
                                         const std::string& package);
 
 /// The last lines of a file, for error messages.
@@ -55,4 +55,4 @@ std::string last_lines(const std::filesystem::path& file, std::size_t count);
 /// A command as a shell would take it.
 std::string to_shell(const Command& command);
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::model

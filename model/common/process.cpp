@@ -1,4 +1,4 @@
-#include "verilator_tb/process.hpp"
+#include "model/common/process.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -15,7 +15,7 @@
 
 extern char** environ;
 
-namespace mixcmp::tb {
+namespace mixcmp::model {
 
 namespace {
 
@@ -38,7 +38,7 @@ private:
   posix_spawn_file_actions_t actions_;
 };
 
-model::Result<pid_t> start(const Command& command, FileActions& actions) {
+Result<pid_t> start(const Command& command, FileActions& actions) {
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
@@ -46,7 +46,7 @@ model::Result<pid_t> start(const Command& command, FileActions& actions) {
   const int failure =
       posix_spawnp(&process, words[0], actions.get(), nullptr, words.data(), environ);
   if (failure == 0) return process;
-  return model::Error{.message = fmt::format("cannot run {}: {}", command[0], strerror(failure))};
+  return Error{.message = fmt::format("cannot run {}: {}", command[0], strerror(failure))};
 }
 
 bool quotes_needed(const std::string& word) {
@@ -71,10 +71,10 @@ int wait_for(pid_t process, const std::string& tool, const Progress& progress) {
 
 }  // namespace
 
-model::Result<Child> Child::spawn(const Command& command, const std::filesystem::path& log) {
+Result<Child> Child::spawn(const Command& command, const std::filesystem::path& log) {
   int sockets[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) {
-    return model::Error{.message = fmt::format("no socket: {}", strerror(errno))};
+    return Error{.message = fmt::format("no socket: {}", strerror(errno))};
   }
   FileActions actions;
   posix_spawn_file_actions_adddup2(actions.get(), sockets[1], STDIN_FILENO);
@@ -120,7 +120,7 @@ bool Child::receive(std::span<std::byte> bytes) {
   return true;
 }
 
-model::Result<model::Done> run_tool(const Command& command, const std::filesystem::path& directory,
+Result<Done> run_tool(const Command& command, const std::filesystem::path& directory,
                                     const std::filesystem::path& log, const Progress& progress) {
   FileActions actions;
   posix_spawn_file_actions_addopen(actions.get(), STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -128,14 +128,14 @@ model::Result<model::Done> run_tool(const Command& command, const std::filesyste
   posix_spawn_file_actions_addchdir_np(actions.get(), directory.c_str());
   MIXCMP_TRY(process, start(command, actions));
   const int status = wait_for(process, command[0], progress);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return model::Done{};
-  return model::Error{.file = log.string(),
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return Done{};
+  return Error{.file = log.string(),
                       .message = fmt::format(
                           "{} failed; the command was\n  cd {} && {}\nand the log ends with\n{}",
                           command[0], directory.string(), to_shell(command), last_lines(log, 20))};
 }
 
-model::Result<std::string> tool_version(const std::string& tool, const std::string& version_option,
+Result<std::string> tool_version(const std::string& tool, const std::string& version_option,
                                         const std::string& package) {
   char name[] = "/tmp/mixcmp-version-XXXXXX";
   const int file = mkstemp(name);
@@ -146,7 +146,7 @@ model::Result<std::string> tool_version(const std::string& tool, const std::stri
   std::getline(stream, line);
   std::filesystem::remove(name);
   if (run.ok()) return line;
-  return model::Error{.message =
+  return Error{.message =
                           fmt::format("{} does not run; on Debian: apt install {}", tool, package)};
 }
 
@@ -177,4 +177,4 @@ std::string to_shell(const Command& command) {
   return text;
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::model

@@ -1,0 +1,30 @@
+#pragma once
+
+namespace mixcmp::model {
+
+/// What a design takes of a device, or what the device has.
+struct Area {
+  int luts = 0;        ///< look-up tables, those that serve as shift registers or memory included
+  int registers = 0;   ///< flip-flops
+  int dsps = 0;        ///< embedded multipliers
+  int memories = 0;    ///< memory blocks
+  int carries = 0;     ///< carry primitives (CARRY4, CCU2C, SB_CARRY); reported, bounds nothing
+  int shift_luts = 0;  ///< of `luts`, those that are shift registers or memory; reported
+
+  Area& operator+=(const Area& other);
+  friend Area operator+(Area a, const Area& b) { return a += b; }
+  friend Area operator*(int count, const Area& area);
+  friend bool operator==(const Area&, const Area&) = default;
+};
+
+/// The resources that bound a plan (equation 11 once for each), with their names in files.
+struct Resource {
+  const char* name;  ///< "lut", "ff", "dsp", "memory"
+  int Area::*amount;
+};
+inline constexpr Resource bounded_resources[] = {{"lut", &Area::luts},
+                                                 {"ff", &Area::registers},
+                                                 {"dsp", &Area::dsps},
+                                                 {"memory", &Area::memories}};
+
+}  // namespace mixcmp::model

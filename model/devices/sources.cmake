@@ -1,0 +1,3 @@
+target_sources(mixcmp_model PRIVATE
+  devices/area.cpp
+)

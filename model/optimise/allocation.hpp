@@ -1,0 +1,86 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "model/common/result.hpp"
+#include "model/devices/area.hpp"
+
+/// Step 3 of the paper's Algorithm 1: how many datapaths of each kind fill a device best.
+namespace mixcmp::model {
+
+/// One way to build a lane, with its streams: its area includes the scoreboard around it.
+struct LaneKind {
+  std::string name;               ///< "s12e8 exact relative embedded"
+  double throughput_per_s = 0;    ///< T(L)
+  double recomputation_rate = 0;  ///< R_R
+  Area area;                      ///< C(L)
+};
+
+struct ReferenceKind {
+  std::string name;
+  double throughput_per_s = 0;  ///< T(H)
+  Area area;                    ///< C(H)
+};
+
+/// C(com) beyond what lanes and references carry themselves.
+struct Communication {
+  Area fixed;  ///< the paper's C(com), or what a top has besides
+  /// [k]: the share of the crossbar of one reference that serves k lanes, k = 0, 1, ...; lane i is
+  /// served by reference i mod p_H. Empty: nothing. Otherwise it bounds the lanes a reference
+  /// serves.
+  std::vector<Area> crossbar;
+};
+
+enum class ClockDomains {
+  single,    ///< the system runs at the lowest clock of what it is made of: what `generate` writes
+  separate,  ///< lanes and references each at their own, as the paper assumes
+};
+
+struct AllocationProblem {
+  std::vector<LaneKind> lanes;
+  std::vector<ReferenceKind> references;
+  Communication communication;
+  Area available;      ///< A, of the device
+  double slack = 0.2;  ///< R_S
+  ClockDomains clocks = ClockDomains::single;
+  int max_lanes = 512;
+  int max_references = 16;
+};
+
+struct Allocation {
+  std::vector<int> lanes;       ///< p_L of each kind
+  std::vector<int> references;  ///< p_H of each kind
+  double throughput_per_s = 0;  ///< T(equ), equation 12
+  Area used;
+  int lane_count() const;
+  int reference_count() const;
+};
+
+/// No plan has even one lane (and the references it needs).
+struct Infeasible {
+  struct Shortage {
+    std::string resource;
+    int usable = 0;
+    int needed = 0;  ///< by the smallest system that has this resource's demand least
+  };
+  std::vector<Shortage> shortages;  ///< empty: equation 10 is what fails
+  std::string message;              ///< a sentence for the user
+};
+
+using AllocationResult = std::variant<Allocation, Infeasible>;
+
+/// By integer linear programming (CBC): maximises equation 12 under 10 and 11. Exact.
+AllocationResult allocate(const AllocationProblem& problem);
+
+/// The same by trying everything, for small problems: the oracle of the tests.
+AllocationResult allocate_exhaustively(const AllocationProblem& problem);
+
+/// The program that `allocate` solves, in the LP format that CBC, GLPK and SCIP read. With a single
+/// clock domain: that of the best plan's clock.
+std::string to_lp(const AllocationProblem& problem);
+
+}  // namespace mixcmp::model

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "model/devices/area.hpp"
+
+/// The analytical model of a mixed-precision comparison system: equations 5 to 12 of the paper,
+/// with the names of its Table I. docs/performance.md says where we differ and why.
+namespace mixcmp::model {
+
+/// Many datapaths of one kind.
+struct Datapaths {
+  int count = 0;                  ///< p_L or p_H
+  double throughput_per_s = 0;    ///< T(L) or T(H): comparisons a second of one datapath
+  double recomputation_rate = 0;  ///< R_R, 0..1; of lanes
+};
+
+/// Equations 5 and 6: T_A = sum of p T.
+double aggregated_throughput(const std::vector<Datapaths>& kinds);
+
+/// Equation 7: N_RR = T_A(L) R_R, summed over the kinds of lanes.
+double recomputations_per_s(const std::vector<Datapaths>& lanes);
+
+/// Equation 8, as min: min(T_A(L), T_A(H) / R_R), with R_R the rate over all lanes.
+double equivalent_throughput(const std::vector<Datapaths>& lanes,
+                             const std::vector<Datapaths>& references);
+
+/// Equation 9: p_L / p_H at which both sides are busy all the time; infinite for R_R = 0.
+double optimal_ratio(double lane_throughput_per_s, double reference_throughput_per_s,
+                     double recomputation_rate);
+
+/// Equation 10, multiplied out: N_RR <= T_A(H).
+bool references_suffice(const std::vector<Datapaths>& lanes,
+                        const std::vector<Datapaths>& references);
+
+/// The right side of equation 11: A (1 - R_S), rounded down, for each resource.
+Area usable(const Area& available, double slack);
+
+}  // namespace mixcmp::model
