@@ -1,1 +1,4 @@
-target_sources(mixcmp_model PRIVATE design/design.cpp)
+target_sources(mixcmp_model PRIVATE
+  design/design.cpp
+  design/slots.cpp
+)
