@@ -1,0 +1,63 @@
+#include "model/optimise/plan.hpp"
+
+#include <fmt/format.h>
+
+namespace mixcmp::model {
+namespace {
+
+/// A basic string of TOML.
+std::string in_toml(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+/// The keys of [reduced] that a profile's name of a bound stands for.
+std::string bound_keys(const std::string& bound) {
+  constexpr std::string_view running = "running_";
+  if (bound == "profiled") return "bound = \"profiled\"\n";
+  std::string keys = "bound = \"certified\"\n";
+  if (!bound.starts_with(running)) return keys + fmt::format("error_bound = \"{}\"\n", bound);
+  return keys + fmt::format("error_bound = \"running\"\nbound_digits = {}\n",
+                            bound.substr(running.size()));
+}
+
+std::string lanes_table(const ComponentKey& key, int count) {
+  return fmt::format(
+      "\n[[lanes]]\ncount = {}\nformat = \"{}\"\ninputs = \"{}\"\n{}multipliers = \"{}\"\n", count,
+      key.format, key.inputs, bound_keys(key.bound), key.multipliers);
+}
+
+}  // namespace
+
+std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& plan,
+                      const std::string& scene_file, const std::string& command) {
+  const Allocation& chosen = *plan.allocation();
+  std::string text = fmt::format(
+      "# The best plan found for {} on {}, with:\n#   {}\n"
+      "scene = {}\n\n"
+      "[plan]\n"
+      "throughput_per_s = {:.6g}\nclock_mhz = {:.6g}\nclock_basis = \"{}\"\n"
+      "recomputation_rate = {:.6g}\nslack = {:g}\n",
+      optimisation.scene, optimisation.device.name, command, in_toml(scene_file),
+      plan.throughput_per_s(), plan.clock_mhz(), to_string(optimisation.basis),
+      plan.recomputation_rate(), optimisation.slack);
+  for (const Resource& resource : bounded_resources) {
+    text += fmt::format("{} = {}\n", resource.name, chosen.used.*resource.amount);
+  }
+  text += fmt::format("\n[system]\ndevice = {}\n", in_toml(optimisation.device.name));
+  for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
+    if (chosen.lanes[k] > 0) text += lanes_table(plan.lanes[k].measured.key, chosen.lanes[k]);
+  }
+  for (std::size_t k = 0; k < optimisation.references.size(); ++k) {
+    if (chosen.references[k] == 0) continue;
+    text += fmt::format("\n[[references]]\ncount = {}\nmultipliers = \"{}\"\n",
+                        chosen.references[k], optimisation.references[k].measured.key.multipliers);
+  }
+  return text;
+}
+
+}  // namespace mixcmp::model

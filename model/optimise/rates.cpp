@@ -1,0 +1,122 @@
+#include "model/optimise/rates.hpp"
+
+#include <charconv>
+#include <sstream>
+
+#include "model/common/file.hpp"
+#include "model/common/quote.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+constexpr const char* header =
+    "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane";
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> fields;
+  std::istringstream stream(line);
+  for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
+  return fields;
+}
+
+template <class Integer>
+bool read_number(const std::string& text, Integer& target) {
+  const auto end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, target);
+  return read.ec == std::errc() && read.ptr == end && !text.empty();
+}
+
+struct Row {
+  RateKey key;
+  Rate rate;
+};
+
+/// The field at fault, where there is one.
+std::optional<std::string> read_row(const std::vector<std::string>& fields, Row& row) {
+  if (fields.size() < 5) return "row";
+  if (fields[0] != "exact" && fields[0] != "rounded") return "inputs";
+  row.key.inputs = fields[0] == "exact" ? LaneInputs::exact : LaneInputs::rounded;
+  if (!read_number(fields[1], row.key.precision)) return "precision";
+  row.key.bound = fields[2];
+  if (!read_number(fields[3], row.rate.comparisons) || row.rate.comparisons == 0) {
+    return "comparisons";
+  }
+  const bool counted = read_number(fields[4], row.rate.undecided);
+  if (!counted || row.rate.undecided > row.rate.comparisons) return "undecided";
+  return std::nullopt;
+}
+
+}  // namespace
+
+double Rate::value() const {
+  constexpr double rule_of_three = 3;
+  const double total = static_cast<double>(comparisons);
+  if (undecided == 0) return std::min(1.0, rule_of_three / total);
+  return static_cast<double>(undecided) / total;
+}
+
+Rates Rates::of(const std::vector<RateProfile>& profiles) {
+  Rates rates;
+  for (const RateProfile& profile : profiles) {
+    for (const SystemProfile& system : profile.systems) {
+      if (system.kind == SystemKind::lanes_alone) continue;
+      for (std::size_t k = 0; k < system.counts.size(); ++k) {
+        if (!system.counts[k].exists) continue;
+        const int precision = profile.first_precision + static_cast<int>(k);
+        rates.rates_[{profile.inputs, system.name, precision}] = {system.counts[k].undecided,
+                                                                  profile.comparisons};
+      }
+    }
+  }
+  return rates;
+}
+
+Result<Rates> Rates::read(const std::filesystem::path& path) {
+  MIXCMP_TRY(text, read_file(path));
+  std::istringstream stream(text);
+  std::string line;
+  std::getline(stream, line);
+  if (line != header) {
+    return Error{.file = path.string(),
+                 .line = 1,
+                 .message = "not a table of recomputation rates",
+                 .received = in_quotes(line),
+                 .accepted = std::string("figure5.csv of mixcmp profile: ") + header};
+  }
+  Rates rates;
+  for (int number = 2; std::getline(stream, line); ++number) {
+    Row row;
+    const std::vector<std::string> fields = split(line);
+    if (fields.size() > 2 && (fields[2] == "lanes_alone" || fields[2] == "reference")) continue;
+    if (const auto field = read_row(fields, row)) {
+      return Error{.file = path.string(),
+                   .line = number,
+                   .field = *field,
+                   .message = "cannot be read",
+                   .received = in_quotes(line),
+                   .accepted = header};
+    }
+    rates.rates_[row.key] = row.rate;
+  }
+  return rates;
+}
+
+void Rates::raise_to(const Rates& other) {
+  for (const auto& [key, rate] : other.rates_) {
+    const auto [place, added] = rates_.emplace(key, rate);
+    if (!added && rate.value() > place->second.value()) place->second = rate;
+  }
+}
+
+std::optional<Rate> Rates::find(const RateKey& key) const {
+  const auto found = rates_.find(key);
+  return found == rates_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<RateKey> Rates::keys() const {
+  std::vector<RateKey> keys;
+  for (const auto& [key, rate] : rates_) keys.push_back(key);
+  return keys;
+}
+
+}  // namespace mixcmp::model
