@@ -1,19 +1,13 @@
 #include <fmt/core.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
-#include "generator/cli/scratch.hpp"
+#include "generator/cli/output.hpp"
 #include "generator/cli/verbs.hpp"
 #include "model/profile/report.hpp"
 #include "model/profile/trade.hpp"
-#include "model/common/process.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -68,13 +62,8 @@ void add_options(CLI::App& verb, ProfileCommand& command) {
                   "profile.json");
 }
 
-/// A line that is overwritten, on a terminal only.
-void show_progress(const std::string& what, double share) {
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K{}: {:.0f} %", what, share * 100);
-}
-
-void clear_progress() {
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K");
+void show_share(const std::string& what, double share) {
+  show_progress(fmt::format("{}: {:.0f} %", what, share * 100));
 }
 
 model::ProfileReport measure(const LoadedScene& loaded, const ProfileCommand& command,
@@ -92,40 +81,8 @@ model::ProfileReport measure(const LoadedScene& loaded, const ProfileCommand& co
     if (errors.inputs != scene.reduced.inputs && !command.both_inputs) continue;
     report.rates.push_back(profile_rates(scene, *loaded.data, errors, options));
   }
-  clear_progress();
+  show_progress("");
   return report;
-}
-
-model::Error cannot_write(const fs::path& path) {
-  return {.file = path.string(),
-          .message = fmt::format("cannot be written: {}", std::strerror(errno))};
-}
-
-/// Complete or not at all.
-model::Result<model::Done> write_file(const fs::path& path, const std::string& text) {
-  const fs::path unfinished = path.string() + ".part";
-  std::ofstream stream(unfinished, std::ios::binary);
-  stream << text;
-  stream.close();
-  std::error_code failed;
-  if (stream) fs::rename(unfinished, path, failed);
-  if (stream && !failed) return model::Done{};
-  const model::Error error = cannot_write(path);
-  fs::remove(unfinished, failed);
-  return error;
-}
-
-/// Drawn elsewhere first, so that no picture is ever half there. False where gnuplot cannot run.
-bool draw(const fs::path& directory, const std::string& name, const std::string& script) {
-  const Scratch scratch;
-  value_or_exit(write_file(scratch.path() / "script.gnuplot", script));
-  const auto drawn = model::run_tool({"gnuplot", "script.gnuplot"}, scratch.path(),
-                                  scratch.path() / "gnuplot.log", {});
-  if (!drawn.ok()) return false;
-  std::ostringstream picture;
-  picture << std::ifstream(scratch.path() / (name + ".svg"), std::ios::binary).rdbuf();
-  value_or_exit(write_file(directory / (name + ".svg"), picture.str()));
-  return true;
 }
 
 /// Of a run before: what is not written again would tell of other data.
@@ -134,16 +91,6 @@ void remove_old_results(const fs::path& directory) {
                            "trade.svg", "profile.json"}) {
     fs::remove(directory / name);
   }
-}
-
-/// A directory that cannot be written should not cost a profile first.
-model::Result<model::Done> prepare(const fs::path& directory) {
-  if (directory.empty()) return model::Done{};
-  std::error_code failed;
-  fs::create_directories(directory, failed);
-  if (!failed && access(directory.c_str(), W_OK | X_OK) == 0) return model::Done{};
-  if (failed) errno = failed.value();
-  return cannot_write(directory);
 }
 
 struct Trades {
@@ -186,9 +133,7 @@ void write_results(const model::ProfileReport& report, const Trades& weighed,
     const std::string script = trade_script(weighed.trades, report.scene, "trade.svg");
     drawn = drawn && draw(directory, "trade", script);
   }
-  if (!drawn) {
-    fmt::print(stderr, "mixcmp: no pictures: gnuplot does not run (apt-get install gnuplot-nox)\n");
-  }
+  if (!drawn) warn_of_no_pictures();
 }
 
 void print_text(const model::ProfileReport& report, const Trades& weighed) {
@@ -209,12 +154,12 @@ void run(const ProfileCommand& command) {
   model::ProfileOptions options = command.run;
   options.last_precision = command.last.value_or(highest_profiled_precision(loaded.scene));
   if (command.brute_force) options.method = model::ProfileMethod::brute_force;
-  options.progress = show_progress;
+  options.progress = show_share;
   value_or_exit(check_profile(loaded.scene, options));
   const model::MeasuredAreas areas = command.areas.empty()
                                          ? model::MeasuredAreas()
                                          : value_or_exit(model::MeasuredAreas::read(command.areas));
-  value_or_exit(prepare(command.output));
+  value_or_exit(prepare_directory(command.output));
   const model::ProfileReport report = measure(loaded, command, options);
   const bool weighs = command.trade || !command.accepted.empty() || !command.areas.empty();
   const Trades weighed = weighs ? weigh(loaded, report, areas, command.accepted) : Trades();

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "model/profile/plot.hpp"
+#include "model/common/plot.hpp"
 #include "model/profile/report.hpp"
 
 namespace mixcmp::model {

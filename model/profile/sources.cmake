@@ -9,7 +9,6 @@ target_sources(mixcmp_model PRIVATE
   profile/figures.cpp
   profile/node_magnitudes.cpp
   profile/operands.cpp
-  profile/plot.cpp
   profile/rate_worker.cpp
   profile/rates.cpp
   profile/report.cpp

@@ -6,7 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "model/profile/plot.hpp"
+#include "model/common/plot.hpp"
 #include "model/profile/trade.hpp"
 
 namespace mixcmp::model {

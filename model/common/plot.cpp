@@ -1,4 +1,4 @@
-#include "model/profile/plot.hpp"
+#include "model/common/plot.hpp"
 
 #include <fmt/format.h>
 
@@ -24,9 +24,11 @@ std::string script(const Picture& picture) {
   std::string text = fmt::format(
       "set terminal svg size 900,560 font 'sans,13' noenhanced background '#ffffff'\n"
       "set output {}\nset title {}\nset xlabel {}\nset ylabel {}\n"
-      "set logscale y 10\nset format y '%.0e'\nset grid xtics ytics lc rgb '#d8d8d8'\n"
+      "{}set grid xtics ytics lc rgb '#d8d8d8'\n"
       "set key outside right top\n{}",
       quoted(picture.path), quoted(picture.title), quoted(picture.x_label), quoted(picture.y_label),
+      picture.y_axis == Axis::linear ? "set yrange [0:*]\n"
+                                     : "set logscale y 10\nset format y '%.0e'\n",
       picture.axes);
   std::string plots;
   int number = 0;
