@@ -147,12 +147,17 @@ std::string Setting::shown() const {
   return std::visit(Texts{*this}, value);
 }
 
+Result<Settings> parse_settings(std::string text, const std::filesystem::path& path) {
+  Settings settings{.path = path, .source = std::move(text)};
+  MIXCMP_TRY(table, parse_toml(settings.source, path.string()));
+  settings.root = to_table(table);
+  return settings;
+}
+
 Result<Settings> read_settings(const std::filesystem::path& path,
                                std::span<const std::string> overrides) {
   MIXCMP_TRY(source, read_file(path));
-  Settings settings{.path = path, .source = std::move(source)};
-  MIXCMP_TRY(table, parse_toml(settings.source, path.string()));
-  settings.root = to_table(table);
+  MIXCMP_TRY(settings, parse_settings(std::move(source), path));
   for (const std::string& setting : overrides) {
     const Result<Done> applied = apply_override(settings.root, setting);
     if (!applied.ok()) return applied.error();

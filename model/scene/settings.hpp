@@ -41,6 +41,9 @@ struct Settings {
   Setting::Table root;
 };
 
+/// The text of a file already read; `path` is for the errors.
+Result<Settings> parse_settings(std::string text, const std::filesystem::path& path);
+
 /// Each override is "section.key=value"; what is no TOML value counts as a string.
 Result<Settings> read_settings(const std::filesystem::path& path,
                                std::span<const std::string> overrides);
