@@ -1,17 +1,13 @@
 #pragma once
 
 #include <string_view>
-#include <vector>
 
 #include "generator/datapath/units.hpp"
 #include "model/common/result.hpp"
 
 namespace mixcmp::gen {
 
-/// The delay table of a device's family, by device name ("virtex6-lx760").
+/// The delay table of a device (model/devices/NAME.toml), by name or by the path of a device file.
 model::Result<DelayTable> delays_of(std::string_view device);
-
-/// Every device name that delays_of accepts.
-std::vector<std::string_view> known_devices();
 
 }  // namespace mixcmp::gen

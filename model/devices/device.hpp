@@ -29,6 +29,8 @@ enum class TimingTool {
   nextpnr_ecp5,   ///< placed and routed
 };
 
+std::string_view to_string(TimingTool tool);
+
 /// One device as model/devices/NAME.toml describes it.
 struct Device {
   std::string name;         ///< "virtex6-lx760"

@@ -135,21 +135,5 @@ TEST(Schedule, FasterTargetsNeverShortenTheLatency) {
   }
 }
 
-TEST(Delays, EveryKnownDeviceHasPositiveDelays) {
-  for (const std::string_view device : known_devices()) {
-    const DelayTable delays = delays_of(device).value();
-    EXPECT_GT(delays.lut_ns, 0) << device;
-    EXPECT_GT(delays.register_ns, 0) << device;
-  }
-}
-
-TEST(Delays, UnknownDeviceNamesTheKnownOnes) {
-  const auto result = delays_of("virtex6-lx999");
-  ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().field, "system.device");
-  EXPECT_EQ(result.error().received, "\"virtex6-lx999\"");
-  EXPECT_NE(result.error().accepted.find("virtex6-lx760"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace mixcmp::gen

@@ -1,0 +1,43 @@
+#include "model/devices/device.hpp"
+
+#include <filesystem>
+
+#include "embedded/device_files.hpp"
+#include "model/common/file.hpp"
+#include "model/common/nearest.hpp"
+#include "model/common/quote.hpp"
+#include "model/devices/device_file.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+constexpr std::string_view ending = ".toml";
+
+std::string_view stem(const EmbeddedFile& file) {
+  return file.name.substr(0, file.name.size() - ending.size());
+}
+
+}  // namespace
+
+Result<Device> find_device(std::string_view name) {
+  for (const EmbeddedFile& file : device_files()) {
+    if (stem(file) == name) return read_device(std::string(file.text), file.name);
+  }
+  if (name.ends_with(ending)) {
+    const std::filesystem::path path(name);
+    MIXCMP_TRY(text, read_file(path));
+    return read_device(std::move(text), path);
+  }
+  return Error{.field = "system.device",
+               .message = "unknown device",
+               .received = in_quotes(name),
+               .accepted = list_with_nearest(name, device_names()) + ", or a device file (.toml)"};
+}
+
+std::vector<std::string> device_names() {
+  std::vector<std::string> names;
+  for (const EmbeddedFile& file : device_files()) names.emplace_back(stem(file));
+  return names;
+}
+
+}  // namespace mixcmp::model

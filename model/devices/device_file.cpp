@@ -1,0 +1,151 @@
+#include "model/devices/device_file.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "model/common/nearest.hpp"
+#include "model/scene/section.hpp"
+#include "model/scene/settings.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+const std::vector<std::string> section_names = {"device", "synthesis", "timing", "delays",
+                                                "sources"};
+
+Result<Done> check_section_names(const Settings& settings) {
+  for (const Setting& entry : settings.root.entries) {
+    const auto& names = section_names;
+    if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
+    const bool is_section = std::holds_alternative<Setting::Table>(entry.value);
+    return mistake_at(settings, entry, entry.key,
+                      is_section ? "unknown section" : "a key outside of any section", entry.key,
+                      list_with_nearest(entry.key, names));
+  }
+  return Done{};
+}
+
+Result<Done> read_figures(const Settings& settings, Device& device) {
+  constexpr int most = 100'000'000;  // counts of a plan are products of areas and stay below 2^63
+  Section section(settings, "device");
+  for (const char* key : {"name", "luts", "registers", "dsps", "memories"}) section.require(key);
+  section.text("name", device.name);
+  section.text("vendor_name", device.vendor_name);
+  section.integer("technology_nm", device.technology_nm, 1, 1000);
+  section.integer("luts", device.available.luts, 1, most);
+  section.integer("registers", device.available.registers, 1, most);
+  section.integer("dsps", device.available.dsps, 0, most);
+  section.integer("memories", device.available.memories, 0, most);
+  if (const auto error = section.finish()) return *error;
+  return Done{};
+}
+
+/// Yosys reads the command as part of a script, where these end a command or start a shell.
+void check_command(Section& section, const std::string& key, const std::string& command) {
+  if (section.find(key) == nullptr) return;
+  const bool one_command = command.find_first_of(";\n\r!#") == std::string::npos;
+  if (command.starts_with("synth") && one_command) return;
+  section.fail(key, "not one synthesis command of Yosys", fmt::format("\"{}\"", command),
+               "synth_xilinx, synth_ecp5, synth_ice40 or another synth command with its options");
+}
+
+Result<Done> read_synthesis(const Settings& settings, Device& device) {
+  Section section(settings, "synthesis");
+  section.require("command");
+  section.text("command", device.synthesis);
+  check_command(section, "command", device.synthesis);
+  if (const auto error = section.finish()) return *error;
+  return Done{};
+}
+
+void read_arguments(Section& section, std::vector<std::string>& arguments) {
+  const Setting* setting = section.find("arguments");
+  if (setting == nullptr) return;
+  constexpr auto accepted = "an array of strings, one for each argument of nextpnr";
+  const auto* array = std::get_if<Setting::Array>(&setting->value);
+  if (array == nullptr) {
+    return section.fail("arguments", "wrong type", setting->shown(), accepted);
+  }
+  for (const Setting& element : *array) {
+    const auto* text = std::get_if<std::string>(&element.value);
+    if (text == nullptr) {
+      return section.fail("arguments", "wrong type", element.shown(), accepted);
+    }
+    arguments.push_back(*text);
+  }
+}
+
+Result<Done> read_timing(const Settings& settings, Device& device) {
+  Section section(settings, "timing");
+  section.require("tool");
+  section.choice("tool", device.timing,
+                 {TimingTool::none, TimingTool::yosys_sta, TimingTool::nextpnr_ice40,
+                  TimingTool::nextpnr_ecp5});
+  section.text("synthesis", device.timing_synthesis);
+  check_command(section, "synthesis", device.timing_synthesis);
+  read_arguments(section, device.timing_arguments);
+  if (const auto error = section.finish()) return *error;
+  return Done{};
+}
+
+Result<Done> read_delays(const Settings& settings, DelayTable& delays) {
+  struct Entry {
+    const char* key;
+    double DelayTable::*delay;
+  };
+  constexpr std::array<Entry, 6> entries = {{
+      {"lut_ns", &DelayTable::lut_ns},
+      {"carry_start_ns", &DelayTable::carry_start_ns},
+      {"carry_ns_per_bit", &DelayTable::carry_ns_per_bit},
+      {"multiplier_ns", &DelayTable::multiplier_ns},
+      {"multiplier_add_ns", &DelayTable::multiplier_add_ns},
+      {"register_ns", &DelayTable::register_ns},
+  }};
+  Section section(settings, "delays");
+  for (const Entry& entry : entries) {
+    section.require(entry.key);
+    section.number(entry.key, delays.*entry.delay, 0.001, 1000);
+  }
+  if (const auto error = section.finish()) return *error;
+  return Done{};
+}
+
+Result<Done> read_sources(const Settings& settings, std::vector<std::string>& sources) {
+  Section section(settings, "sources");
+  for (const Setting& entry : section.entries()) {
+    std::string text;
+    section.text(entry.key, text);
+    sources.push_back(fmt::format("{}: {}", entry.key, text));
+  }
+  if (const auto error = section.finish()) return *error;
+  return Done{};
+}
+
+}  // namespace
+
+Result<Device> read_device(std::string text, const std::filesystem::path& path) {
+  MIXCMP_TRY(settings, parse_settings(std::move(text), path));
+  MIXCMP_TRY(names, check_section_names(settings));
+  Device device;
+  MIXCMP_TRY(figures, read_figures(settings, device));
+  MIXCMP_TRY(synthesis, read_synthesis(settings, device));
+  MIXCMP_TRY(timing, read_timing(settings, device));
+  MIXCMP_TRY(delays, read_delays(settings, device.delays));
+  MIXCMP_TRY(sources, read_sources(settings, device.sources));
+  return device;
+}
+
+std::string_view to_string(TimingTool tool) {
+  switch (tool) {
+    case TimingTool::none: return "none";
+    case TimingTool::yosys_sta: return "yosys_sta";
+    case TimingTool::nextpnr_ice40: return "nextpnr_ice40";
+    case TimingTool::nextpnr_ecp5: return "nextpnr_ecp5";
+  }
+  MIXCMP_CHECK(!"a timing tool of no enumerator");
+}
+
+}  // namespace mixcmp::model
