@@ -139,12 +139,6 @@ Described describe_reference_channel(const SystemShape& shape) {
            "Reset: aresetn, synchronous, active low."}};
 }
 
-/// Cycles from in to out beside the lane, of a decided comparison that never waits.
-int channel_latency_cycles(const SystemShape& shape) {
-  const bool merges = shape.order == model::ResultOrder::tagged && shape.recomputes();
-  return merges ? 5 : 4;
-}
-
 Described describe_top(const Design& design, const SystemShape& shape) {
   const int tdata_bits = shape.tdata_bytes() * 8;
   Described top = {
@@ -169,7 +163,7 @@ Described describe_top(const Design& design, const SystemShape& shape) {
   top.facts.push_back(
       fmt::format("Initiation interval 1 a lane, latency {} cycles and up. Reset: aresetn, "
                   "synchronous, active low.",
-                  shape.lane_latency_cycles + channel_latency_cycles(shape)));
+                  shape.lane_latency_cycles + shape.channel_latency_cycles()));
   return top;
 }
 
@@ -183,15 +177,6 @@ std::vector<Described> describe_modules(const Design& design, const SystemShape&
   }
   modules.push_back(describe_top(design, shape));
   return modules;
-}
-
-void collect_instances(const std::vector<rtl::Item>& items, std::set<std::string>& modules) {
-  for (const rtl::Item& item : items) {
-    if (const auto* instance = std::get_if<rtl::Instance>(&item)) modules.insert(instance->module);
-    if (const auto* loop = std::get_if<std::shared_ptr<const rtl::ForGenerate>>(&item)) {
-      collect_instances((*loop)->items, modules);
-    }
-  }
 }
 
 std::vector<SignaturePort> signature_ports(const Module& top) {
@@ -253,8 +238,9 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   std::vector<Described> modules = describe_modules(design, shape, lane, reference);
 
   std::set<std::string> instantiated;
-  for (const Described& described : modules)
-    collect_instances(described.module.items, instantiated);
+  for (const Described& described : modules) {
+    instantiated.merge(rtl::instantiated_modules(described.module));
+  }
   const std::vector<std::string> templates = template_closure(instantiated);
 
   GeneratedSystem system = {signature_of(design, shape), {}, {}};

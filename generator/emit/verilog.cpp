@@ -83,17 +83,11 @@ std::string argument_list(const std::string& indent, const std::vector<Argument>
   return fmt::format("(\n{0}  {1}\n{0})", indent, fmt::join(lines, fmt::format(",\n{}  ", indent)));
 }
 
-std::string print(const Parameter& parameter) {
-  return std::visit(Overloaded{[](long long number) { return fmt::format("{}", number); },
-                               [](const Literal& literal) { return print(literal); }},
-                    parameter.value);
-}
-
 std::string print(const Instance& instance, const std::string& indent) {
   std::string text = indent + instance.module;
   std::vector<Argument> parameters;
   for (const Parameter& parameter : instance.parameters) {
-    parameters.push_back({parameter.name, print(parameter)});
+    parameters.push_back({parameter.name, to_verilog(parameter)});
   }
   if (!parameters.empty()) text += " #" + argument_list(indent, parameters);
   std::vector<Argument> connections;
@@ -194,6 +188,12 @@ std::string print_ports(const std::vector<Port>& ports) {
 }
 
 }  // namespace
+
+std::string to_verilog(const Parameter& parameter) {
+  return std::visit(Overloaded{[](long long number) { return fmt::format("{}", number); },
+                               [](const Literal& literal) { return print(literal); }},
+                    parameter.value);
+}
 
 std::string to_verilog(const Module& module) {
   std::string text;

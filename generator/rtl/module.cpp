@@ -8,6 +8,15 @@ Operand make(Node node) {
   return std::make_shared<const Expression>(Expression{std::move(node)});
 }
 
+void collect_instances(const std::vector<Item>& items, std::vector<const Instance*>& found) {
+  for (const Item& item : items) {
+    if (const auto* instance = std::get_if<Instance>(&item)) found.push_back(instance);
+    if (const auto* loop = std::get_if<std::shared_ptr<const ForGenerate>>(&item)) {
+      collect_instances((*loop)->items, found);
+    }
+  }
+}
+
 }  // namespace
 
 Operand net(std::string name) {
@@ -50,6 +59,18 @@ Operand any_of(std::vector<Operand> operands) {
 
 Operand all_bits(Operand operand) {
   return make(AndReduce{std::move(operand)});
+}
+
+std::vector<const Instance*> instances(const Module& module) {
+  std::vector<const Instance*> found;
+  collect_instances(module.items, found);
+  return found;
+}
+
+std::set<std::string> instantiated_modules(const Module& module) {
+  std::set<std::string> names;
+  for (const Instance* instance : instances(module)) names.insert(instance->module);
+  return names;
 }
 
 }  // namespace mixcmp::gen::rtl

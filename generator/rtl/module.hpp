@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -122,5 +123,10 @@ struct Module {
   std::vector<Port> ports;
   std::vector<Item> items;
 };
+
+/// Every instance, those in loops included.
+std::vector<const Instance*> instances(const Module& module);
+/// The names of the modules it instantiates.
+std::set<std::string> instantiated_modules(const Module& module);
 
 }  // namespace mixcmp::gen::rtl

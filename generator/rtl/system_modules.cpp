@@ -101,16 +101,6 @@ void tie_off(const SystemShape& shape, std::vector<Item>& items,
   }
 }
 
-std::vector<Parameter> tracker_parameters(const SystemShape& shape) {
-  return {{"OPERAND_BITS", shape.operand_bits()},
-          {"TAG_BITS", shape.tag_bits},
-          {"SLOT_BITS", shape.slot_bits},
-          {"LANE_LATENCY", shape.lane_latency_cycles},
-          {"COUNTER_BITS", shape.counter_bits},
-          {"RECOMPUTE", shape.recomputes() ? 1 : 0},
-          {"CARRIED", shape.operands == model::OperandStore::carried ? 1 : 0}};
-}
-
 void add_per_reference_refetch(std::vector<Port>& ports, const SystemShape& shape, int count,
                                bool vector) {
   add_output(ports, count, "m_refetch_tvalid", vector);
@@ -282,14 +272,8 @@ Instance crossbar(const SystemShape& shape) {
   for (const Bundle& bundle : reference_bundles(shape)) {
     connections.push_back(facing(bundle, "reference"));
   }
-  return {"crossbar",
-          "recomputation",
-          {{"LANES", shape.lanes},
-           {"REFERENCES", shape.references},
-           {"LANE_BITS", shape.lane_bits()},
-           {"SLOT_BITS", shape.slot_bits},
-           {"PAYLOAD_BITS", shape.payload_bits()}},
-          std::move(connections)};
+  TemplateInstance crossbar = crossbar_template(shape);
+  return {crossbar.module, "recomputation", std::move(crossbar.parameters), std::move(connections)};
 }
 
 }  // namespace
@@ -300,6 +284,32 @@ int SystemShape::lane_bits() const {
 
 int SystemShape::payload_bits() const {
   return operands == model::OperandStore::carried ? operand_bits() : tag_bits;
+}
+
+int SystemShape::channel_latency_cycles() const {
+  const bool merges = order == model::ResultOrder::tagged && recomputes();
+  return merges ? 5 : 4;
+}
+
+TemplateInstance tracker_template(const SystemShape& shape) {
+  const bool in_order = shape.order == model::ResultOrder::in_order;
+  return {in_order ? "lane_reorder" : "lane_scoreboard",
+          {{"OPERAND_BITS", shape.operand_bits()},
+           {"TAG_BITS", shape.tag_bits},
+           {"SLOT_BITS", shape.slot_bits},
+           {"LANE_LATENCY", shape.lane_latency_cycles},
+           {"COUNTER_BITS", shape.counter_bits},
+           {"RECOMPUTE", shape.recomputes() ? 1 : 0},
+           {"CARRIED", shape.operands == model::OperandStore::carried ? 1 : 0}}};
+}
+
+TemplateInstance crossbar_template(const SystemShape& shape) {
+  return {"crossbar",
+          {{"LANES", shape.lanes},
+           {"REFERENCES", shape.references},
+           {"LANE_BITS", shape.lane_bits()},
+           {"SLOT_BITS", shape.slot_bits},
+           {"PAYLOAD_BITS", shape.payload_bits()}}};
 }
 
 Module lane_channel_module(const SystemShape& shape) {
@@ -320,9 +330,9 @@ Module lane_channel_module(const SystemShape& shape) {
                    "lane_operands", "lane_verdict", "lane_decided"});
   tie_off(shape, items, tracker);
   append(tracker, {"m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser"});
-  const bool in_order = shape.order == model::ResultOrder::in_order;
-  items.push_back(Instance{in_order ? "lane_reorder" : "lane_scoreboard", "tracker",
-                           tracker_parameters(shape), std::move(tracker)});
+  TemplateInstance tracking = tracker_template(shape);
+  items.push_back(
+      Instance{tracking.module, "tracker", std::move(tracking.parameters), std::move(tracker)});
   return module;
 }
 

@@ -34,9 +34,21 @@ struct SystemShape {
   int lane_bits() const;     ///< to number the lanes, at least 1
   int payload_bits() const;  ///< of a recomputation request
   int counter_port_bits() const { return counter_bits == 0 ? 1 : counter_bits; }
+  /// From in to out beside the lane, of a decided comparison that never waits.
+  int channel_latency_cycles() const;
   bool recomputes() const { return references > 0; }
   bool refetches() const { return recomputes() && operands == model::OperandStore::refetched; }
 };
+
+/// A template with its parameters, unconnected.
+struct TemplateInstance {
+  std::string module;
+  std::vector<rtl::Parameter> parameters;
+};
+/// The scoreboard or reorder buffer around one lane.
+TemplateInstance tracker_template(const SystemShape& shape);
+/// Between all lanes and all references.
+TemplateInstance crossbar_template(const SystemShape& shape);
 
 /// A lane with its scoreboard or reorder buffer: one stream of comparisons in, one of results out,
 /// requests for recomputation out, answers in.
