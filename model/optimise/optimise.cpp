@@ -211,6 +211,7 @@ AllocationResult fill_with_references(const Scene& scene, const Device& device,
 
 Error nothing_to_choose_from(const Scene& scene, const std::string& what) {
   return {.file = scene.path.string(),
+          .field = {},
           .message =
               fmt::format("the characterisation has no {} for this scene and these options", what),
           .received = "none",

@@ -1,5 +1,6 @@
 #include "model/optimise/rates.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 
@@ -79,6 +80,7 @@ Result<Rates> Rates::read(const std::filesystem::path& path) {
   if (line != header) {
     return Error{.file = path.string(),
                  .line = 1,
+                 .field = {},
                  .message = "not a table of recomputation rates",
                  .received = in_quotes(line),
                  .accepted = std::string("figure5.csv of mixcmp profile: ") + header};

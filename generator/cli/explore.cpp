@@ -1,0 +1,185 @@
+#include <fmt/core.h>
+
+#include <sstream>
+
+#include "generator/cli/exit.hpp"
+#include "generator/cli/output.hpp"
+#include "generator/cli/planning.hpp"
+#include "generator/cli/verbs.hpp"
+#include "generator/emit/version.hpp"
+#include "model/common/content_hash.hpp"
+#include "model/common/file.hpp"
+#include "model/common/quote.hpp"
+#include "model/optimise/exploration.hpp"
+#include "model/optimise/plan.hpp"
+#include "model/profile/report.hpp"
+
+namespace mixcmp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using model::Error;
+using model::Result;
+
+struct ExploreCommand {
+  PlanningOptions planning;
+  std::vector<std::string> devices;
+  std::string over;  ///< "data.radius_max=5,10,25"
+  fs::path output = "exploration";
+  bool beside_paper = false;
+};
+
+/// The settings of --over, one a data set; one empty one without it.
+Result<std::vector<std::string>> data_sets(const std::string& over) {
+  if (over.empty()) return std::vector<std::string>{""};
+  const std::size_t equals = over.find('=');
+  std::vector<std::string> sets;
+  if (equals != std::string::npos && equals > 0) {
+    std::istringstream values(over.substr(equals + 1));
+    for (std::string value; std::getline(values, value, ',');) {
+      if (!value.empty()) sets.push_back(over.substr(0, equals + 1) + value);
+    }
+  }
+  if (!sets.empty()) return sets;
+  return Error{.field = "--over",
+               .message = "names no data sets",
+               .received = model::in_quotes(over),
+               .accepted = "a key of the scene with values, such as data.radius_max=5,10,25"};
+}
+
+/// Names all that rates depend on.
+std::string rates_hash(const LoadedScene& loaded, const std::vector<std::string>& settings) {
+  model::ContentHash hash;
+  hash.add(gen::version).add(value_or_exit(model::read_file(loaded.scene.path)));
+  for (const std::string& setting : settings) hash.add(setting);
+  const model::DataSpec& data = *loaded.scene.data;
+  if (!data.file.empty()) hash.add(value_or_exit(model::read_file(data.file)));
+  return hash.hex().substr(0, 8);
+}
+
+/// Rates are kept in the output folder, so that a run that was interrupted goes on where it was.
+model::Rates rates_of(const ExploreCommand& command, const std::string& set) {
+  SceneOptions options = command.planning.scene;
+  if (!set.empty()) options.settings.push_back(set);
+  const LoadedScene loaded = value_or_exit(load(options));
+  value_or_exit(check_has_data(loaded));
+  const std::string name = set.empty() ? "own" : set.substr(set.find('=') + 1);
+  const fs::path kept =
+      command.output / fmt::format("rates-{}-{}.csv", name, rates_hash(loaded, options.settings));
+  if (fs::exists(kept)) return value_or_exit(model::Rates::read(kept));
+  const auto rates = value_or_exit(measure_rates(loaded, command.planning.choice));
+  model::ProfileReport report{.scene = loaded.scene.name,
+                              .reference = loaded.scene.reference.format,
+                              .comparisons = loaded.data->size(),
+                              .errors = {},
+                              .rates = rates};
+  value_or_exit(write_file(kept, figure5_csv(report)));
+  return model::Rates::of(rates);
+}
+
+using Columns = std::vector<std::pair<std::string, model::ClockChoice>>;
+
+/// The clocks that T(equ) is counted with.
+Columns columns_for(const std::optional<model::PublishedDevice>& published) {
+  Columns columns;
+  if (published) {
+    const double lane = published->lane_mhz(), reference = published->reference_mhz;
+    columns.push_back(
+        {fmt::format("ours, the paper's clocks ({:.0f}, {:.0f} MHz)", lane, reference),
+         {lane, reference, model::ClockDomains::separate}});
+    columns.push_back({fmt::format("ours, one clock of {:.0f} MHz", reference),
+                       {reference, reference, model::ClockDomains::single}});
+  }
+  columns.push_back({"ours, measured clocks", {}});
+  return columns;
+}
+
+void write_plan(const ExploreCommand& command, const fs::path& folder, const std::string& name,
+                const model::Optimisation& found) {
+  const model::PrecisionPlan* best = found.best();
+  if (best == nullptr) return;
+  const fs::path scene = fs::absolute(command.planning.scene.scene).lexically_normal();
+  const fs::path from = fs::absolute(folder).lexically_normal();
+  value_or_exit(write_file(folder / (name + ".toml"),
+                           plan_toml(found, *best, scene.lexically_relative(from).generic_string(),
+                                     command_line("explore", command.planning.scene))));
+}
+
+void write_device(const ExploreCommand& command, const model::Exploration& exploration,
+                  const std::string& tables) {
+  const fs::path folder = command.output / exploration.device.name;
+  value_or_exit(prepare_directory(folder));
+  const model::Column& ours = exploration.columns.back();
+  value_or_exit(write_file(folder / "figure7.csv", figure7_csv(ours.example)));
+  value_or_exit(write_file(folder / "figure9.csv", figure9_csv(ours.example)));
+  value_or_exit(write_file(folder / "scenarios.csv", scenarios_csv(exploration)));
+  value_or_exit(write_file(folder / "tables.md", tables));
+  write_plan(command, folder, "plan_scenario_1", ours.example);
+  write_plan(command, folder, "plan_scenario_2", ours.worst);
+  const bool drawn = draw(folder, "figure3", figure3_script(ours.example, "figure3.svg")) &&
+                     draw(folder, "figure7", figure7_script(ours.example, "figure7.svg")) &&
+                     draw(folder, "figure8", figure8_script(ours.example, "figure8.svg")) &&
+                     draw(folder, "figure9", figure9_script(ours.example, "figure9.svg"));
+  if (!drawn) warn_of_no_pictures();
+}
+
+/// Tables III and IV of one device.
+std::string explore_device(const ExploreCommand& command, const std::string& device,
+                           const std::vector<model::DataSet>& sets) {
+  PlanningOptions planning = command.planning;
+  planning.scene.settings.push_back("system.device=" + device);
+  const model::Scene scene =
+      value_or_exit(model::load_scene(planning.scene.scene, planning.scene.settings));
+  const Planning known = value_or_exit(load_planning(planning, scene));
+  const auto published = command.beside_paper ? model::published(device) : std::nullopt;
+  const model::Exploration exploration = value_or_exit(
+      explore(scene, known.device, known.table, sets, columns_for(published), planning.choice));
+  const std::string tables = "## " + device + "\n\n" + table3_markdown(exploration, published) +
+                             "\n" + table4_markdown(exploration, published, {});
+  write_device(command, exploration, tables);
+  return tables;
+}
+
+void run(const ExploreCommand& command) {
+  const LoadedScene loaded = value_or_exit(load(command.planning.scene));
+  const std::vector<std::string> settings = value_or_exit(data_sets(command.over));
+  value_or_exit(prepare_directory(command.output));
+  std::vector<model::DataSet> sets;
+  for (const std::string& setting : settings) {
+    sets.push_back({setting.empty() ? "own" : setting, rates_of(command, setting)});
+  }
+  std::vector<std::string> devices = command.devices;
+  if (devices.empty()) devices.push_back(loaded.scene.system.device);
+  std::string report = fmt::format("# {}: plans\n", loaded.scene.name);
+  for (const std::string& device : devices) {
+    report += "\n" + explore_device(command, device, sets);
+  }
+  value_or_exit(write_file(command.output / "report.md", report));
+  fmt::print("{}\n{}\n", report, (command.output / "report.md").string());
+}
+
+}  // namespace
+
+void add_explore(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("explore",
+                                      "the best plans over data sets and devices: the paper's "
+                                      "figures 3, 7, 8, 9 and tables III, IV");
+  auto command = std::make_shared<ExploreCommand>();
+  add_planning_options(*verb, command->planning);
+  verb->add_option("--on", command->devices, "a device; may be repeated (default: the scene's)")
+      ->allow_extra_args(false);
+  verb->add_option(
+      "--over", command->over,
+      "data sets, by a key of the scene: data.radius_max=5,10,25; scenario I plans for "
+      "each, II for the worst");
+  verb->add_flag(
+      "--beside-paper", command->beside_paper,
+      "beside the paper's published figures and with its clocks, on its two devices; the "
+      "scene should be its benchmark");
+  verb->add_option("-o,--output", command->output,
+                   "folder for figures, tables, plans and rates; rates found there are used again "
+                   "(default: exploration)");
+  verb->callback([command] { run(*command); });
+}
+
+}  // namespace mixcmp::cli

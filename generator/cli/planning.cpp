@@ -1,0 +1,106 @@
+#include "generator/cli/planning.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "generator/cli/output.hpp"
+
+namespace mixcmp::cli {
+namespace {
+
+using model::Error;
+using model::LaneInputs;
+using model::Result;
+
+void add_list(CLI::App& verb, const std::string& name, std::vector<std::string>& target,
+              const std::string& help, std::initializer_list<const char*> words) {
+  CLI::Option* option = verb.add_option(name, target, help)->delimiter(',');
+  if (words.size() > 0)
+    option->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())));
+}
+
+}  // namespace
+
+void add_planning_options(CLI::App& verb, PlanningOptions& options) {
+  add_scene_options(verb, options.scene);
+  model::OptimiseOptions& choice = options.choice;
+  verb.add_option("--table", options.table,
+                  "areas and clocks, made by mixcmp characterise (default: "
+                  "characterisation/DEVICE.csv beside the scene)");
+  verb.add_option("--first", choice.first_precision, "the lowest L, 4 or more (default: 4)");
+  verb.add_option("--last", choice.last_precision, "the highest L (default: 52)");
+  add_list(verb, "--use-inputs", choice.inputs,
+           "lanes to choose from: exact,rounded (default: both)", {"exact", "rounded"});
+  add_list(verb, "--use-bounds", choice.bounds,
+           "error bounds to choose from: relative,running_4,running_1,constant (default: all)", {});
+  add_list(verb, "--use-multipliers", choice.multipliers,
+           "multipliers to choose from: embedded,logic (default: both)", {"embedded", "logic"});
+  verb.add_option("--lane-mhz", choice.clocks.lane_mhz,
+                  "clock of the lanes, in place of the table's");
+  verb.add_option("--reference-mhz", choice.clocks.reference_mhz,
+                  "clock of the references, in place of the table's");
+  verb.add_flag(
+      "--separate-clocks", options.separate_clocks,
+      "count lanes and references at clocks of their own, as the paper does; what generate "
+      "writes has one clock");
+}
+
+std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& device) {
+  return scene.parent_path() / "characterisation" / (device + ".csv");
+}
+
+Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene) {
+  MIXCMP_TRY(device, model::find_device(scene.system.device));
+  const std::filesystem::path path =
+      options.table.empty() ? default_table(scene.path, device.name) : options.table;
+  if (!std::filesystem::exists(path)) {
+    return Error{
+        .file = path.string(),
+        .message = "no areas and clocks of this scene's lanes and references",
+        .received = "no such file",
+        .accepted = fmt::format("what this makes: mixcmp characterise {} --device {} -o {}",
+                                options.scene.scene.string(), device.name, path.string())};
+  }
+  MIXCMP_TRY(table, model::read_characterisation(path));
+  if (table.device != device.name) {
+    return Error{.file = path.string(),
+                 .field = "device",
+                 .message = "the table is of another device",
+                 .received = table.device,
+                 .accepted = device.name};
+  }
+  return Planning{std::move(device), std::move(table)};
+}
+
+Result<model::Done> check_has_data(const LoadedScene& loaded) {
+  if (loaded.data) return model::Done{};
+  return Error{.file = loaded.scene.path.string(),
+               .field = "data",
+               .message = "recomputation rates are measured on data",
+               .received = "a scene without [data]",
+               .accepted = "[data] with items or file"};
+}
+
+Result<std::vector<model::RateProfile>> measure_rates(const LoadedScene& loaded,
+                                                      const model::OptimiseOptions& choice) {
+  const model::Scene& scene = loaded.scene;
+  MIXCMP_TRY(has_data, check_has_data(loaded));
+  model::ProfileOptions options{
+      .first_precision = choice.first_precision,
+      .last_precision = std::min(choice.last_precision, highest_profiled_precision(scene))};
+  options.progress = [](const std::string& what, double share) {
+    show_progress(fmt::format("{}: {:.0f} %", what, share * 100));
+  };
+  MIXCMP_TRY(possible, check_profile(scene, options));
+  const auto errors =
+      profile_errors(scene, *loaded.data, {LaneInputs::exact, LaneInputs::rounded}, options);
+  std::vector<model::RateProfile> rates;
+  for (const model::ErrorProfile& each : errors) {
+    rates.push_back(profile_rates(scene, *loaded.data, each, options));
+  }
+  show_progress("");
+  return rates;
+}
+
+}  // namespace mixcmp::cli

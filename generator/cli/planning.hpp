@@ -1,0 +1,41 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/cli/options.hpp"
+#include "model/optimise/optimise.hpp"
+
+namespace mixcmp::cli {
+
+/// What `optimise` and `explore` share.
+struct PlanningOptions {
+  SceneOptions scene;
+  std::filesystem::path table;  ///< empty: beside the scene, see default_table
+  model::OptimiseOptions choice;
+  bool separate_clocks = false;
+};
+
+void add_planning_options(CLI::App& verb, PlanningOptions& options);
+
+/// SCENE's folder/characterisation/DEVICE.csv: where `characterise` writes, too.
+std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& device);
+
+/// The device and its table; notes on stderr where rows were measured on other RTL than today's.
+struct Planning {
+  model::Device device;
+  model::Characterisation table;
+};
+model::Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene);
+
+model::Result<model::Done> check_has_data(const LoadedScene& loaded);
+
+/// Recomputation rates of every kind of lane on the scene's data, for exact and for rounded inputs,
+/// at the precisions of `choice`. Errors where the scene has no data.
+model::Result<std::vector<model::RateProfile>> measure_rates(const LoadedScene& loaded,
+                                                             const model::OptimiseOptions& choice);
+
+}  // namespace mixcmp::cli

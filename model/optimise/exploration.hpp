@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/optimise/optimise.hpp"
+#include "model/optimise/published.hpp"
+#include "model/optimise/report.hpp"
+
+/// Section VI of the paper: one device, many data sets, scenarios I and II.
+namespace mixcmp::model {
+
+struct DataSet {
+  std::string name;  ///< "data.radius_max=25"; empty: the scene's own
+  Rates rates;
+};
+
+/// One way to count clocks, and what comes out of it: a column of Table IV.
+struct Column {
+  std::string title;  ///< "clocks estimated before routing"
+  ClockChoice clocks;
+  Optimisation example;                 ///< of the first data set: figures 3 and 9
+  std::vector<PlanSummary> scenario_1;  ///< one a data set: its rates are known beforehand
+  Optimisation worst;                   ///< scenario II: one plan for the highest rate of each kind
+  double baseline_per_s = 0;            ///< references alone
+  int baseline_references = 0;
+};
+
+struct Exploration {
+  std::string scene;
+  Device device;
+  std::vector<std::string> data_sets;
+  std::vector<Column> columns;
+};
+
+/// `sets` is not empty; the first is the one that figures are drawn of.
+Result<Exploration> explore(const Scene& scene, const Device& device, const Characterisation& table,
+                            const std::vector<DataSet>& sets,
+                            const std::vector<std::pair<std::string, ClockChoice>>& columns,
+                            const OptimiseOptions& options);
+
+/// Comparisons a second of software, for the normalised speed-ups of Table IV.
+struct SoftwareThroughput {
+  std::string title;  ///< "AMD EPYC ..., 2 cores, double"
+  double one_core_per_s = 0;
+  double all_cores_per_s = 0;
+};
+
+/// Tables III and IV as Markdown, the paper's column first where `published` is given.
+std::string table3_markdown(const Exploration& exploration,
+                            const std::optional<PublishedDevice>& published);
+std::string table4_markdown(const Exploration& exploration,
+                            const std::optional<PublishedDevice>& published,
+                            const std::vector<SoftwareThroughput>& software);
+
+/// data_set,column,scenario,precision,lanes,references,clock_mhz,recomputation_rate,throughput_per_s,gain
+std::string scenarios_csv(const Exploration& exploration);
+
+}  // namespace mixcmp::model

@@ -1,0 +1,172 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "model/common/plot.hpp"
+#include "model/optimise/report.hpp"
+#include "model/performance/performance.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+constexpr const char* x_label = "L: digits of the reduced precision";
+constexpr double giga = 1e9;
+
+/// One curve a kind of lane, with what `value` gives of each of its rows; 0 is left out.
+template <class Value>
+std::vector<Curve> curves_by_kind(const Optimisation& optimisation, Value value) {
+  std::map<std::string, Curve> curves;
+  for (const PrecisionPlan& plan : optimisation.plans) {
+    for (const LaneImplementation& lane : plan.lanes) {
+      const ComponentKey& key = lane.measured.key;
+      const std::string title =
+          fmt::format("{}, {} inputs, {}", key.bound, key.inputs, key.multipliers);
+      Curve& curve = curves[title];
+      curve.title = title;
+      const double y = value(lane.measured);
+      if (y > 0) curve.points.emplace_back(plan.precision, y);
+    }
+  }
+  std::vector<Curve> all;
+  for (auto& [title, curve] : curves) {
+    curve.style = measured_style(static_cast<int>(all.size()), all.size() < 7 ? 7 : 5);
+    all.push_back(std::move(curve));
+  }
+  return all;
+}
+
+void add_level(Picture& picture, const Optimisation& optimisation, const std::string& title,
+               double level, int color) {
+  if (optimisation.plans.empty() || level <= 0) return;
+  const double first = optimisation.plans.front().precision;
+  const double last = optimisation.plans.back().precision;
+  picture.curves.push_back({title, proven_style(color), {{first, level}, {last, level}}});
+}
+
+std::string where(const Optimisation& optimisation) {
+  return optimisation.scene + " on " + optimisation.device.name;
+}
+
+Curve curve_of_plans(const Optimisation& optimisation, const std::string& title,
+                     const std::string& style, double (*value)(const PlanSummary&)) {
+  Curve curve{title, style, {}};
+  for (const PrecisionPlan& plan : optimisation.plans) {
+    const PlanSummary s = summary_of(plan);
+    if (s.precision != 0) curve.points.emplace_back(s.precision, value(s));
+  }
+  return curve;
+}
+
+/// Lanes, each as the plan's are on average, streams included, that fit beside so many references.
+int lanes_beside(const Optimisation& optimisation, const PrecisionPlan& plan, int references) {
+  const Allocation& chosen = *plan.allocation();
+  const Area room = usable(optimisation.device.available, optimisation.slack);
+  const Area& reference = optimisation.references.front().kind.area;
+  double lanes = plan.problem.max_lanes;
+  for (const Resource& resource : bounded_resources) {
+    const double of_lanes =
+        chosen.used.*resource.amount -
+        static_cast<double>(chosen.reference_count()) * (reference.*resource.amount);
+    if (of_lanes <= 0) continue;
+    const double left =
+        room.*resource.amount - static_cast<double>(references) * (reference.*resource.amount);
+    lanes = std::min(lanes, left / (of_lanes / chosen.lane_count()));
+  }
+  return std::max(0, static_cast<int>(lanes));
+}
+
+/// T(equ) of a device full of `references` references and as many lanes as fit beside them.
+double throughput_with(const Optimisation& optimisation, const PrecisionPlan& plan, int lanes,
+                       int references) {
+  const double per_lane = plan.throughput_per_s() / plan.allocation()->lane_count();
+  const double reference = optimisation.references.front().kind.throughput_per_s;
+  return equivalent_throughput({{.count = lanes,
+                                 .throughput_per_s = per_lane,
+                                 .recomputation_rate = plan.recomputation_rate()}},
+                               {{.count = references, .throughput_per_s = reference}});
+}
+
+}  // namespace
+
+std::string figure3_script(const Optimisation& optimisation, const std::string& path) {
+  Picture picture{path,
+                  where(optimisation) + ": equivalent throughput over p_L / p_H",
+                  "p_L / p_H",
+                  "T(equ), G comparisons/s",
+                  "set logscale x 10\n",
+                  {},
+                  Axis::linear};
+  const PrecisionPlan* best = optimisation.best();
+  for (const PrecisionPlan& plan : optimisation.plans) {
+    if (plan.allocation() == nullptr || plan.precision % 2 != 0) continue;
+    if (best != nullptr && plan.precision > best->precision) break;
+    Curve curve{fmt::format("L = {}", plan.precision),
+                measured_style(static_cast<int>(picture.curves.size()), 7),
+                {}};
+    for (int references = 1; references <= plan.problem.max_references; ++references) {
+      const int lanes = lanes_beside(optimisation, plan, references);
+      if (lanes == 0) break;
+      curve.points.emplace_back(static_cast<double>(lanes) / references,
+                                throughput_with(optimisation, plan, lanes, references) / giga);
+    }
+    picture.curves.push_back(std::move(curve));
+  }
+  return script(picture);
+}
+
+std::string figure7_script(const Optimisation& optimisation, const std::string& path) {
+  Picture picture{
+      path,        where(optimisation) + ": area of a lane", x_label, "LUT", "set xtics 4\n", {},
+      Axis::linear};
+  picture.curves = curves_by_kind(
+      optimisation, [](const Measurement& row) { return static_cast<double>(row.area.luts); });
+  int color = 0;
+  for (const ReferenceImplementation& reference : optimisation.references) {
+    add_level(picture, optimisation, "reference, " + reference.measured.key.multipliers,
+              reference.kind.area.luts, color++);
+  }
+  return script(picture);
+}
+
+std::string figure8_script(const Optimisation& optimisation, const std::string& path) {
+  Picture picture{
+      path,
+      where(optimisation) + ": clock of a lane, " + std::string(to_string(optimisation.basis)),
+      x_label,
+      "MHz",
+      "set xtics 4\n",
+      {},
+      Axis::linear};
+  picture.curves = curves_by_kind(
+      optimisation, [](const Measurement& row) { return row.clock ? row.clock->mhz : 0.0; });
+  int color = 0;
+  for (const ReferenceImplementation& reference : optimisation.references) {
+    const auto& clock = reference.measured.clock;
+    add_level(picture, optimisation, "reference, " + reference.measured.key.multipliers,
+              clock ? clock->mhz : 0, color++);
+  }
+  return script(picture);
+}
+
+std::string figure9_script(const Optimisation& optimisation, const std::string& path) {
+  Picture picture{path,
+                  where(optimisation) + ": the best plan at each precision",
+                  x_label,
+                  "T(equ), G comparisons/s",
+                  "set xtics 4\nset ytics nomirror\nset y2tics\nset y2range [0:*]\n"
+                  "set y2label \"p_L, 10 p_H\"\n",
+                  {},
+                  Axis::linear};
+  picture.curves = {
+      curve_of_plans(optimisation, "T(equ)", measured_style(0, 7),
+                     [](const PlanSummary& s) { return s.throughput_per_s / giga; }),
+      curve_of_plans(optimisation, "p_L", measured_style(1, 5) + " axes x1y2",
+                     [](const PlanSummary& s) { return static_cast<double>(s.lanes); }),
+      curve_of_plans(optimisation, "10 p_H", measured_style(2, 9) + " axes x1y2",
+                     [](const PlanSummary& s) { return 10.0 * s.references; })};
+  add_level(picture, optimisation, "references alone", baseline_per_s(optimisation) / giga, 0);
+  return script(picture);
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,217 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "model/optimise/exploration.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+constexpr double giga = 1e9;
+constexpr const char* nothing = "-";
+
+/// Lines of cells as Markdown; the first is the header.
+class MarkdownTable {
+public:
+  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+
+  std::string text() const {
+    std::string text;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      text += fmt::format("| {} |\n", fmt::join(rows_[k], " | "));
+      if (k > 0) continue;
+      text += "|";
+      for (std::size_t cell = 0; cell < rows_[k].size(); ++cell) text += "---|";
+      text += "\n";
+    }
+    return text;
+  }
+
+private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// The range of a value over plans: "87-108", or "87" where it is one.
+std::string range_of(const std::vector<PlanSummary>& plans,
+                     const std::function<double(const PlanSummary&)>& value, const char* format) {
+  std::vector<double> values;
+  for (const PlanSummary& plan : plans) values.push_back(value(plan));
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const std::string from = fmt::format(fmt::runtime(format), *low);
+  const std::string to = fmt::format(fmt::runtime(format), *high);
+  return from == to ? from : from + "-" + to;
+}
+
+std::string range_text(double low, double high, const char* format) {
+  const std::string from = fmt::format(fmt::runtime(format), low);
+  const std::string to = fmt::format(fmt::runtime(format), high);
+  return from == to ? from : from + "-" + to;
+}
+
+/// One line of Table IV: what the paper has, and what a column of ours has.
+struct Line {
+  std::string name;
+  std::function<std::string(const PublishedDevice&)> of_paper;
+  std::function<std::string(const Column&)> of_column;
+};
+
+void add_line(MarkdownTable& table, const Exploration& exploration,
+              const std::optional<PublishedDevice>& published, const Line& line) {
+  std::vector<std::string> cells = {line.name};
+  if (published) cells.push_back(line.of_paper(*published));
+  for (const Column& column : exploration.columns) cells.push_back(line.of_column(column));
+  table.add(std::move(cells));
+}
+
+std::string giga_text(double per_s) {
+  return fmt::format("{:.3g}", per_s / giga);
+}
+
+/// Throughputs of scenarios I and II and of the baseline, each divided by `unit`.
+Line ratio_line(std::string name, double unit) {
+  const auto ratios = [unit](double low, double high, double worst, double baseline) {
+    return fmt::format("I {}x, II {:.3g}x, references alone {:.3g}x",
+                       range_text(low / unit, high / unit, "{:.3g}"), worst / unit,
+                       baseline / unit);
+  };
+  return {std::move(name),
+          [=](const PublishedDevice& p) {
+            return ratios(p.worst_per_s, p.best_per_s, p.worst_per_s, p.baseline_per_s);
+          },
+          [=](const Column& c) {
+            double low = c.scenario_1.front().throughput_per_s, high = low;
+            for (const PlanSummary& plan : c.scenario_1) {
+              low = std::min(low, plan.throughput_per_s);
+              high = std::max(high, plan.throughput_per_s);
+            }
+            return ratios(low, high, summary_of(c.worst).throughput_per_s, c.baseline_per_s);
+          }};
+}
+
+std::string gains(double low, double high, double baseline) {
+  if (baseline == 0) return "no reference fits";
+  return range_text(low / baseline, high / baseline, "{:.3g}") + "x";
+}
+
+std::vector<Line> plan_lines() {
+  const auto throughput = [](const PlanSummary& s) { return s.throughput_per_s / giga; };
+  const auto lanes = [](const PlanSummary& s) { return static_cast<double>(s.lanes); };
+  const auto references = [](const PlanSummary& s) { return static_cast<double>(s.references); };
+  const auto precision = [](const PlanSummary& s) { return static_cast<double>(s.precision); };
+  const auto clock = [](const PlanSummary& s) { return s.clock_mhz; };
+  return {
+      {"references alone: p_H",
+       [](const PublishedDevice& p) { return fmt::format("{}", p.baseline_references); },
+       [](const Column& c) { return fmt::format("{}", c.baseline_references); }},
+      {"references alone, G/s",
+       [](const PublishedDevice& p) { return giga_text(p.baseline_per_s); },
+       [](const Column& c) { return giga_text(c.baseline_per_s); }},
+      {"scenario I: L", [](const PublishedDevice&) { return nothing; },
+       [=](const Column& c) { return range_of(c.scenario_1, precision, "{:.0f}"); }},
+      {"scenario I: p_L",
+       [](const PublishedDevice& p) { return range_text(p.lanes_worst, p.lanes_best, "{:.0f}"); },
+       [=](const Column& c) { return range_of(c.scenario_1, lanes, "{:.0f}"); }},
+      {"scenario I: p_H",
+       [](const PublishedDevice& p) {
+         return range_text(p.references_best, p.references_worst, "{:.0f}");
+       },
+       [=](const Column& c) { return range_of(c.scenario_1, references, "{:.0f}"); }},
+      {"clock of lanes, MHz",
+       [](const PublishedDevice& p) {
+         return range_text(p.lane_mhz_low, p.lane_mhz_high, "{:.0f}");
+       },
+       [=](const Column& c) { return range_of(c.scenario_1, clock, "{:.0f}"); }},
+      {"scenario I: T(equ), G/s",
+       [](const PublishedDevice& p) {
+         return range_text(p.worst_per_s / giga, p.best_per_s / giga, "{:.3g}");
+       },
+       [=](const Column& c) { return range_of(c.scenario_1, throughput, "{:.3g}"); }},
+      {"scenario I: gain over references alone",
+       [](const PublishedDevice& p) {
+         return gains(p.worst_per_s, p.best_per_s, p.baseline_per_s);
+       },
+       [=](const Column& c) {
+         return range_of(
+             c.scenario_1,
+             [&c](const PlanSummary& s) {
+               return c.baseline_per_s > 0 ? s.throughput_per_s / c.baseline_per_s : 0;
+             },
+             "{:.3g}x");
+       }},
+      {"scenario II: L", [](const PublishedDevice&) { return nothing; },
+       [](const Column& c) { return fmt::format("{}", summary_of(c.worst).precision); }},
+      {"scenario II: p_L x p_H",
+       [](const PublishedDevice& p) {
+         return fmt::format("{} x {}", p.lanes_worst, p.references_worst);
+       },
+       [](const Column& c) {
+         const PlanSummary s = summary_of(c.worst);
+         return fmt::format("{} x {}", s.lanes, s.references);
+       }},
+      {"scenario II: T(equ), G/s",
+       [](const PublishedDevice& p) { return giga_text(p.worst_per_s); },
+       [](const Column& c) { return giga_text(summary_of(c.worst).throughput_per_s); }},
+      {"scenario II: gain over references alone",
+       [](const PublishedDevice& p) {
+         return gains(p.worst_per_s, p.worst_per_s, p.baseline_per_s);
+       },
+       [](const Column& c) {
+         const double worst = summary_of(c.worst).throughput_per_s;
+         return gains(worst, worst, c.baseline_per_s);
+       }},
+  };
+}
+
+std::vector<std::string> headers(const Exploration& exploration, bool with_paper) {
+  std::vector<std::string> cells = {exploration.device.name};
+  if (with_paper) cells.push_back("the paper");
+  for (const Column& column : exploration.columns) cells.push_back(column.title);
+  return cells;
+}
+
+}  // namespace
+
+std::string table3_markdown(const Exploration& exploration,
+                            const std::optional<PublishedDevice>& published) {
+  MarkdownTable table;
+  table.add({exploration.device.name, "LUT", "registers", "DSP", "latency, cycles", "MHz"});
+  if (published) {
+    table.add({"the paper, placed and routed", fmt::format("{} pairs", published->reference_luts),
+               nothing, fmt::format("{}", published->reference_dsps), nothing,
+               fmt::format("{:.0f}", published->reference_mhz)});
+  }
+  for (const ReferenceImplementation& reference : exploration.columns.front().example.references) {
+    const Measurement& m = reference.measured;
+    table.add(
+        {m.key.format + ", multipliers " + m.key.multipliers, fmt::format("{}", m.area.luts),
+         fmt::format("{}", m.area.registers), fmt::format("{}", m.area.dsps),
+         fmt::format("{}", m.latency_cycles),
+         m.clock ? fmt::format("{:.0f}, {}", m.clock->mhz, to_string(m.clock->source)) : nothing});
+  }
+  return table.text();
+}
+
+std::string table4_markdown(const Exploration& exploration,
+                            const std::optional<PublishedDevice>& published,
+                            const std::vector<SoftwareThroughput>& software) {
+  MarkdownTable table;
+  table.add(headers(exploration, published.has_value()));
+  for (const Line& line : plan_lines()) add_line(table, exploration, published, line);
+  if (published) {
+    add_line(table, exploration, published,
+             ratio_line(fmt::format("over {}, {} cores, {:.3g} G/s (the paper's)", published->cpu,
+                                    published->cpu_cores, published->cpu_per_s / giga),
+                        published->cpu_per_s));
+  }
+  for (const SoftwareThroughput& cpu : software) {
+    const std::string name =
+        fmt::format("over {}: all cores {:.3g} G/s, one core {:.3g} G/s (measured here)", cpu.title,
+                    cpu.all_cores_per_s / giga, cpu.one_core_per_s / giga);
+    add_line(table, exploration, published, ratio_line(name, cpu.all_cores_per_s));
+  }
+  return table.text();
+}
+
+}  // namespace mixcmp::model
