@@ -41,7 +41,8 @@ Result<std::vector<std::string>> data_sets(const std::string& over) {
     }
   }
   if (!sets.empty()) return sets;
-  return Error{.field = "--over",
+  return Error{.file = {},
+               .field = "--over",
                .message = "names no data sets",
                .received = model::in_quotes(over),
                .accepted = "a key of the scene with values, such as data.radius_max=5,10,25"};
