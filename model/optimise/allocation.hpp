@@ -40,6 +40,12 @@ enum class ClockDomains {
   separate,  ///< lanes and references each at their own, as the paper assumes
 };
 
+/// Who may serve a lane; what equation 10 is asked of.
+enum class ReferenceSharing {
+  dealt,   ///< lane i is served by reference i mod p_H alone: our crossbar; at each reference
+  pooled,  ///< any reference, as the paper assumes; in total
+};
+
 struct AllocationProblem {
   std::vector<LaneKind> lanes;
   std::vector<ReferenceKind> references;
@@ -47,6 +53,7 @@ struct AllocationProblem {
   Area available;      ///< A, of the device
   double slack = 0.2;  ///< R_S
   ClockDomains clocks = ClockDomains::single;
+  ReferenceSharing sharing = ReferenceSharing::dealt;
   int max_lanes = 512;
   int max_references = 16;
 };
@@ -73,14 +80,17 @@ struct Infeasible {
 
 using AllocationResult = std::variant<Allocation, Infeasible>;
 
-/// By integer linear programming (CBC): maximises equation 12 under 10 and 11. Exact.
+/// By integer linear programming (CBC): maximises equation 12 under 10 and 11. What CBC finds is
+/// checked without its tolerances. Among plans of the same throughput: the fewest references, then
+/// the fewest lanes, LUTs, registers, DSPs and memories, then kinds listed first.
 AllocationResult allocate(const AllocationProblem& problem);
 
 /// The same by trying everything, for small problems: the oracle of the tests.
 AllocationResult allocate_exhaustively(const AllocationProblem& problem);
 
-/// The program that `allocate` solves, in the LP format that CBC, GLPK and SCIP read. With a single
-/// clock domain: that of the best plan's clock.
+/// The program that `allocate` solves, in the LP format that CBC, GLPK and SCIP read: that of the
+/// best plan's p_H and, in a single clock domain, of its clock; where there is no plan, a
+/// relaxation that has none either, if there is one.
 std::string to_lp(const AllocationProblem& problem);
 
 }  // namespace mixcmp::model

@@ -1,10 +1,19 @@
 target_sources(mixcmp_model PRIVATE
+  optimise/allocation.cpp
+  optimise/allocation_program.cpp
+  optimise/cbc.cpp
+  optimise/crossover.cpp
+  optimise/exhaustive.cpp
   optimise/exploration.cpp
+  optimise/feasibility.cpp
   optimise/figures.cpp
+  optimise/integer_program.cpp
   optimise/optimise.cpp
   optimise/plan.cpp
   optimise/published.cpp
   optimise/rates.cpp
   optimise/report.cpp
+  optimise/shortage.cpp
   optimise/tables.cpp
+  optimise/tangents.cpp
 )

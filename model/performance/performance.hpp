@@ -33,7 +33,31 @@ double optimal_ratio(double lane_throughput_per_s, double reference_throughput_p
 bool references_suffice(const std::vector<Datapaths>& lanes,
                         const std::vector<Datapaths>& references);
 
+/// Rates and throughputs are measured: where `demand` exceeds `capacity` in the twelfth digit
+/// alone, as 3 * 0.1 exceeds 0.3, it does not exceed it.
+bool is_within(double demand, double capacity);
+
 /// The right side of equation 11: A (1 - R_S), rounded down, for each resource.
 Area usable(const Area& available, double slack);
+
+/// How many of `lanes` lanes the crossbar connects to each of `references` references: lane i is
+/// served by reference i mod p_H.
+std::vector<int> lanes_of_references(int lanes, int references);
+
+/// Equation 7 for each reference by itself, references in the order of their kinds, lanes dealt to
+/// them in the order of theirs: what lanes that never stall ask of it.
+std::vector<double> recomputations_of_references(const std::vector<Datapaths>& lanes,
+                                                 int references);
+
+/// Equation 10 for each reference by itself: more than `references_suffice` where lanes do not
+/// divide evenly.
+bool each_reference_suffices(const std::vector<Datapaths>& lanes,
+                             const std::vector<Datapaths>& references);
+
+/// Equation 8 for each reference by itself, summed. A reference that is asked for too much serves
+/// its lanes in turn: those that ask for less than their turn get all of it, the others share what
+/// is left equally.
+double dealt_throughput(const std::vector<Datapaths>& lanes,
+                        const std::vector<Datapaths>& references);
 
 }  // namespace mixcmp::model

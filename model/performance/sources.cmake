@@ -1,1 +1,1 @@
-target_sources(mixcmp_model PRIVATE)
+target_sources(mixcmp_model PRIVATE performance/performance.cpp)

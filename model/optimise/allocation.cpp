@@ -1,0 +1,217 @@
+#include "model/optimise/allocation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <set>
+
+#include "model/common/check.hpp"
+#include "model/optimise/allocation_program.hpp"
+#include "model/optimise/feasibility.hpp"
+#include "model/optimise/shortage.hpp"
+#include "model/performance/performance.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+using Relation = IntegerProgram::Relation;
+
+void check(const AllocationProblem& problem) {
+  for (const LaneKind& lane : problem.lanes) {
+    MIXCMP_CHECK(lane.throughput_per_s > 0 && std::isfinite(lane.throughput_per_s));
+    MIXCMP_CHECK(lane.recomputation_rate >= 0 && lane.recomputation_rate <= 1);
+  }
+  for (const ReferenceKind& reference : problem.references) {
+    MIXCMP_CHECK(reference.throughput_per_s > 0 && std::isfinite(reference.throughput_per_s));
+  }
+}
+
+/// Clocks that the system may run at, the highest first; 0 stands for each at its own.
+std::set<double, std::greater<>> candidate_clocks(const AllocationProblem& problem) {
+  if (problem.clocks == ClockDomains::separate) return {0.0};
+  std::set<double, std::greater<>> clocks;
+  for (const LaneKind& lane : problem.lanes) clocks.insert(lane.throughput_per_s);
+  for (const ReferenceKind& reference : problem.references) {
+    clocks.insert(reference.throughput_per_s);
+  }
+  return clocks;
+}
+
+/// Leaves out what decides fewer comparisons a second.
+void ask_for(AllocationProgram& wanted, double throughput_per_s) {
+  if (throughput_per_s <= 0) return;
+  wanted.program.add_row("at_least", wanted.program.objective, Relation::at_least,
+                         throughput_per_s / wanted.objective_per_s);
+}
+
+/// A program without one point: for each of the first columns, what is below and above it, with
+/// the columns before it held.
+std::vector<IntegerProgram> around(const IntegerProgram& program, const std::vector<int>& point,
+                                   std::size_t columns) {
+  std::vector<IntegerProgram> parts;
+  IntegerProgram held = program;
+  for (std::size_t k = 0; k < columns; ++k) {
+    IntegerProgram::Column& column = held.columns[k];
+    const IntegerProgram::Column all = column;
+    if (all.lower < point[k]) {
+      column.upper = point[k] - 1;
+      parts.push_back(held);
+    }
+    if (point[k] < all.upper) {
+      column = {all.name, point[k] + 1, all.upper};
+      parts.push_back(held);
+    }
+    column = {all.name, point[k], point[k]};
+  }
+  return parts;
+}
+
+double value_of(const IntegerProgram::Sum& sum, const std::vector<int>& point) {
+  double value = 0;
+  for (const auto& [column, coefficient] : sum) value += coefficient * point[column];
+  return value;
+}
+
+IntegerProgram::Sum negated(IntegerProgram::Sum sum) {
+  for (IntegerProgram::Term& term : sum) term.coefficient = -term.coefficient;
+  return sum;
+}
+
+/// One problem under search.
+class Search {
+public:
+  explicit Search(const AllocationProblem& problem) : problem_(problem) {}
+
+  /// The highest throughput that any clock allows, then the cheapest plan that reaches it.
+  std::optional<Allocation> run() {
+    for (const double clock : candidate_clocks(problem_)) try_clock(clock);
+    std::optional<Allocation> best;
+    for (const double clock : best_clocks_) {
+      const std::optional<Allocation> plan = cheapest(clock);
+      if (plan && (!best || is_better(*plan, *best))) best = plan;
+    }
+    MIXCMP_CHECK(best || best_clocks_.empty());
+    return best;
+  }
+
+private:
+  struct Found {
+    Allocation plan;
+    double value;  ///< of the objective
+  };
+
+  int most_references() const { return problem_.references.empty() ? 0 : problem_.max_references; }
+
+  bool some_lane_needs_no_reference() const {
+    return std::any_of(problem_.lanes.begin(), problem_.lanes.end(),
+                       [](const LaneKind& lane) { return lane.recomputation_rate == 0; });
+  }
+
+  /// Where the best point of the relaxation keeps the exact rules it is the best plan of its clock;
+  /// else each p_H is tried.
+  void try_clock(double clock) {
+    if (some_lane_needs_no_reference()) try_exactly(clock, 0);
+    if (most_references() == 0) return;
+    AllocationProgram relaxed = relaxed_program(problem_, clock);
+    ask_for(relaxed, best_per_s_);
+    const auto point = solve(relaxed.program);
+    if (!point) return;
+    if (const auto plan = plan_of(problem_, relaxed.counts(problem_, *point))) {
+      note(clock, *plan);
+      return;
+    }
+    for (int references = 1; references <= most_references(); ++references) {
+      try_exactly(clock, references);
+    }
+  }
+
+  void try_exactly(double clock, int references) {
+    AllocationProgram wanted = exact_program(problem_, clock, references);
+    ask_for(wanted, best_per_s_);
+    if (const auto found = best_of(wanted, 0)) note(clock, found->plan);
+  }
+
+  void note(double clock, const Allocation& plan) {
+    if (plan.throughput_per_s < best_per_s_) return;
+    if (plan.throughput_per_s > best_per_s_) best_clocks_.clear();
+    best_per_s_ = plan.throughput_per_s;
+    best_clocks_.insert(clock);
+  }
+
+  /// The best point that keeps the rules without CBC's tolerances. Where CBC's point does not, the
+  /// program is split around it.
+  std::optional<Found> best_of(const AllocationProgram& wanted, double least_per_s) const {
+    const std::size_t kinds = problem_.lanes.size() + problem_.references.size();
+    std::vector<IntegerProgram> parts{wanted.program};
+    std::optional<Found> best;
+    while (!parts.empty()) {
+      const IntegerProgram part = std::move(parts.back());
+      parts.pop_back();
+      const auto point = solve(part);
+      if (!point) continue;
+      const double value = value_of(part.objective, *point);
+      if (best && value <= best->value) continue;
+      const auto plan = plan_of(problem_, wanted.counts(problem_, *point));
+      if (plan && is_within(least_per_s, plan->throughput_per_s)) {
+        best = Found{*plan, value};
+        continue;
+      }
+      for (IntegerProgram& rest : around(part, *point, kinds)) parts.push_back(std::move(rest));
+    }
+    return best;
+  }
+
+  /// Of the plans of the best throughput at this clock, the first by the rules of `is_better`.
+  std::optional<Allocation> cheapest(double clock) const {
+    for (int references = 0; references <= most_references(); ++references) {
+      AllocationProgram wanted = exact_program(problem_, clock, references);
+      ask_for(wanted, best_per_s_);
+      std::optional<Found> found;
+      for (const IntegerProgram::Sum& cost : wanted.costs) {
+        wanted.program.objective = negated(cost);
+        found = best_of(wanted, best_per_s_);
+        if (!found) break;
+        wanted.program.add_row("cheapest", cost, Relation::at_most, -found->value);
+      }
+      if (found) return found->plan;
+    }
+    return std::nullopt;
+  }
+
+  const AllocationProblem& problem_;
+  double best_per_s_ = 0;
+  std::set<double, std::greater<>> best_clocks_;
+};
+
+}  // namespace
+
+int Allocation::lane_count() const {
+  return std::accumulate(lanes.begin(), lanes.end(), 0);
+}
+
+int Allocation::reference_count() const {
+  return std::accumulate(references.begin(), references.end(), 0);
+}
+
+AllocationResult allocate(const AllocationProblem& problem) {
+  check(problem);
+  if (problem.lanes.empty() || !fixed_fits(problem)) return explain_infeasible(problem);
+  const std::optional<Allocation> plan = Search(problem).run();
+  if (!plan) return explain_infeasible(problem);
+  return *plan;
+}
+
+std::string to_lp(const AllocationProblem& problem) {
+  const AllocationResult result = allocate(problem);
+  const auto* plan = std::get_if<Allocation>(&result);
+  const bool one_clock = problem.clocks == ClockDomains::single;
+  if (plan == nullptr) {
+    const double lowest = *candidate_clocks(problem).rbegin();
+    return to_lp(relaxed_program(problem, lowest).program);
+  }
+  const double clock = one_clock ? plan->throughput_per_s / plan->lane_count() : 0;
+  return to_lp(exact_program(problem, clock, plan->reference_count()).program);
+}
+
+}  // namespace mixcmp::model

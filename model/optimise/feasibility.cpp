@@ -1,0 +1,138 @@
+#include "model/optimise/feasibility.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+#include "model/performance/performance.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+void add(Amounts& sum, int count, const Area& area) {
+  const Amounts one = amounts_of(area);
+  for (std::size_t r = 0; r < sum.size(); ++r) sum[r] += count * one[r];
+}
+
+int total(const std::vector<int>& counts) {
+  return std::accumulate(counts.begin(), counts.end(), 0);
+}
+
+/// Of what is used; each at its own where there are several domains.
+double clock_limit(const AllocationProblem& problem, const Counts& counts) {
+  double limit = std::numeric_limits<double>::infinity();
+  if (problem.clocks == ClockDomains::separate) return limit;
+  for (std::size_t k = 0; k < counts.lanes.size(); ++k) {
+    if (counts.lanes[k] > 0) limit = std::min(limit, problem.lanes[k].throughput_per_s);
+  }
+  for (std::size_t k = 0; k < counts.references.size(); ++k) {
+    if (counts.references[k] > 0) limit = std::min(limit, problem.references[k].throughput_per_s);
+  }
+  return limit;
+}
+
+std::vector<Datapaths> lanes_of(const AllocationProblem& problem, const Counts& counts,
+                                double limit) {
+  std::vector<Datapaths> lanes;
+  for (std::size_t k = 0; k < counts.lanes.size(); ++k) {
+    const LaneKind& kind = problem.lanes[k];
+    lanes.push_back(
+        {counts.lanes[k], std::min(kind.throughput_per_s, limit), kind.recomputation_rate});
+  }
+  return lanes;
+}
+
+std::vector<Datapaths> references_of(const AllocationProblem& problem, const Counts& counts,
+                                     double limit) {
+  std::vector<Datapaths> references;
+  for (std::size_t k = 0; k < counts.references.size(); ++k) {
+    const double own = problem.references[k].throughput_per_s;
+    references.push_back({counts.references[k], std::min(own, limit), 0});
+  }
+  return references;
+}
+
+bool keeps_equation_10(const AllocationProblem& problem, const std::vector<Datapaths>& lanes,
+                       const std::vector<Datapaths>& references) {
+  switch (problem.sharing) {
+    case ReferenceSharing::dealt: return each_reference_suffices(lanes, references);
+    case ReferenceSharing::pooled: return references_suffice(lanes, references);
+  }
+  return false;
+}
+
+bool fits(const AllocationProblem& problem, const Amounts& demand) {
+  const Amounts room = amounts_of(usable(problem.available, problem.slack));
+  return std::equal(demand.begin(), demand.end(), room.begin(), std::less_equal<>());
+}
+
+Area area_used(const AllocationProblem& problem, const Counts& counts) {
+  Area used = problem.communication.fixed;
+  for (std::size_t k = 0; k < counts.lanes.size(); ++k) {
+    used += counts.lanes[k] * problem.lanes[k].area;
+  }
+  for (std::size_t k = 0; k < counts.references.size(); ++k) {
+    used += counts.references[k] * problem.references[k].area;
+  }
+  if (problem.communication.crossbar.empty()) return used;
+  for (const int served : lanes_of_references(total(counts.lanes), total(counts.references))) {
+    used += problem.communication.crossbar[served];
+  }
+  return used;
+}
+
+}  // namespace
+
+Amounts amounts_of(const Area& area) {
+  Amounts amounts{};
+  for (std::size_t r = 0; r < amounts.size(); ++r) amounts[r] = area.*bounded_resources[r].amount;
+  return amounts;
+}
+
+std::optional<Amounts> demand_of(const AllocationProblem& problem, const Counts& counts) {
+  Amounts demand = amounts_of(problem.communication.fixed);
+  for (std::size_t k = 0; k < counts.lanes.size(); ++k) {
+    add(demand, counts.lanes[k], problem.lanes[k].area);
+  }
+  for (std::size_t k = 0; k < counts.references.size(); ++k) {
+    add(demand, counts.references[k], problem.references[k].area);
+  }
+  const std::vector<Area>& crossbar = problem.communication.crossbar;
+  if (crossbar.empty()) return demand;
+  for (const int served : lanes_of_references(total(counts.lanes), total(counts.references))) {
+    if (served >= static_cast<int>(crossbar.size())) return std::nullopt;
+    add(demand, 1, crossbar[served]);
+  }
+  return demand;
+}
+
+std::optional<Allocation> plan_of(const AllocationProblem& problem, const Counts& counts) {
+  const int lane_count = total(counts.lanes);
+  if (lane_count < 1 || lane_count > problem.max_lanes) return std::nullopt;
+  if (total(counts.references) > problem.max_references) return std::nullopt;
+  const std::optional<Amounts> demand = demand_of(problem, counts);
+  if (!demand || !fits(problem, *demand)) return std::nullopt;
+  const double limit = clock_limit(problem, counts);
+  const std::vector<Datapaths> lanes = lanes_of(problem, counts, limit);
+  if (!keeps_equation_10(problem, lanes, references_of(problem, counts, limit))) {
+    return std::nullopt;
+  }
+  const bool one_clock = problem.clocks == ClockDomains::single;
+  return Allocation{
+      .lanes = counts.lanes,
+      .references = counts.references,
+      .throughput_per_s = one_clock ? lane_count * limit : aggregated_throughput(lanes),
+      .used = area_used(problem, counts)};
+}
+
+bool is_better(const Allocation& a, const Allocation& b) {
+  if (a.throughput_per_s != b.throughput_per_s) return a.throughput_per_s > b.throughput_per_s;
+  const auto cost = [](const Allocation& plan) {
+    return std::tuple(plan.reference_count(), plan.lane_count(), amounts_of(plan.used));
+  };
+  if (cost(a) != cost(b)) return cost(a) < cost(b);
+  return std::tie(a.lanes, a.references) > std::tie(b.lanes, b.references);
+}
+
+}  // namespace mixcmp::model

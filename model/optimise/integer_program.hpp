@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mixcmp::model {
+
+/// A linear program over integers: maximise a sum of columns subject to rows and bounds.
+struct IntegerProgram {
+  struct Column {
+    std::string name;
+    int lower = 0;
+    int upper = 0;
+  };
+  struct Term {
+    int column;
+    double coefficient;
+  };
+  using Sum = std::vector<Term>;
+  enum class Relation { at_most, equal, at_least };
+  struct Row {
+    std::string name;
+    Sum sum;
+    Relation relation;
+    double bound;
+  };
+
+  std::vector<std::string> comments;  ///< for the reader of an LP file
+  std::vector<Column> columns;
+  std::vector<Row> rows;
+  Sum objective;  ///< to be maximised
+
+  int add_column(const std::string& name, int lower, int upper);
+  /// A row of zeros is left out: it must hold.
+  void add_row(const std::string& name, Sum sum, Relation relation, double bound);
+};
+
+/// By CBC: what each column is where the objective is largest; none if no point satisfies the rows.
+/// Rows hold within CBC's tolerances: whoever needs them exactly checks the point.
+std::optional<std::vector<int>> solve(const IntegerProgram& program);
+
+/// In the LP format that CBC, GLPK and SCIP read.
+std::string to_lp(const IntegerProgram& program);
+
+}  // namespace mixcmp::model

@@ -1,0 +1,126 @@
+#include "model/optimise/shortage.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "model/optimise/feasibility.hpp"
+#include "model/performance/performance.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// References that one lane needs: 0 if it recomputes nothing; none if no number of them does.
+std::optional<int> references_needed(const LaneKind& lane, const ReferenceKind* reference,
+                                     const AllocationProblem& problem) {
+  if (lane.recomputation_rate == 0) return reference == nullptr ? std::optional(0) : std::nullopt;
+  if (reference == nullptr) return std::nullopt;
+  const bool one_clock = problem.clocks == ClockDomains::single;
+  const double capacity = one_clock ? lane.throughput_per_s : reference->throughput_per_s;
+  // A second one helps a single lane only where references are pooled.
+  const int most = problem.sharing == ReferenceSharing::pooled
+                       ? problem.max_references
+                       : std::min(1, problem.max_references);
+  for (int count = 1; count <= most; ++count) {
+    if (is_within(lane.throughput_per_s * lane.recomputation_rate, count * capacity)) return count;
+  }
+  return std::nullopt;
+}
+
+Counts smallest_system(const AllocationProblem& problem, std::size_t lane,
+                       const ReferenceKind* reference, int references) {
+  Counts counts{std::vector<int>(problem.lanes.size(), 0),
+                std::vector<int>(problem.references.size(), 0)};
+  counts.lanes[lane] = 1;
+  if (reference != nullptr) counts.references[reference - problem.references.data()] = references;
+  return counts;
+}
+
+/// What the smallest systems that keep equation 10 demand.
+std::vector<Amounts> smallest_demands(const AllocationProblem& problem) {
+  std::vector<const ReferenceKind*> references{nullptr};
+  for (const ReferenceKind& reference : problem.references) references.push_back(&reference);
+  std::vector<Amounts> demands;
+  for (std::size_t lane = 0; lane < problem.lanes.size(); ++lane) {
+    for (const ReferenceKind* reference : references) {
+      const auto needed = references_needed(problem.lanes[lane], reference, problem);
+      if (!needed) continue;
+      const auto demand = demand_of(problem, smallest_system(problem, lane, reference, *needed));
+      if (demand) demands.push_back(*demand);
+    }
+  }
+  return demands;
+}
+
+std::vector<Infeasible::Shortage> shortages_of(const Amounts& demand, const Amounts& room) {
+  std::vector<Infeasible::Shortage> shortages;
+  for (std::size_t r = 0; r < demand.size(); ++r) {
+    if (demand[r] <= room[r]) continue;
+    const auto needed = std::min<std::int64_t>(demand[r], std::numeric_limits<int>::max());
+    shortages.push_back(
+        {bounded_resources[r].name, static_cast<int>(room[r]), static_cast<int>(needed)});
+  }
+  return shortages;
+}
+
+/// The least demand for each resource, whichever system has it.
+Amounts least_of_each(const std::vector<Amounts>& demands) {
+  Amounts least = demands.front();
+  for (const Amounts& demand : demands) {
+    for (std::size_t r = 0; r < least.size(); ++r) least[r] = std::min(least[r], demand[r]);
+  }
+  return least;
+}
+
+/// How many times what there is the demand is, of the resource that is shortest.
+double worst_ratio(const Amounts& demand, const Amounts& room) {
+  double worst = 0;
+  for (std::size_t r = 0; r < demand.size(); ++r) {
+    if (demand[r] == 0) continue;
+    worst = std::max(worst, static_cast<double>(demand[r]) / static_cast<double>(room[r]));
+  }
+  return worst;
+}
+
+std::string sentence(const std::vector<Infeasible::Shortage>& shortages) {
+  std::vector<std::string> parts;
+  for (const auto& [resource, room, needed] : shortages) {
+    parts.push_back(fmt::format("{}: {} needed, {} usable, {} short", resource, needed, room,
+                                static_cast<std::int64_t>(needed) - room));
+  }
+  return fmt::format("the smallest system does not fit ({})", fmt::join(parts, "; "));
+}
+
+Infeasible short_of(const std::vector<Infeasible::Shortage>& shortages) {
+  return {shortages, sentence(shortages)};
+}
+
+}  // namespace
+
+bool fixed_fits(const AllocationProblem& problem) {
+  const Amounts room = amounts_of(usable(problem.available, problem.slack));
+  return shortages_of(amounts_of(problem.communication.fixed), room).empty();
+}
+
+Infeasible explain_infeasible(const AllocationProblem& problem) {
+  const Amounts room = amounts_of(usable(problem.available, problem.slack));
+  if (problem.lanes.empty() || problem.max_lanes < 1) return {{}, "there is no lane to build"};
+  const std::vector<Amounts> demands = smallest_demands(problem);
+  if (demands.empty()) {
+    return {{},
+            problem.references.empty() || problem.max_references < 1
+                ? "every lane needs a reference, and there is none to build"
+                : "no reference is fast enough for a single lane, or none has a port for it"};
+  }
+  const auto always = shortages_of(least_of_each(demands), room);
+  if (!always.empty()) return short_of(always);
+  const Amounts& closest =
+      *std::min_element(demands.begin(), demands.end(), [&](const Amounts& a, const Amounts& b) {
+        return worst_ratio(a, room) < worst_ratio(b, room);
+      });
+  return short_of(shortages_of(closest, room));
+}
+
+}  // namespace mixcmp::model
