@@ -29,7 +29,8 @@ enum class TimingEffort {
 
 struct SynthesisOptions {
   TimingEffort effort = TimingEffort::timing;
-  int seeds = 3;  ///< of the router
+  int seeds = 3;                ///< of the router
+  int seconds_per_tool = 3600;  ///< a run of Yosys or of the router that takes longer is ended
 };
 
 struct SynthesisResult {
@@ -39,7 +40,8 @@ struct SynthesisResult {
 };
 
 /// The tools a device needs, with their versions, as they go into a store's key. An error names
-/// the package to install.
+/// the package to install. A router that is missing is no error: there is no clock then, and the
+/// text says "no router".
 Result<std::string> tool_versions(const Device& device, TimingEffort effort);
 
 /// Runs Yosys (and the router) in `directory`, which must exist; logs stay there.

@@ -6,7 +6,9 @@
 #include <array>
 #include <string_view>
 
+#include "model/common/check.hpp"
 #include "model/common/nearest.hpp"
+#include "model/common/quote.hpp"
 #include "model/scene/section.hpp"
 #include "model/scene/settings.hpp"
 
@@ -48,7 +50,7 @@ void check_command(Section& section, const std::string& key, const std::string& 
   if (section.find(key) == nullptr) return;
   const bool one_command = command.find_first_of(";\n\r!#") == std::string::npos;
   if (command.starts_with("synth") && one_command) return;
-  section.fail(key, "not one synthesis command of Yosys", fmt::format("\"{}\"", command),
+  section.fail(key, "not one synthesis command of Yosys", in_quotes(command),
                "synth_xilinx, synth_ecp5, synth_ice40 or another synth command with its options");
 }
 
@@ -78,6 +80,18 @@ void read_arguments(Section& section, std::vector<std::string>& arguments) {
   }
 }
 
+/// Delays of cells are in Yosys' library for Xilinx alone; a router takes the mapped netlist.
+void check_timing_synthesis(Section& section, const Device& device) {
+  const bool given = !device.timing_synthesis.empty();
+  if (device.timing == TimingTool::yosys_sta) {
+    if (device.timing_synthesis.starts_with("synth_xilinx")) return;
+    return section.fail("synthesis", "of tool = \"yosys_sta\"",
+                        given ? in_quotes(device.timing_synthesis) : "nothing",
+                        "a synth_xilinx command, with -abc9");
+  }
+  if (given) section.fail("synthesis", "of no use to this tool", "a command", "no synthesis here");
+}
+
 Result<Done> read_timing(const Settings& settings, Device& device) {
   Section section(settings, "timing");
   section.require("tool");
@@ -86,6 +100,7 @@ Result<Done> read_timing(const Settings& settings, Device& device) {
                   TimingTool::nextpnr_ecp5});
   section.text("synthesis", device.timing_synthesis);
   check_command(section, "synthesis", device.timing_synthesis);
+  check_timing_synthesis(section, device);
   read_arguments(section, device.timing_arguments);
   if (const auto error = section.finish()) return *error;
   return Done{};

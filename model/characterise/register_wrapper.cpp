@@ -1,0 +1,91 @@
+#include "model/characterise/register_wrapper.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace mixcmp::model {
+namespace {
+
+/// The widths of a module's ports added up, and how an instance connects them.
+struct Boundary {
+  int inputs = 0;   ///< bits, without the clock
+  int outputs = 0;  ///< bits
+  std::string connections;
+
+  void connect(const std::string& port, const std::string& net) {
+    connections += fmt::format("{}    .\\{} ({})", connections.empty() ? "" : ",\n", port, net);
+  }
+};
+
+Result<Boundary> boundary_of(const nlohmann::json& ports, const std::string& clock_port) {
+  Boundary boundary;
+  for (const auto& [name, port] : ports.items()) {
+    const std::string direction = port.at("direction");
+    const int width = static_cast<int>(port.at("bits").size());
+    if (direction == "inout") {
+      return Error{.message = "a port of two directions cannot be wrapped",
+                   .received = name,
+                   .accepted = "inputs and outputs"};
+    }
+    if (name == clock_port) {
+      boundary.connect(name, "clock");
+      continue;
+    }
+    int& low = direction == "input" ? boundary.inputs : boundary.outputs;
+    boundary.connect(name, fmt::format("{}[{}:{}]", direction + "s", low + width - 1, low));
+    low += width;
+  }
+  return boundary;
+}
+
+std::string shift_register(int bits) {
+  if (bits == 0) return "";
+  const std::string shifted =
+      bits == 1 ? "serial" : fmt::format("{{inputs[{}:0], serial}}", bits - 2);
+  return fmt::format("  reg [{}:0] inputs;\n  always @(posedge clock) inputs <= {};\n", bits - 1,
+                     shifted);
+}
+
+/// One level of the tree: registers that hold the XOR of four of the level before.
+std::string fold_level(int level, int from_bits, int bits) {
+  std::string text =
+      fmt::format("  reg [{}:0] fold{};\n  always @(posedge clock) begin\n", bits - 1, level);
+  for (int k = 0; k < bits; ++k) {
+    text += fmt::format("    fold{}[{}] <= ^fold{}[{}:{}];\n", level, k, level - 1,
+                        std::min(4 * k + 3, from_bits - 1), 4 * k);
+  }
+  return text + "  end\n";
+}
+
+std::string fold(int bits) {
+  std::string text =
+      fmt::format("  reg [{}:0] fold0;\n  always @(posedge clock) fold0 <= outputs;\n", bits - 1);
+  int level = 0;
+  for (; bits > 1; bits = (bits + 3) / 4) {
+    ++level;
+    text += fold_level(level, bits, (bits + 3) / 4);
+  }
+  return text + fmt::format("  assign folded = fold{}[0];\n", level);
+}
+
+}  // namespace
+
+Result<std::string> register_wrapper(const nlohmann::json& netlist, const std::string& top,
+                                     const std::string& clock_port, const std::string& name) {
+  MIXCMP_TRY(boundary, boundary_of(netlist.at("modules").at(top).at("ports"), clock_port));
+  if (boundary.outputs == 0) {
+    return Error{.message = "a module without outputs computes nothing",
+                 .received = top,
+                 .accepted = "a module with an output"};
+  }
+  return fmt::format(
+      "module {} (input wire clock, input wire serial, output wire folded);\n{}"
+      "  wire [{}:0] outputs;\n  {} wrapped (\n{}\n  );\n{}endmodule\n",
+      name, shift_register(boundary.inputs), boundary.outputs - 1, top, boundary.connections,
+      fold(boundary.outputs));
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,176 @@
+#include "model/characterise/synthesis.hpp"
+
+#include <fmt/core.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "model/characterise/logic_cells.hpp"
+#include "model/characterise/mapped_area.hpp"
+#include "model/characterise/register_wrapper.hpp"
+#include "model/characterise/router.hpp"
+#include "model/characterise/static_timing.hpp"
+#include "model/characterise/tools.hpp"
+#include "model/common/file.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One job on one device in one folder: what each step needs to know.
+struct Run {
+  const SynthesisJob& job;
+  const Device& device;
+  const SynthesisOptions& options;
+  const fs::path& directory;
+
+  bool is_ice40() const { return device.synthesis.starts_with("synth_ice40"); }
+};
+
+Result<Done> write_text(const fs::path& path, const std::string& text) {
+  std::ofstream stream(path, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (stream.good()) return Done{};
+  return Error{.file = path.string(), .message = "cannot be written"};
+}
+
+Result<Done> write_sources(const Run& run) {
+  for (const SourceText& source : run.job.sources) {
+    MIXCMP_TRY(written, write_text(run.directory / source.name, source.text));
+  }
+  return Done{};
+}
+
+std::string read_sources(const SynthesisJob& job) {
+  std::string names;
+  for (const SourceText& source : job.sources) names += " " + source.name;
+  return fmt::format("read_verilog{}\n", names);
+}
+
+Result<Done> run_yosys(const Run& run, const std::string& name, const std::string& script) {
+  MIXCMP_TRY(written, write_text(run.directory / (name + ".ys"), script));
+  Command command = yosys_command(run.device);
+  command.insert(command.end(), {"-q", "-s", name + ".ys"});
+  return run_in(run.directory, command, name + ".log", run.options.seconds_per_tool);
+}
+
+/// Maps the module alone. Leaves map.json, the netlist, and map.il, the same for Yosys.
+Result<Area> map_alone(const Run& run) {
+  const std::string& top = run.job.top;
+  const std::string script = fmt::format(
+      "{}{} -top {}\ntee -q -o area.json stat -json\nwrite_json map.json\n"
+      "select {}\nwrite_rtlil -selected map.il\n",
+      read_sources(run.job), run.device.synthesis, top, top);
+  MIXCMP_TRY(ran, run_yosys(run, "map", script));
+  MIXCMP_TRY(statistics, read_json(run.directory / "area.json"));
+  MIXCMP_TRY(area, area_of_statistics(statistics));
+  if (run.is_ice40()) {
+    MIXCMP_TRY(netlist, read_json(run.directory / "map.json"));
+    area.luts = ice40_logic_cells(netlist, top);
+  }
+  return area;
+}
+
+/// After -abc9 the carry cells in memory have lost their delays (Yosys 0.23 and 0.52): the netlist
+/// is read again, beside the library of cells.
+std::string timing_script(const Run& run) {
+  const std::string& top = run.job.top;
+  return fmt::format(
+      "{}{} -top {}\nselect {}\nwrite_rtlil -selected timing.il\ndesign -reset\n"
+      "read_rtlil timing.il\nread_verilog -lib -specify +/xilinx/cells_sim.v\n"
+      "hierarchy -top {}\ntee -q -o timing.txt sta\n",
+      read_sources(run.job), run.device.timing_synthesis, top, top, top);
+}
+
+/// A clock, or why there is none. What is no property of the design, a tool that breaks, is an
+/// error.
+struct Timing {
+  std::optional<Clock> clock;
+  std::string no_clock;
+};
+
+Result<Timing> estimate_clock(const Run& run) {
+  MIXCMP_TRY(ran, run_yosys(run, "timing", timing_script(run)));
+  MIXCMP_TRY(log, read_file(run.directory / "timing.txt"));
+  const Result<int> picoseconds = longest_path_ps(log);
+  if (!picoseconds.ok()) return Timing{std::nullopt, picoseconds.error().message};
+  const double mhz = 1e6 / *picoseconds;
+  return Timing{Clock{.mhz = mhz,
+                      .low_mhz = mhz,
+                      .high_mhz = mhz,
+                      .seeds = 1,
+                      .source = ClockSource::estimate_before_routing},
+                ""};
+}
+
+/// The mapped module with registers around it, mapped: wrapped.json.
+Result<Done> wrap(const Run& run) {
+  const std::string name = "mixcmp_wrapper_of_" + run.job.top;
+  MIXCMP_TRY(netlist, read_json(run.directory / "map.json"));
+  MIXCMP_TRY(wrapper, register_wrapper(netlist, run.job.top, run.job.clock_port, name));
+  MIXCMP_TRY(written, write_text(run.directory / "mixcmp_wrapper.v", wrapper));
+  return run_yosys(run, "wrap",
+                   fmt::format("read_rtlil map.il\nread_verilog mixcmp_wrapper.v\n{} -top {}\n"
+                               "write_json wrapped.json\n",
+                               run.device.synthesis, name));
+}
+
+std::optional<std::string> shortage(const Area& area, const Area& available) {
+  for (const Resource& resource : bounded_resources) {
+    if (area.*resource.amount <= available.*resource.amount) continue;
+    return fmt::format("does not fit: {} {} of {}", area.*resource.amount, resource.name,
+                       available.*resource.amount);
+  }
+  return std::nullopt;
+}
+
+/// Corrects the LUTs in `area` to what the router packs.
+Result<Timing> route_clock(const Run& run, Area& area) {
+  const int seconds = run.options.seconds_per_tool;
+  const Result<std::string> version = router_version(run.device);
+  if (!version.ok()) return Timing{std::nullopt, version.error().message};
+  const Result<int> luts = packed_luts(run.device, run.directory, "map.json", seconds);
+  if (!luts.ok()) return Timing{std::nullopt, luts.error().message};
+  area.luts = *luts;
+  if (const auto message = shortage(area, run.device.available)) {
+    return Timing{std::nullopt, *message};
+  }
+  MIXCMP_TRY(wrapped, wrap(run));
+  const Result<Clock> clock =
+      route(run.device, run.directory, "wrapped.json", run.options.seeds, seconds);
+  return clock.ok() ? Timing{*clock, ""} : Timing{std::nullopt, clock.error().message};
+}
+
+Result<Timing> find_clock(const Run& run, Area& area) {
+  if (run.options.effort == TimingEffort::area_only) return Timing{std::nullopt, "not asked for"};
+  switch (run.device.timing) {
+    case TimingTool::none:
+      return Timing{std::nullopt, fmt::format("no tool times {}", run.device.name)};
+    case TimingTool::yosys_sta: return estimate_clock(run);
+    case TimingTool::nextpnr_ice40:
+    case TimingTool::nextpnr_ecp5: return route_clock(run, area);
+  }
+  MIXCMP_CHECK(!"a timing tool of no enumerator");
+}
+
+}  // namespace
+
+Result<std::string> tool_versions(const Device& device, TimingEffort effort) {
+  MIXCMP_TRY(yosys, yosys_version(device));
+  if (effort == TimingEffort::area_only || !is_routed(device)) return yosys;
+  const Result<std::string> router = router_version(device);
+  return fmt::format("{}; {}", yosys, router.ok() ? *router : "no router");
+}
+
+Result<SynthesisResult> synthesise(const SynthesisJob& job, const Device& device,
+                                   const SynthesisOptions& options, const fs::path& directory) {
+  const Run run = {job, device, options, directory};
+  MIXCMP_TRY(written, write_sources(run));
+  MIXCMP_TRY(area, map_alone(run));
+  MIXCMP_TRY(timing, find_clock(run, area));
+  return SynthesisResult{.area = area, .clock = timing.clock, .no_clock = timing.no_clock};
+}
+
+}  // namespace mixcmp::model

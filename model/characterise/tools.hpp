@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "model/common/process.hpp"
+#include "model/devices/device.hpp"
+
+namespace mixcmp::model {
+
+/// Whether a router, and not Yosys, gives the device's clocks.
+bool is_routed(const Device& device);
+
+/// Yosys; for ECP5 the command in $MIXCMP_YOSYS_ECP5 where that is set. Commands in the environment
+/// are split at blanks.
+Command yosys_command(const Device& device);
+
+/// nextpnr-ice40; or nextpnr-ecp5, or the command in $MIXCMP_NEXTPNR_ECP5 where that is set. Only
+/// of devices that are routed.
+Command router_command(const Device& device);
+
+/// The line a tool prints of its version; an error that names the package where it does not run.
+Result<std::string> yosys_version(const Device& device);
+Result<std::string> router_version(const Device& device);
+
+/// Runs a tool in `directory` with its output in the file `log` there, and ends it after `seconds`.
+Result<Done> run_in(const std::filesystem::path& directory, const Command& command,
+                    const std::string& log, int seconds);
+
+/// What a tool left; an error names the file.
+Result<nlohmann::json> read_json(const std::filesystem::path& path);
+
+}  // namespace mixcmp::model
