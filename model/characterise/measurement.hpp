@@ -1,7 +1,10 @@
 #pragma once
 
+#include <compare>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/devices/device.hpp"
@@ -51,21 +54,24 @@ struct Measurement {
   int latency_cycles = 0;
   Area area;  ///< before placement, unless the clock is routed
   std::optional<Clock> clock;
-  std::string hash;   ///< of RTL, tools and options: the key in the store
-  std::string tools;  ///< "Yosys 0.23 (git sha1 ...)"
+  int timing_seeds = 0;  ///< of the router, that the clock was asked for with; 0: it was not
+  std::string hash;      ///< of RTL, tools and options: the key in the store
+  std::string tools;     ///< "Yosys 0.23 (git sha1 ...)"
 };
 
 /// All that is known of one scene's components on one device.
 struct Characterisation {
   std::string device;
   std::string scene;
-  std::string command;            ///< that makes the table again
+  std::string command;  ///< that makes the table again
+  /// What the RTL depends on, for the eye: "f" with its text, "target_mhz", ...
+  std::vector<std::pair<std::string, std::string>> spec;
   std::vector<Measurement> rows;  ///< sorted by key
 
   const Measurement* find(const ComponentKey& key) const;
 };
 
-/// CSV, one row a component, with comment lines ("# device: ...") before the header.
+/// CSV (RFC 4180), one row a component, with comment lines ("# device: ...") before the header.
 std::string to_csv(const Characterisation& table);
 /// Errors name the file, line and column.
 Result<Characterisation> read_characterisation(const std::filesystem::path& path);

@@ -1,0 +1,214 @@
+#include "generator/components/characterise.hpp"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "generator/cli/characterise_options.hpp"
+#include "generator/cli/exit.hpp"
+#include "generator/cli/output.hpp"
+#include "generator/cli/planning.hpp"
+#include "generator/cli/verbs.hpp"
+
+namespace mixcmp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using gen::CharacteriseReport;
+
+constexpr int interrupted_exit = 130;  ///< as a shell reports SIGINT
+
+std::string duration(double seconds) {
+  const int whole = static_cast<int>(seconds);
+  return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
+                      : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+void tell_progress(int finished, int jobs, double seconds) {
+  const std::string left =
+      finished == 0 ? "" : ", about " + duration(seconds / finished * (jobs - finished)) + " left";
+  show_progress(fmt::format("{} of {} jobs, {}{}", finished, jobs, duration(seconds), left));
+}
+
+/// What the components' RTL depends on.
+std::vector<std::pair<std::string, std::string>> spec_of(const model::Scene& scene,
+                                                         const std::string& tools) {
+  const model::ReducedSpec& reduced = scene.reduced;
+  const model::SystemSpec& system = scene.system;
+  return {
+      {"f", scene.f_text},
+      {"g", scene.g_text},
+      {"reference",
+       fmt::format("{}, {}", scene.reference.format.name(), to_string(scene.reference.subnormals))},
+      {"lanes", fmt::format("{}, {}", to_string(reduced.rounding), to_string(reduced.subnormals))},
+      {"target_mhz", fmt::format("{:g}", system.target_mhz)},
+      {"order", std::string(to_string(system.order))},
+      {"operands", std::string(to_string(system.operands))},
+      {"tag_bits", std::to_string(system.tag_bits)},
+      {"counter_bits", std::to_string(system.counter_bits)},
+      {"tools", tools}};
+}
+
+/// Lanes of one bound and one kind of inputs that do not exist, with the reason of one of them.
+struct Gap {
+  std::string what;
+  std::string first, last;  ///< formats
+  int count = 0;
+  std::string reason;
+};
+
+std::vector<Gap> gaps(const std::vector<gen::MissingLane>& missing) {
+  std::vector<Gap> found;
+  for (const gen::MissingLane& lane : missing) {
+    const std::string what = lane.key.bound + " " + lane.key.inputs;
+    auto gap = std::find_if(found.begin(), found.end(),
+                            [&](const Gap& known) { return known.what == what; });
+    if (gap == found.end()) gap = found.insert(gap, {.what = what, .first = lane.key.format});
+    gap->last = lane.key.format;
+    ++gap->count;
+    gap->reason = lane.reason.to_string();
+  }
+  return found;
+}
+
+void print_text(const CharacteriseReport& report, const fs::path& table) {
+  fmt::print("{} on {}: {} components, {} jobs run, {} failed\n", report.table.scene,
+             report.table.device, report.components, report.synthesised, report.failed.size());
+  for (const Gap& gap : gaps(report.missing)) {
+    fmt::print("no lane: {} {} .. {} ({}): {}\n", gap.what, gap.first, gap.last, gap.count,
+               gap.reason);
+  }
+  for (const auto& [reason, rows] : report.no_clock) {
+    fmt::print("no clock of {} components: {}\n", rows, reason);
+  }
+  if (report.interrupted) return;
+  fmt::print("{} rows in {}", report.table.rows.size(), table.string());
+  if (report.kept > 0) fmt::print(", {} of them kept from before", report.kept);
+  if (report.dropped > 0) fmt::print("; {} outdated rows dropped", report.dropped);
+  fmt::print("\n");
+}
+
+nlohmann::ordered_json json_of(const model::Measurement& row) {
+  nlohmann::ordered_json json = {{"kind", to_string(row.key.kind)},
+                                 {"name", row.key.name},
+                                 {"format", row.key.format},
+                                 {"inputs", row.key.inputs},
+                                 {"bound", row.key.bound},
+                                 {"multipliers", row.key.multipliers},
+                                 {"ports", row.key.ports},
+                                 {"latency_cycles", row.latency_cycles},
+                                 {"luts", row.area.luts},
+                                 {"registers", row.area.registers},
+                                 {"dsps", row.area.dsps},
+                                 {"memories", row.area.memories},
+                                 {"carries", row.area.carries},
+                                 {"shift_luts", row.area.shift_luts},
+                                 {"clock", nullptr},
+                                 {"hash", row.hash},
+                                 {"tools", row.tools}};
+  if (row.clock) {
+    json["clock"] = {{"mhz", row.clock->mhz},
+                     {"low_mhz", row.clock->low_mhz},
+                     {"high_mhz", row.clock->high_mhz},
+                     {"seeds", row.clock->seeds},
+                     {"source", to_string(row.clock->source)}};
+  }
+  return json;
+}
+
+void print_json(const CharacteriseReport& report, const fs::path& table) {
+  nlohmann::ordered_json json = {{"scene", report.table.scene},
+                                 {"device", report.table.device},
+                                 {"table", table.string()},
+                                 {"components", report.components},
+                                 {"synthesised", report.synthesised},
+                                 {"kept", report.kept},
+                                 {"dropped", report.dropped},
+                                 {"interrupted", report.interrupted},
+                                 {"failed", nlohmann::ordered_json::array()},
+                                 {"missing", nlohmann::ordered_json::array()},
+                                 {"no_clock", report.no_clock},
+                                 {"rows", nlohmann::ordered_json::array()}};
+  for (const model::FailedJob& job : report.failed) {
+    json["failed"].push_back({{"component", job.label},
+                              {"message", job.message},
+                              {"directory", job.directory.string()}});
+  }
+  for (const Gap& gap : gaps(report.missing)) {
+    json["missing"].push_back({{"lanes", gap.what},
+                               {"first", gap.first},
+                               {"last", gap.last},
+                               {"count", gap.count},
+                               {"reason", gap.reason}});
+  }
+  for (const model::Measurement& row : report.table.rows) json["rows"].push_back(json_of(row));
+  fmt::print("{}\n", json.dump(2));
+}
+
+/// None where there is no file yet. What was measured for something else is not written over.
+model::Result<std::optional<model::Characterisation>> previous_table(const fs::path& path,
+                                                                     const std::string& scene,
+                                                                     const std::string& device) {
+  if (!fs::exists(path)) return std::optional<model::Characterisation>();
+  MIXCMP_TRY(table, model::read_characterisation(path));
+  if (table.scene == scene && table.device == device) return std::optional(std::move(table));
+  return model::Error{.file = path.string(),
+                      .message = "is a table of something else",
+                      .received = fmt::format("{} on {}", table.scene, table.device),
+                      .accepted = fmt::format("{} on {}, or another path by -o", scene, device)};
+}
+
+void write_table(CharacteriseReport& report, const CharacteriseCommand& command,
+                 const model::Scene& scene, const fs::path& path) {
+  report.table.command = characterise_command_line(command);
+  std::set<std::string> tools;
+  for (const model::Measurement& row : report.table.rows) tools.insert(row.tools);
+  std::string used;
+  for (const std::string& each : tools) used += (used.empty() ? "" : "; ") + each;
+  report.table.spec = spec_of(scene, used);
+  value_or_exit(write_file(path, to_csv(report.table)));
+}
+
+void tell_failures(const CharacteriseReport& report) {
+  for (const model::FailedJob& job : report.failed) {
+    fmt::print(stderr, "mixcmp: {}: {}\n  kept in {}\n", job.label, job.message,
+               job.directory.string());
+  }
+  if (report.interrupted) {
+    fmt::print(stderr,
+               "mixcmp: interrupted; what is finished is in the store, the same command "
+               "goes on from there\n");
+  }
+}
+
+void run(const CharacteriseCommand& command) {
+  const LoadedScene loaded = value_or_exit(load(command.scene));
+  const model::Device device = value_or_exit(model::find_device(loaded.scene.system.device));
+  gen::CharacteriseOptions options = value_or_exit(characterise_options(command, loaded.scene));
+  options.progress = tell_progress;
+  const fs::path path =
+      command.output.empty() ? default_table(command.scene.scene, device.name) : command.output;
+  value_or_exit(prepare_directory(path.parent_path()));
+  const auto previous = value_or_exit(previous_table(path, loaded.scene.name, device.name));
+  CharacteriseReport report =
+      value_or_exit(gen::characterise(loaded.scene, loaded.data ? &*loaded.data : nullptr, device,
+                                      options, previous ? &*previous : nullptr));
+  show_progress("");
+  if (!report.interrupted) write_table(report, command, loaded.scene, path);
+  command.scene.json ? print_json(report, path) : print_text(report, path);
+  tell_failures(report);
+  if (report.interrupted) throw Exit{interrupted_exit};
+  if (!report.failed.empty()) throw Exit{1};
+}
+
+}  // namespace
+
+void add_characterise(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("characterise",
+                                      "measure area and clock of a scene's components on a device");
+  auto command = std::make_shared<CharacteriseCommand>();
+  add_characterise_options(*verb, *command);
+  verb->callback([command] { run(*command); });
+}
+
+}  // namespace mixcmp::cli

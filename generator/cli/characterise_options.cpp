@@ -1,0 +1,213 @@
+#include "generator/cli/characterise_options.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+#include <thread>
+
+#include "generator/components/lane_bound.hpp"
+#include "model/common/quote.hpp"
+#include "model/profile/profile.hpp"
+
+namespace mixcmp::cli {
+namespace {
+
+using model::ComponentKind;
+using model::Error;
+using model::LaneInputs;
+using model::Multipliers;
+using model::Result;
+
+constexpr int max_ports = 128;
+
+Error mistake(const std::string& option, std::string message, std::string_view received,
+              std::string accepted) {
+  return {.field = option,
+          .message = std::move(message),
+          .received = model::in_quotes(received),
+          .accepted = std::move(accepted)};
+}
+
+std::vector<std::string> words(const std::string& text) {
+  std::vector<std::string> list;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, ',');) list.push_back(word);
+  return list;
+}
+
+std::optional<int> number(std::string_view text) {
+  int value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, failed] = std::from_chars(text.data(), end, value);
+  return failed == std::errc() && stop == end ? std::optional(value) : std::nullopt;
+}
+
+/// "both", or one of two by its word.
+template <class Choice>
+Result<std::vector<Choice>> one_or_both(const std::string& option, const std::string& word,
+                                        Choice first, Choice second) {
+  if (word == "both") return std::vector<Choice>{first, second};
+  for (const Choice choice : {first, second}) {
+    if (word == to_string(choice)) return std::vector<Choice>{choice};
+  }
+  return mistake(option, "not a choice", word,
+                 fmt::format("both, {}, {}", to_string(first), to_string(second)));
+}
+
+Result<std::set<ComponentKind>> component_kinds(const std::string& text) {
+  constexpr std::array<ComponentKind, 5> all = {ComponentKind::lane, ComponentKind::reference,
+                                                ComponentKind::fifo, ComponentKind::crossbar,
+                                                ComponentKind::unit};
+  std::set<ComponentKind> kinds;
+  for (const std::string& word : words(text)) {
+    const auto* found = std::find_if(all.begin(), all.end(),
+                                     [&](ComponentKind kind) { return word == to_string(kind); });
+    if (found == all.end()) {
+      return mistake("--components", "not a component", word,
+                     "lane, reference, fifo, crossbar, unit");
+    }
+    kinds.insert(*found);
+  }
+  return kinds;
+}
+
+Result<std::vector<std::string>> bounds(const std::string& text) {
+  std::vector<std::string> names = words(text);
+  for (const std::string& name : names) {
+    if (const auto bound = gen::find_lane_bound(name); !bound.ok()) {
+      Error error = bound.error();
+      error.field = "--bounds";
+      return error;
+    }
+  }
+  return names;
+}
+
+Result<std::optional<gen::LaneExponents>> exponents(const std::string& word) {
+  using Choice = std::optional<gen::LaneExponents>;
+  if (word.empty()) return Choice();
+  if (word == "reference") return Choice(gen::LaneExponents::reference);
+  if (word == "ranges") return Choice(gen::LaneExponents::ranges);
+  return mistake("--exponents", "not a choice", word, "reference, ranges");
+}
+
+/// The numbers of "7" or "4-9".
+Result<std::pair<int, int>> interval(const std::string& option, const std::string& word, int low,
+                                     int high) {
+  const std::size_t dash = std::min(word.find('-'), word.size());
+  const std::optional<int> first = number(std::string_view(word).substr(0, dash));
+  const std::optional<int> last =
+      dash == word.size() ? first : number(std::string_view(word).substr(dash + 1));
+  if (first && last && low <= *first && *first <= *last && *last <= high) {
+    return std::pair(*first, *last);
+  }
+  return mistake(option, "not a number or an interval of numbers in range", word,
+                 fmt::format("numbers {}..{} and intervals, such as {}-{},{}", low, high, low,
+                             std::min(low + 2, high), high));
+}
+
+Result<gen::ComponentQuery> query_of(const CharacteriseCommand& command,
+                                     const model::Scene& scene) {
+  const int highest = highest_profiled_precision(scene);
+  gen::ComponentQuery query;
+  const std::string precisions =
+      command.precisions.empty() ? fmt::format("4-{}", highest) : command.precisions;
+  MIXCMP_TRY(numbers, number_list("--precisions", precisions, 4, highest));
+  query.precisions = numbers;
+  MIXCMP_TRY(names, bounds(command.bounds));
+  query.bounds = names;
+  MIXCMP_TRY(inputs,
+             one_or_both("--inputs", command.inputs, LaneInputs::exact, LaneInputs::rounded));
+  query.inputs = inputs;
+  MIXCMP_TRY(multipliers, one_or_both("--multipliers", command.multipliers, Multipliers::embedded,
+                                      Multipliers::logic));
+  query.multipliers = multipliers;
+  MIXCMP_TRY(ports, number_list("--ports", command.ports, 1, max_ports));
+  query.ports = ports;
+  MIXCMP_TRY(kinds, component_kinds(command.components));
+  query.kinds = kinds;
+  MIXCMP_TRY(chosen, exponents(command.exponents));
+  query.exponents = chosen;
+  return query;
+}
+
+}  // namespace
+
+Result<std::vector<int>> number_list(const std::string& option, const std::string& text, int low,
+                                     int high) {
+  std::set<int> numbers;
+  for (const std::string& word : words(text)) {
+    MIXCMP_TRY(ends, interval(option, word, low, high));
+    for (int k = ends.first; k <= ends.second; ++k) numbers.insert(k);
+  }
+  return std::vector<int>(numbers.begin(), numbers.end());
+}
+
+void add_characterise_options(CLI::App& verb, CharacteriseCommand& command) {
+  add_scene_options(verb, command.scene,
+                    {"--format", "--bound", "--inputs", "--lanes", "--references"});
+  verb.add_option("--precisions", command.precisions,
+                  "of lanes: 4-52 or 8,12,17 (default: all that the scene can have)");
+  verb.add_option("--bounds", command.bounds,
+                  "of lanes: relative, running_1 .. running_8, constant, profiled (default: " +
+                      command.bounds + ")");
+  verb.add_option("--inputs", command.inputs, "of lanes: both, exact or rounded (default: both)");
+  verb.add_option("--multipliers", command.multipliers, "both, embedded or logic (default: both)");
+  verb.add_option("--exponents", command.exponents,
+                  "exponent bits of lanes: reference, or ranges for the fewest that the declared "
+                  "ranges allow (default: as reduced.format says)");
+  verb.add_option("--components", command.components,
+                  "what to measure (default: " + command.components + ")");
+  verb.add_option("--ports", command.ports,
+                  "lanes at one reference's crossbar (default: " + command.ports + ")");
+  verb.add_flag("--area-only", command.area_only, "no clocks");
+  verb.add_option("--seeds", command.seeds, "of the router, 1 or more (default: 3)")
+      ->check(CLI::Range(1, 1000));
+  verb.add_option("--jobs", command.jobs, "at a time (default: one a processor)")
+      ->check(CLI::Range(1, 1024));
+  verb.add_option("-o,--output", command.output,
+                  "the table (default: characterisation/DEVICE.csv beside the scene)");
+  verb.add_option("--store", command.store,
+                  "results of all scenes, so that nothing is measured twice (default: "
+                  "$XDG_CACHE_HOME/mixcmp/characterisation.sqlite)");
+}
+
+Result<gen::CharacteriseOptions> characterise_options(const CharacteriseCommand& command,
+                                                      const model::Scene& scene) {
+  gen::CharacteriseOptions options;
+  MIXCMP_TRY(query, query_of(command, scene));
+  options.query = std::move(query);
+  options.synthesis.effort =
+      command.area_only ? model::TimingEffort::area_only : model::TimingEffort::timing;
+  options.synthesis.seeds = command.seeds;
+  options.workers =
+      command.jobs > 0 ? command.jobs : std::max(1u, std::thread::hardware_concurrency());
+  options.store = command.store;
+  if (command.store.empty()) {
+    MIXCMP_TRY(path, model::default_store_path());
+    options.store = path;
+  }
+  return options;
+}
+
+std::string characterise_command_line(const CharacteriseCommand& command) {
+  const CharacteriseCommand defaults;
+  std::string line = command_line("characterise", command.scene);
+  const auto add = [&](const char* option, const std::string& value, const std::string& usual) {
+    if (value != usual) line += fmt::format(" {} {}", option, quoted(value));
+  };
+  add("--precisions", command.precisions, defaults.precisions);
+  add("--bounds", command.bounds, defaults.bounds);
+  add("--inputs", command.inputs, defaults.inputs);
+  add("--multipliers", command.multipliers, defaults.multipliers);
+  add("--exponents", command.exponents, defaults.exponents);
+  add("--components", command.components, defaults.components);
+  add("--ports", command.ports, defaults.ports);
+  add("--seeds", std::to_string(command.seeds), std::to_string(defaults.seeds));
+  return command.area_only ? line + " --area-only" : line;
+}
+
+}  // namespace mixcmp::cli

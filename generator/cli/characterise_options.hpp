@@ -1,0 +1,38 @@
+#pragma once
+
+#include "generator/cli/options.hpp"
+#include "generator/components/characterise.hpp"
+
+namespace mixcmp::cli {
+
+/// What a user may say to `characterise`, as it was said.
+struct CharacteriseCommand {
+  SceneOptions scene;
+  std::string precisions;  ///< empty: all that the scene can have
+  std::string bounds = "relative,running_4,running_1,constant,profiled";
+  std::string inputs = "both";
+  std::string multipliers = "both";
+  std::string components = "lane,reference,fifo,crossbar,unit";
+  std::string ports = "1-8,12,16,24,32,48,64,96,128";
+  std::string exponents;  ///< empty: as the scene says
+  bool area_only = false;
+  int seeds = 3;
+  unsigned jobs = 0;  ///< 0: one a processor
+  std::filesystem::path output;
+  std::filesystem::path store;
+};
+
+void add_characterise_options(CLI::App& verb, CharacteriseCommand& command);
+
+/// Errors name the option.
+model::Result<gen::CharacteriseOptions> characterise_options(const CharacteriseCommand& command,
+                                                             const model::Scene& scene);
+
+/// "4-9,12" as numbers between `low` and `high`, each once, in order. Errors name `option`.
+model::Result<std::vector<int>> number_list(const std::string& option, const std::string& text,
+                                            int low, int high);
+
+/// The command that makes the same table, the scene by its file name alone.
+std::string characterise_command_line(const CharacteriseCommand& command);
+
+}  // namespace mixcmp::cli

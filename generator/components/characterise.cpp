@@ -1,0 +1,194 @@
+#include "generator/components/characterise.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "model/characterise/job_hash.hpp"
+#include "model/common/check.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using model::Characterisation;
+using model::ComponentKey;
+using model::Device;
+using model::Done;
+using model::Measurement;
+using model::Result;
+using model::SynthesisOptions;
+using model::TimingEffort;
+
+std::string label(const ComponentKey& key) {
+  std::string text(to_string(key.kind));
+  for (const std::string* word :
+       {&key.name, &key.format, &key.inputs, &key.bound, &key.multipliers}) {
+    if (!word->empty()) text += " " + *word;
+  }
+  return key.ports == 0 ? text : fmt::format("{} {} ports", text, key.ports);
+}
+
+/// What the row was asked for with.
+SynthesisOptions options_of(const Measurement& row) {
+  if (row.timing_seeds == 0) return {.effort = TimingEffort::area_only};
+  return {.effort = TimingEffort::timing, .seeds = row.timing_seeds};
+}
+
+bool is_current(const Measurement& row, ComponentMaker& maker, const Device& device) {
+  const Result<Component> component = maker.make(row.key);
+  return component.ok() && component->key == row.key &&
+         job_hash(component->job, device, options_of(row), row.tools) == row.hash;
+}
+
+/// One run of the verb.
+class Campaign {
+public:
+  Campaign(const model::Scene& scene, const model::Comparisons* data, const Device& device,
+           const CharacteriseOptions& options, const Characterisation* previous)
+      : maker_(scene, data), device_(device), options_(options), previous_(previous) {
+    report_.table.device = device.name;
+    report_.table.scene = scene.name;
+  }
+
+  Result<CharacteriseReport> run() {
+    MIXCMP_TRY(tools, tool_versions(device_, options_.synthesis.effort));
+    tools_ = tools;
+    for (const TimingEffort effort : {TimingEffort::area_only, TimingEffort::timing}) {
+      const Result<std::string> here = tool_versions(device_, effort);
+      if (here.ok()) tools_here_[effort] = *here;
+    }
+    MIXCMP_TRY(planned, plan());
+    MIXCMP_TRY(jobs, pending_jobs());
+    MIXCMP_TRY(measured, measure(jobs));
+    MIXCMP_TRY(collected, collect());
+    keep_previous();
+    auto& rows = report_.table.rows;
+    std::sort(rows.begin(), rows.end(),
+              [](const Measurement& a, const Measurement& b) { return a.key < b.key; });
+    return std::move(report_);
+  }
+
+private:
+  bool times() const { return options_.synthesis.effort == TimingEffort::timing; }
+
+  Result<Done> plan() {
+    const auto use = [this](const Component& component) {
+      planned_.push_back({.key = component.key,
+                          .latency_cycles = component.latency_cycles,
+                          .timing_seeds = times() ? options_.synthesis.seeds : 0,
+                          .hash = job_hash(component.job, device_, options_.synthesis, tools_),
+                          .tools = tools_});
+    };
+    MIXCMP_TRY(missing, for_each_component(maker_, options_.query, use));
+    report_.missing = std::move(missing);
+    report_.components = static_cast<int>(planned_.size());
+    for (const Measurement& row : planned_) asked_.insert(row.key);
+    if (!times()) use_rows_with_clocks();
+    return Done{};
+  }
+
+  void use_rows_with_clocks() {
+    const auto known = [this](const Measurement& planned) {
+      const Measurement* row = previous_ == nullptr ? nullptr : previous_->find(planned.key);
+      if (row == nullptr || row->timing_seeds == 0 || !is_kept(*row)) return false;
+      report_.table.rows.push_back(*row);
+      return true;
+    };
+    planned_.erase(std::remove_if(planned_.begin(), planned_.end(), known), planned_.end());
+  }
+
+  /// Neither RTL nor tools nor the device's synthesis have changed.
+  bool is_kept(const Measurement& row) {
+    const auto tools = tools_here_.find(options_of(row).effort);
+    return tools != tools_here_.end() && row.tools == tools->second &&
+           is_current(row, maker_, device_);
+  }
+
+  /// Closes the store before processes are made.
+  Result<std::vector<model::PendingJob>> pending_jobs() {
+    MIXCMP_TRY(store, model::ResultStore::open(options_.store));
+    std::vector<model::PendingJob> jobs;
+    std::set<std::string> seen;
+    for (const Measurement& row : planned_) {
+      if (!seen.insert(row.hash).second) continue;
+      MIXCMP_TRY(known, store.find(row.hash));
+      if (known) continue;
+      const auto job = [this, key = row.key] { return maker_.make(key).value().job; };
+      jobs.push_back({.hash = row.hash, .label = label(row.key), .job = job});
+    }
+    return jobs;
+  }
+
+  Result<Done> measure(const std::vector<model::PendingJob>& jobs) {
+    if (jobs.empty()) return Done{};
+    const int count = static_cast<int>(jobs.size());
+    const auto progress = [&](int finished, double seconds) {
+      if (options_.progress) options_.progress(finished, count, seconds);
+    };
+    MIXCMP_TRY(run, run_jobs(jobs, device_, tools_, options_.store,
+                             {.synthesis = options_.synthesis,
+                              .workers = options_.workers,
+                              .progress = progress}));
+    report_.interrupted = run.interrupted;
+    report_.synthesised = run.done - static_cast<int>(run.failed.size());
+    report_.failed = std::move(run.failed);
+    return Done{};
+  }
+
+  /// Jobs that failed, or that an interrupt left out, have no row.
+  Result<Done> collect() {
+    MIXCMP_TRY(store, model::ResultStore::open(options_.store));
+    for (Measurement& row : planned_) {
+      MIXCMP_TRY(result, store.find(row.hash));
+      if (!result) continue;
+      row.area = result->area;
+      row.clock = result->clock;
+      if (times() && !row.clock) ++report_.no_clock[result->no_clock];
+      report_.table.rows.push_back(std::move(row));
+    }
+    return Done{};
+  }
+
+  void keep_previous() {
+    if (previous_ == nullptr) return;
+    for (const Measurement& row : previous_->rows) {
+      if (asked_.contains(row.key)) continue;
+      if (is_kept(row)) {
+        report_.table.rows.push_back(row);
+        ++report_.kept;
+      } else {
+        ++report_.dropped;
+      }
+    }
+  }
+
+  ComponentMaker maker_;
+  const Device& device_;
+  const CharacteriseOptions& options_;
+  const Characterisation* previous_;
+  std::string tools_;
+  std::map<TimingEffort, std::string> tools_here_;
+  std::vector<Measurement> planned_;
+  std::set<ComponentKey> asked_;
+  CharacteriseReport report_;
+};
+
+}  // namespace
+
+Result<CharacteriseReport> characterise(const model::Scene& scene, const model::Comparisons* data,
+                                        const Device& device, const CharacteriseOptions& options,
+                                        const Characterisation* previous) {
+  return Campaign(scene, data, device, options, previous).run();
+}
+
+Currency check_currency(const Characterisation& table, const model::Scene& scene,
+                        const model::Comparisons* data, const Device& device) {
+  ComponentMaker maker(scene, data);
+  Currency currency{.rows = static_cast<int>(table.rows.size())};
+  for (const Measurement& row : table.rows) {
+    if (!is_current(row, maker, device)) ++currency.outdated;
+  }
+  return currency;
+}
+
+}  // namespace mixcmp::gen

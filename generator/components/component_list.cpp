@@ -1,0 +1,150 @@
+#include "generator/components/component_list.hpp"
+
+#include "generator/components/lane_bound.hpp"
+#include "model/design/slots.hpp"
+#include "model/error/exponent_range.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using model::ComponentKey;
+using model::ComponentKind;
+using model::Done;
+using model::FloatFormat;
+using model::LaneInputs;
+using model::Multipliers;
+using model::Result;
+using model::Scene;
+
+int exponent_bits(const Scene& scene, const ComponentQuery& query, int precision, LaneInputs inputs,
+                  const LaneBound& bound) {
+  const model::ReducedSpec& reduced = scene.reduced;
+  const int widest = scene.reference.format.exponent_bits();
+  const bool fixed = reduced.format && !reduced.exponent_bits_from_ranges;
+  if (!query.exponents && fixed) return reduced.format->exponent_bits();
+  const bool from_ranges = query.exponents ? *query.exponents == LaneExponents::ranges
+                                           : reduced.exponent_bits_from_ranges;
+  // A profiled lane checks no range: its exponents reach as far as the reference's.
+  if (!from_ranges || bound.bound == model::BoundKind::profiled) return widest;
+  const FloatFormat format = FloatFormat::make(precision, widest).value();
+  return lane_exponent_bits(scene.graph, scene.reference.format,
+                            {format, reduced.rounding, reduced.subnormals}, inputs, scene.ranges);
+}
+
+Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQuery& query) {
+  std::vector<ComponentKey> keys;
+  for (const std::string& name : query.bounds) {
+    MIXCMP_TRY(bound, find_lane_bound(name));
+    for (const int precision : query.precisions) {
+      for (const LaneInputs inputs : query.inputs) {
+        const int bits = exponent_bits(scene, query, precision, inputs, bound);
+        MIXCMP_TRY(format, FloatFormat::make(precision, bits));
+        for (const Multipliers multipliers : query.multipliers) {
+          keys.push_back({.kind = ComponentKind::lane,
+                          .format = format.name(),
+                          .inputs = std::string(to_string(inputs)),
+                          .bound = name,
+                          .multipliers = std::string(to_string(multipliers))});
+        }
+      }
+    }
+  }
+  return keys;
+}
+
+/// One walk through a query.
+class Walk {
+public:
+  Walk(ComponentMaker& maker, const ComponentQuery& query,
+       const std::function<void(const Component&)>& use)
+      : maker_(maker), query_(query), use_(use) {}
+
+  Result<std::vector<MissingLane>> run() {
+    if (needs_lanes()) {
+      MIXCMP_TRY(lanes, visit_lanes());
+    }
+    MIXCMP_TRY(references, visit_references());
+    MIXCMP_TRY(fifos, visit_all(ComponentKind::fifo, slots_));
+    if (recomputes()) {
+      MIXCMP_TRY(crossbars,
+                 visit_all(ComponentKind::crossbar, {query_.ports.begin(), query_.ports.end()}));
+    }
+    if (asked(ComponentKind::unit)) {
+      for (const ComponentKey& unit : units_) {
+        MIXCMP_TRY(visited, visit(unit));
+      }
+    }
+    return std::move(missing_);
+  }
+
+private:
+  bool asked(ComponentKind kind) const { return query_.kinds.contains(kind); }
+  bool needs_lanes() const {
+    return asked(ComponentKind::lane) || asked(ComponentKind::fifo) || asked(ComponentKind::unit);
+  }
+  bool recomputes() const { return maker_.scene().system.references.value_or(1) > 0; }
+
+  Result<Done> visit(const ComponentKey& key) {
+    MIXCMP_TRY(component, maker_.make(key));
+    take(component);
+    return Done{};
+  }
+
+  /// Keys that come out the same are one component.
+  void take(const Component& component) {
+    units_.insert(component.units.begin(), component.units.end());
+    if (asked(component.key.kind) && seen_.insert(component.key).second) use_(component);
+  }
+
+  Result<Done> visit_lanes() {
+    MIXCMP_TRY(keys, lane_keys(maker_.scene(), query_));
+    for (const ComponentKey& key : keys) {
+      const Result<Component> lane = maker_.make(key);
+      if (!lane.ok()) {
+        missing_.push_back({key, lane.error()});
+        continue;
+      }
+      slots_.insert(model::slots_for(lane->latency_cycles, recomputes()));
+      take(*lane);
+    }
+    return Done{};
+  }
+
+  Result<Done> visit_references() {
+    if (!recomputes() || !(asked(ComponentKind::reference) || asked(ComponentKind::unit))) {
+      return Done{};
+    }
+    for (const Multipliers multipliers : query_.multipliers) {
+      MIXCMP_TRY(visited, visit({.kind = ComponentKind::reference,
+                                 .format = maker_.scene().reference.format.name(),
+                                 .multipliers = std::string(to_string(multipliers))}));
+    }
+    return Done{};
+  }
+
+  Result<Done> visit_all(ComponentKind kind, const std::set<int>& ports) {
+    if (!asked(kind)) return Done{};
+    for (const int count : ports) {
+      MIXCMP_TRY(visited, visit({.kind = kind, .ports = count}));
+    }
+    return Done{};
+  }
+
+  ComponentMaker& maker_;
+  const ComponentQuery& query_;
+  const std::function<void(const Component&)>& use_;
+  std::set<ComponentKey> seen_;
+  std::set<ComponentKey> units_;
+  std::set<int> slots_;
+  std::vector<MissingLane> missing_;
+};
+
+}  // namespace
+
+Result<std::vector<MissingLane>> for_each_component(
+    ComponentMaker& maker, const ComponentQuery& query,
+    const std::function<void(const Component&)>& use) {
+  return Walk(maker, query, use).run();
+}
+
+}  // namespace mixcmp::gen

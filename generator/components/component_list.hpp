@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "generator/components/component_maker.hpp"
+
+namespace mixcmp::gen {
+
+/// Where the exponent bits of lanes come from.
+enum class LaneExponents {
+  reference,  ///< as many as the reference's
+  ranges,     ///< the fewest that the declared ranges allow
+};
+
+/// Which components of a scene.
+struct ComponentQuery {
+  std::set<model::ComponentKind> kinds = {
+      model::ComponentKind::unit, model::ComponentKind::lane, model::ComponentKind::reference,
+      model::ComponentKind::fifo, model::ComponentKind::crossbar};
+  std::vector<int> precisions;      ///< of lanes
+  std::vector<std::string> bounds;  ///< as find_lane_bound knows them
+  std::vector<model::LaneInputs> inputs = {model::LaneInputs::exact, model::LaneInputs::rounded};
+  std::vector<model::Multipliers> multipliers = {model::Multipliers::embedded,
+                                                 model::Multipliers::logic};
+  std::vector<int> ports;  ///< of crossbars
+  /// None: as reduced.format says; the reference's where that is "auto".
+  std::optional<LaneExponents> exponents;
+};
+
+/// A lane that was asked for and does not exist.
+struct MissingLane {
+  model::ComponentKey key;
+  model::Error reason;
+};
+
+/// Calls `use` with every component, each once. Fifos and units are those that the query's lanes
+/// need, whether or not lanes are asked for themselves. Errors name what a scene cannot have.
+model::Result<std::vector<MissingLane>> for_each_component(
+    ComponentMaker& maker, const ComponentQuery& query,
+    const std::function<void(const Component&)>& use);
+
+}  // namespace mixcmp::gen

@@ -1,0 +1,227 @@
+#include "generator/components/component_maker.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "generator/components/lane_bound.hpp"
+#include "generator/components/synthesis_jobs.hpp"
+#include "generator/datapath/delays.hpp"
+#include "generator/rtl/datapath_builder.hpp"
+#include "generator/rtl/datapath_module.hpp"
+#include "model/common/quote.hpp"
+#include "model/design/design.hpp"
+#include "model/design/slots.hpp"
+#include "model/profile/profile.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using model::ComponentKey;
+using model::ComponentKind;
+using model::Done;
+using model::Error;
+using model::LaneInputs;
+using model::Multipliers;
+using model::Result;
+
+/// Comparisons that the constants of profiled lanes are measured on: as many as for `generate`.
+constexpr std::uint64_t constant_samples = 100'000;
+/// Lanes of 11 to 42 cycles need these; where others do, a request is a bit shorter or longer.
+constexpr int crossbar_slots = 64;
+constexpr int crossbar_radix = 4;
+constexpr int answer_cycles = 2;
+
+template <class Choice>
+Result<Choice> choice(const std::string& word, std::initializer_list<Choice> choices) {
+  std::string accepted;
+  for (const Choice each : choices) {
+    if (word == to_string(each)) return each;
+    accepted += (accepted.empty() ? "" : ", ") + std::string(to_string(each));
+  }
+  return Error{.message = "not a choice", .received = model::in_quotes(word), .accepted = accepted};
+}
+
+/// No word means that there is nothing to be multiplied.
+Result<Multipliers> multipliers_of(const ComponentKey& key) {
+  if (key.multipliers.empty()) return Multipliers::embedded;
+  return choice(key.multipliers, {Multipliers::embedded, Multipliers::logic});
+}
+
+bool has_product(const model::TypedGraph& graph) {
+  return std::any_of(graph.nodes.begin(), graph.nodes.end(), [](const model::TypedNode& node) {
+    return node.operation == model::Operation::multiply ||
+           node.operation == model::Operation::square;
+  });
+}
+
+/// Arithmetic alone: what a delay line takes is known without synthesis.
+std::vector<ComponentKey> units_of(const rtl::Module& module) {
+  std::vector<ComponentKey> units;
+  for (const rtl::Instance* instance : instances(module)) {
+    if (instance->module == "delay_line") continue;
+    units.push_back({.kind = ComponentKind::unit,
+                     .name = instance_name({instance->module, instance->parameters})});
+  }
+  std::sort(units.begin(), units.end());
+  units.erase(std::unique(units.begin(), units.end()), units.end());
+  return units;
+}
+
+Component datapath(ComponentKey key, int latency_cycles, const rtl::Module& module,
+                   const model::TypedGraph& graph) {
+  if (!has_product(graph)) key.multipliers.clear();
+  return {std::move(key), latency_cycles, module_job(module), units_of(module)};
+}
+
+/// The slowest lane that these slots serve at full rate: the one with the longest delays.
+std::optional<int> slowest_lane(int slots, bool recomputes) {
+  std::optional<int> slowest;
+  for (int cycles = 1; model::slots_for(cycles, recomputes) <= slots; ++cycles) {
+    if (model::slots_for(cycles, recomputes) == slots) slowest = cycles;
+  }
+  return slowest;
+}
+
+int tree_levels(int inputs) {
+  int levels = 1;
+  for (int reach = crossbar_radix; reach < inputs; reach *= crossbar_radix) ++levels;
+  return levels;
+}
+
+Error out_of_range(const std::string& field, int received, const std::string& accepted) {
+  return {.field = field,
+          .message = "out of range",
+          .received = fmt::format("{}", received),
+          .accepted = accepted};
+}
+
+}  // namespace
+
+ComponentMaker::ComponentMaker(const model::Scene& scene, const model::Comparisons* data)
+    : scene_(scene), data_(data) {}
+
+Result<Component> ComponentMaker::make(const ComponentKey& key) {
+  switch (key.kind) {
+    case ComponentKind::unit: {
+      MIXCMP_TRY(job, job_of_instance_name(key.name));
+      return Component{key, 0, std::move(job), {}};
+    }
+    case ComponentKind::lane: return make_lane(key);
+    case ComponentKind::reference: return make_reference(key);
+    case ComponentKind::fifo: return make_fifo(key);
+    case ComponentKind::crossbar: return make_crossbar(key);
+  }
+  MIXCMP_CHECK(false);
+}
+
+Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
+  MIXCMP_TRY(bound, find_lane_bound(key.bound));
+  MIXCMP_TRY(format, model::FloatFormat::parse(key.format));
+  MIXCMP_TRY(inputs, choice(key.inputs, {LaneInputs::rounded, LaneInputs::exact}));
+  MIXCMP_TRY(multipliers, multipliers_of(key));
+  model::ReducedSpec reduced = with_bound(scene_.reduced, bound);
+  reduced.format = format;
+  reduced.inputs = inputs;
+  reduced.multipliers = multipliers;
+  if (bound.bound == model::BoundKind::profiled) {
+    MIXCMP_TRY(given, give_constants(reduced));
+  }
+  MIXCMP_TRY(lane, design_lane(scene_, reduced, nullptr));
+  MIXCMP_TRY(delays, delays_of(scene_.system.device));
+  const Schedule schedule = schedule_lane(lane, multipliers, delays, scene_.system.target_mhz);
+  const rtl::Module module = lane_module("lane", scene_.graph.inputs(), lane, schedule);
+  return datapath(key, schedule.latency_cycles, module, lane.graph);
+}
+
+Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
+  if (key.format != scene_.reference.format.name()) {
+    return Error{.field = "reference.format",
+                 .message = "not the scene's",
+                 .received = model::in_quotes(key.format),
+                 .accepted = scene_.reference.format.name()};
+  }
+  MIXCMP_TRY(multipliers, multipliers_of(key));
+  MIXCMP_TRY(delays, delays_of(scene_.system.device));
+  const model::TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
+  const Schedule schedule =
+      schedule_reference(graph, multipliers, delays, scene_.system.target_mhz);
+  const rtl::Module module = reference_module("reference", scene_.graph.inputs(), graph, schedule);
+  return datapath(key, schedule.latency_cycles, module, graph);
+}
+
+SystemShape ComponentMaker::stream_shape() const {
+  const model::SystemSpec& system = scene_.system;
+  SystemShape shape;
+  shape.input_ports = input_ports(scene_.graph.inputs());
+  shape.input_width = scene_.reference.format.width();
+  shape.lanes = 1;
+  shape.references = system.references.value_or(1) > 0 ? 1 : 0;
+  shape.tag_bits = system.tag_bits;
+  shape.counter_bits = system.counter_bits;
+  shape.order = system.order;
+  shape.operands = system.operands;
+  return shape;
+}
+
+Result<Component> ComponentMaker::make_fifo(const ComponentKey& key) {
+  SystemShape shape = stream_shape();
+  const std::optional<int> slowest = slowest_lane(key.ports, shape.recomputes());
+  if (!slowest) return out_of_range("slots", key.ports, "a power of two that some lane needs");
+  shape.slot_bits = std::countr_zero(static_cast<unsigned>(key.ports));
+  return Component{key, shape.channel_latency_cycles(), template_job(tracker_template(shape, *slowest)), {}};
+}
+
+Result<Component> ComponentMaker::make_crossbar(const ComponentKey& key) {
+  if (key.ports < 1 || key.ports > model::max_lanes) {
+    return out_of_range("ports", key.ports, fmt::format("1..{}", model::max_lanes));
+  }
+  SystemShape shape = stream_shape();
+  shape.references = 1;
+  shape.lanes = model::max_lanes;  // numbered as in the largest system: a few bits more than most
+  shape.slot_bits = std::countr_zero(static_cast<unsigned>(crossbar_slots));
+  TemplateInstance crossbar = crossbar_template(shape);
+  for (rtl::Parameter& parameter : crossbar.parameters) {
+    if (parameter.name == "LANES") parameter.value = key.ports;
+  }
+  return Component{key, tree_levels(key.ports) + answer_cycles, template_job(crossbar), {}};
+}
+
+Result<Done> ComponentMaker::give_constants(model::ReducedSpec& lane) {
+  if (lane.relative_error_f && lane.relative_error_g) return Done{};
+  if (constants_.empty()) {
+    MIXCMP_TRY(measured, measure_constants());
+  }
+  const auto found = constants_.find({lane.format->precision(), lane.inputs});
+  if (found == constants_.end()) {
+    return out_of_range("precision", lane.format->precision(), "what a profile measures");
+  }
+  if (!lane.relative_error_f) lane.relative_error_f = found->second.first;
+  if (!lane.relative_error_g) lane.relative_error_g = found->second.second;
+  return Done{};
+}
+
+Result<Done> ComponentMaker::measure_constants() {
+  if (data_ == nullptr) {
+    return Error{.field = "reduced.relative_error_f, reduced.relative_error_g",
+                 .message = "a profiled bound needs its constants, or data to measure them on",
+                 .received = "neither",
+                 .accepted = "both constants, or a [data] section"};
+  }
+  model::Scene scene = scene_;
+  // A profiled lane checks no range: its exponents reach as far as the reference's.
+  if (scene.reduced.exponent_bits_from_ranges) scene.reduced.format.reset();
+  const model::ProfileOptions options{.last_precision = highest_profiled_precision(scene),
+                                      .error_samples = constant_samples};
+  MIXCMP_TRY(possible, check_profile(scene, options));
+  for (const model::ErrorProfile& profile :
+       profile_errors(scene, *data_, {LaneInputs::rounded, LaneInputs::exact}, options)) {
+    for (const model::ErrorAtPrecision& error : profile.precisions) {
+      constants_[{error.precision, profile.inputs}] = {error.f, error.g};
+    }
+  }
+  return Done{};
+}
+
+}  // namespace mixcmp::gen

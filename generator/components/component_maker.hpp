@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "generator/rtl/system_modules.hpp"
+#include "model/characterise/synthesis.hpp"
+#include "model/data/comparisons.hpp"
+#include "model/scene/scene.hpp"
+
+namespace mixcmp::gen {
+
+/// One component of a scene's systems, ready to be synthesised alone.
+struct Component {
+  model::ComponentKey key;
+  int latency_cycles = 0;
+  model::SynthesisJob job;
+  std::vector<model::ComponentKey> units;  ///< of a lane or reference: what it is made of
+};
+
+/// Writes the RTL of a scene's components, one at a time, by the keys of a table's rows.
+class ComponentMaker {
+public:
+  /// `data` may be null; only a profiled lane whose constants the scene does not give needs it.
+  ComponentMaker(const model::Scene& scene, const model::Comparisons* data);
+
+  /// The component of a key, or why there is none. The key that comes back may say less: without a
+  /// product there is nothing to make multipliers of.
+  model::Result<Component> make(const model::ComponentKey& key);
+
+  const model::Scene& scene() const { return scene_; }
+
+private:
+  using Constants = std::pair<mpq_class, mpq_class>;  ///< RE_f, RE_g
+
+  model::Result<Component> make_lane(const model::ComponentKey& key);
+  model::Result<Component> make_reference(const model::ComponentKey& key);
+  model::Result<Component> make_fifo(const model::ComponentKey& key);
+  model::Result<Component> make_crossbar(const model::ComponentKey& key);
+  model::Result<model::Done> give_constants(model::ReducedSpec& lane);
+  model::Result<model::Done> measure_constants();
+  /// Of one lane and one reference; streams do not depend on what is computed between them.
+  SystemShape stream_shape() const;
+
+  model::Scene scene_;
+  const model::Comparisons* data_;
+  std::map<std::pair<int, model::LaneInputs>, Constants> constants_;
+};
+
+}  // namespace mixcmp::gen

@@ -1,0 +1,120 @@
+#include "generator/components/synthesis_jobs.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+#include "generator/emit/templates.hpp"
+#include "generator/emit/verilog.hpp"
+#include "model/common/quote.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using model::Error;
+using model::Result;
+using model::SynthesisJob;
+
+/// A parameter's value as Verilog text.
+struct Setting {
+  std::string name;
+  std::string value;
+};
+
+std::vector<Setting> settings_of(const TemplateInstance& instance) {
+  std::vector<Setting> settings;
+  for (const rtl::Parameter& parameter : instance.parameters) {
+    settings.push_back({parameter.name, to_verilog(parameter)});
+  }
+  return settings;
+}
+
+void add_templates(SynthesisJob& job, const std::set<std::string>& modules) {
+  for (const std::string& name : template_closure(modules)) {
+    job.sources.push_back({name + ".v", without_comments(template_text(name))});
+  }
+}
+
+/// False where the text declares no such parameter.
+bool set_default(std::string& text, const Setting& setting) {
+  const std::regex declaration("(\\bparameter\\s+(?:\\[[^\\]]*\\]\\s*)?" + setting.name +
+                               "\\s*=\\s*)([^,\\n)]+)");
+  std::smatch match;
+  if (!std::regex_search(text, match, declaration)) return false;
+  text = match.prefix().str() + match[1].str() + setting.value + match.suffix().str();
+  return true;
+}
+
+Error no_unit(std::string_view received) {
+  return {.message = "not a template with its parameters",
+          .received = model::in_quotes(received),
+          .accepted = "such as \"fp_compare EXPONENT_BITS=8 PRECISION=24 CUTS=2'b11\""};
+}
+
+bool is_word(const std::string& text, std::string_view further) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [&](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           further.find(c) != std::string_view::npos;
+  });
+}
+
+Result<SynthesisJob> job_of(const std::string& module, const std::vector<Setting>& settings) {
+  SynthesisJob job{.sources = {}, .top = module};
+  add_templates(job, {module});
+  const auto top = std::find_if(job.sources.begin(), job.sources.end(),
+                                [&](const auto& source) { return source.name == module + ".v"; });
+  if (top == job.sources.end()) return no_unit(module);
+  for (const Setting& setting : settings) {
+    const bool shaped = is_word(setting.name, "_") && is_word(setting.value, "'");
+    if (!shaped || !set_default(top->text, setting)) return no_unit(module + " " + setting.name);
+  }
+  return job;
+}
+
+}  // namespace
+
+std::string without_comments(std::string_view verilog) {
+  std::string text;
+  std::istringstream lines{std::string(verilog)};
+  for (std::string line; std::getline(lines, line);) {
+    line.resize(std::min(line.find("//"), line.size()));
+    line.resize(line.find_last_not_of(" \t") + 1);
+    if (!line.empty()) text += line + "\n";
+  }
+  return text;
+}
+
+SynthesisJob module_job(const rtl::Module& module) {
+  SynthesisJob job{.sources = {}, .top = module.name};
+  add_templates(job, instantiated_modules(module));
+  job.sources.push_back({module.name + ".v", without_comments(to_verilog(module))});
+  return job;
+}
+
+SynthesisJob template_job(const TemplateInstance& instance) {
+  return job_of(instance.module, settings_of(instance)).value();
+}
+
+std::string instance_name(const TemplateInstance& instance) {
+  std::string name = instance.module;
+  for (const Setting& setting : settings_of(instance)) {
+    name += fmt::format(" {}={}", setting.name, setting.value);
+  }
+  return name;
+}
+
+Result<SynthesisJob> job_of_instance_name(std::string_view name) {
+  std::istringstream words{std::string(name)};
+  std::string module;
+  words >> module;
+  std::vector<Setting> settings;
+  for (std::string word; words >> word;) {
+    const std::size_t equals = std::min(word.find('='), word.size());
+    settings.push_back({word.substr(0, equals), word.substr(std::min(equals + 1, word.size()))});
+  }
+  return job_of(module, settings);
+}
+
+}  // namespace mixcmp::gen

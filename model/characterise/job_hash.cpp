@@ -1,0 +1,42 @@
+#include "model/characterise/job_hash.hpp"
+
+#include "model/common/check.hpp"
+#include "model/common/content_hash.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// To be raised when synthesise() measures otherwise what the same tools say.
+constexpr std::string_view method = "1";
+
+bool routes(TimingTool tool) {
+  switch (tool) {
+    case TimingTool::none:
+    case TimingTool::yosys_sta: return false;
+    case TimingTool::nextpnr_ice40:
+    case TimingTool::nextpnr_ecp5: return true;
+  }
+  MIXCMP_CHECK(false);
+}
+
+void add_timing(ContentHash& hash, const Device& device, int seeds) {
+  hash.add("timing").add(to_string(device.timing)).add(device.timing_synthesis);
+  for (const std::string& argument : device.timing_arguments) hash.add(argument);
+  if (routes(device.timing)) hash.add(std::to_string(seeds));
+}
+
+}  // namespace
+
+std::string job_hash(const SynthesisJob& job, const Device& device, const SynthesisOptions& options,
+                     const std::string& tools) {
+  ContentHash hash;
+  hash.add(method).add(tools).add(device.synthesis).add(job.top).add(job.clock_port);
+  for (const SourceText& source : job.sources) hash.add(source.name).add(source.text);
+  switch (options.effort) {
+    case TimingEffort::area_only: break;
+    case TimingEffort::timing: add_timing(hash, device, options.seeds); break;
+  }
+  return hash.hex();
+}
+
+}  // namespace mixcmp::model

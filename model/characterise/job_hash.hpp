@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "model/characterise/synthesis.hpp"
+
+namespace mixcmp::model {
+
+/// The key of a job in a store: a hash of everything that its result depends on. `tools` as
+/// tool_versions() gives them.
+std::string job_hash(const SynthesisJob& job, const Device& device, const SynthesisOptions& options,
+                     const std::string& tools);
+
+}  // namespace mixcmp::model

@@ -1,0 +1,36 @@
+#include "model/characterise/measurement.hpp"
+
+#include <algorithm>
+
+#include "model/common/check.hpp"
+
+namespace mixcmp::model {
+
+std::string_view to_string(ClockSource source) {
+  switch (source) {
+    case ClockSource::estimate_before_routing: return "estimate_before_routing";
+    case ClockSource::routed: return "routed";
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::string_view to_string(ComponentKind kind) {
+  switch (kind) {
+    case ComponentKind::unit: return "unit";
+    case ComponentKind::lane: return "lane";
+    case ComponentKind::reference: return "reference";
+    case ComponentKind::fifo: return "fifo";
+    case ComponentKind::crossbar: return "crossbar";
+  }
+  MIXCMP_CHECK(false);
+}
+
+const Measurement* Characterisation::find(const ComponentKey& key) const {
+  const auto row = std::lower_bound(rows.begin(), rows.end(), key,
+                                    [](const Measurement& measured, const ComponentKey& wanted) {
+                                      return measured.key < wanted;
+                                    });
+  return row != rows.end() && row->key == key ? &*row : nullptr;
+}
+
+}  // namespace mixcmp::model

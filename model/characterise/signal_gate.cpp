@@ -1,0 +1,39 @@
+#include "model/characterise/signal_gate.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+bool is_ignored(int signal) {
+  struct sigaction action = {};
+  sigaction(signal, nullptr, &action);
+  return action.sa_handler == SIG_IGN;
+}
+
+}  // namespace
+
+SignalGate::SignalGate() {
+  sigemptyset(&held_);
+  sigaddset(&held_, SIGCHLD);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (!is_ignored(signal)) sigaddset(&held_, signal);
+  }
+  sigprocmask(SIG_BLOCK, &held_, &before_);
+}
+
+SignalGate::~SignalGate() {
+  restore();
+}
+
+SignalGate::News SignalGate::wait(std::chrono::milliseconds patience) const {
+  const timespec timeout = {.tv_sec = patience.count() / 1000,
+                            .tv_nsec = patience.count() % 1000 * 1'000'000};
+  const int signal = sigtimedwait(&held_, nullptr, &timeout);
+  if (signal < 0) return News::none;
+  return signal == SIGCHLD ? News::child : News::interrupt;
+}
+
+void SignalGate::restore() const {
+  sigprocmask(SIG_SETMASK, &before_, nullptr);
+}
+
+}  // namespace mixcmp::model

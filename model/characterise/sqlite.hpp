@@ -1,0 +1,44 @@
+#pragma once
+
+#include <sqlite3.h>
+
+#include <filesystem>
+#include <string>
+
+#include "model/common/result.hpp"
+
+namespace mixcmp::model {
+
+/// What SQLite last complained of, as an error of the file.
+Error sqlite_error(const std::filesystem::path& path, sqlite3* database);
+
+/// Statements without results.
+Result<Done> execute(const std::filesystem::path& path, sqlite3* database, const std::string& sql);
+
+/// One statement with its values. Columns and parameters count as SQLite counts them: from 0 and
+/// from 1. An error of preparation shows in the first step.
+class Statement {
+public:
+  Statement(sqlite3* database, const std::string& sql);
+  ~Statement();
+  Statement(const Statement&) = delete;
+  Statement& operator=(const Statement&) = delete;
+
+  Statement& bind(int parameter, const std::string& text);
+  Statement& bind(int parameter, int number);
+  Statement& bind(int parameter, double number);
+  Statement& bind_null(int parameter);
+
+  /// SQLITE_ROW, SQLITE_DONE or an error.
+  int step();
+  int integer(int column) const;
+  double real(int column) const;
+  std::string text(int column) const;
+  bool is_null(int column) const;
+
+private:
+  sqlite3_stmt* statement_ = nullptr;
+  int prepared_;
+};
+
+}  // namespace mixcmp::model

@@ -1,0 +1,69 @@
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "model/characterise/table_columns.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// A field as RFC 4180 wants it.
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+/// On the one line that a comment has.
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
+void add_clock(std::vector<std::string>& fields, const std::optional<Clock>& clock) {
+  if (!clock) {
+    fields.insert(fields.end(), 5, "");
+    return;
+  }
+  for (const double mhz : {clock->mhz, clock->low_mhz, clock->high_mhz}) {
+    fields.push_back(fmt::format("{:.2f}", mhz));
+  }
+  fields.push_back(std::to_string(clock->seeds));
+  fields.emplace_back(to_string(clock->source));
+}
+
+std::string record(const Measurement& row) {
+  std::vector<std::string> fields = {std::string(to_string(row.key.kind))};
+  for (const auto& column : key_columns) fields.push_back(field(row.key.*column.field));
+  fields.push_back(std::to_string(row.key.ports));
+  fields.push_back(std::to_string(row.latency_cycles));
+  for (const auto& column : area_columns) {
+    fields.push_back(std::to_string(row.area.*column.field));
+  }
+  add_clock(fields, row.clock);
+  fields.push_back(std::to_string(row.timing_seeds));
+  fields.push_back(row.hash);
+  fields.push_back(field(row.tools));
+  return fmt::format("{}\n", fmt::join(fields, ","));
+}
+
+}  // namespace
+
+std::string to_csv(const Characterisation& table) {
+  std::string text;
+  const auto comment = [&](const std::string& name, const std::string& value) {
+    text += fmt::format("# {}: {}\n", name, one_line(value));
+  };
+  comment("device", table.device);
+  comment("scene", table.scene);
+  comment("command", table.command);
+  for (const auto& [name, value] : table.spec) comment(name, value);
+  text += std::string(table_header) + "\n";
+  for (const Measurement& row : table.rows) text += record(row);
+  return text;
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,231 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "model/characterise/table_columns.hpp"
+#include "model/common/file.hpp"
+#include "model/common/quote.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// A field with its place.
+struct Field {
+  std::string text;
+  int line = 0;
+  int column = 0;  ///< 1-based, in characters
+};
+
+class TableReader {
+public:
+  TableReader(const std::filesystem::path& path, std::string_view text)
+      : path_(path), text_(text) {}
+
+  Result<Characterisation> read() {
+    Characterisation table;
+    while (peek() == '#') read_comment(table);
+    const int header_line = line_;
+    const std::string_view header = rest_of_line();
+    if (header != table_header) {
+      return error({.text = std::string(header), .line = header_line, .column = 1},
+                   "not the columns of a characterisation", std::string(table_header));
+    }
+    while (place_ < text_.size()) {
+      if (peek() == '\n' || peek() == '\r') {
+        rest_of_line();
+        continue;
+      }
+      MIXCMP_TRY(row, read_row());
+      table.rows.push_back(std::move(row));
+    }
+    MIXCMP_TRY(sorted, sort(table));
+    return table;
+  }
+
+private:
+  char peek() const { return place_ < text_.size() ? text_[place_] : '\0'; }
+
+  std::string_view rest_of_line() {
+    const std::size_t end = std::min(text_.find('\n', place_), text_.size());
+    std::string_view line = text_.substr(place_, end - place_);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    place_ = std::min(end + 1, text_.size());
+    ++line_;
+    line_start_ = place_;
+    return line;
+  }
+
+  void read_comment(Characterisation& table) {
+    std::string_view line = rest_of_line().substr(1);
+    const std::size_t colon = line.find(": ");
+    if (colon == std::string_view::npos) return;
+    std::string name(line.substr(0, colon));
+    name.erase(0, name.find_first_not_of(' '));
+    std::string value(line.substr(colon + 2));
+    if (name == "device") {
+      table.device = value;
+    } else if (name == "scene") {
+      table.scene = value;
+    } else if (name == "command") {
+      table.command = value;
+    } else {
+      table.spec.emplace_back(std::move(name), std::move(value));
+    }
+  }
+
+  Error error(const Field& field, std::string message, std::string accepted) const {
+    return {.file = path_.string(),
+            .line = field.line,
+            .column = field.column,
+            .message = std::move(message),
+            .received = in_quotes(field.text),
+            .accepted = std::move(accepted)};
+  }
+
+  Field start_field() const {
+    return {.line = line_, .column = static_cast<int>(place_ - line_start_) + 1};
+  }
+
+  bool at_field_end() const {
+    const char c = peek();
+    return place_ == text_.size() || c == ',' || c == '\n' || c == '\r';
+  }
+
+  Result<Field> read_field() {
+    Field field = start_field();
+    if (peek() != '"') {
+      while (!at_field_end()) field.text += text_[place_++];
+      return field;
+    }
+    for (++place_; place_ < text_.size(); ++place_) {
+      if (text_[place_] == '"' && text_.substr(place_, 2) != "\"\"") break;
+      if (text_[place_] == '"') ++place_;
+      field.text += text_[place_];
+    }
+    if (peek() != '"') return error(field, "the quotes are not closed", "a closing quote");
+    ++place_;
+    if (!at_field_end()) return error(field, "text behind the quotes", "a comma or the end");
+    return field;
+  }
+
+  /// The next field of the record at hand; each but the last stands before a comma.
+  Result<Field> next() {
+    MIXCMP_TRY(field, read_field());
+    if (++fields_read_ < field_count_) {
+      if (peek() != ',') return error(field, "the record ends here", "22 fields a record");
+      ++place_;
+    } else if (peek() == ',') {
+      return error(field, "the record goes on", "22 fields a record");
+    } else {
+      rest_of_line();
+    }
+    return field;
+  }
+
+  template <class Number>
+  Result<Number> number(const char* accepted) {
+    MIXCMP_TRY(field, next());
+    Number value = 0;
+    const char* end = field.text.data() + field.text.size();
+    const auto [stop, failed] = std::from_chars(field.text.data(), end, value);
+    const bool finite = value >= 0 && value <= Number(1e9);
+    if (failed == std::errc() && stop == end && finite) return value;
+    return error(field, "not a number", accepted);
+  }
+  Result<int> integer() { return number<int>("a whole number of at least 0"); }
+  Result<double> mhz() { return number<double>("a clock in MHz"); }
+
+  template <class Choice>
+  Result<Choice> choice(std::initializer_list<Choice> choices) {
+    MIXCMP_TRY(field, next());
+    std::string accepted;
+    for (const Choice each : choices) {
+      if (field.text == to_string(each)) return each;
+      accepted += (accepted.empty() ? "" : ", ") + std::string(to_string(each));
+    }
+    return error(field, "not a choice", accepted);
+  }
+
+  Result<Measurement> read_row() {
+    fields_read_ = 0;
+    Measurement row;
+    MIXCMP_TRY(kind, choice({ComponentKind::unit, ComponentKind::lane, ComponentKind::reference,
+                             ComponentKind::fifo, ComponentKind::crossbar}));
+    row.key.kind = kind;
+    for (const auto& column : key_columns) {
+      MIXCMP_TRY(text, next());
+      row.key.*column.field = text.text;
+    }
+    MIXCMP_TRY(ports, integer());
+    row.key.ports = ports;
+    MIXCMP_TRY(latency, integer());
+    row.latency_cycles = latency;
+    for (const auto& column : area_columns) {
+      MIXCMP_TRY(amount, integer());
+      row.area.*column.field = amount;
+    }
+    MIXCMP_TRY(clock, read_clock());
+    row.clock = clock;
+    return read_provenance(std::move(row));
+  }
+
+  Result<Measurement> read_provenance(Measurement row) {
+    MIXCMP_TRY(seeds, integer());
+    row.timing_seeds = seeds;
+    MIXCMP_TRY(hash, next());
+    row.hash = hash.text;
+    MIXCMP_TRY(tools, next());
+    row.tools = tools.text;
+    return row;
+  }
+
+  /// Five fields, all of them empty where there is none.
+  Result<std::optional<Clock>> read_clock() {
+    if (text_.substr(place_, 5) == ",,,,,") {
+      place_ += 5;
+      fields_read_ += 5;
+      return std::optional<Clock>();
+    }
+    MIXCMP_TRY(median, mhz());
+    MIXCMP_TRY(low, mhz());
+    MIXCMP_TRY(high, mhz());
+    MIXCMP_TRY(seeds, integer());
+    MIXCMP_TRY(source, choice({ClockSource::estimate_before_routing, ClockSource::routed}));
+    return std::optional<Clock>(
+        Clock{.mhz = median, .low_mhz = low, .high_mhz = high, .seeds = seeds, .source = source});
+  }
+
+  Result<Done> sort(Characterisation& table) const {
+    const auto by_key = [](const Measurement& a, const Measurement& b) { return a.key < b.key; };
+    std::sort(table.rows.begin(), table.rows.end(), by_key);
+    const auto twin = std::adjacent_find(
+        table.rows.begin(), table.rows.end(),
+        [](const Measurement& a, const Measurement& b) { return a.key == b.key; });
+    if (twin == table.rows.end()) return Done{};
+    return Error{.file = path_.string(),
+                 .message = "two rows of one component",
+                 .received = fmt::format("{} {} {} {} {} {}, ports {}", to_string(twin->key.kind),
+                                         twin->key.name, twin->key.format, twin->key.inputs,
+                                         twin->key.bound, twin->key.multipliers, twin->key.ports),
+                 .accepted = "one"};
+  }
+
+  static constexpr int field_count_ = 22;
+
+  const std::filesystem::path& path_;
+  std::string_view text_;
+  std::size_t place_ = 0;
+  std::size_t line_start_ = 0;
+  int line_ = 1;
+  int fields_read_ = 0;
+};
+
+}  // namespace
+
+Result<Characterisation> read_characterisation(const std::filesystem::path& path) {
+  MIXCMP_TRY(text, read_file(path));
+  return TableReader(path, text).read();
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,296 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+#include "generator/components/characterise.hpp"
+#include "generator/components/component_list.hpp"
+#include "generator/components/synthesis_jobs.hpp"
+#include "generator/emit/system.hpp"
+#include "model/characterise/job_hash.hpp"
+#include "model/design/slots.hpp"
+#include "tests/support/scratch_directory.hpp"
+
+namespace mixcmp::test {
+namespace {
+
+using namespace model;
+using namespace gen;
+
+constexpr const char* spheres =
+    "[comparison]\nname = \"spheres\"\n"
+    "f = \"(xi - xj)^2 + (yi - yj)^2\"\ng = \"(ri + rj)^2\"\n"
+    "[inputs]\n\"*\" = { range = [0, 100] }\n"
+    "[reference]\nformat = \"s24e8\"\n";
+
+class Components : public testing::Test {
+protected:
+  /// The scene with further sections behind it.
+  Scene scene(const std::string& rest, const std::string& head = spheres) {
+    const auto path = directory_.path() / "scene.toml";
+    std::ofstream(path) << head << rest;
+    const auto loaded = load_scene(path, {});
+    EXPECT_TRUE(loaded.ok()) << loaded.error().to_string();
+    return *loaded;
+  }
+
+  struct Found {
+    std::map<ComponentKey, Component> components;
+    std::vector<MissingLane> missing;
+
+    int count(ComponentKind kind) const {
+      return static_cast<int>(
+          std::count_if(components.begin(), components.end(),
+                        [&](const auto& entry) { return entry.first.kind == kind; }));
+    }
+    std::vector<std::string> formats(const std::string& bound) const {
+      std::vector<std::string> names;
+      for (const auto& [key, component] : components) {
+        if (key.kind == ComponentKind::lane && key.bound == bound) names.push_back(key.format);
+      }
+      return names;
+    }
+  };
+
+  static Found find(const Scene& scene, const ComponentQuery& query) {
+    ComponentMaker maker(scene, nullptr);
+    Found found;
+    const auto missing = for_each_component(maker, query, [&](const Component& component) {
+      EXPECT_TRUE(found.components.emplace(component.key, component).second) << "told twice";
+    });
+    EXPECT_TRUE(missing.ok()) << missing.error().to_string();
+    found.missing = *missing;
+    return found;
+  }
+
+  static ComponentQuery lanes(std::vector<int> precisions, std::vector<std::string> bounds) {
+    return {.kinds = {ComponentKind::lane},
+            .precisions = std::move(precisions),
+            .bounds = std::move(bounds),
+            .inputs = {LaneInputs::exact},
+            .multipliers = {Multipliers::embedded}};
+  }
+
+  ScratchDirectory directory_;
+};
+
+const std::string one_system =
+    "[reduced]\nformat = \"s12e8\"\n[system]\nlanes = 1\nreferences = 1\n";
+
+std::string source(const Component& component, const std::string& name) {
+  for (const SourceText& text : component.job.sources) {
+    if (text.name == name) return text.text;
+  }
+  return "";
+}
+
+/// The file of a generated system whose name contains `part`, without its comments.
+std::string generated(const GeneratedSystem& system, const std::string& part) {
+  for (const GeneratedFile& file : system.files) {
+    const bool is_channel = file.name.find("channel") != std::string::npos;
+    if (file.name.find(part) != std::string::npos && !is_channel)
+      return without_comments(file.text);
+  }
+  return "";
+}
+
+std::string from_ports(const std::string& verilog) {
+  return verilog.substr(std::min(verilog.find('('), verilog.size()));
+}
+
+TEST_F(Components, AreWhatGenerateWrites) {
+  const Scene spheres_scene = scene(one_system);
+  const auto system = generate_system(make_design(spheres_scene, nullptr).value(), "");
+  ASSERT_TRUE(system.ok());
+  ComponentQuery query = lanes({12}, {"relative"});
+  query.kinds = {ComponentKind::lane, ComponentKind::reference, ComponentKind::fifo,
+                 ComponentKind::crossbar};
+  query.ports = {1};
+  const Found found = find(spheres_scene, query);
+  ASSERT_EQ(found.components.size(), 4u);
+  for (const auto& [key, component] : found.components) {
+    if (key.kind == ComponentKind::lane) {
+      EXPECT_EQ(component.latency_cycles, system->signature.lane_latency_cycles);
+      EXPECT_EQ(from_ports(source(component, "lane.v")), from_ports(generated(*system, "_lane_")));
+    }
+    if (key.kind == ComponentKind::reference) {
+      EXPECT_EQ(component.latency_cycles, system->signature.reference_latency_cycles);
+      EXPECT_EQ(from_ports(source(component, "reference.v")),
+                from_ports(generated(*system, "_reference_")));
+    }
+    if (key.kind == ComponentKind::fifo) EXPECT_EQ(key.ports, system->signature.slots);
+  }
+}
+
+TEST_F(Components, ExponentBitsFollowTheScene) {
+  const ComponentQuery query = lanes({8, 12}, {"relative"});
+  const auto formats = [&](const std::string& rest, std::optional<LaneExponents> exponents) {
+    ComponentQuery asked = query;
+    asked.exponents = exponents;
+    return find(scene(rest), asked).formats("relative");
+  };
+  using Names = std::vector<std::string>;
+  const std::string fixed = "[reduced]\nformat = \"s10e7\"\n";
+  const std::string ranged = "[reduced]\nformat = \"s10\"\n";
+  EXPECT_EQ(formats("[reduced]\nformat = \"auto\"\n", {}), (Names{"s12e8", "s8e8"}));
+  EXPECT_EQ(formats(fixed, {}), (Names{"s12e7", "s8e7"}));
+  const Names fewest = formats(ranged, {});
+  EXPECT_EQ(fewest.size(), 2u);
+  EXPECT_NE(fewest, (Names{"s12e8", "s8e8"}));
+  EXPECT_EQ(formats(fixed, LaneExponents::ranges), fewest);
+  EXPECT_EQ(formats(ranged, LaneExponents::reference), (Names{"s12e8", "s8e8"}));
+}
+
+TEST_F(Components, LanesThatDoNotExistAreToldWithTheirReason) {
+  ComponentQuery query = lanes({4, 12}, {"relative", "running_4", "constant"});
+  query.inputs = {LaneInputs::exact, LaneInputs::rounded};
+  const Found found = find(scene("[reduced]\nformat = \"auto\"\n"), query);
+  EXPECT_FALSE(found.missing.empty());
+  for (const MissingLane& lane : found.missing) EXPECT_FALSE(lane.reason.message.empty());
+  EXPECT_EQ(found.components.size() + found.missing.size(), 12u);
+  const auto is_rounded_relative = [](const MissingLane& lane) {
+    return lane.key.bound == "relative" && lane.key.inputs == "rounded";
+  };
+  EXPECT_EQ(std::count_if(found.missing.begin(), found.missing.end(), is_rounded_relative), 2)
+      << "differences of rounded operands have no relative bound";
+}
+
+TEST_F(Components, ProfiledLanesTakeTheirConstantsFromTheSceneOrItsData) {
+  const ComponentQuery query = lanes({12}, {"profiled"});
+  const Found none = find(scene("[reduced]\nformat = \"auto\"\n"), query);
+  ASSERT_EQ(none.missing.size(), 1u);
+  EXPECT_NE(none.missing[0].reason.field.find("relative_error"), std::string::npos);
+  const Found given = find(scene("[reduced]\nformat = \"auto\"\nbound = \"profiled\"\n"
+                                 "relative_error_f = 0.001\nrelative_error_g = 0.001\n"),
+                           query);
+  ASSERT_EQ(given.components.size(), 1u);
+  const Scene with_data = scene("[data]\nfile = \"rows.csv\"\n");
+  std::ofstream(directory_.path() / "rows.csv")
+      << "xi,xj,yi,yj,ri,rj\n0.1,3.7,2.2,9.1,1.3,4.4\n5.1,3.3,8.7,0.9,2.3,3.1\n";
+  const auto data = load_comparisons(with_data);
+  ASSERT_TRUE(data.ok()) << data.error().to_string();
+  ComponentMaker maker(with_data, &*data);
+  const auto measured = maker.make(given.components.begin()->first);
+  ASSERT_TRUE(measured.ok()) << measured.error().to_string();
+  EXPECT_NE(source(*measured, "lane.v"), source(given.components.begin()->second, "lane.v"));
+}
+
+TEST_F(Components, WithoutProductsThereIsOneKindOfMultipliers) {
+  const std::string sums =
+      "[comparison]\nname = \"sums\"\nf = \"a + b\"\ng = \"c\"\n"
+      "[reference]\nformat = \"s24e8\"\n[reduced]\nformat = \"auto\"\n";
+  ComponentQuery query = lanes({12}, {"running_4"});
+  query.kinds.insert(ComponentKind::reference);
+  query.multipliers = {Multipliers::embedded, Multipliers::logic};
+  const Found found = find(scene("", sums), query);
+  EXPECT_EQ(found.components.size(), 2u);
+  for (const auto& [key, component] : found.components) EXPECT_EQ(key.multipliers, "");
+  EXPECT_EQ(find(scene(one_system), query).count(ComponentKind::reference), 2);
+}
+
+TEST_F(Components, FifosHaveTheSlotsThatTheLanesNeed) {
+  ComponentQuery query = lanes({6, 23}, {"relative"});
+  std::set<int> needed;
+  for (const auto& [key, lane] : find(scene(one_system), query).components) {
+    needed.insert(slots_for(lane.latency_cycles, true));
+  }
+  query.kinds = {ComponentKind::fifo};
+  std::set<int> built;
+  for (const auto& [key, fifo] : find(scene(one_system), query).components) {
+    built.insert(key.ports);
+    EXPECT_EQ(fifo.job.top, "lane_scoreboard");
+  }
+  EXPECT_EQ(built, needed);
+  const std::string in_order = one_system + "order = \"in_order\"\n";
+  for (const auto& [key, fifo] : find(scene(in_order), query).components) {
+    EXPECT_EQ(fifo.job.top, "lane_reorder");
+  }
+}
+
+TEST_F(Components, CrossbarsTakeTheirPortsAndThePayload) {
+  ComponentQuery query{.kinds = {ComponentKind::crossbar}, .ports = {1, 5, 17}};
+  const Found carried = find(scene(one_system), query);
+  ASSERT_EQ(carried.components.size(), 3u);
+  const Component& five = carried.components.at({.kind = ComponentKind::crossbar, .ports = 5});
+  EXPECT_NE(source(five, "crossbar.v").find("parameter LANES = 5,"), std::string::npos);
+  EXPECT_NE(source(five, "crossbar.v").find("parameter PAYLOAD_BITS = 192,"), std::string::npos)
+      << "six operands of 32 bits";
+  EXPECT_EQ(five.latency_cycles, 4);
+  const Found refetched = find(scene(one_system + "operands = \"refetched\"\n"), query);
+  const Component& tags = refetched.components.at({.kind = ComponentKind::crossbar, .ports = 5});
+  EXPECT_NE(source(tags, "crossbar.v").find("parameter PAYLOAD_BITS = 32,"), std::string::npos);
+}
+
+TEST_F(Components, UnitsAreMadeFromTheirNamesAlone) {
+  ComponentQuery query = lanes({12}, {"relative", "running_4"});
+  query.kinds = {ComponentKind::unit};
+  const Found found = find(scene(one_system), query);
+  EXPECT_GT(found.components.size(), 4u);
+  for (const auto& [key, unit] : found.components) {
+    EXPECT_EQ(key.kind, ComponentKind::unit);
+    const auto again = job_of_instance_name(key.name);
+    ASSERT_TRUE(again.ok()) << key.name;
+    EXPECT_EQ(again->top, unit.job.top);
+    EXPECT_EQ(again->sources.back().text, unit.job.sources.back().text);
+    std::istringstream words(key.name);
+    std::string word;
+    for (words >> word; words >> word;) {
+      const std::string value = word.substr(word.find('=') + 1);
+      const std::string text = source(unit, unit.job.top + ".v");
+      EXPECT_NE(text.find("= " + value), std::string::npos) << key.name << "\n" << text;
+    }
+  }
+  EXPECT_FALSE(job_of_instance_name("").ok());
+  EXPECT_FALSE(job_of_instance_name("fp_nothing PRECISION=3").ok());
+  EXPECT_FALSE(job_of_instance_name("fp_add NOTHING=3").ok());
+  EXPECT_FALSE(job_of_instance_name("fp_add PRECISION").ok());
+  EXPECT_FALSE(job_of_instance_name("fp_add PRECISION=3)").ok());
+}
+
+TEST_F(Components, SourcesHoldNothingButHardware) {
+  const Found found = find(scene(one_system), lanes({12}, {"relative"}));
+  for (const SourceText& text : found.components.begin()->second.job.sources) {
+    EXPECT_EQ(text.text.find("//"), std::string::npos);
+    EXPECT_EQ(text.text.find("\n\n"), std::string::npos);
+  }
+  EXPECT_EQ(without_comments("// a\n\nwire b;  // c\n  wire d; \n"), "wire b;\n  wire d;\n");
+}
+
+TEST_F(Components, ATableIsCurrentUntilTheSceneChanges) {
+  const Scene before = scene(one_system);
+  const Device device = find_device("ice40-hx8k").value();
+  ComponentQuery query = lanes({8, 12}, {"relative"});
+  query.kinds = {ComponentKind::lane, ComponentKind::reference, ComponentKind::crossbar};
+  query.ports = {2};
+  Characterisation table;
+  for (const auto& [key, component] : find(before, query).components) {
+    Measurement row{.key = key, .hash = "", .tools = "Yosys of another machine"};
+    row.timing_seeds = key.kind == ComponentKind::lane ? 3 : 0;
+    const SynthesisOptions options = row.timing_seeds == 0
+                                         ? SynthesisOptions{.effort = TimingEffort::area_only}
+                                         : SynthesisOptions{.seeds = 3};
+    row.hash = job_hash(component.job, device, options, row.tools);
+    table.rows.push_back(row);
+  }
+  ASSERT_GE(table.rows.size(), 4u);
+  const int rows = static_cast<int>(table.rows.size());
+  EXPECT_EQ(check_currency(table, before, nullptr, device).outdated, 0);
+  EXPECT_EQ(check_currency(table, before, nullptr, device).rows, rows);
+
+  const Scene refetching = scene(one_system + "operands = \"refetched\"\n");
+  EXPECT_EQ(check_currency(table, refetching, nullptr, device).outdated, 1) << "the crossbar";
+  const Scene other = scene(one_system + "target_mhz = 50\n");
+  EXPECT_GE(check_currency(table, other, nullptr, device).outdated, 3) << "lanes and references";
+  Device remapped = device;
+  remapped.synthesis += " -abc2";
+  EXPECT_EQ(check_currency(table, before, nullptr, remapped).outdated, rows);
+
+  table.rows[0].timing_seeds = 5;
+  EXPECT_EQ(check_currency(table, before, nullptr, device).outdated, 1);
+  table.rows[0].key.format = "no format";
+  EXPECT_EQ(check_currency(table, before, nullptr, device).outdated, 1);
+}
+
+}  // namespace
+}  // namespace mixcmp::test

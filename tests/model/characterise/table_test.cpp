@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "model/characterise/measurement.hpp"
+#include "tests/support/scratch_directory.hpp"
+
+namespace mixcmp::test {
+namespace {
+
+using namespace model;
+
+Measurement lane(const std::string& format, int luts) {
+  return {
+      .key = {.kind = ComponentKind::lane,
+              .format = format,
+              .inputs = "exact",
+              .bound = "running_4",
+              .multipliers = "logic"},
+      .latency_cycles = 17,
+      .area =
+          {.luts = luts, .registers = 2, .dsps = 3, .memories = 4, .carries = 5, .shift_luts = 6},
+      .clock = std::nullopt,
+      .timing_seeds = 0,
+      .hash = "0123456789abcdef0123456789abcdef",
+      .tools = "Yosys 0.23 (git sha1 7ce5011c24b, \"g++\")"};
+}
+
+Measurement crossbar(int ports) {
+  return {.key = {.kind = ComponentKind::crossbar, .ports = ports},
+          .latency_cycles = 3,
+          .area = {.luts = 100 * ports},
+          .clock = Clock{.mhz = 101.25,
+                         .low_mhz = 99.5,
+                         .high_mhz = 103.75,
+                         .seeds = 3,
+                         .source = ClockSource::routed},
+          .timing_seeds = 3,
+          .hash = "f",
+          .tools = "Yosys 0.23"};
+}
+
+Characterisation example() {
+  return {.device = "ice40-hx8k",
+          .scene = "spheres",
+          .command = "mixcmp characterise scene.toml --set 'x=1: 2'",
+          .spec = {{"f", "a * b"}, {"tools", "Yosys 0.23"}},
+          .rows = {lane("s12e8", 700), lane("s8e8", 400), crossbar(2), crossbar(11)}};
+}
+
+class Table : public testing::Test {
+protected:
+  Result<Characterisation> read(const std::string& text) {
+    std::ofstream(path_, std::ios::binary) << text;
+    return read_characterisation(path_);
+  }
+
+  /// The example with `old_text` replaced, which must be refused at this place.
+  void expect_refused(const std::string& old_text, const std::string& new_text, int line,
+                      int column, const std::string& message) {
+    std::string text = to_csv(example());
+    const std::size_t place = text.find(old_text);
+    ASSERT_NE(place, std::string::npos) << old_text;
+    text.replace(place, old_text.size(), new_text);
+    const auto table = read(text);
+    ASSERT_FALSE(table.ok()) << text;
+    EXPECT_EQ(table.error().file, path_.string());
+    EXPECT_EQ(table.error().line, line) << table.error().to_string();
+    EXPECT_EQ(table.error().column, column) << table.error().to_string();
+    EXPECT_NE(table.error().message.find(message), std::string::npos) << table.error().to_string();
+  }
+
+  ScratchDirectory directory_;
+  const std::filesystem::path path_ = directory_.path() / "table.csv";
+};
+
+TEST_F(Table, ComesBackAsItWasWritten) {
+  const Characterisation written = example();
+  const auto read_back = read(to_csv(written));
+  ASSERT_TRUE(read_back.ok()) << read_back.error().to_string();
+  EXPECT_EQ(read_back->device, written.device);
+  EXPECT_EQ(read_back->scene, written.scene);
+  EXPECT_EQ(read_back->command, written.command);
+  EXPECT_EQ(read_back->spec, written.spec);
+  ASSERT_EQ(read_back->rows.size(), 4u);
+  EXPECT_EQ(to_csv(*read_back), to_csv(written));
+  EXPECT_EQ(read_back->rows[0].area, written.rows[0].area);
+  EXPECT_EQ(read_back->rows[0].tools, written.rows[0].tools);
+  EXPECT_FALSE(read_back->rows[0].clock);
+  ASSERT_TRUE(read_back->rows[3].clock);
+  EXPECT_EQ(read_back->rows[3].clock->low_mhz, 99.5);
+  EXPECT_EQ(read_back->rows[3].clock->source, ClockSource::routed);
+  EXPECT_EQ(read_back->rows[3].timing_seeds, 3);
+}
+
+TEST_F(Table, LinesOfOtherSystemsAndUnsortedRowsAreRead) {
+  Characterisation shuffled = example();
+  std::swap(shuffled.rows[0], shuffled.rows[3]);
+  std::string text;
+  for (const char c : to_csv(shuffled)) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  const auto table = read(text);
+  ASSERT_TRUE(table.ok()) << table.error().to_string();
+  EXPECT_EQ(to_csv(*table), to_csv(example()));
+}
+
+TEST_F(Table, FindsARowByAllOfItsKey) {
+  const Characterisation table = example();
+  ComponentKey key = lane("s8e8", 0).key;
+  ASSERT_NE(table.find(key), nullptr);
+  EXPECT_EQ(table.find(key)->area.luts, 400);
+  EXPECT_EQ(table.find(crossbar(11).key)->area.luts, 1100);
+  EXPECT_EQ(table.find(crossbar(3).key), nullptr);
+  key.inputs = "rounded";
+  EXPECT_EQ(table.find(key), nullptr);
+  EXPECT_EQ(Characterisation().find(key), nullptr);
+}
+
+TEST_F(Table, ErrorsTellLineAndColumn) {
+  // Five comments and the header stand before the first row.
+  expect_refused("lane,,s12e8", "line,,s12e8", 7, 1, "not a choice");
+  expect_refused("17,700", "17,many", 7, 41, "not a number");
+  expect_refused("17,700", "17,-700", 7, 41, "not a number");
+  expect_refused("17,700", "17,700.5", 7, 41, "not a number");
+  expect_refused("101.25,", "nan,", 9, 34, "not a number");
+  expect_refused("routed,3", "guessed,3", 9, 56, "not a choice");
+  expect_refused("f,Yosys 0.23\n", "f\n", 9, 65, "ends here");
+  expect_refused("f,Yosys 0.23\n", "f,Yosys 0.23,more\n", 9, 67, "goes on");
+  expect_refused("\"Yosys 0.23 (", "Yosys \"0.23 (", 7, 0, "");
+  expect_refused("kind,name", "name,kind", 6, 1, "not the columns");
+}
+
+TEST_F(Table, OneRowForOneComponent) {
+  Characterisation doubled = example();
+  doubled.rows.push_back(crossbar(2));
+  const auto table = read(to_csv(doubled));
+  ASSERT_FALSE(table.ok());
+  EXPECT_NE(table.error().to_string().find("crossbar"), std::string::npos);
+}
+
+TEST_F(Table, IsNotAnyFile) {
+  EXPECT_FALSE(read("").ok());
+  EXPECT_FALSE(read("# device: x").ok());
+  EXPECT_FALSE(read(to_csv(example()).substr(0, to_csv(example()).size() - 30)).ok());
+  EXPECT_FALSE(read_characterisation(directory_.path() / "nothing.csv").ok());
+}
+
+}  // namespace
+}  // namespace mixcmp::test
