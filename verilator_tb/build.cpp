@@ -8,6 +8,7 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "embedded/harness_files.hpp"
 #include "model/common/content_hash.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Two lanes are built as fast at once; more are one channel, verilated once.
+/// Two lanes are built as fast at once; of more, each kind of channel is verilated once.
 bool is_hierarchical(const System& system) {
   return system.signature.lanes > 2;
 }
@@ -68,9 +69,11 @@ std::string system_ports(const gen::Signature& s) {
 
 std::string hierarchy(const gen::Signature& s) {
   std::string text = "`verilator_config\n";
-  text += fmt::format("hier_block -module \"{}\"\n", s.channel_module);
-  if (!s.reference_module.empty() && s.references > 0) {
-    text += fmt::format("hier_block -module \"{}\"\n", s.reference_module);
+  std::set<std::string> modules;
+  for (const gen::SignatureLanes& group : s.lane_groups) modules.insert(group.module);
+  for (const gen::SignatureReferences& group : s.reference_groups) modules.insert(group.module);
+  for (const std::string& module : modules) {
+    text += fmt::format("hier_block -module \"{}\"\n", module);
   }
   return text;
 }

@@ -65,33 +65,32 @@ Judge::Judge(const gen::Signature& signature, const model::Design& design,
       selection_(selection),
       options_(options) {
   report_.system = signature.top;
-  report_.lanes = design.lanes;
-  report_.references = design.references;
-  report_.certified = design.lane.certified();
+  report_.lanes = design.lane_count();
+  report_.references = design.reference_count();
+  report_.certified = design.certified();
   report_.requested = selection.size();
   if (options.truth) report_.truth.emplace();
-}
-
-void Judge::expect(std::uint64_t count) {
-  std::vector<model::Bits> operands(comparisons_.input_count());
-  for (std::uint64_t k = 0; k < count; ++k) {
-    comparisons_.fetch(selection_.index(window_start_ + window_.size()), operands);
-    window_.push_back(evaluate(operands));
+  const std::vector<std::string> names = lane_group_names(design);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const model::LaneGroup& group = design.lanes[k];
+    report_.groups.push_back(
+        {.name = names[k], .lanes = group.count, .certified = group.lane.certified()});
+    group_of_lane_.insert(group_of_lane_.end(), static_cast<std::size_t>(group.count), k);
   }
 }
 
-Judge::Expectation Judge::evaluate(std::span<const model::Bits> operands) const {
-  const auto lane = model::golden::evaluate_lane(design_.lane, operands);
-  if (lane.decided) return {.decided = true, .verdict = lane.verdict};
-  if (design_.references == 0) return {.decided = false, .verdict = Verdict::unordered};
-  return {.decided = false,
-          .verdict = model::golden::evaluate_reference(design_.reference, operands)};
+void Judge::announce(std::uint64_t count) {
+  window_.resize(window_.size() + count);
 }
 
-std::uint32_t Judge::expected_tdata(const Expectation& expectation) const {
-  if (expectation.decided) return static_cast<std::uint32_t>(expectation.verdict);
-  if (design_.references == 0) return undecided_flag;
-  return recomputed_flag | static_cast<std::uint32_t>(expectation.verdict);
+std::uint32_t Judge::expected_tdata(std::uint32_t lane,
+                                    std::span<const model::Bits> operands) const {
+  const model::Lane& golden = design_.lanes[group_of_lane_[lane]].lane;
+  const auto decision = model::golden::evaluate_lane(golden, operands);
+  if (decision.decided) return static_cast<std::uint32_t>(decision.verdict);
+  if (design_.references.empty()) return undecided_flag;
+  return recomputed_flag |
+         static_cast<std::uint32_t>(model::golden::evaluate_reference(design_.reference, operands));
 }
 
 void Judge::take(const Answer& answer) {
@@ -105,27 +104,36 @@ void Judge::take(const Answer& answer) {
 void Judge::take_result(const wire::Result& result) {
   MIXCMP_CHECK(result.position >= window_start_ &&
                result.position - window_start_ < window_.size());
-  Expectation& expectation = window_[result.position - window_start_];
-  MIXCMP_CHECK(!expectation.has_left);  // the simulator reports doubles as violations
-  expectation.has_left = true;
-  expectation.tdata = result.tdata;
+  Fate& fate = window_[result.position - window_start_];
+  MIXCMP_CHECK(!fate.has_left);  // the simulator reports doubles as violations
+  fate.has_left = true;
+  fate.lane = result.lane;
+  fate.tdata = result.tdata;
   ++report_.comparisons;
+  GroupReport& group = group_of(result.lane);
+  ++group.comparisons;
   const bool decided = (result.tdata & (recomputed_flag | undecided_flag)) == 0;
   if (!decided && !first_undecided_) first_undecided_ = result;
-  Latency& latency = decided ? report_.decided_latency : report_.recomputed_latency;
-  latency.add(result.cycle_left - result.cycle_accepted);
-  if (meaningful(result.tdata) == expected_tdata(expectation)) return;
+  const std::uint64_t cycles = result.cycle_left - result.cycle_accepted;
+  (decided ? report_.decided_latency : report_.recomputed_latency).add(cycles);
+  (decided ? group.decided_latency : group.recomputed_latency).add(cycles);
+
+  std::vector<model::Bits> operands(comparisons_.input_count());
+  comparisons_.fetch(selection_.index(result.position), operands);
+  const std::uint32_t expected = expected_tdata(result.lane, operands);
+  if (meaningful(result.tdata) == expected) return;
   ++report_.mismatch_count;
+  ++group.mismatches;
   if (report_.mismatches.size() < VerifyReport::kept) {
-    report_.mismatches.push_back(describe(result.position, expectation, result));
+    report_.mismatches.push_back(describe(result, operands, expected));
   }
 }
 
-Mismatch Judge::describe(std::uint64_t position, const Expectation& expectation,
-                         const wire::Result& result) const {
-  const std::uint64_t index = selection_.index(position);
+Mismatch Judge::describe(const wire::Result& result, std::span<const model::Bits> operands,
+                         std::uint32_t expected) const {
+  const std::uint64_t index = selection_.index(result.position);
   Mismatch mismatch{.index = index,
-                    .expected = describe_tdata(expected_tdata(expectation)),
+                    .expected = describe_tdata(expected),
                     .got = describe_tdata(result.tdata),
                     .lane = result.lane,
                     .cycle = result.cycle_left};
@@ -135,8 +143,6 @@ Mismatch Judge::describe(std::uint64_t position, const Expectation& expectation,
     return labels.empty() ? std::to_string(row) : labels[row];
   };
   mismatch.items = i == j ? "row " + label(i) : fmt::format("items {} and {}", label(i), label(j));
-  std::vector<model::Bits> operands(comparisons_.input_count());
-  comparisons_.fetch(index, operands);
   const model::FloatFormat format = design_.reference.input_format;
   for (std::size_t k = 0; k < operands.size(); ++k) {
     mismatch.operands.push_back({design_.inputs[k], model::to_hex(operands[k], format.width()),
@@ -189,29 +195,34 @@ void Judge::report_wrong_counter(const char* name, std::uint32_t lane, std::uint
 
 void Judge::retire() {
   while (!window_.empty() && (window_.front().has_left || window_.front().lost)) {
-    const Expectation& front = window_.front();
-    if (front.has_left) {
-      const auto verdict = static_cast<Verdict>(front.tdata & 3);
-      const bool undecided = (front.tdata & undecided_flag) != 0;
-      const bool recomputed = (front.tdata & recomputed_flag) != 0;
-      const std::uint64_t index = selection_.index(window_start_);
-      if (undecided) {
-        ++report_.undecided;
-      } else {
-        ++report_.verdicts[static_cast<std::size_t>(verdict)];
-      }
-      if (recomputed) ++report_.recomputations;
-      if (!undecided) check_truth(index, front);
-      if (options_.on_result) options_.on_result({index, verdict, recomputed, undecided});
-    }
+    if (window_.front().has_left) count(selection_.index(window_start_), window_.front());
     window_.pop_front();
     ++window_start_;
   }
 }
 
-void Judge::check_truth(std::uint64_t index, const Expectation& expectation) {
+void Judge::count(std::uint64_t index, const Fate& fate) {
+  const auto verdict = static_cast<Verdict>(fate.tdata & 3);
+  const bool undecided = (fate.tdata & undecided_flag) != 0;
+  const bool recomputed = (fate.tdata & recomputed_flag) != 0;
+  GroupReport& group = group_of(fate.lane);
+  if (recomputed) {
+    ++report_.recomputations;
+    ++group.recomputations;
+  }
+  if (undecided) {
+    ++report_.undecided;
+    ++group.undecided;
+  } else {
+    ++report_.verdicts[static_cast<std::size_t>(verdict)];
+    check_truth(index, fate);
+  }
+  if (options_.on_result) options_.on_result({index, verdict, recomputed, undecided});
+}
+
+void Judge::check_truth(std::uint64_t index, const Fate& fate) {
   if (!options_.truth) return;
-  const bool recomputed = (expectation.tdata & recomputed_flag) != 0;
+  const bool recomputed = (fate.tdata & recomputed_flag) != 0;
   if (options_.truth->scope == TruthScope::recomputed && !recomputed) return;
   std::vector<model::Bits> operands(comparisons_.input_count());
   comparisons_.fetch(index, operands);
@@ -220,8 +231,13 @@ void Judge::check_truth(std::uint64_t index, const Expectation& expectation) {
   const Verdict truth =
       model::golden::true_verdict(*options_.truth->graph, design_.reference.input_format, operands);
   ++report_.truth->checked;
-  if (static_cast<Verdict>(expectation.tdata & 3) == truth) return;
-  ++(recomputed ? report_.truth->wrong_by_reference : report_.truth->wrong_by_lane);
+  if (static_cast<Verdict>(fate.tdata & 3) == truth) return;
+  if (recomputed) {
+    ++report_.truth->wrong_by_reference;
+  } else {
+    ++report_.truth->wrong_by_lane;
+    ++group_of(fate.lane).wrong_by_lane;
+  }
 }
 
 }  // namespace mixcmp::tb

@@ -8,16 +8,17 @@
 namespace mixcmp::tb {
 
 /// Holds results against the golden model, in whatever order and from whichever simulator they
-/// come. Keeps only the comparisons between the oldest missing result and the newest expected one.
+/// come. Keeps only the comparisons between the oldest missing result and the newest one under way.
 class Judge {
 public:
   Judge(const gen::Signature& signature, const model::Design& design,
         const model::Comparisons& comparisons, const Selection& selection,
         const VerifyOptions& options);
 
-  /// Computes what the next `count` positions must give.
-  void expect(std::uint64_t count);
-  /// Only for positions that are expected.
+  /// The next `count` positions are on their way.
+  void announce(std::uint64_t count);
+  /// Only for positions that were announced. Computes what each must be, by its lane's golden
+  /// model.
   void take(const Answer& answer);
 
   VerifyReport& report() { return report_; }
@@ -25,32 +26,33 @@ public:
   const std::optional<wire::Result>& first_undecided() const { return first_undecided_; }
 
 private:
-  struct Expectation {
-    bool decided;
-    model::golden::Verdict verdict;
+  struct Fate {
     bool has_left = false;
     bool lost = false;
+    std::uint32_t lane = 0;
     std::uint32_t tdata = 0;  ///< as it came
   };
 
-  Expectation evaluate(std::span<const model::Bits> operands) const;
-  std::uint32_t expected_tdata(const Expectation& expectation) const;
+  std::uint32_t expected_tdata(std::uint32_t lane, std::span<const model::Bits> operands) const;
+  GroupReport& group_of(std::uint32_t lane) { return report_.groups[group_of_lane_[lane]]; }
   void take_result(const wire::Result& result);
   void take_violation(const wire::Violation& violation);
   void take_counters(const std::vector<wire::LaneEnd>& lanes);
   void report_wrong_counter(const char* name, std::uint32_t lane, std::uint64_t counted,
                             std::uint64_t observed);
-  Mismatch describe(std::uint64_t position, const Expectation& expectation,
-                    const wire::Result& result) const;
+  Mismatch describe(const wire::Result& result, std::span<const model::Bits> operands,
+                    std::uint32_t expected) const;
   void retire();
-  void check_truth(std::uint64_t index, const Expectation& expectation);
+  void count(std::uint64_t index, const Fate& fate);
+  void check_truth(std::uint64_t index, const Fate& fate);
 
   const gen::Signature& signature_;
   const model::Design& design_;
   const model::Comparisons& comparisons_;
   const Selection& selection_;
   const VerifyOptions& options_;
-  std::deque<Expectation> window_;
+  std::vector<std::size_t> group_of_lane_;
+  std::deque<Fate> window_;
   std::uint64_t window_start_ = 0;  ///< position of window_.front()
   std::optional<wire::Result> first_undecided_;
   VerifyReport report_;

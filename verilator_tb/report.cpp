@@ -66,6 +66,33 @@ std::string totals(const VerifyReport& r) {
   return text;
 }
 
+std::string latency_range(const Latency& latency) {
+  if (latency.count == 0) return "none";
+  return fmt::format("{} .. {} cycles", latency.minimum_cycles, latency.maximum_cycles);
+}
+
+/// Of several kinds of lanes, what each did.
+std::string group_lines(const VerifyReport& r) {
+  if (r.groups.size() < 2) return {};
+  std::string text;
+  for (const GroupReport& group : r.groups) {
+    text += fmt::format("  {} lanes {}, {}\n", group.lanes, group.name,
+                        group.certified ? "certified" : "not certified");
+    const auto add = [&text](const char* name, const std::string& value) {
+      text += fmt::format("    {:<20} {}\n", name, value);
+    };
+    add("comparisons", std::to_string(group.comparisons));
+    if (r.references == 0) add("undecided", std::to_string(group.undecided));
+    add("recomputations", fmt::format("{} ({:.3e})", group.recomputations,
+                                      ratio(group.recomputations, group.comparisons)));
+    add("latency, decided", latency_range(group.decided_latency));
+    add("latency, recomputed", latency_range(group.recomputed_latency));
+    if (r.truth) add("wrong by a lane", std::to_string(group.wrong_by_lane));
+    add("mismatches", std::to_string(group.mismatches));
+  }
+  return text;
+}
+
 Json to_json(const Mismatch& m) {
   Json operands = Json::array();
   for (const Mismatch::Operand& operand : m.operands) {
@@ -79,6 +106,20 @@ Json to_json(const Latency& latency) {
   return {{"minimum_cycles", latency.minimum_cycles},
           {"maximum_cycles", latency.maximum_cycles},
           {"mean_cycles", latency.mean_cycles()}};
+}
+
+Json to_json(const GroupReport& group) {
+  return {{"name", group.name},
+          {"lanes", group.lanes},
+          {"certified", group.certified},
+          {"comparisons", group.comparisons},
+          {"undecided", group.undecided},
+          {"recomputations", group.recomputations},
+          {"recomputation_rate", ratio(group.recomputations, group.comparisons)},
+          {"decided_latency", to_json(group.decided_latency)},
+          {"recomputed_latency", to_json(group.recomputed_latency)},
+          {"mismatches", group.mismatches},
+          {"wrong_by_lane", group.wrong_by_lane}};
 }
 
 }  // namespace
@@ -95,7 +136,9 @@ double Latency::mean_cycles() const {
 }
 
 bool VerifyReport::passed() const {
-  const bool proof_holds = !certified || !truth || truth->wrong_by_lane == 0;
+  const bool proof_holds = std::all_of(groups.begin(), groups.end(), [](const GroupReport& group) {
+    return !group.certified || group.wrong_by_lane == 0;
+  });
   return comparisons == requested && mismatch_count == 0 && violation_count == 0 && proof_holds;
 }
 
@@ -111,6 +154,7 @@ std::string to_text(const VerifyReport& r) {
                                  r.passed() ? "passed" : "FAILED", r.system, r.lanes, r.references,
                                  r.certified ? "certified" : "not certified", r.simulator);
   text += totals(r);
+  text += group_lines(r);
   text += line("mismatches", std::to_string(r.mismatch_count));
   for (const Mismatch& mismatch : r.mismatches) text += to_text(mismatch);
   text += line("protocol violations", std::to_string(r.violation_count));
@@ -139,6 +183,7 @@ Json to_json(const VerifyReport& r) {
   json["comparisons_per_cycle"] = r.comparisons_per_cycle();
   json["decided_latency"] = to_json(r.decided_latency);
   json["recomputed_latency"] = to_json(r.recomputed_latency);
+  for (const GroupReport& group : r.groups) json["lane_groups"].push_back(to_json(group));
   for (const CounterTotal& counter : r.counters) {
     json["counters"][counter.name] = {{"counted", counter.counted}, {"observed", counter.observed}};
   }

@@ -63,6 +63,20 @@ struct TruthCount {
   std::uint64_t wrong_by_reference = 0;
 };
 
+/// What went through the lanes of one kind.
+struct GroupReport {
+  std::string name;  ///< model::lane_group_names
+  int lanes = 0;
+  bool certified = false;
+  std::uint64_t comparisons = 0;
+  std::uint64_t recomputations = 0;
+  std::uint64_t undecided = 0;
+  std::uint64_t mismatches = 0;
+  std::uint64_t wrong_by_lane = 0;  ///< where the truth was asked for
+  Latency decided_latency;
+  Latency recomputed_latency;
+};
+
 struct VerifyReport {
   static constexpr std::size_t kept = 20;  ///< of mismatches and violations
 
@@ -70,7 +84,8 @@ struct VerifyReport {
   std::string simulator;
   int lanes = 0;
   int references = 0;
-  bool certified = false;
+  bool certified = false;                      ///< all lanes are
+  std::vector<GroupReport> groups;             ///< lanes are numbered through them, in order
   std::uint64_t requested = 0;                 ///< comparisons to be made
   std::uint64_t comparisons = 0;               ///< results judged
   std::array<std::uint64_t, 4> verdicts = {};  ///< by golden::Verdict; without undecided ones

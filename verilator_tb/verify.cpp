@@ -32,6 +32,24 @@ struct Run {
   Judge& judge;
 };
 
+std::string groups_in(const gen::Signature& signature) {
+  std::string groups;
+  for (const gen::SignatureLanes& group : signature.lane_groups) {
+    groups +=
+        fmt::format("{}{} in {}", groups.empty() ? "" : ", ", group.count, group.format.name());
+  }
+  return groups;
+}
+
+std::string groups_in(const model::Design& design) {
+  std::string groups;
+  for (const model::LaneGroup& group : design.lanes) {
+    groups += fmt::format("{}{} in {}", groups.empty() ? "" : ", ", group.count,
+                          group.lane.graph.arithmetic.format.name());
+  }
+  return groups;
+}
+
 /// The system in the folder must be the one that the design describes.
 model::Result<model::Done> check_signature(const System& system, const model::Design& design) {
   const gen::Signature& s = system.signature;
@@ -43,11 +61,14 @@ model::Result<model::Done> check_signature(const System& system, const model::De
                         .accepted = here};
   };
   const std::string format = design.reference.input_format.name();
-  if (s.lanes != design.lanes) {
-    return differs("lanes", std::to_string(s.lanes), std::to_string(design.lanes));
+  const auto lanes = std::to_string(design.lane_count());
+  if (std::to_string(s.lanes) != lanes) return differs("lanes", std::to_string(s.lanes), lanes);
+  if (groups_in(s) != groups_in(design)) {
+    return differs("lane_groups", groups_in(s), groups_in(design));
   }
-  if (s.references != design.references) {
-    return differs("references", std::to_string(s.references), std::to_string(design.references));
+  const auto references = std::to_string(design.reference_count());
+  if (std::to_string(s.references) != references) {
+    return differs("references", std::to_string(s.references), references);
   }
   if (s.reference_format.name() != format) {
     return differs("reference_format", s.reference_format.name(), format);
@@ -61,7 +82,7 @@ model::Result<model::Done> check_signature(const System& system, const model::De
     return differs("tdata_bytes", std::to_string(s.tdata_bytes), std::to_string(needed));
   }
   const bool refetched = s.operands == model::OperandStore::refetched && s.references > 0;
-  if (refetched && s.tag_bits < 7 && (1 << s.tag_bits) < s.lanes) {
+  if (refetched && s.tag_bits < 16 && (1 << s.tag_bits) < s.lanes) {
     return differs("tag_bits", std::to_string(s.tag_bits), "at least one tag for each lane");
   }
   return model::Done{};
@@ -115,19 +136,20 @@ model::Result<model::Done> run_verilator(const Run& run) {
   run.judge.report().build_seconds = executable.build_seconds;
   MIXCMP_TRY(simulation, SystemSimulation::start(executable, simulation_options(run.options)));
   const std::vector<std::uint64_t> resets = reset_positions(run);
-  wire::State state = wire::State::running;
-  for (std::uint64_t first = 0; state == wire::State::running;) {
+  Answer answer;  // to the block before
+  for (std::uint64_t first = 0; answer.state == wire::State::running;) {
     const Block block = make_block(run, resets, first);
-    // The simulator has one core, the golden model the other.
+    // The simulator has one core, the golden model, which judges what it said last, the other.
     auto exchange = std::async(
         std::launch::async, [&] { return simulation.exchange(block, run.system.signature.lanes); });
-    run.judge.expect(block.comparisons);
-    MIXCMP_TRY(answer, exchange.get());
     run.judge.take(answer);
-    state = answer.state;
+    run.judge.announce(block.comparisons);
+    MIXCMP_TRY(next, exchange.get());
+    answer = std::move(next);
     first += block.comparisons;
     tell(run, first);
   }
+  run.judge.take(answer);
   return model::Done{};
 }
 
@@ -140,7 +162,7 @@ model::Result<model::Done> run_icarus(const Run& run) {
                   .last = true};
   MIXCMP_TRY(answer, simulate_in_icarus(run.system, all, run.options.work_dir,
                                         simulation_options(run.options), run.options.progress));
-  run.judge.expect(all.comparisons);
+  run.judge.announce(all.comparisons);
   run.judge.take(answer);
   tell(run, all.comparisons);
   return model::Done{};

@@ -16,14 +16,13 @@ namespace {
 
 /// What `generate` would write, or why it would refuse.
 struct Outlook {
-  std::string decision;
   model::Result<gen::GeneratedSystem> system;
 };
 
 Outlook outlook(const LoadedScene& loaded) {
   const auto design = make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr);
-  if (!design.ok()) return {"", design.error()};
-  return {describe_decision(design->lane), gen::generate_system(*design, "")};
+  if (!design.ok()) return {design.error()};
+  return {gen::generate_system(*design, "")};
 }
 
 void print_text(const Outlook& outlook) {
@@ -34,10 +33,24 @@ void print_text(const Outlook& outlook) {
   if (!outlook.system.ok()) return line("nothing", outlook.system.error().to_string());
   const gen::Signature& signature = outlook.system->signature;
   line("top", signature.top);
-  line("lane", fmt::format("{} cycles", signature.lane_latency_cycles));
-  line("decision", outlook.decision);
-  if (signature.references == 0) return;
-  line("reference", fmt::format("{} cycles", signature.reference_latency_cycles));
+  const bool one_kind = signature.lane_groups.size() == 1;
+  for (const gen::SignatureLanes& group : signature.lane_groups) {
+    const std::string kind =
+        one_kind ? ""
+                 : fmt::format("{} in {}, inputs {}, multipliers {}: ", group.count,
+                               group.format.name(), to_string(group.inputs),
+                               to_string(group.multipliers));
+    line(one_kind ? "lane" : "lanes", fmt::format("{}{} cycles", kind, group.latency_cycles));
+    line("decision", group.decision);
+  }
+  for (const gen::SignatureReferences& group : signature.reference_groups) {
+    const std::string kind =
+        signature.reference_groups.size() == 1
+            ? ""
+            : fmt::format("{}, multipliers {}: ", group.count, to_string(group.multipliers));
+    line(kind.empty() ? "reference" : "references",
+         fmt::format("{}{} cycles", kind, group.latency_cycles));
+  }
 }
 
 nlohmann::json to_json(const Outlook& outlook) {
@@ -49,11 +62,10 @@ nlohmann::json to_json(const Outlook& outlook) {
               {"received", error.received},
               {"accepted", error.accepted}}}};
   }
-  const gen::Signature& signature = outlook.system->signature;
-  return {{"top", signature.top},
-          {"decision", outlook.decision},
-          {"lane_latency_cycles", signature.lane_latency_cycles},
-          {"reference_latency_cycles", signature.reference_latency_cycles}};
+  const auto signature = nlohmann::json::parse(gen::to_json(outlook.system->signature));
+  return {{"top", signature["top"]},
+          {"lane_groups", signature["lane_groups"]},
+          {"reference_groups", signature["reference_groups"]}};
 }
 
 struct CheckOptions {

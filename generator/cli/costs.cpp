@@ -33,7 +33,7 @@ const std::vector<Variant> variants = {
 
 /// The scene with one kind of bound, as one lane and no reference.
 Scene with_bound(const Scene& scene, const Variant& variant) {
-  Scene copy = scene;
+  Scene copy = scene.with_one_kind();
   copy.reduced.bound = variant.bound;
   copy.reduced.error_bound = variant.kind;
   copy.reduced.bound_digits = variant.digits;
@@ -46,23 +46,23 @@ bool is_chosen(const Scene& scene, const Variant& variant, const std::string& de
   if (scene.reduced.bound != variant.bound) return false;
   if (variant.bound == BoundKind::profiled) return true;
   const auto design = make_design(with_bound(scene, variant), nullptr);
-  Scene plain = scene;
+  Scene plain = scene.with_one_kind();
   plain.system.lanes = 1;
   plain.system.references = 0;
   const auto taken = make_design(plain, nullptr);
-  return design.ok() && taken.ok() && describe_decision(taken->lane) == decision;
+  return design.ok() && taken.ok() && describe_decision(taken->lanes.front().lane) == decision;
 }
 
 /// The same lane with every hazard built and no operand checked, except for signs.
 std::optional<Area> area_of_all_built(const Scene& scene, model::Design design) {
   const auto lane = certified_lane(lane_graph(scene.graph, scene.reference.format,
-                                              design.lane.graph.arithmetic, scene.reduced.inputs),
+                                              design.lanes.front().lane.graph.arithmetic, scene.reduced.inputs),
                                    {.kind = scene.reduced.error_bound,
                                     .bound_digits = scene.reduced.bound_digits,
                                     .ranges = scene.ranges,
                                     .hazards = model::HazardRemoval::keep});
   if (!lane.ok()) return std::nullopt;
-  design.lane = *lane;
+  design.lanes.front().lane = *lane;
   const auto area = lane_area(design);
   return area.ok() ? std::optional(*area) : std::nullopt;
 }
@@ -79,7 +79,7 @@ BoundCost cost_of(const LoadedScene& loaded, const Variant& variant, std::string
     cost.decision = "does not exist: " + design.error().message;
     return cost;
   }
-  cost.decision = describe_decision(design->lane);
+  cost.decision = describe_decision(design->lanes.front().lane);
   cost.chosen = is_chosen(loaded.scene, variant, cost.decision);
   progress(fmt::format("Yosys maps the lane with the {} bound", variant.name));
   const auto area = lane_area(*design);

@@ -18,28 +18,77 @@ struct GenerateOptions {
   bool skip_proof = false;
 };
 
-/// None for a bound that claims no proof, and where the user wants none.
-using MaybeProof = std::optional<QuickProof>;
+/// Of one group of lanes.
+struct GroupProof {
+  std::string name;
+  QuickProof quick;
+};
 
-void print_text(const gen::GeneratedSystem& system, const MaybeProof& proof,
+std::string_view certainty(bool certified) {
+  return certified ? "certified" : "not certified";
+}
+
+/// One kind of each in a line, several in a line each.
+void print_parts(const gen::Signature& s) {
+  if (s.lane_groups.size() == 1 && s.reference_groups.size() <= 1) {
+    const gen::SignatureLanes& lanes = s.lane_groups.front();
+    const std::string reference =
+        s.reference_groups.empty()
+            ? ""
+            : fmt::format(" in {} ({} cycles)", s.reference_format.name(),
+                          s.reference_groups.front().latency_cycles);
+    return fmt::print("{}: p_L = {} in {} ({} cycles), p_H = {}{}, {}\n", s.top, s.lanes,
+                      lanes.format.name(), lanes.latency_cycles, s.references, reference,
+                      certainty(s.certified));
+  }
+  fmt::print("{}: p_L = {}, p_H = {} in {}, {}\n", s.top, s.lanes, s.references,
+             s.reference_format.name(), certainty(s.certified));
+  for (const gen::SignatureLanes& group : s.lane_groups) {
+    fmt::print("  {} lanes in {}: {} cycles, inputs {}, multipliers {}; {}\n", group.count,
+               group.format.name(), group.latency_cycles, to_string(group.inputs),
+               to_string(group.multipliers), group.decision);
+  }
+  for (const gen::SignatureReferences& group : s.reference_groups) {
+    fmt::print("  {} references: {} cycles, multipliers {}\n", group.count, group.latency_cycles,
+               to_string(group.multipliers));
+  }
+}
+
+void print_text(const gen::GeneratedSystem& system, const std::vector<GroupProof>& proofs,
                 const std::filesystem::path& directory) {
-  const gen::Signature& s = system.signature;
-  fmt::print("{}: p_L = {} in {} ({} cycles), p_H = {} in {} ({} cycles), {}\n", s.top, s.lanes,
-             s.lane_format.name(), s.lane_latency_cycles, s.references, s.reference_format.name(),
-             s.reference_latency_cycles, s.certified ? "certified" : "not certified");
+  print_parts(system.signature);
   for (const std::string& note : system.notes) fmt::print("note: {}\n", note);
-  if (proof) fmt::print("error bound: {}\n", proof->proof.verdict());
+  const bool one_kind = system.signature.lane_groups.size() == 1;
+  for (const GroupProof& proof : proofs) {
+    fmt::print("error bound{}: {}\n", one_kind ? "" : " of " + proof.name,
+               proof.quick.proof.verdict());
+  }
   fmt::print("{} files in {}\n", system.files.size(), directory.string());
 }
 
-void print_json(const gen::GeneratedSystem& system, const MaybeProof& proof,
+void print_json(const gen::GeneratedSystem& system, const std::vector<GroupProof>& proofs,
                 const std::filesystem::path& directory) {
   nlohmann::ordered_json report;
   report["directory"] = directory.string();
   report["signature"] = nlohmann::ordered_json::parse(gen::to_json(system.signature));
   report["notes"] = system.notes;
-  if (proof) report["proof"] = model::proof::to_json(proof->proof, proof->gappa);
+  for (const GroupProof& proof : proofs) {
+    report["proof"].push_back(model::proof::to_json(proof.quick.proof, proof.quick.gappa));
+    report["proof"].back()["lanes"] = proof.name;
+  }
   fmt::print("{}\n", report.dump(2));
+}
+
+/// Of every kind of lane that claims a proof.
+std::vector<GroupProof> prove_groups(const std::filesystem::path& scene,
+                                     const model::Design& design) {
+  const std::vector<std::string> names = lane_group_names(design);
+  std::vector<GroupProof> proofs;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const model::Lane& lane = design.lanes[k].lane;
+    if (lane.certified()) proofs.push_back({names[k], prove_quickly(scene, lane)});
+  }
+  return proofs;
 }
 
 void run(const GenerateOptions& options) {
@@ -48,14 +97,12 @@ void run(const GenerateOptions& options) {
       value_or_exit(make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr));
   const gen::GeneratedSystem system =
       value_or_exit(gen::generate_system(design, command_line("generate", options.scene)));
-  MaybeProof proof;
-  if (design.lane.certified() && !options.skip_proof) {
-    proof = prove_quickly(options.scene.scene, design.lane);
-  }
+  std::vector<GroupProof> proofs;
+  if (!options.skip_proof) proofs = prove_groups(options.scene.scene, design);
   const std::filesystem::path directory =
       options.output.empty() ? std::filesystem::path(system.signature.top) : options.output;
   value_or_exit(gen::write_system(system, directory));
-  options.scene.json ? print_json(system, proof, directory) : print_text(system, proof, directory);
+  options.scene.json ? print_json(system, proofs, directory) : print_text(system, proofs, directory);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ Area count_cells(const nlohmann::json& statistics) {
 }
 
 std::string lane_module(const gen::GeneratedSystem& system) {
-  const std::string& channel = system.signature.channel_module;
+  const std::string& channel = system.signature.lane_groups.front().module;
   return channel.substr(0, channel.size() - std::string_view("_channel").size());
 }
 

@@ -18,25 +18,50 @@ namespace proof = model::proof;
 /// All of a quick proof's scripts together; a script takes some 10 ms.
 constexpr double quick_seconds = 5;
 
-/// The scene with lanes of another precision; a proof needs no number of lanes.
-model::Result<model::Scene> with_precision(model::Scene scene, int precision) {
+/// The scene with lanes of [reduced] in another precision.
+model::Result<model::Scene> with_precision(const model::Scene& scene, int precision) {
+  model::Scene one_kind = scene.with_one_kind();
   const model::FloatFormat& known = scene.reduced.format.value_or(scene.reference.format);
   MIXCMP_TRY(format, model::FloatFormat::make(precision, known.exponent_bits()));
-  scene.reduced.format = format;
-  return scene;
+  one_kind.reduced.format = format;
+  return one_kind;
 }
 
-model::Result<model::Lane> lane_of(model::Scene scene, const model::Comparisons* data) {
+/// A lane to prove, or why there is none.
+struct Candidate {
+  std::string name;
+  model::Result<model::Lane> lane;
+};
+
+std::string format_name(const model::ReducedSpec& reduced) {
+  return reduced.format ? reduced.format->name() : "auto";
+}
+
+/// One lane of each kind; a proof needs no number of lanes.
+std::vector<Candidate> candidates(model::Scene scene, const model::Comparisons* data) {
   scene.system.lanes = scene.system.lanes.value_or(1);
   scene.system.references = scene.system.references.value_or(1);
-  MIXCMP_TRY(design, model::make_design(scene, data));
-  return std::move(design.lane);
+  const auto design = model::make_design(scene, data);
+  std::vector<Candidate> found;
+  if (!design.ok()) {
+    for (const model::LaneGroupSpec& group : scene.lane_groups()) {
+      found.push_back({format_name(group.reduced), design_lane(scene, group.reduced, data)});
+    }
+    return found;
+  }
+  const std::vector<std::string> names = lane_group_names(*design);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto same = [&](const Candidate& earlier) { return earlier.name == names[k]; };
+    const bool known = std::any_of(found.begin(), found.end(), same);
+    if (!known) found.push_back({names[k], design->lanes[k].lane});
+  }
+  return found;
 }
 
-ProvenLane prove_lane(const std::string& name, const model::Lane& lane,
+ProvenLane prove_lane(const std::string& scene, const std::string& name, const model::Lane& lane,
                       const ProveOptions& options) {
   ProvenLane result{.format = lane.graph.arithmetic.format.name()};
-  const std::string stem = fmt::format("{}_{}", name, result.format);
+  const std::string stem = fmt::format("{}_{}", scene, name);
   result.directory =
       options.directory.empty() ? std::filesystem::path(stem + "_proof") : options.directory;
   proof::ProofDirectory directory =
@@ -76,12 +101,12 @@ std::vector<ProvenLane> prove(const LoadedScene& loaded, const ProveOptions& opt
   if (scenes.empty()) scenes.push_back(loaded.scene);
   std::vector<ProvenLane> proven;
   for (const model::Scene& scene : scenes) {
-    const auto lane = lane_of(scene, loaded.data ? &*loaded.data : nullptr);
-    if (lane.ok()) {
-      proven.push_back(prove_lane(scene.name, *lane, options));
-    } else {
-      proven.push_back({.format = scene.reduced.format ? scene.reduced.format->name() : "auto",
-                        .error = lane.error().to_string()});
+    for (const auto& [name, lane] : candidates(scene, loaded.data ? &*loaded.data : nullptr)) {
+      if (lane.ok()) {
+        proven.push_back(prove_lane(scene.name, name, *lane, options));
+      } else {
+        proven.push_back({.format = name, .error = lane.error().to_string()});
+      }
     }
   }
   return proven;

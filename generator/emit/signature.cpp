@@ -26,6 +26,12 @@ constexpr std::array stores = {
     Name<model::OperandStore>{model::OperandStore::carried, "carried"},
     Name<model::OperandStore>{model::OperandStore::refetched, "refetched"}};
 
+constexpr std::array inputs_names = {Name<model::LaneInputs>{model::LaneInputs::rounded, "rounded"},
+                                     Name<model::LaneInputs>{model::LaneInputs::exact, "exact"}};
+constexpr std::array multipliers_names = {
+    Name<model::Multipliers>{model::Multipliers::embedded, "embedded"},
+    Name<model::Multipliers>{model::Multipliers::logic, "logic"}};
+
 template <class Value, std::size_t count>
 const char* text_of(const std::array<Name<Value>, count>& names, Value value) {
   for (const auto& name : names) {
@@ -38,7 +44,9 @@ const char* text_of(const std::array<Name<Value>, count>& names, Value value) {
 /// Takes fields out of a JSON object; the first one that does not fit is kept as the error.
 class Reader {
 public:
-  Reader(const Json& object, std::string file) : object_(object), file_(std::move(file)) {}
+  /// `path`: what stands before a field's name in errors.
+  Reader(const Json& object, std::string file, std::string path = {})
+      : object_(object), file_(std::move(file)), path_(std::move(path)) {}
 
   template <class T>
   T read(const char* field, const char* accepted) {
@@ -94,6 +102,19 @@ public:
     return ports;
   }
 
+  /// What `read_group` makes of each entry of a list of objects.
+  template <class Group>
+  std::vector<Group> groups(const char* field, Group (*read_group)(Reader&)) {
+    std::vector<Group> groups;
+    const auto entries = read<std::vector<Json>>(field, "a list of groups");
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      Reader entry(entries[k], file_, fmt::format("{}[{}].", field, k));
+      groups.push_back(read_group(entry));
+      if (!error_) error_ = entry.error();
+    }
+    return groups;
+  }
+
   const std::optional<model::Error>& error() const { return error_; }
 
 private:
@@ -101,7 +122,7 @@ private:
     if (error_) return;
     const bool present = object_.is_object() && object_.contains(field);
     error_ = model::Error{.file = file_,
-                          .field = field,
+                          .field = path_ + field,
                           .message = present ? "not as a signature has it" : "missing",
                           .received = present ? object_.at(field).dump() : "",
                           .accepted = accepted};
@@ -109,6 +130,7 @@ private:
 
   const Json& object_;
   std::string file_;
+  std::string path_;
   std::optional<model::Error> error_;
 };
 
@@ -120,26 +142,68 @@ Json ports_to_json(const std::vector<SignaturePort>& ports) {
   return list;
 }
 
+Json to_json(const SignatureLanes& group) {
+  return {{"count", group.count},
+          {"module", group.module},
+          {"format", group.format.name()},
+          {"latency_cycles", group.latency_cycles},
+          {"certified", group.certified},
+          {"decision", group.decision},
+          {"inputs", text_of(inputs_names, group.inputs)},
+          {"multipliers", text_of(multipliers_names, group.multipliers)}};
+}
+
+Json to_json(const SignatureReferences& group) {
+  return {{"count", group.count},
+          {"module", group.module},
+          {"latency_cycles", group.latency_cycles},
+          {"multipliers", text_of(multipliers_names, group.multipliers)}};
+}
+
+template <class Group>
+Json groups_to_json(const std::vector<Group>& groups) {
+  Json list = Json::array();
+  for (const Group& group : groups) list.push_back(to_json(group));
+  return list;
+}
+
+constexpr int many = 1 << 30;
+
+SignatureLanes read_lanes(Reader& reader) {
+  return {.count = reader.number("count", 1, model::max_lanes),
+          .module = reader.text("module"),
+          .format = reader.format("format"),
+          .latency_cycles = reader.number("latency_cycles", 0, many),
+          .certified = reader.read<bool>("certified", "true or false"),
+          .decision = reader.text("decision"),
+          .inputs = reader.choice("inputs", inputs_names),
+          .multipliers = reader.choice("multipliers", multipliers_names)};
+}
+
+SignatureReferences read_references(Reader& reader) {
+  return {.count = reader.number("count", 1, model::max_references),
+          .module = reader.text("module"),
+          .latency_cycles = reader.number("latency_cycles", 0, many),
+          .multipliers = reader.choice("multipliers", multipliers_names)};
+}
+
 }  // namespace
 
 std::string to_json(const Signature& s) {
   const Json json = {{"top", s.top},
-                     {"channel_module", s.channel_module},
-                     {"reference_module", s.reference_module},
                      {"generator_version", s.generator_version},
                      {"spec_hash", s.spec_hash},
-                     {"lane_format", s.lane_format.name()},
                      {"reference_format", s.reference_format.name()},
                      {"certified", s.certified},
                      {"inputs", s.inputs},
                      {"lanes", s.lanes},
                      {"references", s.references},
+                     {"lane_groups", groups_to_json(s.lane_groups)},
+                     {"reference_groups", groups_to_json(s.reference_groups)},
                      {"tdata_bytes", s.tdata_bytes},
                      {"tag_bits", s.tag_bits},
                      {"counter_bits", s.counter_bits},
                      {"slots", s.slots},
-                     {"lane_latency_cycles", s.lane_latency_cycles},
-                     {"reference_latency_cycles", s.reference_latency_cycles},
                      {"order", text_of(orders, s.order)},
                      {"operands", text_of(stores, s.operands)},
                      {"target_mhz", s.target_mhz},
@@ -161,25 +225,21 @@ model::Result<Signature> read_signature(const std::filesystem::path& path) {
     return model::Error{.file = path.string(), .message = "not JSON"};
   }
   Reader reader(json, path.string());
-  constexpr int many = 1 << 30;
   Signature signature{
       .top = reader.text("top"),
-      .channel_module = reader.text("channel_module"),
-      .reference_module = reader.text("reference_module"),
       .generator_version = reader.text("generator_version"),
       .spec_hash = reader.text("spec_hash"),
-      .lane_format = reader.format("lane_format"),
       .reference_format = reader.format("reference_format"),
       .certified = reader.read<bool>("certified", "true or false"),
       .inputs = reader.read<std::vector<std::string>>("inputs", "a list of names"),
-      .lanes = reader.number("lanes", 1, 128),
-      .references = reader.number("references", 0, 16),
+      .lanes = reader.number("lanes", 1, model::max_lanes),
+      .references = reader.number("references", 0, model::max_references),
+      .lane_groups = reader.groups("lane_groups", read_lanes),
+      .reference_groups = reader.groups("reference_groups", read_references),
       .tdata_bytes = reader.number("tdata_bytes", 1, many),
       .tag_bits = reader.number("tag_bits", 1, 64),
       .counter_bits = reader.number("counter_bits", 0, 64),
       .slots = reader.number("slots", 1, many),
-      .lane_latency_cycles = reader.number("lane_latency_cycles", 0, many),
-      .reference_latency_cycles = reader.number("reference_latency_cycles", 0, many),
       .order = reader.choice("order", orders),
       .operands = reader.choice("operands", stores),
       .target_mhz = reader.read<double>("target_mhz", "a number"),

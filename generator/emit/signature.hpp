@@ -15,25 +15,43 @@ struct SignaturePort {
   int width = 1;
 };
 
+/// Lanes of one kind.
+struct SignatureLanes {
+  int count = 0;
+  std::string module;  ///< the channel: one lane with its scoreboard or reorder buffer
+  model::FloatFormat format;
+  int latency_cycles = 0;
+  bool certified = false;
+  std::string decision;  ///< when a lane decides, in words
+  model::LaneInputs inputs = model::LaneInputs::exact;
+  model::Multipliers multipliers = model::Multipliers::embedded;
+};
+
+/// References of one kind.
+struct SignatureReferences {
+  int count = 0;
+  std::string module;  ///< the channel: one reference behind the crossbar
+  int latency_cycles = 0;
+  model::Multipliers multipliers = model::Multipliers::embedded;
+};
+
 /// What a testbench or an integrator must know of a generated system; printed as <top>.json.
 struct Signature {
   std::string top;
-  std::string channel_module;    ///< one lane with its scoreboard; instantiated p_L times
-  std::string reference_module;  ///< instantiated p_H times; empty where p_H = 0
   std::string generator_version;
   std::string spec_hash;  ///< of everything that decides the output's bytes
-  model::FloatFormat lane_format;
   model::FloatFormat reference_format;
-  bool certified = false;
+  bool certified = false;           ///< all lanes are
   std::vector<std::string> inputs;  ///< input k is tdata[k * width +: width]
-  int lanes = 0;        ///< p_L: every per-lane port is a vector of `lanes` fields, lane 0 lowest
-  int references = 0;   ///< p_H
+  int lanes = 0;       ///< p_L: every per-lane port is a vector of `lanes` fields, lane 0 lowest
+  int references = 0;  ///< p_H
+  /// Lanes are numbered through their groups, in order, and so are references.
+  std::vector<SignatureLanes> lane_groups;
+  std::vector<SignatureReferences> reference_groups;  ///< none where p_H = 0
   int tdata_bytes = 0;  ///< operands of one comparison, padded to whole bytes
   int tag_bits = 0;
   int counter_bits = 0;
   int slots = 0;  ///< comparisons that may be inside one lane's channel
-  int lane_latency_cycles = 0;
-  int reference_latency_cycles = 0;
   model::ResultOrder order = model::ResultOrder::tagged;
   model::OperandStore operands = model::OperandStore::carried;
   double target_mhz = 0;

@@ -4,14 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <bit>
 
-#include "generator/datapath/delays.hpp"
-#include "generator/datapath/schedule.hpp"
+#include "generator/emit/system_plan.hpp"
 #include "generator/emit/templates.hpp"
 #include "generator/emit/verilog.hpp"
 #include "generator/emit/version.hpp"
-#include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/datapath_module.hpp"
 #include "generator/rtl/system_modules.hpp"
 #include "model/common/content_hash.hpp"
@@ -23,60 +20,53 @@ using model::Design;
 using model::Result;
 using rtl::Module;
 
-/// Cycles a comparison spends in a channel beside the lane itself, at full rate
-/// (docs/architecture.md): with this many slots more than the lane's latency nothing waits.
-constexpr int channel_overhead_cycles = 6;
-/// Slots that recomputations may hold while the lane goes on at full rate.
-constexpr int recomputation_slots = 16;
+std::vector<SignatureLanes> lanes_of(const Design& design, const SystemShape& shape) {
+  std::vector<SignatureLanes> lanes;
+  for (std::size_t k = 0; k < design.lanes.size(); ++k) {
+    const model::LaneGroup& group = design.lanes[k];
+    lanes.push_back({.count = group.count,
+                     .module = shape.lane_groups[k].channel,
+                     .format = group.lane.graph.arithmetic.format,
+                     .latency_cycles = shape.lane_groups[k].latency_cycles,
+                     .certified = group.lane.certified(),
+                     .decision = describe_decision(group.lane),
+                     .inputs = group.inputs,
+                     .multipliers = group.multipliers});
+  }
+  return lanes;
+}
 
-SystemShape shape_of(const Design& design, const Schedule& lane, const Schedule& reference) {
-  const std::string lane_format = design.lane.graph.arithmetic.format.name();
-  const std::string reference_format = design.reference.arithmetic.format.name();
-  SystemShape shape;
-  shape.top = fmt::format("{}_{}_{}x{}", design.name, lane_format, design.lanes, design.references);
-  shape.lane = fmt::format("{}_lane_{}_l{}", design.name, lane_format, lane.latency_cycles);
-  shape.lane_channel = shape.lane + "_channel";
-  shape.reference =
-      fmt::format("{}_reference_{}_l{}", design.name, reference_format, reference.latency_cycles);
-  shape.reference_channel = shape.reference + "_channel";
-  shape.input_ports = input_ports(design.inputs);
-  shape.input_width = design.reference.input_format.width();
-  shape.lanes = design.lanes;
-  shape.references = design.references;
-  shape.tag_bits = design.system.tag_bits;
-  shape.counter_bits = design.system.counter_bits;
-  shape.lane_latency_cycles = lane.latency_cycles;
-  shape.reference_latency_cycles = reference.latency_cycles;
-  shape.order = design.system.order;
-  shape.operands = design.system.operands;
-  const unsigned slots = static_cast<unsigned>(lane.latency_cycles + channel_overhead_cycles +
-                                               (design.references > 0 ? recomputation_slots : 0));
-  shape.slot_bits = static_cast<int>(std::bit_width(slots - 1));
-  return shape;
+std::vector<SignatureReferences> references_of(const Design& design, const SystemShape& shape) {
+  std::vector<SignatureReferences> references;
+  for (std::size_t k = 0; k < design.references.size(); ++k) {
+    references.push_back({.count = design.references[k].count,
+                          .module = shape.reference_groups[k].channel,
+                          .latency_cycles = shape.reference_groups[k].latency_cycles,
+                          .multipliers = design.references[k].multipliers});
+  }
+  return references;
 }
 
 Signature signature_of(const Design& design, const SystemShape& shape) {
-  Signature signature = {.top = shape.top,
-                         .generator_version = std::string(version),
-                         .spec_hash = {},
-                         .lane_format = design.lane.graph.arithmetic.format,
-                         .reference_format = design.reference.arithmetic.format};
-  signature.certified = design.lane.certified();
-  signature.inputs = design.inputs;
-  signature.channel_module = shape.lane_channel;
-  signature.reference_module = shape.recomputes() ? shape.reference_channel : "";
-  signature.lanes = shape.lanes;
-  signature.references = shape.references;
-  signature.tdata_bytes = shape.tdata_bytes();
-  signature.tag_bits = shape.tag_bits;
-  signature.counter_bits = shape.counter_bits;
-  signature.slots = 1 << shape.slot_bits;
-  signature.lane_latency_cycles = shape.lane_latency_cycles;
-  signature.reference_latency_cycles = shape.reference_latency_cycles;
-  signature.order = shape.order;
-  signature.operands = shape.operands;
-  signature.target_mhz = design.system.target_mhz;
-  return signature;
+  return {.top = shape.top,
+          .generator_version = std::string(version),
+          .spec_hash = {},
+          .reference_format = design.reference.arithmetic.format,
+          .certified = design.certified(),
+          .inputs = design.inputs,
+          .lanes = shape.lanes,
+          .references = shape.references,
+          .lane_groups = lanes_of(design, shape),
+          .reference_groups = references_of(design, shape),
+          .tdata_bytes = shape.tdata_bytes(),
+          .tag_bits = shape.tag_bits,
+          .counter_bits = shape.counter_bits,
+          .slots = 1 << shape.slot_bits,
+          .order = shape.order,
+          .operands = shape.operands,
+          .target_mhz = design.system.target_mhz,
+          .ports = {},
+          .files = {}};
 }
 
 /// One module with what its header says of it.
@@ -97,86 +87,139 @@ std::vector<std::string> decision_facts(const model::Lane& lane) {
   return {decision, "Infinities, NaNs, overflow and underflow are left undecided."};
 }
 
-Described describe_lane(const Design& design, const SystemShape& shape, const Schedule& schedule) {
-  Described lane = {
-      lane_module(shape.lane, design.inputs, design.lane, schedule),
-      {shape.lane + ": decides the sign of f - g in reduced precision, or says it cannot.",
-       fmt::format("Operands: {}, {}.", design.reference.input_format.name(),
-                   fmt::join(design.inputs, ", ")),
-       arithmetic_fact(design.lane.graph.arithmetic)}};
-  for (std::string& fact : decision_facts(design.lane)) lane.facts.push_back(std::move(fact));
+Described describe_lane(const Design& design, const std::string& name,
+                        const model::LaneGroup& group, const Schedule& schedule) {
+  Described lane = {lane_module(name, design.inputs, group.lane, schedule),
+                    {name + ": decides the sign of f - g in reduced precision, or says it cannot.",
+                     fmt::format("Operands: {}, {}.", design.reference.input_format.name(),
+                                 fmt::join(design.inputs, ", ")),
+                     arithmetic_fact(group.lane.graph.arithmetic)}};
+  for (std::string& fact : decision_facts(group.lane)) lane.facts.push_back(std::move(fact));
   lane.facts.push_back(
       fmt::format("Latency {} cycles, initiation interval 1, no reset.", schedule.latency_cycles));
   return lane;
 }
 
-Described describe_reference(const Design& design, const SystemShape& shape,
+Described describe_reference(const Design& design, const std::string& name,
                              const Schedule& schedule) {
-  return {reference_module(shape.reference, design.inputs, design.reference, schedule),
-          {shape.reference + ": the ordering of f and g as computed in reference precision.",
+  return {reference_module(name, design.inputs, design.reference, schedule),
+          {name + ": the ordering of f and g as computed in reference precision.",
            arithmetic_fact(design.reference.arithmetic),
            "A NaN operand or result makes the verdict unordered.",
            fmt::format("Latency {} cycles, initiation interval 1, no reset.",
                        schedule.latency_cycles)}};
 }
 
-Described describe_lane_channel(const SystemShape& shape) {
+Described describe_lane_channel(const SystemShape& shape, const DatapathGroup& group) {
   const bool in_order = shape.order == model::ResultOrder::in_order;
   return {
-      lane_channel_module(shape),
-      {shape.lane_channel + ": one lane between its AXI4-Streams.",
+      lane_channel_module(shape, group),
+      {group.channel + ": one lane between its AXI4-Streams.",
        in_order ? "Results leave in the order of acceptance."
                 : "Results may overtake a recomputed one; the tag (tuser) tells which is which.",
        fmt::format("{} comparisons may be inside. Reset: aresetn, synchronous, active low.",
                    1 << shape.slot_bits)}};
 }
 
-Described describe_reference_channel(const SystemShape& shape) {
-  return {reference_channel_module(shape),
-          {shape.reference_channel + ": one reference datapath behind the crossbar.",
+Described describe_reference_channel(const SystemShape& shape, const DatapathGroup& group) {
+  return {reference_channel_module(shape, group),
+          {group.channel + ": one reference datapath behind the crossbar.",
            shape.refetches() ? "The operands are fetched again by tag on m_refetch and s_refetch."
                              : "The operands arrive with the request.",
            "Reset: aresetn, synchronous, active low."}};
 }
 
-Described describe_top(const Design& design, const SystemShape& shape) {
-  const int tdata_bits = shape.tdata_bytes() * 8;
-  Described top = {
-      top_module(shape),
-      {fmt::format("{}: p_L = {} in {}, p_H = {} in {}.", shape.top, shape.lanes,
-                   design.lane.graph.arithmetic.format.name(), shape.references,
-                   design.reference.arithmetic.format.name()),
-       "Every per-lane port is a vector of one field a lane, lane 0 in the lowest bits.",
-       fmt::format("s_axis_tdata, {} bits a lane, operands {} bits each, the first lowest:",
-                   tdata_bits, shape.input_width),
-       fmt::format("  {}.", fmt::join(design.inputs, ", ")),
-       fmt::format("s_axis_tuser, m_axis_tuser, {} bits a lane: the tag.", shape.tag_bits),
-       "m_axis_tdata, 8 bits a lane: {4'b0, undecided, recomputed, verdict[1:0]};",
-       "  verdict: 0 less, 1 equal, 2 greater, 3 unordered."}};
-  if (shape.refetches()) {
-    top.facts.push_back("m_refetch_tdata, s_refetch_tdata, a field a reference: a tag out, in the");
-    top.facts.push_back("  order of the tags the operands of each back in.");
+/// One kind of each is told in a sentence, several in a line each.
+std::vector<std::string> count_facts(const Design& design, const SystemShape& shape) {
+  const std::string reference = design.reference.arithmetic.format.name();
+  if (design.lanes.size() == 1 && design.references.size() <= 1) {
+    return {fmt::format("{}: p_L = {} in {}, p_H = {} in {}.", shape.top, shape.lanes,
+                        design.lanes.front().lane.graph.arithmetic.format.name(), shape.references,
+                        reference)};
   }
-  if (shape.counter_bits > 0) {
-    top.facts.push_back("comparisons, recomputations, stalls: counts since reset, they wrap.");
-  }
-  top.facts.push_back(
-      fmt::format("Initiation interval 1 a lane, latency {} cycles and up. Reset: aresetn, "
-                  "synchronous, active low.",
-                  shape.lane_latency_cycles + shape.channel_latency_cycles()));
-  return top;
+  std::vector<std::string> facts = {fmt::format("{}: p_L = {}, p_H = {} in {}.", shape.top,
+                                                shape.lanes, shape.references, reference)};
+  const auto tell = [&facts](const char* what, const std::vector<DatapathGroup>& groups) {
+    for (const DatapathGroup& group : groups) {
+      facts.push_back(fmt::format("{} {} to {}: {}, {} cycles.", what, group.first,
+                                  group.first + group.count - 1, group.channel,
+                                  group.latency_cycles));
+    }
+  };
+  tell("Lanes", shape.lane_groups);
+  tell("References", shape.reference_groups);
+  return facts;
 }
 
-std::vector<Described> describe_modules(const Design& design, const SystemShape& shape,
-                                        const Schedule& lane, const Schedule& reference) {
-  std::vector<Described> modules = {describe_lane(design, shape, lane),
-                                    describe_lane_channel(shape)};
-  if (shape.recomputes()) {
-    modules.push_back(describe_reference(design, shape, reference));
-    modules.push_back(describe_reference_channel(shape));
+int shortest_latency_cycles(const SystemShape& shape) {
+  const auto shortest = std::min_element(shape.lane_groups.begin(), shape.lane_groups.end(),
+                                         [](const DatapathGroup& a, const DatapathGroup& b) {
+                                           return a.latency_cycles < b.latency_cycles;
+                                         });
+  return shortest->latency_cycles + shape.channel_latency_cycles();
+}
+
+Described describe_top(const Design& design, const SystemShape& shape) {
+  const int tdata_bits = shape.tdata_bytes() * 8;
+  std::vector<std::string> facts = count_facts(design, shape);
+  const auto tell = [&facts](std::string fact) { facts.push_back(std::move(fact)); };
+  tell("Every per-lane port is a vector of one field a lane, lane 0 in the lowest bits.");
+  tell(fmt::format("s_axis_tdata, {} bits a lane, operands {} bits each, the first lowest:",
+                   tdata_bits, shape.input_width));
+  tell(fmt::format("  {}.", fmt::join(design.inputs, ", ")));
+  tell(fmt::format("s_axis_tuser, m_axis_tuser, {} bits a lane: the tag.", shape.tag_bits));
+  tell("m_axis_tdata, 8 bits a lane: {4'b0, undecided, recomputed, verdict[1:0]};");
+  tell("  verdict: 0 less, 1 equal, 2 greater, 3 unordered.");
+  if (shape.refetches()) {
+    tell("m_refetch_tdata, s_refetch_tdata, a field a reference: a tag out, in the");
+    tell("  order of the tags the operands of each back in.");
+  }
+  if (shape.counter_bits > 0) {
+    tell("comparisons, recomputations, stalls: counts since reset, they wrap.");
+  }
+  tell(
+      fmt::format("Initiation interval 1 a lane, latency {} cycles and up. Reset: aresetn, "
+                  "synchronous, active low.",
+                  shortest_latency_cycles(shape)));
+  return {top_module(shape), std::move(facts)};
+}
+
+/// Every module once, the top last; groups of the same hardware share theirs.
+std::vector<Described> describe_modules(const Design& design, const SystemPlan& plan) {
+  const SystemShape& shape = plan.shape;
+  std::vector<Described> modules;
+  std::set<std::string> written;
+  for (std::size_t k = 0; k < shape.lane_groups.size(); ++k) {
+    const DatapathGroup& group = shape.lane_groups[k];
+    if (!written.insert(group.datapath).second) continue;
+    modules.push_back(describe_lane(design, group.datapath, design.lanes[k], plan.lanes[k]));
+    modules.push_back(describe_lane_channel(shape, group));
+  }
+  for (std::size_t k = 0; k < shape.reference_groups.size(); ++k) {
+    const DatapathGroup& group = shape.reference_groups[k];
+    if (!written.insert(group.datapath).second) continue;
+    modules.push_back(describe_reference(design, group.datapath, plan.references[k]));
+    modules.push_back(describe_reference_channel(shape, group));
   }
   modules.push_back(describe_top(design, shape));
   return modules;
+}
+
+/// Stages that the delay table cannot bring under the period, each with where it is.
+std::vector<std::string> slow_stages(const SystemPlan& plan) {
+  std::vector<std::string> notes;
+  const auto tell = [&notes](const std::string& what, const std::vector<DatapathGroup>& groups,
+                             const std::vector<Schedule>& schedules) {
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+      const std::string& where = groups.size() == 1 ? what : groups[k].datapath;
+      for (const std::string& stage : schedules[k].slow_stages) {
+        notes.push_back(fmt::format("{}: {}", where, stage));
+      }
+    }
+  };
+  tell("lane", plan.shape.lane_groups, plan.lanes);
+  tell("reference", plan.shape.reference_groups, plan.references);
+  return notes;
 }
 
 std::vector<SignaturePort> signature_ports(const Module& top) {
@@ -229,13 +272,8 @@ GeneratedFile constraint_file(const Signature& signature) {
 }  // namespace
 
 Result<GeneratedSystem> generate_system(const Design& design, const std::string& command) {
-  MIXCMP_TRY(delays, delays_of(design.system.device));
-  const double target_mhz = design.system.target_mhz;
-  const Schedule lane = schedule_lane(design.lane, design.lane_multipliers, delays, target_mhz);
-  const Schedule reference =
-      schedule_reference(design.reference, design.reference_multipliers, delays, target_mhz);
-  const SystemShape shape = shape_of(design, lane, reference);
-  std::vector<Described> modules = describe_modules(design, shape, lane, reference);
+  MIXCMP_TRY(plan, plan_system(design));
+  std::vector<Described> modules = describe_modules(design, plan);
 
   std::set<std::string> instantiated;
   for (const Described& described : modules) {
@@ -243,7 +281,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   }
   const std::vector<std::string> templates = template_closure(instantiated);
 
-  GeneratedSystem system = {signature_of(design, shape), {}, {}};
+  GeneratedSystem system = {signature_of(design, plan.shape), {}, slow_stages(plan)};
   system.signature.spec_hash = spec_hash(modules, templates);
   system.signature.ports = signature_ports(modules.back().module);
   for (const std::string& name : templates) system.files.push_back(template_file(name));
@@ -254,14 +292,9 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
 
   std::string list;
   for (const std::string& file : system.signature.files) list += file + "\n";
-  system.files.push_back({shape.top + ".f", list});
+  system.files.push_back({plan.shape.top + ".f", list});
   system.files.push_back(constraint_file(system.signature));
-  system.files.push_back({shape.top + ".json", to_json(system.signature)});
-  for (const std::string& stage : lane.slow_stages) system.notes.push_back("lane: " + stage);
-  if (!shape.recomputes()) return system;
-  for (const std::string& stage : reference.slow_stages) {
-    system.notes.push_back("reference: " + stage);
-  }
+  system.files.push_back({plan.shape.top + ".json", to_json(system.signature)});
   return system;
 }
 

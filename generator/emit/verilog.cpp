@@ -119,9 +119,27 @@ std::string print_items(const std::vector<Item>& items, const std::string& inden
 
 std::string print(const ForGenerate& loop, const std::string& indent) {
   return fmt::format(
-      "{0}genvar {1};\n{0}generate\n"
-      "{0}  for ({1} = 0; {1} < {2}; {1} = {1} + 1) begin : {3}\n{4}{0}  end\n{0}endgenerate\n",
-      indent, loop.variable, loop.count, loop.label, print_items(loop.items, indent + "    "));
+      "{0}generate\n"
+      "{0}  for ({1} = {2}; {1} < {3}; {1} = {1} + 1) begin : {4}\n{5}{0}  end\n{0}endgenerate\n",
+      indent, loop.variable, loop.first, loop.first + loop.count, loop.label,
+      print_items(loop.items, indent + "    "));
+}
+
+const ForGenerate* as_loop(const Item& item) {
+  const auto* loop = std::get_if<std::shared_ptr<const ForGenerate>>(&item);
+  return loop == nullptr ? nullptr : loop->get();
+}
+
+/// The first loop over a variable declares it.
+std::string declaration(const std::vector<Item>& items, std::size_t k, const std::string& indent) {
+  const ForGenerate* loop = as_loop(items[k]);
+  if (loop == nullptr) return "";
+  const bool declared =
+      std::any_of(items.begin(), items.begin() + static_cast<long>(k), [&](const Item& earlier) {
+        const ForGenerate* other = as_loop(earlier);
+        return other != nullptr && other->variable == loop->variable;
+      });
+  return declared ? "" : fmt::format("{}genvar {};\n", indent, loop->variable);
 }
 
 std::string print(const Item& item, std::size_t range_width, const std::string& indent) {
@@ -133,9 +151,7 @@ std::string print(const Item& item, std::size_t range_width, const std::string& 
             return fmt::format("{}assign {} = {};\n", indent, print(a.target), print(a.value));
           },
           [&](const Instance& i) { return "\n" + print(i, indent); },
-          [&](const std::shared_ptr<const ForGenerate>& loop) {
-            return "\n" + print(*loop, indent);
-          },
+          [&](const std::shared_ptr<const ForGenerate>& loop) { return print(*loop, indent); },
       },
       item);
 }
@@ -164,7 +180,8 @@ std::string print_items(const std::vector<Item>& items, const std::string& inden
   for (std::size_t k = 0; k < items.size(); ++k) {
     const bool run_goes_on = k > 0 && std::holds_alternative<Wire>(items[k - 1]);
     if (!run_goes_on) range_width = range_width_of_run(items, k);
-    const std::string printed = print(items[k], range_width, indent);
+    std::string printed = print(items[k], range_width, indent);
+    if (as_loop(items[k]) != nullptr) printed = "\n" + declaration(items, k, indent) + printed;
     const bool has_gap = printed.starts_with('\n');
     const bool first_in_loop = k == 0 && indent.size() > 2;
     if (!has_gap && k > 0 && is_block(items[k - 1])) text += '\n';

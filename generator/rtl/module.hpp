@@ -109,9 +109,10 @@ struct Instance {
 struct ForGenerate;
 using Item = std::variant<Comment, Wire, Assignment, Instance, std::shared_ptr<const ForGenerate>>;
 
-/// The items once for each value 0..count-1 of `variable`.
+/// The items once for each of `count` values of `variable`, from `first` on.
 struct ForGenerate {
   std::string variable;
+  int first;
   int count;
   std::string label;
   std::vector<Item> items;

@@ -204,7 +204,15 @@ void consume_padding(const SystemShape& shape, std::vector<Item>& items, const s
            all_bits(concatenation({literal(1, 0), slice(word, top, top - padding + 1)}))});
 }
 
-Item lane_loop(const SystemShape& shape) {
+/// The group's channels, one for each value of `variable`, beside `items`.
+Item channel_loop(const std::string& variable, const DatapathGroup& group, std::vector<Item> items,
+                  std::vector<Connection> connections) {
+  items.push_back(Instance{group.channel, "channel", {}, std::move(connections)});
+  return std::make_shared<const ForGenerate>(
+      ForGenerate{variable, group.first, group.count, group.label, std::move(items)});
+}
+
+Item lane_loop(const SystemShape& shape, const DatapathGroup& group) {
   std::vector<Item> items;
   const int tdata_bits = shape.tdata_bytes() * 8;
   items.push_back(Wire{tdata_bits, "tdata", indexed("s_axis_tdata", "lane", tdata_bits)});
@@ -229,12 +237,10 @@ Item lane_loop(const SystemShape& shape) {
   if (shape.counter_bits > 0) {
     for (const std::string& counter : counters) connect(counter, counter, shape.counter_bits);
   }
-  items.push_back(Instance{shape.lane_channel, "channel", {}, std::move(connections)});
-  return std::make_shared<const ForGenerate>(
-      ForGenerate{"lane", shape.lanes, "lanes", std::move(items)});
+  return channel_loop("lane", group, std::move(items), std::move(connections));
 }
 
-Item reference_loop(const SystemShape& shape) {
+Item reference_loop(const SystemShape& shape, const DatapathGroup& group) {
   std::vector<Item> items;
   std::vector<Connection> connections = clock_and_reset();
   const auto connect = [&](const std::string& port, const std::string& name, int width) {
@@ -255,9 +261,7 @@ Item reference_loop(const SystemShape& shape) {
     connect("s_refetch_tready", "s_refetch_tready", 1);
     connections.push_back({"s_refetch_tdata", slice("refetched", shape.operand_bits() - 1, 0)});
   }
-  items.push_back(Instance{shape.reference_channel, "channel", {}, std::move(connections)});
-  return std::make_shared<const ForGenerate>(
-      ForGenerate{"reference", shape.references, "references", std::move(items)});
+  return channel_loop("reference", group, std::move(items), std::move(connections));
 }
 
 /// The crossbar faces both sides: what a channel sends, it receives.
@@ -291,13 +295,13 @@ int SystemShape::channel_latency_cycles() const {
   return merges ? 5 : 4;
 }
 
-TemplateInstance tracker_template(const SystemShape& shape) {
+TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cycles) {
   const bool in_order = shape.order == model::ResultOrder::in_order;
   return {in_order ? "lane_reorder" : "lane_scoreboard",
           {{"OPERAND_BITS", shape.operand_bits()},
            {"TAG_BITS", shape.tag_bits},
            {"SLOT_BITS", shape.slot_bits},
-           {"LANE_LATENCY", shape.lane_latency_cycles},
+           {"LANE_LATENCY", lane_latency_cycles},
            {"COUNTER_BITS", shape.counter_bits},
            {"RECOMPUTE", shape.recomputes() ? 1 : 0},
            {"CARRIED", shape.operands == model::OperandStore::carried ? 1 : 0}}};
@@ -312,8 +316,8 @@ TemplateInstance crossbar_template(const SystemShape& shape) {
            {"PAYLOAD_BITS", shape.payload_bits()}}};
 }
 
-Module lane_channel_module(const SystemShape& shape) {
-  Module module = {shape.lane_channel, {}, lane_channel_ports(shape), {}};
+Module lane_channel_module(const SystemShape& shape, const DatapathGroup& group) {
+  Module module = {group.channel, {}, lane_channel_ports(shape), {}};
   std::vector<Item>& items = module.items;
   items.push_back(Wire{shape.operand_bits(), "lane_operands", nullptr});
   items.push_back(Wire{verdict_bits, "lane_verdict", nullptr});
@@ -323,21 +327,21 @@ Module lane_channel_module(const SystemShape& shape) {
   append_operands(lane, shape, "lane_operands");
   lane.push_back({"verdict", net("lane_verdict")});
   lane.push_back({"decided", net("lane_decided")});
-  items.push_back(Instance{shape.lane, "lane", {}, std::move(lane)});
+  items.push_back(Instance{group.datapath, "lane", {}, std::move(lane)});
 
   std::vector<Connection> tracker = clock_and_reset();
   append(tracker, {"s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
                    "lane_operands", "lane_verdict", "lane_decided"});
   tie_off(shape, items, tracker);
   append(tracker, {"m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser"});
-  TemplateInstance tracking = tracker_template(shape);
+  TemplateInstance tracking = tracker_template(shape, group.latency_cycles);
   items.push_back(
       Instance{tracking.module, "tracker", std::move(tracking.parameters), std::move(tracker)});
   return module;
 }
 
-Module reference_channel_module(const SystemShape& shape) {
-  Module module = {shape.reference_channel, {}, {}, {}};
+Module reference_channel_module(const SystemShape& shape, const DatapathGroup& group) {
+  Module module = {group.channel, {}, {}, {}};
   add_input(module.ports, 1, "aclk");
   add_input(module.ports, 1, "aresetn");
   for (const Bundle& bundle : reference_bundles(shape)) {
@@ -353,7 +357,7 @@ Module reference_channel_module(const SystemShape& shape) {
   std::vector<Connection> reference = {same("aclk")};
   append_operands(reference, shape, "reference_operands");
   reference.push_back({"verdict", net("reference_verdict")});
-  items.push_back(Instance{shape.reference, "reference", {}, std::move(reference)});
+  items.push_back(Instance{group.datapath, "reference", {}, std::move(reference)});
 
   std::vector<Connection> port = clock_and_reset();
   for (const Bundle& bundle : reference_bundles(shape)) port.push_back(same(bundle.port));
@@ -365,7 +369,7 @@ Module reference_channel_module(const SystemShape& shape) {
                             {"TAG_BITS", shape.tag_bits},
                             {"LANE_BITS", shape.lane_bits()},
                             {"SLOT_BITS", shape.slot_bits},
-                            {"REFERENCE_LATENCY", shape.reference_latency_cycles},
+                            {"REFERENCE_LATENCY", group.latency_cycles},
                             {"CARRIED", shape.refetches() ? 0 : 1},
                             {"OUTSTANDING_BITS", outstanding_bits}},
                            std::move(port)});
@@ -374,17 +378,23 @@ Module reference_channel_module(const SystemShape& shape) {
 
 Module top_module(const SystemShape& shape) {
   Module module = {shape.top, {}, top_ports(shape), {}};
+  std::vector<Item>& items = module.items;
+  const auto add_lanes = [&] {
+    for (const DatapathGroup& group : shape.lane_groups) items.push_back(lane_loop(shape, group));
+  };
   if (!shape.recomputes()) {
-    module.items.push_back(lane_loop(shape));
+    add_lanes();
     return module;
   }
-  module.items.push_back(Comment{"Undecided comparisons from the lanes, verdicts back to them."});
-  declare(module.items, lane_bundles(shape), "lane", shape.lanes);
-  module.items.push_back(Comment{"The same at the references, with the number of the lane."});
-  declare(module.items, reference_bundles(shape), "reference", shape.references);
-  module.items.push_back(lane_loop(shape));
-  module.items.push_back(crossbar(shape));
-  module.items.push_back(reference_loop(shape));
+  items.push_back(Comment{"Undecided comparisons from the lanes, verdicts back to them."});
+  declare(items, lane_bundles(shape), "lane", shape.lanes);
+  items.push_back(Comment{"The same at the references, with the number of the lane."});
+  declare(items, reference_bundles(shape), "reference", shape.references);
+  add_lanes();
+  items.push_back(crossbar(shape));
+  for (const DatapathGroup& group : shape.reference_groups) {
+    items.push_back(reference_loop(shape, group));
+  }
   return module;
 }
 

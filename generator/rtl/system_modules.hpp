@@ -8,22 +8,28 @@
 
 namespace mixcmp::gen {
 
+/// Lanes or references of one kind.
+struct DatapathGroup {
+  std::string datapath;  ///< the module's name
+  std::string channel;   ///< the same with its streams
+  std::string label;     ///< of the loop that instantiates the channels
+  int latency_cycles = 0;
+  int first = 0;  ///< the number of its first
+  int count = 0;
+};
+
 /// Names and widths that the modules around the datapaths agree on.
 struct SystemShape {
   std::string top;
-  std::string lane_channel;
-  std::string lane;
-  std::string reference_channel;
-  std::string reference;
-  std::vector<std::string> input_ports;  ///< of the datapaths, in packing order
-  int input_width = 0;                   ///< bits of one operand
-  int lanes = 0;                         ///< p_L
-  int references = 0;                    ///< p_H
+  std::vector<DatapathGroup> lane_groups;
+  std::vector<DatapathGroup> reference_groups;  ///< none where p_H = 0
+  std::vector<std::string> input_ports;         ///< of the datapaths, in packing order
+  int input_width = 0;                          ///< bits of one operand
+  int lanes = 0;                                ///< p_L
+  int references = 0;                           ///< p_H
   int tag_bits = 0;
   int slot_bits = 0;
   int counter_bits = 0;
-  int lane_latency_cycles = 0;
-  int reference_latency_cycles = 0;
   model::ResultOrder order = model::ResultOrder::tagged;
   model::OperandStore operands = model::OperandStore::carried;
 
@@ -45,17 +51,17 @@ struct TemplateInstance {
   std::string module;
   std::vector<rtl::Parameter> parameters;
 };
-/// The scoreboard or reorder buffer around one lane.
-TemplateInstance tracker_template(const SystemShape& shape);
+/// The scoreboard or reorder buffer around one lane of that latency.
+TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cycles);
 /// Between all lanes and all references.
 TemplateInstance crossbar_template(const SystemShape& shape);
 
 /// A lane with its scoreboard or reorder buffer: one stream of comparisons in, one of results out,
 /// requests for recomputation out, answers in.
-rtl::Module lane_channel_module(const SystemShape& shape);
+rtl::Module lane_channel_module(const SystemShape& shape, const DatapathGroup& lane);
 
 /// A reference datapath with the port that feeds it. Only where shape.recomputes().
-rtl::Module reference_channel_module(const SystemShape& shape);
+rtl::Module reference_channel_module(const SystemShape& shape, const DatapathGroup& reference);
 
 /// The whole system: lanes, crossbar, references.
 rtl::Module top_module(const SystemShape& shape);

@@ -16,15 +16,18 @@ namespace {
 /// Comparisons measured for the paper's constants.
 constexpr std::uint64_t profile_samples = 100'000;
 
-Error unresolved(const std::string& field, const std::string& option, const std::string& accepted) {
+Error unresolved(const Scene& scene, const std::string& field, const std::string& option,
+                 const std::string& accepted) {
   return {.field = field,
-          .message = fmt::format("is not chosen yet; give it in the scene or by {}", option),
+          .message = fmt::format("is not chosen yet; give it in the scene or by {}, or let `mixcmp "
+                                 "optimise {} -o plan.toml` choose",
+                                 option, scene.path.filename().string()),
           .received = "\"auto\"",
           .accepted = accepted};
 }
 
-Result<Lane> design_profiled_lane(const Scene& scene, TypedGraph graph, const Comparisons* data) {
-  const ReducedSpec& reduced = scene.reduced;
+Result<Lane> design_profiled_lane(const Scene& scene, const ReducedSpec& reduced, TypedGraph graph,
+                                  const Comparisons* data) {
   if (reduced.relative_error_f && reduced.relative_error_g) {
     return profiled_lane(std::move(graph), *reduced.relative_error_f, *reduced.relative_error_g);
   }
@@ -70,10 +73,10 @@ bool can_decide(const Lane& lane) {
                     lane.decision);
 }
 
-Result<Lane> design_certified_lane(const Scene& scene, TypedGraph graph) {
-  const CertifiedOptions options{.kind = scene.reduced.error_bound,
-                                 .bound_digits = scene.reduced.bound_digits,
-                                 .ranges = scene.ranges};
+Result<Lane> design_certified_lane(const Scene& scene, const ReducedSpec& reduced,
+                                   TypedGraph graph) {
+  const CertifiedOptions options{
+      .kind = reduced.error_bound, .bound_digits = reduced.bound_digits, .ranges = scene.ranges};
   MIXCMP_TRY(lane, certified_lane(std::move(graph), options));
   if (can_decide(lane)) return lane;
   return Error{.field = "reduced.format",
@@ -84,34 +87,95 @@ Result<Lane> design_certified_lane(const Scene& scene, TypedGraph graph) {
                .accepted = "more precision"};
 }
 
-Result<Lane> design_lane(const Scene& scene, const Comparisons* data) {
-  const ReducedSpec& reduced = scene.reduced;
-  if (!reduced.format) return unresolved("reduced.format", "--format s17e8", "sPeE, such as s17e8");
-  const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
-  TypedGraph graph = lane_graph(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
-  switch (reduced.bound) {
-    case BoundKind::certified: return design_certified_lane(scene, std::move(graph));
-    case BoundKind::profiled: return design_profiled_lane(scene, std::move(graph), data);
+/// Where the scene's own text is at fault: the group, by its line.
+Error placed(Error error, const LaneGroupSpec& group) {
+  constexpr std::string_view section = "reduced.";
+  if (error.file.empty()) {
+    error.file = group.place.file;
+    error.line = group.place.line;
   }
-  MIXCMP_CHECK(false);
+  const bool in_list = group.place.line > 0;
+  if (in_list && error.field.starts_with(section)) {
+    error.field = "lanes." + error.field.substr(section.size());
+  }
+  return error;
+}
+
+Result<LaneGroup> design_group(const Scene& scene, const LaneGroupSpec& group,
+                               const Comparisons* data) {
+  const Result<Lane> lane = design_lane(scene, group.reduced, data);
+  if (!lane.ok()) return placed(lane.error(), group);
+  if (!group.count) {
+    return unresolved(scene, "system.lanes", "--lanes 8", fmt::format("1..{}", max_lanes));
+  }
+  return LaneGroup{.lane = *lane,
+                   .inputs = group.reduced.inputs,
+                   .multipliers = group.reduced.multipliers,
+                   .count = *group.count};
 }
 
 Result<Design> choose(const Scene& scene, const Comparisons* data) {
-  MIXCMP_TRY(lane, design_lane(scene, data));
-  if (!scene.system.lanes) return unresolved("system.lanes", "--lanes 8", "1..128");
-  if (!scene.system.references) return unresolved("system.references", "--references 1", "0..16");
-  return Design{.name = scene.name,
+  Design design{.name = scene.name,
                 .inputs = scene.graph.inputs(),
-                .lane = std::move(lane),
-                .lane_multipliers = scene.reduced.multipliers,
+                .lanes = {},
                 .reference = reference_graph(scene.graph, scene.reference),
-                .reference_multipliers = scene.reference_multipliers,
-                .lanes = *scene.system.lanes,
-                .references = *scene.system.references,
+                .references = {},
                 .system = scene.system};
+  for (const LaneGroupSpec& spec : scene.lane_groups()) {
+    MIXCMP_TRY(group, design_group(scene, spec, data));
+    design.lanes.push_back(std::move(group));
+  }
+  for (const ReferenceGroupSpec& spec : scene.reference_groups()) {
+    if (!spec.count) {
+      return unresolved(scene, "system.references", "--references 1",
+                        fmt::format("0..{}", max_references));
+    }
+    if (*spec.count == 0) continue;
+    design.references.push_back({.multipliers = spec.multipliers, .count = *spec.count});
+  }
+  return design;
+}
+
+template <class Groups>
+int total(const Groups& groups) {
+  int count = 0;
+  for (const auto& group : groups) count += group.count;
+  return count;
 }
 
 }  // namespace
+
+int Design::lane_count() const {
+  return total(lanes);
+}
+
+int Design::reference_count() const {
+  return total(references);
+}
+
+std::size_t Design::group_of_lane(int lane) const {
+  std::size_t group = 0;
+  while (lane >= lanes[group].count) lane -= lanes[group++].count;
+  return group;
+}
+
+bool Design::certified() const {
+  return std::all_of(lanes.begin(), lanes.end(),
+                     [](const LaneGroup& group) { return group.lane.certified(); });
+}
+
+Result<Lane> design_lane(const Scene& scene, const ReducedSpec& reduced, const Comparisons* data) {
+  if (!reduced.format) {
+    return unresolved(scene, "reduced.format", "--format s17e8", "sPeE, such as s17e8");
+  }
+  const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
+  TypedGraph graph = lane_graph(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
+  switch (reduced.bound) {
+    case BoundKind::certified: return design_certified_lane(scene, reduced, std::move(graph));
+    case BoundKind::profiled: return design_profiled_lane(scene, reduced, std::move(graph), data);
+  }
+  MIXCMP_CHECK(false);
+}
 
 Result<Design> make_design(const Scene& scene, const Comparisons* data) {
   Result<Design> design = choose(scene, data);

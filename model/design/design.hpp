@@ -6,21 +6,47 @@
 
 namespace mixcmp::model {
 
-/// A scene with every choice made: what is built, and what the golden model evaluates.
+/// Lanes of one kind.
+struct LaneGroup {
+  Lane lane;
+  LaneInputs inputs = LaneInputs::exact;
+  Multipliers multipliers = Multipliers::embedded;
+  int count = 1;
+};
+
+/// References of one kind: all compute the same, in the same format.
+struct ReferenceGroup {
+  Multipliers multipliers = Multipliers::embedded;
+  int count = 1;
+};
+
+/// A scene with every choice made: what is built, and what the golden model evaluates. Lanes and
+/// references are numbered through their groups, in order.
 struct Design {
   std::string name;
   std::vector<std::string> inputs;  ///< in the order they are packed
-  Lane lane;
-  Multipliers lane_multipliers = Multipliers::embedded;
+  std::vector<LaneGroup> lanes;     ///< at least one
   TypedGraph reference;
-  Multipliers reference_multipliers = Multipliers::embedded;
-  int lanes = 1;       ///< p_L
-  int references = 1;  ///< p_H
+  std::vector<ReferenceGroup> references;  ///< none: p_H = 0
   SystemSpec system;
+
+  int lane_count() const;       ///< p_L
+  int reference_count() const;  ///< p_H
+  /// The group that lane number `lane` belongs to, as an index of `lanes`.
+  std::size_t group_of_lane(int lane) const;
+  bool certified() const;  ///< every lane's decision is
 };
 
 /// Resolves the scene's choices. `data` is needed only where profiled constants must be measured;
 /// an "auto" that nothing has resolved is an error that names the option to give.
 Result<Design> make_design(const Scene& scene, const Comparisons* data);
+
+/// One lane of a scene, as `reduced` wants it.
+Result<Lane> design_lane(const Scene& scene, const ReducedSpec& reduced, const Comparisons* data);
+
+/// A short name for each group: the format, "s12e8"; where groups share one, with what tells them
+/// apart, "s12e8_rounded_logic". Groups have the same name only where nothing here does.
+std::vector<std::string> lane_group_names(const Design& design);
+std::vector<std::string> reference_group_names(const Design& design);
 
 }  // namespace mixcmp::model

@@ -21,13 +21,13 @@ struct InputDeclaration {
   std::optional<mpq_class> grid;
 };
 
-Result<InputDeclaration> read_input(const Settings& settings, const Setting& entry) {
+Result<InputDeclaration> read_input(const Setting& entry) {
   const std::string field = "inputs." + entry.key;
   const std::string accepted = "{ range = [low, high] }, low <= high, and a grid beside it";
   if (!std::holds_alternative<Setting::Table>(entry.value)) {
-    return mistake_at(settings, entry, field, "wrong type", entry.shown(), accepted);
+    return mistake_at(entry, field, "wrong type", entry.shown(), accepted);
   }
-  Section section(settings, field, entry);
+  Section section(field, entry);
   section.require("range");
   const Setting* range = section.find("range");
   std::optional<mpq_class> grid;
@@ -53,8 +53,7 @@ Result<InputDeclaration> read_input(const Settings& settings, const Setting& ent
 }
 
 /// The entry that declares `input`, if any.
-Result<const Setting*> entry_for(const Settings& settings, std::span<const Setting> entries,
-                                 const std::string& input) {
+Result<const Setting*> entry_for(std::span<const Setting> entries, const std::string& input) {
   const Setting* pattern = nullptr;
   for (const Setting& entry : entries) {
     if (entry.key == input) return &entry;
@@ -62,7 +61,7 @@ Result<const Setting*> entry_for(const Settings& settings, std::span<const Setti
   for (const Setting& entry : entries) {
     if (!is_pattern(entry.key) || !matches(entry.key, input)) continue;
     if (pattern != nullptr) {
-      return mistake_at(settings, entry, "inputs." + entry.key,
+      return mistake_at(entry, "inputs." + entry.key,
                         fmt::format("two patterns match the input {}", input),
                         fmt::format("\"{}\" and \"{}\"", pattern->key, entry.key),
                         fmt::format("one pattern, or the exact key {}", input));
@@ -100,17 +99,17 @@ Result<InputDeclarations> read_inputs(const Settings& settings,
   for (const Setting& entry : section.entries()) {
     const auto match = [&](const std::string& input) { return matches(entry.key, input); };
     if (std::none_of(inputs.begin(), inputs.end(), match)) {
-      return mistake_at(settings, entry, "inputs." + entry.key, "matches no input of f and g",
+      return mistake_at(entry, "inputs." + entry.key, "matches no input of f and g",
                         fmt::format("\"{}\"", entry.key), list_with_nearest(entry.key, inputs));
     }
   }
   InputDeclarations declared;
   for (const std::string& input : inputs) {
-    MIXCMP_TRY(entry, entry_for(settings, section.entries(), input));
+    MIXCMP_TRY(entry, entry_for(section.entries(), input));
     declared.ranges.emplace_back();
     declared.grids.emplace_back();
     if (entry == nullptr) continue;
-    MIXCMP_TRY(declaration, read_input(settings, *entry));
+    MIXCMP_TRY(declaration, read_input(*entry));
     declared.ranges.back() = declaration.range;
     declared.grids.back() = declaration.grid;
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/error/certified_lane.hpp"
@@ -59,10 +60,33 @@ struct ReducedSpec {
   std::optional<mpq_class> relative_error_g;
 };
 
+inline constexpr int max_lanes = 512;      ///< p_L
+inline constexpr int max_references = 16;  ///< p_H
+
+/// Where something stands that was read: of the scene's file or of a plan's.
+struct Place {
+  std::string file;
+  int line = 0;
+};
+
+/// Lanes of one kind.
+struct LaneGroupSpec {
+  std::optional<int> count;  ///< none: "auto"
+  ReducedSpec reduced;
+  Place place;
+};
+
+/// References of one kind; all have the scene's reference format.
+struct ReferenceGroupSpec {
+  std::optional<int> count;  ///< none: "auto"
+  Multipliers multipliers = Multipliers::embedded;
+};
+
 struct SystemSpec {
   std::string device = "virtex6-lx760";
-  std::optional<int> lanes;       ///< p_L 1..128; none: "auto"
-  std::optional<int> references;  ///< p_H 0..16; none: "auto"; 0: undecided ones are reported so
+  std::optional<int> lanes;       ///< p_L without [[lanes]]; none: "auto"
+  std::optional<int> references;  ///< p_H without [[references]]; none: "auto"; 0: undecided ones
+                                  ///< are reported so
   double slack = 0.2;             ///< R_S
   double target_mhz = 200;
   ResultOrder order = ResultOrder::tagged;
@@ -83,7 +107,13 @@ struct DataSpec {
   int line = 0;  ///< of [data] in the scene, for errors found when it is read
 };
 
-/// One validated scene file. docs/scene_file.md is the user's view of it.
+/// What a plan says of itself, each value as it is shown; nothing is made of it.
+struct PlanReport {
+  std::filesystem::path path;
+  std::vector<std::pair<std::string, std::string>> values;
+};
+
+/// One validated scene file, or a plan laid over one. docs/scene_file.md is the user's view of it.
 struct Scene {
   std::filesystem::path path;
   std::string name;
@@ -95,17 +125,29 @@ struct Scene {
   Arithmetic reference;                         ///< rounds to nearest even
   Multipliers reference_multipliers = Multipliers::embedded;
   ReducedSpec reduced;
+  std::vector<LaneGroupSpec> lanes;            ///< [[lanes]]; empty: system.lanes of `reduced`
+  std::vector<ReferenceGroupSpec> references;  ///< [[references]]; empty: system.references
   SystemSpec system;
   std::optional<DataSpec> data;
+  std::optional<PlanReport> plan;  ///< where the scene was read through one
   /// For the user's eye: inexact constants, unused ranges, ...
   std::vector<std::string> notes;
 
   /// Excludes negative values by its declared range.
   std::vector<bool> nonnegative_inputs() const;
+
+  /// Groups as [[lanes]] has them, or the one that [reduced] and system.lanes stand for.
+  std::vector<LaneGroupSpec> lane_groups() const;
+  /// Likewise; one of 0 references where p_H = 0.
+  std::vector<ReferenceGroupSpec> reference_groups() const;
+  /// The scene with one group of lanes, of [reduced], and one of references: what measures a single
+  /// datapath starts from it.
+  Scene with_one_kind() const;
 };
 
-/// Reads a scene. `overrides` are "section.key=value" settings with TOML values (a bare word counts
-/// as a string), applied before validation; errors in them name "--set" instead of a line.
+/// Reads a scene, or a plan with its scene. `overrides` are "section.key=value" settings with TOML
+/// values (a bare word counts as a string), applied before validation; errors in them name "--set"
+/// instead of a line.
 Result<Scene> load_scene(const std::filesystem::path& path, std::span<const std::string> overrides);
 
 }  // namespace mixcmp::model

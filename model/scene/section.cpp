@@ -11,9 +11,13 @@
 
 namespace mixcmp::model {
 
-Error mistake_at(const Settings& settings, const Setting& setting, std::string field,
-                 std::string message, std::string received, std::string accepted) {
-  return {.file = setting.line > 0 ? settings.path.string() : "--set",
+std::string file_of(const Setting& setting) {
+  return setting.file ? setting.file->path.string() : "--set";
+}
+
+Error mistake_at(const Setting& setting, std::string field, std::string message,
+                 std::string received, std::string accepted) {
+  return {.file = file_of(setting),
           .line = setting.line,
           .field = std::move(field),
           .message = std::move(message),
@@ -35,23 +39,20 @@ std::optional<mpq_class> exact_value(const Setting& setting) {
 }
 
 Section::Section(const Settings& settings, std::string name)
-    : settings_(settings), name_(std::move(name)) {
+    : name_(std::move(name)), file_(settings.path.string()) {
   const Setting* section = settings.root.find(name_);
   if (section == nullptr) return;
-  line_ = section->line;
-  overridden_ = line_ == 0;
-  table_ = std::get_if<Setting::Table>(&section->value);
+  *this = Section(std::move(name_), *section);
   if (table_ != nullptr) return;
-  error_ = mistake_at(settings, *section, name_, "not a section", section->shown(),
+  error_ = mistake_at(*section, name_, "not a section", section->shown(),
                       fmt::format("a table [{}]", name_));
 }
 
-Section::Section(const Settings& settings, std::string name, const Setting& table)
-    : settings_(settings),
-      name_(std::move(name)),
+Section::Section(std::string name, const Setting& table)
+    : name_(std::move(name)),
       table_(std::get_if<Setting::Table>(&table.value)),
-      line_(table.line),
-      overridden_(table.line == 0) {}
+      file_(file_of(table)),
+      line_(table.line) {}
 
 const Setting* Section::find(const std::string& key) {
   known_keys_.push_back(key);
@@ -68,10 +69,10 @@ Error Section::mistake(const std::string& key, std::string message, std::string 
   const std::string field = key.empty() ? name_ : fmt::format("{}.{}", name_, key);
   const Setting* setting = table_ == nullptr ? nullptr : table_->find(key);
   if (setting != nullptr) {
-    return mistake_at(settings_, *setting, field, std::move(message), std::move(received),
+    return mistake_at(*setting, field, std::move(message), std::move(received),
                       std::move(accepted));
   }
-  return {.file = overridden_ ? "--set" : settings_.path.string(),
+  return {.file = file_,
           .line = line_,
           .field = field,
           .message = std::move(message),

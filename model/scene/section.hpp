@@ -19,8 +19,8 @@ class Section {
 public:
   /// The section [name] of the file; an absent one reads as empty.
   Section(const Settings& settings, std::string name);
-  /// A table inside a section.
-  Section(const Settings& settings, std::string name, const Setting& table);
+  /// A table inside a section or a list.
+  Section(std::string name, const Setting& table);
 
   bool present() const { return table_ != nullptr; }
   int line() const { return line_; }
@@ -58,18 +58,26 @@ private:
   std::optional<std::int64_t> read_integer(const std::string& key, std::int64_t low,
                                            std::int64_t high, const std::string& accepted);
 
-  const Settings& settings_;
   std::string name_;
   const Setting::Table* table_ = nullptr;
+  std::string file_;
   int line_ = 0;
-  bool overridden_ = false;
   std::vector<std::string> known_keys_;
   std::optional<Error> error_;
 };
 
-/// An error about the setting `field`: it names the setting's line, or "--set" without one.
-Error mistake_at(const Settings& settings, const Setting& setting, std::string field,
-                 std::string message, std::string received, std::string accepted);
+/// The file that a setting stands in, or "--set".
+std::string file_of(const Setting& setting);
+
+/// An error about the setting `field`: it names the setting's file and line, or "--set".
+Error mistake_at(const Setting& setting, std::string field, std::string message,
+                 std::string received, std::string accepted);
+
+inline Error mistake_at(const Settings&, const Setting& setting, std::string field,
+                        std::string message, std::string received, std::string accepted) {
+  return mistake_at(setting, std::move(field), std::move(message), std::move(received),
+                    std::move(accepted));
+}
 
 /// The exact value of an integer, of a number (the shortest decimal that names it), or of a string
 /// that holds a decimal or hex-float literal.

@@ -12,16 +12,18 @@
 namespace mixcmp::model {
 namespace {
 
-Setting to_setting(std::string key, const toml::node& node);
+using File = std::shared_ptr<const SettingsFile>;
+
+Setting to_setting(std::string key, const toml::node& node, const File& file);
 
 int line_of(const toml::source_position& position) {
   return static_cast<int>(position.line);
 }
 
-Setting::Table to_table(const toml::table& table) {
+Setting::Table to_table(const toml::table& table, const File& file) {
   Setting::Table entries;
   for (const auto& [key, node] : table) {
-    Setting setting = to_setting(std::string(key.str()), node);
+    Setting setting = to_setting(std::string(key.str()), node, file);
     setting.line = line_of(key.source().begin);
     entries.entries.push_back(std::move(setting));
   }
@@ -30,14 +32,15 @@ Setting::Table to_table(const toml::table& table) {
   return entries;
 }
 
-Setting::Array to_array(const toml::array& array) {
+Setting::Array to_array(const toml::array& array, const File& file) {
   Setting::Array elements;
-  for (const toml::node& node : array) elements.push_back(to_setting({}, node));
+  for (const toml::node& node : array) elements.push_back(to_setting({}, node, file));
   return elements;
 }
 
-Setting to_setting(std::string key, const toml::node& node) {
+Setting to_setting(std::string key, const toml::node& node, const File& file) {
   Setting setting{.key = std::move(key),
+                  .file = file,
                   .line = line_of(node.source().begin),
                   .end_line = line_of(node.source().end),
                   .value = Setting::Foreign{"a date or time"}};
@@ -45,8 +48,8 @@ Setting to_setting(std::string key, const toml::node& node) {
   if (const auto* integer = node.as_integer()) setting.value = integer->get();
   if (const auto* real = node.as_floating_point()) setting.value = real->get();
   if (const auto* text = node.as_string()) setting.value = text->get();
-  if (const auto* array = node.as_array()) setting.value = to_array(*array);
-  if (const auto* table = node.as_table()) setting.value = to_table(*table);
+  if (const auto* array = node.as_array()) setting.value = to_array(*array, file);
+  if (const auto* table = node.as_table()) setting.value = to_table(*table, file);
   return setting;
 }
 
@@ -79,17 +82,10 @@ Setting parse_override_value(const std::string& key, const std::string& text) {
   const Result<toml::table> parsed = parse_toml("value = " + text, "--set");
   Setting setting{.key = key, .value = text};
   if (parsed.ok() && parsed->size() == 1 && parsed->contains("value")) {
-    setting = to_setting(key, *parsed->get("value"));
+    setting = to_setting(key, *parsed->get("value"), nullptr);
     forget_lines(setting);
   }
   return setting;
-}
-
-Setting& find_or_add(Setting::Table& table, const std::string& key) {
-  const auto found = std::find_if(table.entries.begin(), table.entries.end(),
-                                  [&](const Setting& entry) { return entry.key == key; });
-  if (found != table.entries.end()) return *found;
-  return table.entries.emplace_back(Setting{.key = key, .value = Setting::Table{}});
 }
 
 Result<Done> apply_override(Setting::Table& root, const std::string& text) {
@@ -103,6 +99,13 @@ Result<Done> apply_override(Setting::Table& root, const std::string& text) {
                  .accepted = "section.key=value"};
   }
   Setting& section = find_or_add(root, text.substr(0, dot));
+  if (std::holds_alternative<Setting::Array>(section.value)) {
+    return Error{.file = "--set",
+                 .field = section.key,
+                 .message = "a list: its entries have no names of their own",
+                 .received = in_quotes(text),
+                 .accepted = "the key of a section; lists are changed in the file or by a plan"};
+  }
   auto* table = std::get_if<Setting::Table>(&section.value);
   if (table == nullptr) return Done{};  // the section's own mistake is told when it is read
   const std::string key = text.substr(dot + 1, equals - dot - 1);
@@ -147,21 +150,32 @@ std::string Setting::shown() const {
   return std::visit(Texts{*this}, value);
 }
 
-Result<Settings> parse_settings(std::string text, const std::filesystem::path& path) {
-  Settings settings{.path = path, .source = std::move(text)};
-  MIXCMP_TRY(table, parse_toml(settings.source, path.string()));
-  settings.root = to_table(table);
-  return settings;
+Setting& find_or_add(Setting::Table& table, const std::string& key) {
+  const auto found = std::find_if(table.entries.begin(), table.entries.end(),
+                                  [&](const Setting& entry) { return entry.key == key; });
+  if (found != table.entries.end()) return *found;
+  return table.entries.emplace_back(Setting{.key = key, .value = Setting::Table{}});
 }
 
-Result<Settings> read_settings(const std::filesystem::path& path,
-                               std::span<const std::string> overrides) {
-  MIXCMP_TRY(source, read_file(path));
-  MIXCMP_TRY(settings, parse_settings(std::move(source), path));
+Result<Settings> parse_settings(std::string text, const std::filesystem::path& path) {
+  const auto file = std::make_shared<const SettingsFile>(SettingsFile{path, std::move(text)});
+  MIXCMP_TRY(table, parse_toml(file->text, path.string()));
+  return Settings{.path = path, .root = to_table(table, file)};
+}
+
+Result<Done> apply_overrides(Settings& settings, std::span<const std::string> overrides) {
   for (const std::string& setting : overrides) {
     const Result<Done> applied = apply_override(settings.root, setting);
     if (!applied.ok()) return applied.error();
   }
+  return Done{};
+}
+
+Result<Settings> read_settings(const std::filesystem::path& path,
+                               std::span<const std::string> overrides) {
+  MIXCMP_TRY(text, read_file(path));
+  MIXCMP_TRY(settings, parse_settings(std::move(text), path));
+  MIXCMP_TRY(applied, apply_overrides(settings, overrides));
   return settings;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <variant>
@@ -10,6 +11,12 @@
 #include "model/common/result.hpp"
 
 namespace mixcmp::model {
+
+/// A file of settings as written.
+struct SettingsFile {
+  std::filesystem::path path;
+  std::string text;
+};
 
 /// One key of a scene file with its value, as TOML has it; what it means comes later.
 struct Setting {
@@ -23,9 +30,10 @@ struct Setting {
   };
   using Array = std::vector<Setting>;
 
-  std::string key;   ///< empty in arrays
-  int line = 0;      ///< 1-based; 0: from --set
-  int end_line = 0;  ///< last line of the value
+  std::string key;                                     ///< empty in arrays
+  std::shared_ptr<const SettingsFile> file = nullptr;  ///< null: from --set
+  int line = 0;                                        ///< 1-based; 0: from --set
+  int end_line = 0;                                    ///< last line of the value
   std::variant<bool, std::int64_t, double, std::string, Array, Table, Foreign> value;
 
   /// "a number", "a string", ...
@@ -34,10 +42,10 @@ struct Setting {
   std::string shown() const;
 };
 
-/// A scene file as written, --set overrides applied, not yet understood.
+/// Settings not yet understood: of a scene file, or of a plan laid over its scene (plan.hpp), --set
+/// overrides applied.
 struct Settings {
-  std::filesystem::path path;
-  std::string source;  ///< the file's text
+  std::filesystem::path path;  ///< of the scene: where what is missing should stand
   Setting::Table root;
 };
 
@@ -47,5 +55,10 @@ Result<Settings> parse_settings(std::string text, const std::filesystem::path& p
 /// Each override is "section.key=value"; what is no TOML value counts as a string.
 Result<Settings> read_settings(const std::filesystem::path& path,
                                std::span<const std::string> overrides);
+
+Result<Done> apply_overrides(Settings& settings, std::span<const std::string> overrides);
+
+/// The entry of that key, added as an empty table where there is none.
+Setting& find_or_add(Setting::Table& table, const std::string& key);
 
 }  // namespace mixcmp::model

@@ -1,9 +1,13 @@
 target_sources(mixcmp_model PRIVATE
+  scene/data_section.cpp
   scene/input_ranges.cpp
+  scene/plan.cpp
+  scene/reduced_section.cpp
   scene/scene.cpp
   scene/section.cpp
   scene/settings.cpp
   scene/spelling.cpp
   scene/summary.cpp
   scene/summary_print.cpp
+  scene/system_section.cpp
 )

@@ -57,8 +57,8 @@ protected:
 };
 
 TEST_P(ScheduleAtTarget, OperandsAreReadyBeforeTheyAreRead) {
-  const Schedule schedule = schedule_lane(design_.lane, model::Multipliers::embedded, delays_, GetParam());
-  const auto& nodes = design_.lane.graph.nodes;
+  const Schedule schedule = schedule_lane(design_.lanes.front().lane, model::Multipliers::embedded, delays_, GetParam());
+  const auto& nodes = design_.lanes.front().lane.graph.nodes;
   ASSERT_EQ(schedule.steps.size(), nodes.size());
   for (std::size_t id = 0; id < nodes.size(); ++id) {
     int latest = 0;
@@ -79,7 +79,7 @@ TEST_P(ScheduleAtTarget, LatencyOfAUnitIsTheNumberOfItsRegisters) {
 
 TEST_P(ScheduleAtTarget, CutsAreTheFewestThatMeetThePeriodAndTheOutputIsRegistered) {
   const double logic_ns = std::max(0.0, 1000 / GetParam() - delays_.register_ns);
-  const Schedule schedule = schedule_lane(design_.lane, model::Multipliers::embedded, delays_, GetParam());
+  const Schedule schedule = schedule_lane(design_.lanes.front().lane, model::Multipliers::embedded, delays_, GetParam());
   for (const Step& step : schedule.steps) {
     if (step.unit.module.empty()) continue;
     EXPECT_TRUE(step.cuts.back()) << step.unit.module;

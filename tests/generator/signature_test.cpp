@@ -11,22 +11,30 @@ namespace {
 
 Signature some_signature() {
   return {.top = "top",
-          .channel_module = "channel",
-          .reference_module = "reference",
           .generator_version = "1.2.3",
           .spec_hash = "abc",
-          .lane_format = *model::FloatFormat::parse("s17e8"),
           .reference_format = *model::FloatFormat::parse("s53e11"),
           .certified = true,
           .inputs = {"a", "b", "c"},
           .lanes = 87,
           .references = 3,
+          .lane_groups = {{.count = 80,
+                           .module = "channel",
+                           .format = *model::FloatFormat::parse("s17e8"),
+                           .latency_cycles = 20,
+                           .certified = true,
+                           .decision = "certified: always",
+                           .inputs = model::LaneInputs::rounded},
+                          {.count = 7,
+                           .module = "narrow_channel",
+                           .format = *model::FloatFormat::parse("s8e8"),
+                           .latency_cycles = 15,
+                           .multipliers = model::Multipliers::logic}},
+          .reference_groups = {{.count = 3, .module = "reference", .latency_cycles = 40}},
           .tdata_bytes = 24,
           .tag_bits = 31,
           .counter_bits = 48,
           .slots = 64,
-          .lane_latency_cycles = 20,
-          .reference_latency_cycles = 40,
           .order = model::ResultOrder::in_order,
           .operands = model::OperandStore::refetched,
           .target_mhz = 312.5,
@@ -64,7 +72,7 @@ TEST(Signature, NamesTheFieldThatDoesNotFit) {
   ASSERT_FALSE(lanes.ok());
   EXPECT_EQ(lanes.error().field, "lanes");
   EXPECT_EQ(lanes.error().received, "0");
-  EXPECT_EQ(lanes.error().accepted, "an integer in 1..128");
+  EXPECT_EQ(lanes.error().accepted, "an integer in 1..512");
 
   const auto order = read_text(without(text, "\"in_order\"", "\"sorted\""));
   ASSERT_FALSE(order.ok());
@@ -73,7 +81,7 @@ TEST(Signature, NamesTheFieldThatDoesNotFit) {
 
   const auto format = read_text(without(text, "\"s17e8\"", "\"s17\""));
   ASSERT_FALSE(format.ok());
-  EXPECT_EQ(format.error().field, "lane_format");
+  EXPECT_EQ(format.error().field, "lane_groups[0].format");
 
   const auto missing = read_text(without(text, "\"tag_bits\": 31,", ""));
   ASSERT_FALSE(missing.ok());

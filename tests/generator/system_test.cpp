@@ -104,7 +104,7 @@ TEST(System, TopNamesTheLatencyFromPortToPort) {
     const GeneratedSystem system = sphere_system(2, references);
     const int channel = references == 0 ? 4 : 5;
     const std::string fact =
-        "latency " + std::to_string(system.signature.lane_latency_cycles + channel) + " cycles";
+        "latency " + std::to_string(system.signature.lane_groups.front().latency_cycles + channel) + " cycles";
     const std::string& text = find(system, system.signature.top + ".v")->text;
     EXPECT_NE(text.find(fact), std::string::npos) << fact;
   }

@@ -15,7 +15,7 @@ TEST(Verilog, PrintsAStructuralModule) {
                   {Direction::input, 1, "go", true},
                   {Direction::output, 16, "y"}};
   auto loop = std::make_shared<ForGenerate>();
-  *loop = {"k", 2, "halves", {Instance{"half", "one", {}, {{"a", indexed("x", "k", 8)}}}}};
+  *loop = {"k", 0, 2, "halves", {Instance{"half", "one", {}, {{"a", indexed("x", "k", 8)}}}}};
   module.items = {Comment{"A fact."},
                   Wire{16, "x", concatenation({slice("p", 7, 0), literal(8, 0xa5)})},
                   Assignment{bit("q", 3), any_of({net("r"), inverted(bit("s", 0))})},

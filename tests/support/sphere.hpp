@@ -25,6 +25,12 @@ inline model::Graph sphere_graph() {
   return graph;
 }
 
+/// p_H of one kind.
+inline std::vector<model::ReferenceGroup> references_of(int count) {
+  if (count == 0) return {};
+  return {{.count = count}};
+}
+
 /// A certified system with exact inputs.
 inline model::Design sphere_design(model::FloatFormat lane, model::FloatFormat reference, int lanes,
                                    int references) {
@@ -37,10 +43,9 @@ inline model::Design sphere_design(model::FloatFormat lane, model::FloatFormat r
           .value();
   return {.name = "sphere",
           .inputs = graph.inputs(),
-          .lane = std::move(certified),
+          .lanes = {{.lane = std::move(certified), .count = lanes}},
           .reference = model::reference_graph(graph, {reference}),
-          .lanes = lanes,
-          .references = references,
+          .references = references_of(references),
           .system = {}};
 }
 

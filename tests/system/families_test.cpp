@@ -31,7 +31,7 @@ model::Design design_of(const Case& c) {
   const model::Graph graph = sphere_graph();
   model::Design design = sphere_design(format(c.lane), format(c.reference), 2, 1);
   const model::Arithmetic reduced = {format(c.lane), c.rounding, c.lane_subnormals};
-  design.lane = relative_lane(model::lane_graph(graph, format(c.reference), reduced,
+  design.lanes.front().lane = relative_lane(model::lane_graph(graph, format(c.reference), reduced,
                                                         model::LaneInputs::exact),
                                       std::vector<bool>(8, false))
                     .value();
@@ -43,7 +43,7 @@ model::Design design_of(const Case& c) {
 TEST_P(Families, VerdictsAreTheGoldenModelsAndLanesTellTheTruth) {
   const model::Graph graph = sphere_graph();
   const model::Design design = design_of(GetParam());
-  const int precision = design.lane.graph.arithmetic.format.precision();
+  const int precision = design.lanes.front().lane.graph.arithmetic.format.precision();
   std::uint64_t checked = 0;
   for (const SphereFamily& family :
        sphere_families(design.reference.arithmetic.format, precision, 4'000, 7)) {
@@ -87,7 +87,7 @@ TEST(ProfiledLanes, AreWrongOnTangentSpheres) {
       model::LaneInputs::rounded);
   const model::ProfiledError error =
       model::profile_error(graph, typed, family("uniform"), 4'000, 1);
-  design.lane = model::profiled_lane(std::move(typed), error.f, error.g);
+  design.lanes.front().lane = model::profiled_lane(std::move(typed), error.f, error.g);
   const tb::VerifyReport report =
       simulate(design, family("tangent"), {.truth = tb::TruthCheck{.graph = &graph}});
   EXPECT_TRUE(report.passed()) << to_text(report);

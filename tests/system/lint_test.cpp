@@ -39,10 +39,9 @@ model::Design design_of(const std::string& f, const std::string& g, model::Arith
   const std::vector<bool> any_sign(graph.inputs().size(), false);
   return {.name = "comparison",
           .inputs = graph.inputs(),
-          .lane = relative_lane(std::move(lane), any_sign).value(),
+          .lanes = {{.lane = relative_lane(std::move(lane), any_sign).value(), .count = 2}},
           .reference = model::reference_graph(graph, {reference}),
-          .lanes = 2,
-          .references = 1,
+          .references = {{.count = 1}},
           .system = {}};
 }
 
@@ -52,7 +51,7 @@ model::Design bounded(model::ErrorBoundKind kind, int digits, model::Arithmetic 
   const model::Graph graph = sphere_graph();
   model::Design design = sphere_design(reduced.format, format("s53e8"), 2, 1);
   const model::FloatFormat reference = design.reference.input_format;
-  design.lane = certified_lane(lane_graph(graph, reference, reduced, model::LaneInputs::rounded),
+  design.lanes.front().lane = certified_lane(lane_graph(graph, reference, reduced, model::LaneInputs::rounded),
                                {.kind = kind,
                                 .bound_digits = digits,
                                 .ranges = std::vector<std::optional<model::Range>>(8, range)})

@@ -35,18 +35,27 @@ void write(const fs::path& path, const std::string& text) {
   fs::rename(draft, path);
 }
 
+std::vector<gen::SignatureReferences> reference_signatures(const FakeSystem& fake) {
+  if (fake.route == FakeRoute::none) return {};
+  return {{.count = fake.lanes, .module = "fake_reference"}};
+}
+
+std::vector<model::ReferenceGroup> references_of(const FakeSystem& fake) {
+  if (fake.route == FakeRoute::none) return {};
+  return {{.count = fake.lanes}};
+}
+
 gen::Signature fake_signature(const FakeSystem& fake) {
   return {.top = "fake_system",
-          .channel_module = "fake_channel",
-          .reference_module = "fake_reference",
           .generator_version = "fake",
           .spec_hash = "fake",
-          .lane_format = binary16(),
           .reference_format = binary16(),
           .certified = true,
           .inputs = {"a", "b"},
           .lanes = fake.lanes,
           .references = fake.route == FakeRoute::none ? 0 : fake.lanes,
+          .lane_groups = {{.count = fake.lanes, .module = "fake_channel", .format = binary16()}},
+          .reference_groups = reference_signatures(fake),
           .tdata_bytes = 4,
           .tag_bits = fake.tag_bits,
           .counter_bits = 16,
@@ -97,10 +106,9 @@ model::Design fake_design(const FakeSystem& fake) {
   const model::UlpDistanceDecision decision{.guard_ulp = 4, .nonnegative = true};
   return {.name = "fake",
           .inputs = {"a", "b"},
-          .lane = {graph, decision},
+          .lanes = {{.lane = {graph, decision}, .count = fake.lanes}},
           .reference = graph,
-          .lanes = fake.lanes,
-          .references = fake.route == FakeRoute::none ? 0 : fake.lanes};
+          .references = references_of(fake)};
 }
 
 model::Comparisons fake_comparisons(std::size_t count) {

@@ -191,7 +191,7 @@ TEST(Verify, RefusesASystemOfAnotherDesign) {
   const FakeSystem fake{.name = "good"};
   const auto folder = write_fake_system(fake);
   model::Design design = fake_design(fake);
-  design.lanes = 5;
+  design.lanes.front().count = 5;
   const auto report = verify(design, fake_comparisons(10), folder, {.work_dir = fake_work_dir()});
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.error().field, "lanes");

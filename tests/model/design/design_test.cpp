@@ -39,11 +39,11 @@ TEST(MakeDesign, CarriesWhatTheSceneChose) {
   const Design design = make_design(complete_scene(), nullptr).value();
   EXPECT_EQ(design.name, "squares");
   EXPECT_EQ(design.inputs, (std::vector<std::string>{"a", "b"}));
-  EXPECT_EQ(design.lanes, 8);
-  EXPECT_EQ(design.references, 0);
-  EXPECT_TRUE(design.lane.certified());
-  EXPECT_EQ(design.lane.graph.arithmetic.format, format_of(17, 8));
-  EXPECT_EQ(design.lane.graph.input_format, format_of(53, 8));
+  EXPECT_EQ(design.lane_count(), 8);
+  EXPECT_EQ(design.reference_count(), 0);
+  EXPECT_TRUE(design.lanes.front().lane.certified());
+  EXPECT_EQ(design.lanes.front().lane.graph.arithmetic.format, format_of(17, 8));
+  EXPECT_EQ(design.lanes.front().lane.graph.input_format, format_of(53, 8));
   EXPECT_EQ(design.reference.arithmetic.format, format_of(53, 8));
 }
 
@@ -96,7 +96,7 @@ TEST(MakeDesign, NeedsConstantsOrDataForAProfiledBound) {
   EXPECT_FALSE(make_design(scene, nullptr).ok());
   scene.reduced.relative_error_g = mpq_class(1, 2000);
   const Design design = make_design(scene, nullptr).value();
-  const auto& decision = std::get<IntervalDecision>(design.lane.decision);
+  const auto& decision = std::get<IntervalDecision>(design.lanes.front().lane.decision);
   EXPECT_EQ(decision.relative_error_f, mpq_class(1, 1000));
   EXPECT_EQ(decision.relative_error_g, mpq_class(1, 2000));
 }
@@ -135,7 +135,7 @@ TEST(MakeDesign, MeasuresMissingConstantsOnData) {
   }
   const Comparisons data = Comparisons::rows(std::move(table), {"a", "b"}).value();
   const Design design = make_design(scene, &data).value();
-  const auto& decision = std::get<IntervalDecision>(design.lane.decision);
+  const auto& decision = std::get<IntervalDecision>(design.lanes.front().lane.decision);
   EXPECT_GT(decision.relative_error_f, 0);
   EXPECT_LT(decision.relative_error_f, mpq_class(1, 1 << 17));
   EXPECT_EQ(decision.relative_error_g, mpq_class(1, 2000));

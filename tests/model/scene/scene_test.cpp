@@ -199,10 +199,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"[reduced]", "[redcued]",
                 ":13: redcued: unknown section: received redcued; accepted reduced (the nearest), "
-                "comparison, let, inputs, reference, system, data"},
+                "comparison, let, inputs, reference, lanes, references, system, data"},
         Mistake{"[comparison]", "x = 1\n[comparison]",
                 ":1: x: a key outside of any section: received x; accepted comparison, let, "
-                "inputs, reference, reduced, system, data"},
+                "inputs, reference, reduced, lanes, references, system, data"},
         Mistake{"[comparison]", "reduced = 3\n[comparison]",
                 ":14:1: TOML syntax: Error while parsing table header: cannot redefine existing "
                 "integer 'reduced' as table"},
@@ -215,7 +215,7 @@ INSTANTIATE_TEST_SUITE_P(
                 ":10: reference.format: missing: received nothing; accepted a key format"},
         Mistake{"format = \"s53e8\"", "fromat = \"s53e8\"",
                 ":11: reference.fromat: unknown key: received fromat; accepted format (the "
-                "nearest), subnormals"},
+                "nearest), multipliers, subnormals"},
         Mistake{"slack = 0.25", "slck = 0.25",
                 ":23: system.slck: unknown key: received slck; accepted slack (the nearest), "
                 "counter_bits, device, lanes, operands, order, references, tag_bits, target_mhz"},
@@ -233,7 +233,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "1..16777216"},
         Mistake{"lanes = 87", "lanes = \"many\"",
                 ":21: system.lanes: wrong type: received \"many\" (a string); accepted \"auto\" or "
-                "an integer 1..128"},
+                "an integer 1..512"},
         Mistake{"slack = 0.25", "slack = \"0.25\"",
                 ":23: system.slack: wrong type: received \"0.25\"; accepted a number from 0 to "
                 "0.95"},
@@ -277,9 +277,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"1e-4", "-1e-4",
                 ":17: reduced.relative_error_f: out of range: received -0.0001; accepted a number "
                 "of at least 0 and below 1"},
-        Mistake{"lanes = 87", "lanes = 129",
-                ":21: system.lanes: out of range: received 129; accepted \"auto\" or an integer "
-                "1..128"},
+        Mistake{"lanes = 87", "lanes = 513",
+                ":21: system.lanes: out of range: received 513; accepted \"auto\" or an integer "
+                "1..512"},
         Mistake{"references = \"auto\"", "references = 17",
                 ":22: system.references: out of range: received 17; accepted \"auto\" or an "
                 "integer 0..16"},

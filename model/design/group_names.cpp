@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/design/design.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+std::string bound_name(const Lane& lane) {
+  if (!lane.certified()) return "profiled";
+  const auto* absolute = std::get_if<AbsoluteBoundDecision>(&lane.decision);
+  if (absolute == nullptr) return "relative";
+  if (absolute->bound.nodes.back().operation == BoundOperation::constant) return "constant";
+  return fmt::format("running_{}", absolute->bound.format.precision);
+}
+
+/// Words for what may tell a group from another of its format.
+std::vector<std::string> traits_of(const LaneGroup& group) {
+  const Arithmetic& arithmetic = group.lane.graph.arithmetic;
+  return {std::string(to_string(group.inputs)), bound_name(group.lane),
+          std::string(to_string(arithmetic.rounding)),
+          std::string(to_string(arithmetic.subnormals)), std::string(to_string(group.multipliers))};
+}
+
+FloatFormat format_of(const LaneGroup& group) {
+  return group.lane.graph.arithmetic.format;
+}
+
+}  // namespace
+
+std::vector<std::string> lane_group_names(const Design& design) {
+  std::vector<std::string> names;
+  for (const LaneGroup& group : design.lanes) {
+    const std::vector<std::string> traits = traits_of(group);
+    std::string& name = names.emplace_back(format_of(group).name());
+    for (std::size_t k = 0; k < traits.size(); ++k) {
+      const bool tells_apart =
+          std::any_of(design.lanes.begin(), design.lanes.end(), [&](const LaneGroup& other) {
+            return format_of(other) == format_of(group) && traits_of(other)[k] != traits[k];
+          });
+      if (tells_apart) name += "_" + traits[k];
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> reference_group_names(const Design& design) {
+  const auto& groups = design.references;
+  const bool alike = std::all_of(groups.begin(), groups.end(), [&](const ReferenceGroup& group) {
+    return group.multipliers == groups.front().multipliers;
+  });
+  std::vector<std::string> names;
+  for (const ReferenceGroup& group : groups) {
+    std::string& name = names.emplace_back(design.reference.arithmetic.format.name());
+    if (!alike) name += fmt::format("_{}", to_string(group.multipliers));
+  }
+  return names;
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,118 @@
+#include "model/scene/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "model/scene/section.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view a_scene = "the path of a scene file, as seen from the plan";
+
+/// The scene that the plan at `path` names.
+Result<Settings> read_scene_of(const Setting& key, const fs::path& path) {
+  const auto wrong = [&](std::string message) {
+    return mistake_at(key, "scene", std::move(message), key.shown(), std::string(a_scene));
+  };
+  const auto* name = std::get_if<std::string>(&key.value);
+  if (name == nullptr || name->empty()) return wrong("not a path");
+  const fs::path scene = path.parent_path() / *name;
+  std::error_code missing;
+  if (fs::equivalent(scene, path, missing)) return wrong("a plan cannot be its own scene");
+  if (missing || !fs::is_regular_file(scene)) return wrong("there is no such file");
+  MIXCMP_TRY(settings, read_settings(scene, {}));
+  if (settings.root.find("scene") != nullptr) return wrong("a plan itself, not a scene");
+  return settings;
+}
+
+bool is_number(const Setting& setting) {
+  return std::holds_alternative<std::int64_t>(setting.value) ||
+         std::holds_alternative<double>(setting.value);
+}
+
+bool is_text(const Setting& setting) {
+  return std::holds_alternative<std::string>(setting.value);
+}
+
+Result<PlanReport> read_report(const Settings& plan) {
+  constexpr std::array numbers = {"throughput_per_s", "clock_mhz", "recomputation_rate", "slack"};
+  constexpr std::array texts = {"device", "command", "clock_basis"};
+  PlanReport report{.path = plan.path, .values = {}};
+  const Section section(plan, "plan");
+  if (const auto error = section.finish(); error && !section.present()) return *error;
+  for (const Setting& entry : section.entries()) {
+    const auto is_one_of = [&](const auto& names) {
+      return std::find(names.begin(), names.end(), entry.key) != names.end();
+    };
+    const auto wrong = [&](const char* accepted) {
+      return section.mistake(entry.key, "wrong type",
+                             fmt::format("{} ({})", entry.shown(), entry.kind()), accepted);
+    };
+    if (is_one_of(numbers) && !is_number(entry)) return wrong("a number");
+    if (is_one_of(texts) && !is_text(entry)) return wrong("a string");
+    const bool plain =
+        is_number(entry) || is_text(entry) || std::holds_alternative<bool>(entry.value);
+    if (!plain) return wrong("a string, a number, true or false");
+    report.values.emplace_back(entry.key, entry.shown());
+  }
+  return report;
+}
+
+void erase(Setting::Table& table, const std::string& key) {
+  std::erase_if(table.entries, [&](const Setting& entry) { return entry.key == key; });
+}
+
+Setting::Table* section_of(Setting::Table& root, const std::string& name) {
+  for (Setting& entry : root.entries) {
+    if (entry.key == name) return std::get_if<Setting::Table>(&entry.value);
+  }
+  return nullptr;
+}
+
+/// There are two ways to say how many lanes, or references: the plan's leaves neither of the
+/// scene's.
+void forget_counts(Setting::Table& root, Setting::Table& plan, const std::string& name) {
+  const Setting::Table* system = section_of(plan, "system");
+  const bool counted =
+      plan.find(name) != nullptr || (system != nullptr && system->find(name) != nullptr);
+  if (!counted) return;
+  erase(root, name);
+  if (Setting::Table* old = section_of(root, "system")) erase(*old, name);
+}
+
+void lay_over(Setting::Table& root, Setting::Table& plan) {
+  for (const char* name : {"lanes", "references"}) forget_counts(root, plan, name);
+  for (Setting& entry : plan.entries) {
+    if (entry.key == "scene" || entry.key == "plan") continue;
+    Setting::Table* old = section_of(root, entry.key);
+    auto* section = std::get_if<Setting::Table>(&entry.value);
+    if (old == nullptr || section == nullptr) {
+      find_or_add(root, entry.key) = std::move(entry);
+      continue;
+    }
+    for (Setting& setting : section->entries) find_or_add(*old, setting.key) = std::move(setting);
+  }
+}
+
+}  // namespace
+
+Result<SceneSettings> read_scene_settings(const fs::path& path,
+                                          std::span<const std::string> overrides) {
+  MIXCMP_TRY(file, read_settings(path, {}));
+  SceneSettings read{.settings = std::move(file), .plan = {}};
+  if (const Setting* scene = read.settings.root.find("scene")) {
+    MIXCMP_TRY(settings, read_scene_of(*scene, path));
+    MIXCMP_TRY(report, read_report(read.settings));
+    lay_over(settings.root, read.settings.root);
+    read = {.settings = std::move(settings), .plan = std::move(report)};
+  }
+  MIXCMP_TRY(applied, apply_overrides(read.settings, overrides));
+  return read;
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/expression/text.hpp"
+#include "model/scene/section.hpp"
+#include "model/scene/sections.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+constexpr int min_reduced_precision = 4, max_reduced_precision = 52;
+
+/// The 17 of "s17".
+std::optional<int> precision_alone(const std::string& word) {
+  const bool shaped = word.size() >= 2 && word.size() <= 4 && word[0] == 's' &&
+                      word.find_first_not_of("0123456789", 1) == std::string::npos;
+  return shaped ? std::optional(std::stoi(word.substr(1))) : std::nullopt;
+}
+
+void read_reduced_format(Section& section, FloatFormat reference, ReducedSpec& spec) {
+  const Setting* setting = section.find("format");
+  if (setting == nullptr) return;
+  spec.format.reset();
+  spec.exponent_bits_from_ranges = false;
+  const auto* word = std::get_if<std::string>(&setting->value);
+  const std::optional<int> precision = word == nullptr ? std::nullopt : precision_alone(*word);
+  if (precision && *precision >= min_reduced_precision && *precision <= max_reduced_precision) {
+    spec.format = FloatFormat::make(*precision, reference.exponent_bits()).value();
+    spec.exponent_bits_from_ranges = true;
+  } else if (word == nullptr || *word != "auto") {
+    section.format("format", spec.format);
+  }
+  if (!spec.format) return;
+  const int highest = std::min(max_reduced_precision, reference.precision());
+  if (spec.format->precision() < min_reduced_precision || spec.format->precision() > highest) {
+    section.fail(
+        "format", "precision out of range", spec.format->name(),
+        fmt::format("precision {}..{}, at most the reference's", min_reduced_precision, highest));
+  }
+}
+
+void read_error_bound(Section& section, std::optional<ErrorBoundKind>& target) {
+  if (section.find("error_bound") == nullptr) return;
+  target.reset();
+  std::string word = "auto";
+  section.text("error_bound", word);
+  for (const ErrorBoundKind kind :
+       {ErrorBoundKind::relative, ErrorBoundKind::running, ErrorBoundKind::constant}) {
+    if (word == to_string(kind)) target = kind;
+  }
+  if (target || word == "auto") return;
+  section.fail("error_bound", "not a choice", fmt::format("\"{}\"", word),
+               "auto, relative, running, constant");
+}
+
+void read_relative_error(Section& section, const std::string& key,
+                         std::optional<mpq_class>& target) {
+  section.exact(key, target);
+  if (target && (*target < 0 || *target >= 1)) {
+    section.fail(key, "out of range", to_text(*target), "a number of at least 0 and below 1");
+  }
+}
+
+/// Every key of [reduced]; what is absent stays as it is in `spec`.
+void read_lane_keys(Section& section, FloatFormat reference, ReducedSpec& spec) {
+  read_reduced_format(section, reference, spec);
+  section.choice("bound", spec.bound, {BoundKind::certified, BoundKind::profiled});
+  read_error_bound(section, spec.error_bound);
+  section.integer("bound_digits", spec.bound_digits, 1, 8);
+  section.choice("inputs", spec.inputs, {LaneInputs::rounded, LaneInputs::exact});
+  section.choice("rounding", spec.rounding, {Rounding::nearest_even, Rounding::toward_zero});
+  section.choice("subnormals", spec.subnormals, {Subnormals::flush, Subnormals::gradual});
+  section.choice("multipliers", spec.multipliers, {Multipliers::embedded, Multipliers::logic});
+  read_relative_error(section, "relative_error_f", spec.relative_error_f);
+  read_relative_error(section, "relative_error_g", spec.relative_error_g);
+}
+
+/// The tables of [[name]]; system.name would count them a second time.
+Result<std::span<const Setting>> read_groups(const Settings& settings, const std::string& name) {
+  const Setting* list = settings.root.find(name);
+  if (list == nullptr) return std::span<const Setting>();
+  const auto* groups = std::get_if<Setting::Array>(&list->value);
+  const bool tables = groups != nullptr && !groups->empty() &&
+                      std::all_of(groups->begin(), groups->end(), [](const Setting& group) {
+                        return std::holds_alternative<Setting::Table>(group.value);
+                      });
+  if (!tables) {
+    return mistake_at(*list, name, "not a list of tables", list->shown(),
+                      fmt::format("[[{}]], one table for each kind", name));
+  }
+  Section system(settings, "system");
+  if (const Setting* count = system.find(name)) {
+    return mistake_at(*count, "system." + name, fmt::format("given beside [[{}]]", name),
+                      count->shown(), "one of the two");
+  }
+  return std::span<const Setting>(*groups);
+}
+
+void read_count(Section& section, std::optional<int>& count, int& total, int most) {
+  section.require("count");
+  int value = 0;
+  section.integer("count", value, 1, most);
+  count = value;
+  total += value;
+  if (total <= most) return;
+  section.fail("count", "too many in all", fmt::format("{}", total),
+               fmt::format("at most {} in all", most));
+}
+
+}  // namespace
+
+Result<ReducedSpec> read_reduced(const Settings& settings, FloatFormat reference) {
+  ReducedSpec spec;
+  Section section(settings, "reduced");
+  read_lane_keys(section, reference, spec);
+  if (const auto error = section.finish()) return *error;
+  return spec;
+}
+
+Result<std::vector<LaneGroupSpec>> read_lane_groups(const Settings& settings, FloatFormat reference,
+                                                    const ReducedSpec& defaults) {
+  MIXCMP_TRY(tables, read_groups(settings, "lanes"));
+  std::vector<LaneGroupSpec> groups;
+  int total = 0;
+  for (const Setting& table : tables) {
+    LaneGroupSpec& group = groups.emplace_back(
+        LaneGroupSpec{.count = {}, .reduced = defaults, .place = {file_of(table), table.line}});
+    Section section("lanes", table);
+    read_count(section, group.count, total, max_lanes);
+    read_lane_keys(section, reference, group.reduced);
+    if (const auto error = section.finish()) return *error;
+  }
+  return groups;
+}
+
+Result<std::vector<ReferenceGroupSpec>> read_reference_groups(const Settings& settings,
+                                                              Multipliers defaults) {
+  MIXCMP_TRY(tables, read_groups(settings, "references"));
+  std::vector<ReferenceGroupSpec> groups;
+  int total = 0;
+  for (const Setting& table : tables) {
+    ReferenceGroupSpec& group =
+        groups.emplace_back(ReferenceGroupSpec{.count = {}, .multipliers = defaults});
+    Section section("references", table);
+    read_count(section, group.count, total, max_references);
+    section.choice("multipliers", group.multipliers, {Multipliers::embedded, Multipliers::logic});
+    if (const auto error = section.finish()) return *error;
+  }
+  return groups;
+}
+
+std::vector<std::string> overridden_keys(const Settings& settings) {
+  const Setting* lanes = settings.root.find("lanes");
+  if (lanes == nullptr) return {};
+  const auto& groups = std::get<Setting::Array>(lanes->value);
+  std::vector<std::string> keys;
+  for (const Setting& entry : Section(settings, "reduced").entries()) {
+    const bool everywhere = std::all_of(groups.begin(), groups.end(), [&](const Setting& group) {
+      return std::get<Setting::Table>(group.value).find(entry.key) != nullptr;
+    });
+    if (everywhere) keys.push_back(entry.key);
+  }
+  return keys;
+}
+
+}  // namespace mixcmp::model

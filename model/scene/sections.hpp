@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/scene/scene.hpp"
+#include "model/scene/settings.hpp"
+
+/// The parts of a scene whose keys stand for themselves, one function each: what load_scene puts
+/// together. Errors name file, line and key.
+namespace mixcmp::model {
+
+struct ReferenceSpec {
+  Arithmetic arithmetic;
+  Multipliers multipliers = Multipliers::embedded;
+};
+
+Result<ReferenceSpec> read_reference(const Settings& settings);
+
+/// [reduced]; exponent bits that depend on ranges are not chosen yet, here and in [[lanes]].
+Result<ReducedSpec> read_reduced(const Settings& settings, FloatFormat reference);
+
+/// [[lanes]]: each over `defaults`. Empty where there is none.
+Result<std::vector<LaneGroupSpec>> read_lane_groups(const Settings& settings, FloatFormat reference,
+                                                    const ReducedSpec& defaults);
+
+/// [[references]]; empty where there is none.
+Result<std::vector<ReferenceGroupSpec>> read_reference_groups(const Settings& settings,
+                                                              Multipliers defaults);
+
+/// Keys of [reduced] that every one of [[lanes]] has, too.
+std::vector<std::string> overridden_keys(const Settings& settings);
+
+Result<SystemSpec> read_system(const Settings& settings);
+
+Result<std::optional<DataSpec>> read_data(const Settings& settings,
+                                          std::vector<std::string>& notes);
+
+}  // namespace mixcmp::model
