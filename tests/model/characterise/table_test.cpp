@@ -118,14 +118,14 @@ TEST_F(Table, FindsARowByAllOfItsKey) {
 TEST_F(Table, ErrorsTellLineAndColumn) {
   // Five comments and the header stand before the first row.
   expect_refused("lane,,s12e8", "line,,s12e8", 7, 1, "not a choice");
-  expect_refused("17,700", "17,many", 7, 41, "not a number");
-  expect_refused("17,700", "17,-700", 7, 41, "not a number");
-  expect_refused("17,700", "17,700.5", 7, 41, "not a number");
-  expect_refused("101.25,", "nan,", 9, 34, "not a number");
-  expect_refused("routed,3", "guessed,3", 9, 56, "not a choice");
-  expect_refused("f,Yosys 0.23\n", "f\n", 9, 65, "ends here");
-  expect_refused("f,Yosys 0.23\n", "f,Yosys 0.23,more\n", 9, 67, "goes on");
-  expect_refused("\"Yosys 0.23 (", "Yosys \"0.23 (", 7, 0, "");
+  expect_refused("17,700", "17,many", 7, 40, "not a number");
+  expect_refused("17,700", "17,-700", 7, 40, "not a number");
+  expect_refused("17,700", "17,700.5", 7, 40, "not a number");
+  expect_refused("101.25,", "nan,", 9, 33, "not a number");
+  expect_refused("routed,3", "guessed,3", 9, 55, "not a choice");
+  expect_refused("f,Yosys 0.23\n", "f\n", 9, 64, "ends here");
+  expect_refused("f,Yosys 0.23\n", "f,Yosys 0.23,more\n", 9, 66, "goes on");
+  expect_refused("g++\"\")\"\n", "g++\"\")\n", 7, 94, "text behind the quotes");
   expect_refused("kind,name", "name,kind", 6, 1, "not the columns");
 }
 
