@@ -113,11 +113,11 @@ private:
     double path_ns = 0;
     for (std::size_t k = 0; k < unit.stages.size(); ++k) {
       const double stage_ns = unit.stages[k].delay_ns;
-      if (k > 0 && path_ns + stage_ns > logic_ns_) {
+      path_ns += stage_ns - unit.stages[k].overlap_ns;
+      if (k > 0 && path_ns > logic_ns_) {
         cuts[k - 1] = true;
-        path_ns = 0;
+        path_ns = stage_ns;
       }
-      path_ns += stage_ns;
       if (stage_ns > logic_ns_) note_slow(unit, unit.stages[k]);
     }
     cuts.back() = true;

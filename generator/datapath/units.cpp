@@ -4,6 +4,7 @@
 #include <bit>
 #include <utility>
 
+#include "generator/datapath/logic_product.hpp"
 #include "model/common/check.hpp"
 
 namespace mixcmp::gen {
@@ -12,6 +13,7 @@ namespace {
 using model::BoundFormat;
 using model::BoundOperation;
 using model::FloatFormat;
+using model::Multipliers;
 using model::Operation;
 using model::Subnormals;
 
@@ -47,10 +49,13 @@ public:
   void add(std::string name, double delay_ns) { stages_.push_back({std::move(name), delay_ns}); }
 
   void add_operand(FloatFormat operands, Subnormals subnormals);
-  void add_product(int precision);
+  void add_embedded_product(int precision);
+  void add_logic_product(LogicProduct product);
   void add_round(FloatFormat result, bool denormalises, int dropped_bits);
 
-  Unit unit(std::string module) && { return {std::move(module), std::move(stages_)}; }
+  Unit unit(std::string module) && {
+    return {.module = std::move(module), .stages = std::move(stages_)};
+  }
 
 private:
   const DelayTable& delays_;
@@ -67,12 +72,29 @@ void StageList::add_operand(FloatFormat operands, Subnormals subnormals) {
 }
 
 /// The embedded multipliers take 17 by 24 bits; a tree adds what they give.
-void StageList::add_product(int precision) {
+void StageList::add_embedded_product(int precision) {
   const int multipliers = ((precision + 16) / 17) * ((precision + 23) / 24);
   const double adding = bits_for(multipliers - 1) * delays_.multiplier_add_ns;
   add("multiply", delays_.multiplier_ns);
   add("accumulate 1", adding / 2);
   add("accumulate 2", adding / 2);
+}
+
+/// The first row is gates in front of the first chain. A chain that follows another starts when
+/// that one has come to where it begins.
+void StageList::add_logic_product(LogicProduct product) {
+  int bits_before = 0, shift_before = 0;
+  for (int level = 0; level < LogicProduct::levels; ++level) {
+    const int bits = product.longest_chain_bits(level);
+    const int shift = LogicProduct::shift_bits(level);
+    const int overlap = std::clamp(bits_before - (shift - shift_before), 0, bits);
+    const double first_row = level == 0 ? luts(1) : 0;
+    stages_.push_back({.name = "level " + std::to_string(level),
+                       .delay_ns = first_row + (bits > 0 ? carry(bits) : 0),
+                       .overlap_ns = overlap * delays_.carry_ns_per_bit});
+    bits_before = bits;
+    shift_before = shift;
+  }
 }
 
 /// fp_round; a fraction that arrives `dropped_bits` too wide is ORed into the sticky bit on the
@@ -110,15 +132,21 @@ Unit add_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
   return std::move(stages).unit("fp_add");
 }
 
-Unit multiply_unit(std::string module, FloatFormat operands, FloatFormat result,
-                   Subnormals subnormals, const DelayTable& delays) {
+Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat result,
+                   Subnormals subnormals, Multipliers multipliers, const DelayTable& delays) {
   const int dropped_bits = 2 * operands.precision() - result.precision() - 2;
   StageList stages(delays);
   stages.add_operand(operands, subnormals);
-  stages.add_product(operands.precision());
+  switch (multipliers) {
+    case Multipliers::embedded: stages.add_embedded_product(operands.precision()); break;
+    case Multipliers::logic: stages.add_logic_product({operands.precision(), kind}); break;
+  }
   stages.add("select", stages.luts(1 + reduction_levels(std::max(dropped_bits, 1))));
   stages.add_round(result, subnormals == Subnormals::gradual, 0);
-  return std::move(stages).unit(std::move(module));
+  Unit unit =
+      std::move(stages).unit(kind == LogicProduct::Kind::square ? "fp_square" : "fp_multiply");
+  unit.multipliers = multipliers;
+  return unit;
 }
 
 Unit divide_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
@@ -192,21 +220,24 @@ Unit bound_magnitude_unit(FloatFormat lane, BoundFormat bound, const DelayTable&
 
 /// The units of a single stage.
 Unit single_stage_unit(std::string module, std::string stage, double delay_ns) {
-  return {std::move(module), {{std::move(stage), delay_ns}}};
+  return {.module = std::move(module), .stages = {{std::move(stage), delay_ns}}};
 }
 
 }  // namespace
 
-Unit unit_for(const model::TypedNode& node, Subnormals subnormals,
-              model::Multipliers /*multipliers*/, const DelayTable& delays) {
+Unit unit_for(const model::TypedNode& node, Subnormals subnormals, Multipliers multipliers,
+              const DelayTable& delays) {
   const FloatFormat operands = node.operand_format;
   const FloatFormat result = node.format;
   switch (node.operation) {
     case Operation::add:
     case Operation::subtract: return add_unit(operands, result, subnormals, delays);
     case Operation::multiply:
-      return multiply_unit("fp_multiply", operands, result, subnormals, delays);
-    case Operation::square: return multiply_unit("fp_square", operands, result, subnormals, delays);
+      return multiply_unit(LogicProduct::Kind::product, operands, result, subnormals, multipliers,
+                           delays);
+    case Operation::square:
+      return multiply_unit(LogicProduct::Kind::square, operands, result, subnormals, multipliers,
+                           delays);
     case Operation::divide: return divide_unit(operands, result, subnormals, delays);
     case Operation::square_root: return square_root_unit(operands, result, subnormals, delays);
     case Operation::convert: return convert_unit(operands, result, subnormals, delays);

@@ -16,12 +16,16 @@ using model::DelayTable;
 struct Stage {
   std::string name;  ///< as in the comment of the template
   double delay_ns;
+  /// What of delay_ns passes while the stage before is still at work, if no register is between
+  /// them: one carry chain runs along another. At most that stage's delay.
+  double overlap_ns = 0;
 };
 
 /// A template and its stages; bit k of its CUTS parameter registers the end of stage k.
 struct Unit {
   std::string module;
   std::vector<Stage> stages;
+  model::Multipliers multipliers = model::Multipliers::embedded;  ///< logic: print EMBEDDED = 0
 };
 
 /// The unit that computes `node` (not for input, constant, negate, absolute: those are wires).

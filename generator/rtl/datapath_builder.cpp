@@ -229,6 +229,9 @@ std::vector<Parameter> DatapathBuilder::unit_parameters(NodeId id) const {
   if (!hazards.overflow) parameters.push_back({"OVERFLOW", 0});
   if (!hazards.underflow) parameters.push_back({"UNDERFLOW", 0});
   if (!hazards.cancellation) parameters.push_back({"CANCELLATION", 0});
+  if (schedule_.steps[id].unit.multipliers == model::Multipliers::logic) {
+    parameters.push_back({"EMBEDDED", 0});
+  }
   parameters.push_back({"CUTS", cut_mask(schedule_.steps[id])});
   return parameters;
 }

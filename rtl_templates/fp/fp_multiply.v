@@ -1,5 +1,6 @@
 // fp_multiply: a * b, rounded once to the result format.
-// Latency: the population count of CUTS (nine bits); initiation interval 1; no reset.
+// Latency: the population count of CUTS (nine bits, thirteen with EMBEDDED = 0); initiation interval
+// 1; no reset. EMBEDDED = 0: the product is logic on any device; else it is `*`.
 // Special values as IEEE 754: infinity * 0 is NaN.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/architecture.md.
 `default_nettype none
@@ -14,7 +15,8 @@ module fp_multiply #(
     parameter       UNDERFLOW            = 1,
     parameter       GRADUAL              = 0,
     parameter       TOWARD_ZERO          = 0,
-    parameter [8:0] CUTS                 = 9'b0
+    parameter       EMBEDDED             = 1,
+    parameter [((EMBEDDED != 0) ? 8 : 12):0] CUTS = 0
 ) (
     input  wire                                             aclk,
     input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
@@ -38,6 +40,8 @@ module fp_multiply #(
   // Without underflow there are no subnormals to be gradual about.
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
+  // Cuts 2 to ROUND - 1 are the product's.
+  localparam ROUND   = (EMBEDDED != 0) ? 5 : 9;
   localparam PRODUCT = 2 * PRECISION;
   localparam EXPONENT_WIDTH =
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS),
@@ -106,7 +110,6 @@ module fp_multiply #(
   );
 
   // Stage multiply: the product of two significands in [1, 2) lies in [1, 4).
-  wire [PRODUCT-1:0]        s2_product  = s2_a_significand * s2_b_significand;
   wire [EXPONENT_WIDTH-1:0] s2_exponent;
   wire                      s2_unused_place;
   wire                      s2_sign     = s2_a_sign ^ s2_b_sign;
@@ -117,51 +120,49 @@ module fp_multiply #(
 
   assign {s2_exponent, s2_unused_place} = {s2_a_exponent, 1'b1} + {s2_b_exponent, 1'b1};
 
-  wire [PRODUCT-1:0]        s3_product;
+  wire [PRODUCT-1:0] last_product;
+
+  fp_product #(
+      .PRECISION(PRECISION),
+      .SQUARE   (0),
+      .EMBEDDED (EMBEDDED),
+      .CUTS     (CUTS[ROUND-1:2])
+  ) s2_product (
+      .aclk   (aclk),
+      .a      (s2_a_significand),
+      .b      (s2_b_significand),
+      .product(last_product)
+  );
+
   wire [EXPONENT_WIDTH-1:0] s3_sum;
   wire [4:0]                s3_flags;
 
   fp_rank #(
-      .WIDTH     (PRODUCT + EXPONENT_WIDTH + 5),
+      .WIDTH     (EXPONENT_WIDTH + 5),
       .REGISTERED(CUTS[2])
   ) rank_2 (
       .aclk(aclk),
-      .d   ({s2_product, s2_exponent, s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect}),
-      .q   ({s3_product, s3_sum, s3_flags})
+      .d   ({s2_exponent, s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect}),
+      .q   ({s3_sum, s3_flags})
   );
 
-  // Stages accumulate 1 and 2: nothing but ranks that synthesis moves into the product, where
-  // embedded multipliers and the adders behind them have registers of their own.
+  // The product's other stages.
   wire [EXPONENT_WIDTH-1:0] s3_exponent = s3_sum + REBIAS[EXPONENT_WIDTH-1:0];
+  wire [EXPONENT_WIDTH-1:0] last_exponent;
+  wire                      last_sign;
+  wire                      last_nan;
+  wire                      last_infinite;
+  wire                      last_zero;
+  wire                      last_suspect;
 
-  wire [PRODUCT-1:0]        s4_product;
-  wire [EXPONENT_WIDTH-1:0] s4_exponent;
-  wire [4:0]                s4_flags;
-
-  fp_rank #(
-      .WIDTH     (PRODUCT + EXPONENT_WIDTH + 5),
-      .REGISTERED(CUTS[3])
-  ) rank_3 (
+  fp_ranks #(
+      .WIDTH(EXPONENT_WIDTH + 5),
+      .COUNT(ROUND - 3),
+      .CUTS (CUTS[ROUND-1:3])
+  ) ranks_3 (
       .aclk(aclk),
-      .d   ({s3_product, s3_exponent, s3_flags}),
-      .q   ({s4_product, s4_exponent, s4_flags})
-  );
-
-  wire [PRODUCT-1:0]        s5_product;
-  wire [EXPONENT_WIDTH-1:0] s5_exponent;
-  wire                      s5_sign;
-  wire                      s5_nan;
-  wire                      s5_infinite;
-  wire                      s5_zero;
-  wire                      s5_suspect;
-
-  fp_rank #(
-      .WIDTH     (PRODUCT + EXPONENT_WIDTH + 5),
-      .REGISTERED(CUTS[4])
-  ) rank_4 (
-      .aclk(aclk),
-      .d   ({s4_product, s4_exponent, s4_flags}),
-      .q   ({s5_product, s5_exponent, s5_sign, s5_nan, s5_infinite, s5_zero, s5_suspect})
+      .d   ({s3_exponent, s3_flags}),
+      .q   ({last_exponent, last_sign, last_nan, last_infinite, last_zero, last_suspect})
   );
 
   // Stages select, denormalise, round, pack.
@@ -174,17 +175,17 @@ module fp_multiply #(
       .UNDERFLOW           (UNDERFLOW),
       .GRADUAL             (SUBNORMALS),
       .TOWARD_ZERO         (TOWARD_ZERO),
-      .CUTS                (CUTS[8:5])
-  ) s5_select_round (
+      .CUTS                (CUTS[ROUND+3:ROUND])
+  ) select_round (
       .aclk       (aclk),
-      .sign       (s5_sign),
-      .exponent   (s5_exponent),
-      .value      (s5_product),
+      .sign       (last_sign),
+      .exponent   (last_exponent),
+      .value      (last_product),
       .sticky     (1'b0),
-      .nan        (s5_nan),
-      .infinite   (s5_infinite),
-      .zero       (s5_zero),
-      .suspect    (s5_suspect),
+      .nan        (last_nan),
+      .infinite   (last_infinite),
+      .zero       (last_zero),
+      .suspect    (last_suspect),
       .y          (y),
       .exceptional(exceptional)
   );

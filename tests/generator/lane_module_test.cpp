@@ -21,7 +21,8 @@ using test::format;
 using test::graph_of;
 
 std::vector<rtl::Instance> instances(const model::Graph& graph, const Lane& lane) {
-  const Schedule schedule = schedule_lane(lane, model::Multipliers::embedded, delays_of("virtex6-lx760").value(), 250);
+  const Schedule schedule =
+      schedule_lane(lane, model::Multipliers::embedded, delays_of("virtex6-lx760").value(), 250);
   std::vector<rtl::Instance> found;
   for (const rtl::Item& item : lane_module("lane", graph.inputs(), lane, schedule).items) {
     if (const auto* instance = std::get_if<rtl::Instance>(&item)) found.push_back(*instance);

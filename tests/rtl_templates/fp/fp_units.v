@@ -15,7 +15,7 @@ module fp_units #(
     parameter         FIRST_COLUMN         = 0,    // others are not built, to take less time
     parameter         LAST_COLUMN          = 2,
     parameter         SLOT                 = 128,  // width of a result, zero-extended
-    parameter         SLOTS                = 528
+    parameter         SLOTS                = 624
 ) (
     input wire         aclk,
     input wire [127:0] a,
@@ -178,6 +178,49 @@ module fp_units #(
           );
           assign y[UNIT*6+VARIANT] = converted;
 
+          wire [RESULT_PACKED-1:0] logic_product;
+          fp_multiply #(
+              .EXPONENT_BITS       (EXPONENT_BITS),
+              .PRECISION           (PRECISION),
+              .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
+              .RESULT_PRECISION    (RESULT_PRECISION),
+              .SPECIAL_OPERANDS    (!PROMISED[0]),
+              .OVERFLOW            (!PROMISED[1]),
+              .UNDERFLOW           (!PROMISED[2]),
+              .GRADUAL             (gradual),
+              .TOWARD_ZERO         (toward_zero),
+              .EMBEDDED            (0),
+              .CUTS                (CUTS[12:0])
+          ) logic_multiply (
+              .aclk       (aclk),
+              .a          (x0),
+              .b          (x1),
+              .y          (logic_product),
+              .exceptional(flag[UNIT*7+VARIANT])
+          );
+          assign y[UNIT*7+VARIANT] = logic_product;
+
+          wire [RESULT_PACKED-1:0] logic_squared;
+          fp_square #(
+              .EXPONENT_BITS       (EXPONENT_BITS),
+              .PRECISION           (PRECISION),
+              .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
+              .RESULT_PRECISION    (RESULT_PRECISION),
+              .SPECIAL_OPERANDS    (!PROMISED[0]),
+              .OVERFLOW            (!PROMISED[1]),
+              .UNDERFLOW           (!PROMISED[2]),
+              .GRADUAL             (gradual),
+              .TOWARD_ZERO         (toward_zero),
+              .EMBEDDED            (0),
+              .CUTS                (CUTS[12:0])
+          ) logic_square (
+              .aclk       (aclk),
+              .a          (x0),
+              .y          (logic_squared),
+              .exceptional(flag[UNIT*8+VARIANT])
+          );
+          assign y[UNIT*8+VARIANT] = logic_squared;
+
           // Takes the rounding's place: minimum or maximum.
           wire [PACKED-1:0] extremum;
           fp_minimum_maximum #(
@@ -194,9 +237,9 @@ module fp_units #(
               .a          (x0),
               .b          (x1),
               .y          (extremum),
-              .exceptional(flag[UNIT*7+VARIANT])
+              .exceptional(flag[UNIT*9+VARIANT])
           );
-          assign y[UNIT*7+VARIANT] = extremum;
+          assign y[UNIT*9+VARIANT] = extremum;
 
           // Takes the rounding's place: comparison or interval decision.
           wire [1:0] verdict;
@@ -212,7 +255,7 @@ module fp_units #(
                 .b      (x1),
                 .verdict(verdict)
             );
-            assign flag[UNIT*8+VARIANT] = 1'b0;
+            assign flag[UNIT*10+VARIANT] = 1'b0;
           end else begin : interval_decision
             fp_interval_decision #(
                 .EXPONENT_BITS(EXPONENT_BITS),
@@ -223,10 +266,10 @@ module fp_units #(
                 .minimum(x0),
                 .maximum(x1),
                 .verdict(verdict),
-                .decided(flag[UNIT*8+VARIANT])
+                .decided(flag[UNIT*10+VARIANT])
             );
           end
-          assign y[UNIT*8+VARIANT] = verdict;
+          assign y[UNIT*10+VARIANT] = verdict;
 
           // Take the subnormals' and the rounding's place: NONNEGATIVE and four guards.
           for (guard = 0; guard < 2; guard = guard + 1) begin : ulp_distance
@@ -245,9 +288,9 @@ module fp_units #(
                 .g          (x1),
                 .exceptional(exceptional),
                 .verdict    (order),
-                .decided    (flag[UNIT*(9+guard)+VARIANT])
+                .decided    (flag[UNIT*(11+guard)+VARIANT])
             );
-            assign y[UNIT*(9+guard)+VARIANT] = order;
+            assign y[UNIT*(11+guard)+VARIANT] = order;
           end
         end
       end

@@ -10,7 +10,7 @@ module fp_units_tb;
   parameter [127:0] SOME_CUTS     = {64{2'b01}};
   parameter         COUNT         = 1024;
 
-  localparam BEHAVIOURS = 44;
+  localparam BEHAVIOURS = 52;
   localparam COLUMNS    = 12;
   localparam MASKS      = 3;  // the columns that are built
   localparam SLOTS      = BEHAVIOURS * COLUMNS;

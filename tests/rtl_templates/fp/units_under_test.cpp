@@ -25,6 +25,8 @@ enum UnitSlot {
   divide,
   square_root,
   convert,
+  logic_multiply,
+  logic_square,
   minimum_maximum,
   comparison,
   ulp_distance,
@@ -51,8 +53,10 @@ Operation operation_of(UnitSlot unit) {
   switch (unit) {
     case add: return Operation::add;
     case subtract: return Operation::subtract;
-    case multiply: return Operation::multiply;
-    case square: return Operation::square;
+    case multiply:
+    case logic_multiply: return Operation::multiply;
+    case square:
+    case logic_square: return Operation::square;
     case divide: return Operation::divide;
     case square_root: return Operation::square_root;
     case convert: return Operation::convert;
@@ -105,8 +109,10 @@ golden::Rounded rounded(const Arithmetic& result, FloatFormat operands, const Be
   switch (behaviour.unit) {
     case add: return golden::add(result, operands, a, b);
     case subtract: return golden::subtract(result, operands, a, b);
-    case multiply: return golden::multiply(result, operands, a, b);
-    case square: return golden::square(result, operands, a);
+    case multiply:
+    case logic_multiply: return golden::multiply(result, operands, a, b);
+    case square:
+    case logic_square: return golden::square(result, operands, a);
     case divide: return golden::divide(result, operands, a, b);
     case square_root: return golden::square_root(result, operands, a);
     case convert: return golden::convert(result, operands, a);
@@ -124,7 +130,7 @@ bool has_promises(UnitSlot unit) {
 }
 
 bool has_two_operands(UnitSlot unit) {
-  return unit != square && unit != square_root && unit != convert;
+  return unit != square && unit != logic_square && unit != square_root && unit != convert;
 }
 
 HazardSet operand_hazards(FloatFormat format, Bits operand) {
@@ -187,7 +193,9 @@ int UnitsUnderTest::stage_count(int behaviour) const {
                               .operand_format = operands_,
                               .format = which.unit == minimum_maximum ? operands_ : result_};
   const Subnormals subnormals = which.gradual ? Subnormals::gradual : Subnormals::flush;
-  return count(gen::unit_for(node, subnormals, model::Multipliers::embedded, delays));
+  const bool logic = which.unit == logic_multiply || which.unit == logic_square;
+  const auto multipliers = logic ? model::Multipliers::logic : model::Multipliers::embedded;
+  return count(gen::unit_for(node, subnormals, multipliers, delays));
 }
 
 Answer UnitsUnderTest::answer(int behaviour, const Stimulus& stimulus) const {
@@ -241,9 +249,15 @@ bool UnitsUnderTest::exceptional_by_hazards_alone(int behaviour) const {
 }
 
 std::string UnitsUnderTest::name(int slot) const {
-  static constexpr std::array<std::string_view, minimum_maximum> names = {
-      "fp_add",    "fp_add SUBTRACT", "fp_multiply", "fp_square",
-      "fp_divide", "fp_square_root",  "fp_convert"};
+  static constexpr std::array<std::string_view, minimum_maximum> names = {"fp_add",
+                                                                          "fp_add SUBTRACT",
+                                                                          "fp_multiply",
+                                                                          "fp_square",
+                                                                          "fp_divide",
+                                                                          "fp_square_root",
+                                                                          "fp_convert",
+                                                                          "fp_multiply EMBEDDED=0",
+                                                                          "fp_square EMBEDDED=0"};
   static constexpr std::array<std::string_view, masks> mask_names = {"none", "all", "some"};
   const Behaviour which = behaviour_of(slot / columns);
   const HazardSet promises = promised(slot);

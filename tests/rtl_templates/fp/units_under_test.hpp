@@ -45,7 +45,7 @@ struct Answer {
 /// column. The first columns differ in their masks, the others in what they were promised.
 class UnitsUnderTest {
 public:
-  static constexpr int masks = 3, columns = masks + 9, variants = 4, units = 11;
+  static constexpr int masks = 3, columns = masks + 9, variants = 4, units = 13;
   static constexpr int behaviours = units * variants, slots = behaviours * columns;
 
   /// `some_cuts` is the mask between none and all.

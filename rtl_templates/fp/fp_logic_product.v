@@ -1,0 +1,175 @@
+// fp_logic_product: the product of two significands, or the square of one, without `*`.
+// Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
+// The significands have a leading one, not among their bits here: in [2^(P-1), 2^P).
+//
+// Booth's digits make half as many rows as there are bits, a square's on average half as long as a
+// product's. A row that joins a sum is gates of five inputs in front of a carry chain: with the
+// sum's bit that fills a look-up table of six, so that of four rows each after the first
+// takes nothing else.
+// Then sums are added two by two.
+`default_nettype none
+
+module fp_logic_product #(
+    parameter       PRECISION = 24,  // to 127
+    parameter       SQUARE    = 0,   // 1: of a; b is not read
+    parameter [6:0] CUTS      = 7'b0
+) (
+    input  wire                   aclk,
+    input  wire [PRECISION-2:0]   a,
+    input  wire [PRECISION-2:0]   b,
+    output wire [2*PRECISION-1:0] product
+);
+
+  localparam ROWS = (SQUARE != 0) ? PRECISION / 2 : PRECISION / 2 + 1;
+  // Of the first digit's middle bit; each other is two places up.
+  localparam PLACE = (SQUARE != 0) ? 1 + PRECISION % 2 : 0;
+
+  // From the first place of row `first` to the last one of row `last`.
+  function integer width_of(input integer first, input integer last);
+    width_of = (SQUARE != 0) ? 4 * last - 2 * first + PLACE + 3
+                             : 2 * (last - first) + PRECISION + 6;
+  endfunction
+
+  function integer smaller(input integer first, input integer second);
+    smaller = (first < second) ? first : second;
+  endfunction
+
+  genvar level;
+  genvar index;
+
+  // The operands of levels 0 to 2, where rows join.
+  generate
+    for (level = 0; level < 3; level = level + 1) begin : operands
+      wire [PRECISION-2:0] a_fraction;
+      wire [PRECISION-2:0] b_fraction;
+      wire [PRECISION-1:0] a_significand = {1'b1, a_fraction};
+      wire [PRECISION-1:0] b_significand = {1'b1, b_fraction};
+      wire                 unused_bits   = ^{a_significand, b_significand};
+
+      if (level == 0) begin : first
+        assign a_fraction = a;
+        assign b_fraction = b;
+      end else begin : later
+        fp_rank #(
+            .WIDTH     (2 * PRECISION - 2),
+            .REGISTERED(CUTS[level-1])
+        ) rank (
+            .aclk(aclk),
+            .d   ({operands[level-1].a_fraction, operands[level-1].b_fraction}),
+            .q   ({a_fraction, b_fraction})
+        );
+      end
+    end
+  endgenerate
+
+  // Levels 0 to 2: two, three, four rows of each four. Levels 3 to 6: 8, 16, 32, 64 rows.
+  generate
+    for (level = 0; level < 7; level = level + 1) begin : sums
+      localparam PITCH = (level < 3) ? 4 : 1 << level;
+      localparam ADDED = (level < 3) ? level + 1 : PITCH / 2;  // rows of the lower addend
+      localparam ALL   = (level < 3) ? level + 2 : PITCH;
+      localparam COUNT = (ROWS + PITCH - 1) / PITCH;
+
+      for (index = 0; index < COUNT; index = index + 1) begin : part
+        localparam FIRST = PITCH * index;
+        localparam UPPER = FIRST + ADDED;  // first row of the upper addend
+        localparam LOW   = width_of(FIRST, smaller(UPPER, ROWS) - 1);
+        localparam SUM   = width_of(FIRST, smaller(FIRST + ALL, ROWS) - 1);
+
+        wire [LOW-1:0] low;
+        wire [SUM-1:0] sum;
+        wire [SUM-1:0] value;
+
+        if (level == 0) begin : rows
+          fp_product_row #(
+              .PRECISION(PRECISION),
+              .SQUARE   (SQUARE),
+              .ROW      (FIRST),
+              .WIDTH    (LOW)
+          ) product_row (
+              .a  (operands[0].a_significand),
+              .b  (operands[0].b_significand),
+              .row(low)
+          );
+        end else if (level < 3) begin : same
+          assign low = sums[level-1].part[index].value;
+        end else begin : halves
+          assign low = sums[level-1].part[2*index].value;
+        end
+
+        if (UPPER < ROWS) begin : add
+          localparam SHIFT = 2 * ADDED;
+          localparam HIGH  = SUM - SHIFT;
+
+          wire [HIGH-1:0] high;
+
+          if (level < 3) begin : rows
+            fp_product_row #(
+                .PRECISION(PRECISION),
+                .SQUARE   (SQUARE),
+                .ROW      (UPPER),
+                .WIDTH    (HIGH)
+            ) product_row (
+                .a  (operands[level].a_significand),
+                .b  (operands[level].b_significand),
+                .row(high)
+            );
+          end else begin : halves
+            assign high = sums[level-1].part[2*index+1].value;
+          end
+
+          fp_shifted_sum #(
+              .LOW  (LOW),
+              .HIGH (HIGH),
+              .SHIFT(SHIFT)
+          ) shifted_sum (
+              .low (low),
+              .high(high),
+              .sum (sum)
+          );
+        end else begin : pass
+          assign sum = low;
+        end
+
+        fp_rank #(
+            .WIDTH     (SUM),
+            .REGISTERED(CUTS[level])
+        ) rank (
+            .aclk(aclk),
+            .d   (sum),
+            .q   (value)
+        );
+      end
+    end
+  endgenerate
+
+  localparam TOTAL = width_of(0, ROWS - 1);
+
+  wire [TOTAL-1:0] total = sums[6].part[0].value;
+
+  // A product's rows begin two places below it, the rows of an odd square one place above.
+  generate
+    if (SQUARE == 0) begin : product_of_two
+      wire unused_places = ^{total[TOTAL-1:2*PRECISION+2], total[1:0]};
+
+      assign product = total[2*PRECISION+1:2];
+    end else if (PRECISION % 2 == 0) begin : even_square
+      assign product = total;
+    end else begin : odd_square
+      fp_ranks #(
+          .WIDTH(1),
+          .COUNT(7),
+          .CUTS (CUTS)
+      ) last_place (
+          .aclk(aclk),
+          .d   (a[0]),
+          .q   (product[0])
+      );
+
+      assign product[2*PRECISION-1:1] = total;
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,37 @@
+// fp_multiply_row: one row of a product, b times one of a's digits (fp_booth_multiple).
+// Combinational. The row's first place is that of the digit before, which is owed one there if it
+// was negative. Signs: -s is 1 - s less one, and the ones that all rows lack together are a one
+// above each row and one more in the first row's sign.
+`default_nettype none
+
+module fp_multiply_row #(
+    parameter PRECISION = 24,
+    parameter FIRST     = 0    // 1: of the first row
+) (
+    input  wire [4:0]           digits,  // this one and, sharing a bit, the one before
+    input  wire [PRECISION-1:0] b,
+    output wire [PRECISION+5:0] row
+);
+
+  wire [PRECISION:0] multiple;
+  wire               negative;
+  wire               unused_doubled;
+
+  fp_booth_multiple #(
+      .WIDTH(PRECISION)
+  ) booth_multiple (
+      .digit   (digits[4:2]),
+      .value   (b),
+      .multiple(multiple),
+      .doubled (unused_doubled),
+      .negative(negative)
+  );
+
+  wire       owed = digits[2] && !(digits[1] && digits[0]);
+  wire [2:0] sign = (FIRST != 0) ? {!negative, negative, negative} : {2'b01, !negative};
+
+  assign row = {sign, multiple, 1'b0, owed};
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,36 @@
+// fp_ranks: COUNT cut points with nothing between them.
+// Latency: the population count of CUTS; initiation interval 1; no reset.
+`default_nettype none
+
+module fp_ranks #(
+    parameter             WIDTH = 1,
+    parameter             COUNT = 1,
+    parameter [COUNT-1:0] CUTS  = 0
+) (
+    input  wire             aclk,
+    input  wire [WIDTH-1:0] d,
+    output wire [WIDTH-1:0] q
+);
+
+  wire [(COUNT+1)*WIDTH-1:0] chain;
+
+  assign chain[WIDTH-1:0] = d;
+  assign q                = chain[COUNT*WIDTH+:WIDTH];
+
+  genvar k;
+  generate
+    for (k = 0; k < COUNT; k = k + 1) begin : cut
+      fp_rank #(
+          .WIDTH     (WIDTH),
+          .REGISTERED(CUTS[k])
+      ) rank (
+          .aclk(aclk),
+          .d   (chain[k*WIDTH+:WIDTH]),
+          .q   (chain[(k+1)*WIDTH+:WIDTH])
+      );
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire

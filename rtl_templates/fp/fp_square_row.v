@@ -1,0 +1,48 @@
+// fp_square_row: one row of a square, a digit (fp_booth_multiple) times all digits below and itself.
+// Combinational. The digits below place p are x = a[p-1:0] in two's complement; with them a digit d
+// adds d (2 x + d 2^p) 2^p to the square, which is never negative: d 2^p takes the sign out of 2 x.
+// The row's first place is p - 1, where the digit before is owed one if it was negative.
+`default_nettype none
+
+module fp_square_row #(
+    parameter PLACE = 3  // of the digit's middle bit; of the first row 1 or 2
+) (
+    input  wire [PLACE+1:0] a,
+    output wire [PLACE+2:0] row
+);
+
+  localparam [PLACE-1:0] SIGN = ~({PLACE{1'b1}} >> 1);
+
+  wire [PLACE:0] multiple;
+  wire           unused_above = multiple[PLACE];
+  wire           doubled;
+  wire           unused_negative;
+
+  fp_booth_multiple #(
+      .WIDTH(PLACE)
+  ) booth_multiple (
+      .digit   (a[PLACE+1:PLACE-1]),
+      .value   (a[PLACE-1:0] ^ SIGN),
+      .multiple(multiple),
+      .doubled (doubled),
+      .negative(unused_negative)
+  );
+
+  // Below the first row's digit there are one or two bits, and their square has room here.
+  wire [1:0] below;
+
+  generate
+    if (PLACE == 1) begin : one_bit
+      assign below = {1'b0, a[0]};
+    end else if (PLACE == 2) begin : two_bits
+      assign below = {a[1] && !a[0], 1'b0};  // and a[0] one place down
+    end else begin : digits
+      assign below = {1'b0, a[PLACE-1] && !(a[PLACE-2] && a[PLACE-3])};
+    end
+  endgenerate
+
+  assign row = {doubled, multiple[PLACE-1:0], below};
+
+endmodule
+
+`default_nettype wire
