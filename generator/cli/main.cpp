@@ -13,11 +13,12 @@ int main(int argc, char** argv) {
   mixcmp::cli::add_generate(app);
   mixcmp::cli::add_verify(app);
   mixcmp::cli::add_profile(app);
+  mixcmp::cli::add_characterise(app);
   mixcmp::cli::add_doctor(app);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) {
-      throw CLI::RequiredError("A verb (check, generate, verify, profile, doctor)");
+      throw CLI::RequiredError("A verb (check, generate, verify, profile, characterise, doctor)");
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;

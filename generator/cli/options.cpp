@@ -40,12 +40,14 @@ std::string quoted(const std::string& text) {
   return quoted_text + "'";
 }
 
-void add_scene_options(CLI::App& verb, SceneOptions& options) {
+void add_scene_options(CLI::App& verb, SceneOptions& options,
+                       const std::set<std::string>& left_out) {
   verb.add_option("SCENE", options.scene, "the scene file (docs/scene_file.md)")->required();
   verb.add_option("--set", options.settings,
                   "override one key of the scene: section.key=value; may be repeated")
       ->allow_extra_args(false);
   for (const Shortcut& shortcut : shortcuts) {
+    if (left_out.contains(shortcut.flag)) continue;
     verb.add_option_function<std::string>(
         shortcut.flag,
         [&options, key = std::string(shortcut.key)](const std::string& value) {

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,10 @@ struct SceneOptions {
   bool json = false;
 };
 
-/// Adds SCENE, --set, the shortcuts (--format, --lanes, ...) and --json to a verb.
-void add_scene_options(CLI::App& verb, SceneOptions& options);
+/// Adds SCENE, --set, the shortcuts (--format, --lanes, ...) and --json to a verb. Shortcuts that
+/// mean something else to it, or nothing, are `left_out`.
+void add_scene_options(CLI::App& verb, SceneOptions& options,
+                       const std::set<std::string>& left_out = {});
 
 /// A scene with its data (none where the scene names none).
 struct LoadedScene {

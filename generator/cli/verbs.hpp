@@ -11,6 +11,7 @@ void add_check(CLI::App& app);
 void add_generate(CLI::App& app);
 void add_verify(CLI::App& app);
 void add_profile(CLI::App& app);
+void add_characterise(CLI::App& app);
 void add_doctor(CLI::App& app);
 
 }  // namespace mixcmp::cli
