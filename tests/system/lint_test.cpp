@@ -6,6 +6,7 @@
 
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
+#include "tests/support/mixed_spheres.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -76,6 +77,13 @@ std::vector<Variant> variants() {
       {"slow_clock", with(base, [](auto& d) { d.system.target_mhz = 10; })},
       {"fast_clock", with(base, [](auto& d) { d.system.target_mhz = 900; })},
       {"padded_7x3", odd},
+      {"mixed_7x3", mixed_sphere_design()},
+      {"mixed_refetched_in_order_7x3", with(mixed_sphere_design(),
+                                            [](auto& d) {
+                                              d.system.operands = model::OperandStore::refetched;
+                                              d.system.order = model::ResultOrder::in_order;
+                                            })},
+      {"mixed_lanes_only", with(mixed_sphere_design(), [](auto& d) { d.references.clear(); })},
       {"refetched_padded_7x3",
        with(odd, [](auto& d) { d.system.operands = model::OperandStore::refetched; })},
       {"every_operation",
