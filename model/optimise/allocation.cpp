@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numeric>
 #include <set>
 
 #include "model/common/check.hpp"
 #include "model/optimise/allocation_program.hpp"
 #include "model/optimise/feasibility.hpp"
+#include "model/optimise/kinds_at_clock.hpp"
 #include "model/optimise/shortage.hpp"
 #include "model/performance/performance.hpp"
 
@@ -87,11 +89,10 @@ public:
   std::optional<Allocation> run() {
     for (const double clock : candidate_clocks(problem_)) try_clock(clock);
     std::optional<Allocation> best;
-    for (const double clock : best_clocks_) {
-      const std::optional<Allocation> plan = cheapest(clock);
-      if (plan && (!best || is_better(*plan, *best))) best = plan;
+    for (const auto& [clock, found] : best_) {
+      const Allocation plan = cheapest(clock, found);
+      if (!best || is_better(plan, *best)) best = plan;
     }
-    MIXCMP_CHECK(best || best_clocks_.empty());
     return best;
   }
 
@@ -111,32 +112,58 @@ private:
   /// Where the best point of the relaxation keeps the exact rules it is the best plan of its clock;
   /// else each p_H is tried.
   void try_clock(double clock) {
-    if (some_lane_needs_no_reference()) try_exactly(clock, 0);
+    if (some_lane_needs_no_reference()) try_exactly({clock, 0, {}});
     if (most_references() == 0) return;
-    AllocationProgram relaxed = relaxed_program(problem_, clock);
-    ask_for(relaxed, best_per_s_);
-    const auto point = solve(relaxed.program);
-    if (!point) return;
-    if (const auto plan = plan_of(problem_, relaxed.counts(problem_, *point))) {
-      note(clock, *plan);
-      return;
-    }
+    if (!try_relaxed({clock, {}, {}})) return;
     for (int references = 1; references <= most_references(); ++references) {
-      try_exactly(clock, references);
+      const FixedCounts fixed{clock, references, {}};
+      if (const auto relaxed = try_relaxed(fixed)) try_below(fixed, *relaxed);
     }
   }
 
-  void try_exactly(double clock, int references) {
-    AllocationProgram wanted = exact_program(problem_, clock, references);
+  /// None where nothing is left to be found: the relaxation has no better point, or its best is a
+  /// plan. Else that point.
+  std::optional<Counts> try_relaxed(const FixedCounts& fixed) {
+    AllocationProgram relaxed = relaxed_program(problem_, fixed);
+    ask_for(relaxed, best_per_s_);
+    const auto point = solve(relaxed.program);
+    if (!point) return std::nullopt;
+    const Counts counts = relaxed.counts(problem_, *point);
+    const auto plan = plan_of(problem_, counts);
+    if (!plan) return counts;
+    note(fixed.clock_per_s, *plan);
+    return std::nullopt;
+  }
+
+  /// Where all lanes are equally fast the number of lanes decides: from that of the relaxation down
+  /// to the first that has a plan.
+  void try_below(FixedCounts fixed, const Counts& relaxed) {
+    const auto alike = KindsAtClock(problem_, fixed.clock_per_s).common_throughput_per_s();
+    if (!alike) {
+      try_exactly(fixed);
+      return;
+    }
+    fixed.lanes = std::accumulate(relaxed.lanes.begin(), relaxed.lanes.end(), 0);
+    while (*fixed.lanes > 0 && is_within(best_per_s_, *fixed.lanes * *alike)) {
+      if (try_exactly(fixed)) return;
+      --*fixed.lanes;
+    }
+  }
+
+  bool try_exactly(const FixedCounts& fixed) {
+    AllocationProgram wanted = exact_program(problem_, fixed);
     ask_for(wanted, best_per_s_);
-    if (const auto found = best_of(wanted, 0)) note(clock, found->plan);
+    const auto found = best_of(wanted, 0);
+    if (found) note(fixed.clock_per_s, found->plan);
+    return found.has_value();
   }
 
   void note(double clock, const Allocation& plan) {
     if (plan.throughput_per_s < best_per_s_) return;
-    if (plan.throughput_per_s > best_per_s_) best_clocks_.clear();
+    if (plan.throughput_per_s > best_per_s_) best_.clear();
     best_per_s_ = plan.throughput_per_s;
-    best_clocks_.insert(clock);
+    const auto [place, added] = best_.emplace(clock, plan);
+    if (!added && is_better(plan, place->second)) place->second = plan;
   }
 
   /// The best point that keeps the rules without CBC's tolerances. Where CBC's point does not, the
@@ -163,25 +190,36 @@ private:
   }
 
   /// Of the plans of the best throughput at this clock, the first by the rules of `is_better`.
-  std::optional<Allocation> cheapest(double clock) const {
-    for (int references = 0; references <= most_references(); ++references) {
-      AllocationProgram wanted = exact_program(problem_, clock, references);
-      ask_for(wanted, best_per_s_);
-      std::optional<Found> found;
-      for (const IntegerProgram::Sum& cost : wanted.costs) {
-        wanted.program.objective = negated(cost);
-        found = best_of(wanted, best_per_s_);
-        if (!found) break;
-        wanted.program.add_row("cheapest", cost, Relation::at_most, -found->value);
+  /// Lanes that are not equally fast hardly ever reach the same throughput in two ways: only the
+  /// references of such a plan are chosen anew.
+  Allocation cheapest(double clock, const Allocation& found) const {
+    const auto alike = KindsAtClock(problem_, clock).common_throughput_per_s();
+    const int lanes =
+        alike ? static_cast<int>(std::lround(best_per_s_ / *alike)) : found.lane_count();
+    for (int references = 0; references <= found.reference_count(); ++references) {
+      AllocationProgram wanted = exact_program(problem_, {clock, references, lanes});
+      for (std::size_t k = 0; !alike && k < found.lanes.size(); ++k) {
+        wanted.program.columns[k].lower = wanted.program.columns[k].upper = found.lanes[k];
       }
-      if (found) return found->plan;
+      if (const auto plan = cheapest(wanted)) return *plan;
     }
-    return std::nullopt;
+    return found;
+  }
+
+  std::optional<Allocation> cheapest(AllocationProgram wanted) const {
+    std::optional<Found> found;
+    for (const IntegerProgram::Sum& cost : wanted.costs) {
+      wanted.program.objective = negated(cost);
+      found = best_of(wanted, best_per_s_);
+      if (!found) return std::nullopt;
+      wanted.program.add_row("cheapest", cost, Relation::at_most, -found->value);
+    }
+    return found->plan;
   }
 
   const AllocationProblem& problem_;
   double best_per_s_ = 0;
-  std::set<double, std::greater<>> best_clocks_;
+  std::map<double, Allocation, std::greater<>> best_;  ///< of each clock that reaches it
 };
 
 }  // namespace
@@ -205,13 +243,13 @@ AllocationResult allocate(const AllocationProblem& problem) {
 std::string to_lp(const AllocationProblem& problem) {
   const AllocationResult result = allocate(problem);
   const auto* plan = std::get_if<Allocation>(&result);
-  const bool one_clock = problem.clocks == ClockDomains::single;
   if (plan == nullptr) {
     const double lowest = *candidate_clocks(problem).rbegin();
-    return to_lp(relaxed_program(problem, lowest).program);
+    return to_lp(relaxed_program(problem, {lowest, {}, {}}).program);
   }
+  const bool one_clock = problem.clocks == ClockDomains::single;
   const double clock = one_clock ? plan->throughput_per_s / plan->lane_count() : 0;
-  return to_lp(exact_program(problem, clock, plan->reference_count()).program);
+  return to_lp(exact_program(problem, {clock, plan->reference_count(), {}}).program);
 }
 
 }  // namespace mixcmp::model

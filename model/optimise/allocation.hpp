@@ -42,7 +42,9 @@ enum class ClockDomains {
 
 /// Who may serve a lane; what equation 10 is asked of.
 enum class ReferenceSharing {
-  dealt,   ///< lane i is served by reference i mod p_H alone: our crossbar; at each reference
+  /// Lane i is served by reference i mod p_H alone: our crossbar; at each reference. Lanes are
+  /// numbered by falling T(L) R_R, references by falling T(H): a plan lists its kinds so.
+  dealt,
   pooled,  ///< any reference, as the paper assumes; in total
 };
 

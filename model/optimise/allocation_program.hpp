@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "model/optimise/allocation.hpp"
@@ -7,29 +8,33 @@
 #include "model/optimise/integer_program.hpp"
 
 /// Equations 10 to 12 as integer programs. The clock of the system is fixed in each: kinds that do
-/// not reach it are out, all others run at it, so that every throughput is a constant. With several
-/// clock domains (`clock_per_s` = 0) each kind has its own.
+/// not reach it are out, all others run at it, so that every throughput is a constant.
 namespace mixcmp::model {
+
+/// What is not a variable.
+struct FixedCounts {
+  double clock_per_s = 0;  ///< 0: each kind has its own
+  std::optional<int> references;
+  std::optional<int> lanes;
+};
 
 /// A program whose first columns are p_L of each kind of lane, then p_H of each kind of reference.
 struct AllocationProgram {
   IntegerProgram program;
-  /// What `is_better` has least of, in its order: lanes, each bounded resource, kinds listed late.
-  /// Only where p_H is fixed.
+  /// What `is_better` has least of beside references and lanes, in its order: each bounded
+  /// resource, then kinds listed late.
   std::vector<IntegerProgram::Sum> costs;
   double objective_per_s = 1;  ///< comparisons a second that a unit of the objective stands for
 
   Counts counts(const AllocationProblem& problem, const std::vector<int>& columns) const;
 };
 
-/// For any p_H of 1 or more. A relaxation: every plan is in it with its own throughput; of the
-/// crossbar it knows lower bounds of the cost, of equation 10 the total, and that p_L of a kind is
-/// at most p_H times what one reference serves.
-AllocationProgram relaxed_program(const AllocationProblem& problem, double clock_per_s);
+/// With lines below the crossbar's cost in its place and, unless p_H is fixed, equation 10 in
+/// total: every plan (with one reference or more) is in it, with its own throughput.
+AllocationProgram relaxed_program(const AllocationProblem& problem, const FixedCounts& fixed);
 
-/// Exact for this p_H, 0 or more: the crossbar's cost as n references that serve k + 1 lanes and
-/// p_H - n that serve k, equation 10 at each reference where they are dealt.
-AllocationProgram exact_program(const AllocationProblem& problem, double clock_per_s,
-                                int references);
+/// p_H is fixed. The crossbar costs what n references that serve k + 1 lanes and p_H - n that serve
+/// k do; equation 10 holds at each reference where they are dealt.
+AllocationProgram exact_program(const AllocationProblem& problem, const FixedCounts& fixed);
 
 }  // namespace mixcmp::model

@@ -32,10 +32,15 @@ double clock_limit(const AllocationProblem& problem, const Counts& counts) {
   return limit;
 }
 
+/// In the order in which they are dealt.
 std::vector<Datapaths> lanes_of(const AllocationProblem& problem, const Counts& counts,
                                 double limit) {
+  std::vector<double> asked;
+  for (const LaneKind& kind : problem.lanes) {
+    asked.push_back(std::min(kind.throughput_per_s, limit) * kind.recomputation_rate);
+  }
   std::vector<Datapaths> lanes;
-  for (std::size_t k = 0; k < counts.lanes.size(); ++k) {
+  for (const int k : falling_order(asked)) {
     const LaneKind& kind = problem.lanes[k];
     lanes.push_back(
         {counts.lanes[k], std::min(kind.throughput_per_s, limit), kind.recomputation_rate});
@@ -45,10 +50,13 @@ std::vector<Datapaths> lanes_of(const AllocationProblem& problem, const Counts& 
 
 std::vector<Datapaths> references_of(const AllocationProblem& problem, const Counts& counts,
                                      double limit) {
+  std::vector<double> served;
+  for (const ReferenceKind& kind : problem.references) {
+    served.push_back(std::min(kind.throughput_per_s, limit));
+  }
   std::vector<Datapaths> references;
-  for (std::size_t k = 0; k < counts.references.size(); ++k) {
-    const double own = problem.references[k].throughput_per_s;
-    references.push_back({counts.references[k], std::min(own, limit), 0});
+  for (const int k : falling_order(served)) {
+    references.push_back({counts.references[k], served[k], 0});
   }
   return references;
 }
@@ -83,6 +91,13 @@ Area area_used(const AllocationProblem& problem, const Counts& counts) {
 }
 
 }  // namespace
+
+std::vector<int> falling_order(const std::vector<double>& values) {
+  std::vector<int> order(values.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return values[a] > values[b]; });
+  return order;
+}
 
 Amounts amounts_of(const Area& area) {
   Amounts amounts{};

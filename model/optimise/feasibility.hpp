@@ -25,6 +25,9 @@ Amounts amounts_of(const Area& area);
 /// that the table does not know makes it none.
 std::optional<Amounts> demand_of(const AllocationProblem& problem, const Counts& counts);
 
+/// Indices of the values, the largest first, equal ones in the order given.
+std::vector<int> falling_order(const std::vector<double>& values);
+
 /// The plan, where it has a lane and keeps equations 10 (at each reference, unless references are
 /// pooled) and 11.
 std::optional<Allocation> plan_of(const AllocationProblem& problem, const Counts& counts);

@@ -3,11 +3,13 @@ target_sources(mixcmp_model PRIVATE
   optimise/allocation_program.cpp
   optimise/cbc.cpp
   optimise/crossover.cpp
+  optimise/dealt_rows.cpp
   optimise/exhaustive.cpp
   optimise/exploration.cpp
   optimise/feasibility.cpp
   optimise/figures.cpp
   optimise/integer_program.cpp
+  optimise/kinds_at_clock.cpp
   optimise/optimise.cpp
   optimise/plan.cpp
   optimise/published.cpp
