@@ -1,0 +1,201 @@
+#include "generator/software/baseline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <thread>
+
+#include "generator/software/program.hpp"
+#include "generator/software/source.hpp"
+#include "model/golden/evaluate.hpp"
+#include "model/profile/operands.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using model::Bits;
+using model::golden::Verdict;
+
+model::Error no_doubles(const model::Scene& scene) {
+  return {.file = scene.path.string(),
+          .field = "reference.format",
+          .message = "software computes in double, which does not hold the scene's numbers",
+          .received = scene.reference.format.name(),
+          .accepted = "at most 53 digits and 11 exponent bits"};
+}
+
+/// Items or rows, evenly spaced, that make about `wanted` comparisons.
+model::Result<model::Comparisons> sample_of(const model::Scene& scene,
+                                            const model::Comparisons& data, std::uint64_t wanted) {
+  const model::Table& table = data.table();
+  const std::uint64_t rows =
+      data.pairs() ? static_cast<std::uint64_t>(std::sqrt(2.0 * static_cast<double>(wanted))) + 1
+                   : wanted;
+  const std::uint64_t taken = std::clamp<std::uint64_t>(rows, data.pairs() ? 2 : 1, table.rows());
+  model::Table sample{.format = table.format, .columns = table.columns, .values = {}, .labels = {}};
+  for (std::uint64_t k = 0; k < taken; ++k) {
+    const auto first = table.values.begin() +
+                       static_cast<std::ptrdiff_t>(k * table.rows() / taken * table.columns.size());
+    sample.values.insert(sample.values.end(), first,
+                         first + static_cast<std::ptrdiff_t>(table.columns.size()));
+  }
+  return data.pairs() ? model::Comparisons::all_pairs(std::move(sample), scene.graph.inputs())
+                      : model::Comparisons::rows(std::move(sample), scene.graph.inputs());
+}
+
+char letter(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::less: return '<';
+    case Verdict::equal: return '=';
+    case Verdict::greater: return '>';
+    case Verdict::unordered: return 'u';
+  }
+  MIXCMP_CHECK(false);
+}
+
+VerdictCounts count_letters(const std::string& letters) {
+  const auto count = [&](char c) {
+    return static_cast<std::uint64_t>(std::count(letters.begin(), letters.end(), c));
+  };
+  return {count('<'), count('='), count('>'), count('u')};
+}
+
+/// What every judge says of one comparison.
+struct Judgement {
+  char golden, reference, truth;
+};
+
+class Judges {
+public:
+  explicit Judges(const model::Scene& scene)
+      : scene_(scene),
+        doubles_(reference_graph(scene.graph, {software_format()})),
+        reference_(reference_graph(scene.graph, scene.reference)) {}
+
+  Judgement judge(const std::vector<Bits>& operands) const {
+    std::vector<Bits> doubles;
+    for (const Bits operand : operands) {
+      const auto exact =
+          model::golden::convert({software_format()}, scene_.reference.format, operand);
+      doubles.push_back(exact.bits);
+    }
+    return {letter(model::golden::evaluate_reference(doubles_, doubles)),
+            letter(model::golden::evaluate_reference(reference_, operands)),
+            letter(model::golden::true_verdict(scene_.graph, software_format(), doubles))};
+  }
+
+private:
+  const model::Scene& scene_;
+  model::TypedGraph doubles_, reference_;
+};
+
+void count(BaselineCheck& check, const std::vector<KernelOutput>& kernels, std::size_t index,
+           const Judgement& judgement) {
+  const char exact = kernels.front().letters[index];
+  const bool defined = judgement.truth != letter(Verdict::unordered);
+  check.wrong += exact != judgement.golden ? 1 : 0;
+  check.unlike_reference += exact != judgement.reference ? 1 : 0;
+  check.not_true += defined && exact != judgement.truth ? 1 : 0;
+  for (std::size_t k = 1; k < kernels.size(); ++k) {
+    const char decided = kernels[k].letters[index];
+    check.decided_wrongly += decided != '?' && decided != judgement.truth ? 1 : 0;
+  }
+}
+
+model::Result<BaselineCheck> check_sample(const SoftwareProgram& program, const model::Scene& scene,
+                                          const model::Comparisons& data, std::uint64_t wanted) {
+  MIXCMP_TRY(sample, sample_of(scene, data, wanted));
+  MIXCMP_TRY(kernels, program.verdicts(sample));
+  BaselineCheck check{.comparisons = sample.size()};
+  for (const KernelOutput& kernel : kernels) MIXCMP_CHECK(kernel.letters.size() == sample.size());
+  const Judges judges(scene);
+  std::vector<Bits> operands(sample.input_count());
+  for (std::size_t index = 0; index < sample.size(); ++index) {
+    sample.fetch(index, operands);
+    count(check, kernels, index, judges.judge(operands));
+  }
+  // One comparison at a time is not the code that a long run goes through.
+  const VerdictCounts expected = count_letters(kernels.front().letters);
+  for (const KernelOutput& kernel : kernels) check.wrong += kernel.verdicts == expected ? 0 : 1;
+  return check;
+}
+
+MeasuredRate over_rounds(const std::vector<MeasuredRate>& rates, unsigned threads) {
+  std::vector<MeasuredRate> rounds;
+  std::copy_if(rates.begin(), rates.end(), std::back_inserter(rounds),
+               [&](const MeasuredRate& rate) { return rate.threads == threads; });
+  MIXCMP_CHECK(!rounds.empty());
+  std::sort(rounds.begin(), rounds.end(), [](const MeasuredRate& a, const MeasuredRate& b) {
+    return a.best_per_s < b.best_per_s;
+  });
+  MeasuredRate all = rounds.back();
+  const std::size_t half = rounds.size() / 2;
+  all.median_per_s = (rounds[half].best_per_s + rounds[(rounds.size() - 1) / 2].best_per_s) / 2;
+  return all;
+}
+
+std::string processor_name() {
+  std::ifstream processors("/proc/cpuinfo");
+  for (std::string line; std::getline(processors, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+std::optional<model::ErrorBoundKind> kind_of(const std::string& name) {
+  using model::ErrorBoundKind;
+  for (const auto kind :
+       {ErrorBoundKind::relative, ErrorBoundKind::running, ErrorBoundKind::constant}) {
+    if (name == to_string(kind)) return kind;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool Baseline::passed() const {
+  return check.wrong == 0 && check.decided_wrongly == 0 &&
+         std::all_of(kernels.begin(), kernels.end(), [this](const BaselineKernel& kernel) {
+           return kernel.verdicts == exact().verdicts;
+         });
+}
+
+const BaselineKernel& Baseline::fastest() const {
+  return *std::max_element(kernels.begin(), kernels.end(),
+                           [](const BaselineKernel& a, const BaselineKernel& b) {
+                             return a.all_cores.best_per_s < b.all_cores.best_per_s;
+                           });
+}
+
+model::Result<Baseline> software_baseline(const model::Scene& scene, const model::Comparisons& data,
+                                          const BaselineOptions& options) {
+  if (!model::double_holds(scene.reference.format)) return no_doubles(scene);
+  const FloatFilters filters = float_filters(scene);
+  MIXCMP_TRY(program, SoftwareProgram::compile(scene, data, filters, options));
+  MIXCMP_TRY(check, check_sample(program, scene, data, options.sample));
+  const unsigned threads =
+      options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  MIXCMP_TRY(outputs, program.measure(data, threads));
+  Baseline baseline{.scene = scene.name,
+                    .processor = processor_name(),
+                    .compiler = program.compiler(),
+                    .compile_command = model::to_shell(program.command()),
+                    .comparisons = data.size(),
+                    .threads = threads,
+                    .seconds = options.seconds,
+                    .rounds = options.rounds,
+                    .kernels = {},
+                    .missing = filters.missing,
+                    .check = check};
+  for (const KernelOutput& output : outputs) {
+    baseline.kernels.push_back({.filter = kind_of(output.name),
+                                .verdicts = output.verdicts,
+                                .recomputed = output.recomputed,
+                                .one_core = over_rounds(output.rates, 1),
+                                .all_cores = over_rounds(output.rates, threads)});
+  }
+  return baseline;
+}
+
+}  // namespace mixcmp::gen

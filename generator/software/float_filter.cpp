@@ -1,0 +1,170 @@
+#include "generator/software/float_filter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "model/error/error_analysis.hpp"
+#include "model/error/sign.hpp"
+#include "model/golden/big_float.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using model::BoundOperation;
+using model::ErrorBoundKind;
+using model::NodeId;
+
+constexpr int float_digits = std::numeric_limits<float>::digits;
+
+model::FloatFormat float_format() {
+  return model::FloatFormat::parse("binary32").value();
+}
+
+/// Of roundings to nearest that follow one another without being exceptional: exact <= computed *
+/// this.
+mpq_class inverse_of_roundings(int count) {
+  const mpq_class one_step = 1 - mpq_class(1, mpz_class(1) << float_digits);
+  mpq_class product = 1;
+  for (int k = 0; k < count; ++k) product *= one_step;
+  return 1 / product;
+}
+
+/// How many roundings a path to each bound node passes at most; products add those of both
+/// operands.
+std::vector<int> bound_roundings(const model::BoundGraph& bound) {
+  std::vector<int> roundings;
+  for (const model::BoundNode& node : bound.nodes) {
+    const auto of = [&](int k) { return roundings[static_cast<std::size_t>(node.operands[k])]; };
+    switch (node.operation) {
+      case BoundOperation::constant:  // up, by rounded_up
+      case BoundOperation::magnitude:
+      case BoundOperation::binade: roundings.push_back(0); break;
+      case BoundOperation::reciprocal: roundings.push_back(1); break;
+      case BoundOperation::add: roundings.push_back(std::max(of(0), of(1)) + 1); break;
+      case BoundOperation::multiply: roundings.push_back(of(0) + of(1) + 1); break;
+      case BoundOperation::maximum: roundings.push_back(std::max(of(0), of(1))); break;
+    }
+  }
+  return roundings;
+}
+
+/// gamma of docs/error_bounds.md, theorem 2: what `steps` of the encoding multiply at least; no
+/// less than the ratio that the steps were made for.
+mpq_class ratio_of_steps(model::Bits steps) {
+  const auto doublings = static_cast<unsigned long>(steps >> (float_digits - 1));
+  const auto rest = static_cast<unsigned long>(steps & model::low_mask(float_digits - 1));
+  const mpq_class share(mpz_class(rest), mpz_class(1) << float_digits);
+  return mpq_class(mpz_class(1) << doublings) / (1 - share);
+}
+
+bool all_finite(const ThresholdDecision& decision) {
+  return std::isfinite(decision.factor) &&
+         std::all_of(
+             decision.conditions.begin(), decision.conditions.end(),
+             [](const FloatCondition& condition) { return std::isfinite(condition.factor); }) &&
+         std::all_of(decision.bound.nodes.begin(), decision.bound.nodes.end(),
+                     [](const model::BoundNode& node) {
+                       return node.operation != BoundOperation::constant ||
+                              std::isfinite(float_at_least(node.constant));
+                     });
+}
+
+/// None where binary32 cannot hold the factors: more steps than it has doublings.
+std::optional<ThresholdDecision> threshold_of(const model::AbsoluteBoundDecision& decision) {
+  constexpr model::Bits most_steps = model::Bits{1} << (float_digits + 6);
+  if (decision.guard_ulp > most_steps) return std::nullopt;
+  const std::vector<int> roundings = bound_roundings(decision.bound);
+  ThresholdDecision threshold{.difference = decision.difference,
+                              .bound = decision.bound,
+                              // The product with the factor rounds, too.
+                              .factor = float_at_least(ratio_of_steps(decision.guard_ulp) *
+                                                       inverse_of_roundings(roundings.back() + 1)),
+                              .conditions = {}};
+  for (const model::BoundCondition& condition : decision.conditions) {
+    const int count = roundings[static_cast<std::size_t>(condition.bound)] + 1;
+    threshold.conditions.push_back(
+        {condition.bound, condition.value, float_at_least(inverse_of_roundings(count))});
+  }
+  if (!all_finite(threshold)) return std::nullopt;
+  return threshold;
+}
+
+/// A constant needs no product: the whole threshold is one literal.
+void fold_constant(ThresholdDecision& decision) {
+  model::BoundNode& last = decision.bound.nodes.back();
+  if (last.operation != BoundOperation::constant) return;
+  last.constant *= mpq_class(decision.factor);
+  decision.factor = 1;
+}
+
+model::Result<FloatFilter> threshold_filter(ErrorBoundKind kind, const model::TypedGraph& graph,
+                                            const model::Scene& scene) {
+  // What ranges rule out is of no use to a CPU: its flags tell when something happens.
+  MIXCMP_TRY(lane, certified_lane(graph, {.kind = kind,
+                                          .ranges = scene.ranges,
+                                          .hazards = model::HazardRemoval::keep}));
+  auto decision = threshold_of(std::get<model::AbsoluteBoundDecision>(lane.decision));
+  if (decision) fold_constant(*decision);
+  if (!decision || !all_finite(*decision)) {
+    return model::Error{.message = "the bound is out of binary32's range"};
+  }
+  return FloatFilter{kind, std::move(lane.graph), std::move(*decision), std::move(lane.checks)};
+}
+
+model::Result<FloatFilter> ratio_filter(const model::TypedGraph& graph, const model::Scene& scene) {
+  const model::ErrorAnalysis analysis = analyse_errors(graph, scene.nonnegative_inputs());
+  const auto bound_of = [&](NodeId id) { return analysis.nodes[static_cast<std::size_t>(id)]; };
+  const model::NodeBound f = bound_of(graph.f), g = bound_of(graph.g);
+  for (const model::NodeBound* side : {&f, &g}) {
+    if (!side->relative) return model::Error{.message = side->reason};
+  }
+  const std::vector<model::Sign> signs = analyse_signs(graph, scene.nonnegative_inputs());
+  const model::SignProof proof = model::both(signs[static_cast<std::size_t>(graph.f)].nonnegative,
+                                             signs[static_cast<std::size_t>(graph.g)].nonnegative);
+  if (!proof) return model::Error{.message = "f and g are not proven to be non-negative"};
+  const float ratio = float_at_least(
+      std::max(f.relative->high / g.relative->low, g.relative->high / f.relative->low));
+  if (!std::isfinite(ratio)) return model::Error{.message = "the errors are out of bounds"};
+  FloatFilter filter{ErrorBoundKind::relative, graph, RatioDecision{ratio}, {}};
+  std::set<int> inputs = *proof;
+  inputs.insert(analysis.nonnegative_inputs.begin(), analysis.nonnegative_inputs.end());
+  for (const int input : inputs) {
+    filter.checks.push_back(sign_check(input, model::RequiredSign::nonnegative));
+  }
+  return filter;
+}
+
+}  // namespace
+
+float float_at_least(const mpq_class& value) {
+  model::golden::BigFloat rounded(float_digits);
+  mpfr_set_q(rounded.get(), value.get_mpq_t(), MPFR_RNDU);
+  const float nearest = mpfr_get_flt(rounded.get(), MPFR_RNDU);
+  return value == 0 ? 0 : std::max(nearest, std::numeric_limits<float>::min());
+}
+
+model::FloatFormat software_format() {
+  return model::FloatFormat::parse("binary64").value();
+}
+
+FloatFilters float_filters(const model::Scene& scene) {
+  const model::TypedGraph graph =
+      lane_graph(scene.graph, software_format(), {float_format()}, model::LaneInputs::rounded);
+  FloatFilters found;
+  const auto add = [&](ErrorBoundKind kind, model::Result<FloatFilter> filter) {
+    if (filter.ok()) {
+      found.filters.push_back(std::move(filter).value());
+    } else {
+      found.missing.push_back({kind, filter.error().message});
+    }
+  };
+  add(ErrorBoundKind::constant, threshold_filter(ErrorBoundKind::constant, graph, scene));
+  add(ErrorBoundKind::relative, ratio_filter(graph, scene));
+  add(ErrorBoundKind::running, threshold_filter(ErrorBoundKind::running, graph, scene));
+  return found;
+}
+
+}  // namespace mixcmp::gen

@@ -1,0 +1,76 @@
+#include <time.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cfenv>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <new>
+#include <string>
+#include <thread>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+template <class Real>
+using BitsOf = std::conditional_t<sizeof(Real) == 8, std::uint64_t, std::uint32_t>;
+
+inline float magnitude(float x) {
+  return std::fabs(x);
+}
+inline double magnitude(double x) {
+  return std::fabs(x);
+}
+inline float square_root(float x) {
+  return std::sqrt(x);
+}
+inline double square_root(double x) {
+  return std::sqrt(x);
+}
+
+/// IEEE 754-2019: NaN wins, -0 < +0. Of equal numbers only zeros differ, in their signs.
+template <class Real>
+inline Real minimum(Real a, Real b) {
+  using Bits = BitsOf<Real>;
+  const Real tied = std::bit_cast<Real>(std::bit_cast<Bits>(a) | std::bit_cast<Bits>(b));
+  const Real smaller = a < b ? a : b;
+  const Real ordered = a == b ? tied : smaller;
+  return a != a ? a : ordered;
+}
+
+template <class Real>
+inline Real maximum(Real a, Real b) {
+  using Bits = BitsOf<Real>;
+  const Real tied = std::bit_cast<Real>(std::bit_cast<Bits>(a) & std::bit_cast<Bits>(b));
+  const Real larger = a > b ? a : b;
+  const Real ordered = a == b ? tied : larger;
+  return a != a ? a : ordered;
+}
+
+/// 2^floor(log2 |x|) of a normal number, 0 of zeros and subnormal ones: those are exact here.
+inline float binade(float x) {
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) & 0x7f800000u);
+}
+
+/// What a filter asks of an operand: its sign (0: any, 1: sign bit clear, 2: set), and the leading
+/// bits of its magnitude within limits.
+struct Check {
+  std::size_t input;
+  int sign;
+  int shift;
+  std::uint64_t least, greatest;
+};
+
+}  // namespace

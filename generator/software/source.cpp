@@ -1,0 +1,284 @@
+#include "generator/software/source.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "embedded/software_program.hpp"
+#include "generator/emit/version.hpp"
+#include "generator/rtl/net_names.hpp"
+#include "model/golden/arithmetic.hpp"
+#include "model/golden/big_float.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using model::BoundOperation;
+using model::NodeId;
+using model::Operation;
+using model::TypedGraph;
+
+/// A finite number of the graph's format, exactly.
+std::string literal(model::FloatFormat format, model::Bits bits) {
+  const double value = model::golden::to_rational(format, bits).get_d();
+  return fmt::format("{:a}{}", value, format == software_format() ? "" : "f");
+}
+
+std::string literal(float value) {
+  return fmt::format("{:a}f", value);
+}
+
+/// The loops of one kernel in local variables: how an input is found, and the nodes' names.
+struct Body {
+  const model::Comparisons& data;
+  const TypedGraph& graph;
+  NamePool pool;
+  std::vector<std::string> names;
+
+  Body(const model::Comparisons& comparisons, const TypedGraph& typed)
+      : data(comparisons),
+        graph(typed),
+        pool({"columns", "i", "j", "threshold", "less", "greater", "use"}) {
+    std::vector<std::string> ports;
+    // No word of C++ begins so.
+    for (const std::string& input : graph.input_names) ports.push_back(pool.unique("in_" + input));
+    names = name_nodes(graph, ports, pool);
+  }
+
+  std::string load(int input) const {
+    const bool of_row = !data.pairs() || data.sources()[static_cast<std::size_t>(input)].second;
+    return fmt::format("columns[{}][{}]", input, of_row ? "j" : "i");
+  }
+};
+
+/// The operation in C++; inputs and conversions of inputs are loads: columns are rounded already.
+std::string expression(const Body& body, NodeId id) {
+  const model::TypedNode& node = body.graph.nodes[static_cast<std::size_t>(id)];
+  const auto operand = [&](int k) {
+    return body.names[static_cast<std::size_t>(node.operands[k])];
+  };
+  switch (node.operation) {
+    case Operation::input: return body.load(node.input);
+    case Operation::constant: return literal(node.format, node.constant);
+    case Operation::convert:
+      return body.load(body.graph.nodes[static_cast<std::size_t>(node.operands[0])].input);
+    case Operation::negate: return "-" + operand(0);
+    case Operation::absolute: return fmt::format("magnitude({})", operand(0));
+    case Operation::add: return fmt::format("{} + {}", operand(0), operand(1));
+    case Operation::subtract: return fmt::format("{} - {}", operand(0), operand(1));
+    case Operation::multiply: return fmt::format("{} * {}", operand(0), operand(1));
+    case Operation::square: return fmt::format("{0} * {0}", operand(0));
+    case Operation::divide: return fmt::format("{} / {}", operand(0), operand(1));
+    case Operation::square_root: return fmt::format("square_root({})", operand(0));
+    case Operation::minimum: return fmt::format("minimum({}, {})", operand(0), operand(1));
+    case Operation::maximum: return fmt::format("maximum({}, {})", operand(0), operand(1));
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::string define(const std::string& name, const std::string& value) {
+  return fmt::format("    const Real {} = {};\n", name, value);
+}
+
+std::string nodes(const Body& body) {
+  std::string text;
+  for (NodeId id = 0; id < static_cast<NodeId>(body.graph.nodes.size()); ++id) {
+    const model::TypedNode& node = body.graph.nodes[static_cast<std::size_t>(id)];
+    const bool unrounded =
+        node.operation == Operation::input && node.format != body.graph.arithmetic.format;
+    if (!unrounded) {
+      text += define(body.names[static_cast<std::size_t>(id)], expression(body, id));
+    }
+  }
+  return text;
+}
+
+std::string doubles(const model::Scene& scene, const model::Comparisons& data) {
+  const TypedGraph graph = reference_graph(scene.graph, {software_format()});
+  const Body body(data, graph);
+  const std::string& f = body.names[static_cast<std::size_t>(graph.f)];
+  const std::string& g = body.names[static_cast<std::size_t>(graph.g)];
+  return fmt::format(R"(struct Doubles {{
+  using Real = double;
+  const Real* const* columns;
+  std::size_t i;
+
+  /// use(less, equal, greater)
+  template <class Use>
+  void operator()(std::size_t j, Use use) const {{
+{2}    use({0} < {1}, {0} == {1}, {0} > {1});
+  }}
+}};
+)",
+                     f, g, nodes(body));
+}
+
+std::string bound_expression(const model::BoundGraph& bound, const model::BoundNode& node,
+                             const std::vector<std::string>& bounds,
+                             const std::vector<std::string>& values) {
+  const auto operand = [&](int k) { return bounds[static_cast<std::size_t>(node.operands[k])]; };
+  const std::string value = node.value < 0 ? "" : values[static_cast<std::size_t>(node.value)];
+  switch (node.operation) {
+    case BoundOperation::constant: return literal(float_at_least(node.constant));
+    case BoundOperation::magnitude: return fmt::format("magnitude({})", value);
+    case BoundOperation::binade: return fmt::format("binade({})", value);
+    case BoundOperation::reciprocal: return fmt::format("1 / magnitude({})", value);
+    case BoundOperation::add: return fmt::format("{} + {}", operand(0), operand(1));
+    case BoundOperation::multiply: return fmt::format("{} * {}", operand(0), operand(1));
+    case BoundOperation::maximum:
+      return fmt::format("{0} > {1} ? {0} : {1}", operand(0), operand(1));
+  }
+  MIXCMP_CHECK(bound.nodes.empty());
+  return "";
+}
+
+std::string scaled(const std::string& bound, float factor) {
+  return factor == 1 ? bound : fmt::format("{} * {}", bound, literal(factor));
+}
+
+std::string decide(Body& body, const RatioDecision& decision) {
+  const std::string& f = body.names[static_cast<std::size_t>(body.graph.f)];
+  const std::string& g = body.names[static_cast<std::size_t>(body.graph.g)];
+  return fmt::format("    use({0} * {2} < {1}, {1} * {2} < {0});\n", f, g, literal(decision.ratio));
+}
+
+std::string decide(Body& body, const ThresholdDecision& decision) {
+  const std::vector<std::string> bounds = name_bounds(decision.bound, body.names, body.pool);
+  std::string text;
+  for (std::size_t id = 0; id < bounds.size(); ++id) {
+    text += define(bounds[id],
+                   bound_expression(decision.bound, decision.bound.nodes[id], bounds, body.names));
+  }
+  text += define("threshold", scaled(bounds.back(), decision.factor));
+  std::string valid;
+  for (const FloatCondition& condition : decision.conditions) {
+    valid +=
+        fmt::format(" & ({} <= magnitude({}))",
+                    scaled(bounds[static_cast<std::size_t>(condition.bound)], condition.factor),
+                    body.names[static_cast<std::size_t>(condition.value)]);
+  }
+  const std::string& difference = body.names[static_cast<std::size_t>(decision.difference)];
+  text += fmt::format("    const bool less = ({} < -threshold){};\n", difference, valid);
+  text += fmt::format("    const bool greater = ({} > threshold){};\n", difference, valid);
+  return text + "    use(less, greater);\n";
+}
+
+int sign_code(model::RequiredSign sign) {
+  switch (sign) {
+    case model::RequiredSign::any: return 0;
+    case model::RequiredSign::nonnegative: return 1;
+    case model::RequiredSign::nonpositive: return 2;
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::string checks(const std::vector<model::RangeCheck>& all) {
+  std::string text =
+      fmt::format("  static constexpr std::array<Check, {}> checks = {{{{", all.size());
+  for (const model::RangeCheck& check : all) {
+    const int shift =
+        check.leading_bits == 0 ? 0 : software_format().width() - 1 - check.leading_bits;
+    text += fmt::format("\n      {{{}, {}, {}, {:#x}, {:#x}}},", check.input, sign_code(check.sign),
+                        shift, static_cast<std::uint64_t>(check.least),
+                        static_cast<std::uint64_t>(check.greatest));
+  }
+  return text + "}};\n";
+}
+
+std::string filter_type(model::ErrorBoundKind kind) {
+  switch (kind) {
+    case model::ErrorBoundKind::relative: return "RelativeFilter";
+    case model::ErrorBoundKind::running: return "RunningFilter";
+    case model::ErrorBoundKind::constant: return "ConstantFilter";
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::string filter_text(const model::Comparisons& data, const FloatFilter& filter) {
+  Body body(data, filter.graph);
+  const std::string values = nodes(body);
+  const std::string decision =
+      std::visit([&](const auto& each) { return decide(body, each); }, filter.decision);
+  return fmt::format(R"(
+struct {} {{
+  using Real = float;
+  static constexpr const char* name = "{}";
+{}  const Real* const* columns;
+  std::size_t i;
+
+  /// use(less, greater); neither: undecided
+  template <class Use>
+  void operator()(std::size_t j, Use use) const {{
+{}{}  }}
+}};
+)",
+                     filter_type(filter.kind), to_string(filter.kind), checks(filter.checks),
+                     values, decision);
+}
+
+/// Expressions may have several lines; a comment's line has one.
+std::string on_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
+std::string header(const model::Scene& scene) {
+  return fmt::format(R"(// The comparison {} in software: the sign of f - g,
+//   f = {}
+//   g = {}
+// Written by mixcmp {}; unencumbered.
+// Compile: g++ -std=c++20 -O3 -march=native -ffp-contract=off -fno-math-errno -fno-trapping-math
+// -pthread; never -ffast-math.
+)",
+                     scene.name, on_one_line(scene.f_text), on_one_line(scene.g_text), version);
+}
+
+std::string constants(const model::Comparisons& data) {
+  const SoftwareColumns columns = software_columns(data);
+  std::string list;
+  for (const std::size_t column : columns.of_inputs) list += fmt::format("{}, ", column);
+  return fmt::format(R"(constexpr bool all_pairs = {};
+constexpr std::size_t file_columns = {};
+constexpr std::array<std::size_t, {}> column_of_input = {{{}}};
+)",
+                     data.pairs(), columns.table_columns.size(), columns.of_inputs.size(), list);
+}
+
+std::string_view program_part(const std::string& name) {
+  const auto parts = software_program();
+  const auto found = std::find_if(parts.begin(), parts.end(), [&](const model::EmbeddedFile& file) {
+    return file.name == name;
+  });
+  MIXCMP_CHECK(found != parts.end());
+  return found->text;
+}
+
+}  // namespace
+
+SoftwareColumns software_columns(const model::Comparisons& data) {
+  SoftwareColumns columns;
+  for (const model::Comparisons::Source& source : data.sources()) {
+    const auto found =
+        std::find(columns.table_columns.begin(), columns.table_columns.end(), source.column);
+    columns.of_inputs.push_back(static_cast<std::size_t>(found - columns.table_columns.begin()));
+    if (found == columns.table_columns.end()) columns.table_columns.push_back(source.column);
+  }
+  return columns;
+}
+
+std::string software_source(const model::Scene& scene, const model::Comparisons& data,
+                            const FloatFilters& filters) {
+  std::string text = header(scene);
+  text += program_part("arithmetic.hpp");
+  text += "\nnamespace {\n\n" + constants(data) + "\n" + doubles(scene, data);
+  std::string list;
+  for (const FloatFilter& filter : filters.filters) {
+    text += filter_text(data, filter);
+    list += (list.empty() ? "" : ", ") + filter_type(filter.kind);
+  }
+  text += "\nusing Filters = std::tuple<" + list + ">;\n\n}  // namespace\n\n";
+  return text + std::string(program_part("harness.hpp"));
+}
+
+}  // namespace mixcmp::gen

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "generator/software/float_filter.hpp"
+#include "model/data/comparisons.hpp"
+
+namespace mixcmp::gen {
+
+/// Which columns of the data the software reads, each once.
+struct SoftwareColumns {
+  std::vector<std::size_t> table_columns;  ///< in the order of the data file
+  std::vector<std::size_t> of_inputs;      ///< one per input: index into table_columns
+};
+SoftwareColumns software_columns(const model::Comparisons& data);
+
+/// One C++20 file for a POSIX system: the scene's comparison on doubles, and for each filter on
+/// floats with doubles where it does not decide, as loops that a compiler vectorises, in a program
+/// that measures itself (generator/software/harness.cpp says how to call it). It must be compiled
+/// without contraction of multiply-adds and without -ffast-math.
+std::string software_source(const model::Scene& scene, const model::Comparisons& data,
+                            const FloatFilters& filters);
+
+}  // namespace mixcmp::gen

@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.hpp"
+
+/// `mixcmp baseline` as a user calls it.
+namespace mixcmp::test {
+namespace {
+
+class BaselineCommand : public ProgramTest {
+protected:
+  BaselineCommand() {
+    std::ofstream data(directory_.path() / "data.csv");
+    data << "x,r\n";
+    for (int k = 0; k < 40; ++k) data << k * 0.37 << ',' << 0.1 * (k % 7) << '\n';
+    std::ofstream(directory_.path() / "scene.toml")
+        << "[comparison]\nname = \"line\"\nf = \"(xi - xj)^2\"\ng = \"(ri + rj)^2\"\n"
+        << "[inputs]\n\"x*\" = { range = [0, 16] }\n\"r*\" = { range = [0, 1] }\n"
+        << "[reference]\nformat = \"s53e8\"\n[data]\nfile = \"data.csv\"\npairs = \"all\"\n";
+  }
+};
+
+const std::string quick = " --rounds 1 --seconds 0.002 --threads 2";
+
+TEST_F(BaselineCommand, TellsEveryKernelsRate) {
+  const Outcome run = mixcmp("baseline scene.toml --json" + quick);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto report = nlohmann::json::parse(run.output);
+  EXPECT_EQ(report.at("comparisons"), 780);
+  EXPECT_EQ(report.at("check").at("comparisons"), 780);
+  EXPECT_EQ(report.at("check").at("unlike_reference"), 0);
+  ASSERT_EQ(report.at("kernels").size(), 3u);
+  for (const auto& kernel : report.at("kernels")) {
+    EXPECT_GT(kernel.at("one_core").at("best_per_s"), 0);
+    EXPECT_EQ(kernel.at("all_cores").at("threads"), 2);
+    EXPECT_EQ(kernel.at("less"), report.at("kernels")[0].at("less"));
+  }
+}
+
+TEST_F(BaselineCommand, PrintsCsvAndKeepsTheSource) {
+  const Outcome run = mixcmp("baseline scene.toml --csv --work kept" + quick);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(run.output.rfind("filter,threads,best_per_s", 0), 0u) << run.output;
+  EXPECT_TRUE(std::filesystem::exists(directory_.path() / "kept" / "comparison.cpp"));
+}
+
+TEST_F(BaselineCommand, AsksForWhatItCannotDoWithout) {
+  expect_refused("baseline scene.toml --set reference.format=binary128",
+                 "reference.format: software computes in double");
+  expect_refused("baseline scene.toml --rounds 0", "--rounds");
+  const Outcome run = mixcmp("baseline scene.toml", "PATH=/nowhere");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.output.find("apt install g++"), std::string::npos) << run.output;
+}
+
+}  // namespace
+}  // namespace mixcmp::test

@@ -1,0 +1,272 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "generator/software/source.hpp"
+#include "model/data/sphere_family.hpp"
+#include "model/emulator/emulator.hpp"
+#include "model/profile/operands.hpp"
+#include "tests/generator/software_program.hpp"
+#include "tests/support/float_samples.hpp"
+
+/// Software against the golden model and against the real numbers, comparison by comparison.
+namespace mixcmp::test {
+namespace {
+
+using model::Bits;
+using model::ErrorBoundKind;
+using model::golden::Verdict;
+
+constexpr std::string_view letters_of_verdicts = "<=>u";
+
+char letter(Verdict verdict) {
+  return letters_of_verdicts[static_cast<std::size_t>(verdict)];
+}
+
+struct Seen {
+  std::uint64_t comparisons = 0, decided = 0;
+};
+
+/// Doubles say what the golden model says, filters what is true or nothing, and long runs count
+/// what single comparisons say. What the filters decided, one a filter.
+std::vector<Seen> expect_right(CompiledSoftware& software, const model::Comparisons& data,
+                               const std::string& what) {
+  const auto doubles = reference_graph(software.scene().graph, {gen::software_format()});
+  const std::vector<gen::KernelOutput> kernels = software.verdicts(data);
+  EXPECT_EQ(kernels.size(), software.filters().filters.size() + 1);
+  std::vector<Seen> seen(kernels.size() - 1);
+  std::vector<Bits> operands(data.input_count());
+  for (std::size_t k = 0; k < data.size(); ++k) {
+    data.fetch(k, operands);
+    EXPECT_EQ(kernels[0].letters[k], letter(model::golden::evaluate_reference(doubles, operands)))
+        << what << ", comparison " << k;
+    const char truth = letter(
+        model::golden::true_verdict(software.scene().graph, gen::software_format(), operands));
+    for (std::size_t filter = 1; filter < kernels.size(); ++filter) {
+      const char decided = kernels[filter].letters[k];
+      ++seen[filter - 1].comparisons;
+      if (decided == '?') continue;
+      ++seen[filter - 1].decided;
+      EXPECT_EQ(decided, truth) << what << ", comparison " << k << ", " << kernels[filter].name;
+    }
+  }
+  const auto count = [&](char c) {
+    return static_cast<std::uint64_t>(
+        std::count(kernels[0].letters.begin(), kernels[0].letters.end(), c));
+  };
+  for (const gen::KernelOutput& kernel : kernels) {
+    EXPECT_EQ(kernel.verdicts, (gen::VerdictCounts{count('<'), count('='), count('>'), count('u')}))
+        << what << ", " << kernel.name;
+  }
+  return seen;
+}
+
+using Random = std::mt19937_64;
+
+/// Rows of encodings: special ones, random ones of any scale, and neighbours of one another.
+model::Table extreme_rows(const std::vector<std::string>& inputs, std::size_t count,
+                          Random& random) {
+  const model::FloatFormat format = gen::software_format();
+  const std::vector<Bits> special = special_encodings(format);
+  model::Table table{.format = format, .columns = inputs};
+  for (std::size_t row = 0; row < count; ++row) {
+    const Bits near = random_encoding(format, random);
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      const std::uint64_t choice = random() % 4;
+      table.values.push_back(choice == 0   ? special[random() % special.size()]
+                             : choice == 1 ? random_encoding(format, random)
+                                           : random_encoding_near(format, near, random));
+    }
+  }
+  return table;
+}
+
+Bits encoded(double value) {
+  return std::bit_cast<std::uint64_t>(value);
+}
+
+/// Numbers between 1/2 and 8 that differ by anything from a quarter to a last place of a double.
+model::Table close_rows(const std::vector<std::string>& inputs, std::size_t count, Random& random,
+                        bool any_sign) {
+  model::Table table{.format = gen::software_format(), .columns = inputs};
+  std::uniform_real_distribution<double> around(0.5, 6);
+  for (std::size_t row = 0; row < count; ++row) {
+    const double base = around(random);
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      const double step = std::ldexp(around(random), -static_cast<int>(random() % 52) - 5);
+      const double value = base + (random() % 2 != 0 ? step : -step);
+      table.values.push_back(encoded(any_sign && random() % 2 != 0 ? -value : value));
+    }
+  }
+  return table;
+}
+
+const SoftwareScene sphere_scene = {.f = "(cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2",
+                                    .g = "(ri + rj)^2"};
+
+TEST(Software, FiltersNeverDecideSphereFamiliesWrongly) {
+  SoftwareScene text = sphere_scene;
+  text.inputs = "\"c*\" = { range = [-128, 128] }\n\"r*\" = { range = [0, 64] }\n";
+  CompiledSoftware software(text);
+  ASSERT_EQ(software.filters().filters.size(), 2u);
+  for (const std::string& name : model::sphere_family_names()) {
+    if (name.starts_with("near_tie_") && name != "near_tie_24" && name != "near_tie_23") continue;
+    auto rows = model::sphere_family({.name = name, .count = 300}, gen::software_format());
+    ASSERT_TRUE(rows.ok()) << rows.error().to_string();
+    const auto seen = expect_right(software, software.comparisons(*rows), name);
+    if (name != "uniform") continue;
+    for (const Seen& filter : seen) EXPECT_GE(filter.decided, filter.comparisons * 99 / 100);
+  }
+}
+
+TEST(Software, RunningBoundsSurviveNearTiesOfRoundedInputs) {
+  CompiledSoftware software(sphere_scene);
+  ASSERT_EQ(software.filters().filters.size(), 1u);
+  EXPECT_EQ(software.filters().filters[0].kind, ErrorBoundKind::running);
+  auto rows = model::sphere_family({.name = "near_tie_24", .count = 4000}, gen::software_format());
+  const auto seen = expect_right(software, software.comparisons(*rows), "near_tie_24");
+  EXPECT_LT(seen[0].decided, seen[0].comparisons);
+}
+
+struct Case {
+  const char* name;
+  SoftwareScene scene;
+};
+
+class Expressions : public testing::TestWithParam<Case> {};
+
+TEST_P(Expressions, AreComputedAsTheGoldenModelDoesAndNeverDecidedWrongly) {
+  CompiledSoftware software(GetParam().scene);
+  const std::vector<std::string>& inputs = software.scene().graph.inputs();
+  Random random(7);
+  expect_right(software, software.comparisons(extreme_rows(inputs, 3000, random)), "extreme");
+  const auto seen = expect_right(
+      software, software.comparisons(close_rows(inputs, 3000, random, false)), "close");
+  for (const Seen& filter : seen) EXPECT_GT(filter.decided, filter.comparisons / 20);
+  expect_right(software, software.comparisons(close_rows(inputs, 1000, random, true)), "signed");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Software, Expressions,
+    testing::Values(
+        Case{"products", {"a * b", "c * d", "\"*\" = { range = [0.25, 16] }\n"}},
+        Case{"quotients", {"(a - b) / (c + d)", "a / c - 0.1", "\"*\" = { range = [0.25, 16] }\n"}},
+        Case{"divisors", {"a / (b - 3 * c)", "b"}},
+        Case{"roots", {"sqrt(a - b * 0.3)", "sqrt(abs(c)) + 0.7 * a"}},
+        Case{"selections", {"min(a, b) * max(a - c, b)", "abs(a - b) + min(c, -b)"}},
+        Case{"signed_zeros", {"1 / min(a, b)", "1 / max(b, a)"}},
+        Case{"names", {"float + EOF", "columns * i + j^3", "\"*\" = { range = [-8, 8] }\n"}}),
+    [](const auto& test) { return test.param.name; });
+
+std::uint64_t at(const std::vector<std::uint64_t>& counts, model::Decision decision) {
+  return counts[static_cast<std::size_t>(decision)];
+}
+
+/// All pairs through the emulator, which shares nothing with the program.
+gen::VerdictCounts emulated(const model::Scene& scene, const model::Comparisons& data) {
+  const model::Emulator reference(reference_graph(scene.graph, {gen::software_format()}));
+  const model::OperandSource source(data);
+  model::OperandBlock block(data.input_count(), 1 << 14);
+  std::vector<model::Decision> decisions(block.capacity());
+  std::vector<std::uint64_t> counts(5);
+  for (std::uint64_t first = 0; first < data.size(); first += block.size()) {
+    source.fetch(first, std::min<std::uint64_t>(block.capacity(), data.size() - first), block);
+    reference.decide(block.columns(), block.size(), decisions);
+    for (std::size_t k = 0; k < block.size(); ++k) ++counts[static_cast<std::size_t>(decisions[k])];
+  }
+  return {at(counts, model::Decision::less), at(counts, model::Decision::equal),
+          at(counts, model::Decision::greater), at(counts, model::Decision::unordered)};
+}
+
+model::Table items_on_a_grid(std::size_t count, Random& random) {
+  model::Table items{.format = gen::software_format(), .columns = {"x", "r"}};
+  for (std::size_t k = 0; k < count; ++k) {
+    items.values.push_back(encoded(static_cast<double>(random() % 64)));
+    items.values.push_back(k % 100 == 3 ? gen::software_format().quiet_nan()
+                                        : encoded(static_cast<double>(random() % 8) / 4));
+  }
+  return items;
+}
+
+TEST(Software, EveryPairIsCountedOnceAtTheEdgesOfRuns) {
+  ScratchDirectory work;
+  CompiledSoftware software({"(xi - xj)^2", "(ri + rj)^2",
+                             "\"x*\" = { range = [0, 64] }\n\"r*\" = { range = [0, 2] }\n"});
+  Random random(3);
+  std::optional<gen::SoftwareProgram> program;
+  for (const std::size_t items : {2u, 3u, 1024u, 1025u, 4097u}) {
+    const auto data = software.comparisons(items_on_a_grid(items, random), true);
+    if (!program) {
+      program = gen::SoftwareProgram::compile(software.scene(), data, software.filters(),
+                                              {.work = work.path(), .rounds = 1, .seconds = 0.001})
+                    .value();
+    }
+    const gen::VerdictCounts expected = emulated(software.scene(), data);
+    const std::vector<gen::KernelOutput> kernels = program->measure(data, 3).value();
+    for (const gen::KernelOutput& kernel : kernels) {
+      EXPECT_EQ(kernel.verdicts, expected) << kernel.name << ", " << items << " items";
+      ASSERT_EQ(kernel.rates.size(), 2u);
+      EXPECT_GT(kernel.rates[1].best_per_s, 0);
+    }
+  }
+}
+
+TEST(Software, ABaselineIsCheckedMeasuredAndReported) {
+  ScratchDirectory work;
+  CompiledSoftware software({"a * b", "c", "\"*\" = { range = [0.25, 16] }\n"});
+  Random random(5);
+  const auto data = software.comparisons(close_rows({"a", "b", "c"}, 5000, random, false));
+  const auto baseline = gen::software_baseline(
+      software.scene(), data,
+      {.work = work.path(), .threads = 2, .rounds = 2, .seconds = 0.002, .sample = 500});
+  ASSERT_TRUE(baseline.ok()) << baseline.error().to_string();
+  EXPECT_TRUE(baseline->passed());
+  ASSERT_EQ(baseline->kernels.size(), 4u);
+  EXPECT_FALSE(baseline->exact().filter);
+  EXPECT_EQ(baseline->exact().all_cores.threads, 2u);
+  EXPECT_EQ(baseline->check.comparisons, 500u);
+  EXPECT_EQ(baseline->comparisons, 5000u);
+  for (const gen::BaselineKernel& kernel : baseline->kernels) {
+    EXPECT_LE(kernel.one_core.median_per_s, kernel.one_core.best_per_s);
+    EXPECT_NE(gen::to_text(*baseline).find(kernel_name(kernel)), std::string::npos);
+  }
+}
+
+TEST(Software, AFilterThatCountsOtherwiseFailsTheBaseline) {
+  gen::Baseline baseline;
+  baseline.kernels.resize(2);
+  EXPECT_TRUE(baseline.passed());
+  baseline.kernels[1].verdicts.less = 1;
+  EXPECT_FALSE(baseline.passed());
+  baseline.kernels[1].verdicts.less = 0;
+  baseline.check.decided_wrongly = 1;
+  EXPECT_FALSE(baseline.passed());
+}
+
+TEST(Software, TheSameSceneGivesTheSameBytes) {
+  const CompiledSoftware one(sphere_scene), other(sphere_scene);
+  auto rows = model::sphere_family({.name = "uniform", .count = 2}, gen::software_format());
+  const auto data = one.comparisons(*rows);
+  EXPECT_EQ(gen::software_source(one.scene(), data, one.filters()),
+            gen::software_source(other.scene(), data, other.filters()));
+}
+
+TEST(Software, WhyAFilterIsMissingIsTold) {
+  const CompiledSoftware software({"a - b * c", "c"});
+  ASSERT_EQ(software.filters().filters.size(), 1u);
+  ASSERT_EQ(software.filters().missing.size(), 2u);
+  EXPECT_NE(software.filters().missing[1].reason.find("a - b * c"), std::string::npos);
+}
+
+TEST(Software, FactorsOfBoundsRoundUp) {
+  EXPECT_EQ(gen::float_at_least(1), 1.0f);
+  EXPECT_EQ(gen::float_at_least(1 + mpq_class(1, mpz_class(1) << 40)), 1.0f + 0x1p-23f);
+  EXPECT_EQ(gen::float_at_least(mpq_class(1, mpz_class(1) << 140)), 0x1p-126f);
+  EXPECT_EQ(gen::float_at_least(0), 0.0f);
+  EXPECT_TRUE(std::isinf(gen::float_at_least(mpq_class(mpz_class(1) << 128))));
+}
+
+}  // namespace
+}  // namespace mixcmp::test
