@@ -1,6 +1,6 @@
 #include "model/characterise/job_hash.hpp"
 
-#include "model/common/check.hpp"
+#include "model/characterise/tools.hpp"
 #include "model/common/content_hash.hpp"
 
 namespace mixcmp::model {
@@ -9,20 +9,15 @@ namespace {
 /// To be raised when synthesise() measures otherwise what the same tools say.
 constexpr std::string_view method = "1";
 
-bool routes(TimingTool tool) {
-  switch (tool) {
-    case TimingTool::none:
-    case TimingTool::yosys_sta: return false;
-    case TimingTool::nextpnr_ice40:
-    case TimingTool::nextpnr_ecp5: return true;
-  }
-  MIXCMP_CHECK(false);
-}
-
 void add_timing(ContentHash& hash, const Device& device, int seeds) {
   hash.add("timing").add(to_string(device.timing)).add(device.timing_synthesis);
   for (const std::string& argument : device.timing_arguments) hash.add(argument);
-  if (routes(device.timing)) hash.add(std::to_string(seeds));
+  if (!is_routed(device)) return;
+  hash.add(std::to_string(seeds));
+  // What does not fit has no clock.
+  for (const Resource& resource : bounded_resources) {
+    hash.add(std::to_string(device.available.*resource.amount));
+  }
 }
 
 }  // namespace

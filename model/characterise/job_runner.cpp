@@ -1,6 +1,7 @@
 #include "model/characterise/job_runner.hpp"
 
 #include <fmt/core.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <fstream>
 #include <map>
 
+#include "model/characterise/process_tree.hpp"
 #include "model/characterise/signal_gate.hpp"
 #include "model/common/file.hpp"
 
@@ -20,8 +22,6 @@ using Time = std::chrono::steady_clock;
 
 constexpr const char* failure_file = "failure.txt";
 constexpr std::chrono::milliseconds between_looks{500};
-/// For children that were asked to end.
-constexpr std::chrono::seconds until_killed{3};
 
 std::string replaced(std::string text, const std::string& old_part, const std::string& new_part) {
   for (std::size_t place = 0; (place = text.find(old_part, place)) != std::string::npos;
@@ -81,11 +81,10 @@ private:
     if (child < 0) {
       return Error{.message = fmt::format("no new process: {}", strerror(errno))};
     }
-    // A group of its own: an interrupt from the terminal reaches us alone, and all of it ends at
-    // once. Both set it, whoever comes first.
-    setpgid(child, 0);
     if (child == 0) {
+      setpgid(0, 0);  // an interrupt from the terminal reaches us alone
       gate_.restore();
+      setenv("TMPDIR", directory.c_str(), 1);  // what tools leave behind goes with the folder
       _exit(work_in_child(job, directory));
     }
     running_[child] = {&job, directory};
@@ -141,16 +140,11 @@ private:
 
   /// Of what has not finished nothing remains.
   void end_all() {
-    for (const auto& [child, running] : running_) kill(-child, SIGTERM);
-    const auto deadline = Time::now() + until_killed;
+    for (const auto& [child, running] : running_) end_process_tree(child);
     for (const auto& [child, running] : running_) {
-      while (waitpid(child, nullptr, WNOHANG) == 0) {
-        if (Time::now() > deadline) kill(-child, SIGKILL);
-        gate_.wait(std::chrono::milliseconds(20));
-      }
-      // Its own children may outlive it for a moment, and write.
-      kill(-child, SIGKILL);
+      waitpid(child, nullptr, 0);
       std::error_code ignored;
+      // Another's file may appear while its process ends.
       for (int attempt = 0; attempt < 50 && fs::exists(running.directory, ignored); ++attempt) {
         fs::remove_all(running.directory, ignored);
       }

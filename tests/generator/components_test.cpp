@@ -9,6 +9,7 @@
 #include "generator/components/synthesis_jobs.hpp"
 #include "generator/emit/system.hpp"
 #include "model/characterise/job_hash.hpp"
+#include "model/data/load.hpp"
 #include "model/design/slots.hpp"
 #include "tests/support/scratch_directory.hpp"
 
@@ -111,15 +112,17 @@ TEST_F(Components, AreWhatGenerateWrites) {
   ASSERT_EQ(found.components.size(), 4u);
   for (const auto& [key, component] : found.components) {
     if (key.kind == ComponentKind::lane) {
-      EXPECT_EQ(component.latency_cycles, system->signature.lane_latency_cycles);
+      EXPECT_EQ(component.latency_cycles, system->signature.lane_groups[0].latency_cycles);
       EXPECT_EQ(from_ports(source(component, "lane.v")), from_ports(generated(*system, "_lane_")));
     }
     if (key.kind == ComponentKind::reference) {
-      EXPECT_EQ(component.latency_cycles, system->signature.reference_latency_cycles);
+      EXPECT_EQ(component.latency_cycles, system->signature.reference_groups[0].latency_cycles);
       EXPECT_EQ(from_ports(source(component, "reference.v")),
                 from_ports(generated(*system, "_reference_")));
     }
-    if (key.kind == ComponentKind::fifo) EXPECT_EQ(key.ports, system->signature.slots);
+    if (key.kind == ComponentKind::fifo) {
+      EXPECT_EQ(key.ports, system->signature.slots);
+    }
   }
 }
 

@@ -186,18 +186,19 @@ TEST_F(JobHash, TellsEverythingApartThatAResultDependsOn) {
   expect_change(device_.timing, TimingTool::none);
   expect_change(device_.timing_arguments, std::vector<std::string>{"--up5k"});
   expect_change(device_.timing_synthesis, std::string("synth_ice40 -abc9"));
+  expect_change(device_.available.luts, 7);
   expect_change(options_.seeds, 4);
   expect_change(options_.effort, TimingEffort::area_only);
 }
 
 TEST_F(JobHash, AsksNothingOfWhatDoesNotMatter) {
   device_.name = "the same silicon under another name";
-  device_.available.luts = 7;
   device_.delays.lut_ns = 100;
   EXPECT_EQ(hash(), before_);
   options_.effort = TimingEffort::area_only;
   const std::string area = hash();
   options_.seeds = 9;
+  device_.available.luts = 7;
   device_.timing = TimingTool::none;
   EXPECT_EQ(hash(), area);
   options_.effort = TimingEffort::timing;
