@@ -18,22 +18,29 @@ struct Tool {
   const char* disables;  ///< what is missing without it
 };
 
-constexpr std::array<Tool, 9> tools = {{
+constexpr std::array<Tool, 12> tools = {{
     {"verilator", "verilator --version", "verilator", "verify"},
     {"make", "make --version", "make", "verify"},
-    {"g++", "g++ --version", "g++", "verify"},
+    {"g++", "g++ --version", "g++", "verify, baseline"},
     {"ccache", "ccache --version", "ccache", "nothing; builds of simulations take longer"},
     {"iverilog", "iverilog -V 2>/dev/null", "iverilog", "verify --simulator icarus"},
-    {"yosys", "yosys -V", "yosys", "the lint and formal tests"},
-    {"gappa", "gappa --version 2>&1", "gappa",
+    {"yosys", "yosys -V", "yosys", "characterise, check --costs, the lint and formal tests"},
+    {"nextpnr-ice40", "command -v nextpnr-ice40 >&2 && nextpnr-ice40 --version 2>&1",
+     "nextpnr-ice40", "the clocks of iCE40 devices in characterise"},
+    {"nextpnr-ecp5",
+     "set -- ${MIXCMP_NEXTPNR_ECP5:-nextpnr-ecp5}; "
+     "command -v \"$1\" >&2 && \"$@\" --version 2>&1 | grep Version",
+     "nextpnr-ecp5", "the clocks of ECP5 devices in characterise (Debian 12: docs/devices.md)"},
+    {"glpsol", "glpsol --version", "glpk-utils", "the tests of plans by a second solver"},
+    {"gappa", "gappa --version", "gappa",
      "check --prove, and the machine check of error bounds before generate"},
     {"gnuplot", "gnuplot --version", "gnuplot-nox", "the pictures of profile"},
     {"gtkwave", "command -v gtkwave", "gtkwave", "looking at the waves of verify --trace"},
 }};
 
-/// First line of what the command prints; empty where it cannot run.
+/// First line of what the command prints on its standard output; empty where it cannot run.
 std::string first_line(const char* command) {
-  FILE* pipe = popen(fmt::format("{} 2>/dev/null", command).c_str(), "r");
+  FILE* pipe = popen(fmt::format("( {} ) 2>/dev/null", command).c_str(), "r");
   if (pipe == nullptr) return "";
   std::array<char, 256> line = {};
   const bool read = fgets(line.data(), line.size(), pipe) != nullptr;
@@ -56,10 +63,10 @@ void run(bool json) {
                         {"package", tool.package},
                         {"disables", tool.disables}});
     } else if (version.empty()) {
-      fmt::print("{:<10} missing: apt-get install {}; disables {}\n", tool.name, tool.package,
+      fmt::print("{:<13} missing: apt-get install {}; disables {}\n", tool.name, tool.package,
                  tool.disables);
     } else {
-      fmt::print("{:<10} {}\n", tool.name, version);
+      fmt::print("{:<13} {}\n", tool.name, version);
     }
   }
   if (json) fmt::print("{}\n", report.dump(2));

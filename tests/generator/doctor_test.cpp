@@ -1,0 +1,73 @@
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/support/program.hpp"
+
+/// mixcmp doctor as a user calls it.
+namespace mixcmp::test {
+namespace {
+
+using nlohmann::json;
+
+class Doctor : public ProgramTest {
+protected:
+  json report(const std::string& environment) {
+    const Outcome run = mixcmp("doctor --json", environment);
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return json::parse(run.output);
+  }
+
+  json entry(const std::string& tool, const std::string& environment) {
+    for (const json& known : report(environment)) {
+      if (known.at("tool") == tool) return known;
+    }
+    ADD_FAILURE() << tool << " is not listed";
+    return json::object();
+  }
+
+  /// An executable of that name in our folder.
+  std::string script(const std::string& name, const std::string& text) {
+    const auto path = directory_.path() / name;
+    std::ofstream(path) << "#!/bin/sh\n" << text << "\n";
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    return path.string();
+  }
+};
+
+TEST_F(Doctor, WithoutAnyToolSaysOfEachWhatIsMissingAndWhatThatDisables) {
+  std::set<std::string> tools;
+  for (const json& tool : report("PATH=/nonexistent MIXCMP_NEXTPNR_ECP5=")) {
+    EXPECT_FALSE(tool.at("found")) << tool;
+    EXPECT_FALSE(tool.at("package").get<std::string>().empty()) << tool;
+    EXPECT_FALSE(tool.at("disables").get<std::string>().empty()) << tool;
+    tools.insert(tool.at("tool"));
+  }
+  for (const char* tool : {"yosys", "nextpnr-ice40", "nextpnr-ecp5", "glpsol"}) {
+    EXPECT_TRUE(tools.contains(tool)) << tool;
+  }
+}
+
+TEST_F(Doctor, FindsARouterThatSpeaksOnStandardError) {
+  const std::string path = script("nextpnr-ice40", "echo 'nextpnr-ice40 (Version 9.9)' >&2");
+  const json router =
+      entry("nextpnr-ice40", "PATH=" + directory_.path().string() + ":/usr/bin:/bin");
+  EXPECT_TRUE(router.at("found")) << path;
+  EXPECT_EQ(router.at("version"), "nextpnr-ice40 (Version 9.9)");
+}
+
+TEST_F(Doctor, FindsTheRouterForEcp5ThroughItsVariable) {
+  const std::string path = script("chroot", R"([ "$1" = "/a/b" ] && echo "Version 9.9" >&2)");
+  const json router = entry("nextpnr-ecp5", "MIXCMP_NEXTPNR_ECP5='" + path + " /a/b nextpnr-ecp5'");
+  EXPECT_TRUE(router.at("found"));
+  EXPECT_EQ(router.at("version"), "Version 9.9");
+}
+
+TEST_F(Doctor, AVariableThatNamesNothingIsAMissingRouter) {
+  const json router = entry("nextpnr-ecp5", "MIXCMP_NEXTPNR_ECP5=/nonexistent/nextpnr-ecp5");
+  EXPECT_FALSE(router.at("found")) << router;
+  EXPECT_NE(router.at("disables").get<std::string>().find("ECP5"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mixcmp::test
