@@ -14,11 +14,16 @@ int main(int argc, char** argv) {
   mixcmp::cli::add_verify(app);
   mixcmp::cli::add_profile(app);
   mixcmp::cli::add_characterise(app);
+  mixcmp::cli::add_optimise(app);
+  mixcmp::cli::add_explore(app);
   mixcmp::cli::add_doctor(app);
+  mixcmp::cli::add_baseline(app);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) {
-      throw CLI::RequiredError("A verb (check, generate, verify, profile, characterise, doctor)");
+      throw CLI::RequiredError(
+          "A verb (check, generate, verify, profile, characterise, optimise, explore, doctor, "
+          "baseline)");
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "model/design/slots.hpp"
+#include "model/optimise/crossover.hpp"
+#include "model/performance/performance.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -209,6 +211,21 @@ AllocationResult fill_with_references(const Scene& scene, const Device& device,
   return allocate(problem);
 }
 
+/// Of datapaths alone, without streams: the paper compares them so.
+std::optional<int> crossover_of(const Optimisation& found) {
+  std::map<int, std::vector<Area>> lanes;
+  for (const PrecisionPlan& plan : found.plans) {
+    for (const LaneImplementation& lane : plan.lanes) {
+      lanes[plan.precision].push_back(lane.measured.area);
+    }
+  }
+  std::vector<Area> references;
+  for (const ReferenceImplementation& reference : found.references) {
+    references.push_back(reference.measured.area);
+  }
+  return crossover_precision(lanes, references, usable(found.device.available, found.slack));
+}
+
 Error nothing_to_choose_from(const Scene& scene, const std::string& what) {
   return {.file = scene.path.string(),
           .field = {},
@@ -283,6 +300,7 @@ Result<Optimisation> optimise(const Scene& scene, const Device& device,
     plan.result = allocate(plan.problem);
     all.plans.push_back(std::move(plan));
   }
+  all.crossover = crossover_of(all);
   all.basis = maker.basis();
   all.notes = maker.notes();
   if (all.plans.empty()) return nothing_to_choose_from(scene, "lane with a known rate");

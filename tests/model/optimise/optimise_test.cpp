@@ -1,0 +1,143 @@
+#include "model/optimise/optimise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/optimise/exploration.hpp"
+#include "model/optimise/plan.hpp"
+#include "tests/model/optimise/planning_case.hpp"
+
+namespace mixcmp::test {
+namespace {
+
+using model::Allocation;
+using model::ComponentKind;
+using model::Optimisation;
+using model::OptimiseOptions;
+using model::PrecisionPlan;
+
+class Optimise : public PlanningTest {};
+
+TEST_F(Optimise, FindsTheBestPlanOfEachPrecisionAndAmongThem) {
+  const Optimisation found = optimise_now();
+  ASSERT_EQ(found.plans.size(), 3u);
+  for (const PrecisionPlan& plan : found.plans) {
+    const auto by_trying = allocate_exhaustively(plan.problem);
+    ASSERT_NE(plan.allocation(), nullptr) << plan.precision;
+    EXPECT_DOUBLE_EQ(plan.throughput_per_s(), std::get<Allocation>(by_trying).throughput_per_s);
+    EXPECT_GE(found.best()->throughput_per_s(), plan.throughput_per_s());
+  }
+}
+
+TEST_F(Optimise, ALaneCarriesTheScoreboardOfTheSlowestLane) {
+  const Optimisation found = optimise_now();
+  // Latency 20, 6 cycles around it, 16 slots for recomputations: 64 slots.
+  const auto& lane = found.plans.front().lanes.front();
+  EXPECT_EQ(lane.with_streams.luts, lane.measured.area.luts + fifo_64_luts);
+}
+
+TEST_F(Optimise, CrossbarSharesBetweenMeasuredPortCountsAreInterpolatedUpward) {
+  const Optimisation found = optimise_now();
+  const auto& shares = found.plans.front().problem.communication.crossbar;
+  ASSERT_EQ(shares.size(), 9u);
+  EXPECT_EQ(shares[0].luts, 0);
+  EXPECT_EQ(shares[1].luts, 10);
+  EXPECT_EQ(shares[2].luts, 25);  // 10 + 101 / 7, rounded up
+  EXPECT_EQ(shares[8].luts, 111);
+}
+
+TEST_F(Optimise, ProfiledLanesAreOnlyForScenesThatAskForThem) {
+  const auto has_profiled = [](const Optimisation& found) {
+    return std::any_of(found.plans.begin(), found.plans.end(), [](const PrecisionPlan& plan) {
+      return std::any_of(plan.lanes.begin(), plan.lanes.end(), [](const auto& lane) {
+        return lane.measured.key.bound == "profiled";
+      });
+    });
+  };
+  EXPECT_FALSE(has_profiled(optimise_now()));
+  scene_.reduced.bound = model::BoundKind::profiled;
+  EXPECT_TRUE(has_profiled(optimise_now()));
+}
+
+TEST_F(Optimise, ALaneWithoutARateIsLeftOutAndNamed) {
+  table_.rows.push_back(lane_row("s8e8", "rounded", "constant", "embedded", 50));
+  const Optimisation found = optimise_now();
+  ASSERT_EQ(found.plans.front().lanes.size(), 2u);
+  const auto& notes = found.notes;
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.find("rounded constant: no recomputation rate") != std::string::npos;
+  }));
+}
+
+TEST_F(Optimise, WhatTheOptionsExcludeIsNotUsed) {
+  options_.multipliers = {"logic"};
+  for (const PrecisionPlan& plan : optimise_now().plans) {
+    for (const auto& lane : plan.lanes) EXPECT_EQ(lane.measured.key.multipliers, "logic");
+  }
+  options_.first_precision = 10;
+  EXPECT_EQ(optimise_now().plans.size(), 2u);
+}
+
+TEST_F(Optimise, ATableWithoutAReferenceIsRefused) {
+  std::erase_if(table_.rows, [](const auto& row) {
+    return row.key.kind == ComponentKind::reference;
+  });
+  const auto found = optimise(scene_, device_, table_, rates_, options_);
+  ASSERT_FALSE(found.ok());
+  EXPECT_NE(found.error().to_string().find("no reference"), std::string::npos);
+}
+
+TEST_F(Optimise, OneClockDomainRunsAtTheSlowestOfWhatIsUsed) {
+  const Optimisation one = optimise_now();
+  options_.clocks.domains = model::ClockDomains::separate;
+  const Optimisation two = optimise_now();
+  // References are measured at 150 MHz, lanes at 300.
+  EXPECT_DOUBLE_EQ(one.best()->clock_mhz(), 150);
+  EXPECT_DOUBLE_EQ(two.best()->clock_mhz(), 300);
+}
+
+TEST_F(Optimise, GivenClocksReplaceMeasuredOnes) {
+  options_.clocks = {408, 285, model::ClockDomains::separate};
+  const Optimisation found = optimise_now();
+  EXPECT_EQ(found.basis, model::ClockBasis::given);
+  EXPECT_DOUBLE_EQ(found.best()->clock_mhz(), 408);
+}
+
+TEST_F(Optimise, TheBaselineIsAsManyReferencesAsFit) {
+  const Optimisation found = optimise_now();
+  const auto& alone = std::get<Allocation>(found.reference_only);
+  // 10000 LUT, slack 0.2: two of 3000 LUT with DSPs; 40 of 50 DSPs.
+  EXPECT_EQ(alone.lane_count(), 2);
+  EXPECT_DOUBLE_EQ(alone.throughput_per_s, 2 * 150e6);
+}
+
+TEST_F(Optimise, ThePlanFileSaysWhatTheBestPlanIs) {
+  const Optimisation found = optimise_now();
+  const std::string text = plan_toml(found, *found.best(), "../scene.toml", "mixcmp optimise");
+  EXPECT_NE(text.find("scene = \"../scene.toml\"\n"), std::string::npos);
+  int lanes = 0;
+  for (std::size_t at = text.find("[[lanes]]"); at != std::string::npos;
+       at = text.find("[[lanes]]", at + 1)) {
+    lanes += std::stoi(text.substr(text.find("count = ", at) + 8));
+  }
+  EXPECT_EQ(lanes, found.best()->allocation()->lane_count());
+  EXPECT_NE(text.find("error_bound = \"relative\"\n"), std::string::npos);
+}
+
+TEST_F(Optimise, ScenarioTwoPlansForTheWorstRateOfEachKind) {
+  model::Rates bad = rates_of({{8, 90000}, {10, 20}, {12, 5}});
+  const auto found = explore(scene_, device_, table_, {{"easy", rates_}, {"hard", bad}},
+                             {{"ours", options_.clocks}}, options_);
+  ASSERT_TRUE(found.ok()) << found.error().to_string();
+  const model::Column& column = found->columns.front();
+  ASSERT_EQ(column.scenario_1.size(), 2u);
+  const double worst = summary_of(column.worst).throughput_per_s;
+  for (const auto& own : column.scenario_1) EXPECT_LE(worst, own.throughput_per_s);
+  // At 8 digits the hard set counts, at 12 the easy one, which has the higher rate there.
+  EXPECT_DOUBLE_EQ(column.worst.plans[0].lanes[0].kind.recomputation_rate, 0.09);
+  EXPECT_DOUBLE_EQ(column.worst.plans[2].lanes[0].kind.recomputation_rate, 10 / 1e6);
+}
+
+}  // namespace
+}  // namespace mixcmp::test
