@@ -89,7 +89,9 @@ void check_timing_synthesis(Section& section, const Device& device) {
                         given ? in_quotes(device.timing_synthesis) : "nothing",
                         "a synth_xilinx command, with -abc9");
   }
-  if (given) section.fail("synthesis", "of no use to this tool", "a command", "no synthesis here");
+  if (!given) return;
+  section.fail("synthesis", "only of tool = \"yosys_sta\"", in_quotes(device.timing_synthesis),
+               "no synthesis here");
 }
 
 Result<Done> read_timing(const Settings& settings, Device& device) {
