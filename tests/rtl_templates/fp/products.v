@@ -1,0 +1,58 @@
+// products: fp_product with EMBEDDED = 0 at many precisions, for the regression alone. Of each
+// precision a product and a square with two masks of cuts that complement each other; the slots are
+// {precision, SQUARE, complemented}, the precisions counting slowest. products_test.cpp repeats which
+// precisions are built and with which masks.
+`default_nettype none
+
+module products #(
+    parameter SLOTS = 456,
+    parameter WIDEST = 113
+) (
+    input wire              aclk,
+    input wire [WIDEST-1:0] a,  // of each precision its last places, under a leading one
+    input wire [WIDEST-1:0] b
+);
+
+  // Read by hierarchical name, as in fp_units.
+  wire [255:0] y[0:SLOTS-1]  /* verilator public_flat_rd */;
+
+  genvar precision;
+  genvar square;
+  genvar complemented;
+
+  generate
+    for (precision = 2; precision <= WIDEST; precision = precision + 1) begin : with_precision
+      if (precision <= 34 || precision == WIDEST || (precision >= 52 && precision <= 54)
+          || (precision >= 63 && precision <= 65)) begin : built
+        wire [precision-1:0] x0 = {1'b1, a[precision-2:0]};
+        wire [precision-1:0] x1 = {1'b1, b[precision-2:0]};
+
+        for (square = 0; square < 2; square = square + 1) begin : of
+          for (complemented = 0; complemented < 2; complemented = complemented + 1) begin : with_cuts
+            localparam       SLOT = 4 * precision + 2 * square + complemented;
+            localparam [6:0] MASK = 37 * precision + 53 * square;
+
+            wire [2*precision-1:0] product;
+
+            fp_product #(
+                .PRECISION(precision),
+                .SQUARE   (square),
+                .EMBEDDED (0),
+                .CUTS     (complemented ? ~MASK : MASK)
+            ) unit (
+                .aclk   (aclk),
+                .a      (x0),
+                .b      (x1),
+                .product(product)
+            );
+
+            assign y[SLOT] = product;
+          end
+        end
+      end
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,171 @@
+#include <fmt/core.h>
+#include <gmp.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "Vproducts.h"
+#include "Vproducts___024root.h"
+#include "model/format/bits.hpp"
+
+/// Products of logic against GMP, at every precision that is built in one cycle, each at the
+/// latency that its mask of cuts names.
+namespace mixcmp::test {
+namespace {
+
+using model::Bits;
+
+constexpr int widest = 113, levels = 7;
+
+struct Factors {
+  Bits a;
+  Bits b;
+};
+
+/// Four words, the lowest first.
+using Wide = std::array<uint64_t, 4>;
+
+struct Slot {
+  int precision;
+  bool square;
+  unsigned cuts;
+
+  int latency_cycles() const { return std::popcount(cuts); }
+  int index(bool complemented) const { return 4 * precision + 2 * square + complemented; }
+};
+
+bool is_built(int precision) {
+  return precision <= 34 || precision == widest || (precision >= 52 && precision <= 54) ||
+         (precision >= 63 && precision <= 65);
+}
+
+Bits significand(int precision, Bits low_places) {
+  return (Bits{1} << (precision - 1)) | (low_places & ((Bits{1} << (precision - 1)) - 1));
+}
+
+Wide wide(Bits bits) {
+  return {static_cast<uint64_t>(bits), static_cast<uint64_t>(bits >> 64)};
+}
+
+Wide multiplied(Bits a, Bits b) {
+  const std::array<mp_limb_t, 2> x = {static_cast<uint64_t>(a), static_cast<uint64_t>(a >> 64)};
+  const std::array<mp_limb_t, 2> y = {static_cast<uint64_t>(b), static_cast<uint64_t>(b >> 64)};
+  std::array<mp_limb_t, 4> product;
+  mpn_mul_n(product.data(), x.data(), y.data(), 2);
+  return {product[0], product[1], product[2], product[3]};
+}
+
+std::string hex(const Wide& value) {
+  return fmt::format("{:016x}{:016x}{:016x}{:016x}", value[3], value[2], value[1], value[0]);
+}
+
+class LogicProduct : public testing::Test {
+protected:
+  /// Multiplies these in this cycle and judges every answer that is due.
+  void feed(const Factors& factors) {
+    history_.push_front(factors);
+    if (history_.size() > levels + 1) history_.pop_back();
+    for (int i = 0; i < 4; ++i) {
+      model_.a[i] = static_cast<uint32_t>(factors.a >> (32 * i));
+      model_.b[i] = static_cast<uint32_t>(factors.b >> (32 * i));
+    }
+    model_.aclk = 0;
+    model_.eval();
+    for (int precision = 2; precision <= widest; ++precision) {
+      if (is_built(precision)) judge(precision);
+    }
+    model_.aclk = 1;
+    model_.eval();
+  }
+
+  void drain() {
+    for (int i = 0; i < levels; ++i) feed({0, 0});
+  }
+
+private:
+  void judge(int precision) {
+    for (const bool square : {false, true}) {
+      for (const bool complemented : {false, true}) {
+        const auto mask = static_cast<unsigned>(37 * precision + 53 * square);
+        const Slot slot = {precision, square, (complemented ? ~mask : mask) & 127};
+        if (history_.size() > static_cast<std::size_t>(slot.latency_cycles())) {
+          judge(slot, slot.index(complemented));
+        }
+      }
+    }
+  }
+
+  void judge(const Slot& slot, int index) {
+    const Factors& then = history_[static_cast<std::size_t>(slot.latency_cycles())];
+    const Bits a = significand(slot.precision, then.a);
+    const Bits b = significand(slot.precision, slot.square ? then.a : then.b);
+    const Wide expected = multiplied(a, b);
+    ASSERT_EQ(hex(read(index)), hex(expected))
+        << "PRECISION=" << slot.precision << " SQUARE=" << slot.square << " CUTS=" << slot.cuts
+        << " a=" << hex(wide(a)) << " b=" << hex(wide(b));
+  }
+
+  Wide read(int index) const {
+    Wide value;
+    const auto& words = model_.rootp->products__DOT__y[index];
+    for (std::size_t i = 0; i < 4; ++i) {
+      value[i] = static_cast<uint64_t>(words[2 * i + 1]) << 32 | words[2 * i];
+    }
+    return value;
+  }
+
+  VerilatedContext context_;
+  Vproducts model_{&context_};
+  std::deque<Factors> history_;  ///< the latest first
+};
+
+/// Products up to 8 bits, squares up to 15.
+TEST_F(LogicProduct, EveryPairOfFewBitsIsMultipliedExactly) {
+  for (unsigned i = 0; i < 1u << 14 && !HasFatalFailure(); ++i) feed({i, i >> 7});
+  drain();
+}
+
+/// Splitmix64: number `index` of a stream.
+uint64_t drawn(uint64_t index) {
+  uint64_t z = (index + 1) * 0x9e3779b97f4a7c15;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+  return z ^ (z >> 31);
+}
+
+/// What drives the digits to one kind: every digit the same, runs of ones, ones alone, noise.
+Bits patterned(uint64_t index) {
+  const Bits noise = Bits{drawn(2 * index)} << 64 | drawn(2 * index + 1);
+  const int place = static_cast<int>(drawn(~index) % widest);
+  switch (drawn(~index) >> 60) {
+    case 0: return ~Bits{0};
+    case 1: return 0;
+    case 2: return ~Bits{0} / 3;
+    case 3: return ~Bits{0} / 3 * 2;
+    case 4: return ~Bits{0} / 15 * 6;
+    case 5: return ~Bits{0} / 15 * 9;
+    case 6: return ~Bits{0} / 7 * 3;
+    case 7: return Bits{1} << place;
+    case 8: return ~(Bits{1} << place);
+    case 9: return ~Bits{0} << place;
+    case 10: return ~(~Bits{0} << place);
+    case 11: return noise & noise >> 1 & noise << 1;
+    case 12: return noise | noise >> 1 | noise << 1;
+    default: return noise;
+  }
+}
+
+TEST_F(LogicProduct, WideFactorsAreMultipliedExactly) {
+  for (uint64_t i = 0; i < 20000 && !HasFatalFailure(); ++i) {
+    feed({patterned(2 * i), patterned(2 * i + 1)});
+  }
+  drain();
+}
+
+}  // namespace
+}  // namespace mixcmp::test
