@@ -1,1 +1,4 @@
-target_sources(mixcmp_model PRIVATE performance/performance.cpp)
+target_sources(mixcmp_model PRIVATE
+  performance/performance.cpp
+  performance/streams.cpp
+)

@@ -1,0 +1,189 @@
+#include "model/performance/streams.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <queue>
+
+#include "model/common/check.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+constexpr int crossbar_radix = 4;
+constexpr int request_interval_cycles = 2;
+constexpr int answer_cycles = 2;  ///< through the crossbar
+
+/// From the operands to a request on offer.
+constexpr int request_cycles = 4;
+/// From an answer at the lane until its slot may be taken again.
+int retire_cycles(ResultOrder order) {
+  switch (order) {
+    case ResultOrder::tagged: return 5;
+    case ResultOrder::in_order: return 3;
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// A lane in time: when comparisons enter, where one per cycle leaves and slots are few.
+class Channel {
+public:
+  explicit Channel(const LaneStreams& streams) : streams_(streams) {}
+
+  /// The cycle in which the next comparison is accepted.
+  std::int64_t accept(bool undecided) {
+    std::int64_t entry = last_entry_ + 1;
+    if (static_cast<int>(inside_.size()) == streams_.slots) entry = std::max(entry, retire());
+    std::int64_t ready = entry + decided_slot_cycles(streams_);
+    if (undecided) {
+      ready = std::max(entry + undecided_slot_cycles(streams_),
+                       last_answer_ + answer_interval_cycles(streams_));
+      last_answer_ = ready;
+    }
+    if (streams_.order == ResultOrder::in_order) ready = std::max(ready, last_ready_ + 1);
+    last_ready_ = ready;
+    inside_.push(ready);
+    last_entry_ = entry;
+    return entry;
+  }
+
+private:
+  std::int64_t retire() {
+    last_exit_ = std::max(inside_.top(), last_exit_ + 1);
+    inside_.pop();
+    return last_exit_;
+  }
+
+  LaneStreams streams_;
+  /// Cycles from which on a slot could be free.
+  std::priority_queue<std::int64_t, std::vector<std::int64_t>, std::greater<>> inside_;
+  std::int64_t last_entry_ = -1;
+  std::int64_t last_answer_ = std::numeric_limits<std::int64_t>::min() / 2;
+  std::int64_t last_ready_ = last_answer_;
+  std::int64_t last_exit_ = last_answer_;
+};
+
+/// Whether the lane takes one comparison per cycle while decided ones fill it, then a burst of
+/// undecided ones, then decided ones until every slot has been used anew.
+bool absorbs(const LaneStreams& streams, int burst) {
+  Channel channel(streams);
+  const int before = streams.slots;
+  const int all = before + burst + streams.slots;
+  for (int k = 0; k < all; ++k) {
+    const bool undecided = before <= k && k < before + burst;
+    if (channel.accept(undecided) != k) return false;
+  }
+  return true;
+}
+
+/// The largest x in 0..limit for which `holds`, where it holds up to some x and not beyond.
+double largest(double limit, const std::function<bool(double)>& holds) {
+  if (holds(limit)) return limit;
+  double low = 0;
+  double high = limit;
+  for (int step = 0; step < 60; ++step) {
+    const double middle = (low + high) / 2;
+    (holds(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Without regard to slots.
+double unbuffered_throughput(const LaneStreams& streams, double recomputation_rate) {
+  if (recomputation_rate == 0 || streams.lanes_served == 0) return 1;
+  return std::min(1.0, 1 / (answer_interval_cycles(streams) * recomputation_rate));
+}
+
+/// What slots allow where an undecided comparison holds one for `held` cycles.
+double slot_throughput(const LaneStreams& streams, double rate, double held) {
+  const double slots = streams.slots;
+  switch (streams.order) {
+    case ResultOrder::tagged:
+      return slots / ((1 - rate) * decided_slot_cycles(streams) + rate * held);
+    case ResultOrder::in_order: {
+      // From an undecided one to the first undecided one that is not among the next `slots`.
+      const double decided = std::max(1.0, decided_slot_cycles(streams) / slots);
+      const double whole = std::max(held, slots * decided);
+      return (1 - rate + rate * slots) / ((1 - rate) * decided + rate * whole);
+    }
+  }
+  MIXCMP_CHECK(false);
+}
+
+}  // namespace
+
+int crossbar_levels(int lanes_served) {
+  int levels = 1;
+  for (int streams = crossbar_radix; streams < lanes_served; streams *= crossbar_radix) ++levels;
+  return levels;
+}
+
+int decided_slot_cycles(const LaneStreams& streams) {
+  const bool merges = streams.order == ResultOrder::tagged && streams.lanes_served > 0;
+  const int beside = streams.order == ResultOrder::in_order ? 4 : merges ? 6 : 5;
+  return streams.lane_latency_cycles + beside;
+}
+
+int undecided_slot_cycles(const LaneStreams& streams) {
+  if (streams.lanes_served == 0) return decided_slot_cycles(streams);
+  return streams.lane_latency_cycles + request_cycles + crossbar_levels(streams.lanes_served) +
+         streams.reference_latency_cycles + answer_cycles + retire_cycles(streams.order);
+}
+
+int answer_interval_cycles(const LaneStreams& streams) {
+  return std::max(request_interval_cycles, streams.lanes_served);
+}
+
+double even_throughput(const LaneStreams& streams, double recomputation_rate) {
+  const double by_slots =
+      slot_throughput(streams, recomputation_rate, undecided_slot_cycles(streams));
+  return std::min(unbuffered_throughput(streams, recomputation_rate), by_slots);
+}
+
+double mean_wait_cycles(const LaneStreams& streams, double rate) {
+  const double lanes = streams.lanes_served;
+  const double register_load = request_interval_cycles * rate;
+  const double reference_load = lanes * rate;
+  if (register_load >= 1 || reference_load >= 1) return std::numeric_limits<double>::infinity();
+  return rate / (1 - register_load) +
+         (lanes - 1) / lanes * reference_load / (2 * (1 - reference_load));
+}
+
+double random_throughput(const LaneStreams& streams, double recomputation_rate) {
+  if (recomputation_rate == 0 || streams.lanes_served == 0) {
+    return even_throughput(streams, recomputation_rate);
+  }
+  const double undecided = undecided_slot_cycles(streams);
+  return largest(unbuffered_throughput(streams, recomputation_rate), [&](double x) {
+    const double asked = x * recomputation_rate;
+    // A lane that stalls takes comparisons at intervals rather than at random: requests vary by
+    // 1 - R then instead of 1 - x R, and waits with them (Kingman).
+    const double regular = (1 - recomputation_rate) / (1 - asked);
+    const double wait = regular > 0 ? regular * mean_wait_cycles(streams, asked) : 0;
+    return x <= slot_throughput(streams, recomputation_rate, undecided + wait);
+  });
+}
+
+int absorbed_burst(const LaneStreams& streams) {
+  if (streams.lanes_served == 0) return std::numeric_limits<int>::max();
+  int burst = 0;
+  while (absorbs(streams, burst + 1)) ++burst;
+  return burst;
+}
+
+double repeated_cycles(const LaneStreams& streams, const std::vector<bool>& undecided) {
+  MIXCMP_CHECK(!undecided.empty() && streams.slots > 0);
+  constexpr int settling = 16;
+  constexpr int measured = 48;
+  Channel channel(streams);
+  std::int64_t begin = 0;
+  std::int64_t end = 0;
+  for (int repetition = 0; repetition < settling + measured; ++repetition) {
+    if (repetition == settling) begin = end;
+    for (const bool hard : undecided) end = channel.accept(hard);
+  }
+  return static_cast<double>(end - begin) / measured;
+}
+
+}  // namespace mixcmp::model

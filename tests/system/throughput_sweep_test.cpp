@@ -1,0 +1,40 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/system/throughput_cases.hpp"
+
+/// The analytical model against generated systems of several p_L / p_H, from no recomputation to
+/// nothing else.
+namespace mixcmp::test {
+namespace {
+
+class ThroughputSweep : public testing::TestWithParam<Shape> {};
+
+TEST_P(ThroughputSweep, IsThePredictedOneAtEveryRecomputationRate) {
+  const model::Design design = design_of(GetParam());
+  for (const double rate : {0.0, 0.02, 0.04, 0.1, 0.125, 0.25, 0.5, 1.0}) {
+    const std::size_t comparisons = 10'000 * GetParam().lanes;
+    const tb::VerifyReport report = run(design, random_pattern(comparisons, rate, 7));
+    EXPECT_NEAR(report.recomputation_rate(), rate, 0.02);
+    const double expected = predicted_per_cycle(design, report.recomputation_rate());
+    EXPECT_NEAR(report.comparisons_per_cycle(), expected, throughput_tolerance * expected)
+        << "R_R = " << rate;
+  }
+}
+
+using model::ResultOrder;
+
+INSTANTIATE_TEST_SUITE_P(Shapes, ThroughputSweep,
+                         testing::Values(Shape{1, 1, ResultOrder::tagged},
+                                         Shape{7, 3, ResultOrder::tagged},
+                                         Shape{24, 2, ResultOrder::tagged},
+                                         Shape{8, 1, ResultOrder::in_order}),
+                         [](const auto& instance) {
+                           const Shape& s = instance.param;
+                           return std::to_string(s.lanes) + "x" + std::to_string(s.references) +
+                                  (s.order == ResultOrder::tagged ? "_tagged" : "_in_order");
+                         });
+
+}  // namespace
+}  // namespace mixcmp::test
