@@ -5,8 +5,10 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/cli/planning.hpp"
+#include "generator/cli/scratch.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/version.hpp"
+#include "generator/software/baseline.hpp"
 #include "model/common/content_hash.hpp"
 #include "model/common/file.hpp"
 #include "model/common/quote.hpp"
@@ -27,6 +29,7 @@ struct ExploreCommand {
   std::string over;  ///< "data.radius_max=5,10,25"
   fs::path output = "exploration";
   bool beside_paper = false;
+  bool software = false;
 };
 
 /// The settings of --over, one a data set; one empty one without it.
@@ -78,6 +81,28 @@ model::Rates rates_of(const ExploreCommand& command, const std::string& set) {
   return model::Rates::of(rates);
 }
 
+/// In double, and of the kernel that is fastest on all cores.
+std::vector<model::SoftwareThroughput> measure_software(const LoadedScene& loaded) {
+  const Scratch scratch;
+  gen::BaselineOptions options{.work = scratch.path()};
+  options.progress = [](const std::string& what) { show_progress(what); };
+  const gen::Baseline baseline =
+      value_or_exit(software_baseline(loaded.scene, *loaded.data, options));
+  show_progress("");
+  if (!baseline.passed()) {
+    fmt::print(stderr, "mixcmp: software and golden model disagree: see mixcmp baseline\n");
+    throw Exit{2};
+  }
+  std::vector<model::SoftwareThroughput> all;
+  for (const gen::BaselineKernel* kernel : {&baseline.exact(), &baseline.fastest()}) {
+    all.push_back({fmt::format("{}, {} cores, {}", baseline.processor, baseline.threads,
+                               gen::kernel_name(*kernel)),
+                   kernel->one_core.best_per_s, kernel->all_cores.best_per_s});
+  }
+  if (&baseline.exact() == &baseline.fastest()) all.pop_back();
+  return all;
+}
+
 using Columns = std::vector<std::pair<std::string, model::ClockChoice>>;
 
 /// The clocks that T(equ) is counted with.
@@ -126,7 +151,8 @@ void write_device(const ExploreCommand& command, const model::Exploration& explo
 
 /// Tables III and IV of one device.
 std::string explore_device(const ExploreCommand& command, const std::string& device,
-                           const std::vector<model::DataSet>& sets) {
+                           const std::vector<model::DataSet>& sets,
+                           const std::vector<model::SoftwareThroughput>& software) {
   PlanningOptions planning = command.planning;
   planning.scene.settings.push_back("system.device=" + device);
   const model::Scene scene =
@@ -136,7 +162,7 @@ std::string explore_device(const ExploreCommand& command, const std::string& dev
   const model::Exploration exploration = value_or_exit(
       explore(scene, known.device, known.table, sets, columns_for(published), planning.choice));
   const std::string tables = "## " + device + "\n\n" + table3_markdown(exploration, published) +
-                             "\n" + table4_markdown(exploration, published, {});
+                             "\n" + table4_markdown(exploration, published, software);
   write_device(command, exploration, tables);
   return tables;
 }
@@ -152,8 +178,10 @@ void run(const ExploreCommand& command) {
   std::vector<std::string> devices = command.devices;
   if (devices.empty()) devices.push_back(loaded.scene.system.device);
   std::string report = fmt::format("# {}: plans\n", loaded.scene.name);
+  std::vector<model::SoftwareThroughput> software;
+  if (command.software) software = measure_software(loaded);
   for (const std::string& device : devices) {
-    report += "\n" + explore_device(command, device, sets);
+    report += "\n" + explore_device(command, device, sets, software);
   }
   value_or_exit(write_file(command.output / "report.md", report));
   fmt::print("{}\n{}\n", report, (command.output / "report.md").string());
@@ -177,6 +205,8 @@ void add_explore(CLI::App& app) {
       "--beside-paper", command->beside_paper,
       "beside the paper's published figures and with its clocks, on its two devices; the "
       "scene should be its benchmark");
+  verb->add_flag("--software", command->software,
+                 "measure the comparison in software on this machine, too: see mixcmp baseline");
   verb->add_option("-o,--output", command->output,
                    "folder for figures, tables, plans and rates; rates found there are used again "
                    "(default: exploration)");
