@@ -1,10 +1,9 @@
 #include "generator/datapath/units.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
-#include "generator/datapath/logic_product.hpp"
+#include "generator/datapath/stage_list.hpp"
 #include "model/common/check.hpp"
 
 namespace mixcmp::gen {
@@ -16,98 +15,6 @@ using model::FloatFormat;
 using model::Multipliers;
 using model::Operation;
 using model::Subnormals;
-
-int bits_for(int value) {
-  return std::bit_width(static_cast<unsigned>(value));
-}
-
-/// LUTs in a row that reduce `bits` to one.
-int reduction_levels(int bits) {
-  int levels = 0;
-  for (int left = bits; left > 1; left = (left + 5) / 6) ++levels;
-  return levels;
-}
-
-/// LUTs in a row of a shifter by an amount of so many bits: a LUT is a choice of four.
-int shift_levels(int amount_bits) {
-  return (amount_bits + 1) / 2;
-}
-
-/// LUTs in a row that count the leading zeros of `bits`: a tree whose nodes join two halves, two
-/// of its levels to three LUTs.
-int count_levels(int bits) {
-  return (2 * bits_for(bits) + 2) / 3;
-}
-
-/// The stages of one unit, in order; the arithmetic of delays in one place.
-class StageList {
-public:
-  explicit StageList(const DelayTable& delays) : delays_(delays) {}
-
-  double luts(int levels) const { return levels * delays_.lut_ns; }
-  double carry(int bits) const { return delays_.carry_start_ns + bits * delays_.carry_ns_per_bit; }
-  void add(std::string name, double delay_ns) { stages_.push_back({std::move(name), delay_ns}); }
-
-  void add_operand(FloatFormat operands, Subnormals subnormals);
-  void add_embedded_product(int precision);
-  void add_logic_product(LogicProduct product);
-  void add_round(FloatFormat result, bool denormalises, int dropped_bits);
-
-  Unit unit(std::string module) && {
-    return {.module = std::move(module), .stages = std::move(stages_)};
-  }
-
-private:
-  const DelayTable& delays_;
-  std::vector<Stage> stages_;
-};
-
-/// fp_operand: nothing but wires where subnormals are flushed.
-void StageList::add_operand(FloatFormat operands, Subnormals subnormals) {
-  const bool normalises = subnormals == Subnormals::gradual;
-  const int precision = operands.precision();
-  const int unpack = reduction_levels(operands.exponent_bits());
-  add("count", normalises ? luts(unpack + count_levels(precision)) : 0);
-  add("normalise", normalises ? luts(shift_levels(bits_for(precision))) : 0);
-}
-
-/// The embedded multipliers take 17 by 24 bits; a tree adds what they give.
-void StageList::add_embedded_product(int precision) {
-  const int multipliers = ((precision + 16) / 17) * ((precision + 23) / 24);
-  const double adding = bits_for(multipliers - 1) * delays_.multiplier_add_ns;
-  add("multiply", delays_.multiplier_ns);
-  add("accumulate 1", adding / 2);
-  add("accumulate 2", adding / 2);
-}
-
-/// The first row is gates in front of the first chain. A chain that follows another starts when
-/// that one has come to where it begins.
-void StageList::add_logic_product(LogicProduct product) {
-  int bits_before = 0, shift_before = 0;
-  for (int level = 0; level < LogicProduct::levels; ++level) {
-    const int bits = product.longest_chain_bits(level);
-    const int shift = LogicProduct::shift_bits(level);
-    const int overlap = std::clamp(bits_before - (shift - shift_before), 0, bits);
-    const double first_row = level == 0 ? luts(1) : 0;
-    stages_.push_back({.name = "level " + std::to_string(level),
-                       .delay_ns = first_row + (bits > 0 ? carry(bits) : 0),
-                       .overlap_ns = overlap * delays_.carry_ns_per_bit});
-    bits_before = bits;
-    shift_before = shift;
-  }
-}
-
-/// fp_round; a fraction that arrives `dropped_bits` too wide is ORed into the sticky bit on the
-/// way.
-void StageList::add_round(FloatFormat result, bool denormalises, int dropped_bits) {
-  const int amount_bits = bits_for(result.precision() + 2);
-  const double distance = carry(result.exponent_bits() + 2) + luts(1);
-  const double sticky = luts(reduction_levels(std::max(dropped_bits, 1)));
-  add("denormalise",
-      denormalises ? std::max(distance, sticky) + luts(shift_levels(amount_bits)) : sticky);
-  add("round", luts(1) + carry(result.width() + 2));
-  add("pack", luts(1 + reduction_levels(result.exponent_bits()) + 1));
-}
 
 int bias_difference(FloatFormat result, FloatFormat operands) {
   return result.bias() - operands.bias();
