@@ -50,9 +50,8 @@ TEST_F(Optimise, CrossbarSharesBetweenMeasuredPortCountsAreInterpolatedUpward) {
 TEST_F(Optimise, ProfiledLanesAreOnlyForScenesThatAskForThem) {
   const auto has_profiled = [](const Optimisation& found) {
     return std::any_of(found.plans.begin(), found.plans.end(), [](const PrecisionPlan& plan) {
-      return std::any_of(plan.lanes.begin(), plan.lanes.end(), [](const auto& lane) {
-        return lane.measured.key.bound == "profiled";
-      });
+      return std::any_of(plan.lanes.begin(), plan.lanes.end(),
+                         [](const auto& lane) { return lane.measured.key.bound == "profiled"; });
     });
   };
   EXPECT_FALSE(has_profiled(optimise_now()));
@@ -80,9 +79,8 @@ TEST_F(Optimise, WhatTheOptionsExcludeIsNotUsed) {
 }
 
 TEST_F(Optimise, ATableWithoutAReferenceIsRefused) {
-  std::erase_if(table_.rows, [](const auto& row) {
-    return row.key.kind == ComponentKind::reference;
-  });
+  std::erase_if(table_.rows,
+                [](const auto& row) { return row.key.kind == ComponentKind::reference; });
   const auto found = optimise(scene_, device_, table_, rates_, options_);
   ASSERT_FALSE(found.ok());
   EXPECT_NE(found.error().to_string().find("no reference"), std::string::npos);

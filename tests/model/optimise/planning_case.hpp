@@ -71,9 +71,8 @@ protected:
   /// Undecided of a million, by precision, for exact inputs; profiled lanes the same.
   static model::Rates rates_of(const std::map<int, std::uint64_t>& undecided) {
     model::RateProfile profile{.comparisons = 1'000'000};
-    for (const auto& [name, kind] :
-         {std::pair("relative", model::SystemKind::certified),
-          std::pair("profiled", model::SystemKind::profiled)}) {
+    for (const auto& [name, kind] : {std::pair("relative", model::SystemKind::certified),
+                                     std::pair("profiled", model::SystemKind::profiled)}) {
       profile.systems.push_back({.name = name, .kind = kind, .counts = {}, .reason = {}});
       for (int precision = 4; precision <= 12; ++precision) {
         const auto found = undecided.find(precision);

@@ -1,0 +1,233 @@
+#include "model/optimise/allocation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "model/performance/performance.hpp"
+#include "tests/model/optimise/random_problems.hpp"
+
+/// The integer program against everything that small problems allow, and against plans known by
+/// hand.
+namespace mixcmp::test {
+namespace {
+
+using namespace model;
+
+LaneKind lane(double mhz, double rate, Area area) {
+  return {.name = "lane", .throughput_per_s = mhz * 1e6, .recomputation_rate = rate, .area = area};
+}
+ReferenceKind reference(double mhz, Area area) {
+  return {.name = "reference", .throughput_per_s = mhz * 1e6, .area = area};
+}
+
+AllocationProblem problem_of(std::vector<LaneKind> lanes, std::vector<ReferenceKind> references,
+                             Area available) {
+  AllocationProblem problem;
+  problem.lanes = std::move(lanes);
+  problem.references = std::move(references);
+  problem.available = available;
+  problem.slack = 0;
+  return problem;
+}
+
+Allocation plan_of(const AllocationProblem& problem) {
+  const AllocationResult result = allocate(problem);
+  if (const auto* plan = std::get_if<Allocation>(&result)) return *plan;
+  ADD_FAILURE() << std::get<Infeasible>(result).message;
+  return {};
+}
+
+Infeasible shortage_of(const AllocationProblem& problem) {
+  const AllocationResult result = allocate(problem);
+  if (const auto* infeasible = std::get_if<Infeasible>(&result)) return *infeasible;
+  ADD_FAILURE() << "there is a plan";
+  return {};
+}
+
+/// With several clock domains, lanes of different speed may reach the same throughput in two ways.
+bool one_way(const AllocationProblem& problem) {
+  if (problem.clocks == ClockDomains::single) return true;
+  for (const LaneKind& kind : problem.lanes) {
+    if (kind.throughput_per_s != problem.lanes.front().throughput_per_s) return false;
+  }
+  return true;
+}
+
+/// Whether there is a plan.
+bool expect_same(const AllocationProblem& problem, int number) {
+  const AllocationResult solved = allocate(problem);
+  const AllocationResult tried = allocate_exhaustively(problem);
+  EXPECT_EQ(solved.index(), tried.index()) << "problem " << number << "\n" << to_lp(problem);
+  const auto* best = std::get_if<Allocation>(&tried);
+  if (best == nullptr || solved.index() != tried.index()) return false;
+  const Allocation& plan = std::get<Allocation>(solved);
+  EXPECT_EQ(plan.throughput_per_s, best->throughput_per_s) << "problem " << number << "\n"
+                                                           << to_lp(problem);
+  if (!one_way(problem)) return true;
+  EXPECT_EQ(plan.reference_count(), best->reference_count()) << "problem " << number;
+  EXPECT_EQ(plan.lane_count(), best->lane_count()) << "problem " << number;
+  EXPECT_EQ(plan.used, best->used) << "problem " << number;
+  return true;
+}
+
+TEST(Allocation, IsTheBestOfEverythingInRandomProblems) {
+  RandomProblems problems(11);
+  int feasible = 0;
+  for (int number = 0; number < 500; ++number) {
+    feasible += expect_same(problems.next(), number) ? 1 : 0;
+  }
+  EXPECT_GT(feasible, 200);
+  EXPECT_LT(feasible, 400);
+}
+
+TEST(Allocation, IsTheSameEveryTime) {
+  RandomProblems problems(12);
+  for (int number = 0; number < 40; ++number) {
+    const AllocationProblem problem = problems.next();
+    const AllocationResult first = allocate(problem);
+    const AllocationResult second = allocate(problem);
+    ASSERT_EQ(first.index(), second.index());
+    if (first.index() != 0) continue;
+    EXPECT_EQ(std::get<Allocation>(first).lanes, std::get<Allocation>(second).lanes);
+    EXPECT_EQ(std::get<Allocation>(first).references, std::get<Allocation>(second).references);
+  }
+}
+
+TEST(Allocation, MixesKindsWhereOneResourceRunsOut) {
+  // Ten DSP lanes use up the DSPs, twenty of logic the rest of the LUTs.
+  AllocationProblem problem =
+      problem_of({lane(100, 0, {.luts = 10, .dsps = 4}), lane(100, 0, {.luts = 20})}, {},
+                 {.luts = 500, .registers = 0, .dsps = 40});
+  EXPECT_EQ(plan_of(problem).lanes, (std::vector<int>{10, 20}));
+  problem.available.dsps = 0;
+  EXPECT_EQ(plan_of(problem).lanes, (std::vector<int>{0, 25}));
+}
+
+TEST(Allocation, SlowerKindsAreLeftOutWhereTheyWouldSlowTheSystem) {
+  const std::vector<LaneKind> kinds{lane(400, 0, {.luts = 10, .dsps = 4}),
+                                    lane(300, 0, {.luts = 20})};
+  AllocationProblem problem = problem_of(kinds, {}, {.luts = 200, .dsps = 40});
+  // At one clock ten at 400 MHz make 4 G; with five of the others, all at 300 MHz, 4.5 G.
+  EXPECT_EQ(plan_of(problem).lanes, (std::vector<int>{10, 5}));
+  EXPECT_DOUBLE_EQ(plan_of(problem).throughput_per_s, 15 * 300e6);
+  problem.available.luts = 150;  // twelve at 300 MHz: less than ten at 400 MHz
+  EXPECT_EQ(plan_of(problem).lanes, (std::vector<int>{10, 0}));
+  problem.clocks = ClockDomains::separate;
+  EXPECT_EQ(plan_of(problem).lanes, (std::vector<int>{10, 2}));
+  EXPECT_DOUBLE_EQ(plan_of(problem).throughput_per_s, 10 * 400e6 + 2 * 300e6);
+}
+
+TEST(Allocation, ASlowReferenceSlowsASingleClockAndLimitsSeparateOnes) {
+  AllocationProblem problem =
+      problem_of({lane(400, 0.1, {.luts = 10})}, {reference(200, {.luts = 100})}, {.luts = 1000});
+  problem.max_references = 1;
+  // At 200 MHz the reference serves ten lanes; with a clock of its own only five at 400 MHz.
+  EXPECT_DOUBLE_EQ(plan_of(problem).throughput_per_s, 10 * 200e6);
+  problem.clocks = ClockDomains::separate;
+  EXPECT_DOUBLE_EQ(plan_of(problem).throughput_per_s, 5 * 400e6);
+}
+
+TEST(Allocation, EachReferenceMustServeTheLanesDealtToIt) {
+  // 0.4 of a reference each: two references could serve five lanes only if they shared them.
+  AllocationProblem problem =
+      problem_of({lane(100, 0.4, {.luts = 10})}, {reference(100, {.luts = 10})}, {.luts = 75});
+  problem.max_references = 2;
+  EXPECT_EQ(plan_of(problem).lane_count(), 4);
+  problem.sharing = ReferenceSharing::pooled;
+  EXPECT_EQ(plan_of(problem).lane_count(), 5);
+}
+
+TEST(Allocation, DecimalRatesThatJustFillAReferenceFillIt) {
+  for (const int lanes : {3, 7, 9, 10, 11, 49, 100, 333}) {
+    AllocationProblem problem = problem_of({lane(337, 1.0 / lanes, {.luts = 1})},
+                                           {reference(337, {.luts = 1})}, {.luts = 1000});
+    problem.max_references = 1;
+    EXPECT_EQ(plan_of(problem).lane_count(), lanes);
+    // Nor does CBC's tolerance let one more lane in than there is room for.
+    problem.lanes[0].recomputation_rate *= 1 + 1e-9;
+    EXPECT_EQ(plan_of(problem).lane_count(), lanes - 1);
+  }
+}
+
+TEST(Allocation, TinyRatesNeedAReferenceAndNoneNeedsNone) {
+  AllocationProblem problem =
+      problem_of({lane(408, 1e-9, {.luts = 10})}, {reference(285, {.luts = 100})}, {.luts = 500});
+  EXPECT_EQ(plan_of(problem).lane_count(), 40);
+  EXPECT_EQ(plan_of(problem).reference_count(), 1);
+  problem.lanes[0].recomputation_rate = 0;
+  EXPECT_EQ(plan_of(problem).lane_count(), 50);
+  EXPECT_EQ(plan_of(problem).reference_count(), 0);
+}
+
+TEST(Allocation, TheCrossbarCostsWhatItsReferencesServe) {
+  AllocationProblem problem =
+      problem_of({lane(100, 0.25, {.luts = 10})}, {reference(100, {.luts = 0})}, {.luts = 100});
+  problem.max_references = 2;
+  // Shares of 0, 1, 4, 9 and 16 LUTs: four lanes each would be 80 + 32, seven 70 + 16 + 9.
+  problem.communication.crossbar = {{}, {.luts = 1}, {.luts = 4}, {.luts = 9}, {.luts = 16}};
+  const Allocation plan = plan_of(problem);
+  EXPECT_EQ(plan.lane_count(), 7);
+  EXPECT_EQ(plan.used.luts, 70 + 16 + 9);
+  problem.communication.crossbar.resize(3);  // two ports a reference
+  EXPECT_EQ(plan_of(problem).lane_count(), 4);
+}
+
+TEST(Allocation, OfEqualPlansTheOneWithFewestReferencesThenLutsIsTaken) {
+  AllocationProblem problem =
+      problem_of({lane(100, 0.5, {.luts = 10}), lane(100, 0.5, {.luts = 8, .registers = 9}),
+                  lane(100, 0.1, {.luts = 30})},
+                 {reference(100, {.luts = 5}), reference(100, {.luts = 4, .dsps = 1})},
+                 {.luts = 1000, .registers = 1000, .dsps = 10});
+  problem.max_lanes = 2;
+  const Allocation plan = plan_of(problem);
+  EXPECT_EQ(plan.lanes, (std::vector<int>{0, 2, 0}));
+  EXPECT_EQ(plan.references, (std::vector<int>{0, 1}));
+}
+
+TEST(Allocation, InfeasibleProblemsNameTheResourceAndByHowMuch) {
+  const auto kinds = std::vector{lane(100, 0.1, {.luts = 100, .dsps = 2})};
+  const auto reference_kinds = std::vector{reference(100, {.luts = 900, .dsps = 40})};
+  AllocationProblem problem = problem_of(kinds, reference_kinds, {.luts = 800, .dsps = 50});
+  problem.communication.fixed.luts = 10;
+  Infeasible infeasible = shortage_of(problem);
+  ASSERT_EQ(infeasible.shortages.size(), 1u);
+  EXPECT_EQ(infeasible.shortages[0].resource, "lut");
+  EXPECT_EQ(infeasible.shortages[0].usable, 800);
+  EXPECT_EQ(infeasible.shortages[0].needed, 1010);
+  EXPECT_NE(infeasible.message.find("lut: 1010 needed, 800 usable, 210 short"), std::string::npos)
+      << infeasible.message;
+  problem.available.dsps = 41;
+  ASSERT_EQ(shortage_of(problem).shortages.size(), 2u);
+  EXPECT_EQ(shortage_of(problem).shortages[1].resource, "dsp");
+}
+
+TEST(Allocation, WhereKindsFailForDifferentReasonsTheNearestIsNamed) {
+  const AllocationProblem problem =
+      problem_of({lane(100, 0, {.luts = 1000}), lane(100, 0, {.luts = 10, .dsps = 11})}, {},
+                 {.luts = 100, .dsps = 10});
+  const Infeasible infeasible = shortage_of(problem);
+  ASSERT_EQ(infeasible.shortages.size(), 1u);
+  EXPECT_EQ(infeasible.shortages[0].resource, "dsp");
+  EXPECT_EQ(infeasible.shortages[0].needed, 11);
+}
+
+TEST(Allocation, WhatFailsEquation10HasNoShortage) {
+  AllocationProblem problem =
+      problem_of({lane(400, 1, {.luts = 1})}, {reference(100, {.luts = 1})}, {.luts = 100});
+  problem.clocks = ClockDomains::separate;
+  EXPECT_TRUE(shortage_of(problem).shortages.empty());
+  EXPECT_NE(shortage_of(problem).message.find("no reference is fast enough"), std::string::npos);
+  problem.references.clear();
+  EXPECT_NE(shortage_of(problem).message.find("there is none to build"), std::string::npos);
+  problem.lanes.clear();
+  EXPECT_NE(shortage_of(problem).message.find("no lane"), std::string::npos);
+}
+
+TEST(Allocation, FixedCommunicationAloneMayBeTooMuch) {
+  AllocationProblem problem = problem_of({lane(100, 0, {.luts = 1})}, {}, {.luts = 100});
+  problem.communication.fixed.luts = 101;
+  ASSERT_EQ(shortage_of(problem).shortages.size(), 1u);
+  EXPECT_EQ(shortage_of(problem).shortages[0].needed, 102);
+}
+
+}  // namespace
+}  // namespace mixcmp::test

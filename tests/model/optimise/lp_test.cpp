@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "model/optimise/allocation.hpp"
+#include "model/optimise/allocation_program.hpp"
+#include "tests/model/optimise/random_problems.hpp"
+#include "tests/support/scratch_directory.hpp"
+
+/// The program in the LP format, solved by GLPK: a solver that shares nothing with CBC.
+namespace mixcmp::test {
+namespace {
+
+using namespace model;
+
+class LinearProgram : public testing::Test {
+protected:
+  void SetUp() override {
+    if (std::system("glpsol --version > /dev/null 2>&1") != 0) {
+      GTEST_SKIP() << "glpsol is not installed (package glpk-utils)";
+    }
+  }
+
+  /// None: GLPK proves that there is no solution.
+  std::optional<double> optimum_by_glpk(const std::string& lp) {
+    const auto model = directory_.path() / "model.lp";
+    const auto report = directory_.path() / "report.txt";
+    std::ofstream(model) << lp;
+    const std::string command = "glpsol --lp '" + model.string() + "' -o '" + report.string() +
+                                "' > '" + (directory_.path() / "log.txt").string() + "' 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << lp;
+    std::ifstream stream(report);
+    std::string status, objective;
+    for (std::string line; std::getline(stream, line);) {
+      if (line.starts_with("Status:")) status = line.substr(12);
+      if (line.starts_with("Objective:")) objective = line.substr(line.find('=') + 1);
+    }
+    if (status != "INTEGER OPTIMAL") return std::nullopt;
+    return std::stod(objective);
+  }
+
+  ScratchDirectory directory_;
+};
+
+/// Comparisons a second that a unit of the objective stands for: as `to_lp` chose it.
+double unit_of(const AllocationProblem& problem, const Allocation& plan) {
+  const bool one_clock = problem.clocks == ClockDomains::single;
+  const double clock = one_clock ? plan.throughput_per_s / plan.lane_count() : 0;
+  return exact_program(problem, {clock, plan.reference_count(), {}}).objective_per_s;
+}
+
+TEST_F(LinearProgram, HasTheSameOptimumForGlpk) {
+  RandomProblems problems(13);
+  int feasible = 0;
+  for (int number = 0; number < 60; ++number) {
+    const AllocationProblem problem = problems.next();
+    const AllocationResult result = allocate(problem);
+    const auto* plan = std::get_if<Allocation>(&result);
+    if (plan == nullptr) continue;
+    ++feasible;
+    const auto optimum = optimum_by_glpk(to_lp(problem));
+    ASSERT_TRUE(optimum) << "problem " << number << "\n" << to_lp(problem);
+    EXPECT_NEAR(*optimum * unit_of(problem, *plan), plan->throughput_per_s,
+                1e-6 * plan->throughput_per_s)
+        << "problem " << number << "\n"
+        << to_lp(problem);
+  }
+  EXPECT_GT(feasible, 20);
+}
+
+TEST_F(LinearProgram, NoOtherNumberOfReferencesIsBetterForGlpkEither) {
+  RandomProblems problems(14);
+  for (int number = 0; number < 25; ++number) {
+    AllocationProblem problem = problems.next();
+    problem.clocks = ClockDomains::separate;
+    const AllocationResult result = allocate(problem);
+    const auto* plan = std::get_if<Allocation>(&result);
+    const double best = plan == nullptr ? 0 : plan->throughput_per_s;
+    for (int references = 0; references <= problem.max_references; ++references) {
+      const AllocationProgram program = exact_program(problem, {0, references, {}});
+      const auto optimum = optimum_by_glpk(to_lp(program.program));
+      if (!optimum) continue;
+      EXPECT_LE(*optimum * program.objective_per_s, best * (1 + 1e-6))
+          << "problem " << number << ", p_H = " << references << "\n"
+          << to_lp(program.program);
+    }
+  }
+}
+
+TEST_F(LinearProgram, OfAProblemWithoutAPlanHasNoSolution) {
+  AllocationProblem problem;
+  problem.lanes = {
+      {.name = "s8e8", .throughput_per_s = 4e8, .recomputation_rate = 0.1, .area = {.luts = 100}}};
+  problem.references = {{.name = "s53e8", .throughput_per_s = 3e8, .area = {.luts = 900}}};
+  problem.available = {.luts = 800};
+  problem.slack = 0;
+  ASSERT_TRUE(std::holds_alternative<Infeasible>(allocate(problem)));
+  EXPECT_FALSE(optimum_by_glpk(to_lp(problem)));
+}
+
+TEST(LinearProgramText, NamesItsKindsAndEquations) {
+  AllocationProblem problem;
+  problem.lanes = {{.name = "s8e8 exact",
+                    .throughput_per_s = 4e8,
+                    .recomputation_rate = 0.1,
+                    .area = {.luts = 100}}};
+  problem.references = {{.name = "s53e8", .throughput_per_s = 4e8, .area = {.luts = 900}}};
+  problem.available = {.luts = 4000};
+  const std::string lp = to_lp(problem);
+  for (const char* words : {"\\ lanes_0: s8e8 exact", "\\ references_0: s53e8", "Maximize",
+                            "equation_10:", "lut:", "100 lanes_0", "<= 3200", "General", "End"}) {
+    EXPECT_NE(lp.find(words), std::string::npos) << words << "\n" << lp;
+  }
+}
+
+}  // namespace
+}  // namespace mixcmp::test
