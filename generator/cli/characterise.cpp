@@ -16,8 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using gen::CharacteriseReport;
 
-constexpr int interrupted_exit = 130;  ///< as a shell reports SIGINT
-
 std::string duration(double seconds) {
   const int whole = static_cast<int>(seconds);
   return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
@@ -81,7 +79,7 @@ void print_text(const CharacteriseReport& report, const fs::path& table) {
   for (const auto& [reason, rows] : report.no_clock) {
     fmt::print("no clock of {} components: {}\n", rows, reason);
   }
-  if (report.interrupted) return;
+  if (report.interrupted_by != 0) return;
   fmt::print("{} rows in {}", report.table.rows.size(), table.string());
   if (report.kept > 0) fmt::print(", {} of them kept from before", report.kept);
   if (report.dropped > 0) fmt::print("; {} outdated rows dropped", report.dropped);
@@ -124,7 +122,7 @@ void print_json(const CharacteriseReport& report, const fs::path& table) {
                                  {"synthesised", report.synthesised},
                                  {"kept", report.kept},
                                  {"dropped", report.dropped},
-                                 {"interrupted", report.interrupted},
+                                 {"interrupted", report.interrupted_by != 0},
                                  {"failed", nlohmann::ordered_json::array()},
                                  {"missing", nlohmann::ordered_json::array()},
                                  {"no_clock", report.no_clock},
@@ -174,7 +172,7 @@ void tell_failures(const CharacteriseReport& report) {
     fmt::print(stderr, "mixcmp: {}: {}\n  kept in {}\n", job.label, job.message,
                job.directory.string());
   }
-  if (report.interrupted) {
+  if (report.interrupted_by != 0) {
     fmt::print(stderr,
                "mixcmp: interrupted; what is finished is in the store, the same command "
                "goes on from there\n");
@@ -194,10 +192,10 @@ void run(const CharacteriseCommand& command) {
       value_or_exit(gen::characterise(loaded.scene, loaded.data ? &*loaded.data : nullptr, device,
                                       options, previous ? &*previous : nullptr));
   show_progress("");
-  if (!report.interrupted) write_table(report, command, loaded.scene, path);
+  if (report.interrupted_by == 0) write_table(report, command, loaded.scene, path);
   command.scene.json ? print_json(report, path) : print_text(report, path);
   tell_failures(report);
-  if (report.interrupted) throw Exit{interrupted_exit};
+  if (report.interrupted_by != 0) throw Exit{128 + report.interrupted_by};  // as shells say it
   if (!report.failed.empty()) throw Exit{1};
 }
 

@@ -1,94 +1,81 @@
 #include "generator/cli/costs.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "generator/cli/output.hpp"
+#include "generator/cli/scratch.hpp"
+#include "generator/components/component_maker.hpp"
+#include "generator/components/lane_bound.hpp"
+#include "generator/components/synthesis_jobs.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/profile/profile.hpp"
 
 namespace mixcmp::cli {
 namespace {
 
-using model::BoundKind;
-using model::ErrorBoundKind;
+using model::Area;
+using model::Lane;
+using model::ReducedSpec;
+using model::Result;
 using model::Scene;
 
-/// A kind of bound under the name that a profile gives it.
-struct Variant {
-  std::string name;
-  BoundKind bound = BoundKind::certified;
-  ErrorBoundKind kind = ErrorBoundKind::relative;
-  int digits = 4;
-};
-const std::vector<Variant> variants = {
-    {"relative", BoundKind::certified, ErrorBoundKind::relative},
-    {"running_4", BoundKind::certified, ErrorBoundKind::running, 4},
-    {"running_1", BoundKind::certified, ErrorBoundKind::running, 1},
-    {"constant", BoundKind::certified, ErrorBoundKind::constant},
-    {"profiled", BoundKind::profiled},
-};
-
-/// The scene with one kind of bound, as one lane and no reference.
-Scene with_bound(const Scene& scene, const Variant& variant) {
-  Scene copy = scene.with_one_kind();
-  copy.reduced.bound = variant.bound;
-  copy.reduced.error_bound = variant.kind;
-  copy.reduced.bound_digits = variant.digits;
-  copy.system.lanes = 1;
-  copy.system.references = 0;
-  return copy;
-}
-
-bool is_chosen(const Scene& scene, const Variant& variant, const std::string& decision) {
-  if (scene.reduced.bound != variant.bound) return false;
-  if (variant.bound == BoundKind::profiled) return true;
-  const auto design = make_design(with_bound(scene, variant), nullptr);
-  Scene plain = scene.with_one_kind();
-  plain.system.lanes = 1;
-  plain.system.references = 0;
-  const auto taken = make_design(plain, nullptr);
-  return design.ok() && taken.ok() && describe_decision(taken->lanes.front().lane) == decision;
+/// One lane alone on the scene's device.
+Result<Area> lane_area(const Scene& scene, const Lane& lane) {
+  MIXCMP_TRY(device, model::find_device(scene.system.device));
+  MIXCMP_TRY(built,
+             gen::lane_rtl(scene.graph.inputs(), lane, scene.reduced.multipliers, scene.system));
+  const Scratch scratch;
+  MIXCMP_TRY(result, synthesise(gen::module_job(built.module), device,
+                                {.effort = model::TimingEffort::area_only}, scratch.path()));
+  return result.area;
 }
 
 /// The same lane with every hazard built and no operand checked, except for signs.
-std::optional<Area> area_of_all_built(const Scene& scene, model::Design design) {
-  const auto lane = certified_lane(lane_graph(scene.graph, scene.reference.format,
-                                              design.lanes.front().lane.graph.arithmetic, scene.reduced.inputs),
-                                   {.kind = scene.reduced.error_bound,
-                                    .bound_digits = scene.reduced.bound_digits,
-                                    .ranges = scene.ranges,
-                                    .hazards = model::HazardRemoval::keep});
-  if (!lane.ok()) return std::nullopt;
-  design.lanes.front().lane = *lane;
-  const auto area = lane_area(design);
+std::optional<Area> area_of_all_built(const Scene& scene, const gen::LaneBound& bound,
+                                      const Lane& lane) {
+  const auto all_built = certified_lane(
+      lane_graph(scene.graph, scene.reference.format, lane.graph.arithmetic, scene.reduced.inputs),
+      {.kind = bound.kind,
+       .bound_digits = bound.digits,
+       .ranges = scene.ranges,
+       .hazards = model::HazardRemoval::keep});
+  if (!all_built.ok()) return std::nullopt;
+  const auto area = lane_area(scene, *all_built);
   return area.ok() ? std::optional(*area) : std::nullopt;
 }
 
-void progress(const std::string& what) {
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K{}", what);
+/// Whether `generate` takes a lane that decides so.
+bool is_chosen(const LoadedScene& loaded, const gen::LaneBound& bound,
+               const std::string& decision) {
+  const ReducedSpec& reduced = loaded.scene.reduced;
+  if (reduced.bound != bound.bound) return false;
+  if (reduced.bound == model::BoundKind::profiled) return true;
+  const auto taken = design_lane(loaded.scene, reduced, nullptr);
+  return taken.ok() && describe_decision(*taken) == decision;
 }
 
-BoundCost cost_of(const LoadedScene& loaded, const Variant& variant, std::string& no_area) {
-  BoundCost cost{.name = variant.name};
-  const Scene scene = with_bound(loaded.scene, variant);
-  const auto design = make_design(scene, loaded.data ? &*loaded.data : nullptr);
-  if (!design.ok()) {
-    cost.decision = "does not exist: " + design.error().message;
+BoundCost cost_of(const LoadedScene& loaded, const std::string& name, std::string& no_area) {
+  const Scene& scene = loaded.scene;
+  const gen::LaneBound bound = gen::find_lane_bound(name).value();
+  BoundCost cost{.name = name};
+  const auto lane = design_lane(scene, gen::with_bound(scene.reduced, bound),
+                                loaded.data ? &*loaded.data : nullptr);
+  if (!lane.ok()) {
+    cost.decision = "does not exist: " + lane.error().message;
     return cost;
   }
-  cost.decision = describe_decision(design->lanes.front().lane);
-  cost.chosen = is_chosen(loaded.scene, variant, cost.decision);
-  progress(fmt::format("Yosys maps the lane with the {} bound", variant.name));
-  const auto area = lane_area(*design);
+  cost.decision = describe_decision(*lane);
+  cost.chosen = is_chosen(loaded, bound, cost.decision);
+  show_progress(fmt::format("Yosys maps the lane with the {} bound", name));
+  const auto area = lane_area(scene, *lane);
   if (!area.ok()) {
     no_area = area.error().to_string();
     return cost;
   }
   cost.area = *area;
-  if (variant.bound == BoundKind::certified) cost.all_built = area_of_all_built(scene, *design);
+  if (lane->certified()) cost.all_built = area_of_all_built(scene, bound, *lane);
   return cost;
 }
 
@@ -104,7 +91,7 @@ void add_rates(const LoadedScene& loaded, BoundCosts& costs) {
     costs.no_rate = possible.error().to_string();
     return;
   }
-  progress("measuring recomputation rates");
+  show_progress("measuring recomputation rates");
   const auto errors = profile_errors(scene, *loaded.data, {scene.reduced.inputs}, options);
   const auto rates = profile_rates(scene, *loaded.data, errors.front(), options);
   for (const model::SystemProfile& system : rates.systems) {
@@ -133,11 +120,11 @@ BoundCosts measure_costs(const LoadedScene& loaded) {
     costs.no_area = costs.no_rate = "reduced.format is \"auto\"";
     return costs;
   }
-  for (const Variant& variant : variants) {
-    costs.bounds.push_back(cost_of(loaded, variant, costs.no_area));
+  for (const std::string& name : gen::profiled_lane_bounds()) {
+    costs.bounds.push_back(cost_of(loaded, name, costs.no_area));
   }
   add_rates(loaded, costs);
-  progress("");
+  show_progress("");
   return costs;
 }
 

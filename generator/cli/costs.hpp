@@ -2,8 +2,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "generator/cli/lane_area.hpp"
 #include "generator/cli/options.hpp"
+#include "model/devices/area.hpp"
 
 namespace mixcmp::cli {
 
@@ -13,8 +13,8 @@ struct BoundCost {
   bool chosen = false;                       ///< what `generate` takes
   std::string decision;                      ///< or why it does not exist
   std::optional<double> recomputation_rate;  ///< on the scene's data
-  std::optional<Area> area;
-  std::optional<Area> all_built;  ///< nothing left out for the ranges' sake
+  std::optional<model::Area> area;
+  std::optional<model::Area> all_built;  ///< nothing left out for the ranges' sake
 };
 
 struct BoundCosts {

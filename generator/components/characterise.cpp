@@ -129,7 +129,7 @@ private:
                              {.synthesis = options_.synthesis,
                               .workers = options_.workers,
                               .progress = progress}));
-    report_.interrupted = run.interrupted;
+    report_.interrupted_by = run.interrupted_by;
     report_.synthesised = run.done - static_cast<int>(run.failed.size());
     report_.failed = std::move(run.failed);
     return Done{};

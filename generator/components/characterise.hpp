@@ -29,7 +29,7 @@ struct CharacteriseReport {
   std::vector<MissingLane> missing;
   std::vector<model::FailedJob> failed;
   std::map<std::string, int> no_clock;  ///< reasons, each with its number of rows
-  bool interrupted = false;
+  int interrupted_by = 0;               ///< a signal; 0: none
 };
 
 /// Measures what the store lacks and makes a table of it. Rows of `previous` (may be null) that are

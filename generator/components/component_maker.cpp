@@ -99,6 +99,13 @@ Error out_of_range(const std::string& field, int received, const std::string& ac
 
 }  // namespace
 
+Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const model::Lane& lane,
+                         Multipliers multipliers, const model::SystemSpec& system) {
+  MIXCMP_TRY(delays, delays_of(system.device));
+  const Schedule schedule = schedule_lane(lane, multipliers, delays, system.target_mhz);
+  return LaneRtl{schedule.latency_cycles, lane_module("lane", inputs, lane, schedule)};
+}
+
 ComponentMaker::ComponentMaker(const model::Scene& scene, const model::Comparisons* data)
     : scene_(scene), data_(data) {}
 
@@ -129,10 +136,8 @@ Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
     MIXCMP_TRY(given, give_constants(reduced));
   }
   MIXCMP_TRY(lane, design_lane(scene_, reduced, nullptr));
-  MIXCMP_TRY(delays, delays_of(scene_.system.device));
-  const Schedule schedule = schedule_lane(lane, multipliers, delays, scene_.system.target_mhz);
-  const rtl::Module module = lane_module("lane", scene_.graph.inputs(), lane, schedule);
-  return datapath(key, schedule.latency_cycles, module, lane.graph);
+  MIXCMP_TRY(built, lane_rtl(scene_.graph.inputs(), lane, multipliers, scene_.system));
+  return datapath(key, built.latency_cycles, built.module, lane.graph);
 }
 
 Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
@@ -170,7 +175,8 @@ Result<Component> ComponentMaker::make_fifo(const ComponentKey& key) {
   const std::optional<int> slowest = slowest_lane(key.ports, shape.recomputes());
   if (!slowest) return out_of_range("slots", key.ports, "a power of two that some lane needs");
   shape.slot_bits = std::countr_zero(static_cast<unsigned>(key.ports));
-  return Component{key, shape.channel_latency_cycles(), template_job(tracker_template(shape, *slowest)), {}};
+  return Component{
+      key, shape.channel_latency_cycles(), template_job(tracker_template(shape, *slowest)), {}};
 }
 
 Result<Component> ComponentMaker::make_crossbar(const ComponentKey& key) {

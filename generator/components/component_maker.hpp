@@ -20,6 +20,15 @@ struct Component {
   std::vector<model::ComponentKey> units;  ///< of a lane or reference: what it is made of
 };
 
+/// A reduced datapath alone, whatever scene it is of.
+struct LaneRtl {
+  int latency_cycles = 0;
+  rtl::Module module;
+};
+/// An error where the device is unknown.
+model::Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const model::Lane& lane,
+                                model::Multipliers multipliers, const model::SystemSpec& system);
+
 /// Writes the RTL of a scene's components, one at a time, by the keys of a table's rows.
 class ComponentMaker {
 public:

@@ -46,11 +46,12 @@ public:
     std::error_code failed;
     fs::create_directories(work_, failed);
     if (failed) return Error{.file = work_.string(), .message = failed.message()};
-    while (!run_.interrupted && (next_ < jobs_.size() || !running_.empty())) {
+    while (run_.interrupted_by == 0 && (next_ < jobs_.size() || !running_.empty())) {
       while (next_ < jobs_.size() && running_.size() < options_.workers) {
         MIXCMP_TRY(started, start(jobs_[next_++]));
       }
-      run_.interrupted = gate_.wait(between_looks) == SignalGate::News::interrupt;
+      const int signal = gate_.wait(between_looks);
+      if (signal != SIGCHLD) run_.interrupted_by = signal;
       reap();
       tell();
     }

@@ -24,7 +24,7 @@ struct FailedJob {
 struct JobRun {
   int done = 0;
   std::vector<FailedJob> failed;
-  bool interrupted = false;
+  int interrupted_by = 0;  ///< the signal; 0: none
 };
 
 struct JobRunOptions {

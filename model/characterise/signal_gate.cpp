@@ -1,5 +1,7 @@
 #include "model/characterise/signal_gate.hpp"
 
+#include <algorithm>
+
 namespace mixcmp::model {
 namespace {
 
@@ -24,12 +26,10 @@ SignalGate::~SignalGate() {
   restore();
 }
 
-SignalGate::News SignalGate::wait(std::chrono::milliseconds patience) const {
+int SignalGate::wait(std::chrono::milliseconds patience) const {
   const timespec timeout = {.tv_sec = patience.count() / 1000,
                             .tv_nsec = patience.count() % 1000 * 1'000'000};
-  const int signal = sigtimedwait(&held_, nullptr, &timeout);
-  if (signal < 0) return News::none;
-  return signal == SIGCHLD ? News::child : News::interrupt;
+  return std::max(sigtimedwait(&held_, nullptr, &timeout), 0);
 }
 
 void SignalGate::restore() const {

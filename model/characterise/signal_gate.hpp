@@ -16,9 +16,8 @@ public:
   SignalGate(const SignalGate&) = delete;
   SignalGate& operator=(const SignalGate&) = delete;
 
-  enum class News { none, child, interrupt };
-  /// The first news within this time.
-  News wait(std::chrono::milliseconds patience) const;
+  /// The first signal held back within this time; 0: none came.
+  int wait(std::chrono::milliseconds patience) const;
 
   /// For a new child: signals do again what they did before.
   void restore() const;
