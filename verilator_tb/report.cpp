@@ -76,8 +76,8 @@ std::string group_lines(const VerifyReport& r) {
   if (r.groups.size() < 2) return {};
   std::string text;
   for (const GroupReport& group : r.groups) {
-    text += fmt::format("  {} lanes {}, {}\n", group.lanes, group.name,
-                        group.certified ? "certified" : "not certified");
+    text += fmt::format("  {} {} {}, {}\n", group.lanes, group.lanes == 1 ? "lane" : "lanes",
+                        group.name, group.certified ? "certified" : "not certified");
     const auto add = [&text](const char* name, const std::string& value) {
       text += fmt::format("    {:<20} {}\n", name, value);
     };

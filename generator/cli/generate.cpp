@@ -28,15 +28,18 @@ std::string_view certainty(bool certified) {
   return certified ? "certified" : "not certified";
 }
 
+std::string counted(int count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 /// One kind of each in a line, several in a line each.
 void print_parts(const gen::Signature& s) {
   if (s.lane_groups.size() == 1 && s.reference_groups.size() <= 1) {
     const gen::SignatureLanes& lanes = s.lane_groups.front();
-    const std::string reference =
-        s.reference_groups.empty()
-            ? ""
-            : fmt::format(" in {} ({} cycles)", s.reference_format.name(),
-                          s.reference_groups.front().latency_cycles);
+    const std::string reference = s.reference_groups.empty()
+                                      ? ""
+                                      : fmt::format(" in {} ({} cycles)", s.reference_format.name(),
+                                                    s.reference_groups.front().latency_cycles);
     return fmt::print("{}: p_L = {} in {} ({} cycles), p_H = {}{}, {}\n", s.top, s.lanes,
                       lanes.format.name(), lanes.latency_cycles, s.references, reference,
                       certainty(s.certified));
@@ -44,13 +47,13 @@ void print_parts(const gen::Signature& s) {
   fmt::print("{}: p_L = {}, p_H = {} in {}, {}\n", s.top, s.lanes, s.references,
              s.reference_format.name(), certainty(s.certified));
   for (const gen::SignatureLanes& group : s.lane_groups) {
-    fmt::print("  {} lanes in {}: {} cycles, inputs {}, multipliers {}; {}\n", group.count,
-               group.format.name(), group.latency_cycles, to_string(group.inputs),
-               to_string(group.multipliers), group.decision);
+    fmt::print("  {} in {}: {} cycles, inputs {}, multipliers {}; {}\n",
+               counted(group.count, "lane"), group.format.name(), group.latency_cycles,
+               to_string(group.inputs), to_string(group.multipliers), group.decision);
   }
   for (const gen::SignatureReferences& group : s.reference_groups) {
-    fmt::print("  {} references: {} cycles, multipliers {}\n", group.count, group.latency_cycles,
-               to_string(group.multipliers));
+    fmt::print("  {}: {} cycles, multipliers {}\n", counted(group.count, "reference"),
+               group.latency_cycles, to_string(group.multipliers));
   }
 }
 
@@ -102,7 +105,8 @@ void run(const GenerateOptions& options) {
   const std::filesystem::path directory =
       options.output.empty() ? std::filesystem::path(system.signature.top) : options.output;
   value_or_exit(gen::write_system(system, directory));
-  options.scene.json ? print_json(system, proofs, directory) : print_text(system, proofs, directory);
+  options.scene.json ? print_json(system, proofs, directory)
+                     : print_text(system, proofs, directory);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ constexpr std::array<Shortcut, 7> shortcuts = {{
     {"--format", "reduced.format", "reduced format of the lanes, s17e8"},
     {"--bound", "reduced.bound", "certified or profiled"},
     {"--inputs", "reduced.inputs", "rounded or exact"},
-    {"--lanes", "system.lanes", "p_L, 1..128"},
+    {"--lanes", "system.lanes", "p_L, 1..512"},
     {"--references", "system.references", "p_H, 0..16"},
     {"--target-mhz", "system.target_mhz", "clock that the cut points are chosen for"},
     {"--device", "system.device", "device whose rough delays choose the cut points"},

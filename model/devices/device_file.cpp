@@ -23,7 +23,7 @@ Result<Done> check_section_names(const Settings& settings) {
     const auto& names = section_names;
     if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
     const bool is_section = std::holds_alternative<Setting::Table>(entry.value);
-    return mistake_at(settings, entry, entry.key,
+    return mistake_at(entry, entry.key,
                       is_section ? "unknown section" : "a key outside of any section", entry.key,
                       list_with_nearest(entry.key, names));
   }

@@ -21,7 +21,7 @@ Result<Settings> read_scene_of(const Setting& key, const fs::path& path) {
   };
   const auto* name = std::get_if<std::string>(&key.value);
   if (name == nullptr || name->empty()) return wrong("not a path");
-  const fs::path scene = path.parent_path() / *name;
+  const fs::path scene = (path.parent_path() / *name).lexically_normal();
   std::error_code missing;
   if (fs::equivalent(scene, path, missing)) return wrong("a plan cannot be its own scene");
   if (missing || !fs::is_regular_file(scene)) return wrong("there is no such file");

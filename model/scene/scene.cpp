@@ -234,31 +234,6 @@ void note_missed_ends(const std::vector<std::optional<Range>>& ranges, FloatForm
 
 }  // namespace
 
-std::vector<bool> Scene::nonnegative_inputs() const {
-  std::vector<bool> nonnegative;
-  for (const std::optional<Range>& range : ranges) {
-    nonnegative.push_back(range && range->low >= 0);
-  }
-  return nonnegative;
-}
-
-std::vector<LaneGroupSpec> Scene::lane_groups() const {
-  if (!lanes.empty()) return lanes;
-  return {{.count = system.lanes, .reduced = reduced, .place = {path.string()}}};
-}
-
-std::vector<ReferenceGroupSpec> Scene::reference_groups() const {
-  if (!references.empty()) return references;
-  return {{.count = system.references, .multipliers = reference_multipliers}};
-}
-
-Scene Scene::with_one_kind() const {
-  Scene scene = *this;
-  scene.lanes.clear();
-  scene.references.clear();
-  return scene;
-}
-
 Result<Scene> load_scene(const std::filesystem::path& path,
                          std::span<const std::string> overrides) {
   MIXCMP_TRY(read, read_scene_settings(path, overrides));

@@ -40,6 +40,7 @@ enum class Multipliers {
 /// The words of scene files, options and reports.
 std::string_view to_string(BoundKind bound);
 std::string_view to_string(LaneInputs inputs);
+std::string_view to_string(std::optional<ErrorBoundKind> bound);  ///< none: "auto"
 std::string_view to_string(ResultOrder order);
 std::string_view to_string(OperandStore store);
 std::string_view to_string(Multipliers multipliers);
@@ -140,6 +141,8 @@ struct Scene {
   std::vector<LaneGroupSpec> lane_groups() const;
   /// Likewise; one of 0 references where p_H = 0.
   std::vector<ReferenceGroupSpec> reference_groups() const;
+  std::optional<int> lane_count() const;       ///< p_L; none: "auto"
+  std::optional<int> reference_count() const;  ///< p_H; none: "auto"
   /// The scene with one group of lanes, of [reduced], and one of references: what measures a single
   /// datapath starts from it.
   Scene with_one_kind() const;

@@ -73,12 +73,6 @@ std::string file_of(const Setting& setting);
 Error mistake_at(const Setting& setting, std::string field, std::string message,
                  std::string received, std::string accepted);
 
-inline Error mistake_at(const Settings&, const Setting& setting, std::string field,
-                        std::string message, std::string received, std::string accepted) {
-  return mistake_at(setting, std::move(field), std::move(message), std::move(received),
-                    std::move(accepted));
-}
-
 /// The exact value of an integer, of a number (the shortest decimal that names it), or of a string
 /// that holds a decimal or hex-float literal.
 std::optional<mpq_class> exact_value(const Setting& setting);

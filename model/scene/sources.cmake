@@ -1,5 +1,6 @@
 target_sources(mixcmp_model PRIVATE
   scene/data_section.cpp
+  scene/groups.cpp
   scene/input_ranges.cpp
   scene/plan.cpp
   scene/reduced_section.cpp
@@ -8,6 +9,7 @@ target_sources(mixcmp_model PRIVATE
   scene/settings.cpp
   scene/spelling.cpp
   scene/summary.cpp
+  scene/summary_json.cpp
   scene/summary_print.cpp
   scene/system_section.cpp
 )

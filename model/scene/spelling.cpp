@@ -18,6 +18,10 @@ std::string_view to_string(LaneInputs inputs) {
   MIXCMP_CHECK(false);
 }
 
+std::string_view to_string(std::optional<ErrorBoundKind> bound) {
+  return bound ? to_string(*bound) : "auto";
+}
+
 std::string_view to_string(ResultOrder order) {
   switch (order) {
     case ResultOrder::tagged: return "tagged";

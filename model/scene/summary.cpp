@@ -203,11 +203,12 @@ Exactness summarise_exactness(const Scene& scene, const TypedGraph& reference) {
                                 static_cast<NodeId>(first - exact.begin()), max_expression_length)};
 }
 
-std::optional<LaneSavings> summarise_savings(const Scene& scene, const TypedGraph& graph) {
-  if (scene.reduced.bound != BoundKind::certified) return std::nullopt;
-  const Result<Lane> lane = certified_lane(graph, {.kind = scene.reduced.error_bound,
-                                                   .bound_digits = scene.reduced.bound_digits,
-                                                   .ranges = scene.ranges});
+std::optional<LaneSavings> summarise_savings(const Scene& scene, const ReducedSpec& reduced,
+                                             const TypedGraph& graph) {
+  if (reduced.bound != BoundKind::certified) return std::nullopt;
+  const Result<Lane> lane = certified_lane(
+      graph,
+      {.kind = reduced.error_bound, .bound_digits = reduced.bound_digits, .ranges = scene.ranges});
   if (!lane.ok() || lane->hazards.empty()) return std::nullopt;
   LaneSavings savings;
   for (const RangeCheck& check : lane->checks) {
@@ -227,7 +228,30 @@ std::optional<LaneSavings> summarise_savings(const Scene& scene, const TypedGrap
   return savings;
 }
 
+DatapathSummary summarise_lane(const std::string& name, const Scene& scene,
+                               const ReducedSpec& reduced) {
+  const Arithmetic arithmetic = {*reduced.format, reduced.rounding, reduced.subnormals};
+  const TypedGraph graph =
+      lane_graph(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
+  DatapathSummary summary = summarise_datapath(name, graph, scene.ranges);
+  summary.savings = summarise_savings(scene, reduced, graph);
+  return summary;
+}
+
 }  // namespace
+
+std::vector<std::string> lane_group_labels(const Scene& scene) {
+  if (scene.lane_groups().size() == 1) return {"lane"};
+  std::vector<std::string> labels;
+  int first = 0;
+  for (const LaneGroupSpec& group : scene.lane_groups()) {
+    const int next = first + *group.count;
+    labels.push_back(next - first == 1 ? fmt::format("lane {}", first)
+                                       : fmt::format("lanes {}-{}", first, next - 1));
+    first = next;
+  }
+  return labels;
+}
 
 std::string_view to_string(Possibility possibility) {
   switch (possibility) {
@@ -246,13 +270,11 @@ Summary summarise(const Scene& scene, const Comparisons* data) {
       summarise_side("g", scene.g_text, reference, reference.g, scene.ranges),
   };
   summary.datapaths.push_back(summarise_datapath("reference", reference, scene.ranges));
-  if (scene.reduced.format) {
-    const Arithmetic reduced = {*scene.reduced.format, scene.reduced.rounding,
-                                scene.reduced.subnormals};
-    const TypedGraph lane =
-        lane_graph(scene.graph, scene.reference.format, reduced, scene.reduced.inputs);
-    summary.datapaths.push_back(summarise_datapath("lane", lane, scene.ranges));
-    summary.savings = summarise_savings(scene, lane);
+  const std::vector<std::string> labels = lane_group_labels(scene);
+  const std::vector<LaneGroupSpec> groups = scene.lane_groups();
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    if (!groups[k].reduced.format) continue;
+    summary.datapaths.push_back(summarise_lane(labels[k], scene, groups[k].reduced));
   }
   summary.reference = summarise_exactness(scene, reference);
   if (data != nullptr) summary.data = summarise_data(scene, *data);

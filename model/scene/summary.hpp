@@ -40,14 +40,6 @@ struct SideSummary {
   Finding zero;
 };
 
-/// The reference datapath or a lane.
-struct DatapathSummary {
-  std::string name;
-  Arithmetic arithmetic;
-  std::vector<OperatorCount> operators;  ///< in order of first use
-  std::vector<Finding> events;           ///< one per event that its operations know
-};
-
 /// What a certified lane does not build because its range checks, or signs, rule it out.
 struct LaneSavings {
   std::vector<std::string> checked_inputs;
@@ -55,6 +47,15 @@ struct LaneSavings {
   int without_special_operands = 0, without_overflow = 0, without_underflow = 0;
   int sums = 0;
   int without_cancellation = 0;
+};
+
+/// The reference datapath or a lane.
+struct DatapathSummary {
+  std::string name;
+  Arithmetic arithmetic;
+  std::vector<OperatorCount> operators;  ///< in order of first use
+  std::vector<Finding> events;           ///< one per event that its operations know
+  std::optional<LaneSavings> savings;    ///< of a lane that checks ranges
 };
 
 /// Whether the reference rounds at all on this scene.
@@ -77,11 +78,13 @@ struct DataSummary {
 struct Summary {
   const Scene* scene;
   std::vector<SideSummary> sides;          ///< f, g
-  std::vector<DatapathSummary> datapaths;  ///< reference; lane unless its format is "auto"
+  std::vector<DatapathSummary> datapaths;  ///< reference; lanes, but for those in format "auto"
   Exactness reference;
-  std::optional<LaneSavings> savings;  ///< of a lane that checks ranges
   std::optional<DataSummary> data;
 };
+
+/// What each of scene.lane_groups() is called: "lane", of several kinds "lanes 0-5", "lane 6".
+std::vector<std::string> lane_group_labels(const Scene& scene);
 
 /// The summary looks at `scene`, which must outlive it. `data`: the scene's, if read.
 Summary summarise(const Scene& scene, const Comparisons* data);

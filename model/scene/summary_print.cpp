@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "model/expression/text.hpp"
 #include "model/scene/summary.hpp"
@@ -14,10 +13,6 @@ constexpr std::size_t max_shown_operations = 3;
 
 std::string shown(const Range& range) {
   return fmt::format("[{}, {}]", to_text(range.low), to_text(range.high));
-}
-
-std::string shown(const std::optional<int>& number) {
-  return number ? fmt::format("{}", *number) : "auto";
 }
 
 std::string shown(const Arithmetic& arithmetic) {
@@ -62,8 +57,25 @@ std::string answer(const Finding& finding, bool with_operations) {
   return text;
 }
 
-std::string_view error_bound_of(const ReducedSpec& reduced) {
-  return reduced.error_bound ? to_string(*reduced.error_bound) : "auto";
+void print_reduced(Page& page, const std::string& name, const ReducedSpec& reduced) {
+  page.line(name, fmt::format("{}, {}, {}, inputs {}, bound {}, multipliers {}",
+                              reduced.format ? reduced.format->name() : "auto",
+                              to_string(reduced.rounding), to_string(reduced.subnormals),
+                              to_string(reduced.inputs), to_string(reduced.bound),
+                              to_string(reduced.multipliers)));
+  if (reduced.bound == BoundKind::certified) {
+    page.line("error bound", fmt::format("{}, running ones of {} digits",
+                                         to_string(reduced.error_bound), reduced.bound_digits));
+  }
+}
+
+std::string shown(const std::optional<int>& count) {
+  return count ? fmt::format("{}", *count) : "auto";
+}
+
+void print_plan(Page& page, const PlanReport& plan) {
+  page.section(fmt::format("plan {}", plan.path.filename().string()));
+  for (const auto& [key, value] : plan.values) page.line(key, value);
 }
 
 void print_understood(Page& page, const Scene& scene) {
@@ -78,20 +90,16 @@ void print_understood(Page& page, const Scene& scene) {
   }
   page.section("formats");
   page.line("reference", shown(scene.reference));
-  const ReducedSpec& reduced = scene.reduced;
-  page.line("reduced", fmt::format("{}, {}, {}, inputs {}, bound {}",
-                                   reduced.format ? reduced.format->name() : "auto",
-                                   to_string(reduced.rounding), to_string(reduced.subnormals),
-                                   to_string(reduced.inputs), to_string(reduced.bound)));
-  if (reduced.bound == BoundKind::certified) {
-    page.line("error bound", fmt::format("{}, running ones of {} digits", error_bound_of(reduced),
-                                         reduced.bound_digits));
+  const std::vector<LaneGroupSpec> groups = scene.lane_groups();
+  const std::vector<std::string> labels = lane_group_labels(scene);
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    print_reduced(page, groups.size() == 1 ? "reduced" : labels[k], groups[k].reduced);
   }
   const SystemSpec& system = scene.system;
   page.section("system");
   page.line("device", fmt::format("{}, slack {}", system.device, system.slack));
-  page.line("lanes", shown(system.lanes));
-  page.line("references", shown(system.references));
+  page.line("lanes", shown(scene.lane_count()));
+  page.line("references", shown(scene.reference_count()));
   page.line("target_mhz", fmt::format("{}", system.target_mhz));
   page.line("order", to_string(system.order));
   page.line("operands", to_string(system.operands));
@@ -114,12 +122,13 @@ void print_data(Page& page, const DataSummary& data) {
   }
 }
 
-void print_savings(Page& page, const LaneSavings& savings) {
+void print_savings(Page& page, const std::string& lane, const LaneSavings& savings) {
   const auto left_out = [&](const char* what, int count, int all, const char* units) {
     page.line(what, fmt::format("not built in {} of {} {}", count, all, units));
   };
   const auto& checked = savings.checked_inputs;
-  page.section("what a lane leaves out");
+  page.section(lane == "lane" ? std::string("what a lane leaves out")
+                              : fmt::format("what {} leave out", lane));
   page.line("operands checked",
             checked.empty() ? std::string("none") : fmt::format("{}", fmt::join(checked, ", ")));
   left_out("NaN, infinity", savings.without_special_operands, savings.operations, "operations");
@@ -143,89 +152,17 @@ void print_exactness(Page& page, const Summary& summary) {
   page.line("reference", text);
 }
 
-nlohmann::json json_of(const std::optional<Range>& range) {
-  if (!range) return nullptr;
-  return {to_text(range->low), to_text(range->high)};
-}
-
-nlohmann::json json_of(const Finding& finding) {
-  return {{"answer", to_string(finding.answer)},
-          {"operations", finding.operations},
-          {"inputs_without_range", finding.rangeless}};
-}
-
-nlohmann::json json_of(const DatapathSummary& datapath) {
-  nlohmann::json operators = nlohmann::json::array();
-  for (const OperatorCount& count : datapath.operators) {
-    operators.push_back({{"operation", to_string(count.operation)},
-                         {"operand_format", count.operand_format.name()},
-                         {"format", count.format.name()},
-                         {"count", count.count}});
-  }
-  nlohmann::json events = nlohmann::json::object();
-  for (const Finding& finding : datapath.events) events[finding.question] = json_of(finding);
-  return {{"format", datapath.arithmetic.format.name()},
-          {"rounding", to_string(datapath.arithmetic.rounding)},
-          {"subnormals", to_string(datapath.arithmetic.subnormals)},
-          {"operators", operators},
-          {"events", events}};
-}
-
-nlohmann::json json_of(const std::optional<int>& number) {
-  if (!number) return "auto";
-  return *number;
-}
-
-nlohmann::json json_of(const SystemSpec& system) {
-  return {{"device", system.device},
-          {"lanes", json_of(system.lanes)},
-          {"references", json_of(system.references)},
-          {"slack", system.slack},
-          {"target_mhz", system.target_mhz},
-          {"order", to_string(system.order)},
-          {"operands", to_string(system.operands)},
-          {"tag_bits", system.tag_bits},
-          {"counter_bits", system.counter_bits}};
-}
-
-nlohmann::json json_of(const DataSummary& data) {
-  return {{"source", data.source},
-          {"rows", data.rows},
-          {"comparisons", data.comparisons},
-          {"out_of_range", data.out_of_range},
-          {"first_out_of_range", data.first_out_of_range},
-          {"off_grid", data.off_grid},
-          {"first_off_grid", data.first_off_grid}};
-}
-
-nlohmann::json json_of(const LaneSavings& savings) {
-  return {{"checked_inputs", savings.checked_inputs},
-          {"operations", savings.operations},
-          {"without_special_operands", savings.without_special_operands},
-          {"without_overflow", savings.without_overflow},
-          {"without_underflow", savings.without_underflow},
-          {"sums", savings.sums},
-          {"without_cancellation", savings.without_cancellation}};
-}
-
-nlohmann::json json_of(const ReducedSpec& reduced) {
-  return {{"format", reduced.format ? reduced.format->name() : "auto"},
-          {"rounding", to_string(reduced.rounding)},
-          {"subnormals", to_string(reduced.subnormals)},
-          {"bound", to_string(reduced.bound)},
-          {"error_bound", error_bound_of(reduced)},
-          {"bound_digits", reduced.bound_digits},
-          {"inputs", to_string(reduced.inputs)}};
-}
-
 }  // namespace
 
 std::string to_text(const Summary& summary) {
   Page page;
   print_understood(page, *summary.scene);
+  if (summary.scene->plan) print_plan(page, *summary.scene->plan);
   for (const DatapathSummary& datapath : summary.datapaths) {
-    page.section(
-        fmt::format("operators of {} {}", datapath.name == "lane" ? "a" : "the", datapath.name));
+    const char* article = datapath.name == "lane"        ? "a "
+                          : datapath.name == "reference" ? "the "
+                                                         : "";
+    page.section(fmt::format("operators of {}{}", article, datapath.name));
     for (const OperatorCount& count : datapath.operators) {
       page.line(fmt::format("{} {}", count.count, to_string(count.operation)), formats_of(count));
     }
@@ -242,37 +179,13 @@ std::string to_text(const Summary& summary) {
     }
   }
   print_exactness(page, summary);
-  if (summary.savings) print_savings(page, *summary.savings);
+  for (const DatapathSummary& datapath : summary.datapaths) {
+    if (datapath.savings) print_savings(page, datapath.name, *datapath.savings);
+  }
   if (summary.data) print_data(page, *summary.data);
   if (!summary.scene->notes.empty()) page.section("notes");
   for (const std::string& note : summary.scene->notes) page.line("-", note);
   return page.text();
-}
-
-nlohmann::json to_json(const Summary& summary) {
-  const Scene& scene = *summary.scene;
-  nlohmann::json json = {{"name", scene.name},
-                         {"system", json_of(scene.system)},
-                         {"reduced", json_of(scene.reduced)},
-                         {"notes", scene.notes}};
-  for (std::size_t k = 0; k < scene.ranges.size(); ++k) {
-    json["inputs"].push_back(
-        {{"name", scene.graph.inputs()[k]}, {"range", json_of(scene.ranges[k])}});
-  }
-  for (const SideSummary& side : summary.sides) {
-    json[side.name] = {{"text", side.text},
-                       {"within", json_of(side.value)},
-                       {"negative", json_of(side.negative)},
-                       {"zero", json_of(side.zero)}};
-  }
-  for (const DatapathSummary& datapath : summary.datapaths) {
-    json["datapaths"][datapath.name] = json_of(datapath);
-  }
-  json["reference_exact"] = summary.reference.exact;
-  if (!summary.reference.exact) json["first_rounding"] = summary.reference.first_rounding;
-  json["lane_leaves_out"] = summary.savings ? json_of(*summary.savings) : nlohmann::json();
-  json["data"] = summary.data ? json_of(*summary.data) : nlohmann::json();
-  return json;
 }
 
 }  // namespace mixcmp::model

@@ -30,7 +30,7 @@ protected:
 
 TEST_F(CommandLine, NamesAWordThatIsNoVerb) {
   expect_refused("chek scene.toml", "chek");
-  expect_refused("", "check, generate, verify, profile, doctor");
+  expect_refused("", "check, generate, verify, profile, ");
 }
 
 TEST_F(CommandLine, CheckTellsWhatGenerateWillDo) {
@@ -50,6 +50,38 @@ TEST_F(CommandLine, CheckTellsWhichOperationHasNoBound) {
   const Outcome json = mixcmp("check cancels.toml --set reduced.error_bound=relative --json");
   const auto error = nlohmann::json::parse(json.output).at("generate").at("error");
   EXPECT_EQ(error.at("field"), "reduced.error_bound");
+}
+
+TEST_F(CommandLine, EveryVerbTakesAPlanInPlaceOfAScene) {
+  std::ofstream(directory_.path() / "plan.toml")
+      << "scene = \"scene.toml\"\n[plan]\nclock_mhz = 200\n"
+      << "[[lanes]]\ncount = 2\n[[lanes]]\ncount = 1\ninputs = \"rounded\"\n"
+      << "[[references]]\ncount = 1\n";
+  const Outcome check = mixcmp("check plan.toml --json");
+  ASSERT_EQ(check.exit_code, 0) << check.output;
+  const auto checked = nlohmann::json::parse(check.output);
+  EXPECT_EQ(checked["generate"]["lane_groups"][1]["inputs"], "rounded");
+  EXPECT_EQ(checked["plan"]["clock_mhz"], "200");
+  const Outcome generate = mixcmp("generate plan.toml -o rtl");
+  ASSERT_EQ(generate.exit_code, 0) << generate.output;
+  EXPECT_NE(generate.output.find("\n  2 lanes in s8e8: "), std::string::npos) << generate.output;
+  EXPECT_NE(generate.output.find("\nerror bound of s8e8_rounded"), std::string::npos);
+  std::ifstream top(directory_.path() / "rtl" / "scene_s8e8_3x1.v");
+  const std::string text{std::istreambuf_iterator<char>(top), {}};
+  EXPECT_NE(text.find("mixcmp generate plan.toml\n"), std::string::npos) << text;
+  const Outcome verify = mixcmp("verify plan.toml --simulator icarus --json");
+  ASSERT_EQ(verify.exit_code, 0) << verify.output;
+  const auto verified = nlohmann::json::parse(verify.output);
+  EXPECT_EQ(verified["lane_groups"].size(), 2u);
+  EXPECT_EQ(verified["comparisons"], 2);
+  expect_refused("verify plan.toml --lanes 4", "given beside [[lanes]]");
+}
+
+TEST_F(CommandLine, WhatIsNotChosenNamesWhoChooses) {
+  for (const char* verb : {"generate", "verify"}) {
+    expect_refused(fmt::format("{} scene.toml --format auto", verb),
+                   "`mixcmp optimise scene.toml -o plan.toml`");
+  }
 }
 
 TEST_F(CommandLine, EveryVerbRefusesAnUnknownDevice) {

@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/support/mixed_spheres.hpp"
 #include "tests/support/scratch_directory.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -58,6 +59,70 @@ TEST(System, SameDesignGivesTheSameBytes) {
   }
 }
 
+GeneratedSystem mixed_system() {
+  return generate_system(test::mixed_sphere_design(), command).value();
+}
+
+TEST(MixedSystem, SameDesignGivesTheSameBytes) {
+  const GeneratedSystem first = mixed_system(), second = mixed_system();
+  ASSERT_EQ(first.files.size(), second.files.size());
+  for (std::size_t k = 0; k < first.files.size(); ++k) {
+    EXPECT_EQ(first.files[k].name, second.files[k].name);
+    EXPECT_EQ(first.files[k].text, second.files[k].text);
+  }
+}
+
+TEST(MixedSystem, EachKindHasItsModuleAndEqualKindsShareOne) {
+  const GeneratedSystem system = mixed_system();
+  EXPECT_EQ(system.signature.top, "sphere_s6e8_4_s10e8_3x3");
+  std::vector<std::string> modules;
+  for (const SignatureLanes& group : system.signature.lane_groups) modules.push_back(group.module);
+  ASSERT_EQ(modules.size(), 4u);
+  EXPECT_TRUE(modules[0].starts_with("sphere_lane_s6e8_exact_relative_l")) << modules[0];
+  EXPECT_TRUE(modules[1].starts_with("sphere_lane_s6e8_rounded_running_4_l")) << modules[1];
+  EXPECT_TRUE(modules[2].starts_with("sphere_lane_s10e8_l")) << modules[2];
+  EXPECT_EQ(modules[3], modules[0]);
+  for (const std::string& module : modules) EXPECT_NE(find(system, module + ".v"), nullptr);
+  const auto& files = system.signature.files;
+  EXPECT_EQ(std::set<std::string>(files.begin(), files.end()).size(), files.size());
+}
+
+TEST(MixedSystem, LanesOfOneNameAreToldApartByANumberUnlessTheyAreOneHardware) {
+  model::Design design = sphere_design(format("s8e8"), format("s24e8"), 1, 1);
+  design.lanes.push_back(design.lanes.front());
+  auto& decision = std::get<model::UlpDistanceDecision>(design.lanes[1].lane.decision);
+  decision.guard_ulp += 1;
+  const GeneratedSystem system = generate_system(design, command).value();
+  const std::string& first = system.signature.lane_groups[0].module;
+  const std::string& second = system.signature.lane_groups[1].module;
+  const std::string suffix = "_channel";
+  EXPECT_EQ(second, first.substr(0, first.size() - suffix.size()) + "_2" + suffix);
+}
+
+TEST(MixedSystem, TopNumbersLanesThroughTheGroups) {
+  const GeneratedSystem system = mixed_system();
+  const std::string& top = find(system, system.signature.top + ".v")->text;
+  for (const char* loop :
+       {"for (lane = 0; lane < 2; lane = lane + 1) begin : lanes_s6e8_exact_relative\n",
+        "for (lane = 2; lane < 3; lane = lane + 1) begin : lanes_s6e8_rounded_running_4\n",
+        "for (lane = 3; lane < 6; lane = lane + 1) begin : lanes_s10e8\n",
+        "for (lane = 6; lane < 7; lane = lane + 1) begin : lanes_s6e8_exact_relative_2\n",
+        "for (reference = 0; reference < 1; reference = reference + 1) begin : "
+        "references_s24e8_embedded\n",
+        "for (reference = 1; reference < 3; reference = reference + 1) begin : "
+        "references_s24e8_logic\n"}) {
+    EXPECT_NE(top.find(loop), std::string::npos) << loop << top;
+  }
+  EXPECT_EQ(top.find("genvar lane;"), top.rfind("genvar lane;")) << "declared once";
+}
+
+TEST(MixedSystem, SlotsAreEnoughForTheSlowestLane) {
+  const Signature signature = mixed_system().signature;
+  for (const SignatureLanes& group : signature.lane_groups) {
+    EXPECT_GE(signature.slots, group.latency_cycles + 6) << group.module;
+  }
+}
+
 TEST(System, TwoFoldersHoldTheSameBytes) {
   ScratchDirectory scratch;
   ASSERT_TRUE(write_system(sphere_system(), scratch.path() / "one").ok());
@@ -104,7 +169,8 @@ TEST(System, TopNamesTheLatencyFromPortToPort) {
     const GeneratedSystem system = sphere_system(2, references);
     const int channel = references == 0 ? 4 : 5;
     const std::string fact =
-        "latency " + std::to_string(system.signature.lane_groups.front().latency_cycles + channel) + " cycles";
+        "latency " + std::to_string(system.signature.lane_groups.front().latency_cycles + channel) +
+        " cycles";
     const std::string& text = find(system, system.signature.top + ".v")->text;
     EXPECT_NE(text.find(fact), std::string::npos) << fact;
   }

@@ -209,6 +209,9 @@ TEST(Verify, ReportsItselfAsJson) {
                 verdicts["greater"].get<int>() + verdicts["unordered"].get<int>(),
             500);
   EXPECT_EQ(json["counters"]["comparisons"]["counted"], 500);
+  ASSERT_EQ(json["lane_groups"].size(), 1u);
+  EXPECT_EQ(json["lane_groups"][0]["comparisons"], 500);
+  EXPECT_EQ(json["lane_groups"][0]["recomputations"], json["recomputations"]);
 }
 
 }  // namespace

@@ -13,7 +13,11 @@ using model::BoundKind;
 using model::Comparisons;
 using model::Design;
 using model::Error;
+using model::ErrorBoundKind;
 using model::IntervalDecision;
+using model::LaneGroupSpec;
+using model::LaneInputs;
+using model::Multipliers;
 using model::Scene;
 
 /// a^2 against b^2 in s17e8 with every choice made.
@@ -63,6 +67,70 @@ TEST(MakeDesign, NamesTheOptionForEachAuto) {
   scene.system.references.reset();
   EXPECT_EQ(error_of(scene).field, "system.references");
   EXPECT_NE(error_of(scene).message.find("--references 1"), std::string::npos);
+}
+
+TEST(MakeDesign, SaysThatOptimiseChoosesToo) {
+  Scene scene = complete_scene();
+  scene.reduced.format.reset();
+  EXPECT_NE(error_of(scene).message.find("`mixcmp optimise squares.toml -o plan.toml`"),
+            std::string::npos)
+      << error_of(scene).message;
+}
+
+LaneGroupSpec group_of(const Scene& scene, int count) {
+  return {.count = count, .reduced = scene.reduced, .place = {"plan.toml", 7}};
+}
+
+TEST(MakeDesign, KeepsTheOrderOfGroups) {
+  Scene scene = complete_scene();
+  scene.lanes = {group_of(scene, 3), group_of(scene, 1), group_of(scene, 2)};
+  scene.lanes[1].reduced.format = format_of(9, 8);
+  scene.lanes[2].reduced.multipliers = Multipliers::logic;
+  scene.references = {{.count = 1}, {.count = 2, .multipliers = Multipliers::logic}};
+  const Design design = make_design(scene, nullptr).value();
+  EXPECT_EQ(design.lane_count(), 6);
+  EXPECT_EQ(design.reference_count(), 3);
+  std::vector<std::size_t> groups;
+  for (int lane = 0; lane < 6; ++lane) groups.push_back(design.group_of_lane(lane));
+  EXPECT_EQ(groups, (std::vector<std::size_t>{0, 0, 0, 1, 2, 2}));
+  EXPECT_EQ(design.lanes[1].lane.graph.arithmetic.format, format_of(9, 8));
+  EXPECT_EQ(lane_group_names(design),
+            (std::vector<std::string>{"s17e8_embedded", "s9e8", "s17e8_logic"}));
+  EXPECT_EQ(reference_group_names(design),
+            (std::vector<std::string>{"s53e8_embedded", "s53e8_logic"}));
+}
+
+TEST(MakeDesign, NamesTheGroupThatCannotBe) {
+  Scene scene = complete_scene();
+  scene.lanes = {group_of(scene, 3), group_of(scene, 1)};
+  scene.lanes[1].place.line = 12;
+  scene.lanes[1].reduced.bound = BoundKind::profiled;
+  const Error error = error_of(scene);
+  EXPECT_EQ(error.file, "plan.toml");
+  EXPECT_EQ(error.line, 12);
+  scene.lanes[1].reduced.format.reset();
+  EXPECT_EQ(error_of(scene).field, "lanes.format");
+  EXPECT_EQ(error_of(scene).line, 12);
+}
+
+TEST(MakeDesign, IsCertifiedOnlyIfAllLanesAre) {
+  Scene scene = complete_scene();
+  scene.lanes = {group_of(scene, 3), group_of(scene, 1)};
+  EXPECT_TRUE(make_design(scene, nullptr)->certified());
+  scene.lanes[1].reduced.bound = BoundKind::profiled;
+  scene.lanes[1].reduced.relative_error_f = scene.lanes[1].reduced.relative_error_g = 0;
+  EXPECT_FALSE(make_design(scene, nullptr)->certified());
+}
+
+TEST(LaneGroupNames, SayWhatTellsLanesOfOneFormatApart) {
+  Scene scene = complete_scene();
+  scene.lanes = {group_of(scene, 1), group_of(scene, 1), group_of(scene, 1), group_of(scene, 1)};
+  scene.lanes[1].reduced.error_bound = ErrorBoundKind::running;
+  scene.lanes[2].reduced.inputs = LaneInputs::rounded;
+  const Design design = make_design(scene, nullptr).value();
+  EXPECT_EQ(lane_group_names(design),
+            (std::vector<std::string>{"s17e8_exact_relative", "s17e8_exact_running_4",
+                                      "s17e8_rounded_relative", "s17e8_exact_relative"}));
 }
 
 TEST(MakeDesign, UsesTheRangesOfTheScene) {

@@ -1,0 +1,149 @@
+#include "generator/emit/described_modules.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "generator/rtl/datapath_module.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using model::Design;
+
+std::string arithmetic_fact(const model::Arithmetic& arithmetic) {
+  return fmt::format("Format: {}, rounding {}, subnormals {}.", arithmetic.format.name(),
+                     model::to_string(arithmetic.rounding),
+                     model::to_string(arithmetic.subnormals));
+}
+
+std::vector<std::string> decision_facts(const model::Lane& lane) {
+  const std::string decision = "Decision: " + describe_decision(lane) + ".";
+  if (!lane.certified()) return {decision};
+  return {decision, "Infinities, NaNs, overflow and underflow are left undecided."};
+}
+
+Described describe_lane(const Design& design, const std::string& name,
+                        const model::LaneGroup& group, const Schedule& schedule) {
+  Described lane = {lane_module(name, design.inputs, group.lane, schedule),
+                    {name + ": decides the sign of f - g in reduced precision, or says it cannot.",
+                     fmt::format("Operands: {}, {}.", design.reference.input_format.name(),
+                                 fmt::join(design.inputs, ", ")),
+                     arithmetic_fact(group.lane.graph.arithmetic)}};
+  for (std::string& fact : decision_facts(group.lane)) lane.facts.push_back(std::move(fact));
+  lane.facts.push_back(
+      fmt::format("Latency {} cycles, initiation interval 1, no reset.", schedule.latency_cycles));
+  return lane;
+}
+
+Described describe_reference(const Design& design, const std::string& name,
+                             const Schedule& schedule) {
+  return {reference_module(name, design.inputs, design.reference, schedule),
+          {name + ": the ordering of f and g as computed in reference precision.",
+           arithmetic_fact(design.reference.arithmetic),
+           "A NaN operand or result makes the verdict unordered.",
+           fmt::format("Latency {} cycles, initiation interval 1, no reset.",
+                       schedule.latency_cycles)}};
+}
+
+Described describe_lane_channel(const SystemShape& shape, const DatapathGroup& group) {
+  const bool in_order = shape.order == model::ResultOrder::in_order;
+  return {
+      lane_channel_module(shape, group),
+      {group.channel + ": one lane between its AXI4-Streams.",
+       in_order ? "Results leave in the order of acceptance."
+                : "Results may overtake a recomputed one; the tag (tuser) tells which is which.",
+       fmt::format("{} comparisons may be inside. Reset: aresetn, synchronous, active low.",
+                   1 << shape.slot_bits)}};
+}
+
+Described describe_reference_channel(const SystemShape& shape, const DatapathGroup& group) {
+  return {reference_channel_module(shape, group),
+          {group.channel + ": one reference datapath behind the crossbar.",
+           shape.refetches() ? "The operands are fetched again by tag on m_refetch and s_refetch."
+                             : "The operands arrive with the request.",
+           "Reset: aresetn, synchronous, active low."}};
+}
+
+/// One kind of each is told in a sentence, several in a line each.
+std::vector<std::string> count_facts(const Design& design, const SystemShape& shape) {
+  const std::string reference = design.reference.arithmetic.format.name();
+  if (design.lanes.size() == 1 && design.references.size() <= 1) {
+    return {fmt::format("{}: p_L = {} in {}, p_H = {} in {}.", shape.top, shape.lanes,
+                        design.lanes.front().lane.graph.arithmetic.format.name(), shape.references,
+                        reference)};
+  }
+  std::vector<std::string> facts = {fmt::format("{}: p_L = {}, p_H = {} in {}.", shape.top,
+                                                shape.lanes, shape.references, reference)};
+  const auto tell = [&facts](const char* what, const std::vector<DatapathGroup>& groups) {
+    for (const DatapathGroup& group : groups) {
+      const std::string which = group.count == 1 ? fmt::format("{} {}", what, group.first)
+                                                 : fmt::format("{}s {} to {}", what, group.first,
+                                                               group.first + group.count - 1);
+      facts.push_back(
+          fmt::format("{}: {}, {} cycles.", which, group.channel, group.latency_cycles));
+    }
+  };
+  tell("Lane", shape.lane_groups);
+  tell("Reference", shape.reference_groups);
+  return facts;
+}
+
+int shortest_latency_cycles(const SystemShape& shape) {
+  const auto shortest = std::min_element(shape.lane_groups.begin(), shape.lane_groups.end(),
+                                         [](const DatapathGroup& a, const DatapathGroup& b) {
+                                           return a.latency_cycles < b.latency_cycles;
+                                         });
+  return shortest->latency_cycles + shape.channel_latency_cycles();
+}
+
+Described describe_top(const Design& design, const SystemShape& shape) {
+  const int tdata_bits = shape.tdata_bytes() * 8;
+  std::vector<std::string> facts = count_facts(design, shape);
+  const auto tell = [&facts](std::string fact) { facts.push_back(std::move(fact)); };
+  tell("Every per-lane port is a vector of one field a lane, lane 0 in the lowest bits.");
+  tell(fmt::format("s_axis_tdata, {} bits a lane, operands {} bits each, the first lowest:",
+                   tdata_bits, shape.input_width));
+  tell(fmt::format("  {}.", fmt::join(design.inputs, ", ")));
+  tell(fmt::format("s_axis_tuser, m_axis_tuser, {} bits a lane: the tag.", shape.tag_bits));
+  tell("m_axis_tdata, 8 bits a lane: {4'b0, undecided, recomputed, verdict[1:0]};");
+  tell("  verdict: 0 less, 1 equal, 2 greater, 3 unordered.");
+  if (shape.refetches()) {
+    tell("m_refetch_tdata, s_refetch_tdata, a field a reference: a tag out, in the");
+    tell("  order of the tags the operands of each back in.");
+  }
+  if (shape.counter_bits > 0) {
+    tell("comparisons, recomputations, stalls: counts since reset, they wrap.");
+  }
+  tell(
+      fmt::format("Initiation interval 1 a lane, latency {} cycles and up. Reset: aresetn, "
+                  "synchronous, active low.",
+                  shortest_latency_cycles(shape)));
+  return {top_module(shape), std::move(facts)};
+}
+
+}  // namespace
+
+std::vector<Described> describe_modules(const Design& design, const SystemPlan& plan) {
+  const SystemShape& shape = plan.shape;
+  std::vector<Described> modules;
+  std::set<std::string> written;
+  for (std::size_t k = 0; k < shape.lane_groups.size(); ++k) {
+    const DatapathGroup& group = shape.lane_groups[k];
+    if (!written.insert(group.datapath).second) continue;
+    modules.push_back(describe_lane(design, group.datapath, design.lanes[k], plan.lanes[k]));
+    modules.push_back(describe_lane_channel(shape, group));
+  }
+  for (std::size_t k = 0; k < shape.reference_groups.size(); ++k) {
+    const DatapathGroup& group = shape.reference_groups[k];
+    if (!written.insert(group.datapath).second) continue;
+    modules.push_back(describe_reference(design, group.datapath, plan.references[k]));
+    modules.push_back(describe_reference_channel(shape, group));
+  }
+  modules.push_back(describe_top(design, shape));
+  return modules;
+}
+
+}  // namespace mixcmp::gen

@@ -1,0 +1,51 @@
+#include "model/scene/scene.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+template <class Groups>
+std::optional<int> total(const Groups& groups) {
+  int count = 0;
+  for (const auto& group : groups) {
+    if (!group.count) return std::nullopt;
+    count += *group.count;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<bool> Scene::nonnegative_inputs() const {
+  std::vector<bool> nonnegative;
+  for (const std::optional<Range>& range : ranges) {
+    nonnegative.push_back(range && range->low >= 0);
+  }
+  return nonnegative;
+}
+
+std::vector<LaneGroupSpec> Scene::lane_groups() const {
+  if (!lanes.empty()) return lanes;
+  return {{.count = system.lanes, .reduced = reduced, .place = {path.string()}}};
+}
+
+std::vector<ReferenceGroupSpec> Scene::reference_groups() const {
+  if (!references.empty()) return references;
+  return {{.count = system.references, .multipliers = reference_multipliers}};
+}
+
+std::optional<int> Scene::lane_count() const {
+  return total(lane_groups());
+}
+
+std::optional<int> Scene::reference_count() const {
+  return total(reference_groups());
+}
+
+Scene Scene::with_one_kind() const {
+  Scene scene = *this;
+  scene.lanes.clear();
+  scene.references.clear();
+  return scene;
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,126 @@
+#include <nlohmann/json.hpp>
+
+#include "model/expression/text.hpp"
+#include "model/scene/summary.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+nlohmann::json json_of(const std::optional<Range>& range) {
+  if (!range) return nullptr;
+  return {to_text(range->low), to_text(range->high)};
+}
+
+nlohmann::json json_of(const Finding& finding) {
+  return {{"answer", to_string(finding.answer)},
+          {"operations", finding.operations},
+          {"inputs_without_range", finding.rangeless}};
+}
+
+nlohmann::json json_of(const LaneSavings& savings) {
+  return {{"checked_inputs", savings.checked_inputs},
+          {"operations", savings.operations},
+          {"without_special_operands", savings.without_special_operands},
+          {"without_overflow", savings.without_overflow},
+          {"without_underflow", savings.without_underflow},
+          {"sums", savings.sums},
+          {"without_cancellation", savings.without_cancellation}};
+}
+
+nlohmann::json json_of(const DatapathSummary& datapath) {
+  nlohmann::json operators = nlohmann::json::array();
+  for (const OperatorCount& count : datapath.operators) {
+    operators.push_back({{"operation", to_string(count.operation)},
+                         {"operand_format", count.operand_format.name()},
+                         {"format", count.format.name()},
+                         {"count", count.count}});
+  }
+  nlohmann::json events = nlohmann::json::object();
+  for (const Finding& finding : datapath.events) events[finding.question] = json_of(finding);
+  return {{"format", datapath.arithmetic.format.name()},
+          {"rounding", to_string(datapath.arithmetic.rounding)},
+          {"subnormals", to_string(datapath.arithmetic.subnormals)},
+          {"operators", operators},
+          {"events", events},
+          {"leaves_out", datapath.savings ? json_of(*datapath.savings) : nlohmann::json()}};
+}
+
+nlohmann::json json_of(const std::optional<int>& number) {
+  if (!number) return "auto";
+  return *number;
+}
+
+nlohmann::json json_of_system(const Scene& scene) {
+  const SystemSpec& system = scene.system;
+  return {{"device", system.device},
+          {"lanes", json_of(scene.lane_count())},
+          {"references", json_of(scene.reference_count())},
+          {"slack", system.slack},
+          {"target_mhz", system.target_mhz},
+          {"order", to_string(system.order)},
+          {"operands", to_string(system.operands)},
+          {"tag_bits", system.tag_bits},
+          {"counter_bits", system.counter_bits}};
+}
+
+nlohmann::json json_of(const DataSummary& data) {
+  return {{"source", data.source},
+          {"rows", data.rows},
+          {"comparisons", data.comparisons},
+          {"out_of_range", data.out_of_range},
+          {"first_out_of_range", data.first_out_of_range},
+          {"off_grid", data.off_grid},
+          {"first_off_grid", data.first_off_grid}};
+}
+
+nlohmann::json json_of(const ReducedSpec& reduced) {
+  return {{"format", reduced.format ? reduced.format->name() : "auto"},
+          {"rounding", to_string(reduced.rounding)},
+          {"subnormals", to_string(reduced.subnormals)},
+          {"bound", to_string(reduced.bound)},
+          {"error_bound", to_string(reduced.error_bound)},
+          {"bound_digits", reduced.bound_digits},
+          {"inputs", to_string(reduced.inputs)},
+          {"multipliers", to_string(reduced.multipliers)}};
+}
+
+nlohmann::json json_of_groups(const Scene& scene) {
+  nlohmann::json groups = nlohmann::json::array();
+  for (const LaneGroupSpec& group : scene.lane_groups()) {
+    groups.push_back(json_of(group.reduced));
+    groups.back()["count"] = json_of(group.count);
+  }
+  return groups;
+}
+
+}  // namespace
+
+nlohmann::json to_json(const Summary& summary) {
+  const Scene& scene = *summary.scene;
+  nlohmann::json json = {{"name", scene.name},
+                         {"system", json_of_system(scene)},
+                         {"lane_groups", json_of_groups(scene)},
+                         {"notes", scene.notes}};
+  for (std::size_t k = 0; k < scene.ranges.size(); ++k) {
+    json["inputs"].push_back(
+        {{"name", scene.graph.inputs()[k]}, {"range", json_of(scene.ranges[k])}});
+  }
+  for (const SideSummary& side : summary.sides) {
+    json[side.name] = {{"text", side.text},
+                       {"within", json_of(side.value)},
+                       {"negative", json_of(side.negative)},
+                       {"zero", json_of(side.zero)}};
+  }
+  for (const DatapathSummary& datapath : summary.datapaths) {
+    json["datapaths"][datapath.name] = json_of(datapath);
+  }
+  json["reference_exact"] = summary.reference.exact;
+  if (!summary.reference.exact) json["first_rounding"] = summary.reference.first_rounding;
+  if (scene.plan) {
+    for (const auto& [key, value] : scene.plan->values) json["plan"][key] = value;
+  }
+  json["data"] = summary.data ? json_of(*summary.data) : nlohmann::json();
+  return json;
+}
+
+}  // namespace mixcmp::model
