@@ -43,7 +43,7 @@ enum class ClockDomains {
 /// Who may serve a lane; what equation 10 is asked of.
 enum class ReferenceSharing {
   /// Lane i is served by reference i mod p_H alone: our crossbar; at each reference. Lanes are
-  /// numbered by falling T(L) R_R, references by falling T(H): a plan lists its kinds so.
+  /// numbered by falling T(L) R_R, references by falling T(H): see `lane_order`.
   dealt,
   pooled,  ///< any reference, as the paper assumes; in total
 };
@@ -81,6 +81,11 @@ struct Infeasible {
 };
 
 using AllocationResult = std::variant<Allocation, Infeasible>;
+
+/// The order in which a plan lists its kinds of lanes and of references, so that the hardware deals
+/// them as equation 10 was checked.
+std::vector<int> lane_order(const AllocationProblem& problem);
+std::vector<int> reference_order(const AllocationProblem& problem);
 
 /// By integer linear programming (CBC): maximises equation 12 under 10 and 11. What CBC finds is
 /// checked without its tolerances. Among plans of the same throughput: the fewest references, then

@@ -35,12 +35,8 @@ double clock_limit(const AllocationProblem& problem, const Counts& counts) {
 /// In the order in which they are dealt.
 std::vector<Datapaths> lanes_of(const AllocationProblem& problem, const Counts& counts,
                                 double limit) {
-  std::vector<double> asked;
-  for (const LaneKind& kind : problem.lanes) {
-    asked.push_back(std::min(kind.throughput_per_s, limit) * kind.recomputation_rate);
-  }
   std::vector<Datapaths> lanes;
-  for (const int k : falling_order(asked)) {
+  for (const int k : lane_order(problem)) {
     const LaneKind& kind = problem.lanes[k];
     lanes.push_back(
         {counts.lanes[k], std::min(kind.throughput_per_s, limit), kind.recomputation_rate});
@@ -50,13 +46,10 @@ std::vector<Datapaths> lanes_of(const AllocationProblem& problem, const Counts& 
 
 std::vector<Datapaths> references_of(const AllocationProblem& problem, const Counts& counts,
                                      double limit) {
-  std::vector<double> served;
-  for (const ReferenceKind& kind : problem.references) {
-    served.push_back(std::min(kind.throughput_per_s, limit));
-  }
   std::vector<Datapaths> references;
-  for (const int k : falling_order(served)) {
-    references.push_back({counts.references[k], served[k], 0});
+  for (const int k : reference_order(problem)) {
+    const double own = problem.references[k].throughput_per_s;
+    references.push_back({counts.references[k], std::min(own, limit), 0});
   }
   return references;
 }
@@ -97,6 +90,21 @@ std::vector<int> falling_order(const std::vector<double>& values) {
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return values[a] > values[b]; });
   return order;
+}
+
+std::vector<int> lane_order(const AllocationProblem& problem) {
+  const bool one_clock = problem.clocks == ClockDomains::single;
+  std::vector<double> asked;
+  for (const LaneKind& kind : problem.lanes) {
+    asked.push_back((one_clock ? 1 : kind.throughput_per_s) * kind.recomputation_rate);
+  }
+  return falling_order(asked);
+}
+
+std::vector<int> reference_order(const AllocationProblem& problem) {
+  std::vector<double> served;
+  for (const ReferenceKind& kind : problem.references) served.push_back(kind.throughput_per_s);
+  return falling_order(served);
 }
 
 Amounts amounts_of(const Area& area) {

@@ -49,10 +49,10 @@ std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& pla
     text += fmt::format("{} = {}\n", resource.name, chosen.used.*resource.amount);
   }
   text += fmt::format("\n[system]\ndevice = {}\n", in_toml(optimisation.device.name));
-  for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
+  for (const int k : lane_order(plan.problem)) {
     if (chosen.lanes[k] > 0) text += lanes_table(plan.lanes[k].measured.key, chosen.lanes[k]);
   }
-  for (std::size_t k = 0; k < optimisation.references.size(); ++k) {
+  for (const int k : reference_order(plan.problem)) {
     if (chosen.references[k] == 0) continue;
     text += fmt::format("\n[[references]]\ncount = {}\nmultipliers = \"{}\"\n",
                         chosen.references[k], optimisation.references[k].measured.key.multipliers);

@@ -1,6 +1,7 @@
 #include "model/performance/streams.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -95,16 +96,20 @@ double unbuffered_throughput(const LaneStreams& streams, double recomputation_ra
   return std::min(1.0, 1 / (answer_interval_cycles(streams) * recomputation_rate));
 }
 
-/// What slots allow where an undecided comparison holds one for `held` cycles.
-double slot_throughput(const LaneStreams& streams, double rate, double held) {
+/// What slots allow where a request waits for `wait` cycles on average.
+double slot_throughput(const LaneStreams& streams, double rate, double wait) {
   const double slots = streams.slots;
+  const double undecided = undecided_slot_cycles(streams);
   switch (streams.order) {
     case ResultOrder::tagged:
-      return slots / ((1 - rate) * decided_slot_cycles(streams) + rate * held);
+      return slots / ((1 - rate) * decided_slot_cycles(streams) + rate * (undecided + wait));
     case ResultOrder::in_order: {
-      // From an undecided one to the first undecided one that is not among the next `slots`.
+      // From an undecided one to the first undecided one that is not among the next `slots`. Waits
+      // beyond what slots cover: the mean of an exponential distribution's tail.
       const double decided = std::max(1.0, decided_slot_cycles(streams) / slots);
-      const double whole = std::max(held, slots * decided);
+      const double covered = std::max(0.0, slots * decided - undecided);
+      const double beyond = wait > 0 ? wait * std::exp(-covered / wait) : 0;
+      const double whole = std::max(undecided, slots * decided) + beyond;
       return (1 - rate + rate * slots) / ((1 - rate) * decided + rate * whole);
     }
   }
@@ -136,8 +141,7 @@ int answer_interval_cycles(const LaneStreams& streams) {
 }
 
 double even_throughput(const LaneStreams& streams, double recomputation_rate) {
-  const double by_slots =
-      slot_throughput(streams, recomputation_rate, undecided_slot_cycles(streams));
+  const double by_slots = slot_throughput(streams, recomputation_rate, 0);
   return std::min(unbuffered_throughput(streams, recomputation_rate), by_slots);
 }
 
@@ -154,14 +158,13 @@ double random_throughput(const LaneStreams& streams, double recomputation_rate) 
   if (recomputation_rate == 0 || streams.lanes_served == 0) {
     return even_throughput(streams, recomputation_rate);
   }
-  const double undecided = undecided_slot_cycles(streams);
   return largest(unbuffered_throughput(streams, recomputation_rate), [&](double x) {
     const double asked = x * recomputation_rate;
     // A lane that stalls takes comparisons at intervals rather than at random: requests vary by
     // 1 - R then instead of 1 - x R, and waits with them (Kingman).
     const double regular = (1 - recomputation_rate) / (1 - asked);
     const double wait = regular > 0 ? regular * mean_wait_cycles(streams, asked) : 0;
-    return x <= slot_throughput(streams, recomputation_rate, undecided + wait);
+    return x <= slot_throughput(streams, recomputation_rate, wait);
   });
 }
 

@@ -136,6 +136,17 @@ TEST(Allocation, EachReferenceMustServeTheLanesDealtToIt) {
   EXPECT_EQ(plan_of(problem).lane_count(), 5);
 }
 
+TEST(Allocation, KindsOfAPlanAreListedAsTheirLanesAreDealt) {
+  AllocationProblem problem =
+      problem_of({lane(300, 0.1, {.luts = 10}), lane(100, 0.25, {.luts = 10})},
+                 {reference(100, {.luts = 10}), reference(200, {.luts = 10})}, {.luts = 75});
+  // At one clock the second kind asks for more of a reference, with clocks of its own the first.
+  EXPECT_EQ(lane_order(problem), (std::vector<int>{1, 0}));
+  EXPECT_EQ(reference_order(problem), (std::vector<int>{1, 0}));
+  problem.clocks = ClockDomains::separate;
+  EXPECT_EQ(lane_order(problem), (std::vector<int>{0, 1}));
+}
+
 TEST(Allocation, DecimalRatesThatJustFillAReferenceFillIt) {
   for (const int lanes : {3, 7, 9, 10, 11, 49, 100, 333}) {
     AllocationProblem problem = problem_of({lane(337, 1.0 / lanes, {.luts = 1})},
