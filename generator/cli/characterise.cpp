@@ -76,8 +76,10 @@ void print_text(const CharacteriseReport& report, const fs::path& table) {
     fmt::print("no lane: {} {} .. {} ({}): {}\n", gap.what, gap.first, gap.last, gap.count,
                gap.reason);
   }
-  for (const auto& [reason, rows] : report.no_clock) {
-    fmt::print("no clock of {} components: {}\n", rows, reason);
+  for (const auto& [reason, components] : report.no_clock) {
+    const std::string more =
+        components.size() == 1 ? "" : fmt::format(" and {} more", components.size() - 1);
+    fmt::print("no clock: {}{}: {}\n", components.front(), more, reason);
   }
   if (report.interrupted_by != 0) return;
   fmt::print("{} rows in {}", report.table.rows.size(), table.string());

@@ -143,7 +143,7 @@ private:
       if (!result) continue;
       row.area = result->area;
       row.clock = result->clock;
-      if (times() && !row.clock) ++report_.no_clock[result->no_clock];
+      if (times() && !row.clock) report_.no_clock[result->no_clock].push_back(label(row.key));
       report_.table.rows.push_back(std::move(row));
     }
     return Done{};

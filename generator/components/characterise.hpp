@@ -28,8 +28,9 @@ struct CharacteriseReport {
   int dropped = 0;      ///< rows of it that are neither
   std::vector<MissingLane> missing;
   std::vector<model::FailedJob> failed;
-  std::map<std::string, int> no_clock;  ///< reasons, each with its number of rows
-  int interrupted_by = 0;               ///< a signal; 0: none
+  /// Reasons why there is no clock where one was asked for, each with its components.
+  std::map<std::string, std::vector<std::string>> no_clock;
+  int interrupted_by = 0;  ///< a signal; 0: none
 };
 
 /// Measures what the store lacks and makes a table of it. Rows of `previous` (may be null) that are
