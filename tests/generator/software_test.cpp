@@ -103,6 +103,32 @@ model::Table close_rows(const std::vector<std::string>& inputs, std::size_t coun
   return table;
 }
 
+/// Numbers of few digits between the ends of floats and a little below, each of its own scale or
+/// all of one: they and what is computed from them underflow, or overflow.
+model::Table wide_rows(const std::vector<std::string>& inputs, std::size_t count, Random& random) {
+  constexpr int least = -154, scales = 274;
+  model::Table table{.format = gen::software_format(), .columns = inputs};
+  const auto scale = [&] { return least + static_cast<int>(random() % scales); };
+  for (std::size_t row = 0; row < count; ++row) {
+    const int common = scale();
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      const auto digits = static_cast<double>(random() % 64);
+      table.values.push_back(encoded(std::ldexp(digits, row % 2 != 0 ? common : scale())));
+    }
+  }
+  return table;
+}
+
+/// Spheres whose squared distances are some last places of the smallest floats.
+model::Table tiny_spheres(const std::vector<std::string>& inputs, std::size_t count,
+                          Random& random) {
+  model::Table table{.format = gen::software_format(), .columns = inputs};
+  for (std::size_t k = 0; k < count * inputs.size(); ++k) {
+    table.values.push_back(encoded(std::ldexp(static_cast<double>(random() % 256), -80)));
+  }
+  return table;
+}
+
 const SoftwareScene sphere_scene = {.f = "(cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2",
                                     .g = "(ri + rj)^2"};
 
@@ -121,13 +147,16 @@ TEST(Software, FiltersNeverDecideSphereFamiliesWrongly) {
   }
 }
 
-TEST(Software, RunningBoundsSurviveNearTiesOfRoundedInputs) {
+TEST(Software, RunningBoundsSurviveNearTiesAndUnderflow) {
   CompiledSoftware software(sphere_scene);
   ASSERT_EQ(software.filters().filters.size(), 1u);
   EXPECT_EQ(software.filters().filters[0].kind, ErrorBoundKind::running);
   auto rows = model::sphere_family({.name = "near_tie_24", .count = 4000}, gen::software_format());
   const auto seen = expect_right(software, software.comparisons(*rows), "near_tie_24");
   EXPECT_LT(seen[0].decided, seen[0].comparisons);
+  Random random(11);
+  const auto tiny = tiny_spheres(software.scene().graph.inputs(), 2000, random);
+  expect_right(software, software.comparisons(tiny), "tiny");
 }
 
 struct Case {
@@ -146,6 +175,7 @@ TEST_P(Expressions, AreComputedAsTheGoldenModelDoesAndNeverDecidedWrongly) {
       software, software.comparisons(close_rows(inputs, 3000, random, false)), "close");
   for (const Seen& filter : seen) EXPECT_GT(filter.decided, filter.comparisons / 20);
   expect_right(software, software.comparisons(close_rows(inputs, 1000, random, true)), "signed");
+  expect_right(software, software.comparisons(wide_rows(inputs, 2000, random)), "wide");
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -153,9 +183,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"products", {"a * b", "c * d", "\"*\" = { range = [0.25, 16] }\n"}},
         Case{"quotients", {"(a - b) / (c + d)", "a / c - 0.1", "\"*\" = { range = [0.25, 16] }\n"}},
-        Case{"divisors", {"a / (b - 3 * c)", "b"}},
+        Case{"divisors", {"a / (b - 3 * c)", "b"}}, Case{"large_divisors", {"a / (b * c)", "d"}},
+        Case{"tiny_operands", {"a * 0x1p40 + b * 0x1p40", "c * 0x1p40"}},
         Case{"roots", {"sqrt(a - b * 0.3)", "sqrt(abs(c)) + 0.7 * a"}},
-        Case{"selections", {"min(a, b) * max(a - c, b)", "abs(a - b) + min(c, -b)"}},
+        Case{"selections",
+             {"min(1 / a, b)", "max(c, d) - abs(c)", "\"*\" = { range = [-32, 32] }\n"}},
         Case{"signed_zeros", {"1 / min(a, b)", "1 / max(b, a)"}},
         Case{"names", {"float + EOF", "columns * i + j^3", "\"*\" = { range = [-8, 8] }\n"}}),
     [](const auto& test) { return test.param.name; });
