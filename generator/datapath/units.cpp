@@ -39,11 +39,17 @@ Unit add_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
   return std::move(stages).unit("fp_add");
 }
 
+/// The square of every subnormal operand is less than half the smallest result.
+bool squares_vanish(FloatFormat operands, FloatFormat result) {
+  return 2 * operands.bias() > result.bias() + result.precision();
+}
+
 Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat result,
                    Subnormals subnormals, Multipliers multipliers, const DelayTable& delays) {
   const int dropped_bits = 2 * operands.precision() - result.precision() - 2;
   StageList stages(delays);
-  stages.add_operand(operands, subnormals);
+  const bool flushes = kind == LogicProduct::Kind::square && squares_vanish(operands, result);
+  stages.add_operand(operands, flushes ? Subnormals::flush : subnormals);
   switch (multipliers) {
     case Multipliers::embedded: stages.add_embedded_product(operands.precision()); break;
     case Multipliers::logic: stages.add_logic_product({operands.precision(), kind}); break;

@@ -49,6 +49,8 @@ module fp_square #(
   localparam integer BIAS        = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer RESULT_BIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 1;
   localparam integer REBIAS      = RESULT_BIAS - 2 * BIAS;
+  // A subnormal's square below half the smallest result is zero and inexact: as if it was flushed.
+  localparam VANISHING = 2 * BIAS > RESULT_BIAS + RESULT_PRECISION;
 
   // Stages count, normalise: the significand gets a leading one.
   wire                      s2_unused_sign;
@@ -65,7 +67,7 @@ module fp_square #(
       .EXPONENT_WIDTH  (EXPONENT_WIDTH),
       .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
       .UNDERFLOW       (UNDERFLOW),
-      .GRADUAL         (SUBNORMALS),
+      .GRADUAL         (SUBNORMALS && !VANISHING),
       .CUTS            (CUTS[1:0])
   ) s0_operand (
       .aclk       (aclk),
