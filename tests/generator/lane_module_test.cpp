@@ -20,9 +20,11 @@ using model::Range;
 using test::format;
 using test::graph_of;
 
-std::vector<rtl::Instance> instances(const model::Graph& graph, const Lane& lane) {
+std::vector<rtl::Instance> instances(
+    const model::Graph& graph, const Lane& lane,
+    model::Multipliers multipliers = model::Multipliers::embedded) {
   const Schedule schedule =
-      schedule_lane(lane, model::Multipliers::embedded, delays_of("virtex6-lx760").value(), 250);
+      schedule_lane(lane, multipliers, delays_of("virtex6-lx760").value(), 250);
   std::vector<rtl::Instance> found;
   for (const rtl::Item& item : lane_module("lane", graph.inputs(), lane, schedule).items) {
     if (const auto* instance = std::get_if<rtl::Instance>(&item)) found.push_back(*instance);
@@ -97,6 +99,22 @@ TEST(LaneModule, BoundsReadSubnormalNumbersOnlyWhereThereMayBeSome) {
   EXPECT_EQ(gradual(model::Subnormals::gradual, {}), 1);
   EXPECT_EQ(gradual(model::Subnormals::flush, {}), 0);
   EXPECT_EQ(gradual(model::Subnormals::gradual, Range{1, 100}), 0) << "ruled out by the ranges";
+}
+
+TEST(LaneModule, ProductsAndNothingElseAreToldToBeLogic) {
+  const model::Graph graph = graph_of("a * b + a^2", "a + b");
+  const Lane lane = lane_of(graph, ErrorBoundKind::running, model::Subnormals::gradual, {});
+  for (const rtl::Instance& instance : instances(graph, lane)) {
+    EXPECT_EQ(parameter(instance, "EMBEDDED"), std::nullopt) << instance.module;
+  }
+  int products = 0;
+  for (const rtl::Instance& instance : instances(graph, lane, model::Multipliers::logic)) {
+    const bool product = instance.module == "fp_multiply" || instance.module == "fp_square";
+    EXPECT_EQ(parameter(instance, "EMBEDDED"), product ? std::optional(0) : std::nullopt)
+        << instance.module;
+    products += product;
+  }
+  EXPECT_EQ(products, 2);
 }
 
 TEST(LaneModule, HazardsThatRangesRuleOutAreNotBuilt) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 
 #include "generator/datapath/delays.hpp"
 #include "model/error/certified_lane.hpp"
@@ -21,7 +22,8 @@ constexpr double targets_mhz[] = {1, 50, 150, 250, 400, 600, 2000};
 double longest_path_ns(const Step& step) {
   double longest = 0, path = 0;
   for (std::size_t k = 0; k < step.unit.stages.size(); ++k) {
-    path += step.unit.stages[k].delay_ns;
+    const Stage& stage = step.unit.stages[k];
+    path += path > 0 ? stage.delay_ns - stage.overlap_ns : stage.delay_ns;
     longest = std::max(longest, path);
     if (step.cuts[k]) path = 0;
   }
@@ -57,7 +59,8 @@ protected:
 };
 
 TEST_P(ScheduleAtTarget, OperandsAreReadyBeforeTheyAreRead) {
-  const Schedule schedule = schedule_lane(design_.lanes.front().lane, model::Multipliers::embedded, delays_, GetParam());
+  const Schedule schedule =
+      schedule_lane(design_.lanes.front().lane, model::Multipliers::embedded, delays_, GetParam());
   const auto& nodes = design_.lanes.front().lane.graph.nodes;
   ASSERT_EQ(schedule.steps.size(), nodes.size());
   for (std::size_t id = 0; id < nodes.size(); ++id) {
@@ -71,15 +74,24 @@ TEST_P(ScheduleAtTarget, OperandsAreReadyBeforeTheyAreRead) {
 }
 
 TEST_P(ScheduleAtTarget, LatencyOfAUnitIsTheNumberOfItsRegisters) {
-  const Schedule schedule = schedule_reference(design_.reference, model::Multipliers::embedded, delays_, GetParam());
+  const Schedule schedule =
+      schedule_reference(design_.reference, model::Multipliers::embedded, delays_, GetParam());
   for (const Step& step : schedule.steps) {
     EXPECT_EQ(step.ready_cycle - step.start_cycle, registers(step.cuts));
   }
 }
 
-TEST_P(ScheduleAtTarget, CutsAreTheFewestThatMeetThePeriodAndTheOutputIsRegistered) {
-  const double logic_ns = std::max(0.0, 1000 / GetParam() - delays_.register_ns);
-  const Schedule schedule = schedule_lane(design_.lanes.front().lane, model::Multipliers::embedded, delays_, GetParam());
+class CutsOfProducts : public testing::TestWithParam<std::tuple<double, model::Multipliers>> {
+protected:
+  model::Design design_ = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
+  DelayTable delays_ = delays_of("virtex6-lx760").value();
+};
+
+TEST_P(CutsOfProducts, AreTheFewestThatMeetThePeriodAndTheOutputIsRegistered) {
+  const auto [target_mhz, multipliers] = GetParam();
+  const double logic_ns = std::max(0.0, 1000 / target_mhz - delays_.register_ns);
+  const Schedule schedule =
+      schedule_lane(design_.lanes.front().lane, multipliers, delays_, target_mhz);
   for (const Step& step : schedule.steps) {
     if (step.unit.module.empty()) continue;
     EXPECT_TRUE(step.cuts.back()) << step.unit.module;
@@ -123,13 +135,45 @@ TEST_P(ScheduleAtTarget, BoundsFollowTheirOperandsAndPrecedeTheDecision) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, ScheduleAtTarget, testing::ValuesIn(targets_mhz));
+INSTANTIATE_TEST_SUITE_P(Targets, CutsOfProducts,
+                         testing::Combine(testing::ValuesIn(targets_mhz),
+                                          testing::Values(model::Multipliers::embedded,
+                                                          model::Multipliers::logic)));
+
+/// Chains that follow each other without a register run at the same time.
+TEST(Schedule, NoRegisterIsBoughtForChainsThatOverlap) {
+  const DelayTable delays = {.lut_ns = 1,
+                             .carry_start_ns = 1,
+                             .carry_ns_per_bit = 0.1,
+                             .multiplier_ns = 1,
+                             .multiplier_add_ns = 1,
+                             .register_ns = 0};
+  const model::TypedNode node{.operation = Operation::multiply,
+                              .operand_format = format("s24e8"),
+                              .format = format("s24e8")};
+  const Unit unit = unit_for(node, model::Subnormals::flush, model::Multipliers::logic, delays);
+  ASSERT_EQ(unit.stages.size(), 13u);
+  ASSERT_EQ(unit.stages[2].name, "level 0");
+  // Rows of 30 bits, two bits apart: a LUT, then three chains that each start once the one before
+  // has passed two bits.
+  const auto first = unit.stages.begin() + 2;
+  const Step levels = {.unit = {.module = {}, .stages = {first, first + 3}},
+                       .cuts = {false, false, false}};
+  EXPECT_DOUBLE_EQ(longest_path_ns(levels), 1 + 3 * 1 + (30 + 2 + 2) * 0.1);
+  // 13 rows: four sums of four or less, two, one.
+  EXPECT_GT(unit.stages[6].delay_ns, 0);
+  EXPECT_EQ(unit.stages[7].delay_ns, 0);
+  EXPECT_EQ(unit.stages[8].delay_ns, 0);
+}
 
 TEST(Schedule, FasterTargetsNeverShortenTheLatency) {
   const model::Design design = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
   const DelayTable delays = delays_of("virtex6-lx760").value();
   int previous = 0;
   for (const double target_mhz : targets_mhz) {
-    const int latency = schedule_reference(design.reference, model::Multipliers::embedded, delays, target_mhz).latency_cycles;
+    const int latency =
+        schedule_reference(design.reference, model::Multipliers::embedded, delays, target_mhz)
+            .latency_cycles;
     EXPECT_GE(latency, previous) << target_mhz << " MHz";
     previous = latency;
   }

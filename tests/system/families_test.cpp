@@ -19,6 +19,7 @@ struct Case {
   model::Rounding rounding = model::Rounding::nearest_even;
   model::Subnormals lane_subnormals = model::Subnormals::flush;
   model::Subnormals reference_subnormals = model::Subnormals::gradual;
+  model::Multipliers multipliers = model::Multipliers::embedded;
 };
 
 void PrintTo(const Case& c, std::ostream* stream) {
@@ -32,9 +33,11 @@ model::Design design_of(const Case& c) {
   model::Design design = sphere_design(format(c.lane), format(c.reference), 2, 1);
   const model::Arithmetic reduced = {format(c.lane), c.rounding, c.lane_subnormals};
   design.lanes.front().lane = relative_lane(model::lane_graph(graph, format(c.reference), reduced,
-                                                        model::LaneInputs::exact),
-                                      std::vector<bool>(8, false))
-                    .value();
+                                                              model::LaneInputs::exact),
+                                            std::vector<bool>(8, false))
+                                  .value();
+  design.lanes.front().multipliers = c.multipliers;
+  design.references.front().multipliers = c.multipliers;
   design.reference = model::reference_graph(
       graph, {format(c.reference), model::Rounding::nearest_even, c.reference_subnormals});
   return design;
@@ -64,6 +67,10 @@ INSTANTIATE_TEST_SUITE_P(Systems, Families,
                          testing::Values(Case{"s17e8_of_s53e8", "s17e8", "s53e8"},
                                          Case{"s4e8_of_s24e8", "s4e8", "s24e8"},
                                          Case{"s8e5_of_binary16", "s8e5", "s11e5"},
+                                         Case{.name = "s9e8_of_s24e8_of_logic",
+                                              .lane = "s9e8",
+                                              .reference = "s24e8",
+                                              .multipliers = model::Multipliers::logic},
                                          Case{"s12e6_toward_zero_gradual_of_binary64_flush",
                                               "s12e6", "s53e11", model::Rounding::toward_zero,
                                               model::Subnormals::gradual,
