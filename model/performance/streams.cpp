@@ -27,7 +27,7 @@ int retire_cycles(ResultOrder order) {
   MIXCMP_CHECK(false);
 }
 
-/// A lane in time: when comparisons enter, where one per cycle leaves and slots are few.
+/// A lane in time: when comparisons enter, one per cycle at most, where slots are few.
 class Channel {
 public:
   explicit Channel(const LaneStreams& streams) : streams_(streams) {}
@@ -35,7 +35,11 @@ public:
   /// The cycle in which the next comparison is accepted.
   std::int64_t accept(bool undecided) {
     std::int64_t entry = last_entry_ + 1;
-    if (static_cast<int>(inside_.size()) == streams_.slots) entry = std::max(entry, retire());
+    if (static_cast<int>(inside_.size()) == streams_.slots) {
+      // One leaves per cycle; so does one enter, and later: no need to count the exits.
+      entry = std::max(entry, inside_.top());
+      inside_.pop();
+    }
     std::int64_t ready = entry + decided_slot_cycles(streams_);
     if (undecided) {
       ready = std::max(entry + undecided_slot_cycles(streams_),
@@ -50,19 +54,12 @@ public:
   }
 
 private:
-  std::int64_t retire() {
-    last_exit_ = std::max(inside_.top(), last_exit_ + 1);
-    inside_.pop();
-    return last_exit_;
-  }
-
   LaneStreams streams_;
   /// Cycles from which on a slot could be free.
   std::priority_queue<std::int64_t, std::vector<std::int64_t>, std::greater<>> inside_;
   std::int64_t last_entry_ = -1;
   std::int64_t last_answer_ = std::numeric_limits<std::int64_t>::min() / 2;
   std::int64_t last_ready_ = last_answer_;
-  std::int64_t last_exit_ = last_answer_;
 };
 
 /// Whether the lane takes one comparison per cycle while decided ones fill it, then a burst of

@@ -194,6 +194,14 @@ TEST(Allocation, OfEqualPlansTheOneWithFewestReferencesThenLutsIsTaken) {
   EXPECT_EQ(plan.references, (std::vector<int>{0, 1}));
 }
 
+TEST(Allocation, OfKindsThatAreTheSameTheFirstIsTaken) {
+  const AllocationProblem problem =
+      problem_of({lane(100, 0.1, {.luts = 10}), lane(100, 0.1, {.luts = 10})},
+                 {reference(100, {.luts = 10}), reference(100, {.luts = 10})}, {.luts = 60});
+  EXPECT_EQ(plan_of(problem).lanes, (std::vector<int>{5, 0}));
+  EXPECT_EQ(plan_of(problem).references, (std::vector<int>{1, 0}));
+}
+
 TEST(Allocation, InfeasibleProblemsNameTheResourceAndByHowMuch) {
   const auto kinds = std::vector{lane(100, 0.1, {.luts = 100, .dsps = 2})};
   const auto reference_kinds = std::vector{reference(100, {.luts = 900, .dsps = 40})};

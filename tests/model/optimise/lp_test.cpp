@@ -89,6 +89,23 @@ TEST_F(LinearProgram, NoOtherNumberOfReferencesIsBetterForGlpkEither) {
   }
 }
 
+TEST_F(LinearProgram, CountsTheCrossbarOfReferencesThatServeUnlikeNumbersOfLanes) {
+  AllocationProblem problem;
+  problem.lanes = {
+      {.name = "s8e8", .throughput_per_s = 1e8, .recomputation_rate = 0.25, .area = {.luts = 10}}};
+  problem.references = {{.name = "s53e8", .throughput_per_s = 1e8, .area = {}}};
+  problem.communication.crossbar = {{}, {.luts = 1}, {.luts = 4}, {.luts = 9}, {.luts = 16}};
+  problem.slack = 0;
+  problem.max_references = 2;
+  for (const auto& [luts, lanes] :
+       {std::pair(95, 7), {94, 6}, {78, 6}, {77, 5}, {63, 5}, {62, 4}}) {
+    problem.available.luts = luts;  // 10 a lane; 16 + 9, 9 + 9, 9 + 4 for two crossbar shares
+    const AllocationProgram program = exact_program(problem, {1e8, 2, {}});
+    EXPECT_EQ(optimum_by_glpk(to_lp(program.program)), lanes) << luts;
+    EXPECT_EQ(solve(program.program).value().front(), lanes) << luts;
+  }
+}
+
 TEST_F(LinearProgram, OfAProblemWithoutAPlanHasNoSolution) {
   AllocationProblem problem;
   problem.lanes = {
