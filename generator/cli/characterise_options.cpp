@@ -169,7 +169,7 @@ void add_characterise_options(CLI::App& verb, CharacteriseCommand& command) {
   verb.add_option("--jobs", command.jobs, "at a time (default: one a processor)")
       ->check(CLI::Range(1, 1024));
   verb.add_option("-o,--output", command.output,
-                  "the table (default: characterisation/DEVICE.csv beside the scene)");
+                  "the table (default: characterisation/SCENE-DEVICE.csv beside the scene)");
   verb.add_option("--store", command.store,
                   "results of all scenes, so that nothing is measured twice (default: "
                   "$XDG_CACHE_HOME/mixcmp/characterisation.sqlite)");

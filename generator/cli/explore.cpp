@@ -157,10 +157,10 @@ std::string explore_device(const ExploreCommand& command, const std::string& dev
   planning.scene.settings.push_back("system.device=" + device);
   const model::Scene scene =
       value_or_exit(model::load_scene(planning.scene.scene, planning.scene.settings));
-  const Planning known = value_or_exit(load_planning(planning, scene));
+  const Planning known = value_or_exit(load_planning(planning, scene, nullptr));
   const auto published = command.beside_paper ? model::published(device) : std::nullopt;
-  const model::Exploration exploration = value_or_exit(
-      explore(scene, known.device, known.table, sets, columns_for(published), planning.choice));
+  const model::Exploration exploration = value_or_exit(explore(
+      known.scene, known.device, known.table, sets, columns_for(published), planning.choice));
   const std::string tables = "## " + device + "\n\n" + table3_markdown(exploration, published) +
                              "\n" + table4_markdown(exploration, published, software);
   write_device(command, exploration, tables);

@@ -18,12 +18,13 @@ int main(int argc, char** argv) {
   mixcmp::cli::add_explore(app);
   mixcmp::cli::add_doctor(app);
   mixcmp::cli::add_baseline(app);
+  mixcmp::cli::add_route(app);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) {
       throw CLI::RequiredError(
           "A verb (check, generate, verify, profile, characterise, optimise, explore, doctor, "
-          "baseline)");
+          "baseline, route)");
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;

@@ -49,9 +49,10 @@ void run(OptimiseCommand& command) {
   PlanningOptions& planning = command.planning;
   if (planning.separate_clocks) planning.choice.clocks.domains = model::ClockDomains::separate;
   const LoadedScene loaded = value_or_exit(load(planning.scene));
-  const Planning known = value_or_exit(load_planning(planning, loaded.scene));
+  const Planning known =
+      value_or_exit(load_planning(planning, loaded.scene, loaded.data ? &*loaded.data : nullptr));
   const model::Optimisation found = value_or_exit(optimise(
-      loaded.scene, known.device, known.table, rates_for(command, loaded), planning.choice));
+      known.scene, known.device, known.table, rates_for(command, loaded), planning.choice));
   write_files(command, found);
   if (planning.scene.json) {
     fmt::print("{}\n", to_json(found).dump(2));

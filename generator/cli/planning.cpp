@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/cli/output.hpp"
+#include "generator/components/characterise.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -20,6 +21,44 @@ void add_list(CLI::App& verb, const std::string& name, std::vector<std::string>&
     option->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())));
 }
 
+Result<model::Done> check_table_exists(const std::filesystem::path& path,
+                                       const PlanningOptions& options,
+                                       const model::Device& device) {
+  if (std::filesystem::exists(path)) return model::Done{};
+  return Error{.file = path.string(),
+               .field = "--table",
+               .message = "no areas and clocks of this scene's lanes and references",
+               .received = "no such file",
+               .accepted = fmt::format("what this makes: mixcmp characterise {} --device {} -o {}",
+                                       options.scene.scene.string(), device.name, path.string())};
+}
+
+/// Registers are placed for a clock: what is generated later must have them where they were when
+/// its area was measured.
+Result<model::Done> adopt_target(Planning& planning, const std::filesystem::path& path) {
+  for (const auto& [name, text] : planning.table.spec) {
+    if (name != "target_mhz") continue;
+    double& target = planning.scene.system.target_mhz;
+    if (CLI::detail::lexical_cast(text, target) && target > 0) return model::Done{};
+    return Error{.file = path.string(),
+                 .field = "target_mhz",
+                 .message = "cannot be read",
+                 .received = text,
+                 .accepted = "a clock in MHz"};
+  }
+  return model::Done{};
+}
+
+void warn_of_outdated(const Planning& planning, const model::Comparisons* data) {
+  const gen::Currency currency =
+      gen::check_currency(planning.table, planning.scene, data, planning.device);
+  if (currency.outdated == 0) return;
+  fmt::print(stderr,
+             "mixcmp: note: {} of {} rows of the table for {} were measured on other RTL than "
+             "what is generated today\n",
+             currency.outdated, currency.rows, planning.device.name);
+}
+
 }  // namespace
 
 void add_planning_options(CLI::App& verb, PlanningOptions& options) {
@@ -27,7 +66,7 @@ void add_planning_options(CLI::App& verb, PlanningOptions& options) {
   model::OptimiseOptions& choice = options.choice;
   verb.add_option("--table", options.table,
                   "areas and clocks, made by mixcmp characterise (default: "
-                  "characterisation/DEVICE.csv beside the scene)");
+                  "characterisation/SCENE-DEVICE.csv beside the scene)");
   verb.add_option("--first", choice.first_precision, "the lowest L, 4 or more (default: 4)");
   verb.add_option("--last", choice.last_precision, "the highest L (default: 52)");
   add_list(verb, "--use-inputs", choice.inputs,
@@ -47,21 +86,16 @@ void add_planning_options(CLI::App& verb, PlanningOptions& options) {
 }
 
 std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& device) {
-  return scene.parent_path() / "characterisation" / (device + ".csv");
+  return scene.parent_path() / "characterisation" /
+         fmt::format("{}-{}.csv", scene.stem().string(), device);
 }
 
-Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene) {
+Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene,
+                               const model::Comparisons* data) {
   MIXCMP_TRY(device, model::find_device(scene.system.device));
   const std::filesystem::path path =
-      options.table.empty() ? default_table(scene.path, device.name) : options.table;
-  if (!std::filesystem::exists(path)) {
-    return Error{
-        .file = path.string(),
-        .message = "no areas and clocks of this scene's lanes and references",
-        .received = "no such file",
-        .accepted = fmt::format("what this makes: mixcmp characterise {} --device {} -o {}",
-                                options.scene.scene.string(), device.name, path.string())};
-  }
+      options.table.empty() ? default_table(options.scene.scene, device.name) : options.table;
+  MIXCMP_TRY(exists, check_table_exists(path, options, device));
   MIXCMP_TRY(table, model::read_characterisation(path));
   if (table.device != device.name) {
     return Error{.file = path.string(),
@@ -70,7 +104,10 @@ Result<Planning> load_planning(const PlanningOptions& options, const model::Scen
                  .received = table.device,
                  .accepted = device.name};
   }
-  return Planning{std::move(device), std::move(table)};
+  Planning planning{scene, std::move(device), std::move(table)};
+  MIXCMP_TRY(adopted, adopt_target(planning, path));
+  warn_of_outdated(planning, data);
+  return planning;
 }
 
 Result<model::Done> check_has_data(const LoadedScene& loaded) {

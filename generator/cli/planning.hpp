@@ -21,15 +21,18 @@ struct PlanningOptions {
 
 void add_planning_options(CLI::App& verb, PlanningOptions& options);
 
-/// SCENE's folder/characterisation/DEVICE.csv: where `characterise` writes, too.
+/// characterisation/SCENE-DEVICE.csv beside the scene: where `characterise` writes, too.
 std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& device);
 
-/// The device and its table; notes on stderr where rows were measured on other RTL than today's.
+/// What plans are made of.
 struct Planning {
+  model::Scene scene;  ///< with the target_mhz that the table was measured for
   model::Device device;
   model::Characterisation table;
 };
-model::Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene);
+/// Notes on stderr how many rows were measured on other RTL than today's. `data` may be null.
+model::Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene,
+                                      const model::Comparisons* data);
 
 model::Result<model::Done> check_has_data(const LoadedScene& loaded);
 

@@ -17,5 +17,6 @@ void add_optimise(CLI::App& app);
 void add_explore(CLI::App& app);
 void add_doctor(CLI::App& app);
 void add_baseline(CLI::App& app);
+void add_route(CLI::App& app);
 
 }  // namespace mixcmp::cli

@@ -69,6 +69,7 @@ struct Optimisation {
   std::string scene;
   Device device;
   double slack = 0;
+  double target_mhz = 0;  ///< that registers are placed for
   ClockChoice clocks;
   ClockBasis basis = ClockBasis::target;
   std::vector<ReferenceImplementation> references;

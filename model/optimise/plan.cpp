@@ -48,7 +48,8 @@ std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& pla
   for (const Resource& resource : bounded_resources) {
     text += fmt::format("{} = {}\n", resource.name, chosen.used.*resource.amount);
   }
-  text += fmt::format("\n[system]\ndevice = {}\n", in_toml(optimisation.device.name));
+  text += fmt::format("\n[system]\ndevice = {}\ntarget_mhz = {:g}\n",
+                      in_toml(optimisation.device.name), optimisation.target_mhz);
   for (const int k : lane_order(plan.problem)) {
     if (chosen.lanes[k] > 0) text += lanes_table(plan.lanes[k].measured.key, chosen.lanes[k]);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "model/scene/section.hpp"
 
@@ -14,20 +15,19 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view a_scene = "the path of a scene file, as seen from the plan";
 
-/// The scene that the plan at `path` names.
-Result<Settings> read_scene_of(const Setting& key, const fs::path& path) {
+/// The file that the plan `from.back()` names; it is none of those that led here.
+Result<fs::path> scene_of(const Setting& key, const std::vector<fs::path>& from) {
   const auto wrong = [&](std::string message) {
     return mistake_at(key, "scene", std::move(message), key.shown(), std::string(a_scene));
   };
   const auto* name = std::get_if<std::string>(&key.value);
   if (name == nullptr || name->empty()) return wrong("not a path");
-  const fs::path scene = (path.parent_path() / *name).lexically_normal();
-  std::error_code missing;
-  if (fs::equivalent(scene, path, missing)) return wrong("a plan cannot be its own scene");
-  if (missing || !fs::is_regular_file(scene)) return wrong("there is no such file");
-  MIXCMP_TRY(settings, read_settings(scene, {}));
-  if (settings.root.find("scene") != nullptr) return wrong("a plan itself, not a scene");
-  return settings;
+  fs::path scene = (from.back().parent_path() / *name).lexically_normal();
+  if (!fs::is_regular_file(scene)) return wrong("there is no such file");
+  for (const fs::path& plan : from) {
+    if (fs::equivalent(scene, plan)) return wrong("a plan cannot be its own scene");
+  }
+  return scene;
 }
 
 bool is_number(const Setting& setting) {
@@ -99,18 +99,24 @@ void lay_over(Setting::Table& root, Setting::Table& plan) {
   }
 }
 
+/// `from`: the plans that led to this file, and the file.
+Result<SceneSettings> read_layers(std::vector<fs::path> from) {
+  MIXCMP_TRY(file, read_settings(from.back(), {}));
+  const Setting* named = file.root.find("scene");
+  if (named == nullptr) return SceneSettings{.settings = std::move(file), .plan = {}};
+  MIXCMP_TRY(scene, scene_of(*named, from));
+  from.push_back(scene);
+  MIXCMP_TRY(below, read_layers(std::move(from)));
+  MIXCMP_TRY(report, read_report(file));
+  lay_over(below.settings.root, file.root);
+  return SceneSettings{.settings = std::move(below.settings), .plan = std::move(report)};
+}
+
 }  // namespace
 
 Result<SceneSettings> read_scene_settings(const fs::path& path,
                                           std::span<const std::string> overrides) {
-  MIXCMP_TRY(file, read_settings(path, {}));
-  SceneSettings read{.settings = std::move(file), .plan = {}};
-  if (const Setting* scene = read.settings.root.find("scene")) {
-    MIXCMP_TRY(settings, read_scene_of(*scene, path));
-    MIXCMP_TRY(report, read_report(read.settings));
-    lay_over(settings.root, read.settings.root);
-    read = {.settings = std::move(settings), .plan = std::move(report)};
-  }
+  MIXCMP_TRY(read, read_layers({path}));
   MIXCMP_TRY(applied, apply_overrides(read.settings, overrides));
   return read;
 }

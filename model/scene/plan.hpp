@@ -16,9 +16,9 @@ struct SceneSettings {
 };
 
 /// Reads a scene, or a plan: a file with the top-level key `scene`, whose sections are laid over
-/// that scene's key by key. [[lanes]] and [[references]] replace the scene's, and what they or
-/// system.lanes and system.references say replaces the scene's other way to say it. Overrides come
-/// last.
+/// that scene's, or that plan's, key by key. [[lanes]] and [[references]] replace the scene's, and
+/// what they or system.lanes and system.references say replaces the scene's other way to say it.
+/// Overrides come last.
 Result<SceneSettings> read_scene_settings(const std::filesystem::path& path,
                                           std::span<const std::string> overrides);
 

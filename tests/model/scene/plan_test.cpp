@@ -180,10 +180,25 @@ TEST_F(Plans, TheSceneMustBeAScene) {
             "plans/plan.toml:2: scene: a plan cannot be its own scene: received "
             "\"../plans/plan.toml\"" +
                 accepted);
-  write("plans/other.toml", of_scene);
-  EXPECT_EQ(
-      error("scene = \"other.toml\"\n"),
-      "plans/plan.toml:1: scene: a plan itself, not a scene: received \"other.toml\"" + accepted);
+}
+
+TEST_F(Plans, APlanMayBeLaidOverAPlan) {
+  write("plans/other.toml", of_scene + "[system]\ntag_bits = 5\nslack = 0.1\n[plan]\nx = 1\n");
+  const Result<Scene> loaded =
+      load("scene = \"other.toml\"\n[system]\nslack = 0.3\n[plan]\ny = 2\n");
+  ASSERT_TRUE(loaded.ok()) << loaded.error().to_string();
+  const Scene& scene = *loaded;
+  EXPECT_EQ(scene.system.tag_bits, 5);
+  EXPECT_EQ(scene.system.slack, 0.3);
+  ASSERT_EQ(scene.plan->values.size(), 1u);
+  EXPECT_EQ(scene.plan->values[0].first, "y");
+}
+
+TEST_F(Plans, PlansInACircleAreRefused) {
+  write("plans/other.toml", "scene = \"plan.toml\"\n");
+  EXPECT_EQ(error("scene = \"other.toml\"\n"),
+            "plans/other.toml:1: scene: a plan cannot be its own scene: received \"plan.toml\"; "
+            "accepted the path of a scene file, as seen from the plan");
 }
 
 TEST_F(Plans, ASceneHasNoPlanSection) {

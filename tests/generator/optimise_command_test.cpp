@@ -1,0 +1,155 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "tests/support/program.hpp"
+
+/// `mixcmp optimise` and `explore` as a user calls them, on a made-up table.
+namespace mixcmp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OptimiseCommand : public ProgramTest {
+protected:
+  OptimiseCommand() {
+    std::ofstream(directory_.path() / "scene.toml")
+        << "[comparison]\nname = \"spheres\"\n"
+        << "f = \"(cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2\"\ng = \"(ri + rj)^2\"\n"
+        << "[inputs]\n\"c*\" = { range = [0, 100] }\n\"r*\" = { range = [0, 100] }\n"
+        << "[reference]\nformat = \"s53e8\"\n[reduced]\nformat = \"auto\"\n"
+        << "[system]\ndevice = \"virtex6-lx760\"\nlanes = \"auto\"\nreferences = \"auto\"\n"
+        << "[data]\nitems = \"uniform_spheres\"\ncount = 300\nradius_max = 25\npairs = \"all\"\n";
+    write_table("scene-virtex6-lx760.csv", "virtex6-lx760");
+  }
+
+  /// Lanes of 8 and 12 digits with exact inputs, one reference, streams.
+  void write_table(const std::string& name, const std::string& device) {
+    fs::create_directories(directory_.path() / "characterisation");
+    std::ofstream table(directory_.path() / "characterisation" / name);
+    table << "# device: " << device << "\n# scene: spheres\n# command: made up\n"
+          << "# target_mhz: 250\n"
+          << "kind,name,format,inputs,bound,multipliers,ports,latency_cycles,luts,registers,dsps,"
+             "memories,carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,timing_seeds,"
+             "hash,tools\n";
+    row(table, "lane,,s8e8,exact,relative,embedded,0", 20, 2000, 4);
+    row(table, "lane,,s8e8,exact,relative,logic,0", 21, 2300, 0);
+    row(table, "lane,,s12e8,exact,relative,embedded,0", 20, 2500, 4);
+    row(table, "reference,,s53e8,,,embedded,0", 30, 8000, 40);
+    row(table, "fifo,,,,,,64", 0, 300, 0);
+    row(table, "crossbar,,,,,,1", 0, 10, 0);
+    row(table, "crossbar,,,,,,256", 0, 2000, 0);
+  }
+
+  static void row(std::ofstream& table, const std::string& key, int latency, int luts, int dsps) {
+    table << fmt::format("{},{},{},{},{},0,0,0,,,,,,0,00,made up\n", key, latency, luts, luts,
+                         dsps);
+  }
+
+  /// Without what was told on stderr before it.
+  static nlohmann::json json_of(const Outcome& run) {
+    return nlohmann::json::parse(run.output.substr(run.output.find('{')));
+  }
+
+  std::string read(const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(directory_.path() / name).rdbuf();
+    return text.str();
+  }
+};
+
+TEST_F(OptimiseCommand, ItsPlanIsWhatCheckTakes) {
+  const Outcome found = mixcmp("optimise scene.toml --last 14 -o plan.toml");
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  EXPECT_NE(found.output.find("target, not measured"), std::string::npos) << found.output;
+  const Outcome checked = mixcmp("check plan.toml --json");
+  ASSERT_EQ(checked.exit_code, 0) << checked.output;
+  EXPECT_NE(read("plan.toml").find("target_mhz = 250\n"), std::string::npos);
+}
+
+TEST_F(OptimiseCommand, JsonTellsEveryPrecision) {
+  const Outcome found = mixcmp("optimise scene.toml --last 14 --json");
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  const auto report = json_of(found);
+  ASSERT_EQ(report.at("plans").size(), 2u);
+  EXPECT_EQ(report.at("plans")[0].at("precision"), 8);
+  EXPECT_GT(report.at("plans")[0].at("lanes"), 10);
+  const int best = report.at("best");
+  EXPECT_TRUE(best == 8 || best == 12);
+}
+
+TEST_F(OptimiseCommand, OldRtlIsTold) {
+  const Outcome found = mixcmp("optimise scene.toml --last 14");
+  EXPECT_NE(found.output.find("7 of 7 rows"), std::string::npos) << found.output;
+}
+
+TEST_F(OptimiseCommand, GlpkWouldReadItsProgram) {
+  ASSERT_EQ(mixcmp("optimise scene.toml --last 14 --lp best.lp").exit_code, 0);
+  const std::string program = read("best.lp");
+  EXPECT_NE(program.find("Maximize"), std::string::npos);
+  EXPECT_NE(program.find("lut"), std::string::npos);
+}
+
+TEST_F(OptimiseCommand, RatesMayComeFromAProfile) {
+  std::ofstream(directory_.path() / "rates.csv")
+      << "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\n"
+      << "exact,12,relative,1000000,100,1e-4,0,0\n";
+  const Outcome found = mixcmp("optimise scene.toml --rates rates.csv --json");
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  const auto report = json_of(found);
+  EXPECT_EQ(report.at("best"), 12);
+  EXPECT_DOUBLE_EQ(report.at("plans")[0].at("recomputation_rate"), 1e-4);
+}
+
+TEST_F(OptimiseCommand, ADeviceTooSmallIsToldWithWhatIsShort) {
+  write_table("scene-ice40-up5k.csv", "ice40-up5k");
+  const Outcome found = mixcmp("optimise scene.toml --device ice40-up5k --last 14 -o plan.toml");
+  EXPECT_EQ(found.exit_code, 2) << found.output;
+  EXPECT_NE(found.output.find("lut"), std::string::npos) << found.output;
+  EXPECT_FALSE(fs::exists(directory_.path() / "plan.toml"));
+}
+
+TEST_F(OptimiseCommand, MistakesAreTold) {
+  expect_refused("optimise scene.toml --device artix7-200t", "mixcmp characterise scene.toml");
+  expect_refused("optimise scene.toml --table characterisation/none.csv", "no such file");
+  expect_refused("optimise scene.toml --use-inputs wrong", "--use-inputs");
+  expect_refused("optimise scene.toml --use-bounds running_4", "no lane");
+  write_table("scene-artix7-200t.csv", "virtex6-lx760");
+  expect_refused("optimise scene.toml --device artix7-200t", "of another device");
+  expect_refused("explore scene.toml --over radius", "names no data sets");
+}
+
+TEST_F(OptimiseCommand, ExploreWritesFiguresTablesAndPlans) {
+  const Outcome found =
+      mixcmp("explore scene.toml --last 14 --over data.radius_max=10,25 --beside-paper -o out");
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  const std::string report = read("out/report.md");
+  EXPECT_NE(report.find("| scenario II: T(equ), G/s | 35.5 |"), std::string::npos) << report;
+  for (const char* name : {"figure3.svg", "figure7.svg", "figure8.svg", "figure9.svg",
+                           "figure9.csv", "scenarios.csv", "plan_scenario_2.toml"}) {
+    EXPECT_GT(read(std::string("out/virtex6-lx760/") + name).size(), 100u) << name;
+  }
+  EXPECT_EQ(mixcmp("check out/virtex6-lx760/plan_scenario_1.toml").exit_code, 0);
+}
+
+TEST_F(OptimiseCommand, ExploreGoesOnWhereItWas) {
+  const std::string command = "explore scene.toml --last 14 --over data.radius_max=10,25 -o out";
+  ASSERT_EQ(mixcmp(command).exit_code, 0);
+  const std::string before = read("out/report.md");
+  // Rates that are found are used: made up ones show.
+  for (const auto& entry : fs::directory_iterator(directory_.path() / "out")) {
+    if (entry.path().filename().string().find("rates-10-") != 0) continue;
+    std::ofstream(entry.path())
+        << "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\n"
+        << "exact,8,relative,10,9,0.9,0,0\nexact,12,relative,10,9,0.9,0,0\n";
+  }
+  ASSERT_EQ(mixcmp(command).exit_code, 0);
+  EXPECT_NE(read("out/report.md"), before);
+}
+
+}  // namespace
+}  // namespace mixcmp::test
