@@ -6,6 +6,7 @@
 
 #include "generator/components/characterise.hpp"
 #include "generator/components/component_list.hpp"
+#include "generator/components/lane_bound.hpp"
 #include "generator/components/synthesis_jobs.hpp"
 #include "generator/emit/system.hpp"
 #include "model/characterise/job_hash.hpp"
@@ -177,6 +178,13 @@ TEST_F(Components, ProfiledLanesTakeTheirConstantsFromTheSceneOrItsData) {
   const auto measured = maker.make(given.components.begin()->first);
   ASSERT_TRUE(measured.ok()) << measured.error().to_string();
   EXPECT_NE(source(*measured, "lane.v"), source(given.components.begin()->second, "lane.v"));
+  // The lane that `generate` makes measures the same two comparisons.
+  ReducedSpec reduced = with_bound(with_data.reduced, find_lane_bound("profiled").value());
+  reduced.format = FloatFormat::parse("s12e8").value();
+  const auto lane = design_lane(with_data, reduced, &*data);
+  ASSERT_TRUE(lane.ok()) << lane.error().to_string();
+  const auto rtl = lane_rtl(with_data.graph.inputs(), *lane, reduced.multipliers, with_data.system);
+  EXPECT_EQ(source(*measured, "lane.v"), module_job(rtl->module).sources.back().text);
 }
 
 TEST_F(Components, WithoutProductsThereIsOneKindOfMultipliers) {

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "model/characterise/measurement.hpp"
+#include "model/characterise/store.hpp"
+#include "tests/support/program.hpp"
+
+namespace mixcmp::test {
+
+namespace fs = std::filesystem;
+
+/// Stands in for Yosys: takes no time, finds as many LUTs as the sources have bytes, and is told by
+/// variables what else to do.
+inline constexpr const char* yosys_script = R"sh(#!/bin/sh
+case "$*" in *-V*) echo "${FAKE_VERSION:-Yosys 9.9 (fake)}"; exit 0;; esac
+echo called >> "$FAKE/calls"
+if [ -n "$FAKE_FAILS" ] && cat *.v | grep -q "$FAKE_FAILS"; then
+  echo "ERROR: something is wrong with $PWD"; exit 1
+fi
+if [ -n "$FAKE_SLOW_AFTER" ] && [ "$(wc -l < "$FAKE/calls")" -gt "$FAKE_SLOW_AFTER" ]; then
+  mktemp > /dev/null; echo $$ > "$FAKE/pid"; mv "$FAKE/pid" "$FAKE/sleeps"
+  sleep "${FAKE_SLEEP:-60}"
+fi
+echo "{\"design\":{\"num_cells_by_type\":{\"LUT6\":$(cat *.v | wc -c),\"FDRE\":7}}}" > area.json
+echo "Latest arrival time in 'top' is 4000:" > timing.txt
+)sh";
+
+/// Ended, or about to be taken off the list by whoever inherited it.
+inline bool has_ended(const std::string& process) {
+  std::string line;
+  std::ifstream stream("/proc/" + process + "/stat");
+  return !std::getline(stream, line) || line.find(") Z ") != std::string::npos;
+}
+
+inline bool has_yosys() {
+  return std::system("yosys -V > /dev/null 2>&1") == 0;
+}
+
+class CharacteriseCommand : public ProgramTest {
+protected:
+  CharacteriseCommand() {
+    write(
+        "scene.toml",
+        "[comparison]\nname = \"sums\"\nf = \"a * b\"\ng = \"c\"\n"
+        "[reference]\nformat = \"s11e5\"\n[reduced]\nformat = \"auto\"\n"
+        "[system]\ndevice = \"virtex6-lx760\"\ntarget_mhz = 40\ntag_bits = 4\ncounter_bits = 0\n");
+    write("yosys", yosys_script);
+    fs::permissions(directory_.path() / "yosys", fs::perms::owner_all);
+  }
+
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(directory_.path() / name) << text;
+  }
+
+  std::string read(const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(directory_.path() / name).rdbuf();
+    return text.str();
+  }
+
+  /// Two lanes and a crossbar, unless the arguments say otherwise.
+  Outcome characterise(const std::string& arguments, const std::string& environment = "") {
+    return mixcmp(
+        "characterise scene.toml --store s.sqlite --area-only --bounds relative "
+        "--inputs exact --multipliers logic --jobs 2 " +
+            arguments,
+        environment);
+  }
+
+  /// The script above instead of Yosys.
+  std::string fake(const std::string& settings) {
+    const std::string here = directory_.path().string();
+    return fmt::format("FAKE='{0}' PATH='{0}':\"$PATH\" {1}", here, settings);
+  }
+
+  /// Three jobs, one after the other; when one hangs the program alone gets the signal. Job control
+  /// (set -m): background jobs of a plain shell ignore SIGINT.
+  Outcome signalled(const std::string& signal, const std::string& settings,
+                    const std::string& before = "") {
+    write("run.sh",
+          fmt::format("set -m; cd '{}'; {} {} '{}' characterise scene.toml --store s.sqlite "
+                      "--area-only --bounds relative --inputs exact --multipliers logic --jobs 1 "
+                      "--precisions 4,5,6 --components lane 2>&1 & program=$!\n"
+                      "for k in $(seq 1200); do [ -e '{}/sleeps' ] && break; sleep 0.05; done\n"
+                      "kill -{} $program; wait $program\n",
+                      directory_.path().string(), before, "exec env " + fake(settings),
+                      MIXCMP_PROGRAM, directory_.path().string(), signal));
+    return shell("bash '" + (directory_.path() / "run.sh").string() + "'");
+  }
+
+  static Outcome shell(const std::string& command) {
+    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+    EXPECT_NE(pipe, nullptr);
+    Outcome run{0, ""};
+    for (int c = 0; (c = fgetc(pipe)) != EOF;) run.output += static_cast<char>(c);
+    run.exit_code = WEXITSTATUS(pclose(pipe));
+    return run;
+  }
+
+  int calls() {
+    const std::string text = read("calls");
+    return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+  }
+
+  int stored() { return model::ResultStore::open(store()).value().size().value(); }
+  fs::path store() const { return directory_.path() / "s.sqlite"; }
+  fs::path table() const {
+    return directory_.path() / "characterisation" / "scene-virtex6-lx760.csv";
+  }
+  model::Characterisation read_table() {
+    const auto read_back = model::read_characterisation(table());
+    EXPECT_TRUE(read_back.ok()) << read_back.error().to_string();
+    return *read_back;
+  }
+  bool scratch_is_left() const { return fs::exists(store().string() + ".work"); }
+};
+
+}  // namespace mixcmp::test
