@@ -160,7 +160,7 @@ void add_characterise_options(CLI::App& verb, CharacteriseCommand& command) {
                   "exponent bits of lanes: reference, or ranges for the fewest that the declared "
                   "ranges allow (default: as reduced.format says)");
   verb.add_option("--components", command.components,
-                  "what to measure (default: " + command.components + ")");
+                  "what to measure, besides these unit (default: " + command.components + ")");
   verb.add_option("--ports", command.ports,
                   "lanes at one reference's crossbar (default: " + command.ports + ")");
   verb.add_flag("--area-only", command.area_only, "no clocks");

@@ -12,7 +12,7 @@ struct CharacteriseCommand {
   std::string bounds = "relative,running_4,running_1,constant,profiled";
   std::string inputs = "both";
   std::string multipliers = "both";
-  std::string components = "lane,reference,fifo,crossbar,unit";
+  std::string components = "lane,reference,fifo,crossbar";
   std::string ports = "1-8,12,16,24,32,48,64,96,128";
   std::string exponents;  ///< empty: as the scene says
   bool area_only = false;
