@@ -1,0 +1,105 @@
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "generator/cli/exit.hpp"
+#include "generator/cli/options.hpp"
+#include "generator/cli/output.hpp"
+#include "generator/cli/scratch.hpp"
+#include "generator/cli/verbs.hpp"
+#include "generator/components/whole_job.hpp"
+
+namespace mixcmp::cli {
+namespace {
+
+struct RouteCommand {
+  SceneOptions scene;
+  int references_alone = 0;  ///< 0: the scene's system
+  model::SynthesisOptions synthesis;
+  std::filesystem::path work;
+};
+
+void add_options(CLI::App& verb, RouteCommand& command) {
+  add_scene_options(verb, command.scene);
+  verb.add_option("--references-alone", command.references_alone,
+                  "not the system: so many reference datapaths with nothing around them")
+      ->check(CLI::Range(1, 1024));
+  verb.add_option("--seeds", command.synthesis.seeds, "of the router, 1 or more (default: 3)")
+      ->check(CLI::Range(1, 1000));
+  verb.add_option("--work", command.work, "folder that keeps netlists and logs (default: none)");
+}
+
+model::SynthesisJob job_of(const RouteCommand& command, const LoadedScene& loaded) {
+  if (command.references_alone > 0) {
+    return value_or_exit(gen::references_job(loaded.scene, command.references_alone));
+  }
+  const model::Design design =
+      value_or_exit(make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr));
+  return gen::system_job(value_or_exit(gen::generate_system(design, "")));
+}
+
+std::string clock_text(const model::SynthesisResult& result) {
+  if (!result.clock) return "none: " + result.no_clock;
+  const model::Clock& clock = *result.clock;
+  const std::string_view source =
+      clock.source == model::ClockSource::routed ? "routed" : "estimate before routing";
+  return fmt::format("{:.1f} MHz ({:.1f} .. {:.1f}, {} seeds), {}", clock.mhz, clock.low_mhz,
+                     clock.high_mhz, clock.seeds, source);
+}
+
+void print_text(const model::SynthesisJob& job, const model::Device& device,
+                const model::SynthesisResult& result) {
+  fmt::print("{} on {}\n", job.top, device.name);
+  for (const model::Resource& resource : model::bounded_resources) {
+    fmt::print("  {:<10} {} of {}\n", resource.name, result.area.*resource.amount,
+               device.available.*resource.amount);
+  }
+  fmt::print("  {:<10} {}\n", "clock", clock_text(result));
+}
+
+void print_json(const model::SynthesisJob& job, const model::Device& device,
+                const model::SynthesisResult& result, const std::string& tools) {
+  nlohmann::ordered_json report = {{"top", job.top}, {"device", device.name}, {"tools", tools}};
+  for (const model::Resource& resource : model::bounded_resources) {
+    report[resource.name] = {{"used", result.area.*resource.amount},
+                                          {"available", device.available.*resource.amount}};
+  }
+  report["clock"] = nullptr;
+  if (result.clock) {
+    report["clock"] = {{"mhz", result.clock->mhz},
+                       {"low_mhz", result.clock->low_mhz},
+                       {"high_mhz", result.clock->high_mhz},
+                       {"seeds", result.clock->seeds},
+                       {"source", to_string(result.clock->source)}};
+  } else {
+    report["no_clock"] = result.no_clock;
+  }
+  fmt::print("{}\n", report.dump(2));
+}
+
+void run(const RouteCommand& command) {
+  const LoadedScene loaded = value_or_exit(load(command.scene));
+  const model::Device device = value_or_exit(model::find_device(loaded.scene.system.device));
+  const model::SynthesisJob job = job_of(command, loaded);
+  const Scratch scratch;
+  const std::filesystem::path work = command.work.empty() ? scratch.path() : command.work;
+  value_or_exit(prepare_directory(work));
+  const std::string tools = value_or_exit(tool_versions(device, command.synthesis.effort));
+  const model::SynthesisResult result =
+      value_or_exit(synthesise(job, device, command.synthesis, work));
+  command.scene.json ? print_json(job, device, result, tools) : print_text(job, device, result);
+}
+
+}  // namespace
+
+void add_route(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand(
+      "route",
+      "area and clock of the whole system on its device, placed and routed where a router "
+      "is there; or of references alone");
+  auto command = std::make_shared<RouteCommand>();
+  add_options(*verb, *command);
+  verb->callback([command] { run(*command); });
+}
+
+}  // namespace mixcmp::cli

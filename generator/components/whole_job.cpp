@@ -1,0 +1,59 @@
+#include "generator/components/whole_job.hpp"
+
+#include <fmt/core.h>
+
+#include "generator/components/synthesis_jobs.hpp"
+#include "generator/rtl/datapath_builder.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+constexpr std::string_view alone = "mixcmp_references_alone";
+
+/// Reference k: slice k of every operand and of the verdicts.
+std::string instance(const model::SynthesisJob& reference, const std::vector<std::string>& inputs,
+                     int width, int k) {
+  std::string text = fmt::format("\n  {} reference_{} (\n    .aclk(aclk),\n", reference.top, k);
+  for (const std::string& input : inputs) {
+    text += fmt::format("    .{0}({0}[{1}:{2}]),\n", input, (k + 1) * width - 1, k * width);
+  }
+  return text + fmt::format("    .verdict(verdict[{}:{}])\n  );\n", 2 * k + 1, 2 * k);
+}
+
+std::string top_text(const model::SynthesisJob& reference, const std::vector<std::string>& inputs,
+                     int width, int count) {
+  std::string text =
+      fmt::format("`default_nettype none\n\nmodule {} (\n  input  wire aclk,\n", alone);
+  for (const std::string& input : inputs) {
+    text += fmt::format("  input  wire [{}:0] {},\n", count * width - 1, input);
+  }
+  text += fmt::format("  output wire [{}:0] verdict\n);\n", 2 * count - 1);
+  for (int k = 0; k < count; ++k) text += instance(reference, inputs, width, k);
+  return text + "\nendmodule\n\n`default_nettype wire\n";
+}
+
+}  // namespace
+
+model::SynthesisJob system_job(const GeneratedSystem& system) {
+  model::SynthesisJob job{.sources = {}, .top = system.signature.top};
+  for (const GeneratedFile& file : system.files) {
+    if (file.name.ends_with(".v")) job.sources.push_back({file.name, without_comments(file.text)});
+  }
+  return job;
+}
+
+model::Result<model::SynthesisJob> references_job(const model::Scene& scene, int count) {
+  ComponentMaker maker(scene, nullptr);
+  MIXCMP_TRY(reference,
+             maker.make({.kind = model::ComponentKind::reference,
+                         .format = scene.reference.format.name(),
+                         .multipliers = std::string(to_string(scene.reference_multipliers))}));
+  model::SynthesisJob job = reference.job;
+  job.sources.push_back(
+      {fmt::format("{}.v", alone), top_text(reference.job, input_ports(scene.graph.inputs()),
+                                            scene.reference.format.width(), count)});
+  job.top = alone;
+  return job;
+}
+
+}  // namespace mixcmp::gen
