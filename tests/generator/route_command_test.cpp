@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.hpp"
+
+/// `mixcmp route` as a user calls it, on the smallest systems that there are.
+namespace mixcmp::test {
+namespace {
+
+class RouteCommand : public ProgramTest {
+protected:
+  RouteCommand() {
+    std::ofstream(directory_.path() / "scene.toml")
+        << "[comparison]\nname = \"order\"\nf = \"a\"\ng = \"b\"\n"
+        << "[reference]\nformat = \"s11e5\"\n[reduced]\nformat = \"s4e5\"\n"
+        << "[system]\ndevice = \"ice40-hx8k\"\nlanes = 1\nreferences = 1\ntag_bits = 2\n"
+        << "counter_bits = 0\noperands = \"refetched\"\ntarget_mhz = 50\n";
+  }
+
+  nlohmann::json routed(const std::string& arguments) {
+    const Outcome run = mixcmp("route scene.toml --json --seeds 1 " + arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return nlohmann::json::parse(run.output);
+  }
+};
+
+TEST_F(RouteCommand, ReferencesAloneAreSmallerThanTheSystemAroundOne) {
+  const auto one = routed("--references-alone 1"), three = routed("--references-alone 3");
+  const auto system = routed("");
+  const auto luts = [](const nlohmann::json& report) -> int { return report["lut"]["used"]; };
+  EXPECT_GT(luts(three), 2 * luts(one));
+  EXPECT_GT(luts(system), luts(one));
+  EXPECT_EQ(system.at("top"), "order_s4e5_1x1");
+  for (const auto& report : {one, three, system}) {
+    EXPECT_EQ(report.at("clock").at("source"), "routed") << report;
+    EXPECT_GT(report.at("clock").at("mhz"), 10) << report;
+  }
+}
+
+TEST_F(RouteCommand, WhatDoesNotFitIsToldWithItsArea) {
+  const auto report = routed("--references-alone 900");
+  EXPECT_TRUE(report.at("clock").is_null());
+  EXPECT_NE(report.at("no_clock").get<std::string>().find("does not fit"), std::string::npos)
+      << report;
+}
+
+TEST_F(RouteCommand, ANumberOfReferencesIsAskedFor) {
+  expect_refused("route scene.toml --references-alone 0", "--references-alone");
+}
+
+}  // namespace
+}  // namespace mixcmp::test
