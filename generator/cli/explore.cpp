@@ -116,7 +116,7 @@ Columns columns_for(const std::optional<model::PublishedDevice>& published) {
     columns.push_back({fmt::format("ours, one clock of {:.0f} MHz", reference),
                        {reference, reference, model::ClockDomains::single}});
   }
-  columns.push_back({"ours, measured clocks", {}});
+  columns.push_back({"ours", {}});
   return columns;
 }
 

@@ -31,11 +31,13 @@ Result<Exploration> explore(const Scene& scene, const Device& device, const Char
     counted.clocks = clocks;
     MIXCMP_TRY(example, optimise(scene, device, table, sets.front().rates, counted));
     MIXCMP_TRY(for_worst, optimise(scene, device, table, worst, counted));
-    Column column{.title = title,
-                  .clocks = clocks,
-                  .example = std::move(example),
-                  .scenario_1 = {},
-                  .worst = std::move(for_worst)};
+    const bool given = example.basis == ClockBasis::given;
+    Column column{
+        .title = given ? title : fmt::format("{}, clocks: {}", title, to_string(example.basis)),
+        .clocks = clocks,
+        .example = std::move(example),
+        .scenario_1 = {},
+        .worst = std::move(for_worst)};
     for (const DataSet& set : sets) {
       MIXCMP_TRY(own, optimise(scene, device, table, set.rates, counted));
       column.scenario_1.push_back(summary_of(own));

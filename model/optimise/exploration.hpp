@@ -18,7 +18,7 @@ struct DataSet {
 
 /// One way to count clocks, and what comes out of it: a column of Table IV.
 struct Column {
-  std::string title;  ///< "clocks estimated before routing"
+  std::string title;  ///< with what the clocks are worth, unless they are given
   ClockChoice clocks;
   Optimisation example;                 ///< of the first data set: figures 3 and 9
   std::vector<PlanSummary> scenario_1;  ///< one a data set: its rates are known beforehand
