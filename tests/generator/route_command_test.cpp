@@ -27,23 +27,15 @@ protected:
 };
 
 TEST_F(RouteCommand, ReferencesAloneAreSmallerThanTheSystemAroundOne) {
-  const auto one = routed("--references-alone 1"), three = routed("--references-alone 3");
-  const auto system = routed("");
-  const auto luts = [](const nlohmann::json& report) -> int { return report["lut"]["used"]; };
-  EXPECT_GT(luts(three), 2 * luts(one));
-  EXPECT_GT(luts(system), luts(one));
+  const auto alone = routed("--references-alone 2"), system = routed("");
+  EXPECT_GT(system["lut"]["used"], alone["lut"]["used"]);
+  EXPECT_GT(alone["lut"]["used"], 20);
+  EXPECT_EQ(alone["memory"]["used"], 0);
   EXPECT_EQ(system.at("top"), "order_s4e5_1x1");
-  for (const auto& report : {one, three, system}) {
+  for (const auto& report : {alone, system}) {
     EXPECT_EQ(report.at("clock").at("source"), "routed") << report;
     EXPECT_GT(report.at("clock").at("mhz"), 10) << report;
   }
-}
-
-TEST_F(RouteCommand, WhatDoesNotFitIsToldWithItsArea) {
-  const auto report = routed("--references-alone 900");
-  EXPECT_TRUE(report.at("clock").is_null());
-  EXPECT_NE(report.at("no_clock").get<std::string>().find("does not fit"), std::string::npos)
-      << report;
 }
 
 TEST_F(RouteCommand, ANumberOfReferencesIsAskedFor) {
