@@ -51,13 +51,17 @@ void expect_groups_add_up(const tb::VerifyReport& report) {
   std::uint64_t comparisons = 0, recomputations = 0;
   for (const tb::GroupReport& group : report.groups) {
     EXPECT_GT(group.comparisons, 0u) << group.name;
-    EXPECT_GT(group.recomputations, 0u) << group.name;
+    // A short run may leave a kind without a close comparison.
+    if (report.requested > 5'000) {
+      EXPECT_GT(group.recomputations, 0u) << group.name;
+    }
     EXPECT_EQ(group.mismatches, 0u) << group.name;
     comparisons += group.comparisons;
     recomputations += group.recomputations;
   }
   EXPECT_EQ(comparisons, report.comparisons);
   EXPECT_EQ(recomputations, report.recomputations);
+  EXPECT_GT(recomputations, 50u);
 }
 
 TEST_P(Mixed, PassesUnderStallsAndResets) {
@@ -97,7 +101,7 @@ TEST_P(MixedInVerilator, EachKindHasItsLatencyAndItsRate) {
     return static_cast<double>(report.groups[k].recomputations) /
            static_cast<double>(report.groups[k].comparisons);
   };
-  EXPECT_LT(rate(2) * 4, rate(0)) << "ten digits decide more than six\n" << to_text(report);
+  EXPECT_LT(rate(2) * 4, rate(0)) << "nine digits decide more than six\n" << to_text(report);
   EXPECT_LT(rate(0), rate(1)) << "rounded inputs decide less than exact ones\n" << to_text(report);
 }
 
