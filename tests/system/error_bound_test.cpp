@@ -43,12 +43,13 @@ model::Design design_of(const Case& c, const model::Graph& graph, model::FloatFo
   const model::Arithmetic reduced = {format(c.lane), c.rounding, c.subnormals};
   return {.name = "bounded",
           .inputs = graph.inputs(),
-          .lane = certified_lane(lane_graph(graph, reference, reduced, c.inputs),
+          .lanes = {{.lane = certified_lane(
+                                 lane_graph(graph, reference, reduced, c.inputs),
                                  {.kind = c.kind, .bound_digits = c.digits, .ranges = ranges})
-                      .value(),
+                                 .value(),
+                     .inputs = c.inputs}},
           .reference = model::reference_graph(graph, {reference}),
-          .lanes = 1,
-          .references = 1,
+          .references = {{}},
           .system = {}};
 }
 
