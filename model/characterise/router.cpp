@@ -40,17 +40,29 @@ Command call(const Device& device, const std::string& netlist,
   return command;
 }
 
-/// nextpnr's own reason where it gave one; it is more use than the end of its log.
-Error reason_of(const Error& failure, const std::filesystem::path& log) {
+/// What nextpnr's architectures say of a design that is too large, or too dense to be wired.
+bool is_refusal(const std::string& message) {
+  static const std::regex refusal(
+      "(unable|failed) to (place|find (a )?(legal )?placement|route|pack|expand)"
+      "|(placing|routing|packing) design failed|no bels remaining",
+      std::regex::icase);
+  return std::regex_search(message, refusal);
+}
+
+/// nextpnr's own reason where it gave one: it is more use than the end of its log.
+Result<Refusal> reason_of(const Error& failure, const std::filesystem::path& log) {
   const Result<std::string> text = read_file(log);
   static const std::regex reason("ERROR: ([^\n]*)");
   std::smatch found;
   if (!text.ok() || !std::regex_search(*text, found, reason)) return failure;
+  if (is_refusal(found[1])) return Refusal{found[1]};
   return Error{.file = log.string(), .message = found[1]};
 }
 
-Result<double> route_once(const Device& device, const std::filesystem::path& directory,
-                          const std::string& netlist, int seed, int seconds) {
+using Attempt = std::variant<double, Refusal>;
+
+Result<Attempt> route_once(const Device& device, const std::filesystem::path& directory,
+                           const std::string& netlist, int seed, int seconds) {
   // The router serves the most critical path first whatever the target, as long as it is missed.
   constexpr const char* target_mhz = "400";
   const std::string report = fmt::format("route_{}.json", seed);
@@ -59,34 +71,40 @@ Result<double> route_once(const Device& device, const std::filesystem::path& dir
                                {"--report", report, "--seed", std::to_string(seed), "--freq",
                                 target_mhz, "--timing-allow-fail"});
   const auto ran = run_in(directory, command, log, seconds);
-  if (!ran.ok()) return reason_of(ran.error(), directory / log);
+  if (!ran.ok()) {
+    MIXCMP_TRY(refusal, reason_of(ran.error(), directory / log));
+    return Attempt(std::move(refusal));
+  }
   MIXCMP_TRY(parsed, read_json(directory / report));
-  return routed_mhz(parsed);
+  if (const std::optional<double> mhz = routed_mhz(parsed)) return Attempt(*mhz);
+  return Attempt(Refusal{"there is no path between registers"});
 }
 
 }  // namespace
 
-Result<int> packed_luts(const Device& device, const std::filesystem::path& directory,
-                        const std::string& netlist, int seconds) {
+Result<Packed> packed_luts(const Device& device, const std::filesystem::path& directory,
+                           const std::string& netlist, int seconds) {
   const auto ran = run_in(directory, call(device, netlist, {"--pack-only"}), "pack.log", seconds);
-  if (!ran.ok()) return reason_of(ran.error(), directory / "pack.log");
+  if (!ran.ok()) {
+    MIXCMP_TRY(refusal, reason_of(ran.error(), directory / "pack.log"));
+    return Packed(std::move(refusal));
+  }
   MIXCMP_TRY(log, read_file(directory / "pack.log"));
   const std::regex used(fmt::format("{}: *(\\d+)/", architecture_of(device).lut));
   std::smatch found;
-  if (std::regex_search(log, found, used)) return std::stoi(found[1]);
+  if (std::regex_search(log, found, used)) return Packed(std::stoi(found[1]));
   return Error{.file = (directory / "pack.log").string(),
                .message = "nextpnr did not say what it packed"};
 }
 
-Result<double> routed_mhz(const nlohmann::json& report) {
+std::optional<double> routed_mhz(const nlohmann::json& report) {
   std::optional<double> slowest;
   const nlohmann::json clocks = report.value("fmax", nlohmann::json::object());
   for (const auto& [name, clock] : clocks.items()) {
     const double mhz = clock.at("achieved").get<double>();
     slowest = std::min(mhz, slowest.value_or(mhz));
   }
-  if (slowest) return *slowest;
-  return Error{.message = "there is no path between registers"};
+  return slowest;
 }
 
 Clock clock_over_seeds(std::vector<double> mhz) {
@@ -99,20 +117,20 @@ Clock clock_over_seeds(std::vector<double> mhz) {
           .source = ClockSource::routed};
 }
 
-Result<Clock> route(const Device& device, const std::filesystem::path& directory,
-                    const std::string& netlist, int seeds, int seconds) {
+Result<Routed> route(const Device& device, const std::filesystem::path& directory,
+                     const std::string& netlist, int seeds, int seconds) {
   std::vector<double> mhz;
-  std::optional<Error> failure;
+  Refusal refusal{"no seed was asked for"};
   for (int seed = 1; seed <= seeds; ++seed) {
-    const Result<double> routed = route_once(device, directory, netlist, seed, seconds);
-    if (routed.ok()) {
-      mhz.push_back(*routed);
-    } else if (!failure) {
-      failure = routed.error();
+    MIXCMP_TRY(routed, route_once(device, directory, netlist, seed, seconds));
+    if (const double* clock = std::get_if<double>(&routed)) {
+      mhz.push_back(*clock);
+    } else {
+      refusal = std::get<Refusal>(routed);
     }
   }
-  if (mhz.empty()) return failure.value_or(Error{.message = "no seed was asked for"});
-  return clock_over_seeds(std::move(mhz));
+  if (mhz.empty()) return Routed(std::move(refusal));
+  return Routed(clock_over_seeds(std::move(mhz)));
 }
 
 }  // namespace mixcmp::model

@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "model/characterise/measurement.hpp"
@@ -10,17 +12,25 @@
 
 namespace mixcmp::model {
 
+/// A design that cannot be packed, placed or routed: a property of it, in nextpnr's words. A tool
+/// that breaks or runs out of time is an error instead.
+struct Refusal {
+  std::string reason;
+};
+using Packed = std::variant<int, Refusal>;
+using Routed = std::variant<Clock, Refusal>;
+
 /// The LUTs (iCE40: logic cells) that nextpnr packs `netlist` into, a file in `directory`.
-Result<int> packed_luts(const Device& device, const std::filesystem::path& directory,
-                        const std::string& netlist, int seconds);
+Result<Packed> packed_luts(const Device& device, const std::filesystem::path& directory,
+                           const std::string& netlist, int seconds);
 
 /// Places and routes `netlist` once for each seed 1..seeds; reports and logs stay in `directory`.
-/// An error where no seed can be routed.
-Result<Clock> route(const Device& device, const std::filesystem::path& directory,
-                    const std::string& netlist, int seeds, int seconds);
+/// Seeds that are refused are left out; a refusal where all are.
+Result<Routed> route(const Device& device, const std::filesystem::path& directory,
+                     const std::string& netlist, int seeds, int seconds);
 
-/// The slowest clock of a nextpnr report, in MHz. An error where no register has a clock.
-Result<double> routed_mhz(const nlohmann::json& report);
+/// The slowest clock of a nextpnr report, in MHz; none where no path joins registers.
+std::optional<double> routed_mhz(const nlohmann::json& report);
 
 /// Median (of an even number the lower of both in the middle) and extremes.
 Clock clock_over_seeds(std::vector<double> mhz);

@@ -131,16 +131,20 @@ Result<Timing> route_clock(const Run& run, Area& area) {
   const int seconds = run.options.seconds_per_tool;
   const Result<std::string> version = router_version(run.device);
   if (!version.ok()) return Timing{std::nullopt, version.error().message};
-  const Result<int> luts = packed_luts(run.device, run.directory, "map.json", seconds);
-  if (!luts.ok()) return Timing{std::nullopt, luts.error().message};
-  area.luts = *luts;
+  MIXCMP_TRY(packed, packed_luts(run.device, run.directory, "map.json", seconds));
+  if (const auto* refusal = std::get_if<Refusal>(&packed)) {
+    return Timing{std::nullopt, refusal->reason};
+  }
+  area.luts = std::get<int>(packed);
   if (const auto message = shortage(area, run.device.available)) {
     return Timing{std::nullopt, *message};
   }
   MIXCMP_TRY(wrapped, wrap(run));
-  const Result<Clock> clock =
-      route(run.device, run.directory, "wrapped.json", run.options.seeds, seconds);
-  return clock.ok() ? Timing{*clock, ""} : Timing{std::nullopt, clock.error().message};
+  MIXCMP_TRY(routed, route(run.device, run.directory, "wrapped.json", run.options.seeds, seconds));
+  if (const auto* refusal = std::get_if<Refusal>(&routed)) {
+    return Timing{std::nullopt, refusal->reason};
+  }
+  return Timing{std::get<Clock>(routed), ""};
 }
 
 Result<Timing> find_clock(const Run& run, Area& area) {

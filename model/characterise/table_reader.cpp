@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -6,6 +7,7 @@
 #include "model/characterise/table_columns.hpp"
 #include "model/common/file.hpp"
 #include "model/common/quote.hpp"
+#include "model/format/float_format.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -134,7 +136,12 @@ private:
     return error(field, "not a number", accepted);
   }
   Result<int> integer() { return number<int>("a whole number of at least 0"); }
-  Result<double> mhz() { return number<double>("a clock in MHz"); }
+  Result<double> mhz() {
+    const Field start = start_field();
+    MIXCMP_TRY(value, number<double>("a clock in MHz"));
+    if (value > 0) return value;
+    return error(start, "no clock", "a clock in MHz, above 0");
+  }
 
   template <class Choice>
   Result<Choice> choice(std::initializer_list<Choice> choices) {
@@ -156,6 +163,7 @@ private:
     for (const auto& column : key_columns) {
       MIXCMP_TRY(text, next());
       row.key.*column.field = text.text;
+      MIXCMP_TRY(known, check_word(row.key, column, text));
     }
     MIXCMP_TRY(ports, integer());
     row.key.ports = ports;
@@ -168,6 +176,24 @@ private:
     MIXCMP_TRY(clock, read_clock());
     row.clock = clock;
     return read_provenance(std::move(row));
+  }
+
+  /// What plans are made of must be words that characterise writes.
+  Result<Done> check_word(const ComponentKey& key, const KeyColumn<std::string>& column,
+                          const Field& field) const {
+    const bool is_lane = key.kind == ComponentKind::lane;
+    if (!is_lane && key.kind != ComponentKind::reference) return Done{};
+    if (column.name == "format" && !FloatFormat::parse(field.text).ok()) {
+      return error(field, "not a format", "s<digits>e<exponent bits>");
+    }
+    if (column.name == "inputs" && is_lane) return check_one_of(field, {"exact", "rounded"});
+    if (column.name == "multipliers") return check_one_of(field, {"embedded", "logic", ""});
+    return Done{};
+  }
+
+  Result<Done> check_one_of(const Field& field, std::initializer_list<const char*> words) const {
+    if (std::find(words.begin(), words.end(), field.text) != words.end()) return Done{};
+    return error(field, "not a choice", fmt::format("{}", fmt::join(words, ", ")));
   }
 
   Result<Measurement> read_provenance(Measurement row) {

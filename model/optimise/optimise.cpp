@@ -10,6 +10,8 @@
 #include "model/design/slots.hpp"
 #include "model/optimise/crossover.hpp"
 #include "model/performance/performance.hpp"
+#include "model/performance/streams.hpp"
+#include "model/profile/systems.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -20,13 +22,9 @@ bool allows(const std::vector<std::string>& allowed, const std::string& word) {
   return allowed.empty() || std::find(allowed.begin(), allowed.end(), word) != allowed.end();
 }
 
-/// The digits of "s17e8".
-int precision_of(const std::string& format) {
-  int precision = 0;
-  for (std::size_t k = 1; k < format.size() && format[k] >= '0' && format[k] <= '9'; ++k) {
-    precision = 10 * precision + (format[k] - '0');
-  }
-  return precision;
+/// The table's reader has parsed it before.
+FloatFormat format_of(const Measurement& row) {
+  return FloatFormat::parse(row.key.format).value();
 }
 
 LaneInputs inputs_of(const std::string& word) {
@@ -48,6 +46,7 @@ public:
                const OptimiseOptions& options)
       : scene_(scene), table_(table), rates_(rates), options_(options) {
     sort_rows();
+    leave_out_untimed();
     if (options_.fixed_communication) return;
     add_crossbar();
     slots_ = slots_for(slowest_lane_, scene_.system.references.value_or(1) > 0);
@@ -69,9 +68,11 @@ public:
     return all;
   }
 
-  PrecisionPlan plan(int precision, const Device& device,
-                     const std::vector<ReferenceImplementation>& references) {
+  /// None where no lane has a known rate.
+  std::optional<PrecisionPlan> plan(int precision, const Device& device,
+                                    const std::vector<ReferenceImplementation>& references) {
     PrecisionPlan plan{.precision = precision, .lanes = {}, .problem = {}, .result = Infeasible{}};
+    left_out_.clear();
     for (const Measurement* row : lanes_.at(precision)) add_lane(plan, *row);
     for (const LaneImplementation& lane : plan.lanes) plan.problem.lanes.push_back(lane.kind);
     for (const auto& reference : references) plan.problem.references.push_back(reference.kind);
@@ -79,6 +80,9 @@ public:
     plan.problem.available = device.available;
     plan.problem.slack = scene_.system.slack;
     plan.problem.clocks = options_.clocks.domains;
+    if (plan.lanes.empty() && left_out_.empty()) return std::nullopt;
+    plan.result = plan.lanes.empty() ? Infeasible{.shortages = {}, .message = left_out_}
+                                     : allocate(plan.problem);
     return plan;
   }
 
@@ -86,10 +90,10 @@ private:
   void sort_rows() {
     for (const Measurement& row : table_.rows) {
       const ComponentKey& key = row.key;
-      if (!allows(options_.multipliers, key.multipliers)) continue;
+      if (!key.multipliers.empty() && !allows(options_.multipliers, key.multipliers)) continue;
       if (key.kind == ComponentKind::reference) references_.push_back(&row);
       if (key.kind != ComponentKind::lane) continue;
-      const int precision = precision_of(key.format);
+      const int precision = format_of(row).precision();
       const bool wanted = options_.first_precision <= precision &&
                           precision <= options_.last_precision &&
                           allows(options_.inputs, key.inputs) &&
@@ -98,6 +102,32 @@ private:
       lanes_[precision].push_back(&row);
       slowest_lane_ = std::max(slowest_lane_, row.latency_cycles);
     }
+  }
+
+  using Rows = std::vector<const Measurement*>;
+
+  /// A target that is taken as met would win against every measured clock.
+  void leave_out_untimed() {
+    Rows all;
+    for (const auto& [precision, rows] : lanes_) all.insert(all.end(), rows.begin(), rows.end());
+    if (!options_.clocks.lane_mhz && has_a_clock(all)) {
+      for (auto& [precision, rows] : lanes_) erase_untimed(rows, "lanes");
+      std::erase_if(lanes_, [](const auto& entry) { return entry.second.empty(); });
+    }
+    if (!options_.clocks.reference_mhz && has_a_clock(references_)) {
+      erase_untimed(references_, "references");
+    }
+  }
+
+  static bool has_a_clock(const Rows& rows) {
+    return std::any_of(rows.begin(), rows.end(), [](const auto* row) { return row->clock; });
+  }
+
+  void erase_untimed(Rows& rows, const std::string& what) {
+    if (std::erase_if(rows, [](const auto* row) { return !row->clock; }) == 0) return;
+    notes_.insert(
+        fmt::format("{} without a clock are left out, since others have one; --{}-mhz counts all",
+                    what, what.substr(0, what.size() - 1)));
   }
 
   /// Lanes whose bound is not proven are for scenes that ask for them.
@@ -172,12 +202,25 @@ private:
           fmt::format("{} {}: no recomputation rate is known", row.key.inputs, row.key.bound));
       return;
     }
+    if (highest_lane_throughput(rate->value()) < 1) {
+      left_out_ = "every lane leaves more than half undecided: references alone are faster";
+      return;
+    }
+    note_exponents(row);
     Area area = row.area;
     if (fifo_ != nullptr) area += fifo_->area;
     const std::string name = fmt::format("{} {} {} {}", row.key.format, row.key.inputs,
                                          row.key.bound, row.key.multipliers);
     const double mhz = clock_of(row, options_.clocks.lane_mhz);
     plan.lanes.push_back({row, area, *rate, {name, mhz * hertz_per_mhz, rate->value(), area}});
+  }
+
+  /// Fewer exponent bits than the rates were counted with may leave more undecided.
+  void note_exponents(const Measurement& row) {
+    const int counted = profiled_exponent_bits(scene_);
+    if (format_of(row).exponent_bits() >= counted) return;
+    notes_.insert(fmt::format("{}: recomputation rates were counted with {} exponent bits",
+                              row.key.format, counted));
   }
 
   const Scene& scene_;
@@ -194,6 +237,7 @@ private:
   double crossbar_mhz_ = std::numeric_limits<double>::infinity();
   ClockBasis basis_ = ClockBasis::given;
   std::set<std::string> notes_;
+  std::string left_out_;  ///< why the plan at hand may have no lane
 };
 
 /// References alone are lanes that need no recomputation.
@@ -296,10 +340,8 @@ Result<Optimisation> optimise(const Scene& scene, const Device& device,
                    .notes = {}};
   all.reference_only = fill_with_references(scene, device, all.references, options.clocks.domains);
   for (const auto& [precision, rows] : maker.lanes()) {
-    PrecisionPlan plan = maker.plan(precision, device, all.references);
-    if (plan.lanes.empty()) continue;
-    plan.result = allocate(plan.problem);
-    all.plans.push_back(std::move(plan));
+    auto plan = maker.plan(precision, device, all.references);
+    if (plan) all.plans.push_back(*std::move(plan));
   }
   all.crossover = crossover_of(all);
   all.basis = maker.basis();

@@ -25,10 +25,14 @@ std::string bound_keys(const std::string& bound) {
                             bound.substr(running.size()));
 }
 
+/// None without a product.
+std::string multipliers_key(const ComponentKey& key) {
+  return key.multipliers.empty() ? "" : fmt::format("multipliers = \"{}\"\n", key.multipliers);
+}
+
 std::string lanes_table(const ComponentKey& key, int count) {
-  return fmt::format(
-      "\n[[lanes]]\ncount = {}\nformat = \"{}\"\ninputs = \"{}\"\n{}multipliers = \"{}\"\n", count,
-      key.format, key.inputs, bound_keys(key.bound), key.multipliers);
+  return fmt::format("\n[[lanes]]\ncount = {}\nformat = \"{}\"\ninputs = \"{}\"\n{}{}", count,
+                     key.format, key.inputs, bound_keys(key.bound), multipliers_key(key));
 }
 
 }  // namespace
@@ -50,13 +54,14 @@ std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& pla
   }
   text += fmt::format("\n[system]\ndevice = {}\ntarget_mhz = {:g}\n",
                       in_toml(optimisation.device.name), optimisation.target_mhz);
+  if (chosen.reference_count() == 0) text += "references = 0\n";
   for (const int k : lane_order(plan.problem)) {
     if (chosen.lanes[k] > 0) text += lanes_table(plan.lanes[k].measured.key, chosen.lanes[k]);
   }
   for (const int k : reference_order(plan.problem)) {
     if (chosen.references[k] == 0) continue;
-    text += fmt::format("\n[[references]]\ncount = {}\nmultipliers = \"{}\"\n",
-                        chosen.references[k], optimisation.references[k].measured.key.multipliers);
+    text += fmt::format("\n[[references]]\ncount = {}\n{}", chosen.references[k],
+                        multipliers_key(optimisation.references[k].measured.key));
   }
   return text;
 }

@@ -137,6 +137,10 @@ int answer_interval_cycles(const LaneStreams& streams) {
   return std::max(request_interval_cycles, streams.lanes_served);
 }
 
+double highest_lane_throughput(double recomputation_rate) {
+  return 1 / (request_interval_cycles * recomputation_rate);
+}
+
 double even_throughput(const LaneStreams& streams, double recomputation_rate) {
   const double by_slots = slot_throughput(streams, recomputation_rate, 0);
   return std::min(unbuffered_throughput(streams, recomputation_rate), by_slots);

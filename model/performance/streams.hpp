@@ -30,6 +30,10 @@ int undecided_slot_cycles(const LaneStreams& streams);
 /// request per cycle, a lane sends one in two.
 int answer_interval_cycles(const LaneStreams& streams);
 
+/// Comparisons per cycle that a lane's requests alone allow, whatever serves them: above 1 where
+/// less than half is undecided. Infinite for a rate of 0.
+double highest_lane_throughput(double recomputation_rate);
+
 /// Comparisons that the lane accepts per cycle where the share `recomputation_rate` is undecided,
 /// evenly spread: equation 8 of one lane, with requests and slots.
 double even_throughput(const LaneStreams& streams, double recomputation_rate);

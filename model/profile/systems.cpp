@@ -41,10 +41,13 @@ bool SystemLanes::exists() const {
   return std::any_of(lanes.begin(), lanes.end(), [](const auto& lane) { return lane.has_value(); });
 }
 
+int profiled_exponent_bits(const Scene& scene) {
+  return scene.reduced.format.value_or(scene.reference.format).exponent_bits();
+}
+
 TypedGraph graph_at(const Scene& scene, int precision, LaneInputs inputs) {
   const ReducedSpec& reduced = scene.reduced;
-  const FloatFormat wide = reduced.format.value_or(scene.reference.format);
-  const FloatFormat format = FloatFormat::make(precision, wide.exponent_bits()).value();
+  const FloatFormat format = FloatFormat::make(precision, profiled_exponent_bits(scene)).value();
   return lane_graph(scene.graph, scene.reference.format,
                     {format, reduced.rounding, reduced.subnormals}, inputs);
 }

@@ -19,8 +19,11 @@ struct SystemLanes {
   bool exists() const;
 };
 
-/// The lane's graph at one precision; exponent bits are those of reduced.format, or of the
-/// reference where that is "auto".
+/// Of all lanes that a profile counts: those of reduced.format, or of the reference where that is
+/// "auto".
+int profiled_exponent_bits(const Scene& scene);
+
+/// The lane's graph at one precision, with `profiled_exponent_bits`.
 TypedGraph graph_at(const Scene& scene, int precision, LaneInputs inputs);
 
 /// Lanes alone, profiled with the constants of `errors`, and every certified candidate.

@@ -122,6 +122,10 @@ TEST_F(Table, ErrorsTellLineAndColumn) {
   expect_refused("17,700", "17,-700", 7, 40, "not a number");
   expect_refused("17,700", "17,700.5", 7, 40, "not a number");
   expect_refused("101.25,", "nan,", 9, 33, "not a number");
+  expect_refused("101.25,", "0,", 9, 33, "no clock");
+  expect_refused("lane,,s12e8", "lane,,float", 7, 7, "not a format");
+  expect_refused("exact,running_4", "some,running_4", 7, 13, "not a choice");
+  expect_refused("running_4,logic", "running_4,wood", 7, 29, "not a choice");
   expect_refused("routed,3", "guessed,3", 9, 55, "not a choice");
   expect_refused("f,Yosys 0.23\n", "f\n", 9, 64, "ends here");
   expect_refused("f,Yosys 0.23\n", "f,Yosys 0.23,more\n", 9, 66, "goes on");

@@ -69,6 +69,53 @@ TEST_F(Optimise, ALaneWithoutARateIsLeftOutAndNamed) {
   }));
 }
 
+bool notes_say(const Optimisation& found, const std::string& text) {
+  return std::any_of(found.notes.begin(), found.notes.end(),
+                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
+
+/// Alone at its reference it would run at less than the reference itself: the crossbar's requests.
+TEST_F(Optimise, ALaneThatLeavesMoreThanHalfUndecidedIsLeftOut) {
+  rates_ = rates_of({{8, 500'001}, {10, 500'000}, {12, 10}});
+  const Optimisation found = optimise_now();
+  ASSERT_EQ(found.plans.size(), 3u);
+  const auto* infeasible = std::get_if<model::Infeasible>(&found.plans[0].result);
+  ASSERT_NE(infeasible, nullptr);
+  EXPECT_NE(infeasible->message.find("more than half undecided"), std::string::npos);
+  EXPECT_NE(found.plans[1].allocation(), nullptr);
+}
+
+/// 400 MHz as a target would win against 300 measured.
+TEST_F(Optimise, WhereSomeClocksAreMeasuredLanesWithoutAreLeftOut) {
+  scene_.system.target_mhz = 400;
+  for (model::Measurement& row : table_.rows) {
+    const bool timed = row.key.format != "s8e8" && row.key.multipliers != "logic";
+    if (!timed) row.clock.reset();
+  }
+  const Optimisation found = optimise_now();
+  EXPECT_EQ(found.basis, model::ClockBasis::estimate_before_routing);
+  EXPECT_EQ(found.references.size(), 1u);
+  for (const PrecisionPlan& plan : found.plans) EXPECT_EQ(plan.lanes.size(), 1u);
+  EXPECT_EQ(found.plans.front().precision, 10);
+  EXPECT_TRUE(notes_say(found, "lanes without a clock are left out"));
+  options_.clocks = {400, 150, model::ClockDomains::separate};
+  EXPECT_EQ(optimise_now().plans.size(), 3u);
+  EXPECT_EQ(optimise_now().references.size(), 2u);
+}
+
+TEST_F(Optimise, WithoutAnyClockTheTargetIsTakenAsMet) {
+  scene_.system.target_mhz = 400;
+  for (model::Measurement& row : table_.rows) row.clock.reset();
+  const Optimisation found = optimise_now();
+  EXPECT_EQ(found.basis, model::ClockBasis::target);
+  EXPECT_DOUBLE_EQ(found.best()->clock_mhz(), 400);
+}
+
+TEST_F(Optimise, FewerExponentBitsThanTheRatesHaveAreTold) {
+  table_.rows.push_back(lane_row("s8e6", "exact", "relative", "embedded", 50));
+  EXPECT_TRUE(notes_say(optimise_now(), "s8e6: recomputation rates were counted with 8"));
+}
+
 TEST_F(Optimise, WhatTheOptionsExcludeIsNotUsed) {
   options_.multipliers = {"logic"};
   for (const PrecisionPlan& plan : optimise_now().plans) {
@@ -121,6 +168,21 @@ TEST_F(Optimise, ThePlanFileSaysWhatTheBestPlanIs) {
   }
   EXPECT_EQ(lanes, found.best()->allocation()->lane_count());
   EXPECT_NE(text.find("error_bound = \"relative\"\n"), std::string::npos);
+}
+
+/// What has no product has no kind of multipliers, and a plan without references says so: the
+/// scene may have some.
+TEST_F(Optimise, ThePlanFileLeavesOutWhatItDoesNotHave) {
+  Optimisation found = optimise_now();
+  PrecisionPlan plan = *found.best();
+  for (auto& lane : plan.lanes) lane.measured.key.multipliers.clear();
+  Allocation none = *plan.allocation();
+  for (int& count : none.references) count = 0;
+  plan.result = none;
+  const std::string text = plan_toml(found, plan, "../scene.toml", "mixcmp optimise");
+  EXPECT_EQ(text.find("multipliers"), std::string::npos);
+  EXPECT_NE(text.find("\nreferences = 0\n"), std::string::npos);
+  EXPECT_EQ(text.find("[[references]]"), std::string::npos);
 }
 
 TEST_F(Optimise, ScenarioTwoPlansForTheWorstRateOfEachKind) {
