@@ -65,13 +65,22 @@ inline void StageList::add_operand(model::FloatFormat operands, model::Subnormal
   add("normalise", normalises ? luts(shift_levels(bits_for(precision))) : 0);
 }
 
-/// The embedded multipliers take 17 by 24 bits; a tree adds what they give.
+/// fp_embedded_product. What has no cut of its own, rows above the fourth and columns after the
+/// third, is part of the stage that it is in.
 inline void StageList::add_embedded_product(int precision) {
-  const int multipliers = ((precision + 16) / 17) * ((precision + 23) / 24);
-  const double adding = bits_for(multipliers - 1) * delays_.multiplier_add_ns;
+  constexpr int cut_rows = 4;
+  const auto [a_bits, b_bits] = delays_.multiplier;
+  const int columns = (precision + a_bits - 1) / a_bits;
+  const int rows = (precision + b_bits - 1) / b_bits;
+  const double sum = carry(std::min(a_bits, precision) + precision);
   add("multiply", delays_.multiplier_ns);
-  add("accumulate 1", adding / 2);
-  add("accumulate 2", adding / 2);
+  add("row 0", delays_.multiplier_output_ns);
+  for (int row = 1; row < cut_rows; ++row) {
+    add("row " + std::to_string(row), row < rows ? delays_.multiplier_add_ns : 0);
+  }
+  add("first sum",
+      std::max(0, rows - cut_rows) * delays_.multiplier_add_ns + (columns > 1 ? sum : 0));
+  add("other sums", std::max(0, columns - 2) * sum);
 }
 
 /// The first row is gates in front of the first chain. A chain that follows another starts when

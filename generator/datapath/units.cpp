@@ -59,6 +59,7 @@ Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat re
   Unit unit =
       std::move(stages).unit(kind == LogicProduct::Kind::square ? "fp_square" : "fp_multiply");
   unit.multipliers = multipliers;
+  unit.multiplier = delays.multiplier;
   return unit;
 }
 

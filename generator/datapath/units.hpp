@@ -26,6 +26,7 @@ struct Unit {
   std::string module;
   std::vector<Stage> stages;
   model::Multipliers multipliers = model::Multipliers::embedded;  ///< logic: print EMBEDDED = 0
+  model::MultiplierSize multiplier;  ///< of an embedded product: FACTOR_A, FACTOR_B
 };
 
 /// The unit that computes `node` (not for input, constant, negate, absolute: those are wires).

@@ -22,6 +22,15 @@ std::set<std::string> taken_names(const std::vector<std::string>& ports) {
   return taken;
 }
 
+void append_multiplier_parameters(const Unit& unit, std::vector<Parameter>& parameters) {
+  if (unit.multipliers == model::Multipliers::logic) {
+    parameters.push_back({"EMBEDDED", 0});
+  } else if (unit.multiplier != model::MultiplierSize{}) {
+    parameters.push_back({"FACTOR_A", unit.multiplier.a_bits});
+    parameters.push_back({"FACTOR_B", unit.multiplier.b_bits});
+  }
+}
+
 }  // namespace
 
 DatapathBuilder::DatapathBuilder(const std::vector<std::string>& inputs, const TypedGraph& graph,
@@ -229,9 +238,7 @@ std::vector<Parameter> DatapathBuilder::unit_parameters(NodeId id) const {
   if (!hazards.overflow) parameters.push_back({"OVERFLOW", 0});
   if (!hazards.underflow) parameters.push_back({"UNDERFLOW", 0});
   if (!hazards.cancellation) parameters.push_back({"CANCELLATION", 0});
-  if (schedule_.steps[id].unit.multipliers == model::Multipliers::logic) {
-    parameters.push_back({"EMBEDDED", 0});
-  }
+  append_multiplier_parameters(schedule_.steps[id].unit, parameters);
   parameters.push_back({"CUTS", cut_mask(schedule_.steps[id])});
   return parameters;
 }

@@ -10,15 +10,26 @@
 
 namespace mixcmp::model {
 
-/// Rough delays of one device family, in nanoseconds, routing included. They only steer where
-/// registers go; an estimate made from them is never called a clock.
+/// The widest unsigned factors of one embedded multiplier.
+struct MultiplierSize {
+  int a_bits = 24;
+  int b_bits = 17;
+
+  friend bool operator==(const MultiplierSize&, const MultiplierSize&) = default;
+};
+
+/// Rough delays of one device family, in nanoseconds, routing included, and the size of its
+/// multipliers. They only steer where registers go; an estimate made from them is never called a
+/// clock.
 struct DelayTable {
-  double lut_ns = 0.7;             ///< one LUT and the wire to it
-  double carry_start_ns = 0.8;     ///< onto and off a carry chain
-  double carry_ns_per_bit = 0.02;  ///< along it
-  double multiplier_ns = 3.0;      ///< one embedded multiplier, unregistered
-  double multiplier_add_ns = 1.0;  ///< per level of adding partial products
-  double register_ns = 0.6;        ///< clock-to-output plus set-up
+  double lut_ns = 0.7;              ///< one LUT and the wire to it
+  double carry_start_ns = 0.8;      ///< onto and off a carry chain
+  double carry_ns_per_bit = 0.02;   ///< along it
+  double multiplier_ns = 2.0;       ///< one embedded multiplier, to the register behind it
+  double multiplier_output_ns = 0;  ///< from there through its adder, where it has one
+  double multiplier_add_ns = 1.0;   ///< adding its product to another's
+  double register_ns = 0.6;         ///< clock-to-output plus set-up
+  MultiplierSize multiplier;
 };
 
 /// Where a device's clocks come from.

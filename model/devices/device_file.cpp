@@ -41,6 +41,11 @@ Result<Done> read_figures(const Settings& settings, Device& device) {
   section.integer("registers", device.available.registers, 1, most);
   section.integer("dsps", device.available.dsps, 0, most);
   section.integer("memories", device.available.memories, 0, most);
+  for (const char* key : {"multiplier_a_bits", "multiplier_b_bits"}) {
+    if (device.available.dsps > 0) section.require(key);
+  }
+  section.integer("multiplier_a_bits", device.delays.multiplier.a_bits, 2, 64);
+  section.integer("multiplier_b_bits", device.delays.multiplier.b_bits, 2, 64);
   if (const auto error = section.finish()) return *error;
   return Done{};
 }
@@ -126,6 +131,7 @@ Result<Done> read_delays(const Settings& settings, DelayTable& delays) {
     section.require(entry.key);
     section.number(entry.key, delays.*entry.delay, 0.001, 1000);
   }
+  section.number("multiplier_output_ns", delays.multiplier_output_ns, 0, 1000);
   if (const auto error = section.finish()) return *error;
   return Done{};
 }

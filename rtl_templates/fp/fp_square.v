@@ -1,22 +1,25 @@
 // fp_square: a * a, rounded once to the result format.
-// Latency: the population count of CUTS (nine bits, thirteen with EMBEDDED = 0); initiation interval
-// 1; no reset. EMBEDDED = 0: the product is logic on any device; else it is `*`.
+// Latency: the population count of CUTS (thirteen bits); initiation interval 1; no reset.
+// EMBEDDED = 0: the product is logic on any device; else it is of `*`, each of FACTOR_A by FACTOR_B
+// bits, for the device's multipliers.
 // Special values as IEEE 754.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/architecture.md.
 `default_nettype none
 
 module fp_square #(
-    parameter       EXPONENT_BITS        = 8,
-    parameter       PRECISION            = 24,
-    parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,
-    parameter       RESULT_PRECISION     = PRECISION,
-    parameter       SPECIAL_OPERANDS     = 1,
-    parameter       OVERFLOW             = 1,
-    parameter       UNDERFLOW            = 1,
-    parameter       GRADUAL              = 0,
-    parameter       TOWARD_ZERO          = 0,
-    parameter       EMBEDDED             = 1,
-    parameter [((EMBEDDED != 0) ? 8 : 12):0] CUTS = 0
+    parameter        EXPONENT_BITS        = 8,
+    parameter        PRECISION            = 24,
+    parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,
+    parameter        RESULT_PRECISION     = PRECISION,
+    parameter        SPECIAL_OPERANDS     = 1,
+    parameter        OVERFLOW             = 1,
+    parameter        UNDERFLOW            = 1,
+    parameter        GRADUAL              = 0,
+    parameter        TOWARD_ZERO          = 0,
+    parameter        EMBEDDED             = 1,
+    parameter        FACTOR_A             = 24,
+    parameter        FACTOR_B             = 17,
+    parameter [12:0] CUTS                 = 13'b0
 ) (
     input  wire                                             aclk,
     input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
@@ -40,7 +43,7 @@ module fp_square #(
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
   // Cuts 2 to ROUND - 1 are the product's.
-  localparam ROUND   = (EMBEDDED != 0) ? 5 : 9;
+  localparam ROUND   = 9;
   localparam PRODUCT = 2 * PRECISION;
   localparam EXPONENT_WIDTH =
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS),
@@ -91,6 +94,8 @@ module fp_square #(
       .PRECISION(PRECISION),
       .SQUARE   (1),
       .EMBEDDED (EMBEDDED),
+      .FACTOR_A (FACTOR_A),
+      .FACTOR_B (FACTOR_B),
       .CUTS     (CUTS[ROUND-1:2])
   ) s2_product (
       .aclk   (aclk),

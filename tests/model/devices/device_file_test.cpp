@@ -66,6 +66,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"NoLuts", "luts = 10\n", "", 1, "device.luts", "nothing"},
         Mistake{"NoDsps", "dsps = 0\n", "", 1, "device.dsps", "nothing"},
+        Mistake{"DspsOfUnknownSize", "dsps = 0", "dsps = 1", 1, "device.multiplier_a_bits",
+                "nothing"},
         Mistake{"NegativeDsps", "dsps = 0", "dsps = -1", 5, "device.dsps", "-1"},
         Mistake{"ZeroLuts", "luts = 10", "luts = 0", 3, "device.luts", "0"},
         Mistake{"FractionOfALut", "luts = 10", "luts = 1.5", 3, "device.luts", "1.5 (a number)"},

@@ -94,7 +94,8 @@ TEST(Devices, AUsersFileIsADevice) {
   const test::ScratchDirectory directory;
   const auto path = directory.path() / "mine.toml";
   std::ofstream(path) << "[device]\nname = \"mine\"\nluts = 1000\nregisters = 2000\ndsps = 3\n"
-                         "memories = 4\n[synthesis]\ncommand = \"synth_ice40\"\n"
+                         "memories = 4\nmultiplier_a_bits = 12\nmultiplier_b_bits = "
+                         "9\n[synthesis]\ncommand = \"synth_ice40\"\n"
                          "[timing]\ntool = \"none\"\n"
                          "[delays]\nlut_ns = 1\ncarry_start_ns = 1.5\ncarry_ns_per_bit = 0.1\n"
                          "multiplier_ns = 9\nmultiplier_add_ns = 2\nregister_ns = 1\n";
@@ -103,6 +104,7 @@ TEST(Devices, AUsersFileIsADevice) {
   EXPECT_EQ(device->name, "mine");
   EXPECT_EQ(device->available, (Area{.luts = 1000, .registers = 2000, .dsps = 3, .memories = 4}));
   EXPECT_EQ(device->delays.multiplier_ns, 9);
+  EXPECT_EQ(device->delays.multiplier, (MultiplierSize{.a_bits = 12, .b_bits = 9}));
 }
 
 }  // namespace

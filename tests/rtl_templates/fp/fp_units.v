@@ -87,7 +87,7 @@ module fp_units #(
               .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
-              .CUTS                (CUTS[8:0])
+              .CUTS                (CUTS[12:0])
           ) multiply (
               .aclk       (aclk),
               .a          (x0),
@@ -108,7 +108,7 @@ module fp_units #(
               .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
-              .CUTS                (CUTS[8:0])
+              .CUTS                (CUTS[12:0])
           ) square (
               .aclk       (aclk),
               .a          (x0),

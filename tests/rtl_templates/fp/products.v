@@ -1,11 +1,12 @@
-// products: fp_product with EMBEDDED = 0 at many precisions, for the regression alone. Of each
-// precision a product and a square with two masks of cuts that complement each other; the slots are
-// {precision, SQUARE, complemented}, the precisions counting slowest. products_test.cpp repeats which
-// precisions are built and with which masks.
+// products: fp_product at many precisions, for the regression alone. Of each precision a product and
+// a square, of logic and of multipliers whose sizes differ from precision to precision, with two
+// masks of cuts that complement each other; the slots are {precision, EMBEDDED, SQUARE,
+// complemented}, the precisions counting slowest. products_test.cpp repeats which precisions are
+// built and with which masks.
 `default_nettype none
 
 module products #(
-    parameter SLOTS = 456,
+    parameter SLOTS = 912,
     parameter WIDEST = 113
 ) (
     input wire              aclk,
@@ -17,6 +18,7 @@ module products #(
   wire [255:0] y[0:SLOTS-1]  /* verilator public_flat_rd */;
 
   genvar precision;
+  genvar embedded;
   genvar square;
   genvar complemented;
 
@@ -27,26 +29,36 @@ module products #(
         wire [precision-1:0] x0 = {1'b1, a[precision-2:0]};
         wire [precision-1:0] x1 = {1'b1, b[precision-2:0]};
 
-        for (square = 0; square < 2; square = square + 1) begin : of
-          for (complemented = 0; complemented < 2; complemented = complemented + 1) begin : with_cuts
-            localparam       SLOT = 4 * precision + 2 * square + complemented;
-            localparam [6:0] MASK = 37 * precision + 53 * square;
+        // Few bits in many small parts, many bits in parts as devices have them.
+        localparam FACTOR_A = (precision <= 34) ? 2 + precision % 5
+                                                : (precision % 2 == 0) ? 18 : 24;
+        localparam FACTOR_B = (precision <= 34) ? 2 + precision % 4
+                                                : (precision % 2 == 0) ? 18 : 17;
 
-            wire [2*precision-1:0] product;
+        for (embedded = 0; embedded < 2; embedded = embedded + 1) begin : made
+          for (square = 0; square < 2; square = square + 1) begin : of
+            for (complemented = 0; complemented < 2; complemented = complemented + 1) begin : with_cuts
+              localparam       SLOT = 8 * precision + 4 * embedded + 2 * square + complemented;
+              localparam [6:0] MASK = 37 * precision + 53 * square + 11 * embedded;
 
-            fp_product #(
-                .PRECISION(precision),
-                .SQUARE   (square),
-                .EMBEDDED (0),
-                .CUTS     (complemented ? ~MASK : MASK)
-            ) unit (
-                .aclk   (aclk),
-                .a      (x0),
-                .b      (x1),
-                .product(product)
-            );
+              wire [2*precision-1:0] product;
 
-            assign y[SLOT] = product;
+              fp_product #(
+                  .PRECISION(precision),
+                  .SQUARE   (square),
+                  .EMBEDDED (embedded),
+                  .FACTOR_A (FACTOR_A),
+                  .FACTOR_B (FACTOR_B),
+                  .CUTS     (complemented ? ~MASK : MASK)
+              ) unit (
+                  .aclk   (aclk),
+                  .a      (x0),
+                  .b      (x1),
+                  .product(product)
+              );
+
+              assign y[SLOT] = product;
+            end
           end
         end
       end

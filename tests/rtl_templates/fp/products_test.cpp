@@ -13,8 +13,8 @@
 #include "Vproducts___024root.h"
 #include "model/format/bits.hpp"
 
-/// Products of logic against GMP, at every precision that is built in one cycle, each at the
-/// latency that its mask of cuts names.
+/// Products of logic and of multipliers against GMP, at every precision that is built in one cycle,
+/// each at the latency that its mask of cuts names.
 namespace mixcmp::test {
 namespace {
 
@@ -32,11 +32,16 @@ using Wide = std::array<uint64_t, 4>;
 
 struct Slot {
   int precision;
+  bool embedded;
   bool square;
-  unsigned cuts;
+  bool complemented;
 
-  int latency_cycles() const { return std::popcount(cuts); }
-  int index(bool complemented) const { return 4 * precision + 2 * square + complemented; }
+  unsigned cuts() const {
+    const auto mask = static_cast<unsigned>(37 * precision + 53 * square + 11 * embedded);
+    return (complemented ? ~mask : mask) & 127;
+  }
+  int latency_cycles() const { return std::popcount(cuts()); }
+  int index() const { return 8 * precision + 4 * embedded + 2 * square + complemented; }
 };
 
 bool is_built(int precision) {
@@ -64,7 +69,7 @@ std::string hex(const Wide& value) {
   return fmt::format("{:016x}{:016x}{:016x}{:016x}", value[3], value[2], value[1], value[0]);
 }
 
-class LogicProduct : public testing::Test {
+class Product : public testing::Test {
 protected:
   /// Multiplies these in this cycle and judges every answer that is due.
   void feed(const Factors& factors) {
@@ -89,25 +94,21 @@ protected:
 
 private:
   void judge(int precision) {
-    for (const bool square : {false, true}) {
-      for (const bool complemented : {false, true}) {
-        const auto mask = static_cast<unsigned>(37 * precision + 53 * square);
-        const Slot slot = {precision, square, (complemented ? ~mask : mask) & 127};
-        if (history_.size() > static_cast<std::size_t>(slot.latency_cycles())) {
-          judge(slot, slot.index(complemented));
-        }
-      }
+    for (int variant = 0; variant < 8; ++variant) {
+      const Slot slot = {precision, (variant & 4) != 0, (variant & 2) != 0, (variant & 1) != 0};
+      if (history_.size() > static_cast<std::size_t>(slot.latency_cycles())) judge(slot);
     }
   }
 
-  void judge(const Slot& slot, int index) {
+  void judge(const Slot& slot) {
     const Factors& then = history_[static_cast<std::size_t>(slot.latency_cycles())];
     const Bits a = significand(slot.precision, then.a);
     const Bits b = significand(slot.precision, slot.square ? then.a : then.b);
     const Wide expected = multiplied(a, b);
-    ASSERT_EQ(hex(read(index)), hex(expected))
-        << "PRECISION=" << slot.precision << " SQUARE=" << slot.square << " CUTS=" << slot.cuts
-        << " a=" << hex(wide(a)) << " b=" << hex(wide(b));
+    ASSERT_EQ(hex(read(slot.index())), hex(expected))
+        << "PRECISION=" << slot.precision << " EMBEDDED=" << slot.embedded
+        << " SQUARE=" << slot.square << " CUTS=" << slot.cuts() << " a=" << hex(wide(a))
+        << " b=" << hex(wide(b));
   }
 
   Wide read(int index) const {
@@ -125,7 +126,7 @@ private:
 };
 
 /// Products up to 8 bits, squares up to 15.
-TEST_F(LogicProduct, EveryPairOfFewBitsIsMultipliedExactly) {
+TEST_F(Product, EveryPairOfFewBitsIsMultipliedExactly) {
   for (unsigned i = 0; i < 1u << 14 && !HasFatalFailure(); ++i) feed({i, i >> 7});
   drain();
 }
@@ -160,7 +161,7 @@ Bits patterned(uint64_t index) {
   }
 }
 
-TEST_F(LogicProduct, WideFactorsAreMultipliedExactly) {
+TEST_F(Product, WideFactorsAreMultipliedExactly) {
   for (uint64_t i = 0; i < 20000 && !HasFatalFailure(); ++i) {
     feed({patterned(2 * i), patterned(2 * i + 1)});
   }
