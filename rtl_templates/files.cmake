@@ -1,52 +1,6 @@
 # Every hand-written module; the generator embeds them and copies the ones a system uses.
-set(MIXCMP_RTL_TEMPLATES
-  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_add.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_at_most.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_binade.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_decision.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_magnitude.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_maximum.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_multiply.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/bound_reciprocal.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_booth_multiple.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_add.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_compare.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_convert.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_divide.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_fit.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_interval_decision.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_leading_zeros.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_logic_product.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_minimum_maximum.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_multiply.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_multiply_row.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_operand.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_product.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_product_row.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_range_check.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_rank.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_ranks.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_round.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_select_round.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_shift_left.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_shift_right.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_shifted_sum.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_square.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_square_root.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_square_row.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_ulp_distance.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/fp_unpack.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/stream/crossbar.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/stream/delay_line.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/stream/dual_port_memory.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/stream/event_counter.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/stream/lane_counters.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/stream/lane_reorder.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/stream/lane_scoreboard.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/stream/lane_tracker.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/stream/reference_port.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/stream/stream_arbiter.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/stream/stream_fifo.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/stream/stream_tree.v
-  ${PROJECT_SOURCE_DIR}/rtl_templates/stream/valid_delay_line.v
+file(GLOB MIXCMP_RTL_TEMPLATES CONFIGURE_DEPENDS
+  ${PROJECT_SOURCE_DIR}/rtl_templates/bound/*.v
+  ${PROJECT_SOURCE_DIR}/rtl_templates/fp/*.v
+  ${PROJECT_SOURCE_DIR}/rtl_templates/stream/*.v
 )

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <set>
 #include <sstream>
 
 #include "generator/cli/exit.hpp"
@@ -15,6 +16,7 @@
 #include "model/optimise/exploration.hpp"
 #include "model/optimise/plan.hpp"
 #include "model/profile/report.hpp"
+#include "model/scene/plan.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -51,13 +53,29 @@ Result<std::vector<std::string>> data_sets(const std::string& over) {
                .accepted = "a key of the scene with values, such as data.radius_max=5,10,25"};
 }
 
-/// Names all that rates depend on.
-std::string rates_hash(const LoadedScene& loaded, const std::vector<std::string>& settings) {
+void add_to(model::ContentHash& hash, const model::Setting& setting) {
+  hash.add(setting.key);
+  if (const auto* table = std::get_if<model::Setting::Table>(&setting.value)) {
+    for (const model::Setting& entry : table->entries) add_to(hash, entry);
+  } else {
+    hash.add(setting.shown());
+  }
+}
+
+/// Names all that rates depend on: the scene as it is read through its plans, without what says how
+/// many datapaths and where, the data and the precisions.
+std::string rates_hash(const LoadedScene& loaded, const SceneOptions& options,
+                       const model::OptimiseOptions& choice) {
   model::ContentHash hash;
-  hash.add(gen::version).add(value_or_exit(model::read_file(loaded.scene.path)));
-  for (const std::string& setting : settings) hash.add(setting);
+  hash.add(gen::version);
+  const auto read = value_or_exit(model::read_scene_settings(options.scene, options.settings));
+  for (const model::Setting& section : read.settings.root.entries) {
+    const std::set<std::string> others = {"name", "system", "lanes", "references"};
+    if (!others.contains(section.key)) add_to(hash, section);
+  }
   const model::DataSpec& data = *loaded.scene.data;
   if (!data.file.empty()) hash.add(value_or_exit(model::read_file(data.file)));
+  hash.add(fmt::format("{}-{}", choice.first_precision, choice.last_precision));
   return hash.hex().substr(0, 8);
 }
 
@@ -69,7 +87,8 @@ model::Rates rates_of(const ExploreCommand& command, const std::string& set) {
   value_or_exit(check_has_data(loaded));
   const std::string name = set.empty() ? "own" : set.substr(set.find('=') + 1);
   const fs::path kept =
-      command.output / fmt::format("rates-{}-{}.csv", name, rates_hash(loaded, options.settings));
+      command.output /
+      fmt::format("rates-{}-{}.csv", name, rates_hash(loaded, options, command.planning.choice));
   if (fs::exists(kept)) return value_or_exit(model::Rates::read(kept));
   const auto rates = value_or_exit(measure_rates(loaded, command.planning.choice));
   model::ProfileReport report{.scene = loaded.scene.name,
@@ -120,19 +139,23 @@ Columns columns_for(const std::optional<model::PublishedDevice>& published) {
   return columns;
 }
 
-void write_plan(const ExploreCommand& command, const fs::path& folder, const std::string& name,
+std::string command_of(const ExploreCommand& command) {
+  std::string line = planning_command_line("explore", command.planning);
+  for (const std::string& device : command.devices) line += " --on " + quoted(device);
+  if (!command.over.empty()) line += " --over " + quoted(command.over);
+  return line;
+}
+
+void write_plan(const ExploreCommand& command, const std::string& device, const fs::path& path,
                 const model::Optimisation& found) {
   const model::PrecisionPlan* best = found.best();
   if (best == nullptr) return;
-  const fs::path scene = fs::absolute(command.planning.scene.scene).lexically_normal();
-  const fs::path from = fs::absolute(folder).lexically_normal();
-  value_or_exit(write_file(folder / (name + ".toml"),
-                           plan_toml(found, *best, scene.lexically_relative(from).generic_string(),
-                                     command_line("explore", command.planning.scene))));
+  const model::PlanSource source = plan_source(command.planning, device, path, command_of(command));
+  value_or_exit(write_file(path, plan_toml(found, *best, source)));
 }
 
-void write_device(const ExploreCommand& command, const model::Exploration& exploration,
-                  const std::string& tables) {
+void write_device(const ExploreCommand& command, const std::string& device,
+                  const model::Exploration& exploration, const std::string& tables) {
   const fs::path folder = command.output / exploration.device.name;
   value_or_exit(prepare_directory(folder));
   const model::Column& ours = exploration.columns.back();
@@ -140,8 +163,8 @@ void write_device(const ExploreCommand& command, const model::Exploration& explo
   value_or_exit(write_file(folder / "figure9.csv", figure9_csv(ours.example)));
   value_or_exit(write_file(folder / "scenarios.csv", scenarios_csv(exploration)));
   value_or_exit(write_file(folder / "tables.md", tables));
-  write_plan(command, folder, "plan_scenario_1", ours.example);
-  write_plan(command, folder, "plan_scenario_2", ours.worst);
+  write_plan(command, device, folder / "plan_scenario_1.toml", ours.example);
+  write_plan(command, device, folder / "plan_scenario_2.toml", ours.worst);
   const bool drawn = draw(folder, "figure3", figure3_script(ours.example, "figure3.svg")) &&
                      draw(folder, "figure7", figure7_script(ours.example, "figure7.svg")) &&
                      draw(folder, "figure8", figure8_script(ours.example, "figure8.svg")) &&
@@ -149,21 +172,33 @@ void write_device(const ExploreCommand& command, const model::Exploration& explo
   if (!drawn) warn_of_no_pictures();
 }
 
+void print_notes(const model::Exploration& exploration) {
+  std::set<std::string> notes;
+  for (const model::Column& column : exploration.columns) {
+    notes.insert(column.worst.notes.begin(), column.worst.notes.end());
+    if (column.worst.best() == nullptr) notes.insert(column.title + ": no plan fits");
+  }
+  for (const std::string& note : notes) {
+    fmt::print(stderr, "mixcmp: note: {}: {}\n", exploration.device.name, note);
+  }
+}
+
 /// Tables III and IV of one device.
 std::string explore_device(const ExploreCommand& command, const std::string& device,
-                           const std::vector<model::DataSet>& sets,
+                           const model::Comparisons& data, const std::vector<model::DataSet>& sets,
                            const std::vector<model::SoftwareThroughput>& software) {
   PlanningOptions planning = command.planning;
   planning.scene.settings.push_back("system.device=" + device);
   const model::Scene scene =
       value_or_exit(model::load_scene(planning.scene.scene, planning.scene.settings));
-  const Planning known = value_or_exit(load_planning(planning, scene, nullptr));
+  const Planning known = value_or_exit(load_planning(planning, scene, &data));
   const auto published = command.beside_paper ? model::published(device) : std::nullopt;
   const model::Exploration exploration = value_or_exit(explore(
       known.scene, known.device, known.table, sets, columns_for(published), planning.choice));
   const std::string tables = "## " + device + "\n\n" + table3_markdown(exploration, published) +
                              "\n" + table4_markdown(exploration, published, software);
-  write_device(command, exploration, tables);
+  print_notes(exploration);
+  write_device(command, device, exploration, tables);
   return tables;
 }
 
@@ -181,7 +216,7 @@ void run(const ExploreCommand& command) {
   std::vector<model::SoftwareThroughput> software;
   if (command.software) software = measure_software(loaded);
   for (const std::string& device : devices) {
-    report += "\n" + explore_device(command, device, sets, software);
+    report += "\n" + explore_device(command, device, *loaded.data, sets, software);
   }
   value_or_exit(write_file(command.output / "report.md", report));
   fmt::print("{}\n{}\n", report, (command.output / "report.md").string());

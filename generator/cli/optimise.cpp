@@ -27,22 +27,21 @@ model::Rates rates_for(const OptimiseCommand& command, const LoadedScene& loaded
   return model::Rates::of(value_or_exit(measure_rates(loaded, command.planning.choice)));
 }
 
-/// The scene's file as seen from the plan's folder.
-std::string seen_from(const fs::path& plan, const fs::path& scene) {
-  const fs::path folder = fs::absolute(plan).lexically_normal().parent_path();
-  return fs::absolute(scene).lexically_normal().lexically_relative(folder).generic_string();
+std::string command_of(const OptimiseCommand& command) {
+  const std::string line = planning_command_line("optimise", command.planning);
+  return command.rates.empty() ? line : line + " --rates " + quoted(command.rates.string());
 }
 
-void write_files(const OptimiseCommand& command, const model::Optimisation& found) {
+void write_files(const OptimiseCommand& command, const std::string& device,
+                 const model::Optimisation& found) {
   if (!command.csv.empty()) value_or_exit(write_file(command.csv, figure9_csv(found)));
   const model::PrecisionPlan* best = found.best();
   if (best == nullptr) return;
   if (!command.lp.empty()) value_or_exit(write_file(command.lp, to_lp(best->problem)));
   if (command.plan.empty()) return;
-  const fs::path& scene = command.planning.scene.scene;
-  value_or_exit(
-      write_file(command.plan, plan_toml(found, *best, seen_from(command.plan, scene),
-                                         command_line("optimise", command.planning.scene))));
+  const model::PlanSource source =
+      plan_source(command.planning, device, command.plan, command_of(command));
+  value_or_exit(write_file(command.plan, plan_toml(found, *best, source)));
 }
 
 void run(OptimiseCommand& command) {
@@ -53,7 +52,7 @@ void run(OptimiseCommand& command) {
       value_or_exit(load_planning(planning, loaded.scene, loaded.data ? &*loaded.data : nullptr));
   const model::Optimisation found = value_or_exit(optimise(
       known.scene, known.device, known.table, rates_for(command, loaded), planning.choice));
-  write_files(command, found);
+  write_files(command, known.scene.system.device, found);
   if (planning.scene.json) {
     fmt::print("{}\n", to_json(found).dump(2));
   } else {

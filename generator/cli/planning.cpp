@@ -1,6 +1,7 @@
 #include "generator/cli/planning.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -21,6 +22,16 @@ void add_list(CLI::App& verb, const std::string& name, std::vector<std::string>&
     option->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())));
 }
 
+/// Not a number is refused, too, which CLI::Range lets pass.
+CLI::Validator a_clock() {
+  return {[](const std::string& text) {
+            double mhz = 0;
+            const bool read = CLI::detail::lexical_cast(text, mhz);
+            return read && mhz >= 0.001 && mhz <= 1e6 ? "" : "not a clock in MHz: " + text;
+          },
+          "MHZ"};
+}
+
 Result<model::Done> check_table_exists(const std::filesystem::path& path,
                                        const PlanningOptions& options,
                                        const model::Device& device) {
@@ -33,13 +44,28 @@ Result<model::Done> check_table_exists(const std::filesystem::path& path,
                                        options.scene.scene.string(), device.name, path.string())};
 }
 
+bool is_set(const SceneOptions& options, const std::string& key) {
+  return std::any_of(options.settings.begin(), options.settings.end(),
+                     [&](const std::string& setting) { return setting.starts_with(key + "="); });
+}
+
 /// Registers are placed for a clock: what is generated later must have them where they were when
 /// its area was measured.
-Result<model::Done> adopt_target(Planning& planning, const std::filesystem::path& path) {
+Result<model::Done> adopt_target(Planning& planning, const std::filesystem::path& path,
+                                 const SceneOptions& options) {
   for (const auto& [name, text] : planning.table.spec) {
     if (name != "target_mhz") continue;
-    double& target = planning.scene.system.target_mhz;
-    if (CLI::detail::lexical_cast(text, target) && target > 0) return model::Done{};
+    double measured = 0;
+    if (CLI::detail::lexical_cast(text, measured) && measured > 0) {
+      double& target = planning.scene.system.target_mhz;
+      if (target != measured && is_set(options, "system.target_mhz")) {
+        fmt::print(stderr,
+                   "mixcmp: note: registers are placed for {:g} MHz, which {} was measured for\n",
+                   measured, path.filename().string());
+      }
+      target = measured;
+      return model::Done{};
+    }
     return Error{.file = path.string(),
                  .field = "target_mhz",
                  .message = "cannot be read",
@@ -76,13 +102,54 @@ void add_planning_options(CLI::App& verb, PlanningOptions& options) {
   add_list(verb, "--use-multipliers", choice.multipliers,
            "multipliers to choose from: embedded,logic (default: both)", {"embedded", "logic"});
   verb.add_option("--lane-mhz", choice.clocks.lane_mhz,
-                  "clock of the lanes, in place of the table's");
+                  "clock of the lanes, in place of the table's")
+      ->check(a_clock());
   verb.add_option("--reference-mhz", choice.clocks.reference_mhz,
-                  "clock of the references, in place of the table's");
+                  "clock of the references, in place of the table's")
+      ->check(a_clock());
   verb.add_flag(
       "--separate-clocks", options.separate_clocks,
       "count lanes and references at clocks of their own, as the paper does; what generate "
       "writes has one clock");
+}
+
+std::string planning_command_line(const std::string& verb, const PlanningOptions& options) {
+  const model::OptimiseOptions usual;
+  const model::OptimiseOptions& choice = options.choice;
+  std::string line = command_line(verb, options.scene);
+  const auto add = [&](const char* option, const std::string& value) {
+    line += fmt::format(" {} {}", option, quoted(value));
+  };
+  const auto add_words = [&](const char* option, const std::vector<std::string>& words) {
+    if (!words.empty()) add(option, fmt::format("{}", fmt::join(words, ",")));
+  };
+  if (!options.table.empty()) add("--table", options.table.string());
+  if (choice.first_precision != usual.first_precision) {
+    add("--first", std::to_string(choice.first_precision));
+  }
+  if (choice.last_precision != usual.last_precision) {
+    add("--last", std::to_string(choice.last_precision));
+  }
+  add_words("--use-inputs", choice.inputs);
+  add_words("--use-bounds", choice.bounds);
+  add_words("--use-multipliers", choice.multipliers);
+  if (choice.clocks.lane_mhz) add("--lane-mhz", fmt::format("{:g}", *choice.clocks.lane_mhz));
+  if (choice.clocks.reference_mhz) {
+    add("--reference-mhz", fmt::format("{:g}", *choice.clocks.reference_mhz));
+  }
+  return options.separate_clocks ? line + " --separate-clocks" : line;
+}
+
+model::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
+                              const std::filesystem::path& plan, std::string command) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::absolute(plan).lexically_normal().parent_path();
+  const fs::path scene = fs::absolute(options.scene.scene).lexically_normal();
+  const bool is_file = device.ends_with(".toml");
+  return {.scene_file = scene.lexically_relative(folder).generic_string(),
+          .settings = options.scene.settings,
+          .device = is_file ? fs::absolute(device).lexically_normal().string() : device,
+          .command = std::move(command)};
 }
 
 std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& device) {
@@ -104,8 +171,15 @@ Result<Planning> load_planning(const PlanningOptions& options, const model::Scen
                  .received = table.device,
                  .accepted = device.name};
   }
+  if (table.scene != scene.name) {
+    return Error{.file = path.string(),
+                 .field = "scene",
+                 .message = "the table is of another scene",
+                 .received = table.scene,
+                 .accepted = scene.name};
+  }
   Planning planning{scene, std::move(device), std::move(table)};
-  MIXCMP_TRY(adopted, adopt_target(planning, path));
+  MIXCMP_TRY(adopted, adopt_target(planning, path, options.scene));
   warn_of_outdated(planning, data);
   return planning;
 }

@@ -8,6 +8,7 @@
 
 #include "generator/cli/options.hpp"
 #include "model/optimise/optimise.hpp"
+#include "model/optimise/plan.hpp"
 
 namespace mixcmp::cli {
 
@@ -21,6 +22,13 @@ struct PlanningOptions {
 
 void add_planning_options(CLI::App& verb, PlanningOptions& options);
 
+/// The verb, its scene and what of these options is not as usual, as a command.
+std::string planning_command_line(const std::string& verb, const PlanningOptions& options);
+
+/// What plans say of where they come from, for a plan file at `plan`.
+model::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
+                              const std::filesystem::path& plan, std::string command);
+
 /// characterisation/SCENE-DEVICE.csv beside the scene: where `characterise` writes, too.
 std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& device);
 
@@ -30,7 +38,8 @@ struct Planning {
   model::Device device;
   model::Characterisation table;
 };
-/// Notes on stderr how many rows were measured on other RTL than today's. `data` may be null.
+/// Notes on stderr how many rows were measured on other RTL than today's, and a target_mhz that is
+/// set and not the table's. `data` may be null. Errors where the table is of another device or scene.
 model::Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene,
                                       const model::Comparisons* data);
 

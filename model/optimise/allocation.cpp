@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -38,6 +39,19 @@ std::set<double, std::greater<>> candidate_clocks(const AllocationProblem& probl
     clocks.insert(reference.throughput_per_s);
   }
   return clocks;
+}
+
+/// That a plan runs at: the lowest of what it has, without rounding; 0 stands for each at its own.
+double clock_of(const AllocationProblem& problem, const Allocation& plan) {
+  if (problem.clocks == ClockDomains::separate) return 0;
+  double clock = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
+    if (plan.lanes[k] > 0) clock = std::min(clock, problem.lanes[k].throughput_per_s);
+  }
+  for (std::size_t k = 0; k < plan.references.size(); ++k) {
+    if (plan.references[k] > 0) clock = std::min(clock, problem.references[k].throughput_per_s);
+  }
+  return clock;
 }
 
 /// Leaves out what decides fewer comparisons a second.
@@ -247,9 +261,8 @@ std::string to_lp(const AllocationProblem& problem) {
     const double lowest = *candidate_clocks(problem).rbegin();
     return to_lp(relaxed_program(problem, {lowest, {}, {}}).program);
   }
-  const bool one_clock = problem.clocks == ClockDomains::single;
-  const double clock = one_clock ? plan->throughput_per_s / plan->lane_count() : 0;
-  return to_lp(exact_program(problem, {clock, plan->reference_count(), {}}).program);
+  return to_lp(
+      exact_program(problem, {clock_of(problem, *plan), plan->reference_count(), {}}).program);
 }
 
 }  // namespace mixcmp::model

@@ -58,34 +58,62 @@ Curve curve_of_plans(const Optimisation& optimisation, const std::string& title,
   return curve;
 }
 
-/// Lanes, each as the plan's are on average, streams included, that fit beside so many references.
-int lanes_beside(const Optimisation& optimisation, const PrecisionPlan& plan, int references) {
-  const Allocation& chosen = *plan.allocation();
-  const Area room = usable(optimisation.device.available, optimisation.slack);
-  const Area& reference = optimisation.references.front().kind.area;
-  double lanes = plan.problem.max_lanes;
-  for (const Resource& resource : bounded_resources) {
-    const double of_lanes =
-        chosen.used.*resource.amount -
-        static_cast<double>(chosen.reference_count()) * (reference.*resource.amount);
-    if (of_lanes <= 0) continue;
-    const double left =
-        room.*resource.amount - static_cast<double>(references) * (reference.*resource.amount);
-    lanes = std::min(lanes, left / (of_lanes / chosen.lane_count()));
+/// Devices that are filled otherwise than by a plan: its mix of lanes beside other numbers of the
+/// kind of reference that it has most of.
+class OtherRatios {
+public:
+  explicit OtherRatios(const Optimisation& optimisation, const PrecisionPlan& plan)
+      : optimisation_(optimisation), plan_(plan), chosen_(*plan.allocation()) {
+    const auto& counts = chosen_.references;
+    const auto most = std::max_element(counts.begin(), counts.end()) - counts.begin();
+    reference_ = plan.problem.references[static_cast<std::size_t>(most)];
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+      for (const Resource& resource : bounded_resources) {
+        of_lanes_.*resource.amount -=
+            counts[k] * (plan.problem.references[k].area.*resource.amount);
+      }
+    }
+    for (const Resource& resource : bounded_resources) {
+      of_lanes_.*resource.amount += chosen_.used.*resource.amount;
+    }
   }
-  return std::max(0, static_cast<int>(lanes));
-}
 
-/// T(equ) of a device full of `references` references and as many lanes as fit beside them.
-double throughput_with(const Optimisation& optimisation, const PrecisionPlan& plan, int lanes,
-                       int references) {
-  const double per_lane = plan.throughput_per_s() / plan.allocation()->lane_count();
-  const double reference = optimisation.references.front().kind.throughput_per_s;
-  return equivalent_throughput({{.count = lanes,
-                                 .throughput_per_s = per_lane,
-                                 .recomputation_rate = plan.recomputation_rate()}},
-                               {{.count = references, .throughput_per_s = reference}});
-}
+  /// Lanes, each as the plan's are on average, streams included, that fit beside so many
+  /// references and that their crossbars can connect.
+  int lanes_beside(int references) const {
+    const Area room = usable(optimisation_.device.available, optimisation_.slack);
+    const std::size_t ports = plan_.problem.communication.crossbar.size();
+    double lanes = plan_.problem.max_lanes;
+    if (ports > 0) lanes = std::min(lanes, static_cast<double>(ports - 1) * references);
+    for (const Resource& resource : bounded_resources) {
+      if (of_lanes_.*resource.amount <= 0) continue;
+      const double left = room.*resource.amount -
+                          static_cast<double>(references) * (reference_.area.*resource.amount);
+      const double one = static_cast<double>(of_lanes_.*resource.amount) / chosen_.lane_count();
+      lanes = std::min(lanes, left / one);
+    }
+    return std::max(0, static_cast<int>(lanes));
+  }
+
+  /// T(equ); in one clock domain references run at the plan's clock, too.
+  double throughput_per_s(int lanes, int references) const {
+    const double lane = plan_.throughput_per_s() / chosen_.lane_count();
+    const bool one_clock = plan_.problem.clocks == ClockDomains::single;
+    const double reference =
+        one_clock ? std::min(lane, reference_.throughput_per_s) : reference_.throughput_per_s;
+    return equivalent_throughput({{.count = lanes,
+                                   .throughput_per_s = lane,
+                                   .recomputation_rate = plan_.recomputation_rate()}},
+                                 {{.count = references, .throughput_per_s = reference}});
+  }
+
+private:
+  const Optimisation& optimisation_;
+  const PrecisionPlan& plan_;
+  const Allocation& chosen_;
+  ReferenceKind reference_;
+  Area of_lanes_;  ///< of the plan: all but its references
+};
 
 }  // namespace
 
@@ -99,16 +127,17 @@ std::string figure3_script(const Optimisation& optimisation, const std::string& 
                   Axis::linear};
   const PrecisionPlan* best = optimisation.best();
   for (const PrecisionPlan& plan : optimisation.plans) {
-    if (plan.allocation() == nullptr || plan.precision % 2 != 0) continue;
+    if (plan.allocation() == nullptr || (plan.precision % 2 != 0 && &plan != best)) continue;
     if (best != nullptr && plan.precision > best->precision) break;
     Curve curve{fmt::format("L = {}", plan.precision),
                 measured_style(static_cast<int>(picture.curves.size()), 7),
                 {}};
+    const OtherRatios ratios(optimisation, plan);
     for (int references = 1; references <= plan.problem.max_references; ++references) {
-      const int lanes = lanes_beside(optimisation, plan, references);
+      const int lanes = ratios.lanes_beside(references);
       if (lanes == 0) break;
       curve.points.emplace_back(static_cast<double>(lanes) / references,
-                                throughput_with(optimisation, plan, lanes, references) / giga);
+                                ratios.throughput_per_s(lanes, references) / giga);
     }
     picture.curves.push_back(std::move(curve));
   }

@@ -1,14 +1,22 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "model/optimise/optimise.hpp"
 
 namespace mixcmp::model {
 
+/// What a plan was found from.
+struct PlanSource {
+  std::string scene_file;             ///< as seen from the plan
+  std::vector<std::string> settings;  ///< of --set: they become the plan's
+  std::string device;                 ///< as system.device names it
+  std::string command;                ///< what makes the plan again
+};
+
 /// A plan file (docs/scene_file.md) that `generate` and `verify` take in place of the scene.
-/// `scene_file` is the scene's path as seen from the plan, `command` what makes the plan again.
 std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& plan,
-                      const std::string& scene_file, const std::string& command);
+                      const PlanSource& source);
 
 }  // namespace mixcmp::model

@@ -19,8 +19,10 @@ struct PublishedDevice {
   double baseline_per_s;
   int lanes_worst, lanes_best;
   int references_worst, references_best;
-  double lane_mhz_low, lane_mhz_high;  ///< "clock frequency"
-  double worst_per_s, best_per_s;      ///< scenario II; the best of scenario I
+  double lane_mhz_low, lane_mhz_high;                    ///< "clock frequency"
+  double worst_per_s, best_per_s;                        ///< scenario II; the best of scenario I
+  double gain_worst, gain_best;                          ///< "mixed precision gain", as printed
+  double speedup_baseline, speedup_worst, speedup_best;  ///< "normalised speedup", as printed
   const char* cpu;
   int cpu_cores;
   double cpu_core_per_s, cpu_per_s;

@@ -12,6 +12,7 @@ target_sources(mixcmp_model PRIVATE
   optimise/kinds_at_clock.cpp
   optimise/optimise.cpp
   optimise/plan.cpp
+  optimise/problem_maker.cpp
   optimise/published.cpp
   optimise/rates.cpp
   optimise/report.cpp

@@ -69,24 +69,23 @@ std::string giga_text(double per_s) {
   return fmt::format("{:.3g}", per_s / giga);
 }
 
+std::string speedups(double low, double high, double worst, double baseline) {
+  return fmt::format("I {}x, II {:.3g}x, references alone {:.3g}x", range_text(low, high, "{:.3g}"),
+                     worst, baseline);
+}
+
+using OfPaper = std::function<std::string(const PublishedDevice&)>;
+
 /// Throughputs of scenarios I and II and of the baseline, each divided by `unit`.
-Line ratio_line(std::string name, double unit) {
-  const auto ratios = [unit](double low, double high, double worst, double baseline) {
-    return fmt::format("I {}x, II {:.3g}x, references alone {:.3g}x",
-                       range_text(low / unit, high / unit, "{:.3g}"), worst / unit,
-                       baseline / unit);
-  };
-  return {std::move(name),
-          [=](const PublishedDevice& p) {
-            return ratios(p.worst_per_s, p.best_per_s, p.worst_per_s, p.baseline_per_s);
-          },
-          [=](const Column& c) {
+Line ratio_line(std::string name, double unit, OfPaper of_paper) {
+  return {std::move(name), std::move(of_paper), [=](const Column& c) {
             double low = c.scenario_1.front().throughput_per_s, high = low;
             for (const PlanSummary& plan : c.scenario_1) {
               low = std::min(low, plan.throughput_per_s);
               high = std::max(high, plan.throughput_per_s);
             }
-            return ratios(low, high, summary_of(c.worst).throughput_per_s, c.baseline_per_s);
+            return speedups(low / unit, high / unit, summary_of(c.worst).throughput_per_s / unit,
+                            c.baseline_per_s / unit);
           }};
 }
 
@@ -118,7 +117,7 @@ std::vector<Line> plan_lines() {
          return range_text(p.references_best, p.references_worst, "{:.0f}");
        },
        [=](const Column& c) { return range_of(c.scenario_1, references, "{:.0f}"); }},
-      {"clock of lanes, MHz",
+      {"clock, MHz (ours: of lanes, scenario I)",
        [](const PublishedDevice& p) {
          return range_text(p.lane_mhz_low, p.lane_mhz_high, "{:.0f}");
        },
@@ -130,7 +129,7 @@ std::vector<Line> plan_lines() {
        [=](const Column& c) { return range_of(c.scenario_1, throughput, "{:.3g}"); }},
       {"scenario I: gain over references alone",
        [](const PublishedDevice& p) {
-         return gains(p.worst_per_s, p.best_per_s, p.baseline_per_s);
+         return range_text(p.gain_worst, p.gain_best, "{:.3g}") + "x";
        },
        [=](const Column& c) {
          return range_of(
@@ -154,9 +153,7 @@ std::vector<Line> plan_lines() {
        [](const PublishedDevice& p) { return giga_text(p.worst_per_s); },
        [](const Column& c) { return giga_text(summary_of(c.worst).throughput_per_s); }},
       {"scenario II: gain over references alone",
-       [](const PublishedDevice& p) {
-         return gains(p.worst_per_s, p.worst_per_s, p.baseline_per_s);
-       },
+       [](const PublishedDevice& p) { return fmt::format("{:.3g}x", p.gain_worst); },
        [](const Column& c) {
          const double worst = summary_of(c.worst).throughput_per_s;
          return gains(worst, worst, c.baseline_per_s);
@@ -203,13 +200,21 @@ std::string table4_markdown(const Exploration& exploration,
     add_line(table, exploration, published,
              ratio_line(fmt::format("over {}, {} cores, {:.3g} G/s (the paper's)", published->cpu,
                                     published->cpu_cores, published->cpu_per_s / giga),
-                        published->cpu_per_s));
+                        published->cpu_per_s, [](const PublishedDevice& p) {
+                          return speedups(p.speedup_worst, p.speedup_best, p.speedup_worst,
+                                          p.speedup_baseline);
+                        }));
   }
   for (const SoftwareThroughput& cpu : software) {
     const std::string name =
         fmt::format("over {}: all cores {:.3g} G/s, one core {:.3g} G/s (measured here)", cpu.title,
                     cpu.all_cores_per_s / giga, cpu.one_core_per_s / giga);
-    add_line(table, exploration, published, ratio_line(name, cpu.all_cores_per_s));
+    add_line(table, exploration, published,
+             ratio_line(name, cpu.all_cores_per_s, [&](const PublishedDevice& p) {
+               const double unit = cpu.all_cores_per_s;
+               return speedups(p.worst_per_s / unit, p.best_per_s / unit, p.worst_per_s / unit,
+                               p.baseline_per_s / unit);
+             }));
   }
   return table.text();
 }

@@ -115,6 +115,21 @@ Result<Done> apply_override(Setting::Table& root, const std::string& text) {
 
 }  // namespace
 
+std::string toml_value(const std::string& text) {
+  if (!std::holds_alternative<std::string>(parse_override_value({}, text).value)) return text;
+  if (text.starts_with('"') || text.starts_with('\'')) return text;
+  return toml_string(text);
+}
+
+std::string toml_string(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
 const Setting* Setting::Table::find(const std::string& key) const {
   const auto found = std::find_if(entries.begin(), entries.end(),
                                   [&](const Setting& entry) { return entry.key == key; });

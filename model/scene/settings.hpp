@@ -56,6 +56,12 @@ Result<Settings> parse_settings(std::string text, const std::filesystem::path& p
 Result<Settings> read_settings(const std::filesystem::path& path,
                                std::span<const std::string> overrides);
 
+/// A basic string of TOML.
+std::string toml_string(const std::string& text);
+
+/// An override's value as a scene file would have it: the same text, or a string in quotes.
+std::string toml_value(const std::string& text);
+
 Result<Done> apply_overrides(Settings& settings, std::span<const std::string> overrides);
 
 /// The entry of that key, added as an empty table where there is none.

@@ -118,6 +118,9 @@ TEST_F(OptimiseCommand, MistakesAreTold) {
   expect_refused("optimise scene.toml --table characterisation/none.csv", "no such file");
   expect_refused("optimise scene.toml --use-inputs wrong", "--use-inputs");
   expect_refused("optimise scene.toml --use-bounds running_4", "no lane");
+  for (const char* clock : {"0", "-5", "nan", "inf"}) {
+    expect_refused(fmt::format("optimise scene.toml --lane-mhz {}", clock), "--lane-mhz");
+  }
   write_table("scene-artix7-200t.csv", "virtex6-lx760");
   expect_refused("optimise scene.toml --device artix7-200t", "of another device");
   expect_refused("explore scene.toml --over radius", "names no data sets");
@@ -134,6 +137,61 @@ TEST_F(OptimiseCommand, ExploreWritesFiguresTablesAndPlans) {
     EXPECT_GT(read(std::string("out/virtex6-lx760/") + name).size(), 100u) << name;
   }
   EXPECT_EQ(mixcmp("check out/virtex6-lx760/plan_scenario_1.toml").exit_code, 0);
+}
+
+TEST_F(OptimiseCommand, ThePlanKeepsTheCommandsSettings) {
+  const Outcome found = mixcmp(
+      "optimise scene.toml --last 14 --set system.order=in_order --set data.count=200 "
+      "--set reduced.rounding=toward_zero --use-multipliers embedded -o plan.toml");
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  const Outcome checked = mixcmp("check plan.toml --json");
+  ASSERT_EQ(checked.exit_code, 0) << checked.output;
+  const auto summary = json_of(checked);
+  EXPECT_EQ(summary.at("system").at("order"), "in_order");
+  EXPECT_EQ(summary.at("lane_groups")[0].at("rounding"), "toward_zero");
+  EXPECT_EQ(summary.at("data").at("rows"), 200);
+  EXPECT_NE(read("plan.toml").find("--last 14 --use-multipliers embedded\n"), std::string::npos);
+}
+
+TEST_F(OptimiseCommand, APlanForADeviceFileNamesTheFile) {
+  std::ofstream(directory_.path() / "mine.toml")
+      << "[device]\nname = \"mine\"\nluts = 90000\nregisters = 90000\ndsps = 200\nmemories = 10\n"
+      << "multiplier_a_bits = 24\nmultiplier_b_bits = 17\n[synthesis]\ncommand = \"synth_xilinx\"\n"
+      << "[timing]\ntool = \"none\"\n[delays]\nlut_ns = 1\ncarry_start_ns = 1\n"
+      << "carry_ns_per_bit = 0.1\nmultiplier_ns = 3\nmultiplier_add_ns = 1\nregister_ns = 1\n";
+  write_table("scene-mine.csv", "mine");
+  const Outcome found = mixcmp("optimise scene.toml --device mine.toml --last 14 -o plan.toml");
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  const Outcome checked = mixcmp("check plan.toml");
+  EXPECT_EQ(checked.exit_code, 0) << checked.output;
+}
+
+TEST_F(OptimiseCommand, ATableOfAnotherSceneIsRefused) {
+  std::string table = read("characterisation/scene-virtex6-lx760.csv");
+  table.replace(table.find("spheres"), 7, "circles");
+  std::ofstream(directory_.path() / "other.csv") << table;
+  expect_refused("optimise scene.toml --table other.csv", "of another scene");
+}
+
+TEST_F(OptimiseCommand, RatesOfOtherPrecisionsAreNotUsedAgain) {
+  ASSERT_EQ(mixcmp("explore scene.toml --first 8 --last 8 -o out").exit_code, 0);
+  const Outcome more = mixcmp("explore scene.toml --first 8 --last 12 -o out");
+  ASSERT_EQ(more.exit_code, 0) << more.output;
+  EXPECT_EQ(more.output.find("no recomputation rate is known"), std::string::npos) << more.output;
+}
+
+/// What the rates depend on may be in a plan as well as in its scene.
+TEST_F(OptimiseCommand, RatesOfAnotherPlanAreNotUsedAgain) {
+  const auto rates_with = [&](const std::string& side) {
+    std::ofstream(directory_.path() / "plan.toml")
+        << "scene = \"scene.toml\"\n[data]\nside = " << side << "\n";
+    const Outcome run = mixcmp(
+        "explore plan.toml --table "
+        "characterisation/scene-virtex6-lx760.csv --last 12 -o out");
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return read("out/virtex6-lx760/scenarios.csv");
+  };
+  EXPECT_NE(rates_with("100"), rates_with("50"));
 }
 
 TEST_F(OptimiseCommand, ExploreGoesOnWhereItWas) {

@@ -51,6 +51,20 @@ double unit_of(const AllocationProblem& problem, const Allocation& plan) {
   return exact_program(problem, {clock, plan.reference_count(), {}}).objective_per_s;
 }
 
+/// 5 * 66.48 MHz / 5 is above 66.48 MHz in double: the plan's own kind must stay in its program.
+TEST_F(LinearProgram, ThePlansClockIsNotRounded) {
+  const double mhz = 66.48e6;
+  ASSERT_GT(5 * mhz / 5, mhz * (1 - 1e-9));
+  const AllocationProblem problem = {.lanes = {{"lane", mhz, 0.01, {.luts = 10}}},
+                                     .references = {{"reference", mhz, {.luts = 10}}},
+                                     .communication = {},
+                                     .available = {.luts = 60},
+                                     .slack = 0};
+  const auto plan = std::get<Allocation>(allocate(problem));
+  ASSERT_EQ(plan.lane_count(), 5);
+  EXPECT_TRUE(optimum_by_glpk(to_lp(problem)).has_value());
+}
+
 TEST_F(LinearProgram, HasTheSameOptimumForGlpk) {
   RandomProblems problems(13);
   int feasible = 0;

@@ -17,7 +17,20 @@ using model::Optimisation;
 using model::OptimiseOptions;
 using model::PrecisionPlan;
 
-class Optimise : public PlanningTest {};
+class Optimise : public PlanningTest {
+protected:
+  const model::PlanSource source_ = {
+      .scene_file = "../scene.toml",
+      .settings = {"system.order=in_order", "data.count=12", "reduced.rounding=nearest_even",
+                   "reduced.rounding=toward_zero", "system.target_mhz=7"},
+      .device = "small",
+      .command = "mixcmp optimise"};
+};
+
+bool notes_say(const Optimisation& found, const std::string& text) {
+  return std::any_of(found.notes.begin(), found.notes.end(),
+                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
 
 TEST_F(Optimise, FindsTheBestPlanOfEachPrecisionAndAmongThem) {
   const Optimisation found = optimise_now();
@@ -35,6 +48,44 @@ TEST_F(Optimise, ALaneCarriesTheScoreboardOfTheSlowestLane) {
   // Latency 20, 6 cycles around it, 16 slots for recomputations: 64 slots.
   const auto& lane = found.plans.front().lanes.front();
   EXPECT_EQ(lane.with_streams.luts, lane.measured.area.luts + fifo_64_luts);
+}
+
+TEST_F(Optimise, SlotsAreThoseOfAPrecisionsOwnLanes) {
+  rates_ = rates_of({{8, 5000}, {10, 200}, {12, 10}, {14, 10}});
+  table_.rows.push_back(lane_row("s14e8", "exact", "relative", "embedded", 700, 2));
+  table_.rows.back().latency_cycles = 50;
+  table_.rows.push_back(stream_row(ComponentKind::fifo, 128, 2 * fifo_64_luts));
+  const Optimisation found = optimise_now();
+  ASSERT_EQ(found.plans.size(), 4u);
+  for (const PrecisionPlan& plan : found.plans) {
+    const auto& lane = plan.lanes.front();
+    const int fifo = plan.precision == 14 ? 2 * fifo_64_luts : fifo_64_luts;
+    EXPECT_EQ(lane.with_streams.luts, lane.measured.area.luts + fifo) << plan.precision;
+  }
+}
+
+TEST_F(Optimise, TheCrossbarsClockLimitsSystemsAndNotReferencesAlone) {
+  table_.rows.back().clock->mhz = 100;
+  const Optimisation found = optimise_now();
+  EXPECT_DOUBLE_EQ(found.best()->clock_mhz(), 100);
+  EXPECT_DOUBLE_EQ(std::get<Allocation>(found.reference_only).throughput_per_s, 2 * 150e6);
+  EXPECT_TRUE(notes_say(found, "limited by the slowest crossbar"));
+}
+
+/// Nothing is known below the first port count, and sums stay in range above it.
+TEST_F(Optimise, CrossbarSharesAreNeverTooSmall) {
+  std::erase_if(table_.rows, [](const auto& row) {
+    return row.key.kind == ComponentKind::crossbar && row.key.ports == 1;
+  });
+  table_.rows.push_back(stream_row(ComponentKind::crossbar, 64, 1'000'000'000));
+  const auto shares = optimise_now().plans.front().problem.communication.crossbar;
+  for (int k = 1; k <= 8; ++k) EXPECT_EQ(shares[static_cast<std::size_t>(k)].luts, 111) << k;
+  for (std::size_t k = 9; k < shares.size(); ++k) EXPECT_GT(shares[k].luts, shares[k - 1].luts);
+}
+
+TEST_F(Optimise, ASmallCrossbarIsToldWhereItLimits) {
+  device_.available = {.luts = 1'000'000, .registers = 1'000'000, .dsps = 10'000};
+  EXPECT_TRUE(notes_say(optimise_now(), "a reference serves 8 lanes"));
 }
 
 TEST_F(Optimise, CrossbarSharesBetweenMeasuredPortCountsAreInterpolatedUpward) {
@@ -67,11 +118,6 @@ TEST_F(Optimise, ALaneWithoutARateIsLeftOutAndNamed) {
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
     return note.find("rounded constant: no recomputation rate") != std::string::npos;
   }));
-}
-
-bool notes_say(const Optimisation& found, const std::string& text) {
-  return std::any_of(found.notes.begin(), found.notes.end(),
-                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
 }
 
 /// Alone at its reference it would run at less than the reference itself: the crossbar's requests.
@@ -113,7 +159,7 @@ TEST_F(Optimise, WithoutAnyClockTheTargetIsTakenAsMet) {
 
 TEST_F(Optimise, FewerExponentBitsThanTheRatesHaveAreTold) {
   table_.rows.push_back(lane_row("s8e6", "exact", "relative", "embedded", 50));
-  EXPECT_TRUE(notes_say(optimise_now(), "s8e6: recomputation rates were counted with 8"));
+  EXPECT_TRUE(notes_say(optimise_now(), "s8e6: left out, recomputation rates were counted with 8"));
 }
 
 TEST_F(Optimise, WhatTheOptionsExcludeIsNotUsed) {
@@ -159,7 +205,7 @@ TEST_F(Optimise, TheBaselineIsAsManyReferencesAsFit) {
 
 TEST_F(Optimise, ThePlanFileSaysWhatTheBestPlanIs) {
   const Optimisation found = optimise_now();
-  const std::string text = plan_toml(found, *found.best(), "../scene.toml", "mixcmp optimise");
+  const std::string text = plan_toml(found, *found.best(), source_);
   EXPECT_NE(text.find("scene = \"../scene.toml\"\n"), std::string::npos);
   int lanes = 0;
   for (std::size_t at = text.find("[[lanes]]"); at != std::string::npos;
@@ -168,6 +214,11 @@ TEST_F(Optimise, ThePlanFileSaysWhatTheBestPlanIs) {
   }
   EXPECT_EQ(lanes, found.best()->allocation()->lane_count());
   EXPECT_NE(text.find("error_bound = \"relative\"\n"), std::string::npos);
+  // Settings of the command are the plan's, but for those that it chooses.
+  EXPECT_NE(text.find("order = \"in_order\"\n"), std::string::npos);
+  EXPECT_NE(text.find("\n[data]\ncount = 12\n"), std::string::npos);
+  EXPECT_NE(text.find("\n[reduced]\nrounding = \"toward_zero\"\n"), std::string::npos);
+  EXPECT_EQ(text.find("target_mhz = 7"), std::string::npos);
 }
 
 /// What has no product has no kind of multipliers, and a plan without references says so: the
@@ -179,7 +230,7 @@ TEST_F(Optimise, ThePlanFileLeavesOutWhatItDoesNotHave) {
   Allocation none = *plan.allocation();
   for (int& count : none.references) count = 0;
   plan.result = none;
-  const std::string text = plan_toml(found, plan, "../scene.toml", "mixcmp optimise");
+  const std::string text = plan_toml(found, plan, source_);
   EXPECT_EQ(text.find("multipliers"), std::string::npos);
   EXPECT_NE(text.find("\nreferences = 0\n"), std::string::npos);
   EXPECT_EQ(text.find("[[references]]"), std::string::npos);

@@ -74,7 +74,7 @@ protected:
     for (const auto& [name, kind] : {std::pair("relative", model::SystemKind::certified),
                                      std::pair("profiled", model::SystemKind::profiled)}) {
       profile.systems.push_back({.name = name, .kind = kind, .counts = {}, .reason = {}});
-      for (int precision = 4; precision <= 12; ++precision) {
+      for (int precision = 4; precision <= 16; ++precision) {
         const auto found = undecided.find(precision);
         const bool exists = found != undecided.end();
         profile.systems.back().counts.push_back(

@@ -1,0 +1,248 @@
+#include "model/optimise/problem_maker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/common/check.hpp"
+#include "model/design/slots.hpp"
+#include "model/performance/performance.hpp"
+#include "model/performance/streams.hpp"
+#include "model/profile/systems.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+constexpr double hertz_per_mhz = 1e6;
+
+bool allows(const std::vector<std::string>& allowed, const std::string& word) {
+  return allowed.empty() || std::find(allowed.begin(), allowed.end(), word) != allowed.end();
+}
+
+/// The table's reader has parsed it before.
+FloatFormat format_of(const Measurement& row) {
+  return FloatFormat::parse(row.key.format).value();
+}
+
+LaneInputs inputs_of(const std::string& word) {
+  return word == to_string(LaneInputs::exact) ? LaneInputs::exact : LaneInputs::rounded;
+}
+
+ClockBasis basis_of(const Clock& clock) {
+  switch (clock.source) {
+    case ClockSource::estimate_before_routing: return ClockBasis::estimate_before_routing;
+    case ClockSource::routed: return ClockBasis::routed;
+  }
+  MIXCMP_CHECK(false);
+}
+
+bool has_a_clock(const std::vector<const Measurement*>& rows) {
+  return std::any_of(rows.begin(), rows.end(), [](const auto* row) { return row->clock; });
+}
+
+/// The area `part` of `whole` steps from one to another, rounded up.
+Area between(const Area& low, const Area& high, int part, int whole) {
+  Area area;
+  for (const Resource& resource : bounded_resources) {
+    const std::int64_t rise = std::int64_t{high.*resource.amount} - low.*resource.amount;
+    const std::int64_t step = rise >= 0 ? (rise * part + whole - 1) / whole : rise * part / whole;
+    area.*resource.amount = static_cast<int>(low.*resource.amount + step);
+  }
+  return area;
+}
+
+}  // namespace
+
+ProblemMaker::ProblemMaker(const Scene& scene, const Characterisation& table, const Rates& rates,
+                           const OptimiseOptions& options)
+    : scene_(scene), table_(table), rates_(rates), options_(options) {
+  communication_.fixed = options.fixed_communication.value_or(Area{});
+  sort_rows();
+  leave_out_untimed();
+  if (!options_.fixed_communication) add_crossbar();
+}
+
+std::vector<int> ProblemMaker::precisions() const {
+  std::vector<int> precisions;
+  for (const auto& [precision, rows] : lanes_) precisions.push_back(precision);
+  return precisions;
+}
+
+std::vector<ReferenceImplementation> ProblemMaker::references() {
+  std::vector<ReferenceImplementation> all;
+  for (const Measurement* row : references_) {
+    const double mhz = clock_of(*row, options_.clocks.reference_mhz, nullptr);
+    const std::string name = row->key.format + " " + row->key.multipliers;
+    all.push_back({*row, {name, mhz * hertz_per_mhz, row->area}});
+  }
+  return all;
+}
+
+std::optional<PrecisionPlan> ProblemMaker::plan(
+    int precision, const Device& device, const std::vector<ReferenceImplementation>& references) {
+  PrecisionPlan plan{.precision = precision, .lanes = {}, .problem = {}, .result = Infeasible{}};
+  left_out_.clear();
+  const Rows& rows = lanes_.at(precision);
+  const Measurement* fifo = fifo_for(rows);
+  for (const Measurement* row : rows) add_lane(plan, *row, fifo);
+  for (const LaneImplementation& lane : plan.lanes) plan.problem.lanes.push_back(lane.kind);
+  for (const auto& reference : references) {
+    plan.problem.references.push_back(reference.kind);
+    double& per_s = plan.problem.references.back().throughput_per_s;
+    if (!options_.clocks.reference_mhz) per_s = std::min(per_s, crossbar_mhz_ * hertz_per_mhz);
+  }
+  plan.problem.communication = communication_;
+  plan.problem.available = device.available;
+  plan.problem.slack = scene_.system.slack;
+  plan.problem.clocks = options_.clocks.domains;
+  if (plan.lanes.empty() && left_out_.empty()) return std::nullopt;
+  plan.result = plan.lanes.empty() ? Infeasible{.shortages = {}, .message = left_out_}
+                                   : allocate(plan.problem);
+  note_largest_crossbar(plan);
+  return plan;
+}
+
+void ProblemMaker::sort_rows() {
+  for (const Measurement& row : table_.rows) {
+    const ComponentKey& key = row.key;
+    if (!key.multipliers.empty() && !allows(options_.multipliers, key.multipliers)) continue;
+    if (key.kind == ComponentKind::reference && format_of(row) == scene_.reference.format) {
+      references_.push_back(&row);
+    }
+    if (key.kind == ComponentKind::lane && is_wanted(row)) {
+      lanes_[format_of(row).precision()].push_back(&row);
+    }
+  }
+}
+
+bool ProblemMaker::is_wanted(const Measurement& lane) const {
+  const int precision = format_of(lane).precision();
+  return options_.first_precision <= precision && precision <= options_.last_precision &&
+         allows(options_.inputs, lane.key.inputs) && allows(options_.bounds, lane.key.bound) &&
+         is_trusted(lane);
+}
+
+/// Lanes whose bound is not proven are for scenes that ask for them.
+bool ProblemMaker::is_trusted(const Measurement& lane) const {
+  return (lane.key.bound == "profiled") == (scene_.reduced.bound == BoundKind::profiled);
+}
+
+/// With fewer exponent bits than the rates were counted with more may be undecided, unless ranges
+/// say that fewer do.
+bool ProblemMaker::has_enough_exponents(const Measurement& lane) {
+  const int counted = profiled_exponent_bits(scene_);
+  if (format_of(lane).exponent_bits() >= counted) return true;
+  if (scene_.reduced.exponent_bits_from_ranges) return true;
+  notes_.insert(fmt::format("{}: left out, recomputation rates were counted with {} exponent bits",
+                            lane.key.format, counted));
+  return false;
+}
+
+/// A target that is taken as met would win against every measured clock.
+void ProblemMaker::leave_out_untimed() {
+  Rows all;
+  for (const auto& [precision, rows] : lanes_) all.insert(all.end(), rows.begin(), rows.end());
+  if (!options_.clocks.lane_mhz && has_a_clock(all)) {
+    for (auto& [precision, rows] : lanes_) erase_untimed(rows, "lane");
+    std::erase_if(lanes_, [](const auto& entry) { return entry.second.empty(); });
+  }
+  if (!options_.clocks.reference_mhz && has_a_clock(references_)) {
+    erase_untimed(references_, "reference");
+  }
+}
+
+void ProblemMaker::erase_untimed(Rows& rows, const std::string& what) {
+  if (std::erase_if(rows, [](const auto* row) { return !row->clock; }) == 0) return;
+  notes_.insert(fmt::format(
+      "{0}s without a clock are left out, since others have one; --{0}-mhz counts all", what));
+}
+
+/// What lies between two measured port counts is interpolated; below the first it is as large as
+/// that.
+void ProblemMaker::add_crossbar() {
+  std::map<int, const Measurement*> measured;
+  for (const Measurement& row : table_.rows) {
+    if (row.key.kind == ComponentKind::crossbar) measured[row.key.ports] = &row;
+  }
+  if (measured.empty()) {
+    notes_.insert("no crossbar in the table: it is not counted");
+    return;
+  }
+  std::vector<Area>& shares = communication_.crossbar;
+  shares.resize(static_cast<std::size_t>(measured.rbegin()->first) + 1);
+  int below = 0;
+  for (const auto& [ports, row] : measured) {
+    const Area& low = below == 0 ? row->area : shares[below];
+    for (int k = below + 1; k <= ports; ++k) {
+      shares[k] = between(low, row->area, k - below, ports - below);
+    }
+    if (ports - below > 1) {
+      notes_.insert("crossbar port counts between measured ones are interpolated");
+    }
+    if (row->clock) crossbar_mhz_ = std::min(crossbar_mhz_, row->clock->mhz);
+    below = ports;
+  }
+}
+
+void ProblemMaker::note_largest_crossbar(const PrecisionPlan& plan) {
+  const Allocation* chosen = plan.allocation();
+  const std::size_t known = communication_.crossbar.size();
+  if (chosen == nullptr || known == 0 || chosen->reference_count() == 0) return;
+  const int served = lanes_of_references(chosen->lane_count(), chosen->reference_count()).front();
+  if (static_cast<std::size_t>(served) + 1 < known) return;
+  notes_.insert(
+      fmt::format("L = {}: a reference serves {} lanes, since no larger crossbar was measured",
+                  plan.precision, served));
+}
+
+/// All lanes of a system have the slots that the slowest one needs.
+const Measurement* ProblemMaker::fifo_for(const Rows& lanes) {
+  if (options_.fixed_communication) return nullptr;
+  int slowest = 0;
+  for (const Measurement* lane : lanes) slowest = std::max(slowest, lane->latency_cycles);
+  const int slots = slots_for(slowest, scene_.system.references.value_or(1) > 0);
+  for (const Measurement& row : table_.rows) {
+    if (row.key.kind == ComponentKind::fifo && row.key.ports == slots) return &row;
+  }
+  notes_.insert(fmt::format("no fifo of {} slots in the table: it is not counted", slots));
+  return nullptr;
+}
+
+/// A row's own clock, or the target; of a lane not above that of what surrounds it. The worst
+/// founded of all is what a plan's clock is worth.
+double ProblemMaker::clock_of(const Measurement& row, const std::optional<double>& given,
+                              const Measurement* fifo) {
+  if (given) return *given;
+  basis_ = std::max(basis_, row.clock ? basis_of(*row.clock) : ClockBasis::target);
+  double mhz = row.clock ? row.clock->mhz : scene_.system.target_mhz;
+  if (row.key.kind == ComponentKind::reference) return mhz;
+  if (fifo != nullptr && fifo->clock) mhz = std::min(mhz, fifo->clock->mhz);
+  if (crossbar_mhz_ < mhz) {
+    notes_.insert(fmt::format("clocks are limited by the slowest crossbar measured, {:.4g} MHz",
+                              crossbar_mhz_));
+  }
+  return std::min(mhz, crossbar_mhz_);
+}
+
+void ProblemMaker::add_lane(PrecisionPlan& plan, const Measurement& row, const Measurement* fifo) {
+  const RateKey key{inputs_of(row.key.inputs), row.key.bound, plan.precision};
+  const std::optional<Rate> rate = rates_.find(key);
+  if (!rate) {
+    notes_.insert(
+        fmt::format("{} {}: no recomputation rate is known", row.key.inputs, row.key.bound));
+    return;
+  }
+  if (highest_lane_throughput(rate->value()) < 1) {
+    left_out_ = "every lane leaves more than half undecided: references alone are faster";
+    return;
+  }
+  if (!has_enough_exponents(row)) return;
+  Area area = row.area;
+  if (fifo != nullptr) area += fifo->area;
+  const std::string name = fmt::format("{} {} {} {}", row.key.format, row.key.inputs, row.key.bound,
+                                       row.key.multipliers);
+  const double mhz = clock_of(row, options_.clocks.lane_mhz, fifo);
+  plan.lanes.push_back({row, area, *rate, {name, mhz * hertz_per_mhz, rate->value(), area}});
+}
+
+}  // namespace mixcmp::model
