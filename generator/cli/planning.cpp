@@ -85,6 +85,14 @@ void warn_of_outdated(const Planning& planning, const model::Comparisons* data) 
              currency.outdated, currency.rows, planning.device.name);
 }
 
+/// Lanes of a plan have the constants that the scene gives, at whatever precision.
+void use_given_constants(const model::ReducedSpec& reduced, model::ErrorProfile& errors) {
+  for (model::ErrorAtPrecision& error : errors.precisions) {
+    error.f = reduced.relative_error_f.value_or(error.f);
+    error.g = reduced.relative_error_g.value_or(error.g);
+  }
+}
+
 }  // namespace
 
 void add_planning_options(CLI::App& verb, PlanningOptions& options) {
@@ -204,10 +212,11 @@ Result<std::vector<model::RateProfile>> measure_rates(const LoadedScene& loaded,
     show_progress(fmt::format("{}: {:.0f} %", what, share * 100));
   };
   MIXCMP_TRY(possible, check_profile(scene, options));
-  const auto errors =
+  auto errors =
       profile_errors(scene, *loaded.data, {LaneInputs::exact, LaneInputs::rounded}, options);
   std::vector<model::RateProfile> rates;
-  for (const model::ErrorProfile& each : errors) {
+  for (model::ErrorProfile& each : errors) {
+    use_given_constants(scene.reduced, each);
     rates.push_back(profile_rates(scene, *loaded.data, each, options));
   }
   show_progress("");

@@ -58,10 +58,7 @@ std::vector<SystemLanes> make_systems(const Scene& scene, const ErrorProfile& er
     const TypedGraph graph = graph_at(scene, error.precision, errors.inputs);
     const UlpDistanceDecision order{.guard_ulp = 0, .nonnegative = false};
     add(systems, "lanes_alone", SystemKind::lanes_alone, Lane{graph, order});
-    const ReducedSpec& reduced = scene.reduced;
-    add(systems, "profiled", SystemKind::profiled,
-        profiled_lane(graph, reduced.relative_error_f.value_or(error.f),
-                      reduced.relative_error_g.value_or(error.g)));
+    add(systems, "profiled", SystemKind::profiled, profiled_lane(graph, error.f, error.g));
     for (CandidateLane& candidate : candidate_lanes(graph, scene.ranges)) {
       add(systems, name_of(candidate), SystemKind::certified, std::move(candidate.lane));
     }

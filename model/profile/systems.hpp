@@ -26,8 +26,7 @@ int profiled_exponent_bits(const Scene& scene);
 /// The lane's graph at one precision, with `profiled_exponent_bits`.
 TypedGraph graph_at(const Scene& scene, int precision, LaneInputs inputs);
 
-/// Lanes alone, profiled with the scene's constants or else those of `errors`, and every certified
-/// candidate.
+/// Lanes alone, profiled with the constants of `errors`, and every certified candidate.
 std::vector<SystemLanes> make_systems(const Scene& scene, const ErrorProfile& errors);
 
 }  // namespace mixcmp::model

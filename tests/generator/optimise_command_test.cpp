@@ -194,6 +194,22 @@ TEST_F(OptimiseCommand, RatesOfAnotherPlanAreNotUsedAgain) {
   EXPECT_NE(rates_with("100"), rates_with("50"));
 }
 
+TEST_F(OptimiseCommand, RatesOfProfiledLanesAreThoseOfTheScenesConstants) {
+  std::ofstream table(directory_.path() / "characterisation" / "scene-virtex6-lx760.csv",
+                      std::ios::app);
+  row(table, "lane,,s8e8,exact,profiled,embedded,0", 20, 1500, 4);
+  table.close();
+  const auto rate_with = [&](const char* constant) {
+    const Outcome run =
+        mixcmp(fmt::format("optimise scene.toml --first 8 --last 8 --json --bound profiled "
+                           "--set reduced.relative_error_f={0} --set reduced.relative_error_g={0}",
+                           constant));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return json_of(run).at("plans")[0].at("recomputation_rate").get<double>();
+  };
+  EXPECT_GT(rate_with("0.02"), 2 * rate_with("0.001"));
+}
+
 TEST_F(OptimiseCommand, ExploreGoesOnWhereItWas) {
   const std::string command = "explore scene.toml --last 14 --over data.radius_max=10,25 -o out";
   ASSERT_EQ(mixcmp(command).exit_code, 0);
