@@ -105,20 +105,31 @@ private:
     return {std::move(unit), std::move(cuts), start, start + latency};
   }
 
-  /// Greedy from the operands on: a register goes in front of the first stage that would not fit.
-  /// For a chain of stages this needs the fewest registers.
   std::vector<bool> choose_cuts(const Unit& unit) {
+    for (const Stage& stage : unit.stages) {
+      if (stage.delay_ns > logic_ns_) note_slow(unit, stage);
+    }
+    const std::vector<bool> cuts = greedy_cuts(unit, -1);
+    for (std::size_t k = 0; k < cuts.size(); ++k) {
+      const int needed = unit.stages[k].cut_needs;
+      if (cuts[k] && needed >= 0 && !cuts[needed]) return greedy_cuts(unit, needed);
+    }
+    return cuts;
+  }
+
+  /// From the operands on: a register goes behind the stage `forced` and in front of the first
+  /// stage that would not fit. For a chain of stages this needs the fewest registers.
+  std::vector<bool> greedy_cuts(const Unit& unit, int forced) const {
     MIXCMP_CHECK(!unit.stages.empty());
     std::vector<bool> cuts(unit.stages.size(), false);
     double path_ns = 0;
     for (std::size_t k = 0; k < unit.stages.size(); ++k) {
       const double stage_ns = unit.stages[k].delay_ns;
       path_ns += stage_ns - unit.stages[k].overlap_ns;
-      if (k > 0 && path_ns > logic_ns_) {
+      if (k > 0 && (path_ns > logic_ns_ || static_cast<int>(k) - 1 == forced)) {
         cuts[k - 1] = true;
         path_ns = stage_ns;
       }
-      if (stage_ns > logic_ns_) note_slow(unit, unit.stages[k]);
     }
     cuts.back() = true;
     return cuts;

@@ -65,18 +65,21 @@ inline void StageList::add_operand(model::FloatFormat operands, model::Subnormal
   add("normalise", normalises ? luts(shift_levels(bits_for(precision))) : 0);
 }
 
-/// fp_embedded_product. What has no cut of its own, rows above the fourth and columns after the
-/// third, is part of the stage that it is in.
+/// fp_embedded_product. A cut between rows delays the operands of the rows above: their multipliers
+/// work beside the adders of the rows below only with a register behind them. What has no cut of
+/// its own, rows above the fourth and columns after the third, is part of the stage that it is in.
 inline void StageList::add_embedded_product(int precision) {
   constexpr int cut_rows = 4;
   const auto [a_bits, b_bits] = delays_.multiplier;
   const int columns = (precision + a_bits - 1) / a_bits;
   const int rows = (precision + b_bits - 1) / b_bits;
   const double sum = carry(std::min(a_bits, precision) + precision);
+  const int multiply = static_cast<int>(stages_.size());
   add("multiply", delays_.multiplier_ns);
-  add("row 0", delays_.multiplier_output_ns);
-  for (int row = 1; row < cut_rows; ++row) {
-    add("row " + std::to_string(row), row < rows ? delays_.multiplier_add_ns : 0);
+  for (int row = 0; row < cut_rows; ++row) {
+    const double adding = row < rows ? delays_.multiplier_add_ns : 0;
+    add("row " + std::to_string(row), row == 0 ? delays_.multiplier_output_ns : adding);
+    if (row + 1 < rows) stages_.back().cut_needs = multiply;
   }
   add("first sum",
       std::max(0, rows - cut_rows) * delays_.multiplier_add_ns + (columns > 1 ? sum : 0));

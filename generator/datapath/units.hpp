@@ -19,6 +19,8 @@ struct Stage {
   /// What of delay_ns passes while the stage before is still at work, if no register is between
   /// them: one carry chain runs along another. At most that stage's delay.
   double overlap_ns = 0;
+  /// A cut at the end of this stage asks for one at the end of that stage, too; -1: of none.
+  int cut_needs = -1;
 };
 
 /// A template and its stages; bit k of its CUTS parameter registers the end of stage k.

@@ -40,6 +40,15 @@ int registers(const std::vector<bool>& cuts) {
   return static_cast<int>(std::count(cuts.begin(), cuts.end(), true));
 }
 
+/// Each cut that asks for another has it.
+bool has_needed_cuts(const Step& step) {
+  for (std::size_t k = 0; k < step.cuts.size(); ++k) {
+    const int needed = step.unit.stages[k].cut_needs;
+    if (step.cuts[k] && needed >= 0 && !step.cuts[static_cast<std::size_t>(needed)]) return false;
+  }
+  return true;
+}
+
 /// Fewest registers, the last included, with no path over `limit_ns`: tries every mask.
 int fewest_registers(const Unit& unit, double limit_ns) {
   const int stages = static_cast<int>(unit.stages.size());
@@ -47,6 +56,7 @@ int fewest_registers(const Unit& unit, double limit_ns) {
   for (int mask = 0; mask < 1 << (stages - 1); ++mask) {
     Step step = {unit, {}, 0, 0};
     for (int k = 0; k < stages; ++k) step.cuts.push_back(k == stages - 1 || (mask >> k & 1) != 0);
+    if (!has_needed_cuts(step)) continue;
     if (longest_path_ns(step) <= limit_ns) fewest = std::min(fewest, registers(step.cuts));
   }
   return fewest;
@@ -101,6 +111,26 @@ TEST_P(CutsOfProducts, AreTheFewestThatMeetThePeriodAndTheOutputIsRegistered) {
     } else {
       EXPECT_FALSE(schedule.slow_stages.empty()) << step.unit.module;
     }
+  }
+}
+
+/// Behind a cut between rows an unregistered multiplier would stand in one cycle with its adder.
+TEST_P(ScheduleAtTarget, RowsOfMultipliersAreCutBehindRegisteredMultipliers) {
+  for (const char* device : {"virtex6-lx760", "ecp5-85k", "ice40-up5k"}) {
+    const DelayTable delays = delays_of(device).value();
+    const double logic_ns = std::max(0.0, 1000 / GetParam() - delays.register_ns);
+    const Schedule schedule =
+        schedule_reference(design_.reference, model::Multipliers::embedded, delays, GetParam());
+    int squares = 0;
+    for (const Step& step : schedule.steps) {
+      if (step.unit.module != "fp_square") continue;
+      ++squares;
+      EXPECT_TRUE(has_needed_cuts(step)) << device;
+      if (slowest_stage_ns(step.unit) > logic_ns) continue;
+      EXPECT_LE(longest_path_ns(step), logic_ns) << device;
+      EXPECT_EQ(registers(step.cuts), fewest_registers(step.unit, logic_ns)) << device;
+    }
+    EXPECT_EQ(squares, 4) << device;
   }
 }
 
