@@ -145,17 +145,37 @@ void print_json(const CharacteriseReport& report, const fs::path& table) {
   fmt::print("{}\n", json.dump(2));
 }
 
+/// All RTL depends on where registers go.
+model::Result<model::Done> check_target(const model::Characterisation& table, const fs::path& path,
+                                        const model::Scene& scene) {
+  const std::string wanted = fmt::format("{:g}", scene.system.target_mhz);
+  for (const auto& [name, text] : table.spec) {
+    if (name != "target_mhz" || text == wanted) continue;
+    return model::Error{
+        .file = path.string(),
+        .field = "target_mhz",
+        .message = "none of its rows would stay",
+        .received = text,
+        .accepted = fmt::format("--target-mhz {}, or another path by -o for {}", text, wanted)};
+  }
+  return model::Done{};
+}
+
 /// None where there is no file yet. What was measured for something else is not written over.
 model::Result<std::optional<model::Characterisation>> previous_table(const fs::path& path,
-                                                                     const std::string& scene,
+                                                                     const model::Scene& scene,
                                                                      const std::string& device) {
   if (!fs::exists(path)) return std::optional<model::Characterisation>();
   MIXCMP_TRY(table, model::read_characterisation(path));
-  if (table.scene == scene && table.device == device) return std::optional(std::move(table));
-  return model::Error{.file = path.string(),
-                      .message = "is a table of something else",
-                      .received = fmt::format("{} on {}", table.scene, table.device),
-                      .accepted = fmt::format("{} on {}, or another path by -o", scene, device)};
+  if (table.scene == scene.name && table.device == device) {
+    MIXCMP_TRY(comparable, check_target(table, path, scene));
+    return std::optional(std::move(table));
+  }
+  return model::Error{
+      .file = path.string(),
+      .message = "is a table of something else",
+      .received = fmt::format("{} on {}", table.scene, table.device),
+      .accepted = fmt::format("{} on {}, or another path by -o", scene.name, device)};
 }
 
 void write_table(CharacteriseReport& report, const CharacteriseCommand& command,
@@ -189,7 +209,7 @@ void run(const CharacteriseCommand& command) {
   const fs::path path =
       command.output.empty() ? default_table(command.scene.scene, device.name) : command.output;
   value_or_exit(prepare_directory(path.parent_path()));
-  const auto previous = value_or_exit(previous_table(path, loaded.scene.name, device.name));
+  const auto previous = value_or_exit(previous_table(path, loaded.scene, device.name));
   CharacteriseReport report =
       value_or_exit(gen::characterise(loaded.scene, loaded.data ? &*loaded.data : nullptr, device,
                                       options, previous ? &*previous : nullptr));

@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
@@ -25,6 +27,8 @@ namespace fs = std::filesystem;
 using model::Error;
 using model::Result;
 
+constexpr const char* own_data = "own";  ///< the scene's, without --over
+
 struct ExploreCommand {
   PlanningOptions planning;
   std::vector<std::string> devices;
@@ -45,12 +49,12 @@ Result<std::vector<std::string>> data_sets(const std::string& over) {
       if (!value.empty()) sets.push_back(over.substr(0, equals + 1) + value);
     }
   }
-  if (!sets.empty()) return sets;
+  if (!sets.empty() && over.starts_with("data.")) return sets;
   return Error{.file = {},
                .field = "--over",
                .message = "names no data sets",
                .received = model::in_quotes(over),
-               .accepted = "a key of the scene with values, such as data.radius_max=5,10,25"};
+               .accepted = "a key of [data] with values, such as data.radius_max=5,10,25"};
 }
 
 void add_to(model::ContentHash& hash, const model::Setting& setting) {
@@ -85,7 +89,8 @@ model::Rates rates_of(const ExploreCommand& command, const std::string& set) {
   if (!set.empty()) options.settings.push_back(set);
   const LoadedScene loaded = value_or_exit(load(options));
   value_or_exit(check_has_data(loaded));
-  const std::string name = set.empty() ? "own" : set.substr(set.find('=') + 1);
+  std::string name = set.empty() ? "own" : set.substr(set.find('=') + 1);
+  std::replace(name.begin(), name.end(), '/', '_');
   const fs::path kept =
       command.output /
       fmt::format("rates-{}-{}.csv", name, rates_hash(loaded, options, command.planning.choice));
@@ -146,11 +151,13 @@ std::string command_of(const ExploreCommand& command) {
   return line;
 }
 
-void write_plan(const ExploreCommand& command, const std::string& device, const fs::path& path,
-                const model::Optimisation& found) {
+/// `set` is the data that the plan is for; empty: for all.
+void write_plan(const ExploreCommand& command, const std::string& device, const std::string& set,
+                const fs::path& path, const model::Optimisation& found) {
   const model::PrecisionPlan* best = found.best();
   if (best == nullptr) return;
-  const model::PlanSource source = plan_source(command.planning, device, path, command_of(command));
+  model::PlanSource source = plan_source(command.planning, device, path, command_of(command));
+  if (!set.empty()) source.settings.push_back(set);
   value_or_exit(write_file(path, plan_toml(found, *best, source)));
 }
 
@@ -163,8 +170,10 @@ void write_device(const ExploreCommand& command, const std::string& device,
   value_or_exit(write_file(folder / "figure9.csv", figure9_csv(ours.example)));
   value_or_exit(write_file(folder / "scenarios.csv", scenarios_csv(exploration)));
   value_or_exit(write_file(folder / "tables.md", tables));
-  write_plan(command, device, folder / "plan_scenario_1.toml", ours.example);
-  write_plan(command, device, folder / "plan_scenario_2.toml", ours.worst);
+  const std::string& first = exploration.data_sets.front();
+  write_plan(command, device, first == own_data ? "" : first, folder / "plan_scenario_1.toml",
+             ours.example);
+  write_plan(command, device, "", folder / "plan_scenario_2.toml", ours.worst);
   const bool drawn = draw(folder, "figure3", figure3_script(ours.example, "figure3.svg")) &&
                      draw(folder, "figure7", figure7_script(ours.example, "figure7.svg")) &&
                      draw(folder, "figure8", figure8_script(ours.example, "figure8.svg")) &&
@@ -183,43 +192,81 @@ void print_notes(const model::Exploration& exploration) {
   }
 }
 
-/// Tables III and IV of one device.
-std::string explore_device(const ExploreCommand& command, const std::string& device,
-                           const model::Comparisons& data, const std::vector<model::DataSet>& sets,
-                           const std::vector<model::SoftwareThroughput>& software) {
+/// Each once.
+std::vector<std::string> devices_of(const ExploreCommand& command, const model::Scene& scene) {
+  if (command.devices.empty()) return {scene.system.device};
+  std::vector<std::string> devices;
+  for (const std::string& device : command.devices) {
+    const bool known = std::find(devices.begin(), devices.end(), device) != devices.end();
+    if (!known) devices.push_back(device);
+  }
+  return devices;
+}
+
+/// A device with its table.
+Planning planning_for(const ExploreCommand& command, const std::string& device,
+                      const model::Comparisons* data) {
   PlanningOptions planning = command.planning;
   planning.scene.settings.push_back("system.device=" + device);
   const model::Scene scene =
       value_or_exit(model::load_scene(planning.scene.scene, planning.scene.settings));
-  const Planning known = value_or_exit(load_planning(planning, scene, &data));
-  const auto published = command.beside_paper ? model::published(device) : std::nullopt;
-  const model::Exploration exploration = value_or_exit(explore(
-      known.scene, known.device, known.table, sets, columns_for(published), planning.choice));
-  const std::string tables = "## " + device + "\n\n" + table3_markdown(exploration, published) +
-                             "\n" + table4_markdown(exploration, published, software);
-  print_notes(exploration);
-  write_device(command, device, exploration, tables);
-  return tables;
+  return value_or_exit(load_planning(planning, scene, data));
 }
 
-void run(const ExploreCommand& command) {
-  const LoadedScene loaded = value_or_exit(load(command.planning.scene));
-  const std::vector<std::string> settings = value_or_exit(data_sets(command.over));
-  value_or_exit(prepare_directory(command.output));
+/// Tables III and IV of one device.
+std::string tables_of(const model::Exploration& exploration,
+                      const std::optional<model::PublishedDevice>& published,
+                      const std::vector<model::SoftwareThroughput>& software) {
+  return "## " + exploration.device.name + "\n\n" + table3_markdown(exploration, published) + "\n" +
+         table4_markdown(exploration, published, software);
+}
+
+std::vector<model::DataSet> measure_sets(const ExploreCommand& command,
+                                         const std::vector<std::string>& settings) {
   std::vector<model::DataSet> sets;
   for (const std::string& setting : settings) {
-    sets.push_back({setting.empty() ? "own" : setting, rates_of(command, setting)});
+    sets.push_back({setting.empty() ? own_data : setting, rates_of(command, setting)});
   }
-  std::vector<std::string> devices = command.devices;
-  if (devices.empty()) devices.push_back(loaded.scene.system.device);
-  std::string report = fmt::format("# {}: plans\n", loaded.scene.name);
+  return sets;
+}
+
+/// What may be wrong is found before what takes long; the tables of all devices are written last.
+void run(const ExploreCommand& command) {
+  const LoadedScene loaded = value_or_exit(load(command.planning.scene));
+  value_or_exit(check_has_data(loaded));
+  const std::vector<std::string> settings = value_or_exit(data_sets(command.over));
+  std::vector<Planning> known;
+  for (const std::string& device : devices_of(command, loaded.scene)) {
+    known.push_back(planning_for(command, device, &*loaded.data));
+  }
+  value_or_exit(prepare_directory(command.output));
+  const std::vector<model::DataSet> sets = measure_sets(command, settings);
   std::vector<model::SoftwareThroughput> software;
   if (command.software) software = measure_software(loaded);
-  for (const std::string& device : devices) {
-    report += "\n" + explore_device(command, device, *loaded.data, sets, software);
+  std::string report = fmt::format("# {}: plans\n", loaded.scene.name);
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  bool feasible = true;
+  for (const Planning& each : known) {
+    const auto published = command.beside_paper ? model::published(each.device.name) : std::nullopt;
+    const model::Exploration exploration =
+        value_or_exit(explore(each.scene, each.device, each.table, sets, columns_for(published),
+                              command.planning.choice));
+    const std::string tables = tables_of(exploration, published, software);
+    print_notes(exploration);
+    write_device(command, each.scene.system.device, exploration, tables);
+    report += "\n" + tables;
+    json.push_back(to_json(exploration));
+    for (const model::Column& column : exploration.columns) {
+      feasible = feasible && column.worst.best() != nullptr;
+    }
   }
   value_or_exit(write_file(command.output / "report.md", report));
-  fmt::print("{}\n{}\n", report, (command.output / "report.md").string());
+  if (command.planning.scene.json) {
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{}\n{}\n", report, (command.output / "report.md").string());
+  }
+  if (!feasible) throw Exit{2};
 }
 
 }  // namespace

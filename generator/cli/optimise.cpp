@@ -50,6 +50,11 @@ void run(OptimiseCommand& command) {
   const LoadedScene loaded = value_or_exit(load(planning.scene));
   const Planning known =
       value_or_exit(load_planning(planning, loaded.scene, loaded.data ? &*loaded.data : nullptr));
+  const fs::path table = planning.table.empty()
+                             ? default_table(planning.scene.scene, known.device.name)
+                             : planning.table;
+  value_or_exit(check_outputs({command.plan, command.csv, command.lp},
+                              {planning.scene.scene, table, command.rates}));
   const model::Optimisation found = value_or_exit(optimise(
       known.scene, known.device, known.table, rates_for(command, loaded), planning.choice));
   write_files(command, known.scene.system.device, found);

@@ -62,7 +62,7 @@ model::Result<LoadedScene> load(const SceneOptions& options) {
   MIXCMP_TRY(scene, model::load_scene(options.scene, options.settings));
   if (const auto delays = gen::delays_of(scene.system.device); !delays.ok()) {
     model::Error error = delays.error();
-    error.file = options.scene.string();
+    if (error.file.empty()) error.file = options.scene.string();
     return error;
   }
   LoadedScene loaded = {std::move(scene), std::nullopt};

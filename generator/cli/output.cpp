@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -23,14 +24,45 @@ model::Error cannot_write(const fs::path& path) {
           .message = fmt::format("cannot be written: {}", std::strerror(errno))};
 }
 
+/// A pipe or a device takes what it is given; it is not replaced by a file.
+model::Result<model::Done> write_directly(const fs::path& path, const std::string& text) {
+  std::ofstream stream(path, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (stream) return model::Done{};
+  return cannot_write(path);
+}
+
 }  // namespace
 
-model::Result<model::Done> write_file(const fs::path& path, const std::string& text) {
+model::Result<model::Done> check_outputs(const std::vector<fs::path>& outputs,
+                                         const std::vector<fs::path>& inputs) {
+  std::vector<fs::path> taken;
+  for (const fs::path& input : inputs) {
+    if (!input.empty()) taken.push_back(fs::weakly_canonical(input));
+  }
+  for (const fs::path& output : outputs) {
+    if (output.empty()) continue;
+    const fs::path place = fs::weakly_canonical(output);
+    if (std::find(taken.begin(), taken.end(), place) != taken.end()) {
+      return model::Error{.file = output.string(),
+                          .message = "would be written over",
+                          .received = "the name of an input, or of another output",
+                          .accepted = "a name of its own"};
+    }
+    taken.push_back(place);
+  }
+  return model::Done{};
+}
+
+model::Result<model::Done> write_file(const fs::path& file, const std::string& text) {
+  std::error_code failed;
+  const fs::path path = fs::is_symlink(file, failed) ? fs::weakly_canonical(file) : file;
+  if (fs::exists(path) && !fs::is_regular_file(path)) return write_directly(path, text);
   const fs::path unfinished = path.string() + ".part";
   std::ofstream stream(unfinished, std::ios::binary);
   stream << text;
   stream.close();
-  std::error_code failed;
   if (stream) fs::rename(unfinished, path, failed);
   if (stream && !failed) return model::Done{};
   const model::Error error = cannot_write(path);

@@ -2,12 +2,17 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "model/common/result.hpp"
 
 namespace mixcmp::cli {
 
-/// Complete or not at all.
+/// No output may be an input, nor the same as another output; empty paths are none.
+model::Result<model::Done> check_outputs(const std::vector<std::filesystem::path>& outputs,
+                                         const std::vector<std::filesystem::path>& inputs);
+
+/// Complete or not at all; through a link to its target, into a pipe or a device as it comes.
 model::Result<model::Done> write_file(const std::filesystem::path& path, const std::string& text);
 
 /// A directory that cannot be written should not cost a long run first. An empty path is none.

@@ -96,13 +96,15 @@ void use_given_constants(const model::ReducedSpec& reduced, model::ErrorProfile&
 }  // namespace
 
 void add_planning_options(CLI::App& verb, PlanningOptions& options) {
-  add_scene_options(verb, options.scene);
+  add_scene_options(verb, options.scene, {"--format", "--inputs", "--lanes", "--references"});
   model::OptimiseOptions& choice = options.choice;
   verb.add_option("--table", options.table,
                   "areas and clocks, made by mixcmp characterise (default: "
                   "characterisation/SCENE-DEVICE.csv beside the scene)");
-  verb.add_option("--first", choice.first_precision, "the lowest L, 4 or more (default: 4)");
-  verb.add_option("--last", choice.last_precision, "the highest L (default: 52)");
+  verb.add_option("--first", choice.first_precision, "the lowest L, 4 or more (default: 4)")
+      ->check(CLI::Range(4, 112));
+  verb.add_option("--last", choice.last_precision, "the highest L (default: 52)")
+      ->check(CLI::Range(4, 112));
   add_list(verb, "--use-inputs", choice.inputs,
            "lanes to choose from: exact,rounded (default: both)", {"exact", "rounded"});
   add_list(verb, "--use-bounds", choice.bounds,

@@ -39,7 +39,8 @@ struct Planning {
   model::Characterisation table;
 };
 /// Notes on stderr how many rows were measured on other RTL than today's, and a target_mhz that is
-/// set and not the table's. `data` may be null. Errors where the table is of another device or scene.
+/// set and not the table's. `data` may be null. Errors where the table is of another device or
+/// scene.
 model::Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene,
                                       const model::Comparisons* data);
 

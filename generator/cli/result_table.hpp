@@ -10,7 +10,8 @@
 namespace mixcmp::cli {
 
 /// The verdicts of a run as CSV: index, then i and j of a pair (with their labels where the data
-/// has some), verdict ("undecided" where no reference answered), recomputed. Written beside the final path and moved there when complete.
+/// has some), verdict ("undecided" where no reference answered), recomputed. Written beside the
+/// final path and moved there when complete.
 class ResultTable {
 public:
   static constexpr std::string_view undecided = "undecided";

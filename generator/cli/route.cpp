@@ -8,9 +8,12 @@
 #include "generator/cli/scratch.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/components/whole_job.hpp"
+#include "model/characterise/job_runner.hpp"
 
 namespace mixcmp::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct RouteCommand {
   SceneOptions scene;
@@ -62,7 +65,7 @@ void print_json(const model::SynthesisJob& job, const model::Device& device,
   nlohmann::ordered_json report = {{"top", job.top}, {"device", device.name}, {"tools", tools}};
   for (const model::Resource& resource : model::bounded_resources) {
     report[resource.name] = {{"used", result.area.*resource.amount},
-                                          {"available", device.available.*resource.amount}};
+                             {"available", device.available.*resource.amount}};
   }
   report["clock"] = nullptr;
   if (result.clock) {
@@ -77,16 +80,35 @@ void print_json(const model::SynthesisJob& job, const model::Device& device,
   fmt::print("{}\n", report.dump(2));
 }
 
+/// In a process of its own: an interrupt ends it with all that it has started.
+model::SynthesisResult result_of(const RouteCommand& command, const model::SynthesisJob& job,
+                                 const model::Device& device, const std::string& tools) {
+  const Scratch scratch;
+  const fs::path store = scratch.path() / "result.sqlite";
+  const model::JobRunOptions options = {
+      .synthesis = command.synthesis, .keep = command.work, .progress = [&](int, double seconds) {
+        show_progress(fmt::format("{} on {}: {:.0f} s", job.top, device.name, seconds));
+      }};
+  const model::JobRun run =
+      value_or_exit(run_jobs({{.hash = job.top, .label = job.top, .job = [&] { return job; }}},
+                             device, tools, store, options));
+  show_progress("");
+  if (run.interrupted_by != 0) throw Exit{128 + run.interrupted_by};  // as shells say it
+  for (const model::FailedJob& failed : run.failed) {
+    fmt::print(stderr, "mixcmp: {}\n", failed.message);
+    throw Exit{1};
+  }
+  auto opened = value_or_exit(model::ResultStore::open(store));
+  return value_or_exit(opened.find(job.top)).value();
+}
+
 void run(const RouteCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
   const model::Device device = value_or_exit(model::find_device(loaded.scene.system.device));
   const model::SynthesisJob job = job_of(command, loaded);
-  const Scratch scratch;
-  const std::filesystem::path work = command.work.empty() ? scratch.path() : command.work;
-  value_or_exit(prepare_directory(work));
+  value_or_exit(prepare_directory(command.work));
   const std::string tools = value_or_exit(tool_versions(device, command.synthesis.effort));
-  const model::SynthesisResult result =
-      value_or_exit(synthesise(job, device, command.synthesis, work));
+  const model::SynthesisResult result = result_of(command, job, device, tools);
   command.scene.json ? print_json(job, device, result, tools) : print_text(job, device, result);
 }
 

@@ -123,6 +123,8 @@ private:
     const fs::path kept = kept_directory(*finished.job);
     fs::remove_all(kept, ignored);
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+      constexpr auto all = fs::copy_options::recursive | fs::copy_options::overwrite_existing;
+      if (!options_.keep.empty()) fs::copy(finished.directory, options_.keep, all, ignored);
       fs::remove_all(finished.directory, ignored);
       return;
     }

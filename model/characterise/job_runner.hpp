@@ -30,6 +30,7 @@ struct JobRun {
 struct JobRunOptions {
   SynthesisOptions synthesis;
   unsigned workers = 1;
+  std::filesystem::path keep = {};  ///< of a single job: where a copy of its folder goes
   /// Called now and then with what is finished (failed or not) and for how long it has run.
   std::function<void(int finished, double seconds)> progress = {};
 };

@@ -30,11 +30,22 @@ Result<Done> check_section_names(const Settings& settings) {
   return Done{};
 }
 
+/// Tables and folders are named after devices.
+bool is_file_name(const std::string& name) {
+  constexpr auto accepted = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-+_.";
+  return !name.empty() && name.front() != '.' &&
+         name.find_first_not_of(accepted) == std::string::npos;
+}
+
 Result<Done> read_figures(const Settings& settings, Device& device) {
   constexpr int most = 100'000'000;  // counts of a plan are products of areas and stay below 2^63
   Section section(settings, "device");
   for (const char* key : {"name", "luts", "registers", "dsps", "memories"}) section.require(key);
   section.text("name", device.name);
+  if (!is_file_name(device.name)) {
+    section.fail("name", "not a name for files", in_quotes(device.name),
+                 "letters, digits, - + _ and dots, not at its start");
+  }
   section.text("vendor_name", device.vendor_name);
   section.integer("technology_nm", device.technology_nm, 1, 1000);
   section.integer("luts", device.available.luts, 1, most);

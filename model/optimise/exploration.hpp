@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +54,8 @@ std::string table3_markdown(const Exploration& exploration,
 std::string table4_markdown(const Exploration& exploration,
                             const std::optional<PublishedDevice>& published,
                             const std::vector<SoftwareThroughput>& software);
+
+nlohmann::ordered_json to_json(const Exploration& exploration);
 
 /// data_set,column,scenario,precision,lanes,references,clock_mhz,recomputation_rate,throughput_per_s,gain
 std::string scenarios_csv(const Exploration& exploration);

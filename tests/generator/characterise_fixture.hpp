@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include "model/characterise/measurement.hpp"
 #include "model/characterise/store.hpp"
@@ -32,10 +34,18 @@ echo "Latest arrival time in 'top' is 4000:" > timing.txt
 )sh";
 
 /// Ended, or about to be taken off the list by whoever inherited it.
-inline bool has_ended(const std::string& process) {
+inline bool is_gone(const std::string& process) {
   std::string line;
   std::ifstream stream("/proc/" + process + "/stat");
   return !std::getline(stream, line) || line.find(") Z ") != std::string::npos;
+}
+
+/// A process that was killed may take a moment on a busy machine.
+inline bool has_ended(const std::string& process) {
+  for (int attempt = 0; attempt < 500 && !is_gone(process); ++attempt) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return is_gone(process);
 }
 
 inline bool has_yosys() {
