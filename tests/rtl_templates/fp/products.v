@@ -1,8 +1,8 @@
 // products: fp_product at many precisions, for the regression alone. Of each precision a product and
 // a square, of logic and of multipliers whose sizes differ from precision to precision, with two
 // masks of cuts that complement each other; the slots are {precision, EMBEDDED, SQUARE,
-// complemented}, the precisions counting slowest. products_test.cpp repeats which precisions are
-// built and with which masks.
+// complemented}, the precisions counting slowest. Of multipliers there are fewer precisions: many
+// small ones compile slowly. products_test.cpp repeats which are built and with which masks.
 `default_nettype none
 
 module products #(
@@ -30,12 +30,14 @@ module products #(
         wire [precision-1:0] x1 = {1'b1, b[precision-2:0]};
 
         // Few bits in many small parts, many bits in parts as devices have them.
-        localparam FACTOR_A = (precision <= 34) ? 2 + precision % 5
+        localparam FACTOR_A = (precision <= 12) ? 2 + precision % 5
                                                 : (precision % 2 == 0) ? 18 : 24;
-        localparam FACTOR_B = (precision <= 34) ? 2 + precision % 4
+        localparam FACTOR_B = (precision <= 12) ? 2 + precision % 4
                                                 : (precision % 2 == 0) ? 18 : 17;
+        localparam KINDS = (precision <= 12 || precision == 17 || precision == 24 || precision == 34
+                            || precision == 53 || precision == 64 || precision == WIDEST) ? 2 : 1;
 
-        for (embedded = 0; embedded < 2; embedded = embedded + 1) begin : made
+        for (embedded = 0; embedded < KINDS; embedded = embedded + 1) begin : made
           for (square = 0; square < 2; square = square + 1) begin : of
             for (complemented = 0; complemented < 2; complemented = complemented + 1) begin : with_cuts
               localparam       SLOT = 8 * precision + 4 * embedded + 2 * square + complemented;

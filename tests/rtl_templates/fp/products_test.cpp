@@ -49,6 +49,11 @@ bool is_built(int precision) {
          (precision >= 63 && precision <= 65);
 }
 
+bool has_multipliers(int precision) {
+  return precision <= 12 || precision == 17 || precision == 24 || precision == 34 ||
+         precision == 53 || precision == 64 || precision == widest;
+}
+
 Bits significand(int precision, Bits low_places) {
   return (Bits{1} << (precision - 1)) | (low_places & ((Bits{1} << (precision - 1)) - 1));
 }
@@ -94,7 +99,7 @@ protected:
 
 private:
   void judge(int precision) {
-    for (int variant = 0; variant < 8; ++variant) {
+    for (int variant = 0; variant < (has_multipliers(precision) ? 8 : 4); ++variant) {
       const Slot slot = {precision, (variant & 4) != 0, (variant & 2) != 0, (variant & 1) != 0};
       if (history_.size() > static_cast<std::size_t>(slot.latency_cycles())) judge(slot);
     }
