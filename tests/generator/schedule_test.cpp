@@ -114,6 +114,19 @@ TEST_P(CutsOfProducts, AreTheFewestThatMeetThePeriodAndTheOutputIsRegistered) {
   }
 }
 
+/// Of a product of multipliers: no cut between two rows but with one behind the multipliers.
+bool rows_wait_for_multipliers(const Step& step, int rows) {
+  const auto& stages = step.unit.stages;
+  const auto multiply = std::find_if(stages.begin(), stages.end(),
+                                     [](const Stage& stage) { return stage.name == "multiply"; }) -
+                        stages.begin();
+  bool cut_between_rows = false;
+  for (int row = 0; row < std::min(rows - 1, 4); ++row) {
+    cut_between_rows |= step.cuts[static_cast<std::size_t>(multiply + 1 + row)];
+  }
+  return !cut_between_rows || step.cuts[static_cast<std::size_t>(multiply)];
+}
+
 /// Behind a cut between rows an unregistered multiplier would stand in one cycle with its adder.
 TEST_P(ScheduleAtTarget, RowsOfMultipliersAreCutBehindRegisteredMultipliers) {
   for (const char* device : {"virtex6-lx760", "ecp5-85k", "ice40-up5k"}) {
@@ -125,7 +138,8 @@ TEST_P(ScheduleAtTarget, RowsOfMultipliersAreCutBehindRegisteredMultipliers) {
     for (const Step& step : schedule.steps) {
       if (step.unit.module != "fp_square") continue;
       ++squares;
-      EXPECT_TRUE(has_needed_cuts(step)) << device;
+      const int rows = (53 + delays.multiplier.b_bits - 1) / delays.multiplier.b_bits;
+      EXPECT_TRUE(rows_wait_for_multipliers(step, rows)) << device;
       if (slowest_stage_ns(step.unit) > logic_ns) continue;
       EXPECT_LE(longest_path_ns(step), logic_ns) << device;
       EXPECT_EQ(registers(step.cuts), fewest_registers(step.unit, logic_ns)) << device;
