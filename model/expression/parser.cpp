@@ -7,35 +7,45 @@
 #include <charconv>
 #include <map>
 #include <optional>
-#include <tao/pegtl.hpp>
 
 #include "model/common/nearest.hpp"
 #include "model/expression/literal.hpp"
 #include "model/expression/name.hpp"
+#include "model/expression/syntax.hpp"
+#include "model/expression/text.hpp"
 
 namespace mixcmp::model {
 namespace {
 
-namespace pegtl = tao::pegtl;
-
 constexpr int max_power = 16;
 constexpr std::size_t max_nodes = 4096;
-// Parentheses, calls and lets inside one another: each level is a dozen frames of recursive
-// descent.
-constexpr std::size_t max_nesting = 100;
+// Of all reductions in one text: more would not be more operations, or too many.
+constexpr long max_terms = max_nodes;
+// Of an index, of a subscript.
+constexpr long max_integer = 999'999;
 
 struct Function {
   std::string_view name;
   Operation operation;
+  bool reduces;  ///< takes two arguments or more, or an index
 };
-constexpr std::array<Function, 4> functions = {{
-    {"sqrt", Operation::square_root},
-    {"abs", Operation::absolute},
-    {"min", Operation::minimum},
-    {"max", Operation::maximum},
+constexpr std::array<Function, 6> functions = {{
+    {"sqrt", Operation::square_root, false},
+    {"abs", Operation::absolute, false},
+    {"min", Operation::minimum, true},
+    {"max", Operation::maximum, true},
+    {"sum", Operation::add, true},
+    {"product", Operation::multiply, true},
 }};
+constexpr std::string_view reducing_functions = "sum, product, min or max";
 
-/// Carries an error out of the recursive descent; caught in parse_expression.
+const Function* find_function(const std::string& name) {
+  const auto found = std::find_if(functions.begin(), functions.end(),
+                                  [&](const Function& f) { return f.name == name; });
+  return found == functions.end() ? nullptr : found;
+}
+
+/// Carries an error out of the recursion; caught in parse_expression.
 struct Failure {
   Error error;
 };
@@ -48,25 +58,18 @@ struct Failure {
                  .accepted = std::move(accepted)}};
 }
 
-/// A parsed subexpression. Constants stay outside the graph until an operation needs a node.
+template <class T>
+T value_or_throw(Result<T> result) {
+  if (!result.ok()) throw Failure{result.error()};
+  return std::move(result).value();
+}
+
+/// What a part of an expression stands for. Constants stay outside the graph until an operation
+/// needs a node.
 struct Value {
   std::size_t column;
   std::optional<mpq_class> constant;
   NodeId node = -1;
-};
-
-struct Call {
-  std::string name;
-  std::size_t column;
-  std::size_t first_argument;
-};
-
-/// What one text's descent has gathered so far.
-struct Stack {
-  std::vector<Value> values;
-  std::vector<Call> calls;
-  std::vector<bool> negations;
-  std::vector<std::size_t> open_parentheses;
 };
 
 mpq_class fold(Operation operation, const mpq_class& a, const mpq_class& b) {
@@ -88,317 +91,287 @@ mpq_class fold(Operation operation, const mpq_class& a, const mpq_class& b) {
   MIXCMP_CHECK(false);
 }
 
+/// Builds the nodes that a text's syntax stands for.
 class Builder {
 public:
-  Builder(Graph& graph, std::span<const LetDefinition> lets) : graph_(graph), lets_(lets) {}
+  Builder(Graph& graph, std::span<const LetDefinition> lets, std::span<const IndexValue> indices)
+      : graph_(graph), lets_(lets), indices_(indices.begin(), indices.end()) {}
 
-  Value parse(const std::string& text, std::size_t outer_nesting);
+  Value parse(const std::string& text) { return value_of(value_or_throw(parse_syntax(text, 0))); }
+  IndexRange range(const Syntax& syntax);
   NodeId node_of(const Value& value) {
     return value.constant ? graph_.constant(*value.constant) : value.node;
   }
-
-  void push_number(Stack& stack, std::size_t column, const std::string& text) const;
-  void push_name(Stack& stack, std::size_t column, const std::string& name);
-  void open(Stack& stack, std::size_t column) const;
-  void call(Stack& stack);
-  void raise_to_power(Stack& stack, std::size_t column, const std::string& text);
-  /// Replaces the last arity(operation) values by the operation's result.
-  void apply(Stack& stack, Operation operation);
-
+  /// Once all is parsed: an input of an index's name would be mistaken for it.
+  void check_index_names() const;
   std::set<std::string> used_lets() const;
 
 private:
+  /// Where an index was introduced.
+  struct IndexPlace {
+    std::size_t column;
+    std::string let;  ///< empty in the text itself
+  };
+
+  Value value_of(const Syntax& syntax);
+  Value number(const Syntax& syntax) const;
+  Value name(const Syntax& syntax);
+  Value plain_name(const Syntax& syntax, const std::string& name);
+  Value chain(const Syntax& syntax);
+  Value power(const Syntax& syntax);
+  Value call(const Syntax& syntax);
+  Value reduction(const Syntax& syntax);
+
   Value applied(Operation operation, const Value& a, const Value& b);
-  Value power(const Value& base, int exponent);
-  const Value& let_value(const LetDefinition& let, std::size_t column, std::size_t nesting);
+  Value raised(const Value& base, int exponent);
+  Value joined_pairwise(Operation operation, std::vector<Value> values);
+  const Value& let_value(const LetDefinition& let, const Syntax& use);
+
+  std::string subscripted_name(const Syntax& syntax);
+  long integer(const Syntax& syntax);
+  void check_index_name(const Syntax& syntax) const;
+  const LetDefinition* find_let(const std::string& name) const;
+  const IndexValue* find_index(const std::string& name) const;
+  [[noreturn]] void fail_unknown(const Syntax& syntax, const std::string& name) const;
+  /// ", with k = 0", or nothing where no index has a value.
+  std::string index_values() const;
 
   Graph& graph_;
   std::span<const LetDefinition> lets_;
   std::map<std::string, Value> let_values_;
   std::vector<std::string> open_lets_;
-  std::size_t nesting_ = 0;  ///< of the text being parsed, lets and parentheses around it
+  std::vector<IndexValue> indices_;  ///< of the reductions around, innermost last
+  std::map<std::string, IndexPlace> index_places_;
+  std::set<std::string> input_names_;
+  bool constants_only_ = false;  ///< in a bound or a subscript
+  long terms_ = 0;
 };
 
-namespace rules {
-
-using namespace pegtl;
-
-struct gap : star<space> {};
-struct identifier
-    : seq<ranges<'a', 'z', 'A', 'Z', '_'>, star<ranges<'a', 'z', 'A', 'Z', '0', '9', '_'>>> {};
-
-template <class Digit>
-struct mantissa : sor<seq<plus<Digit>, opt<one<'.'>, star<Digit>>>, seq<one<'.'>, plus<Digit>>> {};
-template <char... Letter>
-struct scale : opt<one<Letter...>, opt<one<'+', '-'>>, plus<digit>> {};
-struct number : sor<seq<one<'0'>, one<'x', 'X'>, mantissa<xdigit>, scale<'p', 'P'>>,
-                    seq<mantissa<digit>, scale<'e', 'E'>>> {};
-
-struct expression;
-struct open : one<'('> {};
-struct close : one<')'> {};
-struct group : if_must<open, gap, expression, close> {};
-
-struct function_name : seq<identifier, at<gap, one<'('>>> {};
-struct arguments
-    : sor<at<one<')'>>, seq<must<expression>, star<if_must<one<','>, gap, expression>>>> {};
-struct call : if_must<function_name, gap, open, gap, arguments, close> {};
-struct variable : identifier {};
-
-struct primary : sor<group, number, call, variable> {};
-struct small_integer
-    : seq<at<plus<digit>, not_at<sor<one<'.'>, ranges<'a', 'z', 'A', 'Z', '_'>>>>, plus<digit>> {};
-struct power : if_must<one<'^'>, gap, small_integer, gap> {};
-struct powered : seq<primary, gap, opt<power>> {};
-struct minus_signs : plus<one<'-'>, gap> {};
-struct negation : if_must<minus_signs, powered> {};
-struct factor : sor<negation, powered> {};
-struct multiplication : if_must<one<'*'>, gap, factor> {};
-struct division : if_must<one<'/'>, gap, factor> {};
-struct product : seq<factor, star<sor<multiplication, division>>> {};
-struct addition : if_must<one<'+'>, gap, product> {};
-struct subtraction : if_must<one<'-'>, gap, product> {};
-struct expression : seq<product, star<sor<addition, subtraction>>> {};
-struct whole : must<gap, expression, eof> {};
-
-constexpr std::string_view operand = "a number, a name, a function call, '(' or '-'";
-
-template <class Rule>
-constexpr std::string_view accepted = operand;
-template <>
-constexpr std::string_view accepted<close> = "an operator or ')'";
-template <>
-constexpr std::string_view accepted<small_integer> = "an integer literal 1..16 after '^'";
-template <>
-constexpr std::string_view accepted<eof> = "an operator + - * / or the end";
-
-}  // namespace rules
-
-std::string quoted(char c) {
-  const bool printable = ' ' <= c && c <= '~';
-  return printable ? fmt::format("'{}'", c)
-                   : fmt::format("byte 0x{:02x}", static_cast<unsigned char>(c));
-}
-
-template <class Rule>
-struct Control : pegtl::normal<Rule> {
-  template <class Input>
-  [[noreturn]] static void raise(const Input& in, Builder&, Stack& stack) {
-    const std::string received = in.empty() ? "the end" : quoted(in.peek_char());
-    std::string message = in.empty() ? "unexpected end" : "unexpected character";
-    if constexpr (std::is_same_v<Rule, rules::close>) {
-      message = fmt::format("the '(' at column {} is not closed", stack.open_parentheses.back());
+Value Builder::value_of(const Syntax& syntax) {
+  const auto value = [&] {
+    switch (syntax.kind) {
+      case Syntax::Kind::number: return number(syntax);
+      case Syntax::Kind::name: return name(syntax);
+      case Syntax::Kind::negation: {
+        const Value operand = value_of(syntax.parts[0]);
+        return applied(Operation::negate, operand, operand);
+      }
+      case Syntax::Kind::identity: return value_of(syntax.parts[0]);
+      case Syntax::Kind::power: return power(syntax);
+      case Syntax::Kind::chain: return chain(syntax);
+      case Syntax::Kind::call: return call(syntax);
+      case Syntax::Kind::reduction: return reduction(syntax);
+      case Syntax::Kind::range: break;
     }
-    fail(in.position().byte + 1, message, received, std::string(rules::accepted<Rule>));
-  }
-};
-
-template <class Rule>
-struct Action : pegtl::nothing<Rule> {};
-
-template <class Input>
-std::size_t column_of(const Input& in) {
-  return in.position().byte + 1;
+    MIXCMP_CHECK(false);
+  };
+  Value result = value();
+  result.column = syntax.column;
+  return result;
 }
 
-template <>
-struct Action<rules::number> {
-  template <class Input>
-  static void apply(const Input& in, Builder& builder, Stack& stack) {
-    builder.push_number(stack, column_of(in), in.string());
-  }
-};
-template <>
-struct Action<rules::variable> {
-  template <class Input>
-  static void apply(const Input& in, Builder& builder, Stack& stack) {
-    builder.push_name(stack, column_of(in), in.string());
-  }
-};
-template <>
-struct Action<rules::open> {
-  template <class Input>
-  static void apply(const Input& in, Builder& builder, Stack& stack) {
-    builder.open(stack, column_of(in));
-  }
-};
-template <>
-struct Action<rules::close> {
-  static void apply0(Builder&, Stack& stack) { stack.open_parentheses.pop_back(); }
-};
-template <>
-struct Action<rules::function_name> {
-  template <class Input>
-  static void apply(const Input& in, Builder&, Stack& stack) {
-    stack.calls.push_back({in.string(), column_of(in), stack.values.size()});
-  }
-};
-template <>
-struct Action<rules::call> {
-  static void apply0(Builder& builder, Stack& stack) { builder.call(stack); }
-};
-template <>
-struct Action<rules::small_integer> {
-  template <class Input>
-  static void apply(const Input& in, Builder& builder, Stack& stack) {
-    builder.raise_to_power(stack, column_of(in), in.string());
-  }
-};
-template <>
-struct Action<rules::minus_signs> {
-  template <class Input>
-  static void apply(const Input& in, Builder&, Stack& stack) {
-    const std::string signs = in.string();
-    stack.negations.push_back(std::count(signs.begin(), signs.end(), '-') % 2 != 0);
-  }
-};
-template <>
-struct Action<rules::negation> {
-  template <class Input>
-  static void apply(const Input& in, Builder& builder, Stack& stack) {
-    if (stack.negations.back()) builder.apply(stack, Operation::negate);
-    stack.negations.pop_back();
-    stack.values.back().column = column_of(in);
-  }
-};
-template <>
-struct Action<rules::group> {
-  template <class Input>
-  static void apply(const Input& in, Builder&, Stack& stack) {
-    stack.values.back().column = column_of(in);
-  }
-};
-
-template <Operation operation>
-struct Apply {
-  static void apply0(Builder& builder, Stack& stack) { builder.apply(stack, operation); }
-};
-template <>
-struct Action<rules::addition> : Apply<Operation::add> {};
-template <>
-struct Action<rules::subtraction> : Apply<Operation::subtract> {};
-template <>
-struct Action<rules::multiplication> : Apply<Operation::multiply> {};
-template <>
-struct Action<rules::division> : Apply<Operation::divide> {};
-
-Value Builder::parse(const std::string& text, std::size_t outer_nesting) {
-  const std::size_t nesting_before = std::exchange(nesting_, outer_nesting);
-  Stack stack;
-  pegtl::memory_input in(text, "");
-  pegtl::parse<rules::whole, Action, Control>(in, *this, stack);
-  MIXCMP_CHECK(stack.values.size() == 1);
-  nesting_ = nesting_before;
-  return stack.values.back();
-}
-
-void Builder::push_number(Stack& stack, std::size_t column, const std::string& text) const {
-  const std::optional<mpq_class> value = parse_literal(text);
+Value Builder::number(const Syntax& syntax) const {
+  const std::optional<mpq_class> value = parse_literal(syntax.text);
   if (!value) {
-    fail(column, "the constant is too long", fmt::format("{:.40}", text),
+    fail(syntax.column, "the constant is too long", fmt::format("{:.40}", syntax.text),
          fmt::format("at most {} bits", max_constant_bits));
   }
-  stack.values.push_back({.column = column, .constant = value});
+  return {.column = syntax.column, .constant = value};
 }
 
-void Builder::push_name(Stack& stack, std::size_t column, const std::string& name) {
-  const auto let = std::find_if(lets_.begin(), lets_.end(),
-                                [&](const LetDefinition& known) { return known.name == name; });
-  if (let != lets_.end()) {
-    Value value = let_value(*let, column, nesting_ + stack.open_parentheses.size() + 1);
-    value.column = column;
-    stack.values.push_back(std::move(value));
-    return;
+Value Builder::name(const Syntax& syntax) {
+  if (const IndexValue* index = find_index(syntax.text)) {
+    if (!syntax.parts.empty()) {
+      fail(syntax.column, "an index takes no subscript", syntax.text + "[...]", syntax.text);
+    }
+    return {.column = syntax.column, .constant = index->value};
   }
+  const std::string name = syntax.parts.empty() ? syntax.text : subscripted_name(syntax);
+  if (const LetDefinition* let = find_let(name)) return let_value(*let, syntax);
+  if (!syntax.parts.empty() && find_let(syntax.text) != nullptr) {
+    fail(syntax.column, "a let takes no subscript", syntax.text + "[...]",
+         fmt::format("{}, or a let named {}", syntax.text, name));
+  }
+  return plain_name(syntax, name);
+}
+
+/// What is no index and no let.
+Value Builder::plain_name(const Syntax& syntax, const std::string& name) {
   if (is_function_name(name)) {
-    fail(column, fmt::format("the function {} needs its arguments", name), name, name + "(...)");
+    fail(syntax.column, fmt::format("the function {} needs its arguments", name), name,
+         name + "(...)");
   }
+  if (constants_only_) fail_unknown(syntax, name);
   const std::string problem = name_problem(name);
-  if (!problem.empty()) fail(column, problem, name, std::string(accepted_names()));
-  stack.values.push_back({.column = column, .node = graph_.input(name)});
+  if (!problem.empty()) fail(syntax.column, problem, name, std::string(accepted_names()));
+  input_names_.insert(name);
+  return {.column = syntax.column, .node = graph_.input(name)};
 }
 
-const Value& Builder::let_value(const LetDefinition& let, std::size_t column, std::size_t nesting) {
-  const auto known = let_values_.find(let.name);
-  if (known != let_values_.end()) return known->second;
-  const auto open = std::find(open_lets_.begin(), open_lets_.end(), let.name);
-  if (open != open_lets_.end()) {
-    fail(column, "a let needs itself",
-         fmt::format("{} -> {}", fmt::join(open, open_lets_.end(), " -> "), let.name),
-         "lets without cycles");
+/// The name that p[2][3] is another spelling of: p_2_3.
+std::string Builder::subscripted_name(const Syntax& syntax) {
+  std::string name = syntax.text;
+  for (const Syntax& subscript : syntax.parts) {
+    const long value = integer(subscript);
+    if (value < 0) {
+      fail(subscript.column, "a subscript below zero" + index_values(), std::to_string(value),
+           fmt::format("0..{}", max_integer));
+    }
+    name += fmt::format("_{}", value);
   }
-  if (nesting > max_nesting) {
-    fail(column, "nested too deeply", {}, fmt::format("at most {} levels", max_nesting));
-  }
-  open_lets_.push_back(let.name);
-  try {
-    const Value value = parse(let.text, nesting);
-    open_lets_.pop_back();
-    return let_values_.emplace(let.name, value).first->second;
-  } catch (Failure& failure) {
-    if (failure.error.field.empty()) failure.error.field = "let." + let.name;
-    throw;
-  }
+  return name;
 }
 
-void Builder::open(Stack& stack, std::size_t column) const {
-  stack.open_parentheses.push_back(column);
-  if (nesting_ + stack.open_parentheses.size() > max_nesting) {
-    fail(column, "nested too deeply", {}, fmt::format("at most {} levels", max_nesting));
+/// The value of a bound or a subscript.
+long Builder::integer(const Syntax& syntax) {
+  const bool outer = std::exchange(constants_only_, true);
+  const Value value = value_of(syntax);
+  constants_only_ = outer;
+  const std::string accepted = fmt::format("an integer of at most {} either side", max_integer);
+  if (!value.constant) {
+    fail(syntax.column, "not a constant", "an input or a square root", accepted);
   }
+  if (value.constant->get_den() != 1 || abs(*value.constant) > max_integer) {
+    const bool whole = value.constant->get_den() == 1;
+    fail(syntax.column, (whole ? "too large" : "not an integer") + index_values(),
+         to_text(*value.constant), accepted);
+  }
+  return value.constant->get_num().get_si();
 }
 
-void Builder::call(Stack& stack) {
-  const Call call = std::move(stack.calls.back());
-  stack.calls.pop_back();
-  const auto function = std::find_if(functions.begin(), functions.end(),
-                                     [&](const Function& f) { return f.name == call.name; });
-  if (function == functions.end()) {
-    std::vector<std::string> names;
-    for (const Function& f : functions) names.emplace_back(f.name);
-    fail(call.column, "unknown function", call.name, list_with_nearest(call.name, names));
+Value Builder::chain(const Syntax& syntax) {
+  Value value = value_of(syntax.parts[0]);
+  for (std::size_t k = 0; k < syntax.operations.size(); ++k) {
+    value = applied(syntax.operations[k], value, value_of(syntax.parts[k + 1]));
   }
-  const std::size_t count = stack.values.size() - call.first_argument;
-  const auto needed = static_cast<std::size_t>(arity(function->operation));
-  if (count != needed) {
-    const auto arguments = [](std::size_t n) {
-      return fmt::format("{} argument{}", n, n == 1 ? "" : "s");
-    };
-    fail(call.column, fmt::format("{} takes {}", call.name, arguments(needed)), arguments(count),
-         arguments(needed));
-  }
-  apply(stack, function->operation);
-  stack.values.back().column = call.column;
+  return value;
 }
 
-void Builder::raise_to_power(Stack& stack, std::size_t column, const std::string& text) {
+Value Builder::power(const Syntax& syntax) {
+  const auto& [base, power] = std::tie(syntax.parts[0], syntax.parts[1]);
+  const Value value = value_of(base);
   int exponent = 0;
-  const auto status = std::from_chars(text.data(), text.data() + text.size(), exponent).ec;
+  const char* end = power.text.data() + power.text.size();
+  const auto status = std::from_chars(power.text.data(), end, exponent).ec;
   if (status != std::errc{} || exponent < 1 || exponent > max_power) {
-    fail(column, "power out of range", fmt::format("{:.40}", text),
-         std::string(rules::accepted<rules::small_integer>));
+    fail(power.column, "power out of range", fmt::format("{:.40}", power.text),
+         fmt::format("an integer literal 1..{} after '^'", max_power));
   }
-  stack.values.back() = power(stack.values.back(), exponent);
+  return raised(value, exponent);
 }
 
-void Builder::apply(Stack& stack, Operation operation) {
-  const Value last = std::move(stack.values.back());
-  stack.values.pop_back();
-  if (arity(operation) == 1) {
-    stack.values.push_back(applied(operation, last, last));
-    return;
+/// Square and multiply, from the exponent's highest bit down.
+Value Builder::raised(const Value& base, int exponent) {
+  if (exponent == 1) return base;
+  if (exponent % 2 != 0) return applied(Operation::multiply, raised(base, exponent - 1), base);
+  const Value root = raised(base, exponent / 2);
+  return applied(Operation::multiply, root, root);
+}
+
+[[noreturn]] void fail_unknown_function(const Syntax& syntax) {
+  std::vector<std::string> names;
+  for (const Function& f : functions) names.emplace_back(f.name);
+  fail(syntax.column, "unknown function", syntax.text, list_with_nearest(syntax.text, names));
+}
+
+Value Builder::call(const Syntax& syntax) {
+  const Function* function = find_function(syntax.text);
+  if (function == nullptr) fail_unknown_function(syntax);
+  const std::size_t count = syntax.parts.size();
+  const auto arguments = [](std::size_t n) {
+    return fmt::format("{} argument{}", n, n == 1 ? "" : "s");
+  };
+  if (function->reduces ? count < 2 : count != 1) {
+    const std::string needed = function->reduces ? "2 arguments or more" : arguments(1);
+    fail(syntax.column, fmt::format("{} takes {}", syntax.text, needed), arguments(count),
+         function->reduces ? needed + ", or an index (k in 0..3) and a term" : needed);
   }
-  stack.values.back() = applied(operation, stack.values.back(), last);
+  std::vector<Value> values;
+  for (const Syntax& part : syntax.parts) values.push_back(value_of(part));
+  if (!function->reduces) return applied(function->operation, values[0], values[0]);
+  return joined_pairwise(function->operation, std::move(values));
+}
+
+Value Builder::reduction(const Syntax& syntax) {
+  const Function* function = find_function(syntax.text);
+  if (function == nullptr) fail_unknown_function(syntax);
+  if (!function->reduces) {
+    fail(syntax.column, fmt::format("{} takes no index", syntax.text), syntax.index + " in",
+         std::string(reducing_functions));
+  }
+  const IndexRange values = range(syntax);
+  terms_ += values.last - values.first + 1;
+  if (terms_ > max_terms) {
+    fail(syntax.column, "too many terms", fmt::format("{}..{}", values.first, values.last),
+         fmt::format("at most {} in one expression, its lets included", max_terms));
+  }
+  std::vector<Value> terms;
+  indices_.push_back({.name = values.name, .value = values.first});
+  for (long k = values.first; k <= values.last; ++k) {
+    indices_.back().value = k;
+    terms.push_back(value_of(syntax.parts[2]));
+  }
+  indices_.pop_back();
+  return joined_pairwise(function->operation, std::move(terms));
+}
+
+IndexRange Builder::range(const Syntax& syntax) {
+  check_index_name(syntax);
+  index_places_.try_emplace(syntax.index,
+                            IndexPlace{.column = syntax.index_column,
+                                       .let = open_lets_.empty() ? "" : open_lets_.back()});
+  const long first = integer(syntax.parts[0]);
+  const long last = integer(syntax.parts[1]);
+  if (first > last) {
+    fail(syntax.parts[0].column, "an empty range" + index_values(),
+         fmt::format("{}..{}", first, last), "a first value and one that is not below it");
+  }
+  return {.name = syntax.index, .first = first, .last = last};
+}
+
+void Builder::check_index_name(const Syntax& syntax) const {
+  const auto hides = [&](std::string_view what) {
+    fail(syntax.index_column, fmt::format("the index {} hides {}", syntax.index, what),
+         syntax.index, "a name of no let, function, input or other index around it");
+  };
+  if (find_let(syntax.index) != nullptr) hides("a let");
+  if (is_function_name(syntax.index)) hides("a function");
+  if (find_index(syntax.index) != nullptr) hides("an index");
+}
+
+void Builder::check_index_names() const {
+  for (const auto& [index, place] : index_places_) {
+    if (!input_names_.contains(index)) continue;
+    throw Failure{{.column = static_cast<int>(place.column),
+                   .field = place.let.empty() ? "" : "let." + place.let,
+                   .message = fmt::format("the index {} has the name of an input", index),
+                   .received = index,
+                   .accepted = "a name of no let, function, input or other index around it"}};
+  }
+}
+
+/// Neighbours first, then their results, and so on; an odd one waits for its turn: a balanced tree,
+/// whose error and depth grow with the logarithm of the number of terms.
+Value Builder::joined_pairwise(Operation operation, std::vector<Value> values) {
+  while (values.size() > 1) {
+    const std::size_t pairs = values.size() / 2;
+    for (std::size_t k = 0; k < pairs; ++k) {
+      values[k] = applied(operation, values[2 * k], values[2 * k + 1]);
+    }
+    if (values.size() % 2 != 0) values[pairs] = values.back();
+    values.resize(values.size() - pairs, values[0]);
+  }
+  return values[0];
 }
 
 /// For one operand, `b` is `a`.
 Value Builder::applied(Operation operation, const Value& a, const Value& b) {
   if (operation == Operation::divide && b.constant && *b.constant == 0) {
-    fail(b.column, "division by zero", "0", "a divisor other than zero");
+    fail(b.column, "division by zero" + index_values(), "0", "a divisor other than zero");
   }
   if (operation == Operation::square_root && a.constant && *a.constant < 0) {
-    fail(a.column, "square root of a negative constant", a.constant->get_str().substr(0, 40),
-         "a constant of at least zero");
+    fail(a.column, "square root of a negative constant" + index_values(),
+         a.constant->get_str().substr(0, 40), "a constant of at least zero");
   }
   Value result{.column = a.column};
   if (a.constant && b.constant && operation != Operation::square_root) {
@@ -417,14 +390,62 @@ Value Builder::applied(Operation operation, const Value& a, const Value& b) {
   return result;
 }
 
-/// Square and multiply, from the exponent's highest bit down.
-Value Builder::power(const Value& base, int exponent) {
-  if (exponent == 1) return base;
-  if (exponent % 2 != 0) {
-    return applied(Operation::multiply, power(base, exponent - 1), base);
+/// A let is read once; it sees no index of who uses it.
+const Value& Builder::let_value(const LetDefinition& let, const Syntax& use) {
+  const auto known = let_values_.find(let.name);
+  if (known != let_values_.end()) return known->second;
+  const auto open = std::find(open_lets_.begin(), open_lets_.end(), let.name);
+  if (open != open_lets_.end()) {
+    fail(use.column, "a let needs itself",
+         fmt::format("{} -> {}", fmt::join(open, open_lets_.end(), " -> "), let.name),
+         "lets without cycles");
   }
-  const Value root = power(base, exponent / 2);
-  return applied(Operation::multiply, root, root);
+  const std::size_t nesting = use.nesting + 1;
+  if (nesting > max_nesting) {
+    fail(use.column, "nested too deeply", {}, fmt::format("at most {} levels", max_nesting));
+  }
+  open_lets_.push_back(let.name);
+  const std::vector<IndexValue> outer_indices = std::exchange(indices_, {});
+  const bool outer_constants_only = std::exchange(constants_only_, false);
+  try {
+    const Value value = value_of(value_or_throw(parse_syntax(let.text, nesting)));
+    open_lets_.pop_back();
+    indices_ = outer_indices;
+    constants_only_ = outer_constants_only;
+    return let_values_.emplace(let.name, value).first->second;
+  } catch (Failure& failure) {
+    if (failure.error.field.empty()) failure.error.field = "let." + let.name;
+    throw;
+  }
+}
+
+const LetDefinition* Builder::find_let(const std::string& name) const {
+  const auto found = std::find_if(lets_.begin(), lets_.end(),
+                                  [&](const LetDefinition& known) { return known.name == name; });
+  return found == lets_.end() ? nullptr : &*found;
+}
+
+const IndexValue* Builder::find_index(const std::string& name) const {
+  const auto found = std::find_if(indices_.begin(), indices_.end(),
+                                  [&](const IndexValue& index) { return index.name == name; });
+  return found == indices_.end() ? nullptr : &*found;
+}
+
+void Builder::fail_unknown(const Syntax& syntax, const std::string& name) const {
+  std::vector<std::string> known;
+  for (const IndexValue& index : indices_) known.push_back(index.name);
+  for (const LetDefinition& let : lets_) known.push_back(let.name);
+  fail(syntax.column, "unknown index", name,
+       known.empty() ? "an index of a reduction around it, or a let that is a constant"
+                     : list_with_nearest(name, known));
+}
+
+std::string Builder::index_values() const {
+  std::string text;
+  for (const IndexValue& index : indices_) {
+    text += fmt::format("{} {} = {}", text.empty() ? ", with" : ",", index.name, index.value);
+  }
+  return text;
 }
 
 std::set<std::string> Builder::used_lets() const {
@@ -437,10 +458,12 @@ std::set<std::string> Builder::used_lets() const {
 
 Result<NodeId> parse_expression(Graph& graph, const std::string& text,
                                 std::span<const LetDefinition> lets,
-                                std::set<std::string>* used_lets) {
-  Builder builder(graph, lets);
+                                std::set<std::string>* used_lets,
+                                std::span<const IndexValue> indices) {
+  Builder builder(graph, lets, indices);
   try {
-    const NodeId root = builder.node_of(builder.parse(text, 0));
+    const NodeId root = builder.node_of(builder.parse(text));
+    builder.check_index_names();
     if (used_lets != nullptr) used_lets->merge(builder.used_lets());
     return root;
   } catch (Failure& failure) {
@@ -448,9 +471,19 @@ Result<NodeId> parse_expression(Graph& graph, const std::string& text,
   }
 }
 
+Result<IndexRange> parse_index_range(const std::string& text, std::span<const LetDefinition> lets) {
+  MIXCMP_TRY(syntax, parse_range_syntax(text));
+  Graph scratch;
+  Builder builder(scratch, lets, {});
+  try {
+    return builder.range(syntax);
+  } catch (Failure& failure) {
+    return std::move(failure.error);
+  }
+}
+
 bool is_function_name(const std::string& name) {
-  return std::any_of(functions.begin(), functions.end(),
-                     [&](const Function& function) { return function.name == name; });
+  return find_function(name) != nullptr;
 }
 
 }  // namespace mixcmp::model

@@ -3,6 +3,7 @@ target_sources(mixcmp_model PRIVATE
   expression/literal.cpp
   expression/name.cpp
   expression/parser.cpp
+  expression/syntax.cpp
   expression/text.cpp
   expression/typed_graph.cpp
 )

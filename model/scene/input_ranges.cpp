@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "model/common/nearest.hpp"
 #include "model/common/power_of_two.hpp"
@@ -14,6 +15,13 @@ namespace {
 
 bool is_pattern(const std::string& key) {
   return key.find('*') != std::string::npos;
+}
+
+/// A key with p[2] and p[*] spelt as the inputs' names are: p_2 and p_*.
+std::string name_spelling(std::string key) {
+  std::replace(key.begin(), key.end(), '[', '_');
+  std::erase(key, ']');
+  return key;
 }
 
 struct InputDeclaration {
@@ -52,14 +60,27 @@ Result<InputDeclaration> read_input(const Setting& entry) {
   return InputDeclaration{.range = {.low = *low, .high = *high}, .grid = grid};
 }
 
+/// TOML takes "p[2]" and p_2 for two keys.
+Result<Done> check_spellings(std::span<const Setting> entries) {
+  std::map<std::string, const Setting*> known;
+  for (const Setting& entry : entries) {
+    const auto [other, is_new] = known.try_emplace(name_spelling(entry.key), &entry);
+    if (is_new) continue;
+    return mistake_at(entry, "inputs." + entry.key,
+                      fmt::format("the same inputs as \"{}\"", other->second->key),
+                      fmt::format("\"{}\"", entry.key), "one key for p[2] and p_2");
+  }
+  return Done{};
+}
+
 /// The entry that declares `input`, if any.
 Result<const Setting*> entry_for(std::span<const Setting> entries, const std::string& input) {
   const Setting* pattern = nullptr;
   for (const Setting& entry : entries) {
-    if (entry.key == input) return &entry;
+    if (name_spelling(entry.key) == input) return &entry;
   }
   for (const Setting& entry : entries) {
-    if (!is_pattern(entry.key) || !matches(entry.key, input)) continue;
+    if (!is_pattern(entry.key) || !matches(name_spelling(entry.key), input)) continue;
     if (pattern != nullptr) {
       return mistake_at(entry, "inputs." + entry.key,
                         fmt::format("two patterns match the input {}", input),
@@ -96,8 +117,10 @@ Result<InputDeclarations> read_inputs(const Settings& settings,
                                       const std::vector<std::string>& inputs) {
   const Section section(settings, "inputs");
   if (settings.root.find("inputs") != nullptr && !section.present()) return *section.finish();
+  MIXCMP_TRY(spelt_once, check_spellings(section.entries()));
   for (const Setting& entry : section.entries()) {
-    const auto match = [&](const std::string& input) { return matches(entry.key, input); };
+    const std::string pattern = name_spelling(entry.key);
+    const auto match = [&](const std::string& input) { return matches(pattern, input); };
     if (std::none_of(inputs.begin(), inputs.end(), match)) {
       return mistake_at(entry, "inputs." + entry.key, "matches no input of f and g",
                         fmt::format("\"{}\"", entry.key), list_with_nearest(entry.key, inputs));

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <random>
 
 #include "model/expression/name.hpp"
@@ -192,8 +193,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"x + \xc3\xa9", 5, "unexpected character", "byte 0xc3", "a number, a name"},
         Mistake{"a + squrt(b)", 5, "unknown function", "squrt", "sqrt (the nearest)"},
         Mistake{"sqrt(a, b)", 1, "sqrt takes 1 argument", "2 arguments", "1 argument"},
-        Mistake{"1 + min(a)", 5, "min takes 2 arguments", "1 argument", "2 arguments"},
-        Mistake{"max()", 1, "max takes 2 arguments", "0 arguments", "2 arguments"},
+        Mistake{"1 + min(a)", 5, "min takes 2 arguments or more", "1 argument", "k in 0..3"},
+        Mistake{"max()", 1, "max takes 2 arguments or more", "0 arguments", "2 arguments"},
         Mistake{"min(a,)", 7, "unexpected character", "')'", "a number, a name"},
         Mistake{"sqrt + 1", 1, "the function sqrt needs its arguments", "sqrt", "sqrt(...)"},
         Mistake{"x^0", 3, "power out of range", "0", "1..16"},
@@ -208,6 +209,168 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"a + wire", 5, "\"wire\" is a Verilog or SystemVerilog keyword", "wire", "letter"},
         Mistake{"x + 1e999999999", 5, "the constant is too long", "1e999999999", "bits"},
         Mistake{"1 + (9e9999^16)^16", 6, "the constant is too long", "", "bits"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Indices, ParserMistake,
+    testing::Values(
+        Mistake{"sum(k in 0..-1, x)", 10, "an empty range", "0..-1", "not below it"},
+        Mistake{"sum(k in 2..1, x)", 10, "an empty range", "2..1", "not below it"},
+        Mistake{"sum(k in 0..1, min(j in k..0, x))", 25, "an empty range, with k = 1", "1..0",
+                "not below it"},
+        Mistake{"sum(k in 0..3/2, x)", 13, "not an integer", "1.5", "an integer"},
+        Mistake{"x + p[1/2]", 7, "not an integer", "0.5", "an integer"},
+        Mistake{"sum(k in 0..sqrt(4), x)", 13, "not a constant", "an input or a square root",
+                "an integer"},
+        Mistake{"sum(k in 0..10^7, x)", 13, "too large", "10000000", "999999"},
+        Mistake{"sum(k in 0..D, x)", 13, "unknown index", "D", "a let that is a constant"},
+        Mistake{"sum(key in 0..1, p[kye])", 20, "unknown index", "kye", "key (the nearest)"},
+        Mistake{"p[k]", 3, "unknown index", "k", "a reduction around it"},
+        Mistake{"sum(k in 0..1, p[k]) + p[k]", 26, "unknown index", "k", "a reduction around it"},
+        Mistake{"p[-1]", 3, "a subscript below zero", "-1", "0.."},
+        Mistake{"sum(k in 0..3, p[k - 2])", 18, "a subscript below zero, with k = 0", "-2", "0.."},
+        Mistake{"sum(k in 0..1, k[0])", 16, "an index takes no subscript", "k[...]", "k"},
+        Mistake{"sum(sqrt in 0..1, x)", 5, "the index sqrt hides a function", "sqrt", "a name of"},
+        Mistake{"sum(k in 0..1, sum(k in 0..1, x))", 20, "the index k hides an index", "k",
+                "a name of"},
+        Mistake{"k + sum(k in 0..1, x)", 9, "the index k has the name of an input", "k",
+                "a name of"},
+        Mistake{"sum(k in 0..1, x) + k", 5, "the index k has the name of an input", "k",
+                "a name of"},
+        Mistake{"1 + sqrt(k in 0..1, x)", 5, "sqrt takes no index", "k in", "sum, product"},
+        Mistake{"summ(k in 0..1, x)", 1, "unknown function", "summ", "sum (the nearest)"},
+        Mistake{"1 + sum(x)", 5, "sum takes 2 arguments or more", "1 argument", "k in 0..3"},
+        Mistake{"sum(k in 0..4096, x)", 1, "too many terms", "0..4096", "at most 4096"},
+        Mistake{"sum(k in 0..99, max(j in 0..99, x))", 17, "too many terms", "0..99", "4096"},
+        Mistake{"sum(k in 0.5, x)", 13, "unexpected character", "','", "'..'"},
+        Mistake{"sum(k in 0..1)", 14, "unexpected character", "')'", "',' and the term"},
+        Mistake{"sum(k in , x)", 10, "unexpected character", "','", "a number, a name"},
+        Mistake{"sum(k in 0..1, 1 / k)", 20, "division by zero, with k = 0", "0", "other than"},
+        Mistake{"p[1", 4, "the '[' at column 2 is not closed", "the end", "']'"},
+        Mistake{"p[(1]", 5, "the '(' at column 3 is not closed", "']'", "')'"},
+        Mistake{"p[]", 3, "unexpected character", "']'", "a number, a name"},
+        Mistake{"sqrt[1] + wire[x]", 16, "unknown index", "x", "a reduction"}));
+
+TEST(Parser, SubscriptsAreAnotherSpellingOfTheName) {
+  Graph graph;
+  const auto subscripted = parse_expression(graph, "p[2] * c[1][0] + d [ 7 ]", {});
+  const auto plain = parse_expression(graph, "p_2 * c_1_0 + d_7", {});
+  ASSERT_TRUE(subscripted.ok() && plain.ok());
+  EXPECT_EQ(*subscripted, *plain);
+  EXPECT_EQ(graph.inputs(), (std::vector<std::string>{"p_2", "c_1_0", "d_7"}));
+}
+
+TEST(Parser, ReductionsRunOverAnIndex) {
+  const Inputs point = {{"p_0", 3}, {"p_1", 5}, {"p_2", 7}, {"a_0", 1}, {"a_1", 1}, {"a_2", 2}};
+  const std::vector<LetDefinition> lets = {{"D", "3"}};
+  EXPECT_EQ(value_of("sum(k in 0..D-1, (p[k] - a[k])^2)", point, lets), 4 + 16 + 25);
+  EXPECT_EQ(value_of("product(k in 0..2, p[k] + 1)", point), 4 * 6 * 8);
+  EXPECT_EQ(value_of("min(k in 0..2, p[2 - k] - k)", point), 1);
+  EXPECT_EQ(value_of("max(k in 0..2, -p[k])", point), -3);
+  EXPECT_EQ(value_of("sum(k in 1..1, p[k])", point), 5);
+  EXPECT_EQ(value_of("sum(k in -2..2, k^2)"), 10);
+  EXPECT_EQ(value_of("sum(k in 0 .. 2^2-3 , p[k] * k) + sum(k in 2..2, k)", point), 7);
+  EXPECT_EQ(value_of("2*sum(index in 0..2, index*p[index])/2", point), 19);
+}
+
+TEST(Parser, ReductionsNest) {
+  EXPECT_EQ(value_of("sum(i in 0..3, product(j in 0..i, i + j))"), 0 + 2 + 24 + 360);
+  const Inputs values = {{"s_0_0", 2}, {"s_0_1", 3}, {"s_1_0", 5}, {"s_1_1", 7}};
+  EXPECT_EQ(value_of("max(i in 0..1, sum(j in 0..1, s[i][j] * s[j][i]))", values), 15 + 49);
+  EXPECT_EQ(value_of("sum(i in 0..sum(j in 0..1, j), s[i][product(2, i) - i])", values), 9);
+}
+
+TEST(Parser, MinimumAndMaximumTakeAnyNumberOfArguments) {
+  const Inputs xyz = {{"x", 3}, {"y", 5}, {"z", -7}};
+  EXPECT_EQ(value_of("min(x, y, z)", xyz), -7);
+  EXPECT_EQ(value_of("max(z, x, y, 4, z)", xyz), 5);
+  EXPECT_EQ(value_of("sum(x, y, z) * product(x, 2, y)", xyz), 30);
+}
+
+/// Nodes below `id`, the longest way.
+int depth(const Graph& graph, NodeId id) {
+  const Node& node = graph.nodes()[static_cast<std::size_t>(id)];
+  int deepest = 0;
+  for (int k = 0; k < arity(node.operation); ++k) {
+    deepest = std::max(deepest, 1 + depth(graph, node.operands[static_cast<std::size_t>(k)]));
+  }
+  return deepest;
+}
+
+TEST(Parser, SumsAreBalancedTreesInOrder) {
+  const auto same = [](const std::string& a, const std::string& b) {
+    Graph graph;
+    return *parse_expression(graph, a, {}) == *parse_expression(graph, b, {});
+  };
+  EXPECT_TRUE(same("sum(k in 0..3, p[k])", "(p_0 + p_1) + (p_2 + p_3)"));
+  EXPECT_FALSE(same("sum(k in 0..3, p[k])", "p_0 + p_1 + p_2 + p_3"));
+  EXPECT_TRUE(same("sum(k in 0..4, p[k])", "((p_0 + p_1) + (p_2 + p_3)) + p_4"));
+  EXPECT_TRUE(same("sum(k in 0..5, p[k])", "((p_0 + p_1) + (p_2 + p_3)) + (p_4 + p_5)"));
+  EXPECT_TRUE(same("product(p[0], p[1], p[2], p[3])", "(p_0 * p_1) * (p_2 * p_3)"));
+  EXPECT_TRUE(same("sum(k in 0..2, p[k])", "p_0 + p_1 + p_2"));
+  for (int terms = 1; terms <= 70; ++terms) {
+    Graph graph;
+    const auto node = parse_expression(graph, fmt::format("max(k in 1..{}, x[k])", terms), {});
+    ASSERT_TRUE(node.ok());
+    EXPECT_EQ(depth(graph, *node), std::bit_width(static_cast<unsigned>(terms - 1))) << terms;
+    EXPECT_EQ(count(graph, Operation::maximum), terms - 1);
+  }
+}
+
+TEST(Parser, LetsHaveIndicesOfTheirOwn) {
+  const std::vector<LetDefinition> lets = {
+      {"D", "2"}, {"d", "sum(k in 0..D-1, p[k])"}, {"w_0", "10"}, {"w_1", "20"}};
+  const Inputs point = {{"p_0", 3}, {"p_1", 5}};
+  EXPECT_EQ(value_of("sum(k in 0..D-1, d * k)", point, lets), 8);
+  EXPECT_EQ(value_of("sum(k in 0..1, w[k] * p[k])", point, lets), 130);
+  const Error outer = error_of("sum(k in 0..1, d)", {{"d", "p[k]"}});
+  EXPECT_EQ(outer.field, "let.d");
+  EXPECT_EQ(outer.message, "unknown index");
+  EXPECT_EQ(outer.column, 3);
+  const Error subscripted = error_of("sum(k in 0..1, d[k])", {{"d", "x"}});
+  EXPECT_EQ(subscripted.message, "a let takes no subscript");
+  EXPECT_EQ(subscripted.column, 16);
+  const Error hidden = error_of("sum(d in 0..1, x)", {{"d", "x"}});
+  EXPECT_EQ(hidden.message, "the index d hides a let");
+  const Error no_constant = error_of("sum(k in 0..d, x)", {{"d", "x + 1"}});
+  EXPECT_EQ(no_constant.message, "not a constant");
+  EXPECT_EQ(no_constant.column, 13);
+  const Error inside = error_of("k + d", {{"d", "sum(k in 0..1, x)"}});
+  EXPECT_EQ(inside.field, "let.d");
+  EXPECT_EQ(inside.column, 5);
+}
+
+TEST(Parser, ConstantLetsInBoundsAreUsed) {
+  Graph graph;
+  std::set<std::string> used;
+  const std::vector<LetDefinition> lets = {{"D", "E"}, {"E", "2"}};
+  ASSERT_TRUE(parse_expression(graph, "sum(k in 0..D, p[k])", lets, &used).ok());
+  EXPECT_EQ(used, (std::set<std::string>{"D", "E"}));
+}
+
+TEST(Parser, ReadsRangesAlone) {
+  const std::vector<LetDefinition> lets = {{"D", "3"}};
+  const auto range = parse_index_range(" k in 1-1..D-1 ", lets);
+  ASSERT_TRUE(range.ok()) << range.error().to_string();
+  EXPECT_EQ(range->name, "k");
+  EXPECT_EQ(range->first, 0);
+  EXPECT_EQ(range->last, 2);
+  EXPECT_EQ(parse_index_range("k", lets).error().accepted, "an index and its values: k in 0..3");
+  EXPECT_EQ(parse_index_range("k in 0..3, x", lets).error().column, 10);
+  EXPECT_EQ(parse_index_range("k in 1..0", lets).error().message, "an empty range");
+  Graph graph;
+  const std::vector<IndexValue> indices = {{"k", 2}};
+  ASSERT_TRUE(parse_expression(graph, "p[k] * k", lets, nullptr, indices).ok());
+  EXPECT_EQ(graph.inputs(), std::vector<std::string>{"p_2"});
+}
+
+TEST(Parser, LongChainsOfOneKindAreNoDeepTrees) {
+  std::string text = "x";
+  for (int k = 0; k < 200'000; ++k) text += k % 2 == 0 ? " + x" : " - x";
+  EXPECT_EQ(error_of(text).message, "the expressions are too large");
+  std::string constants = "1";
+  for (int k = 0; k < 200'000; ++k) constants += k % 2 == 0 ? " + 1" : " - 1";
+  EXPECT_EQ(value_of(constants), 1);
+}
 
 TEST(Parser, MistakesInLetsNameTheLet) {
   const Error error = error_of("x + d", {{"d", "(x + 1"}});
@@ -250,7 +413,7 @@ TEST(Parser, HugeExpressionsAreRefused) {
 
 TEST(Parser, RandomTextGivesErrorsNotCrashes) {
   std::mt19937 random(1);
-  const std::string alphabet = "xy12.0^+-*/(),  sqrtabminexp\n\xff\0";
+  const std::string alphabet = "xy12.0^+-*/(),  sqrtabminexp[]..sum\n\xff\0";
   int errors = 0;
   for (int round = 0; round < 20'000; ++round) {
     std::string text;

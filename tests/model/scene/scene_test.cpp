@@ -109,6 +109,39 @@ TEST_F(SceneTest, ReducedSystemAndDataMayBeAbsent) {
   EXPECT_FALSE(scene->ranges.at(0).has_value());
 }
 
+TEST_F(SceneTest, SubscriptsNameInputsAndTheirRanges) {
+  const std::string text = R"scene([comparison]
+name = "nearest"
+f = "sum(k in 0..D-1, (p[k] - a[k])^2)"
+g = "sum(k in 0..D-1, (p_k_is_none - b[k])^2)"
+
+[let]
+D = "2"
+
+[reference]
+format = "s53e8"
+
+[inputs]
+"p*" = { range = [0, 1] }
+"a[*]" = { range = [0, 2] }
+"b[1]" = { range = [0, 3] }
+)scene";
+  const Result<Scene> scene = load(text);
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_EQ(scene->graph.inputs(),
+            (std::vector<std::string>{"p_0", "a_0", "p_1", "a_1", "p_k_is_none", "b_0", "b_1"}));
+  EXPECT_TRUE(scene->notes.empty()) << scene->notes.front();
+  EXPECT_EQ(scene->ranges.at(0)->high, 1);
+  EXPECT_EQ(scene->ranges.at(3)->high, 2);
+  EXPECT_FALSE(scene->ranges.at(5).has_value());
+  EXPECT_EQ(scene->ranges.at(6)->high, 3);
+  const Result<Scene> twice = load(text + "b_1 = { range = [0, 4] }\n");
+  ASSERT_FALSE(twice.ok());
+  EXPECT_NE(twice.error().to_string().find(":16: inputs.b_1: the same inputs as \"b[1]\""),
+            std::string::npos)
+      << twice.error().to_string();
+}
+
 TEST_F(SceneTest, RangesAreReadExactly) {
   const Result<Scene> scene =
       load_changed("[0, 0.1]", R"(["-0x1.8p-1", "12345678901234567890.123456789012345678901"])");
@@ -291,7 +324,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"count = 512", "count = 0",
                 ":28: data.count: out of range: received 0; accepted an integer 1..16777216"},
         Mistake{"\"uniform_spheres\"", "\"cubes\"",
-                ":27: data.items: not a choice: received \"cubes\"; accepted uniform_spheres, sphere_family"},
+                ":27: data.items: not a choice: received \"cubes\"; accepted uniform_spheres, "
+                "sphere_family"},
         Mistake{"seed = 7", "file = \"a.csv\"",
                 ":26: data: two sources of data: received items and file; accepted items = "
                 "\"uniform_spheres\", or file = a .pdb, .csv or .npy file"},
@@ -314,8 +348,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"\"r*\"", "\"*i\"",
                 ":8: inputs.*i: two patterns match the input cxi: received \"c*\" and \"*i\"; "
                 "accepted one pattern, or the exact key cxi"},
-        Mistake{"range = [0, 100]", "rnage = [0, 100]",
-                ":7: inputs.c*.rnage: unknown key: received rnage; accepted range (the nearest), grid"},
+        Mistake{
+            "range = [0, 100]", "rnage = [0, 100]",
+            ":7: inputs.c*.rnage: unknown key: received rnage; accepted range (the nearest), grid"},
         Mistake{"range = [0, 100]", "range = [100, 0]",
                 ":7: inputs.c*.range: the range is empty: received [100, 0]; accepted [low, high], "
                 "low <= high"},

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "model/common/result.hpp"
+#include "model/expression/graph.hpp"
+
+namespace mixcmp::model {
+
+/// Parentheses, brackets, calls and lets inside one another: each level is a dozen frames of
+/// recursive descent.
+constexpr std::size_t max_nesting = 100;
+
+/// What a text says, not yet what it means: names and functions are not looked up, a reduction's
+/// term stands there once.
+struct Syntax {
+  enum class Kind {
+    number,
+    name,       ///< parts: the subscripts
+    negation,   ///< parts: the operand
+    identity,   ///< an even number of minus signs before the one part
+    power,      ///< parts: the base, the exponent (a number)
+    chain,      ///< parts: operands, joined from the left
+    call,       ///< parts: the arguments
+    reduction,  ///< parts: first and last value of the index, the term
+    range,      ///< parts: first and last value of the index, with no term; a text of its own
+  };
+
+  Kind kind;
+  std::size_t column;   ///< 1-based
+  std::string text;     ///< a number's digits, a name, a function's name
+  std::size_t nesting;  ///< levels around it, those outside of the text included
+  std::vector<Syntax> parts;
+  std::vector<Operation> operations;  ///< of a chain: operations[k] joins parts[k + 1]
+  std::string index;                  ///< of a reduction or a range
+  std::size_t index_column = 0;
+};
+
+/// Reads an expression; docs/scene_file.md has the grammar. `outer_nesting` levels are around it.
+Result<Syntax> parse_syntax(const std::string& text, std::size_t outer_nesting);
+
+/// Reads "k in 0..3".
+Result<Syntax> parse_range_syntax(const std::string& text);
+
+}  // namespace mixcmp::model
