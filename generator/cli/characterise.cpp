@@ -206,8 +206,9 @@ void run(const CharacteriseCommand& command) {
   const model::Device device = value_or_exit(model::find_device(loaded.scene.system.device));
   gen::CharacteriseOptions options = value_or_exit(characterise_options(command, loaded.scene));
   options.progress = tell_progress;
-  const fs::path path =
-      command.output.empty() ? default_table(command.scene.scene, device.name) : command.output;
+  const fs::path path = command.output.empty()
+                            ? default_table(command.scene.scene, loaded.scene.variant, device.name)
+                            : command.output;
   value_or_exit(prepare_directory(path.parent_path()));
   const auto previous = value_or_exit(previous_table(path, loaded.scene, device.name));
   CharacteriseReport report =

@@ -6,10 +6,12 @@
 #include "generator/cli/costs.hpp"
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
+#include "generator/cli/output.hpp"
 #include "generator/cli/prove.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/system.hpp"
 #include "model/scene/summary.hpp"
+#include "model/scene/variant_check.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -89,11 +91,63 @@ bool any_refused(const std::vector<ProvenLane>& proven) {
                      [](const ProvenLane& lane) { return lane.proof.refused(); });
 }
 
+/// Of a scene that names no variant, each of them on its data.
+std::vector<model::VariantCheck> check_variants(const SceneOptions& options,
+                                                const LoadedScene& loaded) {
+  std::vector<model::VariantCheck> checks;
+  const auto formulations = value_or_exit(load_formulations(options, loaded));
+  for (std::size_t k = 1; k < formulations.size() && loaded.data; ++k) {
+    show_progress(fmt::format("variant {}", formulations[k].scene.variant));
+    checks.push_back(check_variant(loaded.scene, formulations[k].scene, *loaded.data));
+  }
+  show_progress("");
+  return checks;
+}
+
+void print_text(const std::vector<model::VariantCheck>& checks) {
+  if (!checks.empty()) fmt::print("variants\n");
+  for (const model::VariantCheck& check : checks) {
+    std::string verdict = "decides all of them alike";
+    if (const auto& first = check.first_difference) {
+      verdict = fmt::format("decides {} of them differently, the first number {}: {}, not {}",
+                            check.differences, first->index, to_string(first->variant),
+                            to_string(first->given));
+    }
+    fmt::print("  {:<18} {} comparisons: {}\n", check.variant, check.comparisons, verdict);
+    if (check.reference_differences == 0) continue;
+    fmt::print("  {:<18} rounded in the reference format, {} differ\n", "",
+               check.reference_differences);
+  }
+}
+
+nlohmann::json to_json(const std::vector<model::VariantCheck>& checks) {
+  nlohmann::json report = nlohmann::json::array();
+  for (const model::VariantCheck& check : checks) {
+    report.push_back({{"name", check.variant},
+                      {"comparisons", check.comparisons},
+                      {"differences", check.differences},
+                      {"reference_differences", check.reference_differences}});
+    if (const auto& first = check.first_difference) {
+      report.back()["first_difference"] = {{"index", first->index},
+                                           {"given", to_string(first->given)},
+                                           {"variant", to_string(first->variant)}};
+    }
+  }
+  return report;
+}
+
+bool any_differs(const std::vector<model::VariantCheck>& checks) {
+  return std::any_of(checks.begin(), checks.end(), [](const model::VariantCheck& check) {
+    return check.first_difference.has_value();
+  });
+}
+
 void run(const CheckOptions& options) {
   const LoadedScene loaded = value_or_exit(load(options.scene));
   const model::Summary summary =
       model::summarise(loaded.scene, loaded.data ? &*loaded.data : nullptr);
   const Outlook generated = outlook(loaded);
+  const std::vector<model::VariantCheck> variants = check_variants(options.scene, loaded);
   std::vector<ProvenLane> proven;
   if (options.prove.prove) proven = prove(loaded, options.prove);
   std::optional<BoundCosts> costs;
@@ -101,16 +155,18 @@ void run(const CheckOptions& options) {
   if (options.scene.json) {
     nlohmann::json report = to_json(summary);
     report["generate"] = to_json(generated);
+    if (!variants.empty()) report["variants"] = to_json(variants);
     if (options.prove.prove) report["proof"] = to_json(proven);
     if (costs) report["costs"] = to_json(*costs);
     fmt::print("{}\n", report.dump(2));
   } else {
     fmt::print("{}", to_text(summary));
     print_text(generated);
+    print_text(variants);
     if (costs) fmt::print("{}", to_text(*costs));
     print_text(proven);
   }
-  if (any_refused(proven)) throw Exit{2};
+  if (any_refused(proven) || any_differs(variants)) throw Exit{2};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/exit.hpp"
@@ -32,41 +33,117 @@ std::string command_of(const OptimiseCommand& command) {
   return command.rates.empty() ? line : line + " --rates " + quoted(command.rates.string());
 }
 
-void write_files(const OptimiseCommand& command, const std::string& device,
-                 const model::Optimisation& found) {
+/// The best plans of one way to put the comparison.
+struct Candidate {
+  Planning known;
+  model::Optimisation found;
+
+  double throughput_per_s() const {
+    return found.best() == nullptr ? 0 : found.best()->throughput_per_s();
+  }
+  std::string name() const {
+    return known.scene.variant.empty() ? "[comparison]" : known.scene.variant;
+  }
+};
+
+/// The scene as it is and, where it names no variant, its variants: a table and rates given by hand
+/// are of one formulation.
+std::vector<LoadedScene> formulations_of(const OptimiseCommand& command,
+                                         const LoadedScene& loaded) {
+  const bool by_hand = !command.planning.table.empty() || !command.rates.empty();
+  if (!by_hand) return value_or_exit(load_formulations(command.planning.scene, loaded));
+  if (loaded.scene.variant.empty() && !loaded.scene.variants.empty()) {
+    fmt::print(stderr,
+               "mixcmp: note: --table and --rates are of [comparison]; variants left out\n");
+  }
+  return {loaded};
+}
+
+/// Nothing where a variant has no table: the note says which command makes it.
+std::optional<Candidate> find_plans(const OptimiseCommand& command, const LoadedScene& loaded) {
+  const PlanningOptions& planning = command.planning;
+  const model::Comparisons* data = loaded.data ? &*loaded.data : nullptr;
+  model::Result<Planning> known = load_planning(planning, loaded.scene, data);
+  if (!known.ok() && !loaded.scene.variant.empty() && planning.table.empty() &&
+      !fs::exists(table_of(planning, loaded.scene))) {
+    fmt::print(stderr, "mixcmp: note: variant {} left out: {}\n", loaded.scene.variant,
+               known.error().to_string());
+    return std::nullopt;
+  }
+  Planning planned = value_or_exit(std::move(known));
+  model::Optimisation found = value_or_exit(optimise(planned.scene, planned.device, planned.table,
+                                                     rates_for(command, loaded), planning.choice));
+  return Candidate{std::move(planned), std::move(found)};
+}
+
+void write_files(const OptimiseCommand& command, const Candidate& chosen) {
+  const model::Optimisation& found = chosen.found;
   if (!command.csv.empty()) value_or_exit(write_file(command.csv, figure9_csv(found)));
   const model::PrecisionPlan* best = found.best();
   if (best == nullptr) return;
   if (!command.lp.empty()) value_or_exit(write_file(command.lp, to_lp(best->problem)));
   if (command.plan.empty()) return;
+  PlanningOptions planning = command.planning;
+  if (!chosen.known.scene.variant.empty()) {
+    planning.scene.settings.push_back("comparison.variant=" + chosen.known.scene.variant);
+  }
   const model::PlanSource source =
-      plan_source(command.planning, device, command.plan, command_of(command));
+      plan_source(planning, chosen.known.scene.system.device, command.plan, command_of(command));
   value_or_exit(write_file(command.plan, plan_toml(found, *best, source)));
+}
+
+/// Which formulation is best, and by how much.
+std::string compare_variants(const std::vector<Candidate>& candidates, std::size_t chosen) {
+  if (candidates.size() < 2) return "";
+  std::string text = "formulations, the best plan of each\n";
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    const model::PlanSummary s = summary_of(candidates[k].found);
+    text += fmt::format(
+        "{} {:<18} L = {:>2}, {:>3} x {}: {:8.2f} G/s; the chosen is {:.2f} times as fast\n",
+        k == chosen ? '*' : ' ', candidates[k].name(), s.precision, s.lanes, s.references,
+        s.throughput_per_s / 1e9, candidates[chosen].throughput_per_s() / s.throughput_per_s);
+  }
+  return text + "\n";
+}
+
+nlohmann::ordered_json to_json(const std::vector<Candidate>& candidates, std::size_t chosen) {
+  nlohmann::ordered_json json = to_json(candidates[chosen].found);
+  if (candidates.size() < 2) return json;
+  json["formulation"] = candidates[chosen].name();
+  for (const Candidate& candidate : candidates) {
+    json["formulations"].push_back(
+        {{"name", candidate.name()}, {"throughput_per_s", candidate.throughput_per_s()}});
+  }
+  return json;
 }
 
 void run(OptimiseCommand& command) {
   PlanningOptions& planning = command.planning;
   if (planning.separate_clocks) planning.choice.clocks.domains = model::ClockDomains::separate;
   const LoadedScene loaded = value_or_exit(load(planning.scene));
-  const Planning known =
-      value_or_exit(load_planning(planning, loaded.scene, loaded.data ? &*loaded.data : nullptr));
-  const fs::path table = planning.table.empty()
-                             ? default_table(planning.scene.scene, known.device.name)
-                             : planning.table;
-  value_or_exit(check_outputs({command.plan, command.csv, command.lp},
-                              {planning.scene.scene, table, command.rates}));
-  const model::Optimisation found = value_or_exit(optimise(
-      known.scene, known.device, known.table, rates_for(command, loaded), planning.choice));
-  write_files(command, known.scene.system.device, found);
+  std::vector<fs::path> inputs = {planning.scene.scene, command.rates};
+  const std::vector<LoadedScene> formulations = formulations_of(command, loaded);
+  for (const LoadedScene& each : formulations) inputs.push_back(table_of(planning, each.scene));
+  value_or_exit(check_outputs({command.plan, command.csv, command.lp}, inputs));
+  std::vector<Candidate> candidates;
+  for (const LoadedScene& each : formulations) {
+    if (auto candidate = find_plans(command, each)) candidates.push_back(std::move(*candidate));
+  }
+  const auto best = std::max_element(candidates.begin(), candidates.end(),
+                                     [](const Candidate& a, const Candidate& b) {
+                                       return a.throughput_per_s() < b.throughput_per_s();
+                                     });
+  const auto chosen = static_cast<std::size_t>(best - candidates.begin());
+  write_files(command, *best);
   if (planning.scene.json) {
-    fmt::print("{}\n", to_json(found).dump(2));
+    fmt::print("{}\n", to_json(candidates, chosen).dump(2));
   } else {
-    fmt::print("{}", to_text(found));
-    if (found.best() != nullptr && !command.plan.empty()) {
+    fmt::print("{}{}", compare_variants(candidates, chosen), to_text(best->found));
+    if (best->found.best() != nullptr && !command.plan.empty()) {
       fmt::print("plan: {}\n", command.plan.string());
     }
   }
-  if (found.best() == nullptr) throw Exit{2};
+  if (best->found.best() == nullptr) throw Exit{2};
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ struct Shortcut {
   const char* help;
 };
 
-constexpr std::array<Shortcut, 7> shortcuts = {{
+constexpr std::array<Shortcut, 8> shortcuts = {{
+    {"--variant", "comparison.variant", "one of the scene's [[variant]]s in place of [comparison]"},
     {"--format", "reduced.format", "reduced format of the lanes, s17e8"},
     {"--bound", "reduced.bound", "certified or profiled"},
     {"--inputs", "reduced.inputs", "rounded or exact"},
@@ -71,6 +72,19 @@ model::Result<LoadedScene> load(const SceneOptions& options) {
     loaded.data = std::move(data);
   }
   return loaded;
+}
+
+model::Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& options,
+                                                          const LoadedScene& loaded) {
+  std::vector<LoadedScene> formulations = {loaded};
+  if (!loaded.scene.variant.empty()) return formulations;
+  for (const std::string& variant : loaded.scene.variants) {
+    std::vector<std::string> settings = options.settings;
+    settings.push_back("comparison.variant=" + variant);
+    MIXCMP_TRY(scene, model::load_scene(options.scene, settings));
+    formulations.push_back({std::move(scene), loaded.data});
+  }
+  return formulations;
 }
 
 std::string command_line(const std::string& verb, const SceneOptions& options) {

@@ -30,6 +30,11 @@ struct LoadedScene {
 };
 model::Result<LoadedScene> load(const SceneOptions& options);
 
+/// The scene as it was loaded and, where it names no variant, each of its variants with the same
+/// data.
+model::Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& options,
+                                                          const LoadedScene& loaded);
+
 /// One word of a POSIX shell's command line, quoted where it must be.
 std::string quoted(const std::string& text);
 

@@ -33,15 +33,17 @@ CLI::Validator a_clock() {
 }
 
 Result<model::Done> check_table_exists(const std::filesystem::path& path,
-                                       const PlanningOptions& options,
+                                       const PlanningOptions& options, const std::string& variant,
                                        const model::Device& device) {
   if (std::filesystem::exists(path)) return model::Done{};
-  return Error{.file = path.string(),
-               .field = "--table",
-               .message = "no areas and clocks of this scene's lanes and references",
-               .received = "no such file",
-               .accepted = fmt::format("what this makes: mixcmp characterise {} --device {} -o {}",
-                                       options.scene.scene.string(), device.name, path.string())};
+  const std::string chosen = variant.empty() ? "" : " --variant " + variant;
+  return Error{
+      .file = path.string(),
+      .field = "--table",
+      .message = "no areas and clocks of this scene's lanes and references",
+      .received = "no such file",
+      .accepted = fmt::format("what this makes: mixcmp characterise {}{} --device {} -o {}",
+                              options.scene.scene.string(), chosen, device.name, path.string())};
 }
 
 bool is_set(const SceneOptions& options, const std::string& key) {
@@ -162,17 +164,25 @@ model::PlanSource plan_source(const PlanningOptions& options, const std::string&
           .command = std::move(command)};
 }
 
-std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& device) {
+std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& variant,
+                                    const std::string& device) {
+  const std::string formulation = variant.empty() ? "" : "-" + variant;
   return scene.parent_path() / "characterisation" /
-         fmt::format("{}-{}.csv", scene.stem().string(), device);
+         fmt::format("{}{}-{}.csv", scene.stem().string(), formulation, device);
+}
+
+std::filesystem::path table_of(const PlanningOptions& options, const model::Scene& scene) {
+  if (!options.table.empty()) return options.table;
+  const Result<model::Device> device = model::find_device(scene.system.device);
+  return default_table(options.scene.scene, scene.variant,
+                       device.ok() ? device->name : scene.system.device);
 }
 
 Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene,
                                const model::Comparisons* data) {
   MIXCMP_TRY(device, model::find_device(scene.system.device));
-  const std::filesystem::path path =
-      options.table.empty() ? default_table(options.scene.scene, device.name) : options.table;
-  MIXCMP_TRY(exists, check_table_exists(path, options, device));
+  const std::filesystem::path path = table_of(options, scene);
+  MIXCMP_TRY(exists, check_table_exists(path, options, scene.variant, device));
   MIXCMP_TRY(table, model::read_characterisation(path));
   if (table.device != device.name) {
     return Error{.file = path.string(),

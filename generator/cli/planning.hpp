@@ -29,8 +29,13 @@ std::string planning_command_line(const std::string& verb, const PlanningOptions
 model::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
                               const std::filesystem::path& plan, std::string command);
 
-/// characterisation/SCENE-DEVICE.csv beside the scene: where `characterise` writes, too.
-std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& device);
+/// characterisation/SCENE-DEVICE.csv beside the scene file, SCENE-VARIANT-DEVICE.csv of a variant:
+/// where `characterise` writes, too.
+std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& variant,
+                                    const std::string& device);
+
+/// The table that `options` names, or the default one.
+std::filesystem::path table_of(const PlanningOptions& options, const model::Scene& scene);
 
 /// What plans are made of.
 struct Planning {

@@ -78,23 +78,14 @@ void read_lane_keys(Section& section, FloatFormat reference, ReducedSpec& spec) 
 
 /// The tables of [[name]]; system.name would count them a second time.
 Result<std::span<const Setting>> read_groups(const Settings& settings, const std::string& name) {
-  const Setting* list = settings.root.find(name);
-  if (list == nullptr) return std::span<const Setting>();
-  const auto* groups = std::get_if<Setting::Array>(&list->value);
-  const bool tables = groups != nullptr && !groups->empty() &&
-                      std::all_of(groups->begin(), groups->end(), [](const Setting& group) {
-                        return std::holds_alternative<Setting::Table>(group.value);
-                      });
-  if (!tables) {
-    return mistake_at(*list, name, "not a list of tables", list->shown(),
-                      fmt::format("[[{}]], one table for each kind", name));
-  }
+  MIXCMP_TRY(groups, tables_of(settings, name, "one table for each kind"));
+  if (groups.empty()) return groups;
   Section system(settings, "system");
   if (const Setting* count = system.find(name)) {
     return mistake_at(*count, "system." + name, fmt::format("given beside [[{}]]", name),
                       count->shown(), "one of the two");
   }
-  return std::span<const Setting>(*groups);
+  return groups;
 }
 
 void read_count(Section& section, std::optional<int>& count, int& total, int most) {

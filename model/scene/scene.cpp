@@ -1,8 +1,10 @@
 #include "model/scene/scene.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "model/common/nearest.hpp"
 #include "model/error/exponent_range.hpp"
@@ -13,6 +15,7 @@
 #include "model/scene/plan.hpp"
 #include "model/scene/section.hpp"
 #include "model/scene/sections.hpp"
+#include "model/scene/variant.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -21,12 +24,13 @@ struct Comparison {
   std::string name;
   std::string f;
   std::string g;
+  Graph graph = {};
 };
 
 Result<Done> check_section_names(const Settings& settings) {
-  const std::vector<std::string> names = {"comparison", "let",     "inputs",
-                                          "reference",  "reduced", "lanes",
-                                          "references", "system",  "data"};
+  const std::vector<std::string> names = {"comparison", "variant", "let",   "inputs",
+                                          "reference",  "reduced", "lanes", "references",
+                                          "system",     "data"};
   for (const Setting& entry : settings.root.entries) {
     if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
     const bool is_section = std::holds_alternative<Setting::Table>(entry.value);
@@ -123,10 +127,12 @@ Result<NodeId> parse_setting(const Settings& settings, Graph& graph, const std::
   return locate(*let_table.find(let), error);
 }
 
-/// f and g in one graph; lets that neither needs are parsed too, for their mistakes.
+/// f and g in one graph whose inputs begin with `inputs`; lets that neither needs are parsed too,
+/// for their mistakes.
 Result<Graph> read_graph(const Settings& settings, std::span<const LetDefinition> lets,
-                         std::vector<std::string>& notes) {
+                         const std::vector<std::string>& inputs, std::vector<std::string>& notes) {
   Graph graph;
+  for (const std::string& input : inputs) graph.input(input);
   std::set<std::string> used_lets;
   MIXCMP_TRY(f, parse_setting(settings, graph, "comparison", "f", lets, used_lets));
   MIXCMP_TRY(g, parse_setting(settings, graph, "comparison", "g", lets, used_lets));
@@ -145,6 +151,71 @@ Result<Graph> read_graph(const Settings& settings, std::span<const LetDefinition
                            "at least one input name");
   }
   return graph;
+}
+
+/// The mistake of a variant is one of its own table's key.
+Error in_variant(const std::string& variant, Error error) {
+  constexpr std::string_view section = "comparison.";
+  if (error.field.starts_with(section)) {
+    error.field = fmt::format("variant {}, {}", variant, error.field.substr(section.size()));
+  }
+  return error;
+}
+
+/// A variant in the place of [comparison]: it has the same inputs in the same order, so that data
+/// and ports fit all of them.
+Result<Comparison> read_variant(const Formulation& formulation, std::span<const LetDefinition> lets,
+                                const Comparison& base, std::vector<std::string>& notes) {
+  const Settings& settings = formulation.settings;
+  MIXCMP_TRY(variant, read_comparison(settings));
+  std::vector<std::string> ignored;
+  MIXCMP_TRY(alone, read_graph(settings, lets, {}, ignored));
+  const std::set<std::string> named(alone.inputs().begin(), alone.inputs().end());
+  const auto& inputs = base.graph.inputs();
+  if (named != std::set<std::string>(inputs.begin(), inputs.end())) {
+    const Section section(settings, "comparison");
+    return section.mistake("f", "f and g have other inputs than [comparison]",
+                           fmt::format("{}", fmt::join(named, ", ")),
+                           fmt::format("{}", fmt::join(inputs, ", ")));
+  }
+  MIXCMP_TRY(graph, read_graph(settings, lets, inputs, notes));
+  variant.graph = std::move(graph);
+  variant.name += "_" + formulation.variant;
+  const std::string problem = name_problem(variant.name);
+  if (problem.empty()) return variant;
+  const Section section(settings, "comparison");
+  return section.mistake("name", problem, variant.name, std::string(accepted_names()));
+}
+
+/// The chosen formulation, all of them looked through for mistakes. Notes tell what none of them
+/// uses.
+Result<Comparison> read_formulation(const Formulations& formulations,
+                                    std::span<const LetDefinition> lets,
+                                    std::vector<std::string>& notes) {
+  const Settings& settings = formulations.all.front().settings;
+  MIXCMP_TRY(base, read_comparison(settings));
+  MIXCMP_TRY(graph, read_graph(settings, lets, {}, notes));
+  base.graph = std::move(graph);
+  Comparison chosen = base;
+  for (std::size_t k = 1; k < formulations.all.size(); ++k) {
+    std::vector<std::string> variant_notes;
+    Result<Comparison> variant = read_variant(formulations.all[k], lets, base, variant_notes);
+    if (!variant.ok()) return in_variant(formulations.all[k].variant, variant.error());
+    std::erase_if(notes, [&](const std::string& unused_let) {
+      return std::find(variant_notes.begin(), variant_notes.end(), unused_let) ==
+             variant_notes.end();
+    });
+    if (k == formulations.chosen) chosen = std::move(variant).value();
+  }
+  return chosen;
+}
+
+std::vector<std::string> names_of(const Formulations& formulations) {
+  std::vector<std::string> names;
+  for (std::size_t k = 1; k < formulations.all.size(); ++k) {
+    names.push_back(formulations.all[k].variant);
+  }
+  return names;
 }
 
 /// A profiled lane checks no range, so that its exponents must reach as far as the reference's.
@@ -237,12 +308,13 @@ void note_missed_ends(const std::vector<std::optional<Range>>& ranges, FloatForm
 Result<Scene> load_scene(const std::filesystem::path& path,
                          std::span<const std::string> overrides) {
   MIXCMP_TRY(read, read_scene_settings(path, overrides));
-  const Settings& settings = read.settings;
+  MIXCMP_TRY(names_checked, check_section_names(read.settings));
+  MIXCMP_TRY(formulations, read_formulations(read.settings));
+  const Settings& settings = formulations.all[formulations.chosen].settings;
   std::vector<std::string> notes;
-  MIXCMP_TRY(names_checked, check_section_names(settings));
-  MIXCMP_TRY(comparison, read_comparison(settings));
   MIXCMP_TRY(lets, read_lets(settings));
-  MIXCMP_TRY(graph, read_graph(settings, lets, notes));
+  MIXCMP_TRY(comparison, read_formulation(formulations, lets, notes));
+  Graph& graph = comparison.graph;
   MIXCMP_TRY(declared, read_inputs(settings, graph.inputs()));
   MIXCMP_TRY(reference, read_reference(settings));
   const FloatFormat format = reference.arithmetic.format;
@@ -254,6 +326,8 @@ Result<Scene> load_scene(const std::filesystem::path& path,
   MIXCMP_TRY(data, read_data(settings, notes));
   Scene scene{.path = settings.path,
               .name = comparison.name,
+              .variant = formulations.all[formulations.chosen].variant,
+              .variants = names_of(formulations),
               .f_text = comparison.f,
               .g_text = comparison.g,
               .graph = std::move(graph),

@@ -117,7 +117,9 @@ struct PlanReport {
 /// One validated scene file, or a plan laid over one. docs/scene_file.md is the user's view of it.
 struct Scene {
   std::filesystem::path path;
-  std::string name;
+  std::string name;                   ///< with the variant's behind it: names the modules
+  std::string variant;                ///< which [[variant]] this is; empty: as [comparison] has it
+  std::vector<std::string> variants;  ///< names of all of them
   std::string f_text;
   std::string g_text;
   Graph graph;

@@ -193,4 +193,18 @@ std::optional<Error> Section::finish() const {
   return error_;
 }
 
+Result<std::span<const Setting>> tables_of(const Settings& settings, const std::string& name,
+                                           const std::string& purpose) {
+  const Setting* list = settings.root.find(name);
+  if (list == nullptr) return std::span<const Setting>();
+  const auto* tables = std::get_if<Setting::Array>(&list->value);
+  const bool all_tables = tables != nullptr && !tables->empty() &&
+                          std::all_of(tables->begin(), tables->end(), [](const Setting& table) {
+                            return std::holds_alternative<Setting::Table>(table.value);
+                          });
+  if (all_tables) return std::span<const Setting>(*tables);
+  return mistake_at(*list, name, "not a list of tables", list->shown(),
+                    fmt::format("[[{}]], {}", name, purpose));
+}
+
 }  // namespace mixcmp::model

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "model/format/float_format.hpp"
 #include "model/scene/settings.hpp"
@@ -72,6 +73,10 @@ std::string file_of(const Setting& setting);
 /// An error about the setting `field`: it names the setting's file and line, or "--set".
 Error mistake_at(const Setting& setting, std::string field, std::string message,
                  std::string received, std::string accepted);
+
+/// The tables of the list [[name]]; none where it is absent. `purpose`: "one table for each kind".
+Result<std::span<const Setting>> tables_of(const Settings& settings, const std::string& name,
+                                           const std::string& purpose);
 
 /// The exact value of an integer, of a number (the shortest decimal that names it), or of a string
 /// that holds a decimal or hex-float literal.

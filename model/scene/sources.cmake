@@ -12,4 +12,6 @@ target_sources(mixcmp_model PRIVATE
   scene/summary_json.cpp
   scene/summary_print.cpp
   scene/system_section.cpp
+  scene/variant.cpp
+  scene/variant_check.cpp
 )

@@ -42,6 +42,21 @@ TEST_F(CommandLine, CheckTellsWhatGenerateWillDo) {
   EXPECT_TRUE(fs::exists(directory_.path() / "rtl" / "scene_s8e8_1x1.v"));
 }
 
+TEST_F(CommandLine, CheckHoldsVariantsAgainstTheComparison) {
+  write_scene("alike.toml",
+              "a * b\"\n[[variant]]\nname = \"turned\"\nf = \"-a * b\"\ng = \"-a * c");
+  const Outcome alike = mixcmp("check alike.toml");
+  EXPECT_EQ(alike.exit_code, 0) << alike.output;
+  EXPECT_NE(alike.output.find("2 comparisons: decides all of them alike"), std::string::npos);
+  write_scene("wrong.toml", "a * b\"\n[[variant]]\nname = \"wrong\"\ng = \"5 * a * b");
+  const Outcome wrong = mixcmp("check wrong.toml --json");
+  EXPECT_EQ(wrong.exit_code, 2) << wrong.output;
+  const auto report = nlohmann::json::parse(wrong.output).at("variants")[0];
+  EXPECT_EQ(report.at("differences"), 2);
+  EXPECT_EQ(report.at("first_difference").at("given"), "greater");
+  EXPECT_EQ(report.at("first_difference").at("variant"), "less");
+}
+
 TEST_F(CommandLine, CheckTellsWhichOperationHasNoBound) {
   write_scene("cancels.toml", "a - a * b");
   const Outcome text = mixcmp("check cancels.toml --set reduced.error_bound=relative");

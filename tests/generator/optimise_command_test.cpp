@@ -28,15 +28,16 @@ protected:
   }
 
   /// Lanes of 8 and 12 digits with exact inputs, one reference, streams.
-  void write_table(const std::string& name, const std::string& device) {
+  void write_table(const std::string& name, const std::string& device,
+                   const std::string& scene = "spheres", int lane_luts = 2000) {
     fs::create_directories(directory_.path() / "characterisation");
     std::ofstream table(directory_.path() / "characterisation" / name);
-    table << "# device: " << device << "\n# scene: spheres\n# command: made up\n"
+    table << "# device: " << device << "\n# scene: " << scene << "\n# command: made up\n"
           << "# target_mhz: 250\n"
           << "kind,name,format,inputs,bound,multipliers,ports,latency_cycles,luts,registers,dsps,"
              "memories,carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,timing_seeds,"
              "hash,tools\n";
-    row(table, "lane,,s8e8,exact,relative,embedded,0", 20, 2000, 4);
+    row(table, "lane,,s8e8,exact,relative,embedded,0", 20, lane_luts, 4);
     row(table, "lane,,s8e8,exact,relative,logic,0", 21, 2300, 0);
     row(table, "lane,,s12e8,exact,relative,embedded,0", 20, 2500, 4);
     row(table, "reference,,s53e8,,,embedded,0", 30, 8000, 40);
@@ -117,6 +118,30 @@ TEST_F(OptimiseCommand, ADeviceTooSmallIsToldWithWhatIsShort) {
   EXPECT_EQ(found.exit_code, 2) << found.output;
   EXPECT_NE(found.output.find("lut"), std::string::npos) << found.output;
   EXPECT_FALSE(fs::exists(directory_.path() / "plan.toml"));
+}
+
+TEST_F(OptimiseCommand, TheBestVariantIsChosenAndThePlanNamesIt) {
+  std::ofstream(directory_.path() / "scene.toml", std::ios::app)
+      << "[[variant]]\nname = \"root\"\ng = \"ri + rj\"\n"
+      << "f = \"sqrt((cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2)\"\n";
+  const Outcome without = mixcmp("optimise scene.toml --last 8 --json");
+  EXPECT_NE(without.output.find("variant root left out"), std::string::npos) << without.output;
+  EXPECT_NE(without.output.find("characterise scene.toml --variant root"), std::string::npos);
+  write_table("scene-root-virtex6-lx760.csv", "virtex6-lx760", "spheres_root", 500);
+  const Outcome found = mixcmp("optimise scene.toml --last 8 --json -o plan.toml");
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  const auto report = json_of(found);
+  EXPECT_EQ(report.at("formulation"), "root");
+  EXPECT_GT(report.at("formulations")[1].at("throughput_per_s"),
+            report.at("formulations")[0].at("throughput_per_s"));
+  const Outcome text = mixcmp("optimise scene.toml --last 8");
+  EXPECT_NE(text.output.find("* root"), std::string::npos) << text.output;
+  const Outcome checked = mixcmp("check plan.toml --json");
+  ASSERT_EQ(checked.exit_code, 0) << checked.output;
+  EXPECT_EQ(nlohmann::json::parse(checked.output).at("name"), "spheres_root");
+  EXPECT_EQ(json_of(mixcmp("optimise scene.toml --last 8 --json --set comparison.variant=root"))
+                .at("best"),
+            8);
 }
 
 TEST_F(OptimiseCommand, MistakesAreTold) {

@@ -1,0 +1,102 @@
+#include "model/scene/variant.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "model/common/nearest.hpp"
+#include "model/common/quote.hpp"
+#include "model/expression/name.hpp"
+#include "model/scene/section.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+Setting::Table* table_of(Setting::Table& root, const std::string& name) {
+  const auto found = std::find_if(root.entries.begin(), root.entries.end(),
+                                  [&](const Setting& entry) { return entry.key == name; });
+  return found == root.entries.end() ? nullptr : std::get_if<Setting::Table>(&found->value);
+}
+
+void erase(Setting::Table& table, const std::string& key) {
+  std::erase_if(table.entries, [&](const Setting& entry) { return entry.key == key; });
+}
+
+/// The settings without anything that speaks of variants.
+Settings without_variants(Settings settings) {
+  erase(settings.root, "variant");
+  if (Setting::Table* comparison = table_of(settings.root, "comparison")) {
+    erase(*comparison, "variant");
+  }
+  return settings;
+}
+
+/// The name of a [[variant]]: unique, and fit to be a part of a module's name.
+Result<std::string> read_name(const Setting& table, const std::vector<Formulation>& known) {
+  Section section("variant", table);
+  std::string name;
+  section.require("name");
+  section.text("name", name);
+  for (const Setting& entry : section.entries()) section.find(entry.key);
+  if (const auto error = section.finish()) return *error;
+  const std::string problem = name_problem(name);
+  if (!problem.empty()) {
+    return section.mistake("name", problem, in_quotes(name), std::string(accepted_names()));
+  }
+  for (const Formulation& other : known) {
+    if (other.variant != name) continue;
+    return section.mistake("name", "two variants have it", in_quotes(name), "a name of its own");
+  }
+  return name;
+}
+
+/// [comparison] keeps what the variant does not say, and its name.
+Result<Formulation> lay_over(const Setting& table, std::string name, const Settings& base) {
+  Formulation formulation{.variant = std::move(name), .settings = base};
+  Setting::Table* comparison = table_of(formulation.settings.root, "comparison");
+  if (comparison == nullptr) return formulation;  // read_comparison tells
+  bool says_something = false;
+  for (const Setting& entry : std::get<Setting::Table>(table.value).entries) {
+    if (entry.key == "name") continue;
+    says_something = true;
+    find_or_add(*comparison, entry.key) = entry;
+  }
+  if (says_something) return formulation;
+  return mistake_at(table, "variant", "says nothing of its own", in_quotes(formulation.variant),
+                    "f, g or both");
+}
+
+Result<std::size_t> chosen_one(const Settings& settings, const std::vector<Formulation>& all) {
+  Section section(settings, "comparison");
+  const Setting* key = section.find("variant");
+  if (key == nullptr) return std::size_t{0};
+  std::string name;
+  section.text("variant", name);
+  std::vector<std::string> names;
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    if (all[k].variant == name) return k;
+    names.push_back(all[k].variant);
+  }
+  return section.mistake(
+      "variant", names.empty() ? "the scene has no [[variant]]" : "no such variant", key->shown(),
+      names.empty() ? "no such key" : list_with_nearest(name, names));
+}
+
+}  // namespace
+
+Result<Formulations> read_formulations(const Settings& settings) {
+  Formulations formulations;
+  const Settings base = without_variants(settings);
+  formulations.all.push_back({.variant = {}, .settings = base});
+  MIXCMP_TRY(tables, tables_of(settings, "variant", "one table for each formulation"));
+  for (const Setting& table : tables) {
+    MIXCMP_TRY(name, read_name(table, formulations.all));
+    MIXCMP_TRY(formulation, lay_over(table, name, base));
+    formulations.all.push_back(std::move(formulation));
+  }
+  MIXCMP_TRY(chosen, chosen_one(settings, formulations.all));
+  formulations.chosen = chosen;
+  return formulations;
+}
+
+}  // namespace mixcmp::model

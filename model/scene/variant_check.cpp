@@ -1,0 +1,32 @@
+#include "model/scene/variant_check.hpp"
+
+#include <algorithm>
+
+#include "model/common/check.hpp"
+#include "model/golden/evaluate.hpp"
+
+namespace mixcmp::model {
+
+VariantCheck check_variant(const Scene& given, const Scene& variant, const Comparisons& data,
+                           std::uint64_t most) {
+  MIXCMP_CHECK(given.graph.inputs() == variant.graph.inputs());
+  const FloatFormat format = given.reference.format;
+  const TypedGraph reference = reference_graph(given.graph, given.reference);
+  const TypedGraph variant_reference = reference_graph(variant.graph, variant.reference);
+  VariantCheck check{.variant = variant.variant, .comparisons = std::min(most, data.size())};
+  std::vector<Bits> operands(data.input_count());
+  for (std::uint64_t k = 0; k < check.comparisons; ++k) {
+    const auto index = static_cast<std::uint64_t>(Bits{k} * data.size() / check.comparisons);
+    data.fetch(index, operands);
+    const auto is = golden::true_verdict(given.graph, format, operands);
+    const auto becomes = golden::true_verdict(variant.graph, format, operands);
+    check.reference_differences += golden::evaluate_reference(reference, operands) !=
+                                   golden::evaluate_reference(variant_reference, operands);
+    if (is == becomes) continue;
+    ++check.differences;
+    if (!check.first_difference) check.first_difference = {index, is, becomes};
+  }
+  return check;
+}
+
+}  // namespace mixcmp::model
