@@ -1,6 +1,7 @@
 # Every hand-written module; the generator embeds them and copies the ones a system uses.
 file(GLOB MIXCMP_RTL_TEMPLATES CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/rtl_templates/bound/*.v
+  ${PROJECT_SOURCE_DIR}/rtl_templates/engine/*.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/fp/*.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/stream/*.v
 )

@@ -1,0 +1,47 @@
+// item_memory: the items of one set. Port a writes or reads, port b reads.
+// Latency 1; an output holds its word until its port reads again. No reset, so that it becomes block
+// RAM with two ports. Whoever reads an address in the cycle that writes it gets either word: the
+// users of this module never do.
+`default_nettype none
+
+module item_memory #(
+  parameter WIDTH = 32,
+  parameter ADDRESS_BITS = 4
+) (
+  input  wire                    aclk,
+  input  wire                    a_enable,
+  input  wire                    a_write,
+  input  wire [ADDRESS_BITS-1:0] a_address,
+  input  wire [WIDTH-1:0]        a_write_data,
+  output wire [WIDTH-1:0]        a_read_data,
+  input  wire                    b_enable,
+  input  wire [ADDRESS_BITS-1:0] b_address,
+  output wire [WIDTH-1:0]        b_read_data
+);
+
+  reg [WIDTH-1:0] words [0:(1<<ADDRESS_BITS)-1];
+  reg [WIDTH-1:0] a_read_data_q;
+  reg [WIDTH-1:0] b_read_data_q;
+
+  always @(posedge aclk) begin
+    if (a_enable) begin
+      if (a_write) begin
+        words[a_address] <= a_write_data;
+      end else begin
+        a_read_data_q <= words[a_address];
+      end
+    end
+  end
+
+  always @(posedge aclk) begin
+    if (b_enable) begin
+      b_read_data_q <= words[b_address];
+    end
+  end
+
+  assign a_read_data = a_read_data_q;
+  assign b_read_data = b_read_data_q;
+
+endmodule
+
+`default_nettype wire
