@@ -137,12 +137,7 @@ Mismatch Judge::describe(const wire::Result& result, std::span<const model::Bits
                     .got = describe_tdata(result.tdata),
                     .lane = result.lane,
                     .cycle = result.cycle_left};
-  const auto [i, j] = comparisons_.items(index);
-  const auto label = [this](std::uint64_t row) {
-    const auto& labels = comparisons_.table().labels;
-    return labels.empty() ? std::to_string(row) : labels[row];
-  };
-  mismatch.items = i == j ? "row " + label(i) : fmt::format("items {} and {}", label(i), label(j));
+  mismatch.items = model::describe(comparisons_, index);
   const model::FloatFormat format = design_.reference.input_format;
   for (std::size_t k = 0; k < operands.size(); ++k) {
     mismatch.operands.push_back({design_.inputs[k], model::to_hex(operands[k], format.width()),

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "generator/datapath/delays.hpp"
-#include "model/data/load.hpp"
+#include "model/scene/load_comparisons.hpp"
 
 namespace mixcmp::cli {
 namespace {

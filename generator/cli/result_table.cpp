@@ -27,6 +27,28 @@ std::string field(const std::string& text) {
   return quoted + "\"";
 }
 
+/// What a comparison is about, and the column that says so.
+struct NamedItem {
+  const char* name;
+  model::Item item;
+  const model::Table* table;
+};
+
+/// Of comparisons of rows none: their index is the row.
+std::vector<NamedItem> named_items(const model::Comparisons& data) {
+  const auto& tables = data.tables();
+  const NamedItem row = {"row", model::Item::row, &tables.front()};
+  const NamedItem i = {"i", model::Item::first, &tables.front()};
+  const NamedItem j = {"j", model::Item::second, &tables.back()};
+  switch (data.pairing()) {
+    case model::Pairing::rows: return {};
+    case model::Pairing::all:
+    case model::Pairing::cross: return {i, j};
+    case model::Pairing::arg_min: return {row, {"i", model::Item::first, &tables.back()}, j};
+  }
+  MIXCMP_CHECK(false);
+}
+
 }  // namespace
 
 ResultTable::~ResultTable() {
@@ -43,9 +65,13 @@ ResultTable::ResultTable(fs::path path, std::ofstream stream, const model::Compa
 model::Result<ResultTable> ResultTable::open(const fs::path& path, const model::Comparisons& data,
                                              std::set<std::string> kept) {
   std::ofstream stream(unfinished(path), std::ios::binary);
-  stream << "index," << (data.pairs() ? "i,j," : "");
-  if (data.pairs() && !data.table().labels.empty()) stream << "label_i,label_j,";
-  stream << "verdict,recomputed\n";
+  stream << "index";
+  const std::vector<NamedItem> items = named_items(data);
+  for (const NamedItem& item : items) stream << ',' << item.name;
+  for (const NamedItem& item : items) {
+    if (!item.table->labels.empty()) stream << ",label_" << item.name;
+  }
+  stream << ",verdict,recomputed\n";
   if (!stream) return cannot_write(path);
   return ResultTable(path, std::move(stream), data, std::move(kept));
 }
@@ -53,14 +79,15 @@ model::Result<ResultTable> ResultTable::open(const fs::path& path, const model::
 void ResultTable::add(const tb::VerifiedResult& result) {
   const std::string verdict(result.undecided ? undecided : to_string(result.verdict));
   if (kept_.count(verdict) == 0) return;
-  stream_ << result.index << ',';
-  if (data_->pairs()) {
-    const auto [i, j] = data_->items(result.index);
-    stream_ << i << ',' << j << ',';
-    const auto& labels = data_->table().labels;
-    if (!labels.empty()) stream_ << field(labels[i]) << ',' << field(labels[j]) << ',';
+  stream_ << result.index;
+  const std::vector<NamedItem> named = named_items(*data_);
+  const model::Items items = data_->items(result.index);
+  for (const NamedItem& item : named) stream_ << ',' << items.of(item.item);
+  for (const NamedItem& item : named) {
+    if (!item.table->labels.empty())
+      stream_ << ',' << field(item.table->labels[items.of(item.item)]);
   }
-  stream_ << verdict << ',' << (result.recomputed ? 1 : 0) << '\n';
+  stream_ << ',' << verdict << ',' << (result.recomputed ? 1 : 0) << '\n';
 }
 
 model::Result<model::Done> ResultTable::finish() {

@@ -16,6 +16,9 @@ namespace {
 using model::Bits;
 using model::golden::Verdict;
 
+// Their operands fill memory.
+constexpr std::uint64_t most_written_out = std::uint64_t{1} << 22;
+
 model::Error no_doubles(const model::Scene& scene) {
   return {.file = scene.path.string(),
           .field = "reference.format",
@@ -24,14 +27,9 @@ model::Error no_doubles(const model::Scene& scene) {
           .accepted = "at most 53 digits and 11 exponent bits"};
 }
 
-/// Items or rows, evenly spaced, that make about `wanted` comparisons.
-model::Result<model::Comparisons> sample_of(const model::Scene& scene,
-                                            const model::Comparisons& data, std::uint64_t wanted) {
-  const model::Table& table = data.table();
-  const std::uint64_t rows =
-      data.pairs() ? static_cast<std::uint64_t>(std::sqrt(2.0 * static_cast<double>(wanted))) + 1
-                   : wanted;
-  const std::uint64_t taken = std::clamp<std::uint64_t>(rows, data.pairs() ? 2 : 1, table.rows());
+/// `count` rows of a table, or all of them, evenly spaced.
+model::Table some_rows(const model::Table& table, std::uint64_t count) {
+  const std::uint64_t taken = std::min<std::uint64_t>(count, table.rows());
   model::Table sample{.format = table.format, .columns = table.columns, .values = {}, .labels = {}};
   for (std::uint64_t k = 0; k < taken; ++k) {
     const auto first = table.values.begin() +
@@ -39,8 +37,43 @@ model::Result<model::Comparisons> sample_of(const model::Scene& scene,
     sample.values.insert(sample.values.end(), first,
                          first + static_cast<std::ptrdiff_t>(table.columns.size()));
   }
-  return data.pairs() ? model::Comparisons::all_pairs(std::move(sample), scene.graph.inputs())
-                      : model::Comparisons::rows(std::move(sample), scene.graph.inputs());
+  return sample;
+}
+
+/// Comparisons, evenly spaced, each a row that holds its operands.
+model::Result<model::Comparisons> written_out(const model::Scene& scene,
+                                              const model::Comparisons& data, std::uint64_t most) {
+  const std::uint64_t taken = std::min(most, data.size());
+  const std::size_t inputs = data.input_count();
+  model::Table rows{
+      .format = data.format(), .columns = scene.graph.inputs(), .values = {}, .labels = {}};
+  rows.values.resize(taken * inputs);
+  for (std::uint64_t k = 0; k < taken; ++k) {
+    const auto index = static_cast<std::uint64_t>(Bits{k} * data.size() / taken);
+    data.fetch(index, std::span(rows.values).subspan(k * inputs, inputs));
+  }
+  return model::Comparisons::rows(std::move(rows), scene.graph.inputs());
+}
+
+/// Data of the same form, about `wanted` comparisons of theirs.
+model::Result<model::Comparisons> sample_of(const model::Scene& scene,
+                                            const model::Comparisons& data, std::uint64_t wanted) {
+  const std::vector<std::string>& inputs = scene.graph.inputs();
+  const auto side = [](double comparisons) {
+    return static_cast<std::uint64_t>(std::sqrt(comparisons)) + 1;
+  };
+  const auto number = static_cast<double>(wanted);
+  switch (data.pairing()) {
+    case model::Pairing::rows:
+      return model::Comparisons::rows(some_rows(data.table(), wanted), inputs);
+    case model::Pairing::all:
+      return model::Comparisons::all_pairs(some_rows(data.table(), side(2 * number)), inputs);
+    case model::Pairing::cross:
+      return model::Comparisons::cross(some_rows(data.tables()[0], side(number)),
+                                       some_rows(data.tables()[1], side(number)), inputs);
+    case model::Pairing::arg_min: break;
+  }
+  MIXCMP_CHECK(false);
 }
 
 char letter(Verdict verdict) {
@@ -171,6 +204,10 @@ const BaselineKernel& Baseline::fastest() const {
 model::Result<Baseline> software_baseline(const model::Scene& scene, const model::Comparisons& data,
                                           const BaselineOptions& options) {
   if (!model::double_holds(scene.reference.format)) return no_doubles(scene);
+  if (!has_software_loops(data.pairing())) {
+    MIXCMP_TRY(rows, written_out(scene, data, most_written_out));
+    return software_baseline(scene, rows, options);
+  }
   const FloatFilters filters = float_filters(scene);
   MIXCMP_TRY(program, SoftwareProgram::compile(scene, data, filters, options));
   MIXCMP_TRY(check, check_sample(program, scene, data, options.sample));

@@ -48,18 +48,17 @@ void write_word(std::ofstream& stream, std::uint64_t word) {
   stream.write(reinterpret_cast<const char*>(&word), sizeof word);
 }
 
-/// The number of items, then the columns as doubles: program/harness.hpp reads them.
+/// The numbers of items, then the columns as doubles: program/harness.hpp reads them.
 model::Result<model::Done> write_data(const fs::path& path, const model::Comparisons& data) {
   const model::OperandSource operands(data);
   const SoftwareColumns columns = software_columns(data);
   std::ofstream stream(path, std::ios::binary);
-  write_word(stream, data.table().rows());
-  for (std::size_t column = 0; column < columns.table_columns.size(); ++column) {
-    const auto input = std::find(columns.of_inputs.begin(), columns.of_inputs.end(), column);
-    for (const double value :
-         operands.values(static_cast<std::size_t>(input - columns.of_inputs.begin()))) {
-      write_word(stream, std::bit_cast<std::uint64_t>(value));
-    }
+  write_word(stream, data.tables().front().rows());
+  write_word(stream, data.tables().back().rows());
+  for (const std::size_t input : columns.inputs) {
+    const std::vector<double>& values = operands.values(input);
+    write_word(stream, values.size());
+    for (const double value : values) write_word(stream, std::bit_cast<std::uint64_t>(value));
   }
   stream.close();
   if (!stream) return cannot_write(path);

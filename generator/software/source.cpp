@@ -46,8 +46,8 @@ struct Body {
   }
 
   std::string load(int input) const {
-    const bool of_row = !data.pairs() || data.sources()[static_cast<std::size_t>(input)].second;
-    return fmt::format("columns[{}][{}]", input, of_row ? "j" : "i");
+    const model::Item item = data.sources()[static_cast<std::size_t>(input)].item;
+    return fmt::format("columns[{}][{}]", input, item == data.moving_item() ? "j" : "i");
   }
 };
 
@@ -234,15 +234,27 @@ std::string header(const model::Scene& scene) {
                      scene.name, on_one_line(scene.f_text), on_one_line(scene.g_text), version);
 }
 
+std::string_view form_of(model::Pairing pairing) {
+  switch (pairing) {
+    case model::Pairing::rows: return "rows";
+    case model::Pairing::all: return "all_pairs";
+    case model::Pairing::cross: return "cross";
+    case model::Pairing::arg_min: break;
+  }
+  MIXCMP_CHECK(false);
+}
+
 std::string constants(const model::Comparisons& data) {
   const SoftwareColumns columns = software_columns(data);
   std::string list;
   for (const std::size_t column : columns.of_inputs) list += fmt::format("{}, ", column);
-  return fmt::format(R"(constexpr bool all_pairs = {};
+  return fmt::format(R"(enum class Form {{ rows, all_pairs, cross }};
+constexpr Form form = Form::{};
 constexpr std::size_t file_columns = {};
 constexpr std::array<std::size_t, {}> column_of_input = {{{}}};
 )",
-                     data.pairs(), columns.table_columns.size(), columns.of_inputs.size(), list);
+                     form_of(data.pairing()), columns.inputs.size(), columns.of_inputs.size(),
+                     list);
 }
 
 std::string_view program_part(const std::string& name) {
@@ -258,13 +270,21 @@ std::string_view program_part(const std::string& name) {
 
 SoftwareColumns software_columns(const model::Comparisons& data) {
   SoftwareColumns columns;
-  for (const model::Comparisons::Source& source : data.sources()) {
-    const auto found =
-        std::find(columns.table_columns.begin(), columns.table_columns.end(), source.column);
-    columns.of_inputs.push_back(static_cast<std::size_t>(found - columns.table_columns.begin()));
-    if (found == columns.table_columns.end()) columns.table_columns.push_back(source.column);
+  const std::vector<model::Comparisons::Source>& sources = data.sources();
+  for (std::size_t input = 0; input < sources.size(); ++input) {
+    const auto same = [&](std::size_t other) {
+      return sources[other].table == sources[input].table &&
+             sources[other].column == sources[input].column;
+    };
+    const auto found = std::find_if(columns.inputs.begin(), columns.inputs.end(), same);
+    columns.of_inputs.push_back(static_cast<std::size_t>(found - columns.inputs.begin()));
+    if (found == columns.inputs.end()) columns.inputs.push_back(input);
   }
   return columns;
+}
+
+bool has_software_loops(model::Pairing pairing) {
+  return pairing != model::Pairing::arg_min;
 }
 
 std::string software_source(const model::Scene& scene, const model::Comparisons& data,

@@ -9,10 +9,14 @@ namespace mixcmp::gen {
 
 /// Which columns of the data the software reads, each once.
 struct SoftwareColumns {
-  std::vector<std::size_t> table_columns;  ///< in the order of the data file
-  std::vector<std::size_t> of_inputs;      ///< one per input: index into table_columns
+  std::vector<std::size_t> inputs;     ///< in the order of the data file: an input that reads it
+  std::vector<std::size_t> of_inputs;  ///< one per input: index into the data file's columns
 };
 SoftwareColumns software_columns(const model::Comparisons& data);
+
+/// Whether software_source has loops for data of this form; other comparisons are rows once they
+/// are written out.
+bool has_software_loops(model::Pairing pairing);
 
 /// One C++20 file for a POSIX system: the scene's comparison on doubles, and for each filter on
 /// floats with doubles where it does not decide, as loops that a compiler vectorises, in a program

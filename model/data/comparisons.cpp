@@ -1,6 +1,6 @@
 #include "model/data/comparisons.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -30,13 +30,42 @@ std::optional<std::size_t> find_column(const Table& table, std::string_view name
   return static_cast<std::size_t>(found - table.columns.begin());
 }
 
-}  // namespace
-
-std::optional<ItemColumn> item_column(std::string_view input) {
-  if (input.size() < 2 || (!input.ends_with('i') && !input.ends_with('j'))) return std::nullopt;
-  return ItemColumn{.name = std::string(input.substr(0, input.size() - 1)),
-                    .second = input.ends_with('j')};
+Error nothing_to_compare(std::string_view what) {
+  return {.field = "data",
+          .message = "nothing to compare",
+          .received = fmt::format("no {}", what),
+          .accepted = "at least one"};
 }
+
+Error wrong_count(std::string message, std::string_view what, std::uint64_t received,
+                  std::uint64_t low, std::uint64_t high) {
+  return {.field = "data.pairs",
+          .message = std::move(message),
+          .received = fmt::format("{} {}", received, what),
+          .accepted = fmt::format("{}..{} {}", low, high, what)};
+}
+
+Result<Done> check_counts(Pairing pairing, const std::vector<Table>& tables) {
+  const std::uint64_t rows = tables[0].rows();
+  if (pairing == Pairing::all && (rows < 2 || rows > max_paired_items)) {
+    return wrong_count("no such number of items can be paired", "items", rows, 2, max_paired_items);
+  }
+  if (rows == 0) return nothing_to_compare("rows");
+  if (!has_second_table(pairing)) return Done{};
+  const std::uint64_t others = tables[1].rows();
+  const std::uint64_t least = pairing == Pairing::arg_min ? 2 : 1;
+  if (others < least) {
+    return wrong_count("too few rows in the second table", "rows", others, least, max_paired_items);
+  }
+  const std::uint64_t most =
+      pairing == Pairing::arg_min ? max_arg_min_comparisons / (others - 1) : max_paired_items;
+  if (rows > most || others > max_paired_items) {
+    return wrong_count("too many comparisons", "rows", rows, 1, most);
+  }
+  return Done{};
+}
+
+}  // namespace
 
 std::pair<std::uint64_t, std::uint64_t> pair_items(std::uint64_t index, std::uint64_t count) {
   MIXCMP_CHECK(count <= max_paired_items && index < pair_count(count));
@@ -52,60 +81,153 @@ std::uint64_t pair_count(std::uint64_t count) {
   return count == 0 ? 0 : count * (count - 1) / 2;
 }
 
-Result<Comparisons> Comparisons::rows(Table table, const std::vector<std::string>& inputs) {
+Result<Comparisons> Comparisons::make(Pairing pairing, std::vector<Table> tables,
+                                      const std::vector<std::string>& inputs) {
   std::vector<Source> sources;
   for (const std::string& input : inputs) {
-    const auto column = find_column(table, input);
-    if (!column) return no_column(input, input, table);
-    sources.push_back({.column = *column, .second = false});
+    MIXCMP_TRY(place, input_column(pairing, input));
+    const Table& table = tables[place.table];
+    const auto column = find_column(table, place.name);
+    if (!column) return no_column(input, place.name, table);
+    sources.push_back({.table = place.table, .column = *column, .item = place.item});
   }
-  if (table.rows() == 0) {
-    return Error{.field = "data",
-                 .message = "nothing to compare",
-                 .received = "no rows",
-                 .accepted = "at least one"};
+  for (std::size_t table = 0; table < tables.size(); ++table) {
+    const auto reads = [&](const Source& source) { return source.table == table; };
+    if (std::any_of(sources.begin(), sources.end(), reads)) continue;
+    return Error{.field = "data.pairs",
+                 .message = fmt::format("no input is a column of the {} table",
+                                        table == 0 ? "first" : "second"),
+                 .received = fmt::format("{}", fmt::join(inputs, ", ")),
+                 .accepted = pairing == Pairing::cross ? "inputs of item i and inputs of item j"
+                                                       : "inputs of the row and of items i and j"};
   }
-  return Comparisons(std::move(table), std::move(sources), false);
+  MIXCMP_TRY(counts_checked, check_counts(pairing, tables));
+  return Comparisons(pairing, std::move(tables), std::move(sources));
+}
+
+Result<Comparisons> Comparisons::rows(Table table, const std::vector<std::string>& inputs) {
+  return make(Pairing::rows, {std::move(table)}, inputs);
 }
 
 Result<Comparisons> Comparisons::all_pairs(Table items, const std::vector<std::string>& inputs) {
-  std::vector<Source> sources;
-  for (const std::string& input : inputs) {
-    const auto item = item_column(input);
-    if (!item) {
-      return Error{.field = "data.pairs",
-                   .message = "with pairs, inputs are columns of item i or item j",
-                   .received = input,
-                   .accepted = "a column's name followed by i or j"};
+  return make(Pairing::all, {std::move(items)}, inputs);
+}
+
+Result<Comparisons> Comparisons::cross(Table first, Table second,
+                                       const std::vector<std::string>& inputs) {
+  return make(Pairing::cross, {std::move(first), std::move(second)}, inputs);
+}
+
+Result<Comparisons> Comparisons::arg_min(Table rows, Table candidates,
+                                         const std::vector<std::string>& inputs,
+                                         const Contest& contest) {
+  MIXCMP_TRY(data, make(Pairing::arg_min, {std::move(rows), std::move(candidates)}, inputs));
+  data.hold_contests(contest);
+  return data;
+}
+
+/// All rows meet candidate j before any meets j + 1: contests are then decided many at a time.
+void Comparisons::hold_contests(const Contest& contest) {
+  constexpr std::size_t block = 4096;
+  const std::uint64_t rows = tables_[0].rows(), candidates = tables_[1].rows();
+  best_before_.resize(rows * (candidates - 1));
+  least_.assign(rows, 0);
+  std::vector<Items> items;
+  std::vector<std::uint8_t> greater(block);
+  for (std::uint64_t start = 0; start < rows; start += block) {
+    const std::uint64_t end = std::min(rows, start + block);
+    for (std::uint64_t j = 1; j < candidates; ++j) {
+      items.clear();
+      for (std::uint64_t row = start; row < end; ++row) {
+        best_before_[row * (candidates - 1) + j - 1] = least_[row];
+        items.push_back({.row = row, .first = least_[row], .second = j});
+      }
+      contest(*this, items, greater);
+      for (std::uint64_t row = start; row < end; ++row) {
+        if (greater[row - start] != 0) least_[row] = static_cast<std::uint32_t>(j);
+      }
     }
-    const auto column = find_column(items, item->name);
-    if (!column) return no_column(input, item->name, items);
-    sources.push_back({.column = *column, .second = item->second});
   }
-  if (items.rows() < 2 || items.rows() > max_paired_items) {
-    return Error{.field = "data.pairs",
-                 .message = "no such number of items can be paired",
-                 .received = fmt::format("{} items", items.rows()),
-                 .accepted = fmt::format("2..{} items", max_paired_items)};
-  }
-  return Comparisons(std::move(items), std::move(sources), true);
 }
 
 std::uint64_t Comparisons::size() const {
-  return pairs_ ? pair_count(table_.rows()) : table_.rows();
+  const std::uint64_t rows = tables_[0].rows();
+  switch (pairing_) {
+    case Pairing::rows: return rows;
+    case Pairing::all: return pair_count(rows);
+    case Pairing::cross: return rows * tables_[1].rows();
+    case Pairing::arg_min: return rows * (tables_[1].rows() - 1);
+  }
+  MIXCMP_CHECK(false);
 }
 
 void Comparisons::fetch(std::uint64_t index, std::span<Bits> operands) const {
+  fetch(items(index), operands);
+}
+
+void Comparisons::fetch(const Items& items, std::span<Bits> operands) const {
   MIXCMP_CHECK(operands.size() == sources_.size());
-  const auto [first, second] = items(index);
   for (std::size_t k = 0; k < sources_.size(); ++k) {
-    operands[k] = table_.at(sources_[k].second ? second : first, sources_[k].column);
+    const Source& source = sources_[k];
+    operands[k] = tables_[source.table].at(items.of(source.item), source.column);
   }
 }
 
-std::pair<std::uint64_t, std::uint64_t> Comparisons::items(std::uint64_t index) const {
+Items Comparisons::items(std::uint64_t index) const {
   MIXCMP_CHECK(index < size());
-  return pairs_ ? pair_items(index, table_.rows()) : std::pair(index, index);
+  switch (pairing_) {
+    case Pairing::rows: return {.row = index, .first = index, .second = index};
+    case Pairing::all: {
+      const auto [i, j] = pair_items(index, tables_[0].rows());
+      return {.first = i, .second = j};
+    }
+    case Pairing::cross: {
+      const std::uint64_t others = tables_[1].rows();
+      return {.first = index / others, .second = index % others};
+    }
+    case Pairing::arg_min: {
+      const std::uint64_t others = tables_[1].rows() - 1;
+      return {.row = index / others, .first = best_before_[index], .second = 1 + index % others};
+    }
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::uint64_t Comparisons::run_length(std::uint64_t index) const {
+  const Items at = items(index);
+  switch (pairing_) {
+    case Pairing::rows: return size() - index;
+    case Pairing::all: return tables_[0].rows() - at.second;
+    case Pairing::cross: return tables_[1].rows() - at.second;
+    case Pairing::arg_min: {
+      const std::uint64_t most = tables_[1].rows() - at.second;
+      std::uint64_t length = 1;
+      while (length < most && best_before_[index + length] == at.first) ++length;
+      return length;
+    }
+  }
+  MIXCMP_CHECK(false);
+}
+
+bool Comparisons::takes_part(const Source& source, std::uint64_t row) const {
+  const bool ordered = pairing_ == Pairing::all || pairing_ == Pairing::arg_min;
+  if (!ordered || source.item == Item::row) return true;
+  return source.item == Item::second ? row > 0 : row + 1 < tables_[source.table].rows();
+}
+
+std::string describe(const Comparisons& data, std::uint64_t index) {
+  const Items items = data.items(index);
+  const Table &first = data.tables().front(), &last = data.tables().back();
+  switch (data.pairing()) {
+    case Pairing::rows: return "row " + first.label(items.row);
+    case Pairing::all:
+    case Pairing::cross:
+      return fmt::format("items {} and {}", first.label(items.first), last.label(items.second));
+    case Pairing::arg_min:
+      return fmt::format("row {}, candidates {} and {}", first.label(items.row),
+                         last.label(items.first), last.label(items.second));
+  }
+  MIXCMP_CHECK(false);
 }
 
 }  // namespace mixcmp::model

@@ -1,76 +1,112 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <functional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "model/format/float_format.hpp"
+#include "model/data/pairing.hpp"
+#include "model/data/table.hpp"
 
 namespace mixcmp::model {
-
-/// Rows of numbers in one format: spheres, atoms, points, or whole comparisons.
-struct Table {
-  FloatFormat format;
-  std::vector<std::string> columns;
-  std::vector<Bits> values;  ///< row-major, rows() * columns.size()
-  /// What a report calls row i (an atom's "A 151 MET CA"); empty: the row number.
-  std::vector<std::string> labels;
-
-  std::size_t rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
-  Bits at(std::size_t row, std::size_t column) const {
-    return values[row * columns.size() + column];
-  }
-};
-
-/// What an input of a comparison of two items names: "cxi" is column "cx" of the first.
-struct ItemColumn {
-  std::string name;
-  bool second;
-};
-/// None for a name that does not end in i or j, or is nothing else.
-std::optional<ItemColumn> item_column(std::string_view input);
 
 /// Pairs i < j of `count` items, numbered (0,1), (0,2), ..., (1,2), ...; exact up to 2^31 items.
 constexpr std::uint64_t max_paired_items = std::uint64_t{1} << 31;
 std::uint64_t pair_count(std::uint64_t count);
 std::pair<std::uint64_t, std::uint64_t> pair_items(std::uint64_t index, std::uint64_t count);
 
-/// The comparisons a scene asks for, addressable by index: every row of a table, or every pair
-/// i < j of its rows. With pairs, input "cxi" is column "cx" of item i, "cxj" that of item j.
+/// Comparisons of arg_min, whose first items are kept in memory.
+constexpr std::uint64_t max_arg_min_comparisons = std::uint64_t{1} << 28;
+
+/// The rows that one comparison is about; only those that its pairing knows mean something.
+struct Items {
+  std::uint64_t row = 0;
+  std::uint64_t first = 0;   ///< i
+  std::uint64_t second = 0;  ///< j
+
+  std::uint64_t of(Item item) const {
+    return item == Item::row ? row : item == Item::first ? first : second;
+  }
+  friend bool operator==(const Items&, const Items&) = default;
+};
+
+class Comparisons;
+
+/// Sets greater[k] to whether f is greater than g in the comparison of items[k].
+using Contest = std::function<void(const Comparisons& data, std::span<const Items> items,
+                                   std::span<std::uint8_t> greater)>;
+
+/// The comparisons a scene asks for, addressable by index. With pairs, input "cxi" is column "cx"
+/// of item i, "cxj" that of item j.
+///
+/// arg_min: which row of a second table, the candidates, costs least, for each row of the first. f
+/// is what candidate i costs the row, g what j costs it. The comparisons are those of
+///
+///     best = 0; for j = 1 .. candidates - 1: compare (best, j); if f > g: best = j
+///
+/// so that the first of equals stays, and an unordered comparison changes nothing.
 class Comparisons {
 public:
   /// `inputs` are the expression's, in order. Errors name the input that no column serves.
   static Result<Comparisons> rows(Table table, const std::vector<std::string>& inputs);
   static Result<Comparisons> all_pairs(Table items, const std::vector<std::string>& inputs);
+  static Result<Comparisons> cross(Table first, Table second,
+                                   const std::vector<std::string>& inputs);
+  static Result<Comparisons> arg_min(Table rows, Table candidates,
+                                     const std::vector<std::string>& inputs,
+                                     const Contest& contest);
 
   std::uint64_t size() const;
   /// Writes the operands of comparison `index` in the order of `inputs`.
   void fetch(std::uint64_t index, std::span<Bits> operands) const;
-  /// (i, j) of comparison `index`, i < j in order (0,1), (0,2), ...; (index, index) for rows.
-  std::pair<std::uint64_t, std::uint64_t> items(std::uint64_t index) const;
+  /// Likewise of any items.
+  void fetch(const Items& items, std::span<Bits> operands) const;
+  /// all: i < j in order (0,1), (0,2), ...; cross: (0,0), (0,1), ...; arg_min: row by row, j = 1,
+  /// 2,
+  /// ...; rows: (index, index, index).
+  Items items(std::uint64_t index) const;
+  /// How many comparisons from `index` on, at least one, differ in moving_item() alone, which
+  /// counts up.
+  std::uint64_t run_length(std::uint64_t index) const;
+  Item moving_item() const { return pairing_ == Pairing::rows ? Item::row : Item::second; }
 
-  /// Where an input's operands stand in the table.
+  /// The candidate that costs `row` least; of arg_min alone.
+  std::uint64_t arg_min(std::uint64_t row) const { return least_[row]; }
+
+  /// Where an input's operands stand.
   struct Source {
+    std::size_t table;
     std::size_t column;
-    bool second;  ///< of item j
+    Item item;
   };
 
-  const Table& table() const { return table_; }
+  const std::vector<Table>& tables() const { return tables_; }
+  const Table& table() const { return tables_[0]; }  ///< the first
+  FloatFormat format() const { return tables_[0].format; }
   std::size_t input_count() const { return sources_.size(); }
   const std::vector<Source>& sources() const { return sources_; }
-  bool pairs() const { return pairs_; }
+  Pairing pairing() const { return pairing_; }
+  /// Whether row `row` of the table that `source` reads may be its item in some comparison.
+  bool takes_part(const Source& source, std::uint64_t row) const;
 
 private:
-  Comparisons(Table table, std::vector<Source> sources, bool pairs)
-      : table_(std::move(table)), sources_(std::move(sources)), pairs_(pairs) {}
+  Comparisons(Pairing pairing, std::vector<Table> tables, std::vector<Source> sources)
+      : pairing_(pairing), tables_(std::move(tables)), sources_(std::move(sources)) {}
 
-  Table table_;
+  static Result<Comparisons> make(Pairing pairing, std::vector<Table> tables,
+                                  const std::vector<std::string>& inputs);
+  void hold_contests(const Contest& contest);
+
+  Pairing pairing_;
+  std::vector<Table> tables_;
   std::vector<Source> sources_;
-  bool pairs_;
+  std::vector<std::uint32_t> best_before_;  ///< of arg_min: item i of each comparison
+  std::vector<std::uint32_t> least_;        ///< of arg_min, one a row
 };
+
+/// What a comparison is about, in a report's words: "items 3 and 7".
+std::string describe(const Comparisons& data, std::uint64_t index);
 
 }  // namespace mixcmp::model

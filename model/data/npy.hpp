@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <span>
 
-#include "model/data/comparisons.hpp"
+#include "model/data/table.hpp"
 
 namespace mixcmp::model {
 

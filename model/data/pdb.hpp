@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "model/data/comparisons.hpp"
+#include "model/data/table.hpp"
 
 namespace mixcmp::model {
 

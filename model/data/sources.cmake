@@ -1,12 +1,13 @@
 target_sources(mixcmp_model PRIVATE
+  data/column_names.cpp
   data/comparisons.cpp
   data/csv.cpp
   data/dyadic.cpp
-  data/load.cpp
   data/near_tie.cpp
   data/npy.cpp
   data/npy_header.cpp
   data/number.cpp
+  data/pairing.cpp
   data/pdb.cpp
   data/sphere_family.cpp
   data/sphere_pair_maker.cpp

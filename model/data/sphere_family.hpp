@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/data/comparisons.hpp"
+#include "model/data/table.hpp"
 
 namespace mixcmp::model {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "model/data/comparisons.hpp"
+#include "model/data/table.hpp"
 
 namespace mixcmp::model {
 

@@ -5,6 +5,7 @@ target_sources(mixcmp_model PRIVATE
   emulator/kernels.cpp
   emulator/operand.cpp
   emulator/plan.cpp
+  emulator/reference_contest.cpp
   emulator/safe_operands.cpp
 )
 target_link_libraries(mixcmp_model PRIVATE hwy::hwy)

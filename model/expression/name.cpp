@@ -287,4 +287,10 @@ std::string_view accepted_names() {
          "keyword";
 }
 
+std::string name_spelling(std::string name) {
+  std::replace(name.begin(), name.end(), '[', '_');
+  std::erase(name, ']');
+  return name;
+}
+
 }  // namespace mixcmp::model

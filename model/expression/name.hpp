@@ -15,4 +15,7 @@ std::string name_problem(std::string_view name);
 /// What an error about a name says is accepted.
 std::string_view accepted_names();
 
+/// A name with subscripts as Verilog spells it: p_2 for p[2], p_* for the pattern p[*].
+std::string name_spelling(std::string name);
+
 }  // namespace mixcmp::model

@@ -82,7 +82,7 @@ void ErrorWorker::find_truth(std::uint64_t first, std::size_t count) {
     indices.push_back(job_.permutation(first + k));
     job_.source.data().fetch(indices.back(), operands);
     truth_f_.scale[k] = truth_g_.scale[k] = 0;
-    const FloatFormat format = job_.source.data().table().format;
+    const FloatFormat format = job_.source.data().format();
     if (enclosure_.compute(format, operands) != golden::Knowledge::enclosed) continue;
     ++tally_.comparisons;
     const bool f_kept = keep(truth_f_, scratch_, enclosure_.f().low, k);

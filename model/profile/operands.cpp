@@ -32,32 +32,34 @@ bool double_holds(FloatFormat format) {
 }
 
 OperandSource::OperandSource(const Comparisons& data) : data_(data) {
-  const Table& table = data.table();
-  MIXCMP_CHECK(double_holds(table.format));
+  MIXCMP_CHECK(double_holds(data.format()));
   golden::BigFloat value(golden::encoding_precision);
-  columns_.assign(table.columns.size(), std::vector<double>(table.rows()));
-  for (std::size_t column = 0; column < columns_.size(); ++column) {
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-      golden::decode(value, table.format, table.at(row, column));
-      columns_[column][row] = mpfr_get_d(value.get(), MPFR_RNDN);
+  for (const Table& table : data.tables()) {
+    auto& columns = columns_.emplace_back(table.columns.size(), std::vector<double>(table.rows()));
+    for (std::size_t column = 0; column < columns.size(); ++column) {
+      for (std::size_t row = 0; row < table.rows(); ++row) {
+        golden::decode(value, table.format, table.at(row, column));
+        columns[column][row] = mpfr_get_d(value.get(), MPFR_RNDN);
+      }
     }
   }
 }
 
 const std::vector<double>& OperandSource::values(std::size_t input) const {
-  return columns_[data_.sources()[input].column];
+  const Comparisons::Source& source = data_.sources()[input];
+  return columns_[source.table][source.column];
 }
 
-void OperandSource::fetch_run(std::size_t first, std::size_t second, std::size_t length,
-                              OperandBlock& block) const {
+void OperandSource::fetch_run(const Items& at, std::size_t length, OperandBlock& block) const {
   const std::size_t start = block.size();
   for (std::size_t input = 0; input < data_.input_count(); ++input) {
-    const std::vector<double>& values = columns_[data_.sources()[input].column];
+    const Item item = data_.sources()[input].item;
+    const double* const from = values(input).data() + at.of(item);
     double* const target = block.column(input) + start;
-    if (!data_.pairs() || data_.sources()[input].second) {
-      std::copy_n(values.data() + second, length, target);
+    if (item == data_.moving_item()) {
+      std::copy_n(from, length, target);
     } else {
-      std::fill_n(target, length, values[first]);
+      std::fill_n(target, length, *from);
     }
   }
   block.resize(start + length);
@@ -66,24 +68,17 @@ void OperandSource::fetch_run(std::size_t first, std::size_t second, std::size_t
 void OperandSource::fetch(std::uint64_t first, std::size_t count, OperandBlock& block) const {
   MIXCMP_CHECK(count <= block.capacity());
   block.resize(0);
-  if (count == 0) return;
-  auto [i, j] = data_.items(first);
   while (block.size() < count) {
-    // All pairs of one first item are neighbours; so are all rows.
-    const std::size_t length = std::min(count - block.size(), data_.table().rows() - j);
-    fetch_run(i, j, length, block);
-    ++i;
-    j = i + 1;
+    const std::uint64_t index = first + block.size();
+    const std::uint64_t left = count - block.size();
+    fetch_run(data_.items(index), std::min(left, data_.run_length(index)), block);
   }
 }
 
 void OperandSource::fetch(const std::vector<std::uint64_t>& indices, OperandBlock& block) const {
   MIXCMP_CHECK(indices.size() <= block.capacity());
   block.resize(0);
-  for (const std::uint64_t index : indices) {
-    const auto [i, j] = data_.items(index);
-    fetch_run(i, j, 1, block);
-  }
+  for (const std::uint64_t index : indices) fetch_run(data_.items(index), 1, block);
 }
 
 }  // namespace mixcmp::model

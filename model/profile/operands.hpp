@@ -35,7 +35,7 @@ public:
   explicit OperandSource(const Comparisons& data);
 
   const Comparisons& data() const { return data_; }
-  /// Every value that an input takes, one a row of the table.
+  /// Every value that an input takes, one a row of its table.
   const std::vector<double>& values(std::size_t input) const;
   /// Comparisons first, first + 1, ... replace the block's contents.
   void fetch(std::uint64_t first, std::size_t count, OperandBlock& block) const;
@@ -43,11 +43,11 @@ public:
   void fetch(const std::vector<std::uint64_t>& indices, OperandBlock& block) const;
 
 private:
-  void fetch_run(std::size_t first, std::size_t second, std::size_t length,
-                 OperandBlock& block) const;
+  /// Comparisons from `at` on whose moving item counts up.
+  void fetch_run(const Items& at, std::size_t length, OperandBlock& block) const;
 
   const Comparisons& data_;
-  std::vector<std::vector<double>> columns_;  ///< of the table
+  std::vector<std::vector<std::vector<double>>> columns_;  ///< of each table
 };
 
 bool double_holds(FloatFormat format);

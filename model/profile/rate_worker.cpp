@@ -49,9 +49,12 @@ void RateWorker::start(std::uint64_t first, std::size_t count) {
   const auto all = static_cast<std::uint32_t>((std::uint64_t{1} << job_.systems.size()) - 1);
   std::fill_n(candidates.systems.begin(), count, all);
   for (std::size_t k = 0; k < count; ++k) {
-    if (job_.failing_first.empty()) break;
-    const auto [i, j] = job_.source.data().items(first + k);
-    candidates.failing[k] = job_.failing_first[i] | job_.failing_second[j];
+    if (job_.failing.empty()) break;
+    const Items items = job_.source.data().items(first + k);
+    candidates.failing[k] = 0;
+    for (const RateJob::Failing& failing : job_.failing) {
+      candidates.failing[k] |= failing.of_row[items.of(failing.item)];
+    }
   }
   look(job_.stages.front(), candidates, true);
   find_true_verdicts(first, candidates);

@@ -17,8 +17,13 @@ struct RateJob {
   std::vector<SystemLanes> systems;
   std::vector<Stage> stages;  ///< neighbours: the next of one is the anchor of the following
   Emulator reference;
-  /// Bit k of a row: as first (second) item it may fail a range check of system k.
-  std::vector<std::uint32_t> failing_first, failing_second;
+  /// Bit k of what an input reads from a row of its table: it fails a range check of system k.
+  /// Inputs that never fail are left out.
+  struct Failing {
+    Item item;
+    std::vector<std::uint32_t> of_row;
+  };
+  std::vector<Failing> failing;
 };
 
 /// Integer sums over comparisons: their order does not matter.

@@ -59,21 +59,18 @@ void find_failing(RateJob& job) {
   std::vector<std::vector<RangeCheck>> checks;
   for (const SystemLanes& system : job.systems) checks.push_back(distinct_checks(system));
   const Comparisons& data = job.source.data();
-  const Table& table = data.table();
-  std::vector<std::uint32_t> first(table.rows(), 0), second(table.rows(), 0);
-  std::uint32_t any = 0;
   for (std::size_t input = 0; input < data.input_count(); ++input) {
-    const auto [column, is_second] = data.sources()[input];
+    const Comparisons::Source& source = data.sources()[input];
+    const Table& table = data.tables()[source.table];
+    RateJob::Failing failing{.item = source.item, .of_row = {}};
+    std::uint32_t any = 0;
     for (std::size_t row = 0; row < table.rows(); ++row) {
-      const std::uint32_t failing =
-          failing_systems(checks, static_cast<int>(input), table.format, table.at(row, column));
-      (is_second ? second : first)[row] |= failing;
-      any |= failing;
+      failing.of_row.push_back(failing_systems(checks, static_cast<int>(input), table.format,
+                                               table.at(row, source.column)));
+      any |= failing.of_row.back();
     }
+    if (any != 0) job.failing.push_back(std::move(failing));
   }
-  if (any == 0) return;
-  job.failing_first = std::move(first);
-  job.failing_second = std::move(second);
 }
 
 std::vector<SystemLanes> existing_systems(std::vector<SystemLanes> systems) {
@@ -123,8 +120,7 @@ RateProfile profile_rates(const Scene& scene, const Comparisons& data, const Err
               .systems = existing_systems(systems),
               .stages = {},
               .reference = Emulator(reference_graph(scene.graph, scene.reference)),
-              .failing_first = {},
-              .failing_second = {}};
+              .failing = {}};
   find_failing(job);
   add_stages(job, errors);
   const RateTally tally = run(job, options);

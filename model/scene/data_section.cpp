@@ -6,6 +6,7 @@
 
 #include "model/common/quote.hpp"
 #include "model/data/sphere_family.hpp"
+#include "model/expression/name.hpp"
 #include "model/scene/section.hpp"
 #include "model/scene/sections.hpp"
 
@@ -15,15 +16,70 @@ namespace {
 constexpr std::int64_t max_items = 1 << 24;
 constexpr double largest_number = 1e30;
 
-void read_data_file(Section& section, const std::filesystem::path& scene, DataSpec& spec) {
+void read_data_file(Section& section, const std::string& key, const std::filesystem::path& scene,
+                    std::filesystem::path& path) {
   std::string file;
-  section.text("file", file);
-  if (section.find("file") == nullptr) return;
+  section.text(key, file);
+  if (section.find(key) == nullptr) return;
   const std::array<std::string_view, 3> readable = {".pdb", ".csv", ".npy"};
-  spec.file = scene.parent_path() / file;
-  if (std::find(readable.begin(), readable.end(), spec.file.extension()) == readable.end()) {
-    section.fail("file", "not a data file by its ending", fmt::format("\"{}\"", file),
+  path = scene.parent_path() / file;
+  if (std::find(readable.begin(), readable.end(), path.extension()) == readable.end()) {
+    section.fail(key, "not a data file by its ending", in_quotes(file),
                  "a file that ends in .pdb, .csv or .npy");
+  }
+}
+
+/// A name for one column, or for a list of them. No names: neither.
+ColumnNames read_column_names(const std::string& field, const Setting& entry) {
+  ColumnNames names{.name = name_spelling(entry.key),
+                    .columns = {},
+                    .field = field + "." + entry.key,
+                    .line = entry.line};
+  if (const auto* column = std::get_if<std::string>(&entry.value)) names.columns = {*column};
+  const auto* list = std::get_if<Setting::Array>(&entry.value);
+  if (list == nullptr) return names;
+  names.is_list = true;
+  for (const Setting& item : *list) {
+    const auto* column = std::get_if<std::string>(&item.value);
+    if (column == nullptr) {
+      names.columns.clear();
+      break;
+    }
+    names.columns.push_back(*column);
+  }
+  return names;
+}
+
+void read_columns(Section& section, const std::string& key, std::vector<ColumnNames>& columns) {
+  const Setting* setting = section.find(key);
+  if (setting == nullptr) return;
+  const auto* table = std::get_if<Setting::Table>(&setting->value);
+  if (table == nullptr) {
+    section.fail(key, "wrong type", setting->shown(), "{ p = [\"x\", \"y\"], r = \"radius\" }");
+    return;
+  }
+  for (const Setting& entry : table->entries) {
+    columns.push_back(read_column_names("data." + key, entry));
+    if (!columns.back().columns.empty()) continue;
+    section.fail(key, fmt::format("{} is not a column", entry.key), entry.shown(),
+                 "the name of a column, or a list of names");
+  }
+}
+
+void read_second_table(Section& section, const std::filesystem::path& scene, DataSpec& spec) {
+  read_data_file(section, "with", scene, spec.with);
+  read_columns(section, "with_columns", spec.with_columns);
+  const bool given = section.find("with") != nullptr;
+  if (given && !has_second_table(spec.pairing)) {
+    section.fail("with", "a second file needs pairs that use it", section.find("with")->shown(),
+                 "pairs = \"cross\" or \"arg_min\" beside it");
+  }
+  if (!given && has_second_table(spec.pairing)) {
+    section.fail("with", "required", "nothing",
+                 fmt::format("a second file, for pairs = \"{}\"", to_string(spec.pairing)));
+  }
+  if (!given && section.find("with_columns") != nullptr) {
+    section.fail("with_columns", "names columns of no file", "no data.with", "with = \"file.csv\"");
   }
 }
 
@@ -42,8 +98,9 @@ void check_family(Section& section, const DataSpec& spec) {
     section.fail("family", "not a family of sphere pairs", in_quotes(spec.family),
                  accepted_sphere_families(spec.family));
   }
-  if (spec.all_pairs) {
-    section.fail("pairs", "the rows of a family are pairs already", "\"all\"", "no pairs here");
+  if (spec.pairing != Pairing::rows) {
+    section.fail("pairs", "the rows of a family are pairs already",
+                 in_quotes(std::string(to_string(spec.pairing))), "no pairs here");
   }
 }
 
@@ -78,19 +135,16 @@ Result<std::optional<DataSpec>> read_data(const Settings& settings,
   Section section(settings, "data");
   if (settings.root.find("data") == nullptr) return std::optional<DataSpec>();
   DataSpec spec{.line = section.line()};
-  std::string pairs;
   section.text("items", spec.items);
   section.text("family", spec.family);
-  read_data_file(section, settings.path, spec);
+  read_data_file(section, "file", settings.path, spec.file);
   section.integer("count", spec.count, 1, max_items);
   section.number("side", spec.side, 0, largest_number);
   section.number("radius_max", spec.radius_max, 0, largest_number);
   section.integer("seed", spec.seed, 0, std::numeric_limits<std::int64_t>::max());
-  section.text("pairs", pairs);
-  spec.all_pairs = pairs == "all";
-  if (section.find("pairs") != nullptr && !spec.all_pairs) {
-    section.fail("pairs", "not a choice", fmt::format("\"{}\"", pairs), "all");
-  }
+  section.choice("pairs", spec.pairing, {Pairing::all, Pairing::cross, Pairing::arg_min});
+  read_columns(section, "columns", spec.columns);
+  read_second_table(section, settings.path, spec);
   check_data_source(section, spec, notes);
   if (const auto error = section.finish()) return *error;
   return std::optional<DataSpec>(spec);

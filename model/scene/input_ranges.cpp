@@ -7,6 +7,7 @@
 
 #include "model/common/nearest.hpp"
 #include "model/common/power_of_two.hpp"
+#include "model/expression/name.hpp"
 #include "model/expression/text.hpp"
 #include "model/scene/section.hpp"
 
@@ -15,13 +16,6 @@ namespace {
 
 bool is_pattern(const std::string& key) {
   return key.find('*') != std::string::npos;
-}
-
-/// A key with p[2] and p[*] spelt as the inputs' names are: p_2 and p_*.
-std::string name_spelling(std::string key) {
-  std::replace(key.begin(), key.end(), '[', '_');
-  std::erase(key, ']');
-  return key;
 }
 
 struct InputDeclaration {

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "model/data/column_names.hpp"
+#include "model/data/pairing.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
 #include "model/expression/typed_graph.hpp"
@@ -104,7 +106,10 @@ struct DataSpec {
   double side = 100;
   double radius_max = 25;
   std::uint64_t seed = 1;
-  bool all_pairs = false;
+  Pairing pairing = Pairing::rows;
+  std::filesystem::path with;        ///< the second table's file, where the pairing has one
+  std::vector<ColumnNames> columns;  ///< the scene's names of columns
+  std::vector<ColumnNames> with_columns;
   int line = 0;  ///< of [data] in the scene, for errors found when it is read
 };
 

@@ -2,6 +2,7 @@ target_sources(mixcmp_model PRIVATE
   scene/data_section.cpp
   scene/groups.cpp
   scene/input_ranges.cpp
+  scene/load_comparisons.cpp
   scene/plan.cpp
   scene/reduced_section.cpp
   scene/scene.cpp

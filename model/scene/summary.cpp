@@ -96,12 +96,6 @@ std::string data_source(const DataSpec& data) {
                      data.side, data.radius_max, data.seed);
 }
 
-/// Whether table row `row` serves the first or second item of any comparison.
-bool takes_part(const Comparisons& data, std::size_t row, bool second) {
-  if (!data.pairs()) return true;
-  return second ? row > 0 : row + 1 < data.table().rows();
-}
-
 bool is_multiple(const mpq_class& grid, FloatFormat format, Bits bits) {
   if (format.is_nan(bits) || format.is_infinite(bits)) return false;
   return mpq_class(golden::to_rational(format, bits) / grid).get_den() == 1;
@@ -124,15 +118,17 @@ struct Breaches {
   }
 };
 
-/// Holds one number of the table against what each input that reads it declares.
+/// Holds one number of a table against what each input that reads it declares.
 class DataCheck {
 public:
   DataCheck(const Scene& scene, const Comparisons& data) : scene_(scene), data_(data) {}
 
   void run() {
-    for (std::size_t row = 0; row < data_.table().rows(); ++row) {
-      for (std::size_t column = 0; column < data_.table().columns.size(); ++column) {
-        hold(row, column);
+    for (std::size_t table = 0; table < data_.tables().size(); ++table) {
+      for (std::size_t row = 0; row < data_.tables()[table].rows(); ++row) {
+        for (std::size_t column = 0; column < data_.tables()[table].columns.size(); ++column) {
+          hold(table, row, column);
+        }
       }
     }
   }
@@ -141,34 +137,34 @@ public:
   const Breaches& grids() const { return grids_; }
 
 private:
-  void hold(std::size_t row, std::size_t column) {
-    const Table& table = data_.table();
+  void hold(std::size_t table_index, std::size_t row, std::size_t column) {
+    const Table& table = data_.tables()[table_index];
     const Bits bits = table.at(row, column);
     bool within = true, on_grid = true;
     for (std::size_t input = 0; input < data_.sources().size(); ++input) {
       const Comparisons::Source& source = data_.sources()[input];
-      if (source.column != column || !takes_part(data_, row, source.second)) continue;
+      if (source.table != table_index || source.column != column) continue;
+      if (!data_.takes_part(source, row)) continue;
       const auto& range = scene_.ranges[input];
       const auto& grid = scene_.grids[input];
       if (within && range && !is_within(*range, table.format, bits)) {
         within = false;
         ranges_.add([&] {
-          return fmt::format("{} is outside [{}, {}] of {}", number(row, column),
+          return fmt::format("{} is outside [{}, {}] of {}", number(table, row, column),
                              to_text(range->low), to_text(range->high), name(input));
         });
       }
       if (on_grid && grid && !is_multiple(*grid, table.format, bits)) {
         on_grid = false;
         grids_.add([&] {
-          return fmt::format("{} is no multiple of {} as {} is", number(row, column),
+          return fmt::format("{} is no multiple of {} as {} is", number(table, row, column),
                              to_text(*grid), name(input));
         });
       }
     }
   }
 
-  std::string number(std::size_t row, std::size_t column) const {
-    const Table& table = data_.table();
+  static std::string number(const Table& table, std::size_t row, std::size_t column) {
     const std::string label = table.labels.empty() ? fmt::format("row {}", row) : table.labels[row];
     return fmt::format("{}: {} = {}", label, table.columns[column],
                        golden::to_text(table.format, table.at(row, column)));
@@ -185,7 +181,10 @@ DataSummary summarise_data(const Scene& scene, const Comparisons& data) {
   DataCheck check(scene, data);
   check.run();
   return {.source = scene.data ? data_source(*scene.data) : "",
+          .pairing = data.pairing(),
           .rows = data.table().rows(),
+          .with = scene.data ? scene.data->with.filename().string() : "",
+          .with_rows = has_second_table(data.pairing()) ? data.tables()[1].rows() : 0,
           .comparisons = data.size(),
           .out_of_range = check.ranges().count,
           .first_out_of_range = check.ranges().first,

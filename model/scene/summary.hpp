@@ -66,7 +66,10 @@ struct Exactness {
 
 struct DataSummary {
   std::string source;
+  Pairing pairing = Pairing::rows;
   std::uint64_t rows = 0;
+  std::string with;             ///< the second table, where there is one
+  std::uint64_t with_rows = 0;  ///< of it; with arg_min, the candidates
   std::uint64_t comparisons = 0;
   std::uint64_t out_of_range = 0;  ///< numbers of the table that break a declared range
   std::string first_out_of_range;  ///< in words; empty if there is none

@@ -66,6 +66,9 @@ nlohmann::json json_of_system(const Scene& scene) {
 nlohmann::json json_of(const DataSummary& data) {
   return {{"source", data.source},
           {"rows", data.rows},
+          {"pairs", to_string(data.pairing)},
+          {"with", data.with},
+          {"with_rows", data.with_rows},
           {"comparisons", data.comparisons},
           {"out_of_range", data.out_of_range},
           {"first_out_of_range", data.first_out_of_range},

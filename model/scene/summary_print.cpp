@@ -111,6 +111,11 @@ void print_data(Page& page, const DataSummary& data) {
   page.section("data");
   page.line("source", data.source);
   page.line("rows", fmt::format("{}", data.rows));
+  if (has_second_table(data.pairing)) {
+    const bool chooses = data.pairing == Pairing::arg_min;
+    page.line("with", data.with);
+    page.line(chooses ? "candidates" : "rows of it", fmt::format("{}", data.with_rows));
+  }
   page.line("comparisons", fmt::format("{}", data.comparisons));
   page.line("out of range", data.out_of_range == 0
                                 ? std::string("none")

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "model/data/load.hpp"
 #include "model/data/sphere_family.hpp"
+#include "model/scene/load_comparisons.hpp"
 
 /// A scene names a family; mistakes are told with their place.
 namespace mixcmp::test {
@@ -27,7 +27,7 @@ TEST(SceneData, IsTheFamilyThatTheSceneNames) {
     ASSERT_TRUE(scene.ok()) << scene.error().to_string();
     const auto data = model::load_comparisons(*scene);
     ASSERT_TRUE(data.ok()) << data.error().to_string();
-    EXPECT_FALSE(data->pairs());
+    EXPECT_EQ(data->pairing(), model::Pairing::rows);
     const auto expected =
         model::sphere_family({.name = family, .count = 50, .seed = 3}, scene->reference.format);
     EXPECT_EQ(data->table().values, expected->values);

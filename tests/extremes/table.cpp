@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "model/data/load.hpp"
 #include "model/data/sphere_family.hpp"
 #include "model/emulator/emulator.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/profile/operands.hpp"
 #include "model/profile/systems.hpp"
+#include "model/scene/load_comparisons.hpp"
 
 /// extremes_table SCENE CSV: every family of sphere pairs through every lane at some precisions.
 /// Prints the tables of examples/extremes/README.md, writes the numbers to CSV; an error where a
@@ -193,7 +193,7 @@ void print_rates(const std::vector<Family>& families, const std::vector<Entry>& 
 
 /// The errors that the paper would have measured: all pairs of 8192 spheres, radii up to 25.
 model::Result<std::vector<model::ErrorProfile>> paper_errors(model::Scene scene) {
-  scene.data = model::DataSpec{.items = "uniform_spheres", .all_pairs = true};
+  scene.data = model::DataSpec{.items = "uniform_spheres", .pairing = model::Pairing::all};
   MIXCMP_TRY(checked, model::check_profile(scene, {}));
   MIXCMP_TRY(data, model::load_comparisons(scene));
   return model::profile_errors(scene, data, {LaneInputs::exact, LaneInputs::rounded}, {});

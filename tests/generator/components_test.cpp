@@ -10,8 +10,8 @@
 #include "generator/components/synthesis_jobs.hpp"
 #include "generator/emit/system.hpp"
 #include "model/characterise/job_hash.hpp"
-#include "model/data/load.hpp"
 #include "model/design/slots.hpp"
+#include "model/scene/load_comparisons.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 namespace mixcmp::test {

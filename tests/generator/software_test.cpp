@@ -7,6 +7,7 @@
 #include "generator/software/source.hpp"
 #include "model/data/sphere_family.hpp"
 #include "model/emulator/emulator.hpp"
+#include "model/emulator/reference_contest.hpp"
 #include "model/profile/operands.hpp"
 #include "tests/generator/software_program.hpp"
 #include "tests/support/float_samples.hpp"
@@ -244,6 +245,51 @@ TEST(Software, EveryPairIsCountedOnceAtTheEdgesOfRuns) {
       EXPECT_GT(kernel.rates[1].best_per_s, 0);
     }
   }
+}
+
+TEST(Software, EveryRowMeetsEveryOtherAtTheEdgesOfRuns) {
+  ScratchDirectory work;
+  CompiledSoftware software({"(xi - xj)^2", "(ri + rj)^2",
+                             "\"x*\" = { range = [0, 64] }\n\"r*\" = { range = [0, 2] }\n"});
+  Random random(3);
+  std::optional<gen::SoftwareProgram> program;
+  const std::vector<std::pair<std::size_t, std::size_t>> sizes = {
+      {1, 1}, {3, 1025}, {4097, 2}, {1024, 1024}};
+  for (const auto& [first, second] : sizes) {
+    const auto data =
+        model::Comparisons::cross(items_on_a_grid(first, random), items_on_a_grid(second, random),
+                                  software.scene().graph.inputs())
+            .value();
+    if (!program) {
+      program = gen::SoftwareProgram::compile(software.scene(), data, software.filters(),
+                                              {.work = work.path(), .rounds = 1, .seconds = 0.001})
+                    .value();
+    }
+    const gen::VerdictCounts expected = emulated(software.scene(), data);
+    const std::vector<gen::KernelOutput> kernels = program->measure(data, 3).value();
+    for (const gen::KernelOutput& kernel : kernels) {
+      EXPECT_EQ(kernel.verdicts, expected) << kernel.name << ", " << first << " by " << second;
+    }
+  }
+}
+
+TEST(Software, ABaselineOfTwoTablesIsChecked) {
+  ScratchDirectory work;
+  CompiledSoftware software({"(x - xi)^2 + ri", "(x - xj)^2 + rj",
+                             "\"x*\" = { range = [0, 64] }\n\"r*\" = { range = [0, 2] }\n"});
+  Random random(4);
+  const auto& graph = software.scene().graph;
+  const auto contest = model::reference_contest(reference_graph(graph, {gen::software_format()}));
+  const auto data = model::Comparisons::arg_min(items_on_a_grid(300, random),
+                                                items_on_a_grid(5, random), graph.inputs(), contest)
+                        .value();
+  const auto baseline = gen::software_baseline(
+      software.scene(), data,
+      {.work = work.path(), .threads = 2, .rounds = 1, .seconds = 0.002, .sample = 500});
+  ASSERT_TRUE(baseline.ok()) << baseline.error().to_string();
+  EXPECT_TRUE(baseline->passed());
+  EXPECT_EQ(baseline->comparisons, 1200u);
+  EXPECT_EQ(baseline->exact().verdicts, emulated(software.scene(), data));
 }
 
 TEST(Software, ABaselineIsCheckedMeasuredAndReported) {

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <set>
 
-#include "model/data/load.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/scene/load_comparisons.hpp"
 #include "model/scene/scene.hpp"
 #include "tests/support/simulated_system.hpp"
 
@@ -30,7 +30,9 @@ Pairs truly_colliding(const fs::path& scene_file) {
     data->fetch(index, operands);
     const auto verdict =
         model::golden::true_verdict(scene->graph, scene->reference.format, operands);
-    if (verdict == model::golden::Verdict::less) pairs.insert(data->items(index));
+    if (verdict != model::golden::Verdict::less) continue;
+    const model::Items items = data->items(index);
+    pairs.emplace(items.first, items.second);
   }
   return pairs;
 }

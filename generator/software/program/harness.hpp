@@ -26,20 +26,31 @@ using Columns = std::vector<Column<double>>;
   std::exit(1);
 }
 
-/// A file of 64-bit words: the number of items, then one column of doubles after the other.
-Columns read_columns(const char* path) {
+/// Items i and items j, the same where they are of one table; rows are items j.
+struct Data {
+  std::uint64_t first_items = 0, second_items = 0;
+  Columns columns;
+};
+
+std::uint64_t read_word(std::ifstream& file) {
+  std::uint64_t word = 0;
+  file.read(reinterpret_cast<char*>(&word), sizeof word);
+  return word;
+}
+
+/// A file of 64-bit words: the numbers of items, then each column's length and doubles.
+Data read_data(const char* path) {
   std::ifstream file(path, std::ios::binary);
-  std::uint64_t items = 0;
-  file.read(reinterpret_cast<char*>(&items), sizeof items);
-  Columns columns(file_columns);
-  for (Column<double>& column : columns) {
+  Data data{read_word(file), read_word(file), Columns(file_columns)};
+  for (Column<double>& column : data.columns) {
+    const std::uint64_t length = read_word(file);
     if (!file) break;
-    column.resize(items);
+    column.resize(length);
     file.read(reinterpret_cast<char*>(column.data()),
-              static_cast<std::streamsize>(items * sizeof(double)));
+              static_cast<std::streamsize>(length * sizeof(double)));
   }
   if (!file) fail("the data file cannot be read");
-  return columns;
+  return data;
 }
 
 bool passes(const Check& check, double operand) {
@@ -97,7 +108,7 @@ struct Tally {
   }
 };
 
-/// Comparisons [first, end) of item i (of nothing, where a comparison is a row); at most
+/// Comparisons [first, end) with item i (with nothing, where a comparison is a row); at most
 /// longest_run.
 struct Run {
   std::size_t i, first, end;
@@ -216,44 +227,47 @@ private:
   std::vector<const float*> inputs_;
 };
 
+/// The least j that item i meets.
+constexpr std::size_t first_partner(std::size_t i) {
+  return form == Form::all_pairs ? i + 1 : 0;
+}
+
 /// All of the data's comparisons in units of some ten thousand to some millions, so that threads
 /// share them. A unit is one run's worth of items j with some thousand items i, or some runs of
 /// rows.
 class Work {
 public:
-  explicit Work(std::size_t items)
-      : items_(items),
-        tiles_((items + tile - 1) / tile),
-        chunks_(all_pairs ? (items + chunk - 1) / chunk : 1) {}
+  explicit Work(const Data& data)
+      : first_items_(data.first_items),
+        items_(data.second_items),
+        tiles_((items_ + tile - 1) / tile),
+        chunks_(form == Form::rows ? 1 : (first_items_ + chunk - 1) / chunk) {}
 
   std::uint64_t units() const { return std::uint64_t{tiles_} * chunks_; }
-
-  std::uint64_t comparisons() const {
-    const std::uint64_t items = items_;
-    return all_pairs ? items * (items - 1) / 2 : items;
-  }
 
   template <class Visit>
   void visit(std::uint64_t unit, Visit visit_run) const {
     const std::size_t first = unit / chunks_ * tile;
     const std::size_t end = std::min(first + tile, items_);
-    if constexpr (all_pairs) {
-      const std::size_t begin = unit % chunks_ * chunk;
-      for (std::size_t i = begin; i < std::min(begin + chunk, end); ++i) {
-        if (const Run run{i, std::max(first, i + 1), end}; run.first < run.end) visit_run(run);
-      }
-    } else {
+    if constexpr (form == Form::rows) {
       for (std::size_t j = first; j < end; j += longest_run) {
         visit_run(Run{0, j, std::min(j + longest_run, end)});
+      }
+    } else {
+      const std::size_t begin = unit % chunks_ * chunk;
+      for (std::size_t i = begin; i < std::min(begin + chunk, first_items_); ++i) {
+        if (const Run run{i, std::max(first, first_partner(i)), end}; run.first < run.end) {
+          visit_run(run);
+        }
       }
     }
   }
 
 private:
-  static constexpr std::size_t tile = all_pairs ? longest_run : 64 * longest_run;
+  static constexpr std::size_t tile = form == Form::rows ? 64 * longest_run : longest_run;
   static constexpr std::size_t chunk = 4096;
 
-  std::size_t items_, tiles_, chunks_;
+  std::size_t first_items_, items_, tiles_, chunks_;
 };
 
 struct Measured {
@@ -330,19 +344,16 @@ void tally(const char* name, const Kernel& kernel, const Work& work, unsigned th
 
 /// One letter a comparison, in order: <, =, >, u; ? where the filter did not decide.
 template <class Kernel>
-void print_verdicts(const char* name, const Kernel& kernel, std::size_t items) {
+void print_verdicts(const char* name, const Kernel& kernel, const Data& data) {
   std::string letters;
   std::feclearexcept(exceptional_flags);
   const auto add = [&](Run run) {
     const Tally one = kernel(run);
     letters += one.recomputed ? '?' : one.less ? '<' : one.equal ? '=' : one.greater ? '>' : 'u';
   };
-  if constexpr (all_pairs) {
-    for (std::size_t i = 0; i < items; ++i) {
-      for (std::size_t j = i + 1; j < items; ++j) add({i, j, j + 1});
-    }
-  } else {
-    for (std::size_t j = 0; j < items; ++j) add({0, j, j + 1});
+  const std::size_t first_items = form == Form::rows ? 1 : data.first_items;
+  for (std::size_t i = 0; i < first_items; ++i) {
+    for (std::size_t j = first_partner(i); j < data.second_items; ++j) add({i, j, j + 1});
   }
   std::printf("verdicts %s %s\n", name, letters.c_str());
 }
@@ -393,17 +404,16 @@ private:
 int main(int argc, char** argv) {
   if (argc < 3) fail("DATA verdicts, or DATA measure THREADS ROUNDS SECONDS");
   if (!arithmetic_is_ieee()) fail("floating-point arithmetic is not that of IEEE 754");
-  const Columns columns = read_columns(argv[1]);
-  const std::size_t items = columns[0].size();
-  const Work work(items);
+  const Data data = read_data(argv[1]);
+  const Work work(data);
   const bool measures = std::strcmp(argv[2], "measure") == 0 && argc == 6;
   const unsigned threads = measures ? static_cast<unsigned>(std::atoi(argv[3])) : 1;
-  const Kernels kernels(columns);
+  const Kernels kernels(data.columns);
   kernels.for_each(
       [&](const char* name, const auto& kernel) { tally(name, kernel, work, threads); });
   if (!measures) {
     kernels.for_each(
-        [&](const char* name, const auto& kernel) { print_verdicts(name, kernel, items); });
+        [&](const char* name, const auto& kernel) { print_verdicts(name, kernel, data); });
     return 0;
   }
   for (int round = 0; round < std::atoi(argv[4]); ++round) {

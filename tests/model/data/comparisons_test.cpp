@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "model/data/load.hpp"
 #include "model/golden/arithmetic.hpp"
+#include "model/scene/load_comparisons.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -67,7 +67,7 @@ TEST(Comparisons, RowsServeInputsByName) {
   ASSERT_TRUE(comparisons.ok());
   EXPECT_EQ(comparisons->size(), 3U);
   EXPECT_EQ(fetch(*comparisons, 2), (std::vector<int>{22, 20}));
-  EXPECT_EQ(comparisons->items(2), std::pair(std::uint64_t{2}, std::uint64_t{2}));
+  EXPECT_EQ(comparisons->items(2).row, 2U);
 }
 
 TEST(Comparisons, PairsServeInputsOfItemsIAndJ) {
@@ -125,7 +125,7 @@ TEST(LoadComparisons, MistakesStandInTheScenesDataSection) {
   ASSERT_TRUE(scene.ok());
   Scene changed = std::move(scene).value();
   const int line = changed.data.value().line;
-  changed.data->all_pairs = false;
+  changed.data->pairing = Pairing::rows;
   const Result<Comparisons> rows = load_comparisons(changed);
   ASSERT_FALSE(rows.ok());
   EXPECT_EQ(rows.error().file, path.string());

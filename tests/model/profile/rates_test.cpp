@@ -5,6 +5,7 @@
 
 #include "model/data/sphere_family.hpp"
 #include "model/data/uniform_spheres.hpp"
+#include "model/emulator/reference_contest.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/profile/systems.hpp"
 #include "tests/model/profile/profile_cases.hpp"
@@ -136,6 +137,25 @@ TEST(Rates, OfAllPairsOfSpheresAreTheGoldenModels) {
     EXPECT_LT(profile.emulated, all / 4);
     EXPECT_LT(profile.true_verdicts, profile.comparisons / 100);
   }
+}
+
+/// Two tables in every pairing that has some; spheres of the second may break the ranges.
+TEST(Rates, OfTwoTablesAreTheGoldenModels) {
+  const Scene scene = sphere_scene();
+  const FloatFormat format = scene.reference.format;
+  const auto table = [&](std::size_t count, double side, std::uint64_t seed) {
+    return uniform_spheres({.count = count, .side = side, .radius_max = 40, .seed = seed}, format);
+  };
+  const std::vector<std::string>& inputs = scene.graph.inputs();
+  checked_profile(scene, Comparisons::cross(table(20, 100, 1), table(25, 130, 2), inputs).value(),
+                  LaneInputs::exact, options_of(4, 30), "cross");
+  Scene nearest_centre = scene;
+  nearest_centre.graph = graph_of("(cx - cxi)^2 + (cy - cyi)^2", "(cx - cxj)^2 + (cy - cyj)^2");
+  nearest_centre.ranges.assign(6, model::Range{0, 100});
+  const auto contest = model::reference_contest(reference_graph(nearest_centre.graph, {format}));
+  const auto data = Comparisons::arg_min(table(40, 100, 3), table(9, 130, 4),
+                                         nearest_centre.graph.inputs(), contest);
+  checked_profile(nearest_centre, data.value(), LaneInputs::exact, options_of(4, 30), "arg_min");
 }
 
 TEST(Rates, OfHardFamiliesAreTheGoldenModels) {

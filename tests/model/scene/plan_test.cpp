@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "model/data/load.hpp"
+#include "model/scene/load_comparisons.hpp"
 #include "model/scene/scene.hpp"
 #include "tests/support/scratch_directory.hpp"
 

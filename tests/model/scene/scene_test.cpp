@@ -92,7 +92,7 @@ TEST_F(SceneTest, EveryKeyArrives) {
   EXPECT_EQ(scene->data->side, 100);
   EXPECT_EQ(scene->data->radius_max, 25);
   EXPECT_EQ(scene->data->seed, 7U);
-  EXPECT_TRUE(scene->data->all_pairs);
+  EXPECT_EQ(scene->data->pairing, Pairing::all);
   EXPECT_EQ(scene->notes, std::vector<std::string>{
                               "the range end 0.1 rounds out of its range in s53e8: data of just "
                               "that value are out of range"});
@@ -232,10 +232,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"[reduced]", "[redcued]",
                 ":13: redcued: unknown section: received redcued; accepted reduced (the nearest), "
-                "comparison, let, inputs, reference, lanes, references, system, data"},
-        Mistake{"[comparison]", "x = 1\n[comparison]",
-                ":1: x: a key outside of any section: received x; accepted comparison, let, "
-                "inputs, reference, reduced, lanes, references, system, data"},
+                "comparison, variant, let, inputs, reference, lanes, references, system, data"},
+        Mistake{
+            "[comparison]", "x = 1\n[comparison]",
+            ":1: x: a key outside of any section: received x; accepted comparison, variant, let, "
+            "inputs, reference, reduced, lanes, references, system, data"},
         Mistake{"[comparison]", "reduced = 3\n[comparison]",
                 ":14:1: TOML syntax: Error while parsing table header: cannot redefine existing "
                 "integer 'reduced' as table"},
@@ -252,9 +253,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"slack = 0.25", "slck = 0.25",
                 ":23: system.slck: unknown key: received slck; accepted slack (the nearest), "
                 "counter_bits, device, lanes, operands, order, references, tag_bits, target_mhz"},
-        Mistake{"seed = 7", "sead = 7",
-                ":30: data.sead: unknown key: received sead; accepted seed (the nearest), count, "
-                "family, file, items, pairs, radius_max, side"}));
+        Mistake{
+            "seed = 7", "sead = 7",
+            ":30: data.sead: unknown key: received sead; accepted seed (the nearest), "
+            "columns, count, family, file, items, pairs, radius_max, side, with, with_columns"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Types, SceneMistake,
@@ -337,7 +339,7 @@ INSTANTIATE_TEST_SUITE_P(
             ":27: data.file: not a data file by its ending: received \"a.txt\"; accepted a file "
             "that ends in .pdb, .csv or .npy"},
         Mistake{"pairs = \"all\"", "pairs = \"some\"",
-                ":31: data.pairs: not a choice: received \"some\"; accepted all"}));
+                ":31: data.pairs: not a choice: received \"some\"; accepted all, cross, arg_min"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Inputs, SceneMistake,
@@ -437,10 +439,10 @@ TEST_F(SceneTest, MistakesInOverridesNameTheOption) {
   EXPECT_EQ(error("data.count=many"),
             "--set: data.count: wrong type: received \"many\" (a string); accepted an integer "
             "1..16777216");
-  EXPECT_EQ(error("data.cuont=3"),
-            "--set: data.cuont: unknown key: received cuont; accepted count (the nearest), family, "
-            "file, "
-            "items, pairs, radius_max, seed, side");
+  EXPECT_EQ(
+      error("data.cuont=3"),
+      "--set: data.cuont: unknown key: received cuont; accepted count (the nearest), columns, "
+      "family, file, items, pairs, radius_max, seed, side, with, with_columns");
   EXPECT_EQ(error("dato.count=3").substr(0, 28), "--set: dato: unknown section");
   EXPECT_EQ(error("comparison.f=cxi +* 2"),
             "--set: comparison.f: unexpected character at character 6 of the text: received '*'; "

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "model/common/result.hpp"
+
+namespace mixcmp::model {
+
+/// What is compared with what; the words of `data.pairs`.
+enum class Pairing {
+  rows,     ///< every row of one table is one comparison
+  all,      ///< every two rows i < j of one table
+  cross,    ///< every row i of one table with every row j of a second
+  arg_min,  ///< for each row of one table its least candidate, a row of a second: see Comparisons
+};
+std::string_view to_string(Pairing pairing);
+
+/// Whether there is a second table.
+bool has_second_table(Pairing pairing);
+
+/// What an input is a number of.
+enum class Item {
+  row,     ///< the comparison's own row
+  first,   ///< item i
+  second,  ///< item j
+};
+
+struct ItemColumn {
+  std::string name;
+  bool second;
+};
+/// What an input of a comparison of two items names: "cxi" is column "cx" of the first, "cj_2" (in
+/// the scene cj[2]) column "c_2" of the second. None for other names.
+std::optional<ItemColumn> item_column(std::string_view input);
+
+/// Where an input's numbers come from.
+struct InputColumn {
+  std::size_t table;  ///< 0, or 1 where there is a second
+  std::string name;
+  Item item;
+};
+Result<InputColumn> input_column(Pairing pairing, const std::string& input);
+
+}  // namespace mixcmp::model

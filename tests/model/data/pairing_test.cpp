@@ -1,0 +1,184 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+
+#include "model/data/column_names.hpp"
+#include "model/data/comparisons.hpp"
+#include "model/golden/arithmetic.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+const FloatFormat binary32 = FloatFormat::parse("binary32").value();
+
+/// Columns as given; the number at row i, column k is 100 table + 10 i + k.
+Table numbered(int table_number, int rows, std::vector<std::string> columns) {
+  Table table{.format = binary32, .columns = std::move(columns)};
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < static_cast<int>(table.columns.size()); ++column) {
+      table.values.push_back(
+          golden::from_rational(binary32, 100 * table_number + 10 * row + column));
+    }
+  }
+  return table;
+}
+
+std::vector<int> fetch(const Comparisons& comparisons, std::uint64_t index) {
+  std::vector<Bits> operands(comparisons.input_count());
+  comparisons.fetch(index, operands);
+  std::vector<int> numbers;
+  for (const Bits bits : operands) {
+    numbers.push_back(static_cast<int>(golden::to_rational(binary32, bits).get_d()));
+  }
+  return numbers;
+}
+
+void greater_at_random(const Comparisons&, std::span<const Items> items,
+                       std::span<std::uint8_t> greater) {
+  static std::mt19937 random(1);
+  for (std::size_t k = 0; k < items.size(); ++k) greater[k] = random() % 3 == 0;
+}
+
+TEST(ItemColumn, SubscriptsFollowTheItem) {
+  const auto is = [](const char* input, const char* column, bool second) {
+    const auto item = item_column(input);
+    return item && item->name == column && item->second == second;
+  };
+  EXPECT_TRUE(is("cxi", "cx", false));
+  EXPECT_TRUE(is("cj", "c", true));
+  EXPECT_TRUE(is("ci_0", "c_0", false));
+  EXPECT_TRUE(is("sj_12_3", "s_12_3", true));
+  EXPECT_TRUE(is("c_i", "c_", false));
+  for (const char* none : {"i", "j", "p", "p_0", "i_0", "_0", "ci_", "ci_0x", "ci0", "ci_x"}) {
+    EXPECT_FALSE(item_column(none)) << none;
+  }
+}
+
+TEST(Comparisons, SubscriptedInputsAreColumnsOfItems) {
+  const auto data = Comparisons::all_pairs(numbered(0, 3, {"c_0", "c_1"}), {"ci_1", "cj_0"});
+  ASSERT_TRUE(data.ok()) << data.error().to_string();
+  EXPECT_EQ(fetch(*data, 1), (std::vector<int>{1, 20}));  // items 0 and 2
+}
+
+TEST(Comparisons, CrossIsEveryRowOfBothTables) {
+  const auto data =
+      Comparisons::cross(numbered(0, 3, {"a", "b"}), numbered(1, 2, {"a"}), {"aj", "bi", "ai"});
+  ASSERT_TRUE(data.ok()) << data.error().to_string();
+  ASSERT_EQ(data->size(), 6U);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      const auto index = static_cast<std::uint64_t>(2 * i + j);
+      EXPECT_EQ(fetch(*data, index), (std::vector<int>{100 + 10 * j, 10 * i + 1, 10 * i}));
+      EXPECT_EQ(describe(*data, index), "items " + std::to_string(i) + " and " + std::to_string(j));
+    }
+  }
+}
+
+TEST(Comparisons, CandidatesOfArgMinMeetInOrder) {
+  // Candidate 2 beats all before it for even rows, candidate 1 candidate 0 for odd ones.
+  const Contest contest = [](const Comparisons&, std::span<const Items> items,
+                             std::span<std::uint8_t> greater) {
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      greater[k] = items[k].second == (items[k].row % 2 == 0 ? 2 : 1);
+    }
+  };
+  const auto data = Comparisons::arg_min(numbered(0, 5, {"p"}), numbered(1, 4, {"c"}),
+                                         {"p", "ci", "cj"}, contest);
+  ASSERT_TRUE(data.ok()) << data.error().to_string();
+  ASSERT_EQ(data->size(), 15U);
+  EXPECT_EQ(data->arg_min(0), 2U);
+  EXPECT_EQ(data->arg_min(3), 1U);
+  EXPECT_EQ(data->items(2), (Items{.row = 0, .first = 2, .second = 3}));
+  EXPECT_EQ(data->items(3), (Items{.row = 1, .first = 0, .second = 1}));
+  EXPECT_EQ(data->items(10), (Items{.row = 3, .first = 1, .second = 2}));
+  EXPECT_EQ(fetch(*data, 10), (std::vector<int>{30, 110, 120}));
+  EXPECT_EQ(describe(*data, 10), "row 3, candidates 1 and 2");
+}
+
+/// What run_length promises, comparison by comparison; and that runs are as long as they can be.
+void expect_runs(const Comparisons& data) {
+  const auto follows = [&](std::uint64_t index) {
+    Items next = data.items(index);
+    (data.moving_item() == Item::row ? next.row : next.second) += 1;
+    Items is = data.items(index + 1);
+    if (data.pairing() == Pairing::rows) is.first = is.second = next.first;
+    return is == next;
+  };
+  for (std::uint64_t index = 0; index < data.size(); ++index) {
+    const std::uint64_t length = data.run_length(index);
+    ASSERT_GE(length, 1U);
+    ASSERT_LE(index + length, data.size());
+    for (std::uint64_t k = 0; k + 1 < length; ++k) ASSERT_TRUE(follows(index + k)) << index;
+    if (index + length < data.size()) {
+      ASSERT_FALSE(follows(index + length - 1)) << index;
+    }
+  }
+}
+
+TEST(Comparisons, RunsDifferInTheMovingItemAlone) {
+  expect_runs(Comparisons::rows(numbered(0, 5, {"a"}), {"a"}).value());
+  expect_runs(Comparisons::all_pairs(numbered(0, 6, {"a"}), {"ai", "aj"}).value());
+  expect_runs(
+      Comparisons::cross(numbered(0, 4, {"a"}), numbered(1, 3, {"a"}), {"ai", "aj"}).value());
+  expect_runs(Comparisons::arg_min(numbered(0, 40, {"p"}), numbered(1, 9, {"c"}), {"p", "ci", "cj"},
+                                   greater_at_random)
+                  .value());
+}
+
+TEST(Comparisons, TwoTablesMistakesAreTold) {
+  const auto message = [](const Result<Comparisons>& data) {
+    EXPECT_FALSE(data.ok());
+    return data.ok() ? "" : data.error().to_string();
+  };
+  EXPECT_EQ(message(Comparisons::cross(numbered(0, 3, {"a"}), numbered(1, 2, {"alpha"}),
+                                       {"ai", "alhpaj"})),
+            "data: no column alhpa for the input alhpaj: received no such column; accepted alpha "
+            "(the nearest)");
+  EXPECT_EQ(message(Comparisons::cross(numbered(0, 3, {"a"}), numbered(1, 2, {"a"}), {"ai"})),
+            "data.pairs: no input is a column of the second table: received ai; accepted inputs of "
+            "item i and inputs of item j");
+  EXPECT_EQ(message(Comparisons::arg_min(numbered(0, 3, {"p"}), numbered(1, 1, {"c"}),
+                                         {"p", "ci", "cj"}, greater_at_random)),
+            "data.pairs: too few rows in the second table: received 1 rows; accepted 2..2147483648 "
+            "rows");
+  EXPECT_EQ(message(Comparisons::arg_min(numbered(0, 0, {"p"}), numbered(1, 2, {"c"}),
+                                         {"p", "ci", "cj"}, greater_at_random)),
+            "data: nothing to compare: received no rows; accepted at least one");
+}
+
+const std::vector<ColumnNames> point_names = {
+    {.name = "p", .columns = {"x", "y"}, .is_list = true, .field = "data.columns.p", .line = 7},
+    {.name = "r", .columns = {"radius"}, .field = "data.columns.r", .line = 8}};
+
+TEST(ColumnNames, ListsNameSubscriptedColumns) {
+  const std::vector<std::string> wanted = {"p_1", "r", "p_0", "q"};
+  const auto columns = file_columns(point_names, wanted);
+  ASSERT_TRUE(columns.ok()) << columns.error().to_string();
+  EXPECT_EQ(*columns, (std::vector<std::string>{"y", "radius", "x", "q"}));
+}
+
+TEST(ColumnNames, MistakesAreTold) {
+  const std::vector<std::string> beyond = {"p_2", "r"}, unused = {"p_0", "rr"};
+  EXPECT_EQ(file_columns(point_names, beyond).error().to_string(),
+            ":7: data.columns.p: no column for p_2: received a list of 2; accepted 3 columns or "
+            "more");
+  EXPECT_EQ(file_columns(point_names, unused).error().to_string(),
+            ":8: data.columns.r: no input needs such a column: received r; accepted rr (the "
+            "nearest), p_0");
+  const std::vector<std::string> misspelt = {"radiu"}, name = {"r"};
+  EXPECT_EQ(select_columns(numbered(0, 1, {"x", "radius"}), misspelt, name).error().to_string(),
+            "data: no column radiu: received no such column; accepted radius (the nearest), x");
+}
+
+TEST(ColumnNames, SelectedColumnsAreInTheWantedOrder) {
+  const std::vector<std::string> columns = {"c", "a"}, wanted = {"p_0", "p_1"};
+  const auto table = select_columns(numbered(0, 2, {"a", "b", "c"}), columns, wanted);
+  ASSERT_TRUE(table.ok());
+  EXPECT_EQ(table->columns, wanted);
+  EXPECT_EQ(table->at(1, 0), golden::from_rational(binary32, 12));
+  EXPECT_EQ(table->at(1, 1), golden::from_rational(binary32, 10));
+}
+
+}  // namespace
+}  // namespace mixcmp::model
