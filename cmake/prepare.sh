@@ -5,7 +5,7 @@
 packages="g++ cmake ninja-build ccache pkg-config make git ca-certificates
   libmpfr-dev libgmp-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
   tao-pegtl-dev libgtest-dev libbenchmark-dev libhwy-dev zlib1g-dev libsqlite3-dev coinor-libcbc-dev verilator iverilog yosys nextpnr-ice40 gappa glpk-utils
-  gnuplot-nox gtkwave"
+  gnuplot-nox gtkwave jq"
 
 say() { printf '== %s\n' "$*"; }
 
