@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/simulated_system.hpp"
+
+/// The assignment step of k-means through the program itself, held against a search in plain C++
+/// that shares nothing with it.
+namespace mixcmp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Point = std::array<double, 3>;
+
+const fs::path examples = fs::path(MIXCMP_SOURCE_DIR) / "examples";
+
+std::vector<Point> atoms_in(const fs::path& pdb) {
+  std::ifstream stream(pdb);
+  std::vector<Point> atoms;
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.starts_with("ATOM  ") && !line.starts_with("HETATM")) continue;
+    atoms.push_back({std::stod(line.substr(30, 8)), std::stod(line.substr(38, 8)),
+                     std::stod(line.substr(46, 8))});
+  }
+  return atoms;
+}
+
+std::vector<Point> centres_in(const fs::path& csv) {
+  std::ifstream stream(csv);
+  std::vector<Point> centres;
+  std::string line;
+  std::getline(stream, line);
+  while (std::getline(stream, line)) {
+    Point& centre = centres.emplace_back();
+    EXPECT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf", &centre[0], &centre[1], &centre[2]), 3);
+  }
+  return centres;
+}
+
+double squared_distance(const Point& a, const Point& b) {
+  const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+  return (x * x + y * y) + z * z;
+}
+
+std::uint64_t nearest(const Point& point, const std::vector<Point>& centres) {
+  std::uint64_t best = 0;
+  for (std::uint64_t k = 1; k < centres.size(); ++k) {
+    if (squared_distance(point, centres[k]) < squared_distance(point, centres[best])) best = k;
+  }
+  return best;
+}
+
+/// Each row's candidate after all of its verdicts. Every comparison must be of the best so far.
+std::vector<std::uint64_t> chosen_by_verdicts(const fs::path& csv, std::size_t candidates) {
+  std::ifstream stream(csv);
+  std::string line;
+  std::getline(stream, line);
+  EXPECT_EQ(line, "index,row,i,j,label_row,verdict,recomputed");
+  std::vector<std::uint64_t> best;
+  while (std::getline(stream, line)) {
+    unsigned long long index = 0, row = 0, i = 0, j = 0;
+    EXPECT_EQ(std::sscanf(line.c_str(), "%llu,%llu,%llu,%llu", &index, &row, &i, &j), 4) << line;
+    if (j == 1) best.push_back(0);
+    EXPECT_EQ(row + 1, best.size()) << line;
+    EXPECT_EQ(index, row * (candidates - 1) + j - 1) << line;
+    EXPECT_EQ(i, best.back()) << line;
+    if (line.find(",greater,") != std::string::npos) best.back() = j;
+  }
+  return best;
+}
+
+TEST(KMeans, EveryAtomGetsItsNearestResidue) {
+  const fs::path work = test_work_dir("kmeans");
+  fs::create_directories(work);
+  const fs::path csv = work / "comparisons.csv";
+  const std::string command = std::string(MIXCMP_PROGRAM) + " verify " +
+                              (examples / "kmeans/residues.toml").string() + " --work " +
+                              (work / "simulation").string() + " --csv " + csv.string() + " > " +
+                              (work / "report.txt").string();
+  ASSERT_EQ(std::system(command.c_str()), 0) << "see " << work / "report.txt";
+  const std::vector<Point> atoms = atoms_in(examples / "protein_clash/1A8O.pdb");
+  const std::vector<Point> centres = centres_in(examples / "kmeans/residues.csv");
+  const std::vector<std::uint64_t> chosen = chosen_by_verdicts(csv, centres.size());
+  ASSERT_EQ(chosen.size(), atoms.size());
+  for (std::size_t row = 0; row < atoms.size(); ++row) {
+    EXPECT_EQ(chosen[row], nearest(atoms[row], centres)) << "atom " << row;
+  }
+}
+
+}  // namespace
+}  // namespace mixcmp::test
