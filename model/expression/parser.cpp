@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "model/common/nearest.hpp"
+#include "model/common/power_of_two.hpp"
 #include "model/expression/literal.hpp"
 #include "model/expression/name.hpp"
 #include "model/expression/syntax.hpp"
@@ -380,6 +381,11 @@ Value Builder::applied(Operation operation, const Value& a, const Value& b) {
     fail(a.column, "the constant is too long", {},
          fmt::format("at most {} bits", max_constant_bits));
   }
+  const bool scales =
+      operation == Operation::divide && b.constant && is_power_of_two(mpq_class(abs(*b.constant)));
+  // A division by a power of two is an exact scaling, and so is a multiplication: no divider.
+  if (scales)
+    return applied(Operation::multiply, a, {.column = b.column, .constant = 1 / *b.constant});
   const NodeId first = node_of(a);
   result.node = arity(operation) == 1 ? graph_.apply(operation, first)
                                       : graph_.apply(operation, first, node_of(b));

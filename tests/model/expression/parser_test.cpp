@@ -140,6 +140,21 @@ TEST(Parser, ConstantsFoldAndLeaveNoNode) {
   EXPECT_EQ(count(root, Operation::square_root), 1);
 }
 
+TEST(Parser, DivisionsByPowersOfTwoAreScalings) {
+  for (const char* divisor : {"4", "2^16", "0x1p-20", "-0.5", "1"}) {
+    Graph graph;
+    const auto node = parse_expression(graph, fmt::format("x / ({})", divisor), {});
+    ASSERT_TRUE(node.ok());
+    EXPECT_EQ(count(graph, Operation::divide), 0) << divisor;
+    EXPECT_EQ(evaluate(graph, *node, {{"x", 3}}), 3 / value_of(divisor)) << divisor;
+  }
+  for (const char* divisor : {"3", "0.1", "6", "sqrt(4)", "y"}) {
+    Graph graph;
+    ASSERT_TRUE(parse_expression(graph, fmt::format("x / {}", divisor), {}).ok());
+    EXPECT_EQ(count(graph, Operation::divide), 1) << divisor;
+  }
+}
+
 TEST(Parser, LetsMayStandInAnyOrder) {
   const std::vector<LetDefinition> lets = {{"a", "b + 1"}, {"b", "x * 2"}, {"unused", "a"}};
   EXPECT_EQ(value_of("a * b", {{"x", 5}}, lets), 110);
