@@ -29,7 +29,7 @@ struct VariantCheck {
   std::uint64_t reference_differences = 0;
 };
 
-constexpr std::uint64_t checked_comparisons = 100'000;
+constexpr std::uint64_t checked_comparisons = 250'000;
 
 /// On all comparisons, or on that many spread over all. Both scenes have the same inputs in the
 /// same order.
