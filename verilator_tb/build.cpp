@@ -79,12 +79,14 @@ std::string hierarchy(const gen::Signature& s) {
 }
 
 Command verilator_command(const System& system, Waves waves, bool ccache) {
-  Command command = {"verilator", "--cc", "--exe", "--build", "-j", "0", "--prefix", "Vsystem",
-                     "--top-module", system.signature.top, "--Mdir", "obj",
-                     // Uninitialised state starts at random: what reset forgets shows itself.
-                     "--x-initial", "unique", "--x-assign", "unique", "-Wno-fatal", "-O3",
-                     "--timescale-override", "1ns/1ns", "-CFLAGS", "-std=c++20", "-MAKEFLAGS",
-                     ccache ? "OPT_FAST=-O2 OBJCACHE=ccache" : "OPT_FAST=-O2"};
+  Command command = {
+      "verilator", "--cc", "--exe", "--build", "-j", "0", "--prefix", "Vsystem", "--top-module",
+      system.signature.top, "--Mdir", "obj",
+      // Uninitialised state starts at random: what reset forgets shows itself.
+      "--x-initial", "unique", "--x-assign", "unique", "-Wno-fatal", "-O3",
+      // Wrong in Verilator 5.006 to 5.020 on some widths (its issues 4059, 4841, 4842).
+      "-fno-const-bit-op-tree", "--timescale-override", "1ns/1ns", "-CFLAGS", "-std=c++20",
+      "-MAKEFLAGS", ccache ? "OPT_FAST=-O2 OBJCACHE=ccache" : "OPT_FAST=-O2"};
   if (waves == Waves::on) command.push_back("--trace-fst");
   if (is_hierarchical(system)) {
     command.insert(command.end(), {"--hierarchical", "hierarchy.vlt"});

@@ -67,7 +67,7 @@ Result<SynthesisJob> job_of(const std::string& module, const std::vector<Setting
                                 [&](const auto& source) { return source.name == module + ".v"; });
   if (top == job.sources.end()) return no_unit(module);
   for (const Setting& setting : settings) {
-    const bool shaped = is_word(setting.name, "_") && is_word(setting.value, "'");
+    const bool shaped = is_word(setting.name, "_") && is_word(setting.value, "'-");
     if (!shaped || !set_default(top->text, setting)) return no_unit(module + " " + setting.name);
   }
   return job;

@@ -45,8 +45,7 @@ public:
       if (is_wires(node.operation)) {
         schedule_.steps.push_back({.start_cycle = start, .ready_cycle = start});
       } else {
-        schedule_.steps.push_back(
-            place(unit_for(node, graph.arithmetic.subnormals, multipliers, delays_), start));
+        schedule_.steps.push_back(place(unit_for(graph, node, multipliers, delays_), start));
       }
     }
   }

@@ -89,12 +89,12 @@ Unit square_root_unit(FloatFormat operands, FloatFormat result, Subnormals subno
   return std::move(stages).unit("fp_square_root");
 }
 
-Unit convert_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
+Unit convert_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals, int scale,
                   const DelayTable& delays) {
   StageList stages(delays);
   stages.add_operand(operands, subnormals);
   const bool denormalises = subnormals == Subnormals::gradual &&
-                            bias_difference(result, operands) < operands.precision() - 1;
+                            bias_difference(result, operands) + scale < operands.precision() - 1;
   stages.add_round(result, denormalises, operands.precision() - result.precision() - 2);
   return std::move(stages).unit("fp_convert");
 }
@@ -139,6 +139,29 @@ Unit single_stage_unit(std::string module, std::string stage, double delay_ns) {
 
 }  // namespace
 
+std::optional<Scaling> scaling_of(const model::TypedGraph& graph, const model::TypedNode& node) {
+  if (node.operation != Operation::multiply) return std::nullopt;
+  for (int k = 0; k < 2; ++k) {
+    const model::TypedNode& factor = graph.nodes[static_cast<std::size_t>(node.operands[k])];
+    if (factor.operation != Operation::constant) continue;
+    const FloatFormat format = factor.format;
+    const int biased = format.biased_exponent(factor.constant);
+    const bool normal = biased > 0 && biased < format.max_biased_exponent();
+    if (!normal || format.sign(factor.constant) || format.fraction(factor.constant) != 0) continue;
+    return Scaling{.operand = node.operands[1 - k], .exponent = biased - format.bias()};
+  }
+  return std::nullopt;
+}
+
+Unit unit_for(const model::TypedGraph& graph, const model::TypedNode& node, Multipliers multipliers,
+              const DelayTable& delays) {
+  const Subnormals subnormals = graph.arithmetic.subnormals;
+  if (const auto scaling = scaling_of(graph, node)) {
+    return convert_unit(node.operand_format, node.format, subnormals, scaling->exponent, delays);
+  }
+  return unit_for(node, subnormals, multipliers, delays);
+}
+
 Unit unit_for(const model::TypedNode& node, Subnormals subnormals, Multipliers multipliers,
               const DelayTable& delays) {
   const FloatFormat operands = node.operand_format;
@@ -154,7 +177,7 @@ Unit unit_for(const model::TypedNode& node, Subnormals subnormals, Multipliers m
                            delays);
     case Operation::divide: return divide_unit(operands, result, subnormals, delays);
     case Operation::square_root: return square_root_unit(operands, result, subnormals, delays);
-    case Operation::convert: return convert_unit(operands, result, subnormals, delays);
+    case Operation::convert: return convert_unit(operands, result, subnormals, 0, delays);
     case Operation::minimum:
     case Operation::maximum: return minimum_maximum_unit(operands, delays);
     case Operation::input:

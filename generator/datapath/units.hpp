@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,20 @@ struct Unit {
   model::MultiplierSize multiplier;  ///< of an embedded product: FACTOR_A, FACTOR_B
 };
 
-/// The unit that computes `node` (not for input, constant, negate, absolute: those are wires).
+/// A product with 2^exponent.
+struct Scaling {
+  model::NodeId operand;
+  int exponent;
+};
+/// What a multiplication does whose other operand is a power of two, encoded as a normal number. It
+/// takes no multiplier: its unit is a conversion that adds to the exponent.
+std::optional<Scaling> scaling_of(const model::TypedGraph& graph, const model::TypedNode& node);
+
+/// The unit that computes `node` of `graph` (not for input, constant, negate, absolute: those are
+/// wires).
+Unit unit_for(const model::TypedGraph& graph, const model::TypedNode& node,
+              model::Multipliers multipliers, const DelayTable& delays);
+/// Likewise, whatever the operands are.
 Unit unit_for(const model::TypedNode& node, model::Subnormals subnormals,
               model::Multipliers multipliers, const DelayTable& delays);
 Unit compare_unit(model::FloatFormat format, const DelayTable& delays);

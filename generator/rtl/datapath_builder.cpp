@@ -154,7 +154,11 @@ void DatapathBuilder::build_unit(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
   const Step& step = schedule_.steps[id];
   std::vector<Connection> connections = {{"aclk", net("aclk")}};
-  for (int k = 0; k < model::arity(node.operation); ++k) {
+  const auto scaling = scaling_of(graph_, node);
+  if (scaling) {
+    connections.push_back({"a", at(values_[scaling->operand], step.start_cycle)});
+  }
+  for (int k = 0; k < model::arity(node.operation) && !scaling; ++k) {
     connections.push_back({k == 0 ? "a" : "b", at(values_[node.operands[k]], step.start_cycle)});
   }
   connections.push_back({"y", net(names_[id])});
@@ -227,6 +231,9 @@ std::vector<Parameter> DatapathBuilder::unit_parameters(NodeId id) const {
     parameters.push_back({"SUBTRACT", node.operation == Operation::subtract ? 1 : 0});
   }
   if (selects) parameters.push_back({"MAXIMUM", node.operation == Operation::maximum ? 1 : 0});
+  if (const auto scaling = scaling_of(graph_, node)) {
+    parameters.push_back({"SCALE", scaling->exponent});
+  }
   const model::Arithmetic& arithmetic = graph_.arithmetic;
   parameters.push_back({"GRADUAL", arithmetic.subnormals == model::Subnormals::gradual ? 1 : 0});
   if (!selects) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "model/common/check.hpp"
+#include "model/common/power_of_two.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -41,6 +42,11 @@ bool is_constant(const TypedGraph& graph, NodeId id) {
   return graph.nodes[id].operation == Operation::constant;
 }
 
+/// A factor that only adds to the exponent.
+bool is_scale(const TypedGraph& graph, NodeId id) {
+  return is_constant(graph, id) && is_power_of_two(graph.nodes[id].value);
+}
+
 double node_luts(const TypedGraph& graph, const TypedNode& node) {
   const int operand = node.operand_format.precision(), result = node.format.precision();
   const double dropped = dropped_digit * std::max(operand - result, 0);
@@ -53,6 +59,9 @@ double node_luts(const TypedGraph& graph, const TypedNode& node) {
     case Operation::add:
     case Operation::subtract: return addition(result) + dropped;
     case Operation::multiply: {
+      if (is_scale(graph, node.operands[0]) || is_scale(graph, node.operands[1])) {
+        return conversion(result);
+      }
       const bool half =
           is_constant(graph, node.operands[0]) || is_constant(graph, node.operands[1]);
       return multiplication(operand) * (half ? constant_share : 1);

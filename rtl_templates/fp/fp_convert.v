@@ -1,4 +1,4 @@
-// fp_convert: a in another format, rounded once.
+// fp_convert: a * 2^SCALE in another format or the same, rounded once.
 // Latency: the population count of CUTS (five bits); initiation interval 1; no reset.
 // Special values as IEEE 754, but for NaNs, which all become the one positive quiet NaN.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/architecture.md.
@@ -9,6 +9,7 @@ module fp_convert #(
     parameter       PRECISION            = 53,
     parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,
     parameter       RESULT_PRECISION     = PRECISION,
+    parameter       SCALE                = 0,  // of magnitude below 2^EXPONENT_BITS
     parameter       SPECIAL_OPERANDS     = 1,
     parameter       OVERFLOW             = 1,
     parameter       UNDERFLOW            = 1,
@@ -38,16 +39,18 @@ module fp_convert #(
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
   localparam KEPT = RESULT_PRECISION + 2;
+  // One bit for the sign and one for the sum with the bias; a third where the scale adds as much.
   localparam EXPONENT_WIDTH =
-      larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS), bits_for(larger(PRECISION, KEPT))) + 2;
+      larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS), bits_for(larger(PRECISION, KEPT))) +
+      ((SCALE == 0) ? 2 : 3);
 
-  localparam integer REBIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - (1 << (EXPONENT_BITS - 1));
-  // Otherwise even the smallest subnormal operand is a normal number of the result format.
+  localparam integer REBIAS =
+      (1 << (RESULT_EXPONENT_BITS - 1)) - (1 << (EXPONENT_BITS - 1)) + SCALE;
+  // Otherwise even the smallest subnormal operand becomes a normal number of the result format.
   localparam DENORMALISE = (SUBNORMALS != 0) && (REBIAS < PRECISION - 1);
 
-  // What was not flushed is a normal number of a format with no fewer exponent bits, too.
-  localparam TINY_RESULTS =
-      (UNDERFLOW != 0) && (SUBNORMALS || (RESULT_EXPONENT_BITS < EXPONENT_BITS));
+  // What was not flushed becomes no smaller than the result format's smallest normal number.
+  localparam TINY_RESULTS = (UNDERFLOW != 0) && (SUBNORMALS || (REBIAS < 0));
 
   // Stages count, normalise: the significand gets a leading one.
   wire                      s2_sign;

@@ -252,6 +252,7 @@ TEST_F(Components, UnitsAreMadeFromTheirNamesAlone) {
       EXPECT_NE(text.find("= " + value), std::string::npos) << key.name << "\n" << text;
     }
   }
+  EXPECT_TRUE(job_of_instance_name("fp_convert PRECISION=24 SCALE=-3").ok());
   EXPECT_FALSE(job_of_instance_name("").ok());
   EXPECT_FALSE(job_of_instance_name("fp_nothing PRECISION=3").ok());
   EXPECT_FALSE(job_of_instance_name("fp_add NOTHING=3").ok());

@@ -8,6 +8,7 @@
 
 #include "generator/datapath/delays.hpp"
 #include "model/error/certified_lane.hpp"
+#include "model/expression/parser.hpp"
 #include "tests/support/sphere.hpp"
 
 namespace mixcmp::gen {
@@ -208,6 +209,47 @@ TEST(Schedule, NoRegisterIsBoughtForChainsThatOverlap) {
   EXPECT_GT(unit.stages[6].delay_ns, 0);
   EXPECT_EQ(unit.stages[7].delay_ns, 0);
   EXPECT_EQ(unit.stages[8].delay_ns, 0);
+}
+
+/// The one multiplication of `text`, in s24e8 with subnormals.
+struct Product {
+  model::TypedGraph graph;
+  const model::TypedNode& node() const {
+    return *std::find_if(graph.nodes.begin(), graph.nodes.end(), [](const auto& candidate) {
+      return candidate.operation == Operation::multiply;
+    });
+  }
+};
+
+Product product(const std::string& text) {
+  model::Graph graph;
+  const model::NodeId f = *model::parse_expression(graph, text, {});
+  graph.compare(f, *model::parse_expression(graph, "y", {}));
+  return {reference_graph(graph, {format("s24e8")})};
+}
+
+TEST(Schedule, AProductWithAPowerOfTwoTakesNoMultiplier) {
+  const DelayTable delays = delays_of("virtex6-lx760").value();
+  const std::vector<std::pair<std::string, int>> scalings = {
+      {"x * 0.25", -2}, {"8 * x", 3}, {"x / 16", -4}, {"x * 1", 0}, {"x * 0x1p-126", -126}};
+  for (const auto& [text, exponent] : scalings) {
+    const Product scaled = product(text);
+    const auto scaling = scaling_of(scaled.graph, scaled.node());
+    ASSERT_TRUE(scaling) << text;
+    EXPECT_EQ(scaling->exponent, exponent) << text;
+    EXPECT_EQ(scaled.graph.nodes[static_cast<std::size_t>(scaling->operand)].operation,
+              Operation::input);
+    const Unit unit = unit_for(scaled.graph, scaled.node(), model::Multipliers::embedded, delays);
+    EXPECT_EQ(unit.module, "fp_convert");
+    EXPECT_EQ(unit.stages.size(), 5u);
+  }
+  // The last of these is a subnormal number: the unit would need more than its exponent.
+  for (const char* text : {"x * 3", "x * -0.5", "x * y", "x * 0", "x * 0x1p-127"}) {
+    const Product plain = product(text);
+    EXPECT_FALSE(scaling_of(plain.graph, plain.node())) << text;
+    const Unit unit = unit_for(plain.graph, plain.node(), model::Multipliers::embedded, delays);
+    EXPECT_EQ(unit.module, "fp_multiply") << text;
+  }
 }
 
 TEST(Schedule, FasterTargetsNeverShortenTheLatency) {
