@@ -117,6 +117,29 @@ TEST(Summary, OnlyTheItemsThatAnInputTakesCount) {
   EXPECT_EQ(summary.data->first_out_of_range, "row 0: x = 9 is outside [0, 5] of xi");
 }
 
+TEST(Summary, BothTablesAreHeldAgainstTheRanges) {
+  const test::ScratchDirectory directory;
+  const auto path = directory.path() / "scene.toml";
+  std::ofstream(directory.path() / "points.csv") << "p\n1\n2\n7\n";
+  std::ofstream(directory.path() / "centres.csv") << "c\n9\n1\n4\n8\n";
+  std::ofstream(path) << "[comparison]\nname = \"n\"\nf = \"abs(p - ci)\"\ng = \"abs(p - cj)\"\n"
+                         "[inputs]\np = { range = [0, 5] }\ncj = { range = [0, 5] }\n"
+                         "[reference]\nformat = \"binary32\"\n[data]\nfile = \"points.csv\"\n"
+                         "with = \"centres.csv\"\npairs = \"arg_min\"\n";
+  const Scene scene = load(path);
+  const Comparisons data = load_comparisons(scene).value();
+  const Summary summary = summarise(scene, &data);
+  EXPECT_EQ(summary.data->rows, 3U);
+  EXPECT_EQ(summary.data->with_rows, 4U);
+  EXPECT_EQ(summary.data->comparisons, 9U);
+  EXPECT_EQ(summary.data->out_of_range, 2U);  // the point 7, the centre 8; 9 is never a cj
+  EXPECT_EQ(summary.data->first_out_of_range, "row 2: p = 7 is outside [0, 5] of p");
+  const std::string text = to_text(summary);
+  EXPECT_NE(text.find("  with               centres.csv\n  candidates         4\n"),
+            std::string::npos)
+      << text;
+}
+
 TEST(Summary, JsonHoldsTheSame) {
   const Scene scene = load(examples / "protein_clash/scene.toml", choices);
   const Comparisons data = load_comparisons(scene).value();
