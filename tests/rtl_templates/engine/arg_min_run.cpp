@@ -1,0 +1,248 @@
+#include "tests/rtl_templates/engine/arg_min_run.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mixcmp::test {
+namespace {
+
+enum Verdict : std::uint32_t { less, equal, greater, unordered };
+
+std::uint32_t mix(std::uint32_t a, std::uint32_t b) {
+  std::uint64_t z = (std::uint64_t{a} << 32 | b) * 0x9e3779b97f4a7c15u;
+  z = (z ^ z >> 29) * 0xbf58476d1ce4e5b9u;
+  return static_cast<std::uint32_t>(z >> 32);
+}
+
+constexpr std::uint32_t nan_cost = ~0u;
+
+}  // namespace
+
+ArgMinRun::ArgMinRun(const ArgMinSpec& spec, std::uint64_t seed, ArgMinTraffic traffic)
+    : spec_(spec),
+      traffic_(traffic),
+      dut_(spec.make()),
+      random_(seed),
+      lanes_(spec.candidates - 1),
+      chosen_(spec.candidates) {
+  reset();
+  resets_ = 0;
+}
+
+void ArgMinRun::fail(const std::string& what) {
+  if (failed()) return;
+  failure_ = fmt::format("{}: {} (cycle {}, {} of {} candidates, {} rows to come)", spec_.name,
+                         what, cycles_, loaded_, candidates_.size(), rows_left_);
+}
+
+void ArgMinRun::edge() {
+  dut_->aclk.set_bit(0, true);
+  dut_->eval();
+  dut_->aclk.set_bit(0, false);
+  dut_->eval();
+}
+
+void ArgMinRun::reset() {
+  for (tb::Port* port :
+       {&dut_->s_candidate_tvalid, &dut_->s_axis_tvalid, &dut_->m_axis_tready, &dut_->aclk}) {
+    port->set_bit(0, false);
+  }
+  for (std::size_t k = 0; k < lanes_.size(); ++k) {
+    dut_->pair_tready.set_bit(k, false);
+    dut_->result_tvalid.set_bit(k, false);
+    lanes_[k] = {};
+  }
+  dut_->aresetn.set_bit(0, false);
+  dut_->eval();
+  edge();
+  dut_->aresetn.set_bit(0, true);
+  dut_->eval();
+  expected_.clear();
+  loading_ = offering_ = held_result_ = false;
+  counted_ = 0;
+  ++resets_;
+}
+
+/// Few different costs, so that many are alike.
+std::uint32_t ArgMinRun::cost(std::uint32_t row, std::uint32_t candidate) const {
+  const std::uint32_t bits = mix(row, candidate);
+  if ((bits >> 8) % 1024 < traffic_.nan * 1024) return nan_cost;
+  return bits % 8;
+}
+
+std::uint32_t ArgMinRun::verdict(std::uint32_t row, std::uint32_t best, std::uint32_t own) const {
+  const std::uint32_t f = cost(row, best), g = cost(row, own);
+  if (f == nan_cost || g == nan_cost) return unordered;
+  return f < g ? less : f == g ? equal : greater;
+}
+
+std::uint32_t ArgMinRun::least(std::uint32_t row) {
+  std::uint32_t best = 0;
+  const auto count = std::min<std::size_t>(candidates_.size(), spec_.candidates);
+  for (std::uint32_t j = 1; j < count; ++j) {
+    const std::uint32_t found = verdict(row, candidates_[best], candidates_[j]);
+    if (found == greater) best = j;
+    if (found == equal) ++ties_;
+    if (found == unordered) ++incomparable_;
+  }
+  return best;
+}
+
+void ArgMinRun::start_load() {
+  for (std::uint32_t& candidate : candidates_) candidate = random_.word() >> (32 - candidate_bits);
+  loaded_ = 0;
+}
+
+void ArgMinRun::run_load(std::uint32_t candidates, std::uint32_t rows) {
+  candidates_.assign(candidates, 0);
+  start_load();
+  rows_left_ = rows;
+  may_reset_ = true;
+  for (int limit = 400'000; !failed() && (loaded_ < candidates_.size() || rows_left_ > 0);) {
+    if (--limit == 0) return fail("it stands still");
+    if (may_reset_ && random_.chance(traffic_.reset)) {
+      reset();
+      start_load();
+      rows_left_ = rows;
+      may_reset_ = false;
+    }
+    cycle();
+  }
+}
+
+void ArgMinRun::drain() {
+  for (int limit = 400'000; !failed() && !expected_.empty(); --limit) {
+    if (limit == 0) return fail("rows stay inside");
+    cycle();
+  }
+  for (int k = 0; k < 200 && !failed(); ++k) cycle();
+}
+
+void ArgMinRun::check_counters() {
+  const std::uint64_t counted = dut_->rows.field(0, 32);
+  if (counted != counted_) fail(fmt::format("{} rows counted, {} seen", counted, counted_));
+}
+
+void ArgMinRun::cycle() {
+  drive();
+  dut_->eval();
+  // What leaves has come in before this cycle.
+  take_result();
+  take_candidate();
+  take_row();
+  for (std::size_t k = 0; k < lanes_.size(); ++k) {
+    give_result(k);
+    take_pair(k);
+  }
+  edge();
+  ++cycles_;
+}
+
+void ArgMinRun::drive_streams() {
+  if (!loading_ && loaded_ < candidates_.size()) loading_ = random_.chance(traffic_.load);
+  dut_->s_candidate_tvalid.set_bit(0, loading_);
+  dut_->s_candidate_tdata.set_field(0, candidate_bits,
+                                    loading_ ? candidates_[loaded_] : random_.word() >> 11);
+  dut_->s_candidate_tlast.set_bit(
+      0, loading_ ? loaded_ + 1 == candidates_.size() : random_.chance(0.5));
+  // Rows of this load wait until its candidates are in.
+  if (!offering_ && rows_left_ > 0 && loaded_ == candidates_.size() &&
+      random_.chance(traffic_.offer)) {
+    offering_ = true;
+    row_ = random_.word() >> (32 - row_bits);
+    tag_ = random_.word() >> (32 - tag_bits);
+    row_last_ = random_.chance(0.3);
+  }
+  dut_->s_axis_tvalid.set_bit(0, offering_);
+  dut_->s_axis_tdata.set_field(0, row_bits, offering_ ? row_ : random_.word() >> 19);
+  dut_->s_axis_tuser.set_field(0, tag_bits, offering_ ? tag_ : random_.word() >> 23);
+  dut_->s_axis_tlast.set_bit(0, offering_ ? row_last_ : random_.chance(0.5));
+}
+
+void ArgMinRun::drive() {
+  drive_streams();
+  dut_->m_axis_tready.set_bit(0, random_.chance(traffic_.accept));
+  for (std::size_t k = 0; k < lanes_.size(); ++k) {
+    Lane& lane = lanes_[k];
+    dut_->pair_tready.set_bit(k, lane.inside.size() < slots && random_.chance(traffic_.take));
+    if (!lane.giving) {
+      lane.giving = !lane.inside.empty() && lane.inside.front().due <= cycles_ &&
+                    random_.chance(traffic_.give);
+    }
+    dut_->result_tvalid.set_bit(k, lane.giving);
+    const std::uint32_t verdict = lane.giving ? lane.inside.front().verdict : random_.below(4);
+    dut_->result_tdata.set_field(8 * k, 8, verdict | random_.below(2) << 2);
+  }
+}
+
+void ArgMinRun::take_candidate() {
+  if (!loading_ || !dut_->s_candidate_tready.bit(0)) return;
+  if (!expected_.empty()) fail("a candidate was taken while rows are inside");
+  ++loaded_;
+  loading_ = false;
+  loaded_at_ = cycles_;
+}
+
+void ArgMinRun::take_row() {
+  if (!offering_ || !dut_->s_axis_tready.bit(0)) return;
+  const bool too_many = candidates_.size() > spec_.candidates;
+  if (dut_->overrun.bit(0) != too_many) fail("overrun is wrong");
+  expected_.push_back({least(row_), tag_, row_last_, cycles_});
+  offering_ = false;
+  --rows_left_;
+  if (settling_ == 0) settling_ = cycles_ - loaded_at_;
+}
+
+void ArgMinRun::take_pair(std::size_t k) {
+  Lane& lane = lanes_[k];
+  const bool valid = dut_->pair_tvalid.bit(k), ready = dut_->pair_tready.bit(k);
+  const auto row = static_cast<std::uint32_t>(dut_->pair_row.field(k * row_bits, row_bits));
+  const auto field = [&](const tb::Port& port) {
+    return static_cast<std::uint32_t>(port.field(k * candidate_bits, candidate_bits));
+  };
+  const std::uint32_t best = field(dut_->pair_best), own = field(dut_->pair_own);
+  if (lane.held && (!valid || lane.held_pair != std::vector<std::uint64_t>{row, best, own})) {
+    fail(fmt::format("lane {} saw an offer change", k));
+  }
+  lane.held = valid && !ready;
+  lane.held_pair = {row, best, own};
+  if (!valid || !ready) return;
+  lane.inside.push_back(
+      {verdict(row, best, own), cycles_ + static_cast<std::uint64_t>(traffic_.lane_latency)});
+}
+
+void ArgMinRun::give_result(std::size_t k) {
+  Lane& lane = lanes_[k];
+  if (!lane.giving || !dut_->result_tready.bit(k)) return;
+  lane.inside.pop_front();
+  lane.giving = false;
+}
+
+void ArgMinRun::take_result() {
+  const bool valid = dut_->m_axis_tvalid.bit(0), ready = dut_->m_axis_tready.bit(0);
+  const auto index =
+      static_cast<std::uint32_t>(dut_->m_axis_tdata.field(0, (spec_.index_bits + 7) / 8 * 8));
+  const auto tag = static_cast<std::uint32_t>(dut_->m_axis_tuser.field(0, tag_bits));
+  const bool last = dut_->m_axis_tlast.bit(0);
+  const std::uint64_t data = std::uint64_t{index} << 32 | tag << 1 | (last ? 1u : 0u);
+  if (held_result_ && (!valid || data != held_data_)) fail("a result changed before it was taken");
+  held_result_ = valid && !ready;
+  held_data_ = data;
+  if (!valid || !ready) return;
+  if (expected_.empty()) return fail("a result of no row");
+  const Expected due = expected_.front();
+  expected_.pop_front();
+  if (index != due.index || tag != due.tag || last != due.last) {
+    fail(fmt::format("index {}, tag {}, tlast {} instead of {}, {}, {}", index, tag, last,
+                     due.index, due.tag, due.last));
+  }
+  ++left_;
+  ++counted_;
+  ++chosen_[due.index];
+  latency_ = cycles_ - due.accepted;
+  interval_ = cycles_ - left_at_;
+  left_at_ = cycles_;
+}
+
+}  // namespace mixcmp::test

@@ -1,0 +1,148 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "tests/rtl_templates/stream/random_source.hpp"
+#include "verilator_tb/harness/ports.hpp"
+
+namespace mixcmp::test {
+
+/// The ports of arg_min_engine, whatever its parameters.
+class ArgMinDut {
+public:
+  virtual ~ArgMinDut() = default;
+  virtual void eval() = 0;
+
+  tb::Port aclk, aresetn;
+  tb::Port s_candidate_tvalid, s_candidate_tready, s_candidate_tdata, s_candidate_tlast;
+  tb::Port s_axis_tvalid, s_axis_tready, s_axis_tdata, s_axis_tuser, s_axis_tlast;
+  tb::Port pair_tvalid, pair_tready, pair_row, pair_best, pair_own;
+  tb::Port result_tvalid, result_tready, result_tdata;
+  tb::Port m_axis_tvalid, m_axis_tready, m_axis_tdata, m_axis_tuser, m_axis_tlast;
+  tb::Port overrun, rows, stalled_cycles;
+};
+
+struct ArgMinSpec {
+  std::string name;
+  std::function<std::unique_ptr<ArgMinDut>()> make;
+  std::uint32_t candidates;
+  int index_bits;
+};
+
+inline void PrintTo(const ArgMinSpec& spec, std::ostream* stream) {
+  *stream << spec.name;
+}
+
+/// Chances per cycle, and of a cost being NaN.
+struct ArgMinTraffic {
+  const char* name = "";
+  double load = 1.0;    ///< that a candidate is offered
+  double offer = 1.0;   ///< that a row is
+  double take = 1.0;    ///< that a lane takes a pair
+  double give = 1.0;    ///< that a lane gives a result
+  double accept = 1.0;  ///< that a result is taken
+  double nan = 0.1;
+  double reset = 0.0;
+  int lane_latency = 1;
+};
+
+/// Puts model lanes around an engine, which know rows and candidates only by the pairs they get,
+/// and holds what comes out against a search that is made here, one candidate after the other.
+class ArgMinRun {
+public:
+  static constexpr int candidate_bits = 21;
+  static constexpr int row_bits = 13;
+  static constexpr int tag_bits = 9;
+  static constexpr std::size_t slots = 17;  ///< pairs that a lane holds
+
+  ArgMinRun(const ArgMinSpec& spec, std::uint64_t seed) : ArgMinRun(spec, seed, {}) {}
+  ArgMinRun(const ArgMinSpec& spec, std::uint64_t seed, ArgMinTraffic traffic);
+
+  /// Offers so many candidates, while rows of the load before may be inside, and then so many rows.
+  /// Returns when all rows have been accepted; a reset throws the load out and starts it again.
+  void run_load(std::uint32_t candidates, std::uint32_t rows);
+  /// Until all has left, and a while longer.
+  void drain();
+  void check_counters();
+
+  bool failed() const { return !failure_.empty(); }
+  const std::string& failure() const { return failure_; }
+  std::uint64_t left() const { return left_; }
+  std::uint64_t resets() const { return resets_; }
+  /// Of `index` among all that left.
+  std::uint64_t chosen(std::uint32_t index) const { return chosen_[index]; }
+  std::uint64_t ties() const { return ties_; }
+  std::uint64_t incomparable() const { return incomparable_; }
+  /// Of the last row: from its acceptance to its departure.
+  std::uint64_t latency() const { return latency_; }
+  /// From the last candidate's acceptance to that of the first row behind it.
+  std::uint64_t settling() const { return settling_; }
+  /// Between the departures of the last two rows.
+  std::uint64_t interval() const { return interval_; }
+  std::uint64_t stalled_cycles() const { return dut_->stalled_cycles.field(0, 32); }
+
+private:
+  struct Expected {
+    std::uint32_t index, tag;
+    bool last;
+    std::uint64_t accepted;  ///< in this cycle
+  };
+  struct Result {
+    std::uint32_t verdict;
+    std::uint64_t due;  ///< not before this cycle
+  };
+  struct Lane {
+    std::deque<Result> inside;
+    bool held = false;  ///< a pair was offered and not taken in the last cycle
+    std::vector<std::uint64_t> held_pair;
+    bool giving = false;
+  };
+
+  void fail(const std::string& what);
+  void edge();
+  void reset();
+  void start_load();
+  void cycle();
+  void drive();
+  void drive_streams();
+  void take_candidate();
+  void take_row();
+  void take_pair(std::size_t k);
+  void give_result(std::size_t k);
+  void take_result();
+  std::uint32_t cost(std::uint32_t row, std::uint32_t candidate) const;
+  std::uint32_t verdict(std::uint32_t row, std::uint32_t best, std::uint32_t own) const;
+  std::uint32_t least(std::uint32_t row);
+
+  const ArgMinSpec spec_;
+  const ArgMinTraffic traffic_;
+  std::unique_ptr<ArgMinDut> dut_;
+  RandomSource random_;
+  std::vector<Lane> lanes_;
+  std::vector<std::uint32_t> candidates_;  ///< of this load, all that are offered
+  std::size_t loaded_ = 0;                 ///< of them, accepted
+  std::uint32_t rows_left_ = 0;            ///< of this load, not accepted yet
+  bool loading_ = false;                   ///< a candidate is on offer
+  bool offering_ = false;                  ///< a row is
+  std::uint32_t row_ = 0, tag_ = 0;
+  bool row_last_ = false;
+  bool may_reset_ = false;
+  std::deque<Expected> expected_;
+  bool held_result_ = false;
+  std::uint64_t held_data_ = 0;
+  std::uint64_t cycles_ = 0;
+  std::uint64_t loaded_at_ = 0, left_at_ = 0;
+  std::uint64_t left_ = 0, resets_ = 0, ties_ = 0, incomparable_ = 0;
+  std::uint64_t latency_ = 0, settling_ = 0, interval_ = 0;
+  std::uint32_t counted_ = 0;  ///< rows that left since reset
+  std::vector<std::uint64_t> chosen_;
+  std::string failure_;
+};
+
+}  // namespace mixcmp::test

@@ -1,0 +1,220 @@
+// arg_min_proof: whatever stalls, rows leave in the order in which they came, none is lost or made up, and
+// each lane compares the best candidate so far with its own. One row, chosen by the solver, is watched on
+// its way past candidates 0, 1 and 2; both lanes hold one pair each for as long as they like.
+`default_nettype none
+
+module arg_min_proof (
+  input wire       aclk,
+  input wire       aresetn_later,
+  input wire       c_valid,
+  input wire       c_last,
+  input wire [1:0] c_data,
+  input wire       s_valid,
+  input wire       s_last,
+  input wire       s_data,
+  input wire       s_user,
+  input wire       m_ready,
+  input wire [1:0] willing,    // a lane without a pair takes one
+  input wire [1:0] finishing,  // a lane with a pair offers its verdict
+  input wire [3:0] verdicts    // and this is it
+);
+
+  (* anyconst *) reg [2:0] watched;  // the number of the row
+
+  wire       c_ready;
+  wire       s_ready;
+  wire [1:0] pair_valid;
+  wire [1:0] pair_ready;
+  wire [1:0] pair_row;
+  wire [3:0] pair_best;
+  wire [3:0] pair_own;
+  wire [1:0] result_valid;
+  wire [1:0] result_ready;
+  wire [1:0] verdict_1;
+  wire [1:0] verdict_2;
+  wire       m_valid;
+  wire [7:0] m_data;
+  wire       m_user;
+  wire       m_last;
+  wire       overrun;
+
+  reg        started = 1'b0;
+  wire       aresetn = started && aresetn_later;
+
+  arg_min_engine #(
+    .CANDIDATES    (3),
+    .CANDIDATE_BITS(2),
+    .ROW_BITS      (1),
+    .TAG_BITS      (1),
+    .INDEX_BITS    (2),
+    .SLOT_BITS     (1),
+    .COUNTER_BITS  (0)
+  ) dut (
+    .aclk              (aclk),
+    .aresetn           (aresetn),
+    .s_candidate_tvalid(c_valid),
+    .s_candidate_tready(c_ready),
+    .s_candidate_tdata (c_data),
+    .s_candidate_tlast (c_last),
+    .s_axis_tvalid     (s_valid),
+    .s_axis_tready     (s_ready),
+    .s_axis_tdata      (s_data),
+    .s_axis_tuser      (s_user),
+    .s_axis_tlast      (s_last),
+    .pair_tvalid       (pair_valid),
+    .pair_tready       (pair_ready),
+    .pair_row          (pair_row),
+    .pair_best         (pair_best),
+    .pair_own          (pair_own),
+    .result_tvalid     (result_valid),
+    .result_tready     (result_ready),
+    .result_tdata      ({6'd0, verdict_2, 6'd0, verdict_1}),
+    .m_axis_tvalid     (m_valid),
+    .m_axis_tready     (m_ready),
+    .m_axis_tdata      (m_data),
+    .m_axis_tuser      (m_user),
+    .m_axis_tlast      (m_last),
+    .overrun           (overrun),
+    .rows              (),
+    .stalled_cycles    ()
+  );
+
+  // Candidates as they were offered: the last of a short load is each of those that are missing.
+  reg  [1:0] candidate_0;
+  reg  [1:0] candidate_1;
+  reg  [1:0] candidate_2;
+  reg  [1:0] loaded   = 2'd0;
+  reg        ended    = 1'b0;
+  reg        short    = 1'b0;
+  reg        too_many = 1'b0;
+  wire       c_accept = c_valid && c_ready;
+  wire [1:0] place    = ended ? 2'd0 : loaded;
+
+  always @(posedge aclk) begin
+    started <= 1'b1;
+    if (!aresetn) begin
+      loaded   <= 2'd0;
+      ended    <= 1'b0;
+      too_many <= 1'b0;
+    end else if (c_accept) begin
+      loaded   <= (place == 2'd3) ? 2'd3 : place + 2'd1;
+      ended    <= c_last;
+      short    <= c_last && (place < 2'd2);
+      too_many <= (place == 2'd3);
+    end
+    if (c_accept && (place == 2'd0)) begin
+      candidate_0 <= c_data;
+    end
+    if (c_accept && (place <= 2'd1)) begin
+      candidate_1 <= c_data;
+    end
+    if (c_accept && (place <= 2'd2)) begin
+      candidate_2 <= c_data;
+    end
+  end
+
+  // Rows, numbered where they enter, where they meet a lane, and where they leave.
+  reg  [2:0] entered = 3'd0;
+  reg  [2:0] met_1   = 3'd0;
+  reg  [2:0] met_2   = 3'd0;
+  reg  [2:0] left    = 3'd0;
+  reg        row;
+  reg        tag;
+  reg        last;
+  reg        better_1;  // candidate 1 costs the watched row less than candidate 0
+  reg        better_2;  // and candidate 2 less than the better of them
+  wire       enters  = s_valid && s_ready;
+  wire       leaves  = m_valid && m_ready;
+  wire [1:0] takes   = pair_valid & pair_ready;
+  wire [1:0] best    = better_1 ? candidate_1 : candidate_0;
+
+  always @(posedge aclk) begin
+    if (!aresetn) begin
+      entered <= 3'd0;
+      met_1   <= 3'd0;
+      met_2   <= 3'd0;
+      left    <= 3'd0;
+    end else begin
+      entered <= entered + {2'b00, enters};
+      met_1   <= met_1 + {2'b00, takes[0]};
+      met_2   <= met_2 + {2'b00, takes[1]};
+      left    <= left + {2'b00, leaves};
+    end
+    if (enters && (entered == watched)) begin
+      row  <= s_data;
+      tag  <= s_user;
+      last <= s_last;
+    end
+    if (takes[0] && (met_1 == watched)) begin
+      better_1 <= (verdicts[1:0] == 2'd2);
+    end
+    if (takes[1] && (met_2 == watched)) begin
+      better_2 <= (verdicts[3:2] == 2'd2);
+    end
+  end
+
+  // Lanes.
+  reg  [1:0] holds   = 2'b00;
+  reg  [1:0] offered = 2'b00;
+  reg  [1:0] verdict_1_q;
+  reg  [1:0] verdict_2_q;
+
+  assign pair_ready   = willing & ~holds;
+  assign result_valid = offered;
+  assign verdict_1    = verdict_1_q;
+  assign verdict_2    = verdict_2_q;
+
+  always @(posedge aclk) begin
+    if (!aresetn) begin
+      holds   <= 2'b00;
+      offered <= 2'b00;
+    end else begin
+      holds   <= takes | (holds & ~(offered & result_ready));
+      offered <= (offered & ~result_ready) | (holds & ~offered & finishing);
+    end
+    if (takes[0]) begin
+      verdict_1_q <= verdicts[1:0];
+    end
+    if (takes[1]) begin
+      verdict_2_q <= verdicts[3:2];
+    end
+  end
+
+  reg       held = 1'b0;
+  reg [9:0] held_result;
+
+  always @(posedge aclk) begin
+    held        <= aresetn && m_valid && !m_ready;
+    held_result <= {m_data, m_user, m_last};
+  end
+
+  always @* begin
+    if (!aresetn) begin
+      assume(!c_valid);
+      assume(!s_valid);
+    end
+    assume(entered != 3'd7);
+    if (started && aresetn) begin
+      nothing_made_up: assert(!leaves || (left != entered));
+      meets_0_and_1: assert(!takes[0] || (met_1 != watched) ||
+                            ({pair_row[0], pair_best[1:0], pair_own[1:0]} ==
+                             {row, candidate_0, candidate_1}));
+      meets_best_and_2: assert(!takes[1] || (met_2 != watched) ||
+                               ({pair_row[1], pair_best[3:2], pair_own[3:2]} ==
+                                {row, best, candidate_2}));
+      leaves_as_it_came: assert(!m_valid || (left != watched) || ({m_user, m_last} == {tag, last}));
+      names_the_best: assert(!m_valid || (left != watched) ||
+                             (m_data == (better_2 ? 8'd2 : {7'd0, better_1})));
+      holds_still: assert(!held || (m_valid && ({m_data, m_user, m_last} == held_result)));
+      loads_when_empty: assert(!c_accept || !ended || (entered == left));
+      rows_meet_whole_loads: assert(!enters || ended);
+      overrun_told: assert(!enters || (overrun == too_many));
+      can_choose_2_of_many: cover(leaves && (left == watched) && better_2 && (entered == 3'd3));
+      can_choose_1_of_few: cover(leaves && (left == watched) && better_1 && !better_2 && short);
+      can_load_again: cover(enters && (left != 3'd0) && too_many);
+    end
+  end
+
+endmodule
+
+`default_nettype wire
