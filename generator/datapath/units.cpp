@@ -89,13 +89,31 @@ Unit square_root_unit(FloatFormat operands, FloatFormat result, Subnormals subno
   return std::move(stages).unit("fp_square_root");
 }
 
-Unit convert_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals, int scale,
+Unit convert_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
                   const DelayTable& delays) {
   StageList stages(delays);
   stages.add_operand(operands, subnormals);
   const bool denormalises = subnormals == Subnormals::gradual &&
-                            bias_difference(result, operands) + scale < operands.precision() - 1;
+                            bias_difference(result, operands) < operands.precision() - 1;
   stages.add_round(result, denormalises, operands.precision() - result.precision() - 2);
+  return std::move(stages).unit("fp_convert");
+}
+
+/// Where no digit is dropped the rounding is not there, and an exponent is all that is added.
+Unit scale_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals, int scale,
+                const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add_operand(operands, subnormals);
+  const int offset = bias_difference(result, operands) + scale;
+  const bool denormalises = subnormals == Subnormals::gradual && offset < operands.precision() - 1;
+  if (denormalises || operands.precision() > result.precision()) {
+    stages.add_round(result, denormalises, operands.precision() - result.precision() - 2);
+  } else {
+    const int exponent_bits = std::max(operands.exponent_bits(), result.exponent_bits());
+    stages.add("denormalise", stages.carry(exponent_bits + 3));
+    stages.add("round", stages.luts(1));
+    stages.add("pack", stages.luts(1 + reduction_levels(result.exponent_bits()) + 1));
+  }
   return std::move(stages).unit("fp_convert");
 }
 
@@ -157,7 +175,7 @@ Unit unit_for(const model::TypedGraph& graph, const model::TypedNode& node, Mult
               const DelayTable& delays) {
   const Subnormals subnormals = graph.arithmetic.subnormals;
   if (const auto scaling = scaling_of(graph, node)) {
-    return convert_unit(node.operand_format, node.format, subnormals, scaling->exponent, delays);
+    return scale_unit(node.operand_format, node.format, subnormals, scaling->exponent, delays);
   }
   return unit_for(node, subnormals, multipliers, delays);
 }
@@ -177,7 +195,7 @@ Unit unit_for(const model::TypedNode& node, Subnormals subnormals, Multipliers m
                            delays);
     case Operation::divide: return divide_unit(operands, result, subnormals, delays);
     case Operation::square_root: return square_root_unit(operands, result, subnormals, delays);
-    case Operation::convert: return convert_unit(operands, result, subnormals, 0, delays);
+    case Operation::convert: return convert_unit(operands, result, subnormals, delays);
     case Operation::minimum:
     case Operation::maximum: return minimum_maximum_unit(operands, delays);
     case Operation::input:

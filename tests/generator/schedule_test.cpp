@@ -252,6 +252,21 @@ TEST(Schedule, AProductWithAPowerOfTwoTakesNoMultiplier) {
   }
 }
 
+TEST(Schedule, ScalingsThatDropNoDigitAreShort) {
+  const DelayTable delays = delays_of("virtex6-lx760").value();
+  model::Graph graph;
+  const model::NodeId f = *model::parse_expression(graph, "x / 4", {});
+  graph.compare(f, *model::parse_expression(graph, "y", {}));
+  const auto start_of_the_comparison = [&](model::Subnormals subnormals) {
+    const model::TypedGraph typed =
+        reference_graph(graph, {format("s53e8"), model::Rounding::nearest_even, subnormals});
+    return schedule_reference(typed, model::Multipliers::embedded, delays, 200)
+        .decision.start_cycle;
+  };
+  EXPECT_LE(start_of_the_comparison(model::Subnormals::flush), 2);
+  EXPECT_GT(start_of_the_comparison(model::Subnormals::gradual), 2);
+}
+
 TEST(Schedule, FasterTargetsNeverShortenTheLatency) {
   const model::Design design = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
   const DelayTable delays = delays_of("virtex6-lx760").value();
