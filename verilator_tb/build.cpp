@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 #include <set>
 
@@ -37,34 +38,83 @@ model::Result<model::Done> write_text(const fs::path& path, std::string_view tex
   return model::Error{.file = path.string(), .message = "cannot write"};
 }
 
-/// The constants and ports of one system, for the harness.
-std::string system_ports(const gen::Signature& s) {
-  std::string text =
-      "#pragma once\n\n#include \"Vsystem.h\"\n#include \"ports.hpp\"\n\n"
-      "namespace mixcmp::tb::system {\n\nusing Model = Vsystem;\n\n";
-  const bool refetched = s.operands == model::OperandStore::refetched && s.references > 0;
-  const auto constant = [&text](const char* type, const char* name, int value) {
-    text += fmt::format("inline constexpr {} {} = {};\n", type, name, value);
-  };
-  constant("int", "lanes", s.lanes);
-  constant("int", "references", s.references);
-  constant("int", "tdata_bytes", s.tdata_bytes);
-  constant("int", "tag_bits", s.tag_bits);
-  constant("int", "counter_bits", s.counter_bits);
-  constant("int", "slots", s.slots);
-  constant("bool", "in_order", s.order == model::ResultOrder::in_order ? 1 : 0);
-  constant("bool", "refetched", refetched ? 1 : 0);
-  std::vector<const char*> ports = {
-      "aclk",         "aresetn",       "s_axis_tvalid", "s_axis_tready", "s_axis_tdata",
-      "s_axis_tuser", "m_axis_tvalid", "m_axis_tready", "m_axis_tdata",  "m_axis_tuser"};
-  if (s.counter_bits > 0) ports.insert(ports.end(), {"comparisons", "recomputations", "stalls"});
-  if (refetched) {
-    ports.insert(ports.end(), {"m_refetch_tvalid", "m_refetch_tready", "m_refetch_tdata",
-                               "s_refetch_tvalid", "s_refetch_tready", "s_refetch_tdata"});
+/// The constants and ports of one top, for its harness.
+class PortsHeader {
+public:
+  PortsHeader& constant(const char* type, const char* name, int value) {
+    constants_ += fmt::format("inline constexpr {} {} = {};\n", type, name, value);
+    return *this;
   }
-  text += "\ninline Ports bind(Model& model) {\n  Ports ports;\n";
-  for (const char* port : ports) text += fmt::format("  ports.{0} = Port(model.{0});\n", port);
-  return text + "  return ports;\n}\n\n}  // namespace mixcmp::tb::system\n";
+  PortsHeader& ports(std::initializer_list<const char*> names) {
+    for (const char* name : names)
+      bindings_ += fmt::format("  ports.{0} = Port(model.{0});\n", name);
+    return *this;
+  }
+  std::string text(const char* type) const {
+    return fmt::format(
+        "#pragma once\n\n#include \"Vsystem.h\"\n#include \"ports.hpp\"\n\n"
+        "namespace mixcmp::tb::system {{\n\nusing Model = Vsystem;\n\n{}\n"
+        "inline {} bind(Model& model) {{\n  {} ports;\n{}  return ports;\n}}\n\n"
+        "}}  // namespace mixcmp::tb::system\n",
+        constants_, type, type, bindings_);
+  }
+
+private:
+  std::string constants_;
+  std::string bindings_;
+};
+
+std::string system_ports(const gen::Signature& s) {
+  const bool refetched = s.operands == model::OperandStore::refetched && s.references > 0;
+  PortsHeader header;
+  header.constant("int", "lanes", s.lanes)
+      .constant("int", "references", s.references)
+      .constant("int", "tdata_bytes", s.tdata_bytes)
+      .constant("int", "tag_bits", s.tag_bits)
+      .constant("int", "counter_bits", s.counter_bits)
+      .constant("int", "slots", s.slots)
+      .constant("bool", "in_order", s.order == model::ResultOrder::in_order ? 1 : 0)
+      .constant("bool", "refetched", refetched ? 1 : 0)
+      .ports({"aclk", "aresetn", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
+              "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser"});
+  if (s.counter_bits > 0) header.ports({"comparisons", "recomputations", "stalls"});
+  if (refetched) {
+    header.ports({"m_refetch_tvalid", "m_refetch_tready", "m_refetch_tdata", "s_refetch_tvalid",
+                  "s_refetch_tready", "s_refetch_tdata"});
+  }
+  return header.text("Ports");
+}
+
+std::string pairwise_ports(const gen::Signature& s, const gen::SignatureEngine& engine) {
+  PortsHeader header;
+  header.constant("int", "lanes", s.lanes)
+      .constant("int", "item_bytes", engine.item_bytes)
+      .constant("int", "index_bits", engine.index_bits)
+      .constant("int", "counter_bits", s.counter_bits)
+      .ports({"aresetn", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tlast",
+              "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser", "m_axis_tlast"});
+  if (s.counter_bits > 0) {
+    header.ports(
+        {"comparisons", "recomputations", "stalls", "reports", "busy_cycles", "stalled_cycles"});
+  }
+  return header.text("PairwisePorts");
+}
+
+/// What of a generated system is simulated, by which harness.
+struct Bench {
+  std::string top;
+  const char* main;
+  std::string ports;  ///< system_ports.hpp
+};
+
+Bench bench_of(const gen::Signature& s) {
+  const auto kind = s.engine ? s.engine->kind : model::EngineKind::none;
+  switch (kind) {
+    case model::EngineKind::none: return {s.top, "simulator.cpp", system_ports(s)};
+    case model::EngineKind::pairwise:
+      return {s.engine->top, "pairwise.cpp", pairwise_ports(s, *s.engine)};
+  }
+  MIXCMP_CHECK(false);
 }
 
 std::string hierarchy(const gen::Signature& s) {
@@ -78,10 +128,10 @@ std::string hierarchy(const gen::Signature& s) {
   return text;
 }
 
-Command verilator_command(const System& system, Waves waves, bool ccache) {
+Command verilator_command(const System& system, const Bench& bench, Waves waves, bool ccache) {
   Command command = {
       "verilator", "--cc", "--exe", "--build", "-j", "0", "--prefix", "Vsystem", "--top-module",
-      system.signature.top, "--Mdir", "obj",
+      bench.top, "--Mdir", "obj",
       // Uninitialised state starts at random: what reset forgets shows itself.
       "--x-initial", "unique", "--x-assign", "unique", "-Wno-fatal", "-O3",
       // Wrong in Verilator 5.006 to 5.020 on some widths (its issues 4059, 4841, 4842).
@@ -94,7 +144,7 @@ Command verilator_command(const System& system, Waves waves, bool ccache) {
   for (const std::string& file : system.signature.files) {
     command.push_back(fs::path(file).filename().string());
   }
-  command.push_back("simulator.cpp");
+  command.emplace_back(bench.main);
   return command;
 }
 
@@ -102,7 +152,7 @@ Command verilator_command(const System& system, Waves waves, bool ccache) {
 /// generated anew in the meantime does not mix with it.
 using Inputs = std::vector<std::pair<std::string, std::string>>;
 
-model::Result<Inputs> gather_inputs(const System& system) {
+model::Result<Inputs> gather_inputs(const System& system, const Bench& bench) {
   Inputs inputs;
   for (const fs::path& source : system.sources()) {
     if (!fs::exists(source)) {
@@ -112,7 +162,7 @@ model::Result<Inputs> gather_inputs(const System& system) {
     inputs.emplace_back(source.filename().string(), read_text(source));
   }
   for (const model::EmbeddedFile& file : harness_files()) inputs.emplace_back(file.name, file.text);
-  inputs.emplace_back("system_ports.hpp", system_ports(system.signature));
+  inputs.emplace_back("system_ports.hpp", bench.ports);
   inputs.emplace_back("hierarchy.vlt", hierarchy(system.signature));
   return inputs;
 }
@@ -159,15 +209,16 @@ model::Result<System> load_system(const fs::path& directory) {
 
 model::Result<Executable> build_simulator(const System& system, const BuildOptions& options) {
   MIXCMP_TRY(version, tool_version("verilator", "--version", "verilator"));
-  MIXCMP_TRY(inputs, gather_inputs(system));
+  const Bench bench = bench_of(system.signature);
+  MIXCMP_TRY(inputs, gather_inputs(system, bench));
   const bool ccache = tool_version("ccache", "--version", "ccache").ok();
-  const Command command = verilator_command(system, options.waves, ccache);
+  const Command command = verilator_command(system, bench, options.waves, ccache);
 
   model::ContentHash hash;
   hash.add(version).add(to_shell(command));
   for (const auto& [name, text] : inputs) hash.add(name).add(text);
-  const fs::path folder = fs::absolute(options.work_dir) /
-                          fmt::format("{}-{}", system.signature.top, hash.hex().substr(0, 16));
+  const fs::path folder =
+      fs::absolute(options.work_dir) / fmt::format("{}-{}", bench.top, hash.hex().substr(0, 16));
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure) return model::Error{.file = folder.string(), .message = failure.message()};

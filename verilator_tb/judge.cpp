@@ -5,54 +5,13 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "model/golden/evaluate.hpp"
+#include "verilator_tb/judgement.hpp"
 
 namespace mixcmp::tb {
 
 namespace {
 
 using model::golden::Verdict;
-
-constexpr std::uint32_t recomputed_flag = 4;
-constexpr std::uint32_t undecided_flag = 8;
-
-std::string describe_tdata(std::uint32_t tdata) {
-  if ((tdata & ~0xfu) != 0 || (tdata & 0xc) == 0xc) {
-    return fmt::format("the impossible tdata 0x{:02x}", tdata);
-  }
-  if ((tdata & undecided_flag) != 0) return "undecided";
-  return fmt::format("{}, {}", to_string(static_cast<Verdict>(tdata & 3)),
-                     (tdata & recomputed_flag) != 0 ? "recomputed" : "decided by the lane");
-}
-
-std::string to_text(wire::Fault fault) {
-  switch (fault) {
-    case wire::Fault::valid_dropped: return "tvalid fell before tready rose";
-    case wire::Fault::payload_changed: return "payload changed while waiting for tready";
-    case wire::Fault::unknown_tag: return "result with a tag that is not inside";
-    case wire::Fault::duplicate_tag: return "result left twice";
-    case wire::Fault::stale_after_reset: return "result from before a reset left after it";
-    case wire::Fault::valid_in_reset: return "tvalid high in reset";
-    case wire::Fault::order_broken: return "result overtook an earlier one";
-    case wire::Fault::lost: return "comparison lost";
-    case wire::Fault::hung: return "lane stands still";
-    case wire::Fault::unknown_refetch: return "refetch of a tag that is not inside";
-    case wire::Fault::unknown_value: return "unknown value (x) on a handshake or a result";
-  }
-  MIXCMP_CHECK(false);
-  return {};
-}
-
-/// Of the undecided, the verdict bits say nothing.
-std::uint32_t meaningful(std::uint32_t tdata) {
-  return (tdata & undecided_flag) != 0 ? tdata & ~3u : tdata;
-}
-
-bool are_finite(model::FloatFormat format, const std::vector<model::Bits>& operands) {
-  return std::all_of(operands.begin(), operands.end(), [&](model::Bits operand) {
-    return format.biased_exponent(operand) < format.max_biased_exponent();
-  });
-}
 
 }  // namespace
 
@@ -63,34 +22,16 @@ Judge::Judge(const gen::Signature& signature, const model::Design& design,
       design_(design),
       comparisons_(comparisons),
       selection_(selection),
-      options_(options) {
-  report_.system = signature.top;
-  report_.lanes = design.lane_count();
-  report_.references = design.reference_count();
-  report_.certified = design.certified();
+      options_(options),
+      report_(empty_report(signature, design, options)) {
   report_.requested = selection.size();
-  if (options.truth) report_.truth.emplace();
-  const std::vector<std::string> names = lane_group_names(design);
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const model::LaneGroup& group = design.lanes[k];
-    report_.groups.push_back(
-        {.name = names[k], .lanes = group.count, .certified = group.lane.certified()});
-    group_of_lane_.insert(group_of_lane_.end(), static_cast<std::size_t>(group.count), k);
+  for (std::size_t k = 0; k < design.lanes.size(); ++k) {
+    group_of_lane_.insert(group_of_lane_.end(), static_cast<std::size_t>(design.lanes[k].count), k);
   }
 }
 
 void Judge::announce(std::uint64_t count) {
   window_.resize(window_.size() + count);
-}
-
-std::uint32_t Judge::expected_tdata(std::uint32_t lane,
-                                    std::span<const model::Bits> operands) const {
-  const model::Lane& golden = design_.lanes[group_of_lane_[lane]].lane;
-  const auto decision = model::golden::evaluate_lane(golden, operands);
-  if (decision.decided) return static_cast<std::uint32_t>(decision.verdict);
-  if (design_.references.empty()) return undecided_flag;
-  return recomputed_flag |
-         static_cast<std::uint32_t>(model::golden::evaluate_reference(design_.reference, operands));
 }
 
 void Judge::take(const Answer& answer) {
@@ -120,29 +61,22 @@ void Judge::take_result(const wire::Result& result) {
 
   std::vector<model::Bits> operands(comparisons_.input_count());
   comparisons_.fetch(selection_.index(result.position), operands);
-  const std::uint32_t expected = expected_tdata(result.lane, operands);
+  const std::uint32_t expected = expected_tdata(design_, group_of_lane_[result.lane], operands);
   if (meaningful(result.tdata) == expected) return;
   ++report_.mismatch_count;
   ++group.mismatches;
   if (report_.mismatches.size() < VerifyReport::kept) {
-    report_.mismatches.push_back(describe(result, operands, expected));
+    report_.mismatches.push_back(describe(result, expected));
   }
 }
 
-Mismatch Judge::describe(const wire::Result& result, std::span<const model::Bits> operands,
-                         std::uint32_t expected) const {
+Mismatch Judge::describe(const wire::Result& result, std::uint32_t expected) const {
   const std::uint64_t index = selection_.index(result.position);
-  Mismatch mismatch{.index = index,
-                    .expected = describe_tdata(expected),
-                    .got = describe_tdata(result.tdata),
-                    .lane = result.lane,
-                    .cycle = result.cycle_left};
-  mismatch.items = model::describe(comparisons_, index);
-  const model::FloatFormat format = design_.reference.input_format;
-  for (std::size_t k = 0; k < operands.size(); ++k) {
-    mismatch.operands.push_back({design_.inputs[k], model::to_hex(operands[k], format.width()),
-                                 model::golden::to_text(format, operands[k])});
-  }
+  Mismatch mismatch = describe_comparison(design_, comparisons_, index);
+  mismatch.expected = describe_tdata(expected);
+  mismatch.got = describe_tdata(result.tdata);
+  mismatch.lane = result.lane;
+  mismatch.cycle = result.cycle_left;
   if (!options_.repeat_command.empty()) {
     mismatch.repeat = fmt::format("{} --only {}", options_.repeat_command, index);
   }
@@ -217,22 +151,10 @@ void Judge::count(std::uint64_t index, const Fate& fate) {
 
 void Judge::check_truth(std::uint64_t index, const Fate& fate) {
   if (!options_.truth) return;
-  const bool recomputed = (fate.tdata & recomputed_flag) != 0;
-  if (options_.truth->scope == TruthScope::recomputed && !recomputed) return;
   std::vector<model::Bits> operands(comparisons_.input_count());
   comparisons_.fetch(index, operands);
-  // Infinite and NaN operands are no real numbers: there the reference's arithmetic is what counts.
-  if (recomputed && !are_finite(design_.reference.input_format, operands)) return;
-  const Verdict truth =
-      model::golden::true_verdict(*options_.truth->graph, design_.reference.input_format, operands);
-  ++report_.truth->checked;
-  if (static_cast<Verdict>(fate.tdata & 3) == truth) return;
-  if (recomputed) {
-    ++report_.truth->wrong_by_reference;
-  } else {
-    ++report_.truth->wrong_by_lane;
-    ++group_of(fate.lane).wrong_by_lane;
-  }
+  hold_against_truth(*options_.truth, design_, operands, fate.tdata, *report_.truth,
+                     group_of(fate.lane));
 }
 
 }  // namespace mixcmp::tb

@@ -33,15 +33,13 @@ private:
     std::uint32_t tdata = 0;  ///< as it came
   };
 
-  std::uint32_t expected_tdata(std::uint32_t lane, std::span<const model::Bits> operands) const;
   GroupReport& group_of(std::uint32_t lane) { return report_.groups[group_of_lane_[lane]]; }
   void take_result(const wire::Result& result);
   void take_violation(const wire::Violation& violation);
   void take_counters(const std::vector<wire::LaneEnd>& lanes);
   void report_wrong_counter(const char* name, std::uint32_t lane, std::uint64_t counted,
                             std::uint64_t observed);
-  Mismatch describe(const wire::Result& result, std::span<const model::Bits> operands,
-                    std::uint32_t expected) const;
+  Mismatch describe(const wire::Result& result, std::uint32_t expected) const;
   void retire();
   void count(std::uint64_t index, const Fate& fate);
   void check_truth(std::uint64_t index, const Fate& fate);

@@ -66,6 +66,19 @@ std::string totals(const VerifyReport& r) {
   return text;
 }
 
+std::string engine_lines(const VerifyReport& r) {
+  if (!r.engine) return {};
+  const EngineFigures& engine = *r.engine;
+  std::string text = line("engine", fmt::format("{}, {} sets, one of all {} items", engine.top,
+                                                engine.sets, engine.items));
+  text += line("reported pairs", std::to_string(engine.reported));
+  text += line("cycles per pair", fmt::format("{:.5f}", ratio(r.cycles, r.comparisons)));
+  text += line("stalled cycles", fmt::format("{} ({:.3f} %)", engine.stalled_cycles,
+                                             100 * ratio(engine.stalled_cycles, r.cycles)));
+  return text + line("bytes in per pair", fmt::format("{:.4f} (streamed as pairs: {})",
+                                                      r.item_bytes_per_pair(), engine.pair_bytes));
+}
+
 std::string latency_range(const Latency& latency) {
   if (latency.count == 0) return "none";
   return fmt::format("{} .. {} cycles", latency.minimum_cycles, latency.maximum_cycles);
@@ -149,11 +162,16 @@ double VerifyReport::comparisons_per_cycle() const {
   return ratio(comparisons, cycles);
 }
 
+double VerifyReport::item_bytes_per_pair() const {
+  return engine ? ratio(engine->items * engine->item_bytes, comparisons) : 0;
+}
+
 std::string to_text(const VerifyReport& r) {
   std::string text = fmt::format("{}: {}, p_L = {}, p_H = {}, {}, {}\n",
                                  r.passed() ? "passed" : "FAILED", r.system, r.lanes, r.references,
                                  r.certified ? "certified" : "not certified", r.simulator);
   text += totals(r);
+  text += engine_lines(r);
   text += group_lines(r);
   text += line("mismatches", std::to_string(r.mismatch_count));
   for (const Mismatch& mismatch : r.mismatches) text += to_text(mismatch);
@@ -202,6 +220,17 @@ Json to_json(const VerifyReport& r) {
     json["truth"] = {{"checked", r.truth->checked},
                      {"wrong_by_lane", r.truth->wrong_by_lane},
                      {"wrong_by_reference", r.truth->wrong_by_reference}};
+  }
+  if (r.engine) {
+    json["engine"] = {{"top", r.engine->top},
+                      {"items", r.engine->items},
+                      {"item_bytes", r.engine->item_bytes},
+                      {"pair_bytes", r.engine->pair_bytes},
+                      {"reported", r.engine->reported},
+                      {"cycles_per_pair", ratio(r.cycles, r.comparisons)},
+                      {"stalled_cycles", r.engine->stalled_cycles},
+                      {"item_bytes_per_pair", r.item_bytes_per_pair()},
+                      {"sets", r.engine->sets}};
   }
   json["build_seconds"] = r.build_seconds;
   json["run_seconds"] = r.run_seconds;

@@ -77,6 +77,17 @@ struct GroupReport {
   Latency recomputed_latency;
 };
 
+/// What an engine adds: of the scene's items as one set.
+struct EngineFigures {
+  std::string top;
+  std::uint64_t items = 0;
+  std::uint64_t item_bytes = 0;      ///< of an item on its stream
+  std::uint64_t pair_bytes = 0;      ///< of a comparison, were it streamed
+  std::uint64_t reported = 0;        ///< pairs
+  std::uint64_t stalled_cycles = 0;  ///< in which the lanes took no item; 0 without counters
+  std::uint64_t sets = 0;            ///< in all, small ones and broken ones included
+};
+
 struct VerifyReport {
   static constexpr std::size_t kept = 20;  ///< of mismatches and violations
 
@@ -101,6 +112,7 @@ struct VerifyReport {
   std::uint64_t violation_count = 0;
   std::vector<ProtocolViolation> violations;  ///< the first ones
   std::optional<TruthCount> truth;
+  std::optional<EngineFigures> engine;
   double build_seconds = 0;
   double run_seconds = 0;
 
@@ -109,6 +121,8 @@ struct VerifyReport {
   bool passed() const;
   double recomputation_rate() const;
   double comparisons_per_cycle() const;
+  /// Into an engine, of its items; into the system inside it, of pairs.
+  double item_bytes_per_pair() const;
 };
 
 std::string to_text(const VerifyReport& report);

@@ -4,7 +4,7 @@
 
 namespace mixcmp::tb {
 
-model::Result<SystemSimulation> SystemSimulation::start(const Executable& executable,
+model::Result<SimulatorProcess> SimulatorProcess::start(const Executable& executable,
                                                         const SimulationOptions& options) {
   Command command = {
       executable.path.string(),
@@ -14,35 +14,43 @@ model::Result<SystemSimulation> SystemSimulation::start(const Executable& execut
   for (const std::string& plusarg : options.plusargs) command.push_back("+" + plusarg);
   const auto log = executable.path.parent_path().parent_path() / "simulation.log";
   MIXCMP_TRY(child, Child::spawn(command, log));
-  return SystemSimulation(std::move(child), log);
+  return SimulatorProcess(std::move(child), log);
+}
+
+model::Error SimulatorProcess::ended_unexpectedly() const {
+  return {.file = log_.string(),
+          .message = "the simulator ended unexpectedly; its last words\n" + last_lines(log_, 20)};
+}
+
+model::Result<SystemSimulation> SystemSimulation::start(const Executable& executable,
+                                                        const SimulationOptions& options) {
+  MIXCMP_TRY(process, SimulatorProcess::start(executable, options));
+  return SystemSimulation(std::move(process));
 }
 
 model::Result<Answer> SystemSimulation::exchange(const Block& block, int lanes) {
   Answer answer;
   if (send(block) && receive(answer, static_cast<std::size_t>(lanes))) return answer;
-  return model::Error{
-      .file = log_.string(),
-      .message = "the simulator ended unexpectedly; its last words\n" + last_lines(log_, 20)};
+  return process_.ended_unexpectedly();
 }
 
 bool SystemSimulation::send(const Block& block) {
   const wire::Request request{block.comparisons, block.resets.size(), block.last ? 1u : 0u};
-  return child_.send(std::as_bytes(std::span(&request, 1))) &&
-         child_.send(std::as_bytes(std::span(block.resets))) &&
-         child_.send(std::as_bytes(std::span(block.operands)));
+  return process_.send(std::span(&request, 1)) && process_.send(std::span(block.resets)) &&
+         process_.send(std::span(block.operands));
 }
 
 bool SystemSimulation::receive(Answer& answer, std::size_t lanes) {
   wire::Response response;
-  if (!child_.receive(std::as_writable_bytes(std::span(&response, 1)))) return false;
+  if (!process_.receive(std::span(&response, 1))) return false;
   answer.results.resize(response.results);
   answer.violations.resize(response.violations);
   if (response.state == wire::State::drained) answer.lanes.resize(lanes);
   answer.cycles = response.cycles;
   answer.state = response.state;
-  return child_.receive(std::as_writable_bytes(std::span(answer.results))) &&
-         child_.receive(std::as_writable_bytes(std::span(answer.violations))) &&
-         child_.receive(std::as_writable_bytes(std::span(answer.lanes)));
+  return process_.receive(std::span(answer.results)) &&
+         process_.receive(std::span(answer.violations)) &&
+         process_.receive(std::span(answer.lanes));
 }
 
 }  // namespace mixcmp::tb

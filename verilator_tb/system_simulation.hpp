@@ -39,7 +39,32 @@ struct Answer {
   wire::State state = wire::State::running;
 };
 
-/// A verilated system at work in its own process.
+/// A simulator at work in its own process, and the socket to it.
+class SimulatorProcess {
+public:
+  static model::Result<SimulatorProcess> start(const Executable& executable,
+                                               const SimulationOptions& options);
+
+  /// False if it is gone.
+  template <class T, std::size_t extent>
+  bool send(std::span<T, extent> items) {
+    return child_.send(std::as_bytes(items));
+  }
+  template <class T, std::size_t extent>
+  bool receive(std::span<T, extent> items) {
+    return child_.receive(std::as_writable_bytes(items));
+  }
+  model::Error ended_unexpectedly() const;
+
+private:
+  SimulatorProcess(Child child, std::filesystem::path log)
+      : child_(std::move(child)), log_(std::move(log)) {}
+
+  Child child_;
+  std::filesystem::path log_;
+};
+
+/// A verilated system at work.
 class SystemSimulation {
 public:
   static model::Result<SystemSimulation> start(const Executable& executable,
@@ -49,14 +74,12 @@ public:
   model::Result<Answer> exchange(const Block& block, int lanes);
 
 private:
-  SystemSimulation(Child child, std::filesystem::path log)
-      : child_(std::move(child)), log_(std::move(log)) {}
+  explicit SystemSimulation(SimulatorProcess process) : process_(std::move(process)) {}
 
   bool send(const Block& block);
   bool receive(Answer& answer, std::size_t lanes);
 
-  Child child_;
-  std::filesystem::path log_;
+  SimulatorProcess process_;
 };
 
 }  // namespace mixcmp::tb

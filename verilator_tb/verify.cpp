@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <fstream>
 #include <future>
 
 #include "verilator_tb/icarus.hpp"
 #include "verilator_tb/judge.hpp"
+#include "verilator_tb/pairwise_verify.hpp"
 #include "verilator_tb/waves.hpp"
 
 namespace mixcmp::tb {
@@ -77,6 +77,12 @@ model::Result<model::Done> check_signature(const System& system, const model::De
     return differs("inputs", fmt::format("{} inputs", s.inputs.size()),
                    fmt::format("the scene's {}, in its order", design.inputs.size()));
   }
+  const int capacity = s.engine ? s.engine->capacity : 0;
+  const bool wanted = design.system.engine.kind != model::EngineKind::none;
+  const int expected = wanted ? design.system.engine.capacity : 0;
+  if (capacity != expected) {
+    return differs("engine.capacity", std::to_string(capacity), std::to_string(expected));
+  }
   const int needed = (static_cast<int>(s.inputs.size()) * s.reference_format.width() + 7) / 8;
   if (s.tdata_bytes < needed) {
     return differs("tdata_bytes", std::to_string(s.tdata_bytes), std::to_string(needed));
@@ -110,14 +116,6 @@ Block make_block(const Run& run, const std::vector<std::uint64_t>& resets, std::
   std::copy_if(resets.begin(), resets.end(), std::back_inserter(block.resets),
                [&](std::uint64_t at) { return at >= first && at < first + count; });
   return block;
-}
-
-SimulationOptions simulation_options(const VerifyOptions& options) {
-  return {.traffic = options.traffic,
-          .seed = options.traffic_seed,
-          .hang_cycles = options.hang_cycles,
-          .waves = options.waves,
-          .plusargs = options.plusargs};
 }
 
 void tell(const Run& run, std::uint64_t done) {
@@ -168,29 +166,34 @@ model::Result<model::Done> run_icarus(const Run& run) {
   return model::Done{};
 }
 
-model::Result<model::Done> write_save_file(const Run& run) {
+model::Result<model::Done> save_waves(const Run& run) {
   if (run.options.waves.empty()) return model::Done{};
   const bool icarus = run.options.simulator == SimulatorKind::icarus;
-  fs::path path = run.options.waves;
-  path.replace_extension(".gtkw");
-  std::ofstream stream(path);
-  stream << gtkwave_save_file(
-      run.system.signature,
-      {.waves = run.options.waves,
-       .scope = icarus ? std::string("testbench.system") : "TOP." + run.system.signature.top,
-       .time_per_cycle = icarus ? icarus_time_per_cycle : 2,
-       .marked = run.judge.first_undecided()});
-  if (stream.flush()) return model::Done{};
-  return model::Error{.file = path.string(), .message = "cannot write"};
+  return write_save_file(
+      run.options.waves,
+      gtkwave_save_file(run.system.signature, {.waves = run.options.waves,
+                                               .scope = icarus ? std::string("testbench.system")
+                                                               : "TOP." + run.system.signature.top,
+                                               .time_per_cycle = icarus ? icarus_time_per_cycle : 2,
+                                               .marked = run.judge.first_undecided()}));
 }
 
 }  // namespace
+
+SimulationOptions simulation_options(const VerifyOptions& options) {
+  return {.traffic = options.traffic,
+          .seed = options.traffic_seed,
+          .hang_cycles = options.hang_cycles,
+          .waves = options.waves,
+          .plusargs = options.plusargs};
+}
 
 model::Result<VerifyReport> verify(const model::Design& design,
                                    const model::Comparisons& comparisons,
                                    const fs::path& generated_dir, const VerifyOptions& options) {
   MIXCMP_TRY(system, load_system(generated_dir));
   MIXCMP_TRY(checked, check_signature(system, design));
+  if (system.signature.engine) return verify_pairwise(system, design, comparisons, options);
   const Selection selection(comparisons.size(), options.selection);
   if (selection.size() == 0) {
     return model::Error{
@@ -200,14 +203,13 @@ model::Result<VerifyReport> verify(const model::Design& design,
         .accepted = fmt::format("an index below {}", comparisons.size())};
   }
   Judge judge(system.signature, design, comparisons, selection, options);
-  judge.report().resets = static_cast<std::uint64_t>(std::max(options.resets, 0));
   const Run run{system, comparisons, selection, options, judge};
   const auto start = Clock::now();
   const bool icarus = options.simulator == SimulatorKind::icarus;
   judge.report().simulator = icarus ? "Icarus Verilog" : "Verilator";
   MIXCMP_TRY(done, icarus ? run_icarus(run) : run_verilator(run));
   judge.report().run_seconds = seconds_since(start) - judge.report().build_seconds;
-  MIXCMP_TRY(saved, write_save_file(run));
+  MIXCMP_TRY(saved, save_waves(run));
   return std::move(judge.report());
 }
 

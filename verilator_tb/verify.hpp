@@ -55,6 +55,9 @@ struct VerifyOptions {
   Progress progress;
 };
 
+/// What of them the simulator is told.
+SimulationOptions simulation_options(const VerifyOptions& options);
+
 /// Runs the system in `generated_dir` on the comparisons and holds every result against the golden
 /// model. An error means that it could not be run; what it did wrong is in the report.
 model::Result<VerifyReport> verify(const model::Design& design,

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cstdint>
+#include <fstream>
 
 namespace mixcmp::tb {
 
@@ -81,6 +82,27 @@ std::string gtkwave_save_file(const gen::Signature& s, const SaveFile& options) 
     }
   }
   return header(options) + writer.text();
+}
+
+std::string gtkwave_save_file(const gen::SignatureEngine& engine, const SaveFile& options) {
+  Writer writer(options.scope);
+  for (const gen::SignaturePort& port : engine.ports) {
+    if (port.name == "s_axis_tvalid") writer.group("items");
+    if (port.name == "m_axis_tvalid") writer.group("reports");
+    if (port.name == "comparisons") writer.group("counters");
+    writer.field(port.name.c_str(), 0, 1, port.width);
+  }
+  return header(options) + writer.text();
+}
+
+model::Result<model::Done> write_save_file(const std::filesystem::path& waves,
+                                           const std::string& text) {
+  std::filesystem::path path = waves;
+  path.replace_extension(".gtkw");
+  std::ofstream stream(path);
+  stream << text;
+  if (stream.flush()) return model::Done{};
+  return model::Error{.file = path.string(), .message = "cannot write"};
 }
 
 }  // namespace mixcmp::tb

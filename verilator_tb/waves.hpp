@@ -19,5 +19,11 @@ struct SaveFile {
 };
 
 std::string gtkwave_save_file(const gen::Signature& signature, const SaveFile& options);
+/// Of an engine: all of its ports.
+std::string gtkwave_save_file(const gen::SignatureEngine& engine, const SaveFile& options);
+
+/// Beside the waves, under their name with the ending .gtkw.
+model::Result<model::Done> write_save_file(const std::filesystem::path& waves,
+                                           const std::string& text);
 
 }  // namespace mixcmp::tb

@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -57,9 +58,17 @@ void print_parts(const gen::Signature& s) {
   }
 }
 
+void print_engine(const gen::Signature& signature) {
+  if (!signature.engine) return;
+  const gen::SignatureEngine& engine = *signature.engine;
+  fmt::print("{}: up to {} items of {} bytes, pairs that are {} leave\n", engine.top,
+             engine.capacity, engine.item_bytes, fmt::join(engine.report, ", "));
+}
+
 void print_text(const gen::GeneratedSystem& system, const std::vector<GroupProof>& proofs,
                 const std::filesystem::path& directory) {
   print_parts(system.signature);
+  print_engine(system.signature);
   for (const std::string& note : system.notes) fmt::print("note: {}\n", note);
   const bool one_kind = system.signature.lane_groups.size() == 1;
   for (const GroupProof& proof : proofs) {

@@ -35,7 +35,9 @@ std::string top_text(const model::SynthesisJob& reference, const std::vector<std
 }  // namespace
 
 model::SynthesisJob system_job(const GeneratedSystem& system) {
-  model::SynthesisJob job{.sources = {}, .top = system.signature.top};
+  const gen::Signature& signature = system.signature;
+  model::SynthesisJob job{.sources = {},
+                          .top = signature.engine ? signature.engine->top : signature.top};
   for (const GeneratedFile& file : system.files) {
     if (file.name.ends_with(".v")) job.sources.push_back({file.name, without_comments(file.text)});
   }

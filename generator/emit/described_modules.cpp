@@ -124,6 +124,35 @@ Described describe_top(const Design& design, const SystemShape& shape) {
   return {top_module(shape), std::move(facts)};
 }
 
+Described describe_engine(const EngineShape& engine, const SystemShape& shape) {
+  const int field_bits = engine.index_field_bits();
+  std::vector<std::string> facts = {
+      fmt::format("{}: every pair i < j of up to {} items,", engine.top, engine.spec.capacity),
+      fmt::format("  through the lanes of {}.", shape.top),
+      fmt::format("s_axis: a beat an item, tlast with the last; columns {} bits each, the first "
+                  "lowest:",
+                  engine.column_width),
+      fmt::format("  {}.", fmt::join(engine.columns, ", ")),
+      fmt::format("m_axis: a beat a pair that is {} or undecided;",
+                  fmt::join(reported_verdicts(engine.spec), ", ")),
+      fmt::format("  tdata: i in [{}:0], j in [{}:{}], from 0; tuser: {{4'b0, undecided, "
+                  "recomputed, verdict[1:0]}};",
+                  engine.spec.index_bits() - 1, field_bits + engine.spec.index_bits() - 1,
+                  field_bits),
+      "  verdict: 0 less, 1 equal, 2 greater, 3 unordered.",
+      "A set ends with a beat with tlast: tdata is the number of its reports, tuser",
+      "  {1'b1, overrun, 6'b0}; overrun: more items came than fit, and the others were left out."};
+  if (shape.counter_bits > 0) {
+    facts.emplace_back(
+        "Counters since reset, they wrap: of each lane comparisons, recomputations, "
+        "stalls;");
+    facts.emplace_back(
+        "  reports, busy_cycles (from an item to the closing beat), stalled_cycles.");
+  }
+  facts.emplace_back("Reset: aresetn, synchronous, active low.");
+  return {engine_module(engine, shape), std::move(facts)};
+}
+
 }  // namespace
 
 std::vector<Described> describe_modules(const Design& design, const SystemPlan& plan) {
@@ -143,6 +172,7 @@ std::vector<Described> describe_modules(const Design& design, const SystemPlan& 
     modules.push_back(describe_reference_channel(shape, group));
   }
   modules.push_back(describe_top(design, shape));
+  if (plan.engine) modules.push_back(describe_engine(*plan.engine, shape));
   return modules;
 }
 

@@ -13,7 +13,8 @@ struct Described {
   std::vector<std::string> facts;
 };
 
-/// Every module of a system once, the top last; groups of the same hardware share theirs.
+/// Every module of a system once, the top last, its engine
+/// behind it; groups of the same hardware share theirs.
 std::vector<Described> describe_modules(const model::Design& design, const SystemPlan& plan);
 
 }  // namespace mixcmp::gen

@@ -32,6 +32,9 @@ constexpr std::array multipliers_names = {
     Name<model::Multipliers>{model::Multipliers::embedded, "embedded"},
     Name<model::Multipliers>{model::Multipliers::logic, "logic"}};
 
+constexpr std::array engine_kinds = {
+    Name<model::EngineKind>{model::EngineKind::pairwise, "pairwise"}};
+
 template <class Value, std::size_t count>
 const char* text_of(const std::array<Name<Value>, count>& names, Value value) {
   for (const auto& name : names) {
@@ -115,6 +118,16 @@ public:
     return groups;
   }
 
+  /// What `read_part` makes of an object; none where the field is absent.
+  template <class Part>
+  std::optional<Part> part(const char* field, Part (*read_part)(Reader&)) {
+    if (!object_.is_object() || !object_.contains(field)) return std::nullopt;
+    Reader entry(object_.at(field), file_, fmt::format("{}{}.", path_, field));
+    Part part = read_part(entry);
+    if (!error_) error_ = entry.error();
+    return part;
+  }
+
   const std::optional<model::Error>& error() const { return error_; }
 
 private:
@@ -160,6 +173,17 @@ Json to_json(const SignatureReferences& group) {
           {"multipliers", text_of(multipliers_names, group.multipliers)}};
 }
 
+Json to_json(const SignatureEngine& engine) {
+  return {{"kind", text_of(engine_kinds, engine.kind)},
+          {"top", engine.top},
+          {"capacity", engine.capacity},
+          {"index_bits", engine.index_bits},
+          {"columns", engine.columns},
+          {"item_bytes", engine.item_bytes},
+          {"report", engine.report},
+          {"ports", ports_to_json(engine.ports)}};
+}
+
 template <class Group>
 Json groups_to_json(const std::vector<Group>& groups) {
   Json list = Json::array();
@@ -187,31 +211,43 @@ SignatureReferences read_references(Reader& reader) {
           .multipliers = reader.choice("multipliers", multipliers_names)};
 }
 
+SignatureEngine read_engine(Reader& reader) {
+  return {.kind = reader.choice("kind", engine_kinds),
+          .top = reader.text("top"),
+          .capacity = reader.number("capacity", 2, model::EngineSpec::max_capacity),
+          .index_bits = reader.number("index_bits", 1, 16),
+          .columns = reader.read<std::vector<std::string>>("columns", "a list of names"),
+          .item_bytes = reader.number("item_bytes", 1, many),
+          .report = reader.read<std::vector<std::string>>("report", "a list of verdicts"),
+          .ports = reader.ports("ports")};
+}
+
 }  // namespace
 
 std::string to_json(const Signature& s) {
-  const Json json = {{"top", s.top},
-                     {"generator_version", s.generator_version},
-                     {"spec_hash", s.spec_hash},
-                     {"reference_format", s.reference_format.name()},
-                     {"certified", s.certified},
-                     {"inputs", s.inputs},
-                     {"lanes", s.lanes},
-                     {"references", s.references},
-                     {"lane_groups", groups_to_json(s.lane_groups)},
-                     {"reference_groups", groups_to_json(s.reference_groups)},
-                     {"tdata_bytes", s.tdata_bytes},
-                     {"tag_bits", s.tag_bits},
-                     {"counter_bits", s.counter_bits},
-                     {"slots", s.slots},
-                     {"order", text_of(orders, s.order)},
-                     {"operands", text_of(stores, s.operands)},
-                     {"target_mhz", s.target_mhz},
-                     {"clock", "aclk"},
-                     {"reset", "aresetn, synchronous, active low"},
-                     {"initiation_interval_cycles", 1},
-                     {"ports", ports_to_json(s.ports)},
-                     {"files", s.files}};
+  Json json = {{"top", s.top},
+               {"generator_version", s.generator_version},
+               {"spec_hash", s.spec_hash},
+               {"reference_format", s.reference_format.name()},
+               {"certified", s.certified},
+               {"inputs", s.inputs},
+               {"lanes", s.lanes},
+               {"references", s.references},
+               {"lane_groups", groups_to_json(s.lane_groups)},
+               {"reference_groups", groups_to_json(s.reference_groups)},
+               {"tdata_bytes", s.tdata_bytes},
+               {"tag_bits", s.tag_bits},
+               {"counter_bits", s.counter_bits},
+               {"slots", s.slots},
+               {"order", text_of(orders, s.order)},
+               {"operands", text_of(stores, s.operands)},
+               {"target_mhz", s.target_mhz},
+               {"clock", "aclk"},
+               {"reset", "aresetn, synchronous, active low"},
+               {"initiation_interval_cycles", 1},
+               {"ports", ports_to_json(s.ports)}};
+  if (s.engine) json["engine"] = to_json(*s.engine);
+  json["files"] = s.files;
   return json.dump(2) + "\n";
 }
 
@@ -244,6 +280,7 @@ model::Result<Signature> read_signature(const std::filesystem::path& path) {
       .operands = reader.choice("operands", stores),
       .target_mhz = reader.read<double>("target_mhz", "a number"),
       .ports = reader.ports("ports"),
+      .engine = reader.part("engine", read_engine),
       .files = reader.read<std::vector<std::string>>("files", "a list of Verilog files")};
   if (reader.error()) return *reader.error();
   return signature;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,18 @@ struct SignatureReferences {
   model::Multipliers multipliers = model::Multipliers::embedded;
 };
 
+/// What stands around the system and makes its comparisons.
+struct SignatureEngine {
+  model::EngineKind kind = model::EngineKind::none;
+  std::string top;                   ///< the module; the system is inside
+  int capacity = 0;                  ///< items of a set, at most
+  int index_bits = 0;                ///< to number them
+  std::vector<std::string> columns;  ///< column k of an item is tdata[k * width +: width]
+  int item_bytes = 0;                ///< of an item, padded
+  std::vector<std::string> report;   ///< verdicts that leave
+  std::vector<SignaturePort> ports;
+};
+
 /// What a testbench or an integrator must know of a generated system; printed as <top>.json.
 struct Signature {
   std::string top;
@@ -58,6 +71,7 @@ struct Signature {
   /// In the order of the module's header. The clock is aclk; aresetn is synchronous and active low;
   /// the initiation interval of a lane is one cycle.
   std::vector<SignaturePort> ports;
+  std::optional<SignatureEngine> engine;
   std::vector<std::string> files;  ///< Verilog, in compile order, relative to the signature
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "generator/emit/described_modules.hpp"
 #include "generator/emit/templates.hpp"
 #include "generator/emit/verilog.hpp"
@@ -61,6 +63,7 @@ Signature signature_of(const Design& design, const SystemShape& shape) {
           .operands = shape.operands,
           .target_mhz = design.system.target_mhz,
           .ports = {},
+          .engine = {},
           .files = {}};
 }
 
@@ -88,6 +91,29 @@ std::vector<SignaturePort> signature_ports(const Module& top) {
     ports.push_back({port.name, input ? "input" : "output", port.width});
   }
   return ports;
+}
+
+SignatureEngine signature_engine(const EngineShape& engine, const Module& top) {
+  SignatureEngine signature{.kind = engine.spec.kind,
+                            .top = engine.top,
+                            .capacity = engine.spec.capacity,
+                            .index_bits = engine.spec.index_bits(),
+                            .columns = engine.columns,
+                            .item_bytes = engine.item_bytes(),
+                            .report = {},
+                            .ports = signature_ports(top)};
+  for (const std::string_view verdict : reported_verdicts(engine.spec)) {
+    signature.report.emplace_back(verdict);
+  }
+  return signature;
+}
+
+const Module& find_module(const std::vector<Described>& modules, const std::string& name) {
+  const auto found = std::find_if(modules.begin(), modules.end(), [&](const Described& described) {
+    return described.module.name == name;
+  });
+  MIXCMP_CHECK(found != modules.end());
+  return found->module;
 }
 
 std::string spec_hash(const std::vector<Described>& modules,
@@ -142,7 +168,11 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
 
   GeneratedSystem system = {signature_of(design, plan.shape), {}, slow_stages(plan)};
   system.signature.spec_hash = spec_hash(modules, templates);
-  system.signature.ports = signature_ports(modules.back().module);
+  system.signature.ports = signature_ports(find_module(modules, plan.shape.top));
+  if (plan.engine) {
+    system.signature.engine =
+        signature_engine(*plan.engine, find_module(modules, plan.engine->top));
+  }
   for (const std::string& name : templates) system.files.push_back(template_file(name));
   for (Described& described : modules) {
     system.files.push_back(verilog_file(std::move(described), system.signature, command));

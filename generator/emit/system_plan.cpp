@@ -122,7 +122,10 @@ model::Result<SystemPlan> plan_system(const model::Design& design) {
   MIXCMP_TRY(delays, delays_of(design.system.device));
   const double target_mhz = design.system.target_mhz;
   SystemPlan plan{
-      {}, {}, stream_shape(design.inputs, design.reference.input_format, design.system)};
+      .lanes = {},
+      .references = {},
+      .shape = stream_shape(design.inputs, design.reference.input_format, design.system),
+      .engine = {}};
   for (const model::LaneGroup& group : design.lanes) {
     plan.lanes.push_back(schedule_lane(group.lane, group.multipliers, delays, target_mhz));
   }
@@ -134,6 +137,7 @@ model::Result<SystemPlan> plan_system(const model::Design& design) {
   add_counts(design, plan);
   add_lane_groups(design, plan);
   add_reference_groups(design, plan);
+  plan.engine = engine_shape(plan.shape, design.inputs, design.system.engine);
   return plan;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "generator/datapath/schedule.hpp"
+#include "generator/rtl/engine_module.hpp"
 #include "generator/rtl/system_modules.hpp"
 #include "model/design/design.hpp"
 
@@ -13,6 +15,7 @@ struct SystemPlan {
   std::vector<Schedule> lanes;       ///< one a group
   std::vector<Schedule> references;  ///< one a group
   SystemShape shape;
+  std::optional<EngineShape> engine;
 };
 
 /// What the streams carry, whatever the datapaths between them compute: names, counts and latencies

@@ -115,6 +115,31 @@ std::string print(const Wire& wire, std::size_t range_width, const std::string& 
       any == nullptr || fits_alone ? value : print_all(any->operands, next_line + "| "));
 }
 
+/// A concatenation that is too long for a line stands below it, as many parts a line as fit.
+std::string print(const Assignment& assignment, const std::string& indent) {
+  const std::string target = fmt::format("{}assign {} =", indent, print(assignment.target));
+  const std::string value = print(assignment.value);
+  const auto* parts = std::get_if<Concatenation>(&assignment.value->node);
+  if (parts == nullptr || target.size() + value.size() + 2 <= line_length) {
+    return fmt::format("{} {};\n", target, value);
+  }
+  const std::string next_line = "\n" + indent + "     ";
+  std::string text = target;
+  std::string line = next_line.substr(0, next_line.size() - 1) + "{";
+  for (std::size_t k = 0; k < parts->parts.size(); ++k) {
+    const bool last = k + 1 == parts->parts.size();
+    const std::string part = print(parts->parts[k]) + (last ? "};" : ",");
+    if (k > 0 && line.size() + part.size() > line_length) {
+      text += line;
+      line = next_line;
+    } else if (k > 0) {
+      line += ' ';
+    }
+    line += part;
+  }
+  return text + line + "\n";
+}
+
 std::string print_items(const std::vector<Item>& items, const std::string& indent);
 
 std::string print(const ForGenerate& loop, const std::string& indent) {
@@ -147,9 +172,7 @@ std::string print(const Item& item, std::size_t range_width, const std::string& 
       Overloaded{
           [&](const Comment& c) { return fmt::format("\n{}// {}\n", indent, c.text); },
           [&](const Wire& w) { return print(w, range_width, indent); },
-          [&](const Assignment& a) {
-            return fmt::format("{}assign {} = {};\n", indent, print(a.target), print(a.value));
-          },
+          [&](const Assignment& a) { return print(a, indent); },
           [&](const Instance& i) { return "\n" + print(i, indent); },
           [&](const std::shared_ptr<const ForGenerate>& loop) { return print(*loop, indent); },
       },

@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "generator/rtl/connections.hpp"
+
 namespace mixcmp::gen {
 namespace {
 
@@ -11,26 +13,6 @@ constexpr int verdict_bits = 2;
 constexpr int result_bits = 8;
 /// 2^4 operands may be on their way back from the user's memory, per reference.
 constexpr int outstanding_bits = 4;
-
-void add_input(std::vector<Port>& ports, int width, const std::string& name, bool vector = false) {
-  ports.push_back({Direction::input, width, name, vector});
-}
-
-void add_output(std::vector<Port>& ports, int width, const std::string& name, bool vector = false) {
-  ports.push_back({Direction::output, width, name, vector});
-}
-
-Connection same(const std::string& name) {
-  return {name, net(name)};
-}
-
-std::vector<Connection> clock_and_reset() {
-  return {same("aclk"), same("aresetn")};
-}
-
-void append(std::vector<Connection>& connections, const std::vector<std::string>& names) {
-  for (const std::string& name : names) connections.push_back(same(name));
-}
 
 /// The operands of one comparison, sliced for the datapath's ports.
 void append_operands(std::vector<Connection>& connections, const SystemShape& shape,

@@ -77,6 +77,11 @@ std::pair<std::uint64_t, std::uint64_t> pair_items(std::uint64_t index, std::uin
   return {low, low + 1 + index - first_pair_of(low, count)};
 }
 
+std::uint64_t pair_index(std::uint64_t i, std::uint64_t j, std::uint64_t count) {
+  MIXCMP_CHECK(i < j && j < count && count <= max_paired_items);
+  return first_pair_of(i, count) + (j - i - 1);
+}
+
 std::uint64_t pair_count(std::uint64_t count) {
   return count == 0 ? 0 : count * (count - 1) / 2;
 }

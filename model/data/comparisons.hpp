@@ -16,6 +16,8 @@ namespace mixcmp::model {
 constexpr std::uint64_t max_paired_items = std::uint64_t{1} << 31;
 std::uint64_t pair_count(std::uint64_t count);
 std::pair<std::uint64_t, std::uint64_t> pair_items(std::uint64_t index, std::uint64_t count);
+/// The number of the pair (i, j), i < j < count.
+std::uint64_t pair_index(std::uint64_t i, std::uint64_t j, std::uint64_t count);
 
 /// Comparisons of arg_min, whose first items are kept in memory.
 constexpr std::uint64_t max_arg_min_comparisons = std::uint64_t{1} << 28;

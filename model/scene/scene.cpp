@@ -30,7 +30,7 @@ struct Comparison {
 Result<Done> check_section_names(const Settings& settings) {
   const std::vector<std::string> names = {"comparison", "variant", "let",   "inputs",
                                           "reference",  "reduced", "lanes", "references",
-                                          "system",     "data"};
+                                          "system",     "engine",  "data"};
   for (const Setting& entry : settings.root.entries) {
     if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
     const bool is_section = std::holds_alternative<Setting::Table>(entry.value);
@@ -324,6 +324,7 @@ Result<Scene> load_scene(const std::filesystem::path& path,
   MIXCMP_TRY(references, read_reference_groups(settings, reference.multipliers));
   MIXCMP_TRY(system, read_system(settings));
   MIXCMP_TRY(data, read_data(settings, notes));
+  MIXCMP_TRY(engine, read_engine(settings, graph.inputs(), data));
   Scene scene{.path = settings.path,
               .name = comparison.name,
               .variant = formulations.all[formulations.chosen].variant,
@@ -338,7 +339,7 @@ Result<Scene> load_scene(const std::filesystem::path& path,
               .reduced = std::move(lanes.reduced),
               .lanes = std::move(lanes.groups),
               .references = std::move(references),
-              .system = std::move(system),
+              .system = with_engine(std::move(system), engine),
               .data = std::move(data),
               .plan = std::move(read.plan),
               .notes = std::move(notes)};

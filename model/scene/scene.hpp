@@ -13,6 +13,7 @@
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
 #include "model/expression/typed_graph.hpp"
+#include "model/scene/engine.hpp"
 
 namespace mixcmp::model {
 
@@ -96,7 +97,13 @@ struct SystemSpec {
   OperandStore operands = OperandStore::carried;
   int tag_bits = 32;      ///< 1..64
   int counter_bits = 32;  ///< 0 (no counters) or 8..64
+  /// Around the system; it decides `operands` and `tag_bits`.
+  EngineSpec engine;
 };
+
+/// The same with an engine around it. Its memory holds the operands of a recomputation, and a tag
+/// names two items in it.
+SystemSpec with_engine(SystemSpec system, const EngineSpec& engine);
 
 struct DataSpec {
   std::string items;           ///< a generator's name, or empty when a file is named

@@ -181,6 +181,29 @@ void Section::choose(const std::string& key, std::span<const std::string> accept
   chosen = static_cast<std::size_t>(found - accepted.begin());
 }
 
+std::vector<std::size_t> Section::choose_several(const std::string& key,
+                                                 std::span<const std::string> accepted) {
+  const Setting* setting = find(key);
+  if (setting == nullptr) return {};
+  const auto* words = std::get_if<Setting::Array>(&setting->value);
+  const std::string list = fmt::format("a list of one or more of {}", fmt::join(accepted, ", "));
+  std::vector<std::size_t> chosen;
+  for (const Setting& word : words == nullptr ? Setting::Array{} : *words) {
+    const auto* text = std::get_if<std::string>(&word.value);
+    const auto found =
+        text == nullptr ? accepted.end() : std::find(accepted.begin(), accepted.end(), *text);
+    const auto number = static_cast<std::size_t>(found - accepted.begin());
+    const bool again = std::find(chosen.begin(), chosen.end(), number) != chosen.end();
+    if (found == accepted.end() || again) {
+      fail(key, again ? "named twice" : "not a choice", word.shown(), list);
+      return {};
+    }
+    chosen.push_back(number);
+  }
+  if (chosen.empty()) fail(key, "no list of choices", setting->shown(), list);
+  return chosen;
+}
+
 std::optional<Error> Section::finish() const {
   for (const Setting& entry : entries()) {
     const auto known = std::find(known_keys_.begin(), known_keys_.end(), entry.key);

@@ -42,6 +42,11 @@ public:
   template <class Enum>
   void choice(const std::string& key, Enum& target, std::initializer_list<Enum> accepted);
 
+  /// A list of one or more of `accepted`, each once.
+  template <class Enum>
+  void choices(const std::string& key, std::vector<Enum>& target,
+               std::initializer_list<Enum> accepted);
+
   /// Keeps a mistake found by the caller, unless there is one already.
   void fail(const std::string& key, std::string message, std::string received,
             std::string accepted);
@@ -56,6 +61,8 @@ private:
   const Setting* find_string(const std::string& key);
   void choose(const std::string& key, std::span<const std::string> accepted,
               std::optional<std::size_t>& chosen);
+  std::vector<std::size_t> choose_several(const std::string& key,
+                                          std::span<const std::string> accepted);
   std::optional<std::int64_t> read_integer(const std::string& key, std::int64_t low,
                                            std::int64_t high, const std::string& accepted);
 
@@ -96,6 +103,16 @@ void Section::choice(const std::string& key, Enum& target, std::initializer_list
   std::optional<std::size_t> chosen;
   choose(key, words, chosen);
   if (chosen) target = accepted.begin()[*chosen];
+}
+
+template <class Enum>
+void Section::choices(const std::string& key, std::vector<Enum>& target,
+                      std::initializer_list<Enum> accepted) {
+  std::vector<std::string> words;
+  for (const Enum value : accepted) words.emplace_back(to_string(value));
+  for (const std::size_t chosen : choose_several(key, words)) {
+    target.push_back(accepted.begin()[chosen]);
+  }
 }
 
 }  // namespace mixcmp::model

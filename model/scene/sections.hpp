@@ -34,6 +34,10 @@ std::vector<std::string> overridden_keys(const Settings& settings);
 
 Result<SystemSpec> read_system(const Settings& settings);
 
+/// [engine], held against the inputs, [data] and what [system] says; an absent one is none.
+Result<EngineSpec> read_engine(const Settings& settings, const std::vector<std::string>& inputs,
+                               const std::optional<DataSpec>& data);
+
 Result<std::optional<DataSpec>> read_data(const Settings& settings,
                                           std::vector<std::string>& notes);
 

@@ -1,5 +1,6 @@
 target_sources(mixcmp_model PRIVATE
   scene/data_section.cpp
+  scene/engine_section.cpp
   scene/groups.cpp
   scene/input_ranges.cpp
   scene/load_comparisons.cpp

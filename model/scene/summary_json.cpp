@@ -50,6 +50,13 @@ nlohmann::json json_of(const std::optional<int>& number) {
   return *number;
 }
 
+nlohmann::json json_of(const EngineSpec& engine) {
+  if (engine.kind == EngineKind::none) return nullptr;
+  return {{"kind", to_string(engine.kind)},
+          {"capacity", engine.capacity},
+          {"report", reported_verdicts(engine)}};
+}
+
 nlohmann::json json_of_system(const Scene& scene) {
   const SystemSpec& system = scene.system;
   return {{"device", system.device},
@@ -60,7 +67,8 @@ nlohmann::json json_of_system(const Scene& scene) {
           {"order", to_string(system.order)},
           {"operands", to_string(system.operands)},
           {"tag_bits", system.tag_bits},
-          {"counter_bits", system.counter_bits}};
+          {"counter_bits", system.counter_bits},
+          {"engine", json_of(system.engine)}};
 }
 
 nlohmann::json json_of(const DataSummary& data) {

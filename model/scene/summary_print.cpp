@@ -105,6 +105,10 @@ void print_understood(Page& page, const Scene& scene) {
   page.line("operands", to_string(system.operands));
   page.line("tag_bits", fmt::format("{}", system.tag_bits));
   page.line("counter_bits", fmt::format("{}", system.counter_bits));
+  if (system.engine.kind == EngineKind::none) return;
+  page.line("engine",
+            fmt::format("{}, {} items, reports {}", to_string(system.engine.kind),
+                        system.engine.capacity, fmt::join(reported_verdicts(system.engine), ", ")));
 }
 
 void print_data(Page& page, const DataSummary& data) {

@@ -71,6 +71,17 @@ TEST(Verilog, AnyOfNothingIsZeroAndOfOneIsItself) {
   EXPECT_NE(text.find("wire y = a;"), std::string::npos);
 }
 
+TEST(Verilog, LongConcatenationsAreBrokenBetweenParts) {
+  const std::string part(40, 'a');
+  Module module = {"m", {}, {}, {}};
+  module.items = {Wire{1, "x", nullptr},
+                  Assignment{net("x"), concatenation({net(part), net(part), net("b"), net(part)})}};
+  EXPECT_NE(to_verilog(module).find("  assign x =\n      {" + part + ", " + part + ", b,\n       " +
+                                    part + "};\n"),
+            std::string::npos)
+      << to_verilog(module);
+}
+
 TEST(Verilog, LongAlternativesTakeALineEach) {
   const std::string longest(60, 'a');
   Module module = {"m", {}, {}, {}};

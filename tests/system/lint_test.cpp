@@ -60,6 +60,12 @@ model::Design bounded(model::ErrorBoundKind kind, int digits, model::Arithmetic 
   return design;
 }
 
+model::Design with_pairs(model::Design design, int capacity) {
+  design.system =
+      with_engine(design.system, {.kind = model::EngineKind::pairwise, .capacity = capacity});
+  return design;
+}
+
 std::vector<Variant> variants() {
   const model::Design base = sphere_design(format("s17e8"), format("s53e8"), 8, 1);
   constexpr auto running = model::ErrorBoundKind::running;
@@ -103,6 +109,13 @@ std::vector<Variant> variants() {
        bounded(model::ErrorBoundKind::constant, 0,
                {format("s17e8"), model::Rounding::nearest_even, model::Subnormals::flush},
                model::Range{0, 100})},
+      {"pairwise_8x1", with_pairs(base, 1024)},
+      {"pairwise_padded_7x3", with_pairs(odd, 300)},
+      {"pairwise_lanes_only", with_pairs(sphere_design(format("s12e6"), format("s24e8"), 3, 0), 2)},
+      {"pairwise_one_sided",
+       with_pairs(design_of("xj * ai", "abs(bi)", {format("s8e8")}, format("s24e8")), 65536)},
+      {"pairwise_no_counters",
+       with(with_pairs(base, 9), [](auto& d) { d.system.counter_bits = 0; })},
       {"lane_only", sphere_design(format("s12e6"), format("s24e8"), 3, 0)},
       {"single_lane", sphere_design(format("s4e8"), format("s11e8"), 1, 1)},
       {"more_references_than_lanes", sphere_design(format("s4e8"), format("s11e8"), 2, 3)},
@@ -131,10 +144,10 @@ class Lint : public testing::TestWithParam<Variant> {
 protected:
   void SetUp() override {
     directory_ = generate_to(GetParam().design, "lint_" + GetParam().name);
-    for (const auto& entry : fs::directory_iterator(directory_)) {
-      if (entry.path().extension() == ".f") top_ = entry.path().stem().string();
-    }
-    ASSERT_FALSE(top_.empty());
+    const auto system = tb::load_system(directory_);
+    ASSERT_TRUE(system.ok()) << system.error().to_string();
+    list_ = system->signature.top + ".f";
+    top_ = system->signature.engine ? system->signature.engine->top : system->signature.top;
   }
 
   void expect_silent(const std::string& tool, const std::string& arguments) {
@@ -147,14 +160,15 @@ protected:
 
   fs::path directory_;
   std::string top_;
+  std::string list_;  ///< the files
 };
 
 TEST_P(Lint, Verilator) {
-  expect_silent("verilator", fmt::format("--lint-only -Wall --top-module {0} -f {0}.f", top_));
+  expect_silent("verilator", fmt::format("--lint-only -Wall --top-module {} -f {}", top_, list_));
 }
 
 TEST_P(Lint, Icarus) {
-  expect_silent("iverilog", fmt::format("-g2001 -Wall -s {0} -o /dev/null -c {0}.f", top_));
+  expect_silent("iverilog", fmt::format("-g2001 -Wall -s {} -o /dev/null -c {}", top_, list_));
 }
 
 TEST_P(Lint, Yosys) {

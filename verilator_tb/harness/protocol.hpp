@@ -54,6 +54,8 @@ enum class Fault : std::uint32_t {
   hung,          ///< never left, and its lane takes nothing more
   unknown_refetch,
   unknown_value,  ///< x on a handshake or a result; only an event-driven simulator sees it
+  after_the_end,  ///< of an engine: a report behind the closing beat
+  closed_early,   ///< of an engine: a closing beat before the last item
 };
 
 struct Violation {

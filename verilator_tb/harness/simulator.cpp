@@ -1,101 +1,34 @@
 // Drives one verilated system on comparisons that a host sends; see protocol.hpp. It computes
 // nothing about them: verdicts are the host's to judge.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <deque>
-#include <memory>
-#include <string>
-#include <string_view>
 
+#include "channel.hpp"
+#include "clocked_model.hpp"
 #include "lane.hpp"
 #include "refetch_memory.hpp"
+#include "settings.hpp"
 #include "system_ports.hpp"
-#include "verilated.h"
-
-#if VM_TRACE
-#include "verilated_fst_c.h"
-#endif
 
 namespace mixcmp::tb {
 
 namespace {
 
-struct Settings {
-  Traffic::Kind traffic = Traffic::Kind::full_rate;
-  std::uint64_t seed = 1;
-  std::uint64_t hang_cycles = 50'000;
-  std::string trace;
-};
-
-/// "name=value" words, written by the host alone.
-Settings read_settings(int count, char** words) {
-  Settings settings;
-  for (int k = 1; k < count; ++k) {
-    const std::string word = words[k];
-    const std::string name = word.substr(0, word.find('='));
-    const std::string value = word.substr(word.find('=') + 1);
-    if (name == "traffic" && value == "stressed") settings.traffic = Traffic::Kind::stressed;
-    if (name == "seed") settings.seed = std::stoull(value);
-    if (name == "hang_cycles") settings.hang_cycles = std::stoull(value);
-    if (name == "trace") settings.trace = value;
-  }
-  return settings;
-}
-
-/// The host's end of the socket. It going away ends the simulator.
-class Channel {
-public:
-  explicit Channel(int descriptor) : descriptor_(descriptor) {}
-
-  template <class T>
-  void read(T* items, std::size_t count) {
-    transfer(reinterpret_cast<char*>(items), count * sizeof(T), ::read);
-  }
-  template <class T>
-  void write(const T* items, std::size_t count) {
-    transfer(reinterpret_cast<const char*>(items), count * sizeof(T), ::write);
-  }
-
-private:
-  template <class Bytes, class Call>
-  void transfer(Bytes* bytes, std::size_t size, Call call) {
-    while (size > 0) {
-      const ssize_t done = call(descriptor_, bytes, size);
-      if (done <= 0) std::exit(EXIT_FAILURE);
-      bytes += done;
-      size -= static_cast<std::size_t>(done);
-    }
-  }
-
-  int descriptor_;
-};
-
 class Simulator {
 public:
   Simulator(int count, char** words)
-      : settings_(read_settings(count, words)), traffic_(settings_.traffic, settings_.seed) {
-    context_.commandArgs(count, words);
-    context_.randReset(2);
-    context_.randSeed(static_cast<int>(settings_.seed % 0x7fffffff + 1));
-    model_ = std::make_unique<system::Model>(&context_);
-    ports_ = system::bind(*model_);
+      : settings_(read_settings(count, words)),
+        traffic_(settings_.traffic, settings_.seed),
+        clocked_(settings_, count, words),
+        ports_(system::bind(clocked_.model())) {
     for (int k = 0; k < system::lanes; ++k) lanes_.emplace_back(k, ports_, recorder_);
     for (int k = 0; k < (system::refetched ? system::references : 0); ++k) {
       memories_.emplace_back(k, ports_, recorder_);
     }
-    open_trace();
+    clocked_.open_trace(settings_.trace);
     reset();
-  }
-
-  ~Simulator() {
-    model_->final();
-#if VM_TRACE
-    if (trace_) trace_->close();
-#endif
   }
 
   void serve(Channel& channel) {
@@ -141,10 +74,10 @@ private:
     }
     for (Lane& lane : lanes_) lane.drive(feed_, traffic_, cycle_);
     for (RefetchMemory& memory : memories_) memory.drive(traffic_, cycle_);
-    set_clock(false);
+    clocked_.settle(cycle_);
     for (Lane& lane : lanes_) lane.sample(cycle_);
     for (RefetchMemory& memory : memories_) memory.sample(lanes_, cycle_);
-    set_clock(true);
+    clocked_.rise(cycle_);
     ++cycle_;
     if (cycle_ % 1024 == 0) check_overdue();
   }
@@ -155,8 +88,8 @@ private:
     feed_.sort_returned();
     ports_.aresetn.set_bit(0, false);
     for (int k = 0; k < reset_cycles; ++k) {
-      set_clock(false);
-      set_clock(true);
+      clocked_.settle(cycle_);
+      clocked_.rise(cycle_);
       ++cycle_;
     }
     for (Lane& lane : lanes_) lane.check_silent_in_reset(cycle_);
@@ -187,35 +120,11 @@ private:
     channel.write(ends.data(), ends.size());
   }
 
-  /// Inputs have changed while the clock was high; outputs are to be read while it is low.
-  void set_clock(bool high) {
-    ports_.aclk.set_bit(0, high);
-    model_->eval();
-#if VM_TRACE
-    if (trace_) trace_->dump(2 * cycle_ + (high ? 1 : 0));
-#endif
-  }
-
-  void open_trace() {
-#if VM_TRACE
-    if (settings_.trace.empty()) return;
-    context_.traceEverOn(true);
-    model_->eval();  // hierarchical blocks are made in it, and trace() needs them
-    trace_ = std::make_unique<VerilatedFstC>();
-    model_->trace(trace_.get(), 99);
-    trace_->open(settings_.trace.c_str());
-#endif
-  }
-
   static constexpr int reset_cycles = 2;
 
   Settings settings_;
   Traffic traffic_;
-  VerilatedContext context_;
-  std::unique_ptr<system::Model> model_;
-#if VM_TRACE
-  std::unique_ptr<VerilatedFstC> trace_;
-#endif
+  ClockedModel clocked_;
   Ports ports_;
   Recorder recorder_;
   Feed feed_{system::tdata_bytes};
@@ -232,9 +141,7 @@ private:
 }  // namespace mixcmp::tb
 
 int main(int argc, char** argv) {
-  // What the model may print must not mix with the answers.
-  mixcmp::tb::Channel channel(dup(STDIN_FILENO));
-  dup2(STDERR_FILENO, STDOUT_FILENO);
+  mixcmp::tb::Channel channel;
   mixcmp::tb::Simulator simulator(argc, argv);
   simulator.serve(channel);
   return 0;

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/rtl/module.hpp"
+
+/// Ports and connections as the modules of streams have them.
+namespace mixcmp::gen::rtl {
+
+inline void add_input(std::vector<Port>& ports, int width, const std::string& name,
+                      bool vector = false) {
+  ports.push_back({Direction::input, width, name, vector});
+}
+
+inline void add_output(std::vector<Port>& ports, int width, const std::string& name,
+                       bool vector = false) {
+  ports.push_back({Direction::output, width, name, vector});
+}
+
+/// A port and the net of its name.
+inline Connection same(const std::string& name) {
+  return {name, net(name)};
+}
+
+inline std::vector<Connection> clock_and_reset() {
+  return {same("aclk"), same("aresetn")};
+}
+
+inline void append(std::vector<Connection>& connections, const std::vector<std::string>& names) {
+  for (const std::string& name : names) connections.push_back(same(name));
+}
+
+}  // namespace mixcmp::gen::rtl

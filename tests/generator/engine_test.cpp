@@ -1,0 +1,127 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "generator/emit/system.hpp"
+#include "model/expression/parser.hpp"
+#include "tests/support/scratch_directory.hpp"
+#include "tests/support/sphere.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using test::format;
+
+model::Design with_pairs(model::Design design, const model::EngineSpec& engine) {
+  design.system = with_engine(design.system, engine);
+  return design;
+}
+
+GeneratedSystem generated(const model::Design& design) {
+  return generate_system(design, "mixcmp generate scene.toml").value();
+}
+
+model::Design spheres(int lanes, int references) {
+  return with_pairs(test::sphere_design(format("s17e8"), format("s53e8"), lanes, references),
+                    {.kind = model::EngineKind::pairwise,
+                     .capacity = 1000,
+                     .report = {true, false, false, false}});
+}
+
+/// One lane and a reference for `f` against `g`.
+model::Design design_of(const std::string& f, const std::string& g) {
+  model::Graph graph;
+  const model::NodeId left = parse_expression(graph, f, {}).value();
+  graph.compare(left, parse_expression(graph, g, {}).value());
+  model::TypedGraph lane =
+      lane_graph(graph, format("s24e8"), {format("s8e8")}, model::LaneInputs::exact);
+  const std::vector<bool> any_sign(graph.inputs().size(), false);
+  return {.name = "comparison",
+          .inputs = graph.inputs(),
+          .lanes = {{.lane = relative_lane(std::move(lane), any_sign).value(), .count = 1}},
+          .reference = model::reference_graph(graph, {format("s24e8")}),
+          .references = {{.count = 1}},
+          .system = {}};
+}
+
+std::string verilog_of(const GeneratedSystem& system, const std::string& module) {
+  const auto found = std::find_if(system.files.begin(), system.files.end(),
+                                  [&](const GeneratedFile& f) { return f.name == module + ".v"; });
+  EXPECT_NE(found, system.files.end()) << module;
+  return found == system.files.end() ? "" : found->text;
+}
+
+int width_of(const SignatureEngine& engine, const std::string& port) {
+  const auto found = std::find_if(engine.ports.begin(), engine.ports.end(),
+                                  [&](const SignaturePort& p) { return p.name == port; });
+  return found == engine.ports.end() ? 0 : found->width;
+}
+
+TEST(Engine, WithoutOneNothingOfItIsWritten) {
+  const GeneratedSystem system =
+      generated(test::sphere_design(format("s17e8"), format("s53e8"), 8, 1));
+  EXPECT_FALSE(system.signature.engine.has_value());
+  for (const GeneratedFile& file : system.files) {
+    EXPECT_EQ(file.text.find("pairwise"), std::string::npos) << file.name;
+  }
+}
+
+TEST(Engine, SignatureTellsItsStreams) {
+  const GeneratedSystem system = generated(spheres(8, 1));
+  ASSERT_TRUE(system.signature.engine.has_value());
+  const SignatureEngine& engine = *system.signature.engine;
+  EXPECT_EQ(system.signature.top, "sphere_s17e8_8x1");
+  EXPECT_EQ(engine.top, "sphere_s17e8_8x1_pairwise");
+  EXPECT_EQ(engine.columns, (std::vector<std::string>{"cx", "cy", "cz", "r"}));
+  EXPECT_EQ(engine.index_bits, 10);
+  EXPECT_EQ(engine.item_bytes, 31);  // 4 * 61 bits
+  EXPECT_EQ(engine.report, std::vector<std::string>{"less"});
+  EXPECT_EQ(width_of(engine, "s_axis_tdata"), 248);
+  EXPECT_EQ(width_of(engine, "m_axis_tdata"), 32);
+  EXPECT_EQ(width_of(engine, "comparisons"), 8 * 32);
+  EXPECT_EQ(width_of(engine, "reports"), 32);
+  EXPECT_EQ(system.signature.tag_bits, 20);
+  EXPECT_EQ(system.signature.operands, model::OperandStore::refetched);
+}
+
+TEST(Engine, SignatureIsReadBackWhole) {
+  test::ScratchDirectory scratch;
+  const GeneratedSystem system = generated(spheres(3, 2));
+  ASSERT_TRUE(write_system(system, scratch.path() / "out").ok());
+  const auto read = read_signature(scratch.path() / "out" / (system.signature.top + ".json"));
+  ASSERT_TRUE(read.ok()) << read.error().to_string();
+  EXPECT_EQ(to_json(*read), to_json(system.signature));
+}
+
+TEST(Engine, EachOperandComesFromItsItem) {
+  const GeneratedSystem system = generated(with_pairs(
+      design_of("aj - bi", "aj * ci"), {.kind = model::EngineKind::pairwise, .capacity = 2}));
+  const std::string text = verilog_of(system, "comparison_s8e8_1x1_pairwise");
+  // Columns a, b, c of 32 bits; the operands are aj, bi, ci.
+  EXPECT_NE(text.find("operand_aj = item_j[31:0];"), std::string::npos) << text;
+  EXPECT_NE(text.find("operand_bi = item_i[63:32];"), std::string::npos);
+  EXPECT_NE(text.find("operand_ci = item_i[95:64];"), std::string::npos);
+  EXPECT_NE(text.find("{operand_ci, operand_bi, operand_aj}"), std::string::npos);
+  EXPECT_NE(text.find("unused_columns = &{1'b0, item_i[31:0], item_j[63:32], item_j[95:64]};"),
+            std::string::npos);
+}
+
+TEST(Engine, TemplateIsToldWhatTheSystemIs) {
+  const std::string text = verilog_of(generated(spheres(8, 1)), "sphere_s17e8_8x1_pairwise");
+  for (const char* parameter :
+       {".LANES       (8)", ".REFERENCES  (1)", ".CAPACITY    (1000)", ".ITEM_BITS   (244)",
+        ".INDEX_BITS  (10)", ".REPORT      (1)", ".COUNTER_BITS(32)"}) {
+    EXPECT_NE(text.find(parameter), std::string::npos) << parameter << "\n" << text;
+  }
+}
+
+TEST(Engine, SameDesignGivesTheSameBytes) {
+  const GeneratedSystem once = generated(spheres(3, 1)), again = generated(spheres(3, 1));
+  ASSERT_EQ(once.files.size(), again.files.size());
+  for (std::size_t k = 0; k < once.files.size(); ++k) {
+    EXPECT_EQ(once.files[k].text, again.files[k].text) << once.files[k].name;
+  }
+}
+
+}  // namespace
+}  // namespace mixcmp::gen

@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "model/scene/scene.hpp"
+#include "tests/support/scratch_directory.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+const std::string spheres = "f = \"(xi - xj)^2\"\ng = \"(ri + rj)^2\"\n";
+const std::string data = "[data]\nitems = \"uniform_spheres\"\n";
+
+class EngineSection : public testing::Test {
+protected:
+  /// `more` stands behind the comparison, from line 7 on.
+  Result<Scene> load(const std::string& more, const std::string& comparison = spheres) {
+    std::filesystem::remove(path_);
+    std::ofstream(path_, std::ios::binary) << "[comparison]\nname = \"spheres\"\n"
+                                           << comparison << "[reference]\nformat = \"s53e8\"\n"
+                                           << more;
+    return load_scene(path_, {});
+  }
+  std::string error(const std::string& more, const std::string& comparison = spheres) {
+    const Result<Scene> scene = load(more, comparison);
+    EXPECT_FALSE(scene.ok()) << more;
+    return scene.ok() ? "" : scene.error().to_string().substr(path_.string().size());
+  }
+
+private:
+  test::ScratchDirectory scratch_;
+  std::filesystem::path path_ = scratch_.path() / "scene.toml";
+};
+
+TEST_F(EngineSection, WithoutItComparisonsAreStreams) {
+  const Scene scene = load("").value();
+  EXPECT_EQ(scene.system.engine.kind, EngineKind::none);
+  EXPECT_EQ(scene.system.operands, OperandStore::carried);
+  EXPECT_EQ(load("[engine]\nkind = \"none\"\n")->system.tag_bits, 32);
+}
+
+TEST_F(EngineSection, DecidesOperandsAndTag) {
+  const Scene scene = load("[engine]\nkind = \"pairwise\"\ncapacity = 1025\n").value();
+  EXPECT_EQ(scene.system.engine.kind, EngineKind::pairwise);
+  EXPECT_EQ(scene.system.engine.capacity, 1025);
+  EXPECT_EQ(scene.system.operands, OperandStore::refetched);
+  EXPECT_EQ(scene.system.tag_bits, 22);
+  EXPECT_EQ(load("[engine]\nkind = \"pairwise\"\n")->system.tag_bits, 20);
+  EXPECT_EQ(load("[engine]\nkind = \"pairwise\"\ncapacity = 2\n")->system.tag_bits, 2);
+  EXPECT_EQ(load("[engine]\nkind = \"pairwise\"\ncapacity = 65536\n")->system.tag_bits, 32);
+}
+
+TEST_F(EngineSection, ReportsAllButGreaterUnlessToldOtherwise) {
+  using Report = std::array<bool, 4>;
+  const auto report = [this](const std::string& more) {
+    return load("[engine]\nkind = \"pairwise\"\n" + more)->system.engine.report;
+  };
+  EXPECT_EQ(report(""), (Report{true, true, false, true}));
+  EXPECT_EQ(report("report = [\"greater\", \"less\"]\n"), (Report{true, false, true, false}));
+}
+
+TEST_F(EngineSection, WhatTheEngineDecidesMayBeRepeated) {
+  EXPECT_TRUE(load("[engine]\nkind = \"pairwise\"\n[system]\noperands = \"refetched\"\n"
+                   "tag_bits = 20\n")
+                  .ok());
+}
+
+TEST_F(EngineSection, MistakesAreToldInOneLine) {
+  const std::string engine = "[engine]\nkind = \"pairwise\"\n";
+  EXPECT_EQ(error("[engine]\ncapacity = 7\n"),
+            ":7: engine.kind: missing: received nothing; accepted a key kind");
+  EXPECT_EQ(error("[engine]\nkind = \"pairs\"\n"),
+            ":8: engine.kind: not a choice: received \"pairs\"; accepted pairwise (the nearest), "
+            "none");
+  EXPECT_EQ(error(engine + "capacity = 1\n"),
+            ":9: engine.capacity: out of range: received 1; accepted an integer 2..65536");
+  const std::string list = "; accepted a list of one or more of less, equal, greater, unordered";
+  EXPECT_EQ(error(engine + "report = \"less\"\n"),
+            ":9: engine.report: no list of choices: received \"less\"" + list);
+  EXPECT_EQ(error(engine + "report = []\n"),
+            ":9: engine.report: no list of choices: received []" + list);
+  EXPECT_EQ(error(engine + "report = [\"les\"]\n"),
+            ":9: engine.report: not a choice: received \"les\"" + list);
+  EXPECT_EQ(error(engine + "report = [\"less\", \"less\"]\n"),
+            ":9: engine.report: named twice: received \"less\"" + list);
+  EXPECT_EQ(error(engine + "[system]\noperands = \"carried\"\n"),
+            ":10: system.operands: the pairwise engine decides it: received \"carried\"; accepted "
+            "\"refetched\", or no key: the engine's memory holds the operands");
+  EXPECT_EQ(error(engine + "[system]\ntag_bits = 26\n"),
+            ":10: system.tag_bits: the pairwise engine decides it: received 26; accepted 20, the "
+            "numbers of two of 1024 items, or no key");
+  EXPECT_EQ(error(engine + data),
+            ":9: data.pairs: the pairwise engine compares every two items: received rows; accepted "
+            "pairs = \"all\"");
+}
+
+TEST_F(EngineSection, InputsMustBeColumnsOfTwoItems) {
+  EXPECT_EQ(error("[engine]\nkind = \"pairwise\"\n", "f = \"x\"\ng = \"yj\"\n"),
+            ":8: engine.kind: the pairwise engine compares item i with item j: received the input "
+            "x; accepted inputs that are a column's name followed by i or j");
+}
+
+}  // namespace
+}  // namespace mixcmp::model

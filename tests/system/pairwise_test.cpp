@@ -1,0 +1,156 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <functional>
+#include <iterator>
+
+#include "model/data/uniform_spheres.hpp"
+#include "model/golden/arithmetic.hpp"
+#include "tests/support/mixed_spheres.hpp"
+#include "tests/support/simulated_system.hpp"
+
+/// Whole engines, lanes and references inside: what is reported is what the golden model says.
+namespace mixcmp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int capacity = 60;
+
+model::Design with_pairs(model::Design design) {
+  design.system =
+      with_engine(design.system, {.kind = model::EngineKind::pairwise, .capacity = capacity});
+  return design;
+}
+
+model::Design spheres(int lanes, int references) {
+  return with_pairs(sphere_design(format("s6e8"), format("s24e8"), lanes, references));
+}
+
+model::Comparisons random_spheres(const model::Design& design, std::int64_t count) {
+  const model::Table table = model::uniform_spheres(
+      {.count = count, .side = 100, .radius_max = 30, .seed = 3}, design.reference.input_format);
+  return model::Comparisons::all_pairs(table, design.inputs).value();
+}
+
+/// Whole numbers 0..3: ties and equal items abound.
+model::Comparisons grid_spheres(const model::Design& design, std::size_t count) {
+  model::Table table{design.reference.input_format, {"cx", "cy", "cz", "r"}, {}, {}};
+  for (std::size_t k = 0; k < 4 * count; ++k) {
+    const auto number = tb::counter_random(7, k) % (k % 4 == 3 ? 2 : 4);
+    table.values.push_back(model::golden::from_rational(table.format, number));
+  }
+  return model::Comparisons::all_pairs(table, design.inputs).value();
+}
+
+void expect_passed(const tb::VerifyReport& report, std::uint64_t items) {
+  EXPECT_TRUE(report.passed()) << to_text(report);
+  EXPECT_EQ(report.comparisons, items * (items - 1) / 2);
+  ASSERT_TRUE(report.engine.has_value());
+  EXPECT_EQ(report.engine->items, items);
+  EXPECT_EQ(report.engine->reported,
+            report.verdicts[0] + report.verdicts[1] + report.verdicts[3] + report.undecided)
+      << to_text(report);
+  EXPECT_GT(report.engine->reported, 0u);
+}
+
+struct Size {
+  int lanes;
+  int references;
+};
+
+class PairwiseSystem : public testing::TestWithParam<Size> {};
+
+TEST_P(PairwiseSystem, ReportsWhatTheModelSaysAtFullRate) {
+  const model::Design design = spheres(GetParam().lanes, GetParam().references);
+  const tb::VerifyReport report = simulate(design, random_spheres(design, capacity), {});
+  expect_passed(report, capacity);
+  EXPECT_GT(report.recomputations + report.undecided, 0u);
+  EXPECT_EQ(report.counters.size(), 4u);
+}
+
+TEST_P(PairwiseSystem, ReportsItUnderStallsAndResets) {
+  const model::Design design = spheres(GetParam().lanes, GetParam().references);
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const tb::VerifyReport report =
+        simulate(design, random_spheres(design, capacity - 7),
+                 {.traffic = tb::TrafficKind::stressed, .traffic_seed = seed, .resets = 3});
+    expect_passed(report, capacity - 7);
+  }
+}
+
+TEST_P(PairwiseSystem, TiesAndEqualItemsAreReported) {
+  const model::Design design = spheres(GetParam().lanes, GetParam().references);
+  const tb::VerifyReport report = simulate(design, grid_spheres(design, capacity), {});
+  expect_passed(report, capacity);
+  if (GetParam().references == 0) return;
+  EXPECT_GT(report.verdicts[static_cast<std::size_t>(model::golden::Verdict::equal)], 50u);
+}
+
+std::string name_of(const testing::TestParamInfo<Size>& info) {
+  return fmt::format("{}x{}", info.param.lanes, info.param.references);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, PairwiseSystem,
+                         testing::Values(Size{1, 1}, Size{3, 0}, Size{8, 2}, Size{24, 1}), name_of);
+
+TEST(PairwiseSystemOf, LanesOfSeveralKindsAndThreeReferences) {
+  const model::Design design = with_pairs(mixed_sphere_design());
+  const tb::VerifyReport report = simulate(design, random_spheres(design, capacity),
+                                           {.traffic = tb::TrafficKind::stressed, .resets = 1});
+  expect_passed(report, capacity);
+  for (const tb::GroupReport& group : report.groups) EXPECT_GT(group.recomputations, 0u);
+}
+
+TEST(PairwiseSystemOf, MoreItemsThanItHoldsAreRefused) {
+  const model::Design design = spheres(1, 1);
+  const fs::path rtl = generate_to(design, "pairwise_too_many");
+  const auto report = tb::verify(design, random_spheres(design, capacity + 1), rtl,
+                                 {.work_dir = test_work_dir("builds")});
+  ASSERT_FALSE(report.ok());
+  EXPECT_EQ(report.error().field, "engine.capacity");
+  EXPECT_EQ(report.error().received, "61 items, a capacity of 60");
+}
+
+/// One place in one template broken.
+struct Fault {
+  const char* name;
+  const char* file;
+  const char* from;
+  const char* to;
+};
+
+class BrokenEngine : public testing::TestWithParam<Fault> {};
+
+TEST_P(BrokenEngine, IsFoundOut) {
+  const Fault& fault = GetParam();
+  const model::Design design = spheres(3, 1);
+  const fs::path rtl = generate_to(design, std::string("broken_") + fault.name);
+  std::ifstream in(rtl / fault.file);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::size_t place = text.find(fault.from);
+  ASSERT_NE(place, std::string::npos);
+  std::ofstream(rtl / fault.file) << text.replace(place, std::string(fault.from).size(), fault.to);
+  const auto report = tb::verify(design, random_spheres(design, 41), rtl,
+                                 {.work_dir = test_work_dir("builds"),
+                                  .traffic = tb::TrafficKind::stressed,
+                                  .hang_cycles = 2'000});
+  ASSERT_TRUE(report.ok()) << report.error().to_string();
+  EXPECT_FALSE(report->passed()) << to_text(*report);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Faults, BrokenEngine,
+    testing::Values(
+        Fault{"last_block", "block_reader.v", "next_base_q + ONE <", "next_base_q + STEP <"},
+        Fault{"report_kind", "pair_segment.v", "reported[result[1:0]]", "reported[2'b01]"},
+        Fault{"refetched_items", "item_refetch.v", "second_q ? index_j : index_i",
+              "second_q ? index_j : index_j"},
+        Fault{"closing_beat", "report_stream.v", "(left_q == close_count)", "1'b1"},
+        Fault{"counter", "pairwise_engine.v", "&& !m_axis_tlast)", ")"}),
+    [](const auto& instance) { return std::string(instance.param.name); });
+
+}  // namespace
+}  // namespace mixcmp::test

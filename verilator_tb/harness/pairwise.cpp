@@ -1,0 +1,227 @@
+// Drives one verilated pairwise engine on sets of items that a host sends; see
+// pairwise_protocol.hpp. It computes nothing about them: which pairs must be reported is the host's
+// to judge.
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "channel.hpp"
+#include "clocked_model.hpp"
+#include "hold_checker.hpp"
+#include "pairwise_protocol.hpp"
+#include "settings.hpp"
+#include "system_ports.hpp"
+
+namespace mixcmp::tb {
+
+namespace {
+
+class PairwiseSimulator {
+public:
+  PairwiseSimulator(int count, char** words)
+      : settings_(read_settings(count, words)),
+        traffic_(settings_.traffic, settings_.seed),
+        clocked_(settings_, count, words),
+        ports_(system::bind(clocked_.model())) {
+    clocked_.open_trace(settings_.trace);
+    reset();
+  }
+
+  void serve(Channel& channel) {
+    for (bool last = false; !last && state_ != wire::SetState::stopped;) {
+      wire::SetRequest request;
+      channel.read(&request, 1);
+      items_.resize(request.items * system::item_bytes);
+      channel.read(items_.data(), items_.size());
+      run(request);
+      respond(channel);
+      last = request.last != 0;
+    }
+  }
+
+private:
+  static constexpr int reset_cycles = 2;
+  /// After a set: long enough for what comes behind its closing beat to show itself.
+  static constexpr int quiet_cycles = 64 + 4 * system::lanes;
+  /// Streams of the traffic.
+  static constexpr std::uint64_t item_stream = 0;
+  static constexpr std::uint64_t report_stream = 1;
+
+  std::uint64_t item_count() const { return items_.size() / system::item_bytes; }
+
+  void run(const wire::SetRequest& request) {
+    state_ = wire::SetState::closed;
+    next_ = 0;
+    open_ = true;
+    response_ = {};
+    const std::uint64_t start = cycle_;
+    progress_ = cycle_;
+    // Every pair may have to be fetched again, and all traffic may stand still for a while.
+    const std::uint64_t limit = settings_.hang_cycles + 4 * item_count() * item_count();
+    while (open_ && state_ == wire::SetState::closed) {
+      if (request.reset_after != 0 && cycle_ - start >= request.reset_after) return interrupt();
+      step();
+      if (cycle_ - progress_ > limit) violate(wire::Fault::hung, 0), stop();
+    }
+    for (int k = 0; k < quiet_cycles && state_ == wire::SetState::closed; ++k) step();
+  }
+
+  void interrupt() {
+    reset();
+    open_ = false;
+    state_ = wire::SetState::interrupted;
+  }
+
+  void stop() { state_ = wire::SetState::stopped; }
+
+  void step() {
+    drive();
+    clocked_.settle(cycle_);
+    if (busy_) ++observed_busy_;
+    sample_reports();
+    sample_items();
+    clocked_.rise(cycle_);
+    ++cycle_;
+  }
+
+  void drive() {
+    if (!offering_ && next_ < item_count()) offering_ = traffic_.willing(item_stream, cycle_);
+    ports_.s_axis_tvalid.set_bit(0, offering_);
+    if (offering_) {
+      std::memcpy(ports_.s_axis_tdata.bytes(0), items_.data() + next_ * system::item_bytes,
+                  system::item_bytes);
+      ports_.s_axis_tlast.set_bit(0, next_ + 1 == item_count());
+    }
+    ready_ = traffic_.willing(report_stream, cycle_);
+    ports_.m_axis_tready.set_bit(0, ready_);
+  }
+
+  void sample_items() {
+    if (!offering_ || !ports_.s_axis_tready.bit(0)) return;
+    if (next_ == 0) first_cycle_ = cycle_;
+    ++next_;
+    offering_ = false;
+    busy_ = true;
+    progress_ = cycle_;
+  }
+
+  void sample_reports() {
+    const bool valid = ports_.m_axis_tvalid.bit(0);
+    const bool last = ports_.m_axis_tlast.bit(0);
+    const std::uint64_t tdata = ports_.m_axis_tdata.field(0, 2 * index_field_bits);
+    const std::uint64_t tuser = ports_.m_axis_tuser.field(0, 8);
+    if (const auto fault = hold_.observe(valid, ready_, tdata, tuser << 1 | (last ? 1 : 0))) {
+      violate(*fault, tdata);
+    }
+    if (!valid || !ready_) return;
+    progress_ = cycle_;
+    if (!open_) return violate(wire::Fault::after_the_end, tdata);
+    if (last) return close(tdata, tuser);
+    ++observed_reports_;
+    reports_.push_back({cycle_, static_cast<std::uint32_t>(tdata & index_mask),
+                        static_cast<std::uint32_t>(tdata >> index_field_bits), tuser});
+  }
+
+  void close(std::uint64_t tdata, std::uint64_t tuser) {
+    open_ = false;
+    busy_ = false;
+    if (next_ != item_count()) violate(wire::Fault::closed_early, tdata);
+    response_.closing_tdata = tdata;
+    response_.closing_tuser = tuser;
+    response_.cycles = cycle_ + 1 - first_cycle_;
+  }
+
+  void reset() {
+    offering_ = busy_ = false;
+    observed_reports_ = observed_busy_ = 0;
+    hold_.reset();
+    ports_.s_axis_tvalid.set_bit(0, false);
+    ports_.m_axis_tready.set_bit(0, false);
+    ports_.aresetn.set_bit(0, false);
+    for (int k = 0; k < reset_cycles; ++k) {
+      clocked_.settle(cycle_);
+      clocked_.rise(cycle_);
+      ++cycle_;
+    }
+    if (ports_.m_axis_tvalid.bit(0)) violate(wire::Fault::valid_in_reset, 0);
+    ports_.aresetn.set_bit(0, true);
+  }
+
+  void violate(wire::Fault fault, std::uint64_t tdata) {
+    violations_.push_back({fault, 0, wire::no_position, tdata, cycle_});
+    if (++violation_count_ >= wire::max_violations) stop();
+  }
+
+  std::vector<wire::LaneEnd> lane_ends() const {
+    std::vector<wire::LaneEnd> ends(system::lanes);
+    if (system::counter_bits == 0) return ends;
+    const Port* const counters[] = {&ports_.comparisons, &ports_.recomputations, &ports_.stalls};
+    for (std::size_t lane = 0; lane < ends.size(); ++lane) {
+      for (int k = 0; k < 3; ++k) {
+        ends[lane].counted[k] =
+            counters[k]->field(lane * system::counter_bits, system::counter_bits);
+      }
+    }
+    return ends;
+  }
+
+  void respond(Channel& channel) {
+    response_.reports = reports_.size();
+    response_.violations = violations_.size();
+    response_.state = state_;
+    if (system::counter_bits > 0) {
+      const Port* const counters[] = {&ports_.reports, &ports_.busy_cycles, &ports_.stalled_cycles};
+      for (int k = 0; k < 3; ++k) {
+        response_.counters.counted[k] = counters[k]->field(0, system::counter_bits);
+      }
+    }
+    response_.counters.observed[0] = observed_reports_;
+    response_.counters.observed[1] = observed_busy_;
+    const std::vector<wire::LaneEnd> ends = lane_ends();
+    channel.write(&response_, 1);
+    channel.write(reports_.data(), reports_.size());
+    channel.write(violations_.data(), violations_.size());
+    channel.write(ends.data(), ends.size());
+    reports_.clear();
+    violations_.clear();
+  }
+
+  static constexpr int index_field_bits = (system::index_bits + 7) / 8 * 8;
+  static constexpr std::uint64_t index_mask = (std::uint64_t{1} << index_field_bits) - 1;
+
+  Settings settings_;
+  Traffic traffic_;
+  ClockedModel clocked_;
+  PairwisePorts ports_;
+  HoldChecker hold_;
+  std::vector<std::uint8_t> items_;
+  std::uint64_t next_ = 0;  ///< item to be offered
+  bool offering_ = false;
+  bool ready_ = false;
+  bool open_ = false;  ///< the closing beat is still to come
+  bool busy_ = false;  ///< an item was accepted and the closing beat was not
+  std::uint64_t cycle_ = 0;
+  std::uint64_t first_cycle_ = 0;
+  std::uint64_t progress_ = 0;
+  std::uint64_t observed_reports_ = 0;  ///< since reset, as observed_busy_
+  std::uint64_t observed_busy_ = 0;
+  std::uint64_t violation_count_ = 0;
+  std::vector<wire::Report> reports_;
+  std::vector<wire::Violation> violations_;
+  wire::SetResponse response_ = {};
+  wire::SetState state_ = wire::SetState::closed;
+};
+
+}  // namespace
+
+}  // namespace mixcmp::tb
+
+int main(int argc, char** argv) {
+  mixcmp::tb::Channel channel;
+  mixcmp::tb::PairwiseSimulator simulator(argc, argv);
+  simulator.serve(channel);
+  return 0;
+}

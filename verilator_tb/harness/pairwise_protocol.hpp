@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+
+#include "protocol.hpp"
+
+/// What the host and the simulator of a pairwise engine exchange, in the way of protocol.hpp: a
+/// request is one set of items, its response what left.
+namespace mixcmp::tb::wire {
+
+/// Followed by the items, item_bytes for each.
+struct SetRequest {
+  std::uint64_t items;
+  /// Not 0: reset the engine so many cycles after the first item was offered.
+  std::uint64_t reset_after;
+  std::uint64_t last;  ///< not 0: the simulator ends after it
+};
+
+enum class SetState : std::uint64_t {
+  closed,       ///< the closing beat has left
+  interrupted,  ///< by the reset, before that
+  stopped,      ///< the engine stands still, or max_violations were seen; the simulator ends
+};
+
+/// Followed by the reports, the violations and by one LaneEnd for each lane, of which only
+/// `counted` is set.
+struct SetResponse {
+  std::uint64_t reports;
+  std::uint64_t violations;
+  std::uint64_t cycles;         ///< from the first item's acceptance to the closing beat's
+  std::uint64_t closing_tdata;  ///< of the closing beat
+  std::uint64_t closing_tuser;
+  /// Since reset: reports, busy cycles, stalled cycles; of the last only `counted` is set.
+  LaneEnd counters;
+  SetState state;
+};
+
+struct Report {
+  std::uint64_t cycle;
+  std::uint32_t i;
+  std::uint32_t j;
+  std::uint64_t tuser;
+};
+
+}  // namespace mixcmp::tb::wire

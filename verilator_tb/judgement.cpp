@@ -1,0 +1,118 @@
+#include "verilator_tb/judgement.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "model/golden/evaluate.hpp"
+
+namespace mixcmp::tb {
+
+namespace {
+
+using model::golden::Verdict;
+
+bool are_finite(model::FloatFormat format, std::span<const model::Bits> operands) {
+  return std::all_of(operands.begin(), operands.end(), [&](model::Bits operand) {
+    return format.biased_exponent(operand) < format.max_biased_exponent();
+  });
+}
+
+}  // namespace
+
+VerifyReport empty_report(const gen::Signature& signature, const model::Design& design,
+                          const VerifyOptions& options) {
+  VerifyReport report;
+  report.system = signature.top;
+  report.lanes = design.lane_count();
+  report.references = design.reference_count();
+  report.certified = design.certified();
+  report.resets = static_cast<std::uint64_t>(std::max(options.resets, 0));
+  if (options.truth) report.truth.emplace();
+  const std::vector<std::string> names = lane_group_names(design);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const model::LaneGroup& group = design.lanes[k];
+    report.groups.push_back(
+        {.name = names[k], .lanes = group.count, .certified = group.lane.certified()});
+  }
+  return report;
+}
+
+std::uint32_t expected_tdata(const model::Design& design, std::size_t group,
+                             std::span<const model::Bits> operands) {
+  const auto decision = model::golden::evaluate_lane(design.lanes[group].lane, operands);
+  if (decision.decided) return static_cast<std::uint32_t>(decision.verdict);
+  if (design.references.empty()) return undecided_flag;
+  return recomputed_flag |
+         static_cast<std::uint32_t>(model::golden::evaluate_reference(design.reference, operands));
+}
+
+std::uint32_t meaningful(std::uint32_t tdata) {
+  return (tdata & undecided_flag) != 0 ? tdata & ~3u : tdata;
+}
+
+std::string describe_tdata(std::uint32_t tdata) {
+  if ((tdata & ~0xfu) != 0 || (tdata & 0xc) == 0xc) {
+    return fmt::format("the impossible tdata 0x{:02x}", tdata);
+  }
+  if ((tdata & undecided_flag) != 0) return "undecided";
+  return fmt::format("{}, {}", to_string(static_cast<Verdict>(tdata & 3)),
+                     (tdata & recomputed_flag) != 0 ? "recomputed" : "decided by the lane");
+}
+
+std::string to_text(wire::Fault fault) {
+  switch (fault) {
+    case wire::Fault::valid_dropped: return "tvalid fell before tready rose";
+    case wire::Fault::payload_changed: return "payload changed while waiting for tready";
+    case wire::Fault::unknown_tag: return "result with a tag that is not inside";
+    case wire::Fault::duplicate_tag: return "result left twice";
+    case wire::Fault::stale_after_reset: return "result from before a reset left after it";
+    case wire::Fault::valid_in_reset: return "tvalid high in reset";
+    case wire::Fault::order_broken: return "result overtook an earlier one";
+    case wire::Fault::lost: return "comparison lost";
+    case wire::Fault::hung: return "lane stands still";
+    case wire::Fault::unknown_refetch: return "refetch of a tag that is not inside";
+    case wire::Fault::unknown_value: return "unknown value (x) on a handshake or a result";
+    case wire::Fault::after_the_end: return "report behind the closing beat";
+    case wire::Fault::closed_early: return "closing beat before the last item";
+  }
+  MIXCMP_CHECK(false);
+  return {};
+}
+
+Mismatch describe_comparison(const model::Design& design, const model::Comparisons& comparisons,
+                             std::uint64_t index) {
+  Mismatch mismatch{.index = index};
+  mismatch.items = model::describe(comparisons, index);
+  std::vector<model::Bits> operands(comparisons.input_count());
+  comparisons.fetch(index, operands);
+  const model::FloatFormat format = design.reference.input_format;
+  for (std::size_t k = 0; k < operands.size(); ++k) {
+    mismatch.operands.push_back({design.inputs[k], model::to_hex(operands[k], format.width()),
+                                 model::golden::to_text(format, operands[k])});
+  }
+  return mismatch;
+}
+
+void hold_against_truth(const TruthCheck& check, const model::Design& design,
+                        std::span<const model::Bits> operands, std::uint32_t tdata,
+                        TruthCount& truth, GroupReport& group) {
+  const bool recomputed = (tdata & recomputed_flag) != 0;
+  if (check.scope == TruthScope::recomputed && !recomputed) return;
+  const model::FloatFormat format = design.reference.input_format;
+  // Infinite and NaN operands are no real numbers: there the reference's arithmetic is what counts.
+  if (recomputed && !are_finite(format, operands)) return;
+  ++truth.checked;
+  if (static_cast<Verdict>(tdata & 3) ==
+      model::golden::true_verdict(*check.graph, format, operands)) {
+    return;
+  }
+  if (recomputed) {
+    ++truth.wrong_by_reference;
+  } else {
+    ++truth.wrong_by_lane;
+    ++group.wrong_by_lane;
+  }
+}
+
+}  // namespace mixcmp::tb

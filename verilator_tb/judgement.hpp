@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "verilator_tb/harness/protocol.hpp"
+#include "verilator_tb/verify.hpp"
+
+/// What every judge asks of the golden model, and how it says what it found.
+namespace mixcmp::tb {
+
+/// Of a result, as on m_axis_tdata.
+inline constexpr std::uint32_t recomputed_flag = 4;
+inline constexpr std::uint32_t undecided_flag = 8;
+
+/// A report of nothing yet.
+VerifyReport empty_report(const gen::Signature& signature, const model::Design& design,
+                          const VerifyOptions& options);
+
+/// What a lane of the design's group must make of the operands.
+std::uint32_t expected_tdata(const model::Design& design, std::size_t group,
+                             std::span<const model::Bits> operands);
+
+/// Of the undecided, the verdict bits say nothing.
+std::uint32_t meaningful(std::uint32_t tdata);
+
+/// "less, decided by the lane"
+std::string describe_tdata(std::uint32_t tdata);
+std::string to_text(wire::Fault fault);
+
+/// A mismatch with the comparison's items and operands; the rest is the caller's.
+Mismatch describe_comparison(const model::Design& design, const model::Comparisons& comparisons,
+                             std::uint64_t index);
+
+/// Counts a verdict that is not the order of the real numbers f and g.
+void hold_against_truth(const TruthCheck& check, const model::Design& design,
+                        std::span<const model::Bits> operands, std::uint32_t tdata,
+                        TruthCount& truth, GroupReport& group);
+
+}  // namespace mixcmp::tb

@@ -1,0 +1,243 @@
+#include "verilator_tb/pairwise_judge.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "verilator_tb/judgement.hpp"
+
+namespace mixcmp::tb {
+
+using model::golden::Verdict;
+
+/// Walks with the pairs: what it holds is in their order.
+class PairwiseJudge::Reports {
+public:
+  explicit Reports(std::vector<wire::Report> reports) : reports_(std::move(reports)) {
+    std::stable_sort(reports_.begin(), reports_.end(),
+                     [](const wire::Report& a, const wire::Report& b) { return key(a) < key(b); });
+  }
+
+  /// The first report of this pair; those before it, and further ones of it, are told to `stray`.
+  template <class Stray>
+  const wire::Report* find(std::uint64_t i, std::uint64_t j, const Stray& stray) {
+    const wire::Report* found = nullptr;
+    for (; next_ < reports_.size() && key(reports_[next_]) <= std::tuple(i, j); ++next_) {
+      const wire::Report& report = reports_[next_];
+      if (found == nullptr && key(report) == std::tuple(i, j)) {
+        found = &report;
+      } else {
+        stray(report, found != nullptr);
+      }
+    }
+    return found;
+  }
+
+  std::span<const wire::Report> rest() const { return std::span(reports_).subspan(next_); }
+  std::span<const wire::Report> all() const { return reports_; }
+
+private:
+  static std::tuple<std::uint64_t, std::uint64_t> key(const wire::Report& report) {
+    return {report.i, report.j};
+  }
+
+  std::vector<wire::Report> reports_;
+  std::size_t next_ = 0;
+};
+
+namespace {
+
+constexpr std::uint64_t closing_tuser = 0x80;
+
+std::string pair_text(const wire::Report& report) {
+  return fmt::format("items {} and {}, tuser 0x{:02x}", report.i, report.j, report.tuser);
+}
+
+}  // namespace
+
+PairwiseJudge::PairwiseJudge(const gen::Signature& signature, const model::Design& design,
+                             const model::Comparisons& comparisons, const VerifyOptions& options)
+    : signature_(signature),
+      design_(design),
+      comparisons_(comparisons),
+      options_(options),
+      lanes_(static_cast<std::size_t>(signature.lanes)),
+      operands_(comparisons.input_count()),
+      report_(empty_report(signature, design, options)) {
+  for (std::size_t k = 0; k < design.lanes.size(); ++k) {
+    group_of_lane_.insert(group_of_lane_.end(), static_cast<std::size_t>(design.lanes[k].count), k);
+  }
+  report_.requested = comparisons.size();
+  report_.engine =
+      EngineFigures{.top = signature.engine->top,
+                    .items = comparisons.table().rows(),
+                    .item_bytes = static_cast<std::uint64_t>(signature.engine->item_bytes),
+                    .pair_bytes = static_cast<std::uint64_t>(signature.tdata_bytes)};
+}
+
+std::uint64_t PairwiseJudge::pair_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const {
+  return model::pair_index(set.first + i, set.first + j, comparisons_.table().rows());
+}
+
+std::uint32_t PairwiseJudge::expected(const SetRange& set, std::uint64_t i, std::uint64_t j) {
+  comparisons_.fetch({.row = 0, .first = set.first + i, .second = set.first + j}, operands_);
+  return expected_tdata(design_, group_of_lane_[lane_of(i)], operands_);
+}
+
+bool PairwiseJudge::is_reported(std::uint32_t tdata) const {
+  return (tdata & undecided_flag) != 0 || design_.system.engine.report[tdata & 3];
+}
+
+void PairwiseJudge::take(const SetRange& set, const SetAnswer& answer, Use use) {
+  for (const wire::Violation& violation : answer.violations) {
+    add_violation(to_text(violation.fault), violation.cycle,
+                  fmt::format("tdata 0x{:x}", violation.tag));
+  }
+  ++report_.engine->sets;
+  switch (answer.response.state) {
+    case wire::SetState::closed: return judge_closed(set, answer, use);
+    case wire::SetState::interrupted: return judge_interrupted(set, answer);
+    case wire::SetState::stopped: return;
+  }
+}
+
+void PairwiseJudge::judge_closed(const SetRange& set, const SetAnswer& answer, Use use) {
+  Reports reports(answer.reports);
+  for (std::uint64_t i = 0; i + 1 < set.count; ++i) {
+    for (std::uint64_t j = i + 1; j < set.count; ++j) judge_pair(set, i, j, reports, use);
+  }
+  for (const wire::Report& report : reports.rest()) {
+    add_violation("report of no pair", report.cycle, pair_text(report));
+  }
+  judge_closing_beat(answer, answer.reports.size());
+  judge_counters(answer, use);
+  if (use == Use::figures) {
+    report_.cycles = answer.response.cycles;
+    report_.engine->reported = answer.reports.size();
+  }
+}
+
+void PairwiseJudge::judge_pair(const SetRange& set, std::uint64_t i, std::uint64_t j,
+                               Reports& reports, Use use) {
+  const std::uint32_t tdata = expected(set, i, j);
+  const wire::Report* got = reports.find(i, j, [this](const wire::Report& report, bool again) {
+    add_violation(again ? "pair reported twice" : "report of no pair", report.cycle,
+                  pair_text(report));
+  });
+  wire::LaneEnd& lane = lanes_[lane_of(i)];
+  ++lane.observed[0];
+  if ((tdata & (recomputed_flag | undecided_flag)) != 0) ++lane.observed[1];
+  const bool due = is_reported(tdata);
+  const bool as_due =
+      got == nullptr ? !due : due && meaningful(static_cast<std::uint32_t>(got->tuser)) == tdata;
+  if (!as_due) return add_mismatch(set, i, j, tdata, got);
+  if (use == Use::figures) count(set, i, j, tdata);
+}
+
+/// A reset came: pairs may be missing, but what is there is right.
+void PairwiseJudge::judge_interrupted(const SetRange& set, const SetAnswer& answer) {
+  const Reports reports(answer.reports);
+  const wire::Report* before = nullptr;
+  for (const wire::Report& report : reports.all()) {
+    if (report.i >= report.j || report.j >= set.count) {
+      add_violation("report of no pair", report.cycle, pair_text(report));
+      continue;
+    }
+    if (before != nullptr && before->i == report.i && before->j == report.j) {
+      add_violation("pair reported twice", report.cycle, pair_text(report));
+    }
+    before = &report;
+    const std::uint32_t tdata = expected(set, report.i, report.j);
+    if (!is_reported(tdata) || meaningful(static_cast<std::uint32_t>(report.tuser)) != tdata) {
+      add_mismatch(set, report.i, report.j, tdata, &report);
+    }
+  }
+  lanes_.assign(lanes_.size(), {});
+  stalled_before_ = 0;
+}
+
+void PairwiseJudge::judge_closing_beat(const SetAnswer& answer, std::uint64_t due) {
+  const wire::SetResponse& response = answer.response;
+  if (response.closing_tdata == due && response.closing_tuser == closing_tuser) return;
+  add_violation("closing beat is wrong", 0,
+                fmt::format("{} reports, tuser 0x{:02x} instead of {}, 0x{:02x}",
+                            response.closing_tdata, response.closing_tuser, due, closing_tuser));
+}
+
+void PairwiseJudge::check_counter(const std::string& name, std::uint64_t counted,
+                                  std::uint64_t observed, CounterTotal& total) {
+  const auto mask = static_cast<std::uint64_t>(model::low_mask(signature_.counter_bits));
+  total.counted += counted;
+  total.observed += observed;
+  if (counted == (observed & mask)) return;
+  add_violation("counter is wrong", 0,
+                fmt::format("{}: {} instead of {}", name, counted, observed));
+}
+
+/// After every set, since reset; the last totals stay in the report.
+void PairwiseJudge::judge_counters(const SetAnswer& answer, Use use) {
+  if (signature_.counter_bits == 0) return;
+  const wire::LaneEnd& counters = answer.response.counters;
+  const auto mask = static_cast<std::uint64_t>(model::low_mask(signature_.counter_bits));
+  if (use == Use::figures) {
+    report_.engine->stalled_cycles = (counters.counted[2] - stalled_before_) & mask;
+  }
+  stalled_before_ = counters.counted[2];
+  std::vector<CounterTotal> totals = {
+      {"comparisons"}, {"recomputations"}, {"reports"}, {"busy_cycles"}};
+  for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      check_counter(fmt::format("{} of lane {}", totals[k].name, lane),
+                    answer.lanes[lane].counted[k], lanes_[lane].observed[k], totals[k]);
+    }
+  }
+  check_counter("reports", counters.counted[0], counters.observed[0], totals[2]);
+  check_counter("busy_cycles", counters.counted[1], counters.observed[1], totals[3]);
+  report_.counters = std::move(totals);
+}
+
+void PairwiseJudge::count(const SetRange& set, std::uint64_t i, std::uint64_t j,
+                          std::uint32_t tdata) {
+  const bool undecided = (tdata & undecided_flag) != 0;
+  const bool recomputed = (tdata & recomputed_flag) != 0;
+  const auto verdict = static_cast<Verdict>(tdata & 3);
+  GroupReport& group = report_.groups[group_of_lane_[lane_of(i)]];
+  ++report_.comparisons;
+  ++group.comparisons;
+  if (recomputed) ++report_.recomputations, ++group.recomputations;
+  if (undecided) {
+    ++report_.undecided;
+    ++group.undecided;
+  } else {
+    ++report_.verdicts[static_cast<std::size_t>(verdict)];
+    if (options_.truth) {
+      hold_against_truth(*options_.truth, design_, operands_, tdata, *report_.truth, group);
+    }
+  }
+  if (options_.on_result && is_reported(tdata)) {
+    options_.on_result({pair_of(set, i, j), verdict, recomputed, undecided});
+  }
+}
+
+void PairwiseJudge::add_mismatch(const SetRange& set, std::uint64_t i, std::uint64_t j,
+                                 std::uint32_t expected, const wire::Report* got) {
+  ++report_.mismatch_count;
+  ++report_.groups[group_of_lane_[lane_of(i)]].mismatches;
+  if (report_.mismatches.size() >= VerifyReport::kept) return;
+  Mismatch mismatch = describe_comparison(design_, comparisons_, pair_of(set, i, j));
+  mismatch.expected = describe_tdata(expected) + (is_reported(expected) ? "" : ", not reported");
+  mismatch.got = got == nullptr ? std::string("not reported")
+                                : describe_tdata(static_cast<std::uint32_t>(got->tuser));
+  mismatch.lane = static_cast<std::uint32_t>(lane_of(i));
+  mismatch.cycle = got == nullptr ? 0 : got->cycle;
+  report_.mismatches.push_back(std::move(mismatch));
+}
+
+void PairwiseJudge::add_violation(std::string fault, std::uint64_t cycle, std::string details) {
+  ++report_.violation_count;
+  if (report_.violations.size() >= VerifyReport::kept) return;
+  report_.violations.push_back({std::move(fault), 0, cycle, std::move(details)});
+}
+
+}  // namespace mixcmp::tb

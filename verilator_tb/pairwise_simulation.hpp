@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "verilator_tb/harness/pairwise_protocol.hpp"
+#include "verilator_tb/system_simulation.hpp"
+
+namespace mixcmp::tb {
+
+/// One set for a pairwise engine.
+struct ItemSet {
+  std::uint64_t items = 0;
+  std::vector<std::uint8_t> bytes;  ///< of all of them
+  std::uint64_t reset_after = 0;    ///< not 0: reset in that cycle of the set
+  bool last = false;
+};
+
+/// What came of it.
+struct SetAnswer {
+  wire::SetResponse response = {};
+  std::vector<wire::Report> reports;
+  std::vector<wire::Violation> violations;
+  std::vector<wire::LaneEnd> lanes;
+};
+
+/// A verilated pairwise engine at work in its own process.
+class PairwiseSimulation {
+public:
+  static model::Result<PairwiseSimulation> start(const Executable& executable,
+                                                 const SimulationOptions& options);
+
+  /// Sends a set and waits until its closing beat, or the reset.
+  model::Result<SetAnswer> exchange(const ItemSet& set, int lanes);
+
+private:
+  explicit PairwiseSimulation(SimulatorProcess process) : process_(std::move(process)) {}
+
+  bool send(const ItemSet& set);
+  bool receive(SetAnswer& answer, std::size_t lanes);
+
+  SimulatorProcess process_;
+};
+
+}  // namespace mixcmp::tb
