@@ -193,7 +193,10 @@ model::Result<VerifyReport> verify(const model::Design& design,
                                    const fs::path& generated_dir, const VerifyOptions& options) {
   MIXCMP_TRY(system, load_system(generated_dir));
   MIXCMP_TRY(checked, check_signature(system, design));
-  if (system.signature.engine) return verify_pairwise(system, design, comparisons, options);
+  switch (design.system.engine.kind) {
+    case model::EngineKind::none: break;
+    case model::EngineKind::pairwise: return verify_pairwise(system, design, comparisons, options);
+  }
   const Selection selection(comparisons.size(), options.selection);
   if (selection.size() == 0) {
     return model::Error{

@@ -34,10 +34,7 @@ std::optional<EngineShape> engine_shape(const SystemShape& system,
                                         const std::vector<std::string>& inputs,
                                         const model::EngineSpec& spec);
 
-/// The template that makes the comparisons, unconnected.
-TemplateInstance engine_template(const EngineShape& engine, const SystemShape& system);
-
-/// The whole: items in, reports out, the system between.
+/// The whole: the engine around the system. Each kind has a file of its own.
 rtl::Module engine_module(const EngineShape& engine, const SystemShape& system);
 
 }  // namespace mixcmp::gen

@@ -38,7 +38,7 @@ model::Design design_of(const std::string& f, const std::string& g) {
   const std::vector<bool> any_sign(graph.inputs().size(), false);
   return {.name = "comparison",
           .inputs = graph.inputs(),
-          .lanes = {{.lane = relative_lane(std::move(lane), any_sign).value(), .count = 1}},
+          .lanes = {{.lane = test::relative_lane(std::move(lane), any_sign).value(), .count = 1}},
           .reference = model::reference_graph(graph, {format("s24e8")}),
           .references = {{.count = 1}},
           .system = {}};

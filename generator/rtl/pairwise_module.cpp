@@ -1,0 +1,257 @@
+#include "generator/rtl/pairwise_module.hpp"
+
+#include <algorithm>
+
+#include "generator/rtl/connections.hpp"
+#include "generator/rtl/net_names.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using namespace rtl;
+
+constexpr int result_bits = 8;
+const std::vector<std::string> lane_counters = {"comparisons", "recomputations", "stalls"};
+const std::vector<std::string> engine_counters = {"reports", "busy_cycles", "stalled_cycles"};
+
+std::vector<Port> pairwise_ports(const EngineShape& engine, const SystemShape& system) {
+  std::vector<Port> ports;
+  add_input(ports, 1, "aclk");
+  add_input(ports, 1, "aresetn");
+  add_input(ports, 1, "s_axis_tvalid");
+  add_output(ports, 1, "s_axis_tready");
+  add_input(ports, engine.item_bytes() * 8, "s_axis_tdata");
+  add_input(ports, 1, "s_axis_tlast");
+  add_output(ports, 1, "m_axis_tvalid");
+  add_input(ports, 1, "m_axis_tready");
+  add_output(ports, 2 * engine.index_field_bits(), "m_axis_tdata");
+  add_output(ports, result_bits, "m_axis_tuser");
+  add_output(ports, 1, "m_axis_tlast");
+  if (system.counter_bits == 0) return ports;
+  for (const std::string& counter : lane_counters) {
+    add_output(ports, system.lanes * system.counter_bits, counter, true);
+  }
+  for (const std::string& counter : engine_counters) {
+    add_output(ports, system.counter_bits, counter);
+  }
+  return ports;
+}
+
+/// Columns that only one of the two items lends to the comparison.
+std::vector<Operand> unused_columns(const EngineShape& engine) {
+  std::vector<Operand> unused;
+  for (std::size_t column = 0; column < engine.columns.size(); ++column) {
+    for (const bool second : {false, true}) {
+      const bool used = std::any_of(engine.sources.begin(), engine.sources.end(),
+                                    [&](const EngineShape::Source& source) {
+                                      return source.column == column && source.second == second;
+                                    });
+      const int low = static_cast<int>(column) * engine.column_width;
+      if (!used) {
+        unused.push_back(slice(second ? "item_j" : "item_i", low + engine.column_width - 1, low));
+      }
+    }
+  }
+  return unused;
+}
+
+/// The operands of a pair, from its two items: `pair` to `target`.
+void map_operands(const EngineShape& engine, const SystemShape& system, const Operand& pair,
+                  const Operand& target, std::vector<Item>& items) {
+  const int bits = engine.item_bits();
+  items.push_back(Wire{2 * bits, "pair", pair});
+  items.push_back(Wire{bits, "item_i", slice("pair", bits - 1, 0)});
+  items.push_back(Wire{bits, "item_j", slice("pair", 2 * bits - 1, bits)});
+  NamePool names({"pair", "item_i", "item_j", "unused_columns"});
+  std::vector<Operand> operands;
+  for (std::size_t k = 0; k < engine.sources.size(); ++k) {
+    const EngineShape::Source& source = engine.sources[k];
+    const int low = static_cast<int>(source.column) * engine.column_width;
+    const std::string name = names.unique("operand_" + system.input_ports[k]);
+    items.push_back(
+        Wire{engine.column_width, name,
+             slice(source.second ? "item_j" : "item_i", low + engine.column_width - 1, low)});
+    operands.insert(operands.begin(), net(name));
+  }
+  const int padding = system.tdata_bytes() * 8 - system.operand_bits();
+  if (padding > 0) operands.insert(operands.begin(), literal(padding, 0));
+  items.push_back(Assignment{target, concatenation(std::move(operands))});
+  std::vector<Operand> unused = unused_columns(engine);
+  if (unused.empty()) return;
+  unused.insert(unused.begin(), literal(1, 0));
+  items.push_back(Wire{1, "unused_columns", all_bits(concatenation(std::move(unused)))});
+}
+
+std::shared_ptr<const ForGenerate> loop(const std::string& variable, int count,
+                                        const std::string& label, std::vector<Item> items) {
+  return std::make_shared<const ForGenerate>(
+      ForGenerate{variable, 0, count, label, std::move(items)});
+}
+
+void declare_lane_streams(const EngineShape& engine, const SystemShape& system,
+                          std::vector<Item>& items) {
+  const int lanes = system.lanes;
+  items.push_back(Comment{"Pairs from the engine, their operands to the lanes, results back."});
+  for (const auto& [width, name] :
+       std::vector<std::pair<int, std::string>>{{1, "pair_tvalid"},
+                                                {1, "pair_tready"},
+                                                {2 * engine.item_bits(), "pair_items"},
+                                                {system.tag_bits, "pair_tag"},
+                                                {system.tdata_bytes() * 8, "operands"},
+                                                {1, "result_tvalid"},
+                                                {1, "result_tready"},
+                                                {result_bits, "result_tdata"},
+                                                {system.tag_bits, "result_tag"}}) {
+    items.push_back(Wire{lanes * width, name, nullptr, true});
+  }
+  std::vector<Item> mapping;
+  map_operands(engine, system, indexed("pair_items", "lane", 2 * engine.item_bits()),
+               indexed("operands", "lane", system.tdata_bytes() * 8), mapping);
+  items.push_back(loop("lane", lanes, "lane_operands", std::move(mapping)));
+}
+
+void declare_refetch_streams(const EngineShape& engine, const SystemShape& system,
+                             std::vector<Item>& items) {
+  const int references = system.references;
+  items.push_back(Comment{"Tags from the references, the operands they name back."});
+  for (const auto& [width, name] :
+       std::vector<std::pair<int, std::string>>{{1, "refetch_tvalid"},
+                                                {1, "refetch_tready"},
+                                                {system.refetch_bits(), "refetch_tdata"},
+                                                {system.tag_bits, "refetch_tag"},
+                                                {1, "answer_tvalid"},
+                                                {1, "answer_tready"},
+                                                {system.tdata_bytes() * 8, "answer_operands"}}) {
+    items.push_back(Wire{references * width, name, nullptr, true});
+  }
+  items.push_back(Wire{2 * engine.item_bits(), "answer_items", nullptr});
+  std::vector<Item> mapping;
+  mapping.push_back(Wire{system.refetch_bits(), "padded_tag",
+                         indexed("refetch_tdata", "reference", system.refetch_bits())});
+  if (system.refetch_bits() > system.tag_bits) {
+    mapping.push_back(Wire{
+        1, "unused_padding",
+        all_bits(concatenation(
+            {literal(1, 0), slice("padded_tag", system.refetch_bits() - 1, system.tag_bits)}))});
+  }
+  mapping.push_back(Assignment{indexed("refetch_tag", "reference", system.tag_bits),
+                               slice("padded_tag", system.tag_bits - 1, 0)});
+  map_operands(engine, system, net("answer_items"),
+               indexed("answer_operands", "reference", system.tdata_bytes() * 8), mapping);
+  items.push_back(loop("reference", references, "reference_operands", std::move(mapping)));
+}
+
+/// The engine's side of the references, or of none.
+void connect_refetch(const EngineShape& engine, const SystemShape& system, std::vector<Item>& items,
+                     std::vector<Connection>& connections) {
+  if (system.recomputes()) {
+    for (const auto& [port, name] :
+         std::vector<std::pair<std::string, std::string>>{{"s_refetch_tvalid", "refetch_tvalid"},
+                                                          {"s_refetch_tready", "refetch_tready"},
+                                                          {"s_refetch_tdata", "refetch_tag"},
+                                                          {"m_answer_tvalid", "answer_tvalid"},
+                                                          {"m_answer_tready", "answer_tready"},
+                                                          {"m_answer_tdata", "answer_items"}}) {
+      connections.push_back({port, net(name)});
+    }
+    return;
+  }
+  items.push_back(Comment{"No reference: nothing is fetched again."});
+  items.push_back(Wire{1, "unused_refetch_tready", nullptr});
+  items.push_back(Wire{1, "unused_answer_tvalid", nullptr});
+  items.push_back(Wire{2 * engine.item_bits(), "unused_answer_tdata", nullptr});
+  connections.push_back({"s_refetch_tvalid", literal(1, 0)});
+  connections.push_back({"s_refetch_tready", net("unused_refetch_tready")});
+  connections.push_back({"s_refetch_tdata", zeros(system.tag_bits)});
+  connections.push_back({"m_answer_tvalid", net("unused_answer_tvalid")});
+  connections.push_back({"m_answer_tready", literal(1, 0)});
+  connections.push_back({"m_answer_tdata", net("unused_answer_tdata")});
+}
+
+Instance pairwise_instance(const EngineShape& engine, const SystemShape& system,
+                           std::vector<Item>& items) {
+  std::vector<Connection> connections = clock_and_reset();
+  append(connections, {"s_axis_tvalid", "s_axis_tready"});
+  connections.push_back({"s_axis_tdata", slice("s_axis_tdata", engine.item_bits() - 1, 0)});
+  append(connections, {"s_axis_tlast", "pair_tvalid", "pair_tready", "pair_items", "pair_tag",
+                       "result_tvalid", "result_tready", "result_tdata", "result_tag"});
+  connect_refetch(engine, system, items, connections);
+  append(connections,
+         {"m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser", "m_axis_tlast"});
+  for (const std::string& counter : engine_counters) {
+    if (system.counter_bits > 0) {
+      connections.push_back(same(counter));
+    } else {
+      items.push_back(Wire{1, "unused_" + counter, nullptr});
+      connections.push_back({counter, net("unused_" + counter)});
+    }
+  }
+  TemplateInstance around = pairwise_template(engine, system);
+  return {around.module, "engine", std::move(around.parameters), std::move(connections)};
+}
+
+Instance system_instance(const SystemShape& system) {
+  std::vector<Connection> connections = clock_and_reset();
+  for (const auto& [port, name] :
+       std::vector<std::pair<std::string, std::string>>{{"s_axis_tvalid", "pair_tvalid"},
+                                                        {"s_axis_tready", "pair_tready"},
+                                                        {"s_axis_tdata", "operands"},
+                                                        {"s_axis_tuser", "pair_tag"},
+                                                        {"m_axis_tvalid", "result_tvalid"},
+                                                        {"m_axis_tready", "result_tready"},
+                                                        {"m_axis_tdata", "result_tdata"},
+                                                        {"m_axis_tuser", "result_tag"}}) {
+    connections.push_back({port, net(name)});
+  }
+  if (system.refetches()) {
+    for (const char* part : {"tvalid", "tready", "tdata"}) {
+      connections.push_back(
+          {std::string("m_refetch_") + part, net(std::string("refetch_") + part)});
+    }
+    connections.push_back({"s_refetch_tvalid", net("answer_tvalid")});
+    connections.push_back({"s_refetch_tready", net("answer_tready")});
+    connections.push_back({"s_refetch_tdata", net("answer_operands")});
+  }
+  if (system.counter_bits > 0) append(connections, lane_counters);
+  return {system.top, "system", {}, std::move(connections)};
+}
+
+long long report_mask(const model::EngineSpec& spec) {
+  long long mask = 0;
+  for (std::size_t k = 0; k < spec.report.size(); ++k) mask |= (spec.report[k] ? 1LL : 0LL) << k;
+  return mask;
+}
+
+}  // namespace
+
+TemplateInstance pairwise_template(const EngineShape& engine, const SystemShape& system) {
+  return {"pairwise_engine",
+          {{"LANES", system.lanes},
+           {"REFERENCES", system.references},
+           {"CAPACITY", engine.spec.capacity},
+           {"ITEM_BITS", engine.item_bits()},
+           {"INDEX_BITS", engine.spec.index_bits()},
+           {"SLOT_BITS", system.slot_bits},
+           {"REPORT", report_mask(engine.spec)},
+           {"COUNTER_BITS", system.counter_bits}}};
+}
+
+Module pairwise_module(const EngineShape& engine, const SystemShape& system) {
+  Module module = {engine.top, {}, pairwise_ports(engine, system), {}};
+  std::vector<Item>& items = module.items;
+  declare_lane_streams(engine, system, items);
+  if (system.refetches()) declare_refetch_streams(engine, system, items);
+  const int padding = engine.item_bytes() * 8 - engine.item_bits();
+  if (padding > 0) {
+    const int top = engine.item_bytes() * 8 - 1;
+    items.push_back(Wire{
+        1, "unused_padding",
+        all_bits(concatenation({literal(1, 0), slice("s_axis_tdata", top, top - padding + 1)}))});
+  }
+  Instance around = pairwise_instance(engine, system, items);
+  items.push_back(std::move(around));
+  items.push_back(system_instance(system));
+  return module;
+}
+
+}  // namespace mixcmp::gen
