@@ -29,7 +29,7 @@ model::Design spheres(int lanes, int references) {
   return with_pairs(sphere_design(format("s6e8"), format("s24e8"), lanes, references));
 }
 
-model::Comparisons random_spheres(const model::Design& design, std::int64_t count) {
+model::Comparisons random_spheres(const model::Design& design, std::uint64_t count) {
   const model::Table table = model::uniform_spheres(
       {.count = count, .side = 100, .radius_max = 30, .seed = 3}, design.reference.input_format);
   return model::Comparisons::all_pairs(table, design.inputs).value();

@@ -70,15 +70,15 @@ TEST_F(EngineSection, MistakesAreToldInOneLine) {
   EXPECT_EQ(error("[engine]\ncapacity = 7\n"),
             ":7: engine.kind: missing: received nothing; accepted a key kind");
   EXPECT_EQ(error("[engine]\nkind = \"pairs\"\n"),
-            ":8: engine.kind: not a choice: received \"pairs\"; accepted pairwise (the nearest), "
-            "none");
+            ":8: engine.kind: not a choice: received \"pairs\"; accepted none, "
+            "pairwise");
   EXPECT_EQ(error(engine + "capacity = 1\n"),
             ":9: engine.capacity: out of range: received 1; accepted an integer 2..65536");
   const std::string list = "; accepted a list of one or more of less, equal, greater, unordered";
   EXPECT_EQ(error(engine + "report = \"less\"\n"),
             ":9: engine.report: no list of choices: received \"less\"" + list);
   EXPECT_EQ(error(engine + "report = []\n"),
-            ":9: engine.report: no list of choices: received []" + list);
+            ":9: engine.report: no list of choices: received an array of 0" + list);
   EXPECT_EQ(error(engine + "report = [\"les\"]\n"),
             ":9: engine.report: not a choice: received \"les\"" + list);
   EXPECT_EQ(error(engine + "report = [\"less\", \"less\"]\n"),
