@@ -33,6 +33,10 @@ std::string command_of(const OptimiseCommand& command) {
   return command.rates.empty() ? line : line + " --rates " + quoted(command.rates.string());
 }
 
+std::string name_of(const model::Scene& scene) {
+  return scene.variant.empty() ? "[comparison]" : "variant " + scene.variant;
+}
+
 /// The best plans of one way to put the comparison.
 struct Candidate {
   Planning known;
@@ -41,9 +45,7 @@ struct Candidate {
   double throughput_per_s() const {
     return found.best() == nullptr ? 0 : found.best()->throughput_per_s();
   }
-  std::string name() const {
-    return known.scene.variant.empty() ? "[comparison]" : known.scene.variant;
-  }
+  std::string name() const { return name_of(known.scene); }
 };
 
 /// The scene as it is and, where it names no variant, its variants: a table and rates given by hand
@@ -59,21 +61,34 @@ std::vector<LoadedScene> formulations_of(const OptimiseCommand& command,
   return {loaded};
 }
 
-/// Nothing where a variant has no table: the note says which command makes it.
-std::optional<Candidate> find_plans(const OptimiseCommand& command, const LoadedScene& loaded) {
+model::Result<Candidate> find_plans(const OptimiseCommand& command, const LoadedScene& loaded) {
   const PlanningOptions& planning = command.planning;
   const model::Comparisons* data = loaded.data ? &*loaded.data : nullptr;
-  model::Result<Planning> known = load_planning(planning, loaded.scene, data);
-  if (!known.ok() && !loaded.scene.variant.empty() && planning.table.empty() &&
-      !fs::exists(table_of(planning, loaded.scene))) {
-    fmt::print(stderr, "mixcmp: note: variant {} left out: {}\n", loaded.scene.variant,
-               known.error().to_string());
-    return std::nullopt;
+  MIXCMP_TRY(known, load_planning(planning, loaded.scene, data));
+  MIXCMP_TRY(found, optimise(known.scene, known.device, known.table, rates_for(command, loaded),
+                             planning.choice));
+  return Candidate{std::move(known), std::move(found)};
+}
+
+/// Of several formulations those that cannot be planned are left out with a note that says why,
+/// unless none can.
+std::vector<Candidate> find_candidates(const OptimiseCommand& command,
+                                       const std::vector<LoadedScene>& formulations) {
+  std::vector<Candidate> candidates;
+  std::vector<std::pair<std::string, model::Error>> left_out;
+  for (const LoadedScene& formulation : formulations) {
+    model::Result<Candidate> candidate = find_plans(command, formulation);
+    if (candidate.ok()) {
+      candidates.push_back(std::move(candidate).value());
+    } else {
+      left_out.emplace_back(name_of(formulation.scene), candidate.error());
+    }
   }
-  Planning planned = value_or_exit(std::move(known));
-  model::Optimisation found = value_or_exit(optimise(planned.scene, planned.device, planned.table,
-                                                     rates_for(command, loaded), planning.choice));
-  return Candidate{std::move(planned), std::move(found)};
+  if (candidates.empty()) value_or_exit<model::Done>(left_out.front().second);
+  for (const auto& [name, error] : left_out) {
+    fmt::print(stderr, "mixcmp: note: {} left out: {}\n", name, error.to_string());
+  }
+  return candidates;
 }
 
 void write_files(const OptimiseCommand& command, const Candidate& chosen) {
@@ -98,21 +113,31 @@ std::string compare_variants(const std::vector<Candidate>& candidates, std::size
   std::string text = "formulations, the best plan of each\n";
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const model::PlanSummary s = summary_of(candidates[k].found);
-    text += fmt::format(
-        "{} {:<18} L = {:>2}, {:>3} x {}: {:8.2f} G/s; the chosen is {:.2f} times as fast\n",
-        k == chosen ? '*' : ' ', candidates[k].name(), s.precision, s.lanes, s.references,
-        s.throughput_per_s / 1e9, candidates[chosen].throughput_per_s() / s.throughput_per_s);
+    text += fmt::format("{} {:<22} ", k == chosen ? '*' : ' ', candidates[k].name());
+    if (s.throughput_per_s == 0) {
+      text += "no feasible plan\n";
+      continue;
+    }
+    text += fmt::format("L = {:>2}, {:>3} x {}: {:8.2f} G/s; the chosen is {:.2f} times as fast\n",
+                        s.precision, s.lanes, s.references, s.throughput_per_s / 1e9,
+                        candidates[chosen].throughput_per_s() / s.throughput_per_s);
   }
   return text + "\n";
 }
 
+/// The variant's name; null: [comparison]'s own.
+nlohmann::ordered_json json_name(const Candidate& candidate) {
+  const std::string& variant = candidate.known.scene.variant;
+  return variant.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(variant);
+}
+
 nlohmann::ordered_json to_json(const std::vector<Candidate>& candidates, std::size_t chosen) {
   nlohmann::ordered_json json = to_json(candidates[chosen].found);
-  if (candidates.size() < 2) return json;
-  json["formulation"] = candidates[chosen].name();
+  if (candidates[chosen].known.scene.variants.empty()) return json;
+  json["variant"] = json_name(candidates[chosen]);
   for (const Candidate& candidate : candidates) {
     json["formulations"].push_back(
-        {{"name", candidate.name()}, {"throughput_per_s", candidate.throughput_per_s()}});
+        {{"variant", json_name(candidate)}, {"throughput_per_s", candidate.throughput_per_s()}});
   }
   return json;
 }
@@ -125,10 +150,7 @@ void run(OptimiseCommand& command) {
   const std::vector<LoadedScene> formulations = formulations_of(command, loaded);
   for (const LoadedScene& each : formulations) inputs.push_back(table_of(planning, each.scene));
   value_or_exit(check_outputs({command.plan, command.csv, command.lp}, inputs));
-  std::vector<Candidate> candidates;
-  for (const LoadedScene& each : formulations) {
-    if (auto candidate = find_plans(command, each)) candidates.push_back(std::move(*candidate));
-  }
+  const std::vector<Candidate> candidates = find_candidates(command, formulations);
   const auto best = std::max_element(candidates.begin(), candidates.end(),
                                      [](const Candidate& a, const Candidate& b) {
                                        return a.throughput_per_s() < b.throughput_per_s();

@@ -52,7 +52,10 @@ Result<std::string> read_name(const Setting& table, const std::vector<Formulatio
 
 /// [comparison] keeps what the variant does not say, and its name.
 Result<Formulation> lay_over(const Setting& table, std::string name, const Settings& base) {
-  Formulation formulation{.variant = std::move(name), .settings = base};
+  Formulation formulation{.variant = std::move(name),
+                          .settings = base,
+                          .file = file_of(table),
+                          .line = table.line};
   Setting::Table* comparison = table_of(formulation.settings.root, "comparison");
   if (comparison == nullptr) return formulation;  // read_comparison tells
   bool says_something = false;
@@ -72,6 +75,10 @@ Result<std::size_t> chosen_one(const Settings& settings, const std::vector<Formu
   if (key == nullptr) return std::size_t{0};
   std::string name;
   section.text("variant", name);
+  if (!std::holds_alternative<std::string>(key->value)) {
+    return section.mistake("variant", "wrong type", key->shown(), "a variant's name");
+  }
+  if (name.empty()) return std::size_t{0};
   std::vector<std::string> names;
   for (std::size_t k = 1; k < all.size(); ++k) {
     if (all[k].variant == name) return k;
@@ -83,6 +90,15 @@ Result<std::size_t> chosen_one(const Settings& settings, const std::vector<Formu
 }
 
 }  // namespace
+
+Error Formulation::name_mistake(std::string message, std::string received) const {
+  return {.file = file,
+          .line = line,
+          .field = "variant.name",
+          .message = std::move(message),
+          .received = std::move(received),
+          .accepted = std::string(accepted_names())};
+}
 
 Result<Formulations> read_formulations(const Settings& settings) {
   Formulations formulations;

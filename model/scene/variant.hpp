@@ -12,6 +12,11 @@ namespace mixcmp::model {
 struct Formulation {
   std::string variant;  ///< empty: as [comparison] has it
   Settings settings;
+  /// A mistake of the variant's name.
+  Error name_mistake(std::string message, std::string received) const;
+
+  std::string file = {};  ///< of the variant's table
+  int line = 0;
 };
 
 struct Formulations {

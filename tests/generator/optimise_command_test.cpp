@@ -131,17 +131,33 @@ TEST_F(OptimiseCommand, TheBestVariantIsChosenAndThePlanNamesIt) {
   const Outcome found = mixcmp("optimise scene.toml --last 8 --json -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const auto report = json_of(found);
-  EXPECT_EQ(report.at("formulation"), "root");
+  EXPECT_EQ(report.at("variant"), "root");
   EXPECT_GT(report.at("formulations")[1].at("throughput_per_s"),
             report.at("formulations")[0].at("throughput_per_s"));
   const Outcome text = mixcmp("optimise scene.toml --last 8");
-  EXPECT_NE(text.output.find("* root"), std::string::npos) << text.output;
+  EXPECT_NE(text.output.find("* variant root"), std::string::npos) << text.output;
   const Outcome checked = mixcmp("check plan.toml --json");
   ASSERT_EQ(checked.exit_code, 0) << checked.output;
   EXPECT_EQ(nlohmann::json::parse(checked.output).at("name"), "spheres_root");
   EXPECT_EQ(json_of(mixcmp("optimise scene.toml --last 8 --json --set comparison.variant=root"))
                 .at("best"),
             8);
+}
+
+TEST_F(OptimiseCommand, AVariantThatCannotBePlannedIsLeftOutUnlessItIsAsked) {
+  std::ofstream(directory_.path() / "scene.toml", std::ios::app)
+      << "[[variant]]\nname = \"root\"\ng = \"ri + rj\"\n"
+      << "f = \"sqrt((cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2)\"\n";
+  expect_refused("optimise scene.toml --variant root", "characterise scene.toml --variant root");
+  // A table without a lane of the precisions asked for.
+  write_table("scene-root-virtex6-lx760.csv", "virtex6-lx760", "spheres_root");
+  expect_refused("optimise scene.toml --variant root --first 20 --last 30", "no lane");
+  // Only the variant has a table.
+  fs::remove(directory_.path() / "characterisation" / "scene-virtex6-lx760.csv");
+  const Outcome found = mixcmp("optimise scene.toml --last 8");
+  EXPECT_EQ(found.exit_code, 0) << found.output;
+  EXPECT_NE(found.output.find("[comparison] left out"), std::string::npos) << found.output;
+  EXPECT_NE(found.output.find("spheres_root on"), std::string::npos) << found.output;
 }
 
 TEST_F(OptimiseCommand, MistakesAreTold) {
