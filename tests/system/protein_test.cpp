@@ -52,9 +52,8 @@ Pairs pairs_in(const fs::path& csv) {
   return pairs;
 }
 
-TEST(Protein, CollidingPairsOfTheSimulatedSystemAreTheTrueOnes) {
-  const fs::path scene = fs::path(MIXCMP_SOURCE_DIR) / "examples/protein_clash/scene.toml";
-  const fs::path work = test_work_dir("protein");
+/// `work`: a folder of the test's own.
+void expect_true_pairs(const fs::path& scene, const fs::path& work) {
   fs::create_directories(work);
   const fs::path csv = work / "pairs.csv";
   const std::string command = std::string(MIXCMP_PROGRAM) + " verify " + scene.string() +
@@ -65,6 +64,17 @@ TEST(Protein, CollidingPairsOfTheSimulatedSystemAreTheTrueOnes) {
   const Pairs colliding = pairs_in(csv);
   EXPECT_GT(colliding.size(), 644u);
   EXPECT_EQ(colliding, truly_colliding(scene));
+}
+
+TEST(Protein, CollidingPairsOfTheSimulatedSystemAreTheTrueOnes) {
+  expect_true_pairs(fs::path(MIXCMP_SOURCE_DIR) / "examples/protein_clash/scene.toml",
+                    test_work_dir("protein"));
+}
+
+/// The same out of the atoms alone, loaded once.
+TEST(Protein, ReportsOfThePairwiseEngineAreTheTrueOnes) {
+  expect_true_pairs(fs::path(MIXCMP_SOURCE_DIR) / "examples/pairwise_engine/protein.toml",
+                    test_work_dir("protein_pairwise"));
 }
 
 }  // namespace

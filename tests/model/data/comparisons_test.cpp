@@ -39,6 +39,7 @@ TEST(PairItems, EnumerateEveryPairOfSmallSetsInOrder) {
     for (std::uint64_t i = 0; i < count; ++i) {
       for (std::uint64_t j = i + 1; j < count; ++j, ++index) {
         ASSERT_EQ(pair_items(index, count), std::pair(i, j)) << index << " of " << count;
+        ASSERT_EQ(pair_index(i, j, count), index) << i << ", " << j << " of " << count;
       }
     }
     ASSERT_EQ(index, pair_count(count));
