@@ -45,7 +45,7 @@ std::string groups_in(const model::Design& design) {
   std::string groups;
   for (const model::LaneGroup& group : design.lanes) {
     groups += fmt::format("{}{} in {}", groups.empty() ? "" : ", ", group.count,
-                          group.lane.graph.arithmetic.format.name());
+                          group.lane.arithmetic().format.name());
   }
   return groups;
 }
@@ -60,7 +60,7 @@ model::Result<model::Done> check_signature(const System& system, const model::De
                         .received = there,
                         .accepted = here};
   };
-  const std::string format = design.reference.input_format.name();
+  const std::string format = design.reference.input_format().name();
   const auto lanes = std::to_string(design.lane_count());
   if (std::to_string(s.lanes) != lanes) return differs("lanes", std::to_string(s.lanes), lanes);
   if (groups_in(s) != groups_in(design)) {

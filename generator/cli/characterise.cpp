@@ -34,8 +34,8 @@ std::vector<std::pair<std::string, std::string>> spec_of(const model::Scene& sce
   const model::ReducedSpec& reduced = scene.reduced;
   const model::SystemSpec& system = scene.system;
   return {
-      {"f", scene.f_text},
-      {"g", scene.g_text},
+      {"f", scene.f_text()},
+      {"g", scene.g_text()},
       {"reference",
        fmt::format("{}, {}", scene.reference.format.name(), to_string(scene.reference.subnormals))},
       {"lanes", fmt::format("{}, {}", to_string(reduced.rounding), to_string(reduced.subnormals))},

@@ -9,20 +9,20 @@
 #include "generator/components/component_maker.hpp"
 #include "generator/components/lane_bound.hpp"
 #include "generator/components/synthesis_jobs.hpp"
-#include "model/error/certified_lane.hpp"
+#include "model/error/combined_lane.hpp"
 #include "model/profile/profile.hpp"
 
 namespace mixcmp::cli {
 namespace {
 
 using model::Area;
-using model::Lane;
+using model::CombinedLane;
 using model::ReducedSpec;
 using model::Result;
 using model::Scene;
 
 /// One lane alone on the scene's device.
-Result<Area> lane_area(const Scene& scene, const Lane& lane) {
+Result<Area> lane_area(const Scene& scene, const CombinedLane& lane) {
   MIXCMP_TRY(device, model::find_device(scene.system.device));
   MIXCMP_TRY(built,
              gen::lane_rtl(scene.graph.inputs(), lane, scene.reduced.multipliers, scene.system));
@@ -34,9 +34,9 @@ Result<Area> lane_area(const Scene& scene, const Lane& lane) {
 
 /// The same lane with every hazard built and no operand checked, except for signs.
 std::optional<Area> area_of_all_built(const Scene& scene, const gen::LaneBound& bound,
-                                      const Lane& lane) {
-  const auto all_built = certified_lane(
-      lane_graph(scene.graph, scene.reference.format, lane.graph.arithmetic, scene.reduced.inputs),
+                                      const CombinedLane& lane) {
+  const auto all_built = certified_lanes(
+      lane_graphs(scene.graph, scene.reference.format, lane.arithmetic(), scene.reduced.inputs),
       {.kind = bound.kind,
        .bound_digits = bound.digits,
        .ranges = scene.ranges,

@@ -30,7 +30,7 @@ model::Result<model::Scene> with_precision(const model::Scene& scene, int precis
 /// A lane to prove, or why there is none.
 struct Candidate {
   std::string name;
-  model::Result<model::Lane> lane;
+  model::Result<model::CombinedLane> lane;
 };
 
 std::string format_name(const model::ReducedSpec& reduced) {
@@ -58,9 +58,9 @@ std::vector<Candidate> candidates(model::Scene scene, const model::Comparisons* 
   return found;
 }
 
-ProvenLane prove_lane(const std::string& scene, const std::string& name, const model::Lane& lane,
-                      const ProveOptions& options) {
-  ProvenLane result{.format = lane.graph.arithmetic.format.name()};
+ProvenLane prove_lane(const std::string& scene, const std::string& name,
+                      const model::CombinedLane& lane, const ProveOptions& options) {
+  ProvenLane result{.format = lane.arithmetic().format.name()};
   const std::string stem = fmt::format("{}_{}", scene, name);
   result.directory =
       options.directory.empty() ? std::filesystem::path(stem + "_proof") : options.directory;
@@ -128,7 +128,7 @@ nlohmann::ordered_json to_json(const ProvenLane& lane) {
   return report;
 }
 
-QuickProof prove_quickly(const std::filesystem::path& scene, const model::Lane& lane) {
+QuickProof prove_quickly(const std::filesystem::path& scene, const model::CombinedLane& lane) {
   proof::QuickProver prover(quick_seconds);
   QuickProof quick{proof::prove_lane(lane, std::ref(prover), proof::Effort::operations),
                    prover.gappa().value_or("")};

@@ -41,6 +41,6 @@ struct QuickProof {
   model::proof::LaneProof proof;
   std::string gappa;
 };
-QuickProof prove_quickly(const std::filesystem::path& scene, const model::Lane& lane);
+QuickProof prove_quickly(const std::filesystem::path& scene, const model::CombinedLane& lane);
 
 }  // namespace mixcmp::cli

@@ -99,7 +99,7 @@ Error out_of_range(const std::string& field, int received, const std::string& ac
 
 }  // namespace
 
-Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const model::Lane& lane,
+Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const model::CombinedLane& lane,
                          Multipliers multipliers, const model::SystemSpec& system) {
   MIXCMP_TRY(delays, delays_of(system.device));
   const Schedule schedule = schedule_lane(lane, multipliers, delays, system.target_mhz);
@@ -137,7 +137,7 @@ Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
   }
   MIXCMP_TRY(lane, design_lane(scene_, reduced, nullptr));
   MIXCMP_TRY(built, lane_rtl(scene_.graph.inputs(), lane, multipliers, scene_.system));
-  return datapath(key, built.latency_cycles, built.module, lane.graph);
+  return datapath(key, built.latency_cycles, built.module, share(lane).graph);
 }
 
 Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
@@ -149,11 +149,11 @@ Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
   }
   MIXCMP_TRY(multipliers, multipliers_of(key));
   MIXCMP_TRY(delays, delays_of(scene_.system.device));
-  const model::TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
+  const model::CombinedGraph graph = reference_graphs(scene_.graph, scene_.reference);
   const Schedule schedule =
       schedule_reference(graph, multipliers, delays, scene_.system.target_mhz);
   const rtl::Module module = reference_module("reference", scene_.graph.inputs(), graph, schedule);
-  return datapath(key, schedule.latency_cycles, module, graph);
+  return datapath(key, schedule.latency_cycles, module, share(graph).graph);
 }
 
 SystemShape ComponentMaker::stream_shape() const {

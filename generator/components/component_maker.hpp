@@ -8,6 +8,7 @@
 #include "generator/rtl/system_modules.hpp"
 #include "model/characterise/synthesis.hpp"
 #include "model/data/comparisons.hpp"
+#include "model/error/combined_lane.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::gen {
@@ -26,8 +27,9 @@ struct LaneRtl {
   rtl::Module module;
 };
 /// An error where the device is unknown.
-model::Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const model::Lane& lane,
-                                model::Multipliers multipliers, const model::SystemSpec& system);
+model::Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs,
+                                const model::CombinedLane& lane, model::Multipliers multipliers,
+                                const model::SystemSpec& system);
 
 /// Writes the RTL of a scene's components, one at a time, by the keys of a table's rows.
 class ComponentMaker {

@@ -57,36 +57,76 @@ public:
     }
   }
 
-  void place_bounds(const model::AbsoluteBoundDecision& decision, FloatFormat lane) {
-    const model::BoundFormat format = decision.bound.format;
-    for (const model::BoundNode& node : decision.bound.nodes) {
-      if (node.operation == model::BoundOperation::constant) {
-        schedule_.bounds.push_back({});
-        continue;
+  /// One part of a lane.
+  void decide(const model::SharedPart& part, FloatFormat format) {
+    PartSchedule schedule;
+    int start = 0;
+    for (const std::size_t check : part.checks) {
+      start = std::max(start, schedule_.checks[check].ready_cycle);
+    }
+    if (const auto* interval = std::get_if<model::IntervalDecision>(&part.decision)) {
+      return decide(std::move(schedule), interval_decision_unit(format, delays_),
+                    {interval->minimum, interval->maximum}, start);
+    }
+    if (const auto* absolute = std::get_if<model::AbsoluteBoundDecision>(&part.decision)) {
+      place_bounds(*absolute, format, schedule);
+      for (const auto* beside : {&schedule.bounds, &schedule.conditions}) {
+        for (const Step& step : *beside) start = std::max(start, step.ready_cycle);
       }
-      const int start = node.value >= 0 ? schedule_.steps[node.value].ready_cycle
-                                        : latest(schedule_.bounds, operands_of(node));
-      schedule_.bounds.push_back(place(bound_unit(node.operation, lane, format, delays_), start));
+      return decide(std::move(schedule),
+                    bound_decision_unit(format, absolute->bound.format, delays_),
+                    {absolute->difference}, start);
     }
-    for (const model::BoundCondition& condition : decision.conditions) {
-      const int start = std::max(schedule_.bounds[condition.bound].ready_cycle,
-                                 schedule_.steps[condition.value].ready_cycle);
-      schedule_.conditions.push_back(place(bound_at_most_unit(format, delays_), start));
-    }
+    decide(std::move(schedule), ulp_distance_unit(format, delays_), {part.sides.f, part.sides.g},
+           start);
   }
 
-  /// Once these nodes and everything else that has been placed beside nodes is there.
-  Schedule decide(Unit decision, const std::vector<NodeId>& decided_from) {
-    int start = latest(schedule_.steps, decided_from);
-    for (const auto* beside : {&schedule_.checks, &schedule_.bounds, &schedule_.conditions}) {
-      for (const Step& step : *beside) start = std::max(start, step.ready_cycle);
+  /// One part of a reference.
+  void compare(const model::Sides& part, FloatFormat format) {
+    decide({}, compare_unit(format, delays_), {part.f, part.g}, 0);
+  }
+
+  Schedule finish() {
+    int ready = 0;
+    for (const PartSchedule& part : schedule_.parts) {
+      ready = std::max(ready, part.decision.ready_cycle);
     }
-    schedule_.decision = place(std::move(decision), start);
-    schedule_.latency_cycles = schedule_.decision.ready_cycle;
+    if (schedule_.parts.size() > 1) {
+      schedule_.combination = place(combination_unit(schedule_.parts.size(), delays_), ready);
+      ready = schedule_.combination.ready_cycle;
+    }
+    schedule_.latency_cycles = ready;
     return std::move(schedule_);
   }
 
 private:
+  void place_bounds(const model::AbsoluteBoundDecision& decision, FloatFormat lane,
+                    PartSchedule& schedule) {
+    const model::BoundFormat format = decision.bound.format;
+    for (const model::BoundNode& node : decision.bound.nodes) {
+      if (node.operation == model::BoundOperation::constant) {
+        schedule.bounds.push_back({});
+        continue;
+      }
+      const int start = node.value >= 0 ? schedule_.steps[node.value].ready_cycle
+                                        : latest(schedule.bounds, operands_of(node));
+      schedule.bounds.push_back(place(bound_unit(node.operation, lane, format, delays_), start));
+    }
+    for (const model::BoundCondition& condition : decision.conditions) {
+      const int start = std::max(schedule.bounds[condition.bound].ready_cycle,
+                                 schedule_.steps[condition.value].ready_cycle);
+      schedule.conditions.push_back(place(bound_at_most_unit(format, delays_), start));
+    }
+  }
+
+  /// Once these nodes are there, and not before cycle `start`.
+  void decide(PartSchedule schedule, Unit decision, const std::vector<NodeId>& decided_from,
+              int start) {
+    start = std::max(start, latest(schedule_.steps, decided_from));
+    schedule.decision = place(std::move(decision), start);
+    schedule_.parts.push_back(std::move(schedule));
+  }
+
   template <typename Node>
   static std::vector<int> operands_of(const Node& node) {
     return {node.operands.begin(), node.operands.begin() + model::arity(node.operation)};
@@ -149,31 +189,27 @@ private:
 
 }  // namespace
 
-Schedule schedule_lane(const model::Lane& lane, model::Multipliers multipliers,
+Schedule schedule_lane(const model::CombinedLane& lane, model::Multipliers multipliers,
                        const DelayTable& delays, double target_mhz) {
-  const TypedGraph& graph = lane.graph;
-  const FloatFormat format = graph.arithmetic.format;
+  const model::SharedLane shared = share(lane);
   Scheduler scheduler(delays, target_mhz);
-  scheduler.place_nodes(graph, multipliers);
-  scheduler.place_checks(lane.checks);
-  if (const auto* interval = std::get_if<model::IntervalDecision>(&lane.decision)) {
-    return scheduler.decide(interval_decision_unit(format, delays),
-                            {interval->minimum, interval->maximum});
+  scheduler.place_nodes(shared.graph, multipliers);
+  scheduler.place_checks(shared.checks);
+  for (const model::SharedPart& part : shared.parts) {
+    scheduler.decide(part, shared.graph.arithmetic.format);
   }
-  if (const auto* absolute = std::get_if<model::AbsoluteBoundDecision>(&lane.decision)) {
-    scheduler.place_bounds(*absolute, format);
-    return scheduler.decide(bound_decision_unit(format, absolute->bound.format, delays),
-                            {absolute->difference});
-  }
-  return scheduler.decide(ulp_distance_unit(format, delays), {graph.f, graph.g});
+  return scheduler.finish();
 }
 
-Schedule schedule_reference(const TypedGraph& reference, model::Multipliers multipliers,
+Schedule schedule_reference(const model::CombinedGraph& reference, model::Multipliers multipliers,
                             const DelayTable& delays, double target_mhz) {
+  const model::SharedGraph shared = share(reference);
   Scheduler scheduler(delays, target_mhz);
-  scheduler.place_nodes(reference, multipliers);
-  return scheduler.decide(compare_unit(reference.arithmetic.format, delays),
-                          {reference.f, reference.g});
+  scheduler.place_nodes(shared.graph, multipliers);
+  for (const model::Sides& part : shared.sides) {
+    scheduler.compare(part, shared.graph.arithmetic.format);
+  }
+  return scheduler.finish();
 }
 
 }  // namespace mixcmp::gen

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "generator/datapath/units.hpp"
-#include "model/error/lane.hpp"
+#include "model/error/combined_lane.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::gen {
@@ -18,24 +18,30 @@ struct Step {
   int ready_cycle = 0;     ///< the result is there
 };
 
+/// What turns f and g of one part into a verdict.
+struct PartSchedule {
+  std::vector<Step> bounds;      ///< one per node of a lane's absolute bound
+  std::vector<Step> conditions;  ///< one per condition of that bound
+  Step decision;
+};
+
 /// When each node of a graph is computed; every path is balanced by delays of
 /// start_cycle - (ready_cycle of the operand).
 struct Schedule {
-  std::vector<Step> steps;       ///< one per node of the graph
-  std::vector<Step> checks;      ///< one per range check of a lane; wires where it is a sign alone
-  std::vector<Step> bounds;      ///< one per node of a lane's absolute bound
-  std::vector<Step> conditions;  ///< one per condition of that bound
-  Step decision;                 ///< what turns f and g into a verdict
-  int latency_cycles = 0;        ///< from operands to verdict
+  std::vector<Step> steps;   ///< one per node of the graph that all parts share
+  std::vector<Step> checks;  ///< one per range check of a lane; wires where it is a sign alone
+  std::vector<PartSchedule> parts;
+  Step combination;        ///< of several parts' verdicts, once all are there; else nothing
+  int latency_cycles = 0;  ///< from operands to verdict
   /// Stages that no cut can bring under the period, as estimated from the delay table.
   std::vector<std::string> slow_stages;
 };
 
 /// As soon as possible, with as few registers in each unit as the period (before routing, by the
 /// delay table) allows; a unit's output is always registered. `target_mhz` > 0.
-Schedule schedule_lane(const model::Lane& lane, model::Multipliers multipliers,
+Schedule schedule_lane(const model::CombinedLane& lane, model::Multipliers multipliers,
                        const DelayTable& delays, double target_mhz);
-Schedule schedule_reference(const model::TypedGraph& reference, model::Multipliers multipliers,
+Schedule schedule_reference(const model::CombinedGraph& reference, model::Multipliers multipliers,
                             const DelayTable& delays, double target_mhz);
 
 }  // namespace mixcmp::gen

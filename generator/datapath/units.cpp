@@ -226,6 +226,12 @@ Unit interval_decision_unit(FloatFormat format, const DelayTable& delays) {
   return std::move(stages).unit("fp_interval_decision");
 }
 
+Unit combination_unit(std::size_t parts, const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add("combine", stages.luts(reduction_levels(3 * static_cast<int>(parts)) + 1));
+  return std::move(stages).unit("verdict_combination");
+}
+
 Unit bound_unit(BoundOperation operation, FloatFormat lane, BoundFormat bound,
                 const DelayTable& delays) {
   const StageList stages(delays);

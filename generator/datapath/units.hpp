@@ -51,6 +51,8 @@ Unit unit_for(const model::TypedNode& node, model::Subnormals subnormals,
 Unit compare_unit(model::FloatFormat format, const DelayTable& delays);
 Unit ulp_distance_unit(model::FloatFormat format, const DelayTable& delays);
 Unit interval_decision_unit(model::FloatFormat format, const DelayTable& delays);
+/// Of several parts' verdicts.
+Unit combination_unit(std::size_t parts, const DelayTable& delays);
 
 /// The unit of a node of a lane's error bound (not for a constant: that is a literal).
 Unit bound_unit(model::BoundOperation operation, model::FloatFormat lane, model::BoundFormat bound,

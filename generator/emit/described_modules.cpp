@@ -19,7 +19,22 @@ std::string arithmetic_fact(const model::Arithmetic& arithmetic) {
                      model::to_string(arithmetic.subnormals));
 }
 
-std::vector<std::string> decision_facts(const model::Lane& lane) {
+/// Of one part, of several: what they make together.
+std::string what_is_asked(const Design& design) {
+  const std::size_t parts = design.reference.parts.size();
+  if (parts == 1) return "the sign of f - g";
+  return fmt::format("the signs of f - g of {} of {} parts",
+                     to_string(design.reference.combination), parts);
+}
+
+std::string what_is_ordered(const Design& design) {
+  const std::size_t parts = design.reference.parts.size();
+  if (parts == 1) return "the ordering of f and g as computed";
+  return fmt::format("the orderings of f and g of {} of {} parts as computed",
+                     to_string(design.reference.combination), parts);
+}
+
+std::vector<std::string> decision_facts(const model::CombinedLane& lane) {
   const std::string decision = "Decision: " + describe_decision(lane) + ".";
   if (!lane.certified()) return {decision};
   return {decision, "Infinities, NaNs, overflow and underflow are left undecided."};
@@ -28,10 +43,11 @@ std::vector<std::string> decision_facts(const model::Lane& lane) {
 Described describe_lane(const Design& design, const std::string& name,
                         const model::LaneGroup& group, const Schedule& schedule) {
   Described lane = {lane_module(name, design.inputs, group.lane, schedule),
-                    {name + ": decides the sign of f - g in reduced precision, or says it cannot.",
-                     fmt::format("Operands: {}, {}.", design.reference.input_format.name(),
+                    {fmt::format("{}: decides {} in reduced precision, or says it cannot.", name,
+                                 what_is_asked(design)),
+                     fmt::format("Operands: {}, {}.", design.reference.input_format().name(),
                                  fmt::join(design.inputs, ", ")),
-                     arithmetic_fact(group.lane.graph.arithmetic)}};
+                     arithmetic_fact(group.lane.arithmetic())}};
   for (std::string& fact : decision_facts(group.lane)) lane.facts.push_back(std::move(fact));
   lane.facts.push_back(
       fmt::format("Latency {} cycles, initiation interval 1, no reset.", schedule.latency_cycles));
@@ -41,8 +57,8 @@ Described describe_lane(const Design& design, const std::string& name,
 Described describe_reference(const Design& design, const std::string& name,
                              const Schedule& schedule) {
   return {reference_module(name, design.inputs, design.reference, schedule),
-          {name + ": the ordering of f and g as computed in reference precision.",
-           arithmetic_fact(design.reference.arithmetic),
+          {fmt::format("{}: {} in reference precision.", name, what_is_ordered(design)),
+           arithmetic_fact(design.reference.arithmetic()),
            "A NaN operand or result makes the verdict unordered.",
            fmt::format("Latency {} cycles, initiation interval 1, no reset.",
                        schedule.latency_cycles)}};
@@ -69,10 +85,10 @@ Described describe_reference_channel(const SystemShape& shape, const DatapathGro
 
 /// One kind of each is told in a sentence, several in a line each.
 std::vector<std::string> count_facts(const Design& design, const SystemShape& shape) {
-  const std::string reference = design.reference.arithmetic.format.name();
+  const std::string reference = design.reference.arithmetic().format.name();
   if (design.lanes.size() == 1 && design.references.size() <= 1) {
     return {fmt::format("{}: p_L = {} in {}, p_H = {} in {}.", shape.top, shape.lanes,
-                        design.lanes.front().lane.graph.arithmetic.format.name(), shape.references,
+                        design.lanes.front().lane.arithmetic().format.name(), shape.references,
                         reference)};
   }
   std::vector<std::string> facts = {fmt::format("{}: p_L = {}, p_H = {} in {}.", shape.top,

@@ -79,7 +79,7 @@ void add_reference_groups(const model::Design& design, SystemPlan& plan) {
 std::string top_name(const model::Design& design) {
   std::vector<std::pair<std::string, int>> formats;
   for (const model::LaneGroup& group : design.lanes) {
-    const std::string format = group.lane.graph.arithmetic.format.name();
+    const std::string format = group.lane.arithmetic().format.name();
     const auto known = std::find_if(formats.begin(), formats.end(),
                                     [&](const auto& entry) { return entry.first == format; });
     if (known == formats.end()) {
@@ -124,7 +124,7 @@ model::Result<SystemPlan> plan_system(const model::Design& design) {
   SystemPlan plan{
       .lanes = {},
       .references = {},
-      .shape = stream_shape(design.inputs, design.reference.input_format, design.system),
+      .shape = stream_shape(design.inputs, design.reference.input_format(), design.system),
       .engine = {}};
   for (const model::LaneGroup& group : design.lanes) {
     plan.lanes.push_back(schedule_lane(group.lane, group.multipliers, delays, target_mhz));

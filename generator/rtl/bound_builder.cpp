@@ -19,13 +19,14 @@ bool reads_value(const BoundNode& node) {
 
 }  // namespace
 
-BoundBuilder::BoundBuilder(DatapathBuilder& datapath, const model::Lane& lane,
-                           const model::AbsoluteBoundDecision& decision, const Schedule& schedule)
+BoundBuilder::BoundBuilder(DatapathBuilder& datapath, const model::SharedLane& lane,
+                           const model::AbsoluteBoundDecision& decision,
+                           const PartSchedule& schedule, const std::string& suffix)
     : datapath_(datapath),
       lane_(lane),
       decision_(decision),
       schedule_(schedule),
-      names_(name_bounds(decision.bound, datapath.names(), datapath.pool())) {
+      names_(name_bounds(decision.bound, suffix, datapath.names(), datapath.pool())) {
   const model::FloatFormat format = lane.graph.arithmetic.format;
   MIXCMP_CHECK(decision.bound.format.exponent_bits == format.exponent_bits());
   MIXCMP_CHECK(decision.bound.format.precision <= format.precision());

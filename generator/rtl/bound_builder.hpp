@@ -4,16 +4,17 @@
 #include <vector>
 
 #include "generator/rtl/datapath_builder.hpp"
-#include "model/error/lane.hpp"
+#include "model/error/combined_lane.hpp"
 
 namespace mixcmp::gen {
 
-/// Adds a lane's absolute error bound to its datapath, once the nodes are built: a unit an
+/// Adds a part's absolute error bound to its datapath, once the nodes are built: a unit an
 /// operation of the bound graph, its operands balanced by the datapath's shared delays.
 class BoundBuilder {
 public:
-  BoundBuilder(DatapathBuilder& datapath, const model::Lane& lane,
-               const model::AbsoluteBoundDecision& decision, const Schedule& schedule);
+  BoundBuilder(DatapathBuilder& datapath, const model::SharedLane& lane,
+               const model::AbsoluteBoundDecision& decision, const PartSchedule& schedule,
+               const std::string& suffix);
 
   void build();
 
@@ -31,9 +32,9 @@ private:
   std::string describe(int id) const;
 
   DatapathBuilder& datapath_;
-  const model::Lane& lane_;
+  const model::SharedLane& lane_;
   const model::AbsoluteBoundDecision& decision_;
-  const Schedule& schedule_;
+  const PartSchedule& schedule_;
   std::vector<std::string> names_;
   std::vector<Signal> bounds_;
   std::vector<Signal> failures_;

@@ -34,6 +34,7 @@ void append_multiplier_parameters(const Unit& unit, std::vector<Parameter>& para
 }  // namespace
 
 DatapathBuilder::DatapathBuilder(const std::vector<std::string>& inputs, const TypedGraph& graph,
+                                 const std::vector<model::Sides>& parts,
                                  std::vector<model::Hazards> hazards, const Schedule& schedule,
                                  ExceptionalFlags exceptional, DelayPlan plan)
     : ports_(input_ports(inputs)),
@@ -41,7 +42,7 @@ DatapathBuilder::DatapathBuilder(const std::vector<std::string>& inputs, const T
       hazards_(std::move(hazards)),
       schedule_(schedule),
       pool_(taken_names(ports_)),
-      names_(name_nodes(graph, ports_, pool_)),
+      names_(name_nodes(graph, parts, ports_, pool_)),
       exceptional_(exceptional),
       plan_(std::move(plan)) {}
 

@@ -34,10 +34,11 @@ enum class ExceptionalFlags {
 /// first pass over the datapath (with an empty plan) learns the plan for the second.
 class DatapathBuilder {
 public:
-  /// `hazards`: of each operation, or empty where nothing is ruled out.
+  /// `parts`: which nodes are compared. `hazards`: of each operation, or empty where nothing is
+  /// ruled out.
   DatapathBuilder(const std::vector<std::string>& inputs, const model::TypedGraph& graph,
-                  std::vector<model::Hazards> hazards, const Schedule& schedule,
-                  ExceptionalFlags exceptional, DelayPlan plan);
+                  const std::vector<model::Sides>& parts, std::vector<model::Hazards> hazards,
+                  const Schedule& schedule, ExceptionalFlags exceptional, DelayPlan plan);
 
   /// aclk and the operands.
   std::vector<rtl::Port> data_ports() const;

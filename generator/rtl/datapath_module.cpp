@@ -19,136 +19,234 @@ std::vector<Parameter> format_parameters(FloatFormat format) {
   return {{"EXPONENT_BITS", format.exponent_bits()}, {"PRECISION", format.precision()}};
 }
 
-std::string decision_comment(const Step& step, std::string_view what) {
-  return fmt::format("Cycles {} to {}: {}", step.start_cycle, step.ready_cycle, what);
+/// The decision of one part: the module's own outputs where there is one part.
+struct PartDecision {
+  std::string instance;
+  Signal verdict;
+  Signal decided;  ///< of a reference: nothing
+};
+
+enum class Decides { sometimes, always };
+
+/// The comment and the nets of a part's decision.
+PartDecision begin_decision(DatapathBuilder& builder, const Step& step, std::size_t part,
+                            std::size_t parts, Decides decides, std::string_view what) {
+  const bool alone = parts == 1;
+  builder.add(Comment{fmt::format("Cycles {} to {}: {}{}", step.start_cycle, step.ready_cycle,
+                                  alone ? "" : fmt::format("part {}, ", part), what)});
+  const auto output = [&](const char* name, int width) {
+    const std::string wire = alone ? name : builder.pool().unique(name + part_suffix(part, parts));
+    if (!alone) builder.add(Wire{width, wire, nullptr});
+    return Signal{net(wire), wire, width, step.ready_cycle};
+  };
+  PartDecision decision{
+      .instance = alone ? "decision" : builder.pool().unique("decision" + part_suffix(part, parts)),
+      .verdict = output("verdict", 2),
+      .decided = {}};
+  if (decides == Decides::sometimes) decision.decided = output("decided", 1);
+  return decision;
 }
 
-void build_ulp_distance(DatapathBuilder& builder, const model::Lane& lane,
-                        const model::UlpDistanceDecision& decision, const Signal& out_of_range,
-                        const Step& step) {
-  const TypedGraph& graph = lane.graph;
-  const Operand f = builder.at(builder.value(graph.f), step.start_cycle);
-  const Operand g = builder.at(builder.value(graph.g), step.start_cycle);
-  const Operand doubtful = builder.any_at(
-      {builder.flag(graph.f), builder.flag(graph.g), out_of_range}, step.start_cycle);
-  builder.add(
-      Comment{decision_comment(step, "certain where the encodings are GUARD_ULP or more apart.")});
-  std::vector<Parameter> parameters = format_parameters(graph.arithmetic.format);
-  parameters.push_back({"GUARD_ULP", Literal{graph.arithmetic.format.width(), decision.guard_ulp}});
-  parameters.push_back({"NONNEGATIVE", decision.nonnegative ? 1 : 0});
-  parameters.push_back({"CUTS", cut_mask(step)});
-  builder.add(Instance{step.unit.module,
-                       "decision",
-                       std::move(parameters),
-                       {{"aclk", net("aclk")},
-                        {"f", f},
-                        {"g", g},
-                        {"exceptional", doubtful},
-                        {"verdict", net("verdict")},
-                        {"decided", net("decided")}}});
-}
+/// Builds a lane part by part.
+class LaneDecisions {
+public:
+  LaneDecisions(DatapathBuilder& builder, const model::SharedLane& lane, const Schedule& schedule)
+      : builder_(builder),
+        lane_(lane),
+        schedule_(schedule),
+        format_(lane.graph.arithmetic.format) {}
 
-void build_absolute(DatapathBuilder& builder, const model::Lane& lane,
-                    const model::AbsoluteBoundDecision& decision, const Signal& out_of_range,
-                    const Schedule& schedule) {
-  const FloatFormat format = lane.graph.arithmetic.format;
-  const Step& step = schedule.decision;
-  BoundBuilder bounds(builder, lane, decision, schedule);
-  bounds.build();
-  std::vector<Signal> doubts = bounds.failures();
-  doubts.push_back(builder.flag(decision.difference));
-  doubts.push_back(out_of_range);
-  const Operand difference = builder.at(builder.value(decision.difference), step.start_cycle);
-  const Operand bound = builder.at(bounds.bound(), step.start_cycle);
-  const Operand doubtful = builder.any_at(doubts, step.start_cycle);
-  builder.add(Comment{
-      decision_comment(step, "certain where the difference exceeds the bound of its error.")});
-  std::vector<Parameter> parameters = format_parameters(format);
-  parameters.push_back({"BOUND_PRECISION", decision.bound.format.precision});
-  parameters.push_back({"GUARD_ULP", Literal{format.width(), decision.guard_ulp}});
-  parameters.push_back({"CUTS", cut_mask(step)});
-  builder.add(Instance{step.unit.module,
-                       "decision",
-                       std::move(parameters),
-                       {{"aclk", net("aclk")},
-                        {"difference", difference},
-                        {"bound", bound},
-                        {"exceptional", doubtful},
-                        {"verdict", net("verdict")},
-                        {"decided", net("decided")}}});
-}
-
-void build_interval(DatapathBuilder& builder, const TypedGraph& graph,
-                    const model::IntervalDecision& decision, const Step& step) {
-  const Operand minimum = builder.at(builder.value(decision.minimum), step.start_cycle);
-  const Operand maximum = builder.at(builder.value(decision.maximum), step.start_cycle);
-  builder.add(Comment{decision_comment(step, "case I, II or III of the paper.")});
-  std::vector<Parameter> parameters = format_parameters(graph.arithmetic.format);
-  parameters.push_back({"CUTS", cut_mask(step)});
-  builder.add(Instance{step.unit.module,
-                       "decision",
-                       std::move(parameters),
-                       {{"aclk", net("aclk")},
-                        {"minimum", minimum},
-                        {"maximum", maximum},
-                        {"verdict", net("verdict")},
-                        {"decided", net("decided")}}});
-}
-
-void build_comparison(DatapathBuilder& builder, const TypedGraph& graph, const Step& step) {
-  const Operand f = builder.at(builder.value(graph.f), step.start_cycle);
-  const Operand g = builder.at(builder.value(graph.g), step.start_cycle);
-  builder.add(Comment{decision_comment(step, "the ordering of two rounded numbers.")});
-  std::vector<Parameter> parameters = format_parameters(graph.arithmetic.format);
-  parameters.push_back(
-      {"GRADUAL", graph.arithmetic.subnormals == model::Subnormals::gradual ? 1 : 0});
-  parameters.push_back({"CUTS", cut_mask(step)});
-  builder.add(Instance{step.unit.module,
-                       "decision",
-                       std::move(parameters),
-                       {{"aclk", net("aclk")}, {"a", f}, {"b", g}, {"verdict", net("verdict")}}});
-}
-
-void build_lane_decision(DatapathBuilder& builder, const model::Lane& lane,
-                         const Signal& out_of_range, const Schedule& schedule) {
-  if (const auto* interval = std::get_if<model::IntervalDecision>(&lane.decision)) {
-    // The paper's decision has no input for doubts.
-    MIXCMP_CHECK(lane.checks.empty());
-    build_interval(builder, lane.graph, *interval, schedule.decision);
-  } else if (const auto* absolute = std::get_if<model::AbsoluteBoundDecision>(&lane.decision)) {
-    build_absolute(builder, lane, *absolute, out_of_range, schedule);
-  } else {
-    build_ulp_distance(builder, lane, std::get<model::UlpDistanceDecision>(lane.decision),
-                       out_of_range, schedule.decision);
+  PartDecision build(std::size_t part, const Signal& out_of_range) {
+    const auto build = [&](const auto& decision) {
+      return this->build(part, decision, out_of_range);
+    };
+    return std::visit(build, lane_.parts[part].decision);
   }
+
+private:
+  PartDecision build(std::size_t part, const model::UlpDistanceDecision& decision,
+                     const Signal& out_of_range) {
+    const auto [f_node, g_node] = lane_.parts[part].sides;
+    const Step& step = schedule_.parts[part].decision;
+    const Operand f = builder_.at(builder_.value(f_node), step.start_cycle);
+    const Operand g = builder_.at(builder_.value(g_node), step.start_cycle);
+    const Operand doubtful = builder_.any_at(
+        {builder_.flag(f_node), builder_.flag(g_node), out_of_range}, step.start_cycle);
+    PartDecision made = begin(part, "certain where the encodings are GUARD_ULP or more apart.");
+    std::vector<Parameter> parameters = format_parameters(format_);
+    parameters.push_back({"GUARD_ULP", Literal{format_.width(), decision.guard_ulp}});
+    parameters.push_back({"NONNEGATIVE", decision.nonnegative ? 1 : 0});
+    parameters.push_back({"CUTS", cut_mask(step)});
+    builder_.add(Instance{step.unit.module,
+                          made.instance,
+                          std::move(parameters),
+                          {{"aclk", net("aclk")},
+                           {"f", f},
+                           {"g", g},
+                           {"exceptional", doubtful},
+                           {"verdict", made.verdict.value},
+                           {"decided", made.decided.value}}});
+    return made;
+  }
+
+  PartDecision build(std::size_t part, const model::AbsoluteBoundDecision& decision,
+                     const Signal& out_of_range) {
+    const Step& step = schedule_.parts[part].decision;
+    BoundBuilder bounds(builder_, lane_, decision, schedule_.parts[part],
+                        part_suffix(part, lane_.parts.size()));
+    bounds.build();
+    std::vector<Signal> doubts = bounds.failures();
+    doubts.push_back(builder_.flag(decision.difference));
+    doubts.push_back(out_of_range);
+    const Operand difference = builder_.at(builder_.value(decision.difference), step.start_cycle);
+    const Operand bound = builder_.at(bounds.bound(), step.start_cycle);
+    const Operand doubtful = builder_.any_at(doubts, step.start_cycle);
+    PartDecision made = begin(part, "certain where the difference exceeds the bound of its error.");
+    std::vector<Parameter> parameters = format_parameters(format_);
+    parameters.push_back({"BOUND_PRECISION", decision.bound.format.precision});
+    parameters.push_back({"GUARD_ULP", Literal{format_.width(), decision.guard_ulp}});
+    parameters.push_back({"CUTS", cut_mask(step)});
+    builder_.add(Instance{step.unit.module,
+                          made.instance,
+                          std::move(parameters),
+                          {{"aclk", net("aclk")},
+                           {"difference", difference},
+                           {"bound", bound},
+                           {"exceptional", doubtful},
+                           {"verdict", made.verdict.value},
+                           {"decided", made.decided.value}}});
+    return made;
+  }
+
+  PartDecision build(std::size_t part, const model::IntervalDecision& decision,
+                     const Signal& out_of_range) {
+    // The paper's decision has no input for doubts.
+    MIXCMP_CHECK(out_of_range.value == nullptr);
+    const Step& step = schedule_.parts[part].decision;
+    const Operand minimum = builder_.at(builder_.value(decision.minimum), step.start_cycle);
+    const Operand maximum = builder_.at(builder_.value(decision.maximum), step.start_cycle);
+    PartDecision made = begin(part, "case I, II or III of the paper.");
+    std::vector<Parameter> parameters = format_parameters(format_);
+    parameters.push_back({"CUTS", cut_mask(step)});
+    builder_.add(Instance{step.unit.module,
+                          made.instance,
+                          std::move(parameters),
+                          {{"aclk", net("aclk")},
+                           {"minimum", minimum},
+                           {"maximum", maximum},
+                           {"verdict", made.verdict.value},
+                           {"decided", made.decided.value}}});
+    return made;
+  }
+
+  PartDecision begin(std::size_t part, std::string_view what) {
+    return begin_decision(builder_, schedule_.parts[part].decision, part, lane_.parts.size(),
+                          Decides::sometimes, what);
+  }
+
+  DatapathBuilder& builder_;
+  const model::SharedLane& lane_;
+  const Schedule& schedule_;
+  FloatFormat format_;
+};
+
+PartDecision build_comparison(DatapathBuilder& builder, const model::SharedGraph& reference,
+                              std::size_t part, const Step& step) {
+  const model::Arithmetic& arithmetic = reference.graph.arithmetic;
+  const auto [f_node, g_node] = reference.sides[part];
+  const Operand f = builder.at(builder.value(f_node), step.start_cycle);
+  const Operand g = builder.at(builder.value(g_node), step.start_cycle);
+  PartDecision made = begin_decision(builder, step, part, reference.sides.size(), Decides::always,
+                                     "the ordering of two rounded numbers.");
+  std::vector<Parameter> parameters = format_parameters(arithmetic.format);
+  parameters.push_back({"GRADUAL", arithmetic.subnormals == model::Subnormals::gradual ? 1 : 0});
+  parameters.push_back({"CUTS", cut_mask(step)});
+  builder.add(
+      Instance{step.unit.module,
+               made.instance,
+               std::move(parameters),
+               {{"aclk", net("aclk")}, {"a", f}, {"b", g}, {"verdict", made.verdict.value}}});
+  return made;
 }
 
-DatapathBuilder lane_pass(const std::vector<std::string>& inputs, const model::Lane& lane,
-                          const Schedule& schedule, DelayPlan plan) {
-  const ExceptionalFlags exceptional =
-      lane.certified() ? ExceptionalFlags::gathered : ExceptionalFlags::unused;
-  DatapathBuilder builder(inputs, lane.graph, lane.hazards, schedule, exceptional, std::move(plan));
-  const Signal out_of_range = build_range_checks(builder, lane, schedule);
+/// In `cycle`, part 0 in the lowest bits.
+Operand gathered(DatapathBuilder& builder, const std::vector<PartDecision>& parts,
+                 Signal PartDecision::*signal, int cycle) {
+  std::vector<Operand> fields;
+  for (const PartDecision& part : parts) fields.push_back(builder.at(part.*signal, cycle));
+  return concatenation({fields.rbegin(), fields.rend()});
+}
+
+/// One verdict of several parts'; nothing to do for one.
+void build_combination(DatapathBuilder& builder, model::Combination combination,
+                       const std::vector<PartDecision>& parts, const Step& step) {
+  if (parts.size() == 1) return;
+  const bool any = combination == model::Combination::any;
+  const int count = static_cast<int>(parts.size());
+  const bool reference = parts.front().decided.value == nullptr;
+  const Operand verdicts = gathered(builder, parts, &PartDecision::verdict, step.start_cycle);
+  const Operand known = reference
+                            ? literal(count, model::low_mask(count))
+                            : gathered(builder, parts, &PartDecision::decided, step.start_cycle);
+  builder.add(Comment{fmt::format("Cycles {} to {}: less if {}.", step.start_cycle,
+                                  step.ready_cycle, any ? "any part is" : "all parts are")});
+  const std::string decided = reference ? builder.pool().unique("unused_decided") : "decided";
+  if (reference) builder.add(Wire{1, decided, nullptr});
+  builder.add(Instance{step.unit.module,
+                       builder.pool().unique("combination"),
+                       {{"PARTS", count}, {"ANY", any ? 1 : 0}, {"CUTS", cut_mask(step)}},
+                       {{"aclk", net("aclk")},
+                        {"verdicts", verdicts},
+                        {"known", known},
+                        {"verdict", net("verdict")},
+                        {"decided", net(decided)}}});
+}
+
+std::vector<model::Sides> sides_of(const model::SharedLane& lane) {
+  std::vector<model::Sides> sides;
+  for (const model::SharedPart& part : lane.parts) sides.push_back(part.sides);
+  return sides;
+}
+
+DatapathBuilder lane_pass(const std::vector<std::string>& inputs, const model::SharedLane& lane,
+                          ExceptionalFlags exceptional, const Schedule& schedule, DelayPlan plan) {
+  DatapathBuilder builder(inputs, lane.graph, sides_of(lane), lane.hazards, schedule, exceptional,
+                          std::move(plan));
+  const std::vector<Signal> out_of_range = build_range_checks(builder, lane, schedule);
   builder.build_nodes();
-  build_lane_decision(builder, lane, out_of_range, schedule);
+  LaneDecisions decisions(builder, lane, schedule);
+  std::vector<PartDecision> parts;
+  for (std::size_t part = 0; part < lane.parts.size(); ++part) {
+    parts.push_back(decisions.build(part, out_of_range[part]));
+  }
+  build_combination(builder, lane.combination, parts, schedule.combination);
   return builder;
 }
 
-DatapathBuilder reference_pass(const std::vector<std::string>& inputs, const TypedGraph& reference,
+DatapathBuilder reference_pass(const std::vector<std::string>& inputs,
+                               const model::SharedGraph& reference, model::Combination combination,
                                const Schedule& schedule, DelayPlan plan) {
-  DatapathBuilder builder(inputs, reference, model::structural_hazards(reference), schedule,
+  DatapathBuilder builder(inputs, reference.graph, reference.sides,
+                          model::structural_hazards(reference.graph), schedule,
                           ExceptionalFlags::unused, std::move(plan));
   builder.build_nodes();
-  build_comparison(builder, reference, schedule.decision);
+  std::vector<PartDecision> parts;
+  for (std::size_t part = 0; part < reference.sides.size(); ++part) {
+    parts.push_back(build_comparison(builder, reference, part, schedule.parts[part].decision));
+  }
+  build_combination(builder, combination, parts, schedule.combination);
   return builder;
 }
 
 }  // namespace
 
 Module lane_module(std::string name, const std::vector<std::string>& inputs,
-                   const model::Lane& lane, const Schedule& schedule) {
-  const DelayPlan plan = lane_pass(inputs, lane, schedule, {}).plan();
-  DatapathBuilder builder = lane_pass(inputs, lane, schedule, plan);
+                   const model::CombinedLane& lane, const Schedule& schedule) {
+  const model::SharedLane shared = share(lane);
+  const ExceptionalFlags exceptional =
+      lane.certified() ? ExceptionalFlags::gathered : ExceptionalFlags::unused;
+  const DelayPlan plan = lane_pass(inputs, shared, exceptional, schedule, {}).plan();
+  DatapathBuilder builder = lane_pass(inputs, shared, exceptional, schedule, plan);
   std::vector<Port> ports = builder.data_ports();
   ports.push_back({Direction::output, 2, "verdict"});
   ports.push_back({Direction::output, 1, "decided"});
@@ -156,9 +254,10 @@ Module lane_module(std::string name, const std::vector<std::string>& inputs,
 }
 
 Module reference_module(std::string name, const std::vector<std::string>& inputs,
-                        const TypedGraph& reference, const Schedule& schedule) {
-  const DelayPlan plan = reference_pass(inputs, reference, schedule, {}).plan();
-  DatapathBuilder builder = reference_pass(inputs, reference, schedule, plan);
+                        const model::CombinedGraph& reference, const Schedule& schedule) {
+  const model::SharedGraph shared = share(reference);
+  const DelayPlan plan = reference_pass(inputs, shared, reference.combination, schedule, {}).plan();
+  DatapathBuilder builder = reference_pass(inputs, shared, reference.combination, schedule, plan);
   std::vector<Port> ports = builder.data_ports();
   ports.push_back({Direction::output, 2, "verdict"});
   return {std::move(name), {}, std::move(ports), builder.take()};

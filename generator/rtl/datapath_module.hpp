@@ -12,10 +12,10 @@ namespace mixcmp::gen {
 /// initiation interval 1, latency schedule.latency_cycles, no reset. `header` is left to the
 /// caller.
 rtl::Module lane_module(std::string name, const std::vector<std::string>& inputs,
-                        const model::Lane& lane, const Schedule& schedule);
+                        const model::CombinedLane& lane, const Schedule& schedule);
 
 /// The reference datapath: ports aclk, one per input, verdict[1:0]. As above.
 rtl::Module reference_module(std::string name, const std::vector<std::string>& inputs,
-                             const model::TypedGraph& reference, const Schedule& schedule);
+                             const model::CombinedGraph& reference, const Schedule& schedule);
 
 }  // namespace mixcmp::gen

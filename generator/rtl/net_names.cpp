@@ -99,8 +99,12 @@ std::string NamePool::unique(const std::string& wanted) {
   return name;
 }
 
-std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<std::string>& ports,
-                                    NamePool& pool) {
+std::string part_suffix(std::size_t part, std::size_t parts) {
+  return parts == 1 ? "" : fmt::format("_{}", part);
+}
+
+std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<model::Sides>& parts,
+                                    const std::vector<std::string>& ports, NamePool& pool) {
   std::vector<std::string> names;
   for (NodeId id = 0; id < static_cast<NodeId>(graph.nodes.size()); ++id) {
     const TypedNode& node = graph.nodes[id];
@@ -113,8 +117,10 @@ std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<s
     const std::string b = count > 1 ? names[node.operands[1]] : "";
     std::string wanted = spelled(node, a, b);
     if (wanted.size() > longest_spelled_name) wanted = role(node.operation);
-    if (id == graph.g) wanted = "g";
-    if (id == graph.f) wanted = "f";
+    for (std::size_t part = parts.size(); part-- > 0;) {
+      if (id == parts[part].g) wanted = "g" + part_suffix(part, parts.size());
+      if (id == parts[part].f) wanted = "f" + part_suffix(part, parts.size());
+    }
     names.push_back(pool.unique(wanted));
   }
   return names;
@@ -145,14 +151,14 @@ std::string formula(const TypedGraph& graph, NodeId id, const std::vector<std::s
   MIXCMP_CHECK(false);
 }
 
-std::vector<std::string> name_bounds(const BoundGraph& bound,
+std::vector<std::string> name_bounds(const BoundGraph& bound, const std::string& suffix,
                                      const std::vector<std::string>& values, NamePool& pool) {
   std::vector<std::string> names;
   for (std::size_t id = 0; id < bound.nodes.size(); ++id) {
     const BoundNode& node = bound.nodes[id];
     const std::string value = node.value < 0 ? "" : values[node.value];
     const bool last = id + 1 == bound.nodes.size();
-    names.push_back(pool.unique(last ? "error_bound" : bound_role(node.operation, value)));
+    names.push_back(pool.unique(last ? "error_bound" + suffix : bound_role(node.operation, value)));
   }
   return names;
 }

@@ -19,19 +19,23 @@ private:
   std::set<std::string> taken_;
 };
 
-/// A role word for every node: inputs bear their ports' names, f and g are "f" and "g", short
-/// expressions spell themselves out ("cxi_minus_cxj_squared"), longer ones say what they are
-/// ("sum").
+/// A role word for every node: inputs bear their ports' names, f and g are "f" and "g" (of several
+/// parts "f_0", "g_0", "f_1", ...), short expressions spell themselves out
+/// ("cxi_minus_cxj_squared"), longer ones say what they are ("sum").
 std::vector<std::string> name_nodes(const model::TypedGraph& graph,
+                                    const std::vector<model::Sides>& parts,
                                     const std::vector<std::string>& ports, NamePool& pool);
+
+/// What tells the nets of a part from those of another: "_2"; nothing where there is one part.
+std::string part_suffix(std::size_t part, std::size_t parts);
 
 /// The operation in words of its operands' names: "cxi - cxj".
 std::string formula(const model::TypedGraph& graph, model::NodeId node,
                     const std::vector<std::string>& names);
 
 /// A role word for every node of an error bound, in words of the values' names: the last is
-/// "error_bound", what depends on a value says how ("cxi_rounded_binade").
-std::vector<std::string> name_bounds(const model::BoundGraph& bound,
+/// "error_bound" and its part's suffix, what depends on a value says how ("cxi_rounded_binade").
+std::vector<std::string> name_bounds(const model::BoundGraph& bound, const std::string& suffix,
                                      const std::vector<std::string>& values, NamePool& pool);
 
 /// A bound's operation in words of its operands' names: "2^-17 * cxi_rounded_binade".

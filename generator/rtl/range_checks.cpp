@@ -1,6 +1,7 @@
 #include "generator/rtl/range_checks.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "model/common/check.hpp"
 
@@ -19,21 +20,6 @@ int sign_parameter(RequiredSign sign) {
     case RequiredSign::nonpositive: return 2;
   }
   MIXCMP_CHECK(false);
-}
-
-/// The sign bits that must not be set, nor those inverted that must.
-Signal build_sign_checks(DatapathBuilder& builder, const model::Lane& lane) {
-  std::vector<Operand> wrong;
-  for (const RangeCheck& check : lane.checks) {
-    if (check.leading_bits > 0 || check.sign == RequiredSign::any) continue;
-    const Operand sign = bit(builder.port(check.input), lane.graph.input_format.width() - 1);
-    wrong.push_back(check.sign == RequiredSign::nonnegative ? sign : inverted(sign));
-  }
-  if (wrong.empty()) return {};
-  const std::string name = builder.pool().unique("wrong_sign");
-  builder.add(Comment{"The bound's proof needs the signs of these inputs to be as declared."});
-  builder.add(Wire{1, name, any_of(std::move(wrong))});
-  return {net(name), name, 1, 0};
 }
 
 Signal build_check(DatapathBuilder& builder, const RangeCheck& check, FloatFormat format,
@@ -55,36 +41,88 @@ Signal build_check(DatapathBuilder& builder, const RangeCheck& check, FloatForma
   return {net(name), name, 1, step.ready_cycle};
 }
 
-std::vector<Signal> build_magnitude_checks(DatapathBuilder& builder, const model::Lane& lane,
+/// One a check; nothing where it is a sign alone.
+std::vector<Signal> build_magnitude_checks(DatapathBuilder& builder, const model::SharedLane& lane,
                                            const Schedule& schedule) {
   std::vector<Signal> flags;
+  bool told = false;
   for (std::size_t k = 0; k < lane.checks.size(); ++k) {
+    flags.push_back({});
     if (lane.checks[k].leading_bits == 0) continue;
-    if (flags.empty()) {
+    if (!told) {
       builder.add(
           Comment{"What is proven and what is left out hold for operands in these ranges."});
     }
-    flags.push_back(
-        build_check(builder, lane.checks[k], lane.graph.input_format, schedule.checks[k]));
+    told = true;
+    flags.back() =
+        build_check(builder, lane.checks[k], lane.graph.input_format, schedule.checks[k]);
   }
   return flags;
 }
 
+/// The checks of one part after another, with what they share.
+class PartChecks {
+public:
+  PartChecks(DatapathBuilder& builder, const model::SharedLane& lane, const Schedule& schedule)
+      : builder_(builder),
+        lane_(lane),
+        magnitudes_(build_magnitude_checks(builder, lane, schedule)) {}
+
+  Signal build(std::size_t part) {
+    const std::vector<std::size_t>& checks = lane_.parts[part].checks;
+    const auto known = built_.find(checks);
+    if (known != built_.end()) return known->second;
+    return built_[checks] = gather(checks, part_suffix(part, lane_.parts.size()));
+  }
+
+private:
+  Signal gather(const std::vector<std::size_t>& checks, const std::string& suffix) {
+    std::vector<Signal> flags;
+    for (const std::size_t check : checks) {
+      if (magnitudes_[check].value != nullptr) flags.push_back(magnitudes_[check]);
+    }
+    const Signal signs = build_signs(checks, suffix);
+    if (signs.value != nullptr) flags.push_back(signs);
+    if (flags.empty()) return {};
+    if (flags.size() == 1) return flags.front();
+    int cycle = 0;
+    for (const Signal& flag : flags) cycle = std::max(cycle, flag.cycle);
+    const std::string name = builder_.pool().unique("out_of_range" + suffix);
+    const Operand any = builder_.any_at(flags, cycle);
+    builder_.add(Wire{1, name, any});
+    return {net(name), name, 1, cycle};
+  }
+
+  /// The sign bits that must not be set, and those inverted that must.
+  Signal build_signs(const std::vector<std::size_t>& checks, const std::string& suffix) {
+    std::vector<Operand> wrong;
+    for (const std::size_t index : checks) {
+      const RangeCheck& check = lane_.checks[index];
+      if (check.leading_bits > 0 || check.sign == RequiredSign::any) continue;
+      const Operand sign = bit(builder_.port(check.input), lane_.graph.input_format.width() - 1);
+      wrong.push_back(check.sign == RequiredSign::nonnegative ? sign : inverted(sign));
+    }
+    if (wrong.empty()) return {};
+    const std::string name = builder_.pool().unique("wrong_sign" + suffix);
+    builder_.add(Comment{"The bound's proof needs the signs of these inputs to be as declared."});
+    builder_.add(Wire{1, name, any_of(std::move(wrong))});
+    return {net(name), name, 1, 0};
+  }
+
+  DatapathBuilder& builder_;
+  const model::SharedLane& lane_;
+  std::vector<Signal> magnitudes_;
+  std::map<std::vector<std::size_t>, Signal> built_;
+};
+
 }  // namespace
 
-Signal build_range_checks(DatapathBuilder& builder, const model::Lane& lane,
-                          const Schedule& schedule) {
-  std::vector<Signal> flags = build_magnitude_checks(builder, lane, schedule);
-  const Signal signs = build_sign_checks(builder, lane);
-  if (signs.value != nullptr) flags.push_back(signs);
-  if (flags.empty()) return {};
-  if (flags.size() == 1) return flags.front();
-  int cycle = 0;
-  for (const Signal& flag : flags) cycle = std::max(cycle, flag.cycle);
-  const std::string name = builder.pool().unique("out_of_range");
-  const Operand any = builder.any_at(flags, cycle);
-  builder.add(Wire{1, name, any});
-  return {net(name), name, 1, cycle};
+std::vector<Signal> build_range_checks(DatapathBuilder& builder, const model::SharedLane& lane,
+                                       const Schedule& schedule) {
+  PartChecks checks(builder, lane, schedule);
+  std::vector<Signal> flags;
+  for (std::size_t part = 0; part < lane.parts.size(); ++part) flags.push_back(checks.build(part));
+  return flags;
 }
 
 }  // namespace mixcmp::gen

@@ -102,8 +102,8 @@ class Judges {
 public:
   explicit Judges(const model::Scene& scene)
       : scene_(scene),
-        doubles_(reference_graph(scene.graph, {software_format()})),
-        reference_(reference_graph(scene.graph, scene.reference)) {}
+        doubles_(reference_graphs(scene.graph, {software_format()})),
+        reference_(reference_graphs(scene.graph, scene.reference)) {}
 
   Judgement judge(const std::vector<Bits>& operands) const {
     std::vector<Bits> doubles;
@@ -119,7 +119,7 @@ public:
 
 private:
   const model::Scene& scene_;
-  model::TypedGraph doubles_, reference_;
+  model::CombinedGraph doubles_, reference_;
 };
 
 void count(BaselineCheck& check, const std::vector<KernelOutput>& kernels, std::size_t index,

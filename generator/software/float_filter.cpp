@@ -100,8 +100,8 @@ void fold_constant(ThresholdDecision& decision) {
   decision.factor = 1;
 }
 
-model::Result<FloatFilter> threshold_filter(ErrorBoundKind kind, const model::TypedGraph& graph,
-                                            const model::Scene& scene) {
+model::Result<PartFilter> threshold_filter(ErrorBoundKind kind, const model::TypedGraph& graph,
+                                           const model::Scene& scene) {
   // What ranges rule out is of no use to a CPU: its flags tell when something happens.
   MIXCMP_TRY(lane, certified_lane(graph, {.kind = kind,
                                           .ranges = scene.ranges,
@@ -111,10 +111,10 @@ model::Result<FloatFilter> threshold_filter(ErrorBoundKind kind, const model::Ty
   if (!decision || !all_finite(*decision)) {
     return model::Error{.message = "the bound is out of binary32's range"};
   }
-  return FloatFilter{kind, std::move(lane.graph), std::move(*decision), std::move(lane.checks)};
+  return PartFilter{std::move(lane.graph), std::move(*decision), std::move(lane.checks)};
 }
 
-model::Result<FloatFilter> ratio_filter(const model::TypedGraph& graph, const model::Scene& scene) {
+model::Result<PartFilter> ratio_filter(const model::TypedGraph& graph, const model::Scene& scene) {
   const model::ErrorAnalysis analysis = analyse_errors(graph, scene.nonnegative_inputs());
   const auto bound_of = [&](NodeId id) { return analysis.nodes[static_cast<std::size_t>(id)]; };
   const model::NodeBound f = bound_of(graph.f), g = bound_of(graph.g);
@@ -128,11 +128,25 @@ model::Result<FloatFilter> ratio_filter(const model::TypedGraph& graph, const mo
   const float ratio = float_at_least(
       std::max(f.relative->high / g.relative->low, g.relative->high / f.relative->low));
   if (!std::isfinite(ratio)) return model::Error{.message = "the errors are out of bounds"};
-  FloatFilter filter{ErrorBoundKind::relative, graph, RatioDecision{ratio}, {}};
+  PartFilter filter{graph, RatioDecision{ratio}, {}};
   std::set<int> inputs = *proof;
   inputs.insert(analysis.nonnegative_inputs.begin(), analysis.nonnegative_inputs.end());
   for (const int input : inputs) {
     filter.checks.push_back(sign_check(input, model::RequiredSign::nonnegative));
+  }
+  return filter;
+}
+
+model::Result<FloatFilter> filter_of(ErrorBoundKind kind, const model::CombinedGraph& graph,
+                                     const model::Scene& scene) {
+  FloatFilter filter{.kind = kind, .parts = {}};
+  for (std::size_t k = 0; k < graph.parts.size(); ++k) {
+    const model::TypedGraph& part = graph.parts[k];
+    model::Result<PartFilter> made = kind == ErrorBoundKind::relative
+                                         ? ratio_filter(part, scene)
+                                         : threshold_filter(kind, part, scene);
+    if (!made.ok()) return of_part(made.error(), k, graph.parts.size());
+    filter.parts.push_back(std::move(made).value());
   }
   return filter;
 }
@@ -151,19 +165,18 @@ model::FloatFormat software_format() {
 }
 
 FloatFilters float_filters(const model::Scene& scene) {
-  const model::TypedGraph graph =
-      lane_graph(scene.graph, software_format(), {float_format()}, model::LaneInputs::rounded);
+  const model::CombinedGraph graph =
+      lane_graphs(scene.graph, software_format(), {float_format()}, model::LaneInputs::rounded);
   FloatFilters found;
-  const auto add = [&](ErrorBoundKind kind, model::Result<FloatFilter> filter) {
+  for (const ErrorBoundKind kind :
+       {ErrorBoundKind::constant, ErrorBoundKind::relative, ErrorBoundKind::running}) {
+    model::Result<FloatFilter> filter = filter_of(kind, graph, scene);
     if (filter.ok()) {
       found.filters.push_back(std::move(filter).value());
     } else {
       found.missing.push_back({kind, filter.error().message});
     }
-  };
-  add(ErrorBoundKind::constant, threshold_filter(ErrorBoundKind::constant, graph, scene));
-  add(ErrorBoundKind::relative, ratio_filter(graph, scene));
-  add(ErrorBoundKind::running, threshold_filter(ErrorBoundKind::running, graph, scene));
+  }
   return found;
 }
 

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "model/error/certified_lane.hpp"
+#include "model/error/combined_lane.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::gen {
@@ -41,11 +41,16 @@ struct ThresholdDecision {
 /// A certified decision in binary32 as a CPU computes it, operands rounded first. It holds where no
 /// operation is exceptional (model/golden/arithmetic.hpp) and every operand passes its check;
 /// docs/baseline.md proves it.
-struct FloatFilter {
-  model::ErrorBoundKind kind;
+struct PartFilter {
   model::TypedGraph graph;
   std::variant<RatioDecision, ThresholdDecision> decision;
   std::vector<model::RangeCheck> checks;  ///< on operands in software_format()
+};
+
+/// All parts of a comparison, with bounds of one kind.
+struct FloatFilter {
+  model::ErrorBoundKind kind;
+  std::vector<PartFilter> parts;
 };
 
 /// Why a scene has no filter of some kind.

@@ -36,13 +36,17 @@ struct Body {
   std::vector<std::string> names;
 
   Body(const model::Comparisons& comparisons, const TypedGraph& typed)
+      : Body(comparisons, typed, {{typed.f, typed.g}}) {}
+  Body(const model::Comparisons& comparisons, const TypedGraph& typed,
+       const std::vector<model::Sides>& parts)
       : data(comparisons),
         graph(typed),
-        pool({"columns", "i", "j", "threshold", "less", "greater", "use"}) {
+        pool({"columns", "i", "j", "threshold", "less", "greater", "all_less", "all_greater",
+              "any_less", "any_greater", "use"}) {
     std::vector<std::string> ports;
     // No word of C++ begins so.
     for (const std::string& input : graph.input_names) ports.push_back(pool.unique("in_" + input));
-    names = name_nodes(graph, ports, pool);
+    names = name_nodes(graph, parts, ports, pool);
   }
 
   std::string load(int input) const {
@@ -93,11 +97,41 @@ std::string nodes(const Body& body) {
   return text;
 }
 
+/// A relation that must hold between f and g of any part, or of all.
+std::string over_parts(const Body& body, const std::vector<model::Sides>& parts,
+                       const char* relation, const char* joined_by) {
+  std::string text;
+  for (const model::Sides& part : parts) {
+    const std::string& f = body.names[static_cast<std::size_t>(part.f)];
+    const std::string& g = body.names[static_cast<std::size_t>(part.g)];
+    const bool alone = parts.size() == 1;
+    text += text.empty() ? "" : joined_by;
+    text +=
+        alone ? fmt::format("{} {} {}", f, relation, g) : fmt::format("({} {} {})", f, relation, g);
+  }
+  return text;
+}
+
+/// less, equal, greater: none of them where a part that no other outweighs is unordered.
+std::string exact_verdict(const Body& body, const model::SharedGraph& graph,
+                          model::Combination combination) {
+  const std::vector<model::Sides>& parts = graph.sides;
+  const auto any = [&](const char* relation) { return over_parts(body, parts, relation, " | "); };
+  const auto all = [&](const char* relation) { return over_parts(body, parts, relation, " & "); };
+  if (parts.size() == 1) {
+    return fmt::format("    use({}, {}, {});\n", all("<"), all("=="), all(">"));
+  }
+  if (combination == model::Combination::all) {
+    return fmt::format("    const bool less = {};\n    use(less, ({}) & !less, {});\n", all("<"),
+                       all("<="), any(">"));
+  }
+  return fmt::format("    const bool greater = {};\n    use({}, ({}) & !greater, greater);\n",
+                     all(">"), any("<"), all(">="));
+}
+
 std::string doubles(const model::Scene& scene, const model::Comparisons& data) {
-  const TypedGraph graph = reference_graph(scene.graph, {software_format()});
-  const Body body(data, graph);
-  const std::string& f = body.names[static_cast<std::size_t>(graph.f)];
-  const std::string& g = body.names[static_cast<std::size_t>(graph.g)];
+  const model::SharedGraph graph = share(reference_graphs(scene.graph, {software_format()}));
+  const Body body(data, graph.graph, graph.sides);
   return fmt::format(R"(struct Doubles {{
   using Real = double;
   const Real* const* columns;
@@ -106,11 +140,10 @@ std::string doubles(const model::Scene& scene, const model::Comparisons& data) {
   /// use(less, equal, greater)
   template <class Use>
   void operator()(std::size_t j, Use use) const {{
-{2}    use({0} < {1}, {0} == {1}, {0} > {1});
-  }}
+{}{}  }}
 }};
 )",
-                     f, g, nodes(body));
+                     nodes(body), exact_verdict(body, graph, scene.graph.combination()));
 }
 
 std::string bound_expression(const model::BoundGraph& bound, const model::BoundNode& node,
@@ -136,14 +169,22 @@ std::string scaled(const std::string& bound, float factor) {
   return factor == 1 ? bound : fmt::format("{} * {}", bound, literal(factor));
 }
 
-std::string decide(Body& body, const RatioDecision& decision) {
+/// What decides one part, and what it says: two conditions.
+struct PartText {
+  std::string statements;
+  std::string less;
+  std::string greater;
+};
+
+PartText decide(Body& body, const RatioDecision& decision) {
   const std::string& f = body.names[static_cast<std::size_t>(body.graph.f)];
   const std::string& g = body.names[static_cast<std::size_t>(body.graph.g)];
-  return fmt::format("    use({0} * {2} < {1}, {1} * {2} < {0});\n", f, g, literal(decision.ratio));
+  const std::string ratio = literal(decision.ratio);
+  return {"", fmt::format("{} * {} < {}", f, ratio, g), fmt::format("{} * {} < {}", g, ratio, f)};
 }
 
-std::string decide(Body& body, const ThresholdDecision& decision) {
-  const std::vector<std::string> bounds = name_bounds(decision.bound, body.names, body.pool);
+PartText decide(Body& body, const ThresholdDecision& decision) {
+  const std::vector<std::string> bounds = name_bounds(decision.bound, "", body.names, body.pool);
   std::string text;
   for (std::size_t id = 0; id < bounds.size(); ++id) {
     text += define(bounds[id],
@@ -160,7 +201,7 @@ std::string decide(Body& body, const ThresholdDecision& decision) {
   const std::string& difference = body.names[static_cast<std::size_t>(decision.difference)];
   text += fmt::format("    const bool less = ({} < -threshold){};\n", difference, valid);
   text += fmt::format("    const bool greater = ({} > threshold){};\n", difference, valid);
-  return text + "    use(less, greater);\n";
+  return {text, "less", "greater"};
 }
 
 int sign_code(model::RequiredSign sign) {
@@ -172,7 +213,14 @@ int sign_code(model::RequiredSign sign) {
   MIXCMP_CHECK(false);
 }
 
-std::string checks(const std::vector<model::RangeCheck>& all) {
+/// Of all parts, each once. An operand that fails one is a NaN to every part that reads it.
+std::string checks(const FloatFilter& filter) {
+  std::vector<model::RangeCheck> all;
+  for (const PartFilter& part : filter.parts) {
+    for (const model::RangeCheck& check : part.checks) {
+      if (std::find(all.begin(), all.end(), check) == all.end()) all.push_back(check);
+    }
+  }
   std::string text =
       fmt::format("  static constexpr std::array<Check, {}> checks = {{{{", all.size());
   for (const model::RangeCheck& check : all) {
@@ -194,12 +242,49 @@ std::string filter_type(model::ErrorBoundKind kind) {
   MIXCMP_CHECK(false);
 }
 
-std::string filter_text(const model::Comparisons& data, const FloatFilter& filter) {
-  Body body(data, filter.graph);
+/// The only part decides by itself.
+std::string text_of_part(const model::Comparisons& data, const PartFilter& part) {
+  Body body(data, part.graph);
   const std::string values = nodes(body);
-  const std::string decision =
-      std::visit([&](const auto& each) { return decide(body, each); }, filter.decision);
-  return fmt::format(R"(
+  const PartText text =
+      std::visit([&](const auto& each) { return decide(body, each); }, part.decision);
+  return values + text.statements + fmt::format("    use({}, {});\n", text.less, text.greater);
+}
+
+std::string indented(const std::string& text) {
+  std::string result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin) + 1;
+    result += "  " + text.substr(begin, end - begin);
+    begin = end;
+  }
+  return result;
+}
+
+/// Of several parts each has a block of its own: compilers find what they have in common.
+std::string text_of_parts(const model::Comparisons& data, const FloatFilter& filter,
+                          model::Combination combination) {
+  std::string text =
+      "    bool all_less = true, any_less = false, all_greater = true, any_greater = false;\n";
+  for (const PartFilter& part : filter.parts) {
+    Body body(data, part.graph);
+    std::string block = nodes(body);
+    const PartText decision =
+        std::visit([&](const auto& each) { return decide(body, each); }, part.decision);
+    block += decision.statements;
+    block += fmt::format("    all_less &= {0};\n    any_less |= {0};\n", decision.less);
+    block += fmt::format("    all_greater &= {0};\n    any_greater |= {0};\n", decision.greater);
+    text += "    {\n" + indented(block) + "    }\n";
+  }
+  const bool all = combination == model::Combination::all;
+  return text + (all ? "    use(all_less, any_greater);\n" : "    use(any_less, all_greater);\n");
+}
+
+std::string filter_text(const model::Comparisons& data, const FloatFilter& filter,
+                        model::Combination combination) {
+  const bool alone = filter.parts.size() == 1;
+  return fmt::format(
+      R"(
 struct {} {{
   using Real = float;
   static constexpr const char* name = "{}";
@@ -209,11 +294,11 @@ struct {} {{
   /// use(less, greater); neither: undecided
   template <class Use>
   void operator()(std::size_t j, Use use) const {{
-{}{}  }}
+{}  }}
 }};
 )",
-                     filter_type(filter.kind), to_string(filter.kind), checks(filter.checks),
-                     values, decision);
+      filter_type(filter.kind), to_string(filter.kind), checks(filter),
+      alone ? text_of_part(data, filter.parts.front()) : text_of_parts(data, filter, combination));
 }
 
 /// Expressions may have several lines; a comment's line has one.
@@ -231,7 +316,7 @@ std::string header(const model::Scene& scene) {
 // Compile: g++ -std=c++20 -O3 -march=native -ffp-contract=off -fno-math-errno -fno-trapping-math
 // -pthread; never -ffast-math.
 )",
-                     scene.name, on_one_line(scene.f_text), on_one_line(scene.g_text), version);
+                     scene.name, on_one_line(scene.f_text()), on_one_line(scene.g_text()), version);
 }
 
 std::string_view form_of(model::Pairing pairing) {
@@ -294,7 +379,7 @@ std::string software_source(const model::Scene& scene, const model::Comparisons&
   text += "\nnamespace {\n\n" + constants(data) + "\n" + doubles(scene, data);
   std::string list;
   for (const FloatFilter& filter : filters.filters) {
-    text += filter_text(data, filter);
+    text += filter_text(data, filter, scene.graph.combination());
     list += (list.empty() ? "" : ", ") + filter_type(filter.kind);
   }
   text += "\nusing Filters = std::tuple<" + list + ">;\n\n}  // namespace\n\n";

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "model/error/certified_lane.hpp"
 #include "model/error/hazards.hpp"
 #include "model/error/profiled_error.hpp"
 #include "model/error/range_analysis.hpp"
@@ -26,10 +25,25 @@ Error unresolved(const Scene& scene, const std::string& field, const std::string
           .accepted = accepted};
 }
 
-Result<Lane> design_profiled_lane(const Scene& scene, const ReducedSpec& reduced, TypedGraph graph,
-                                  const Comparisons* data) {
+/// The largest errors of any part: RE_f and RE_g serve all of them.
+ProfiledError profile_parts(const Scene& scene, const CombinedGraph& graph,
+                            const Comparisons& data) {
+  const std::uint64_t seed = scene.data ? scene.data->seed : 1;
+  ProfiledError largest;
+  for (std::size_t k = 0; k < graph.parts.size(); ++k) {
+    const ProfiledError part =
+        profile_error(scene.graph.part(k), graph.parts[k], data, profile_samples, seed);
+    largest.f = std::max(largest.f, part.f);
+    largest.g = std::max(largest.g, part.g);
+    largest.comparisons += part.comparisons;
+  }
+  return largest;
+}
+
+Result<CombinedLane> design_profiled_lane(const Scene& scene, const ReducedSpec& reduced,
+                                          const CombinedGraph& graph, const Comparisons* data) {
   if (reduced.relative_error_f && reduced.relative_error_g) {
-    return profiled_lane(std::move(graph), *reduced.relative_error_f, *reduced.relative_error_g);
+    return profiled_lanes(graph, *reduced.relative_error_f, *reduced.relative_error_g);
   }
   if (data == nullptr) {
     return Error{.field = "reduced.relative_error_f, reduced.relative_error_g",
@@ -37,16 +51,15 @@ Result<Lane> design_profiled_lane(const Scene& scene, const ReducedSpec& reduced
                  .received = "neither",
                  .accepted = "both constants, or a [data] section"};
   }
-  const std::uint64_t seed = scene.data ? scene.data->seed : 1;
-  const ProfiledError profiled = profile_error(scene.graph, graph, *data, profile_samples, seed);
+  const ProfiledError profiled = profile_parts(scene, graph, *data);
   if (profiled.comparisons == 0) {
     return Error{.field = "reduced.bound",
                  .message = "no comparison of the data could be measured for the profile",
                  .received = fmt::format("{} comparisons, none with finite f and g", data->size()),
                  .accepted = "other data, or reduced.relative_error_f and relative_error_g"};
   }
-  return profiled_lane(std::move(graph), reduced.relative_error_f.value_or(profiled.f),
-                       reduced.relative_error_g.value_or(profiled.g));
+  return profiled_lanes(graph, reduced.relative_error_f.value_or(profiled.f),
+                        reduced.relative_error_g.value_or(profiled.g));
 }
 
 bool can_decide(const UlpDistanceDecision& decision, const Lane& lane) {
@@ -73,17 +86,20 @@ bool can_decide(const Lane& lane) {
                     lane.decision);
 }
 
-Result<Lane> design_certified_lane(const Scene& scene, const ReducedSpec& reduced,
-                                   TypedGraph graph) {
+Result<CombinedLane> design_certified_lane(const Scene& scene, const ReducedSpec& reduced,
+                                           const CombinedGraph& graph) {
   const CertifiedOptions options{
       .kind = reduced.error_bound, .bound_digits = reduced.bound_digits, .ranges = scene.ranges};
-  MIXCMP_TRY(lane, certified_lane(std::move(graph), options));
-  if (can_decide(lane)) return lane;
+  MIXCMP_TRY(lane, certified_lanes(graph, options));
+  // One part that decides may do.
+  const bool decides = std::any_of(lane.parts.begin(), lane.parts.end(),
+                                   [](const Lane& part) { return can_decide(part); });
+  if (decides) return lane;
   return Error{.field = "reduced.format",
                .message =
                    "too many roundings for so few digits: no two results are far enough "
                    "apart to be decided",
-               .received = lane.graph.arithmetic.format.name(),
+               .received = lane.arithmetic().format.name(),
                .accepted = "more precision"};
 }
 
@@ -103,7 +119,7 @@ Error placed(Error error, const LaneGroupSpec& group) {
 
 Result<LaneGroup> design_group(const Scene& scene, const LaneGroupSpec& group,
                                const Comparisons* data) {
-  const Result<Lane> lane = design_lane(scene, group.reduced, data);
+  const Result<CombinedLane> lane = design_lane(scene, group.reduced, data);
   if (!lane.ok()) return placed(lane.error(), group);
   if (!group.count) {
     return unresolved(scene, "system.lanes", "--lanes 8", fmt::format("1..{}", max_lanes));
@@ -118,7 +134,7 @@ Result<Design> choose(const Scene& scene, const Comparisons* data) {
   Design design{.name = scene.name,
                 .inputs = scene.graph.inputs(),
                 .lanes = {},
-                .reference = reference_graph(scene.graph, scene.reference),
+                .reference = reference_graphs(scene.graph, scene.reference),
                 .references = {},
                 .system = scene.system};
   for (const LaneGroupSpec& spec : scene.lane_groups()) {
@@ -164,15 +180,17 @@ bool Design::certified() const {
                      [](const LaneGroup& group) { return group.lane.certified(); });
 }
 
-Result<Lane> design_lane(const Scene& scene, const ReducedSpec& reduced, const Comparisons* data) {
+Result<CombinedLane> design_lane(const Scene& scene, const ReducedSpec& reduced,
+                                 const Comparisons* data) {
   if (!reduced.format) {
     return unresolved(scene, "reduced.format", "--format s17e8", "sPeE, such as s17e8");
   }
   const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
-  TypedGraph graph = lane_graph(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
+  const CombinedGraph graph =
+      lane_graphs(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
   switch (reduced.bound) {
-    case BoundKind::certified: return design_certified_lane(scene, reduced, std::move(graph));
-    case BoundKind::profiled: return design_profiled_lane(scene, reduced, std::move(graph), data);
+    case BoundKind::certified: return design_certified_lane(scene, reduced, graph);
+    case BoundKind::profiled: return design_profiled_lane(scene, reduced, graph, data);
   }
   MIXCMP_CHECK(false);
 }

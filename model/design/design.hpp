@@ -1,14 +1,14 @@
 #pragma once
 
 #include "model/data/comparisons.hpp"
-#include "model/error/lane.hpp"
+#include "model/error/combined_lane.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::model {
 
 /// Lanes of one kind.
 struct LaneGroup {
-  Lane lane;
+  CombinedLane lane;
   LaneInputs inputs = LaneInputs::exact;
   Multipliers multipliers = Multipliers::embedded;
   int count = 1;
@@ -26,7 +26,7 @@ struct Design {
   std::string name;
   std::vector<std::string> inputs;  ///< in the order they are packed
   std::vector<LaneGroup> lanes;     ///< at least one
-  TypedGraph reference;
+  CombinedGraph reference;
   std::vector<ReferenceGroup> references;  ///< none: p_H = 0
   SystemSpec system;
 
@@ -42,7 +42,8 @@ struct Design {
 Result<Design> make_design(const Scene& scene, const Comparisons* data);
 
 /// One lane of a scene, as `reduced` wants it.
-Result<Lane> design_lane(const Scene& scene, const ReducedSpec& reduced, const Comparisons* data);
+Result<CombinedLane> design_lane(const Scene& scene, const ReducedSpec& reduced,
+                                 const Comparisons* data);
 
 /// A short name for each group: the format, "s12e8"; where groups share one, with what tells them
 /// apart, "s12e8_rounded_logic". Groups have the same name only where nothing here does.

@@ -1,13 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "model/design/design.hpp"
 
 namespace mixcmp::model {
 namespace {
 
-std::string bound_name(const Lane& lane) {
+std::string bound_name_of_part(const Lane& lane) {
   if (!lane.certified()) return "profiled";
   const auto* absolute = std::get_if<AbsoluteBoundDecision>(&lane.decision);
   if (absolute == nullptr) return "relative";
@@ -15,16 +16,27 @@ std::string bound_name(const Lane& lane) {
   return fmt::format("running_{}", absolute->bound.format.precision);
 }
 
+/// Of parts whose bounds differ: each kind once.
+std::string bound_name(const CombinedLane& lane) {
+  std::string name;
+  std::set<std::string> told;
+  for (const Lane& part : lane.parts) {
+    const std::string kind = bound_name_of_part(part);
+    if (told.insert(kind).second) name += (name.empty() ? "" : "_") + kind;
+  }
+  return name;
+}
+
 /// Words for what may tell a group from another of its format.
 std::vector<std::string> traits_of(const LaneGroup& group) {
-  const Arithmetic& arithmetic = group.lane.graph.arithmetic;
+  const Arithmetic& arithmetic = group.lane.arithmetic();
   return {std::string(to_string(group.inputs)), bound_name(group.lane),
           std::string(to_string(arithmetic.rounding)),
           std::string(to_string(arithmetic.subnormals)), std::string(to_string(group.multipliers))};
 }
 
 FloatFormat format_of(const LaneGroup& group) {
-  return group.lane.graph.arithmetic.format;
+  return group.lane.arithmetic().format;
 }
 
 }  // namespace
@@ -52,7 +64,7 @@ std::vector<std::string> reference_group_names(const Design& design) {
   });
   std::vector<std::string> names;
   for (const ReferenceGroup& group : groups) {
-    std::string& name = names.emplace_back(design.reference.arithmetic.format.name());
+    std::string& name = names.emplace_back(design.reference.arithmetic().format.name());
     if (!alike) name += fmt::format("_{}", to_string(group.multipliers));
   }
   return names;

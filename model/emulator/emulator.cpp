@@ -28,8 +28,8 @@ public:
   const std::optional<Plan>& plan() const { return plan_; }
   int input_count() const { return graph_.input_count; }
 
-  Decision decide(OperandColumns operands, std::size_t index) const;
-  Decision compare(OperandColumns operands, std::size_t index) const;
+  void decide(OperandColumns operands, std::span<Decision> decisions) const;
+  void compare(OperandColumns operands, std::span<Decision> decisions) const;
   struct Values {
     double f, g;
     bool exceptional;
@@ -40,6 +40,8 @@ public:
 
 private:
   std::vector<Bits> encoded(OperandColumns operands, std::size_t index) const;
+  Decision golden_decision(OperandColumns operands, std::size_t index) const;
+  Decision golden_order(OperandColumns operands, std::size_t index) const;
 
   TypedGraph graph_;
   std::optional<Lane> lane_;
@@ -57,14 +59,14 @@ std::vector<Bits> Emulator::Program::encoded(OperandColumns operands, std::size_
   return inputs;
 }
 
-Decision Emulator::Program::decide(OperandColumns operands, std::size_t index) const {
+Decision Emulator::Program::golden_decision(OperandColumns operands, std::size_t index) const {
   const std::vector<Bits> inputs = encoded(operands, index);
   if (!lane_) return static_cast<Decision>(golden::evaluate_reference(graph_, inputs));
   const golden::LaneResult result = golden::evaluate_lane(*lane_, inputs);
   return result.decided ? static_cast<Decision>(result.verdict) : Decision::undecided;
 }
 
-Decision Emulator::Program::compare(OperandColumns operands, std::size_t index) const {
+Decision Emulator::Program::golden_order(OperandColumns operands, std::size_t index) const {
   return static_cast<Decision>(golden::evaluate_reference(graph_, encoded(operands, index)));
 }
 
@@ -79,6 +81,10 @@ Emulator::Program::Values Emulator::Program::compute(OperandColumns operands,
 }
 
 namespace {
+
+/// Of each Decision: what outweighs what where parts are combined.
+constexpr std::array<std::uint8_t, 5> ranks_of_all = {0, 1, 4, 2, 3};
+constexpr std::array<std::uint8_t, 5> ranks_of_any = {4, 1, 0, 2, 3};
 
 /// Decisions of a plan; `doubtful` answers where double cannot be trusted.
 template <class Doubtful>
@@ -103,53 +109,91 @@ void run(const Plan& plan, const emulator::Judgement& judgement, Execution::Scop
 
 }  // namespace
 
-Emulator::Emulator(const Lane& lane) : program_(std::make_unique<const Program>(lane)) {}
-Emulator::Emulator(const TypedGraph& reference)
-    : program_(std::make_unique<const Program>(reference)) {}
+void Emulator::Program::decide(OperandColumns operands, std::span<Decision> decisions) const {
+  const auto golden = [&](std::size_t k) { return golden_decision(operands, k); };
+  if (!plan_) {
+    for (std::size_t k = 0; k < decisions.size(); ++k) decisions[k] = golden(k);
+    return;
+  }
+  run(*plan_, plan_->decision, Execution::Scope::decision, operands, decisions, [&](std::size_t k) {
+    return plan_->doubtful_is_undecided ? Decision::undecided : golden(k);
+  });
+}
+
+void Emulator::Program::compare(OperandColumns operands, std::span<Decision> decisions) const {
+  const auto golden = [&](std::size_t k) { return golden_order(operands, k); };
+  if (!plan_) {
+    for (std::size_t k = 0; k < decisions.size(); ++k) decisions[k] = golden(k);
+    return;
+  }
+  const emulator::Judgement order = {
+      .rule = emulator::Rule::order, .first = plan_->f, .second = plan_->g};
+  run(*plan_, order, Execution::Scope::values, operands, decisions, golden);
+}
+
+Emulator::Emulator(const Lane& lane) : Emulator(CombinedLane(lane)) {}
+Emulator::Emulator(const TypedGraph& reference) : Emulator(CombinedGraph(reference)) {}
+Emulator::Emulator(const CombinedLane& lane) : combination_(lane.combination) {
+  for (const Lane& part : lane.parts) parts_.push_back(std::make_unique<const Program>(part));
+}
+Emulator::Emulator(const CombinedGraph& reference) : combination_(reference.combination) {
+  for (const TypedGraph& part : reference.parts) {
+    parts_.push_back(std::make_unique<const Program>(part));
+  }
+}
 Emulator::~Emulator() = default;
 Emulator::Emulator(Emulator&&) noexcept = default;
 Emulator& Emulator::operator=(Emulator&&) noexcept = default;
 
+/// Every part's decisions, and what they make together: the last of `all` in the order less, equal,
+/// unordered, undecided, greater, since nothing outweighs greater; `any` the first in its order.
+template <class Judge>
+void Emulator::combine(std::size_t count, std::span<Decision> decisions, Judge judge) const {
+  MIXCMP_CHECK(decisions.size() >= count);
+  judge(*parts_.front(), decisions.first(count));
+  if (parts_.size() == 1) return;
+  const std::array<std::uint8_t, 5>& ranks =
+      combination_ == Combination::all ? ranks_of_all : ranks_of_any;
+  std::vector<Decision> part(count);
+  for (std::size_t index = 1; index < parts_.size(); ++index) {
+    judge(*parts_[index], std::span(part));
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool outweighs =
+          ranks[static_cast<std::size_t>(part[k])] > ranks[static_cast<std::size_t>(decisions[k])];
+      if (outweighs) decisions[k] = part[k];
+    }
+  }
+}
+
 void Emulator::decide(OperandColumns operands, std::size_t count,
                       std::span<Decision> decisions) const {
-  MIXCMP_CHECK(decisions.size() >= count);
-  MIXCMP_CHECK(static_cast<int>(operands.size()) == program_->input_count());
-  const auto& plan = program_->plan();
-  const auto golden = [&](std::size_t k) { return program_->decide(operands, k); };
-  if (!plan) {
-    for (std::size_t k = 0; k < count; ++k) decisions[k] = golden(k);
-    return;
-  }
-  run(*plan, plan->decision, Execution::Scope::decision, operands, decisions.first(count),
-      [&](std::size_t k) { return plan->doubtful_is_undecided ? Decision::undecided : golden(k); });
+  MIXCMP_CHECK(static_cast<int>(operands.size()) == parts_.front()->input_count());
+  combine(count, decisions, [&](const Program& part, std::span<Decision> of_part) {
+    part.decide(operands, of_part);
+  });
 }
 
 void Emulator::compare(OperandColumns operands, std::size_t count,
                        std::span<Decision> decisions) const {
-  MIXCMP_CHECK(decisions.size() >= count);
-  MIXCMP_CHECK(static_cast<int>(operands.size()) == program_->input_count());
-  const auto& plan = program_->plan();
-  const auto golden = [&](std::size_t k) { return program_->compare(operands, k); };
-  if (!plan) {
-    for (std::size_t k = 0; k < count; ++k) decisions[k] = golden(k);
-    return;
-  }
-  const emulator::Judgement order = {
-      .rule = emulator::Rule::order, .first = plan->f, .second = plan->g};
-  run(*plan, order, Execution::Scope::values, operands, decisions.first(count), golden);
+  MIXCMP_CHECK(static_cast<int>(operands.size()) == parts_.front()->input_count());
+  combine(count, decisions, [&](const Program& part, std::span<Decision> of_part) {
+    part.compare(operands, of_part);
+  });
 }
 
 void Emulator::compute(OperandColumns operands, std::size_t count, std::span<double> f,
                        std::span<double> g, std::span<std::uint8_t> exceptional) const {
   MIXCMP_CHECK(f.size() >= count && g.size() >= count && exceptional.size() >= count);
-  MIXCMP_CHECK(static_cast<int>(operands.size()) == program_->input_count());
+  MIXCMP_CHECK(parts_.size() == 1);
+  const Program& program = *parts_.front();
+  MIXCMP_CHECK(static_cast<int>(operands.size()) == program.input_count());
   const auto golden = [&](std::size_t k) {
-    const Program::Values values = program_->compute(operands, k);
+    const Program::Values values = program.compute(operands, k);
     f[k] = values.f;
     g[k] = values.g;
     exceptional[k] = values.exceptional ? 1 : 0;
   };
-  const auto& plan = program_->plan();
+  const auto& plan = program.plan();
   if (!plan) {
     for (std::size_t k = 0; k < count; ++k) golden(k);
     return;
@@ -167,7 +211,9 @@ void Emulator::compute(OperandColumns operands, std::size_t count, std::span<dou
 }
 
 std::uint64_t Emulator::fallbacks() const {
-  return program_->fallbacks();
+  std::uint64_t count = 0;
+  for (const auto& part : parts_) count += part->fallbacks();
+  return count;
 }
 
 const char* Emulator::instruction_set() {

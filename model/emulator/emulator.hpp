@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "model/error/lane.hpp"
+#include "model/error/combined_lane.hpp"
 
 namespace mixcmp::model {
 
@@ -34,8 +34,10 @@ using OperandColumns = std::span<const double* const>;
 class Emulator {
 public:
   explicit Emulator(const Lane& lane);
+  explicit Emulator(const CombinedLane& lane);
   /// A reference datapath: never undecided. Its graph may have up to 53 digits.
   explicit Emulator(const TypedGraph& reference);
+  explicit Emulator(const CombinedGraph& reference);
   ~Emulator();
   Emulator(Emulator&&) noexcept;
   Emulator& operator=(Emulator&&) noexcept;
@@ -47,7 +49,7 @@ public:
   void compare(OperandColumns operands, std::size_t count, std::span<Decision> decisions) const;
 
   /// f and g as computed, as doubles (where the format has more digits or exponents, the nearest);
-  /// and whether anything on the way was exceptional.
+  /// and whether anything on the way was exceptional. Of a comparison of one part.
   void compute(OperandColumns operands, std::size_t count, std::span<double> f, std::span<double> g,
                std::span<std::uint8_t> exceptional) const;
 
@@ -59,7 +61,11 @@ public:
 
 private:
   class Program;
-  std::unique_ptr<const Program> program_;
+  template <class Judge>
+  void combine(std::size_t count, std::span<Decision> decisions, Judge judge) const;
+
+  Combination combination_ = Combination::all;
+  std::vector<std::unique_ptr<const Program>> parts_;
 };
 
 }  // namespace mixcmp::model

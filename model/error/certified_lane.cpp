@@ -88,9 +88,8 @@ Bits never(FloatFormat format) {
 }
 
 Bits smallest_guard(const NodeBound& f, const NodeBound& g, int precision) {
-  const Bits guard = guard_ulp(*f.relative, *g.relative, precision);
-  if (!f.unrounded || !g.unrounded) return guard;
-  return std::min(guard, guard_ulp_before_rounding(*f.unrounded, *g.unrounded, precision));
+  return std::min(guard_ulp(*f.relative, *g.relative, precision),
+                  guard_ulp_before_rounding(*f.before_rounding, *g.before_rounding, precision));
 }
 
 std::vector<RangeCheck> sign_checks(const ErrorAnalysis& analysis) {
@@ -260,21 +259,6 @@ Result<Lane> certified_lane(TypedGraph graph, const CertifiedOptions& options) {
                                 : first_lane(graph, options));
   if (options.hazards == HazardRemoval::remove) remove_hazards(lane, options.ranges);
   return lane;
-}
-
-std::vector<CandidateLane> candidate_lanes(const TypedGraph& graph, const Ranges& ranges) {
-  std::vector<CandidateLane> candidates;
-  const auto add = [&](ErrorBoundKind kind, int digits) {
-    candidates.push_back(
-        {kind, digits,
-         certified_lane(graph,
-                        {.kind = kind, .bound_digits = std::max(digits, 1), .ranges = ranges})});
-  };
-  add(ErrorBoundKind::relative, 0);
-  add(ErrorBoundKind::running, 4);
-  add(ErrorBoundKind::running, 1);
-  add(ErrorBoundKind::constant, 0);
-  return candidates;
 }
 
 }  // namespace mixcmp::model

@@ -36,14 +36,4 @@ struct CertifiedOptions {
 /// has no bound of the kind, why, and what the user can do. Proofs: docs/error_bounds.md.
 Result<Lane> certified_lane(TypedGraph graph, const CertifiedOptions& options);
 
-/// One way to certify a graph, or why it does not exist.
-struct CandidateLane {
-  ErrorBoundKind kind;
-  int bound_digits;  ///< of a running bound; else 0
-  Result<Lane> lane;
-};
-/// Relative; running with 4 digits and with exponents alone; constant.
-std::vector<CandidateLane> candidate_lanes(const TypedGraph& graph,
-                                           const std::vector<std::optional<Range>>& ranges);
-
 }  // namespace mixcmp::model

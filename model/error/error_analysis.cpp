@@ -101,6 +101,7 @@ private:
   BoundId reciprocal(NodeId id);
   AbsolutePart sum(const AbsolutePart& a, const AbsolutePart& b);
   NodeBound rounded(NodeId id, Exact exact) const;
+  std::optional<RelativeBound> before_rounding(NodeId id, const NodeBound& bound) const;
   std::string text(NodeId id) const;
 
   const TypedGraph& graph_;
@@ -113,7 +114,9 @@ private:
 
 ErrorAnalysis Analysis::run() && {
   for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) {
-    bounds_.push_back(bound_of(id));
+    NodeBound bound = bound_of(id);
+    bound.before_rounding = before_rounding(id, bound);
+    bounds_.push_back(std::move(bound));
   }
   const auto is_checked = [&](const SignProof& proof) {
     return proof && std::includes(used_.begin(), used_.end(), proof->begin(), proof->end());
@@ -398,6 +401,32 @@ NodeBound Analysis::rounded(NodeId id, Exact exact) const {
   }
   bound.mixed = std::move(mixed);
   return bound;
+}
+
+/// A number of the format is its own rounding; selections commute with rounding.
+std::optional<RelativeBound> Analysis::before_rounding(NodeId id, const NodeBound& bound) const {
+  if (!bound.relative || !(node(id).format == graph_.arithmetic.format)) return std::nullopt;
+  if (bound.unrounded) return bound.unrounded;
+  const auto operand = [&](int k) { return bounds_[node(id).operands[k]].before_rounding; };
+  switch (node(id).operation) {
+    case Operation::negate:
+    case Operation::absolute: return operand(0);
+    case Operation::minimum:
+    case Operation::maximum: return hull(*operand(0), *operand(1));
+    case Operation::constant:
+      // Encoded to nearest, whatever the lane's rounding is.
+      if (graph_.arithmetic.rounding == Rounding::nearest_even) return RelativeBound{};
+      return bound.relative;
+    case Operation::input:
+    case Operation::convert:
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::multiply:
+    case Operation::square:
+    case Operation::divide:
+    case Operation::square_root: return bound.relative;
+  }
+  MIXCMP_CHECK(false);
 }
 
 std::string Analysis::text(NodeId id) const {

@@ -34,6 +34,9 @@ struct NodeBound {
   /// Relative, where the node rounds: true value = (the operation's exact result, before its own
   /// rounding) * t.
   std::optional<RelativeBound> unrounded;
+  /// Relative, of a node in the lane's format: it holds fl(x) of some real number x (its exact
+  /// result, or what is chosen among those of its operands), and true value = x * t. Theorem 4.
+  std::optional<RelativeBound> before_rounding;
   bool nonnegative = false;
   bool nonpositive = false;
   std::string reason;  ///< why there is no relative bound, in words for the user

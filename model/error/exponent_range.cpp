@@ -5,6 +5,7 @@
 #include "model/common/check.hpp"
 #include "model/error/hazards.hpp"
 #include "model/error/range_analysis.hpp"
+#include "model/expression/combined_graph.hpp"
 #include "model/golden/arithmetic.hpp"
 
 namespace mixcmp::model {
@@ -41,7 +42,10 @@ int lane_exponent_bits(const Graph& graph, FloatFormat reference, const Arithmet
   for (int bits = fewest; bits < reference.exponent_bits(); ++bits) {
     Arithmetic narrow = arithmetic;
     narrow.format = FloatFormat::make(arithmetic.format.precision(), bits).value();
-    if (serves(lane_graph(graph, reference, narrow, inputs), ranges)) return bits;
+    const std::vector<TypedGraph> parts = lane_graphs(graph, reference, narrow, inputs).parts;
+    const bool all_serve = std::all_of(
+        parts.begin(), parts.end(), [&](const TypedGraph& part) { return serves(part, ranges); });
+    if (all_serve) return bits;
   }
   return reference.exponent_bits();
 }

@@ -25,6 +25,15 @@ bool may_cancel(const TypedGraph& graph, const std::vector<Sign>& signs, NodeId 
   return !sum.nonnegative && !sum.nonpositive;
 }
 
+/// A part of a comparison need not look at every input.
+std::vector<bool> used_inputs(const TypedGraph& graph) {
+  std::vector<bool> used(static_cast<std::size_t>(graph.input_count), false);
+  for (const TypedNode& node : graph.nodes) {
+    if (node.operation == Operation::input) used[static_cast<std::size_t>(node.input)] = true;
+  }
+  return used;
+}
+
 class HazardAnalysis {
 public:
   HazardAnalysis(const TypedGraph& graph, const std::vector<std::optional<Range>>& checked)
@@ -115,9 +124,10 @@ bool has_unit(Operation operation) {
 
 std::vector<RangeCheck> full_range_checks(const TypedGraph& graph,
                                           const std::vector<std::optional<Range>>& ranges) {
+  const std::vector<bool> used = used_inputs(graph);
   std::vector<RangeCheck> checks;
   for (std::size_t input = 0; input < ranges.size(); ++input) {
-    if (!ranges[input]) continue;
+    if (!ranges[input] || !used[input]) continue;
     checks.push_back(range_check(static_cast<int>(input), graph.input_format, *ranges[input]));
   }
   return checks;

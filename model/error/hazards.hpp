@@ -10,7 +10,7 @@ namespace mixcmp::model {
 /// Whether hardware computes it: inputs and constants are given, negate and absolute are wires.
 bool has_unit(Operation operation);
 
-/// A check of sign and magnitude for every declared range.
+/// A check of sign and magnitude for every input of the graph that has a declared range.
 std::vector<RangeCheck> full_range_checks(const TypedGraph& graph,
                                           const std::vector<std::optional<Range>>& ranges);
 
@@ -18,11 +18,12 @@ std::vector<RangeCheck> full_range_checks(const TypedGraph& graph,
 std::vector<std::optional<Range>> checked_ranges(const TypedGraph& graph,
                                                  const std::vector<RangeCheck>& checks);
 
-/// What follows from the expression alone, whatever the operands are: sums of squares do not cancel.
+/// What follows from the expression alone, whatever the operands are: sums of squares do not
+/// cancel.
 std::vector<Hazards> structural_hazards(const TypedGraph& graph);
 
-/// Marks what interval analysis and signs rule out of each operation, given full range checks; where ranges
-/// help, the lane gets those checks.
+/// Marks what interval analysis and signs rule out of each operation, given full range checks;
+/// where ranges help, the lane gets those checks.
 void remove_hazards(Lane& lane, const std::vector<std::optional<Range>>& ranges);
 
 }  // namespace mixcmp::model

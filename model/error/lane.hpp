@@ -59,10 +59,13 @@ struct Hazards {
   friend bool operator==(const Hazards&, const Hazards&) = default;
 };
 
-/// One reduced-precision datapath: what it computes and when it dares to decide.
+using LaneDecision = std::variant<UlpDistanceDecision, AbsoluteBoundDecision, IntervalDecision>;
+
+/// A reduced-precision datapath for one f and one g (of several parts: CombinedLane): what it
+/// computes and when it dares to decide.
 struct Lane {
   TypedGraph graph;
-  std::variant<UlpDistanceDecision, AbsoluteBoundDecision, IntervalDecision> decision;
+  LaneDecision decision;
   /// An operand that fails its check leaves the lane undecided.
   std::vector<RangeCheck> checks = {};
   /// One a node; empty: nothing is ruled out.

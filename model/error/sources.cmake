@@ -1,5 +1,6 @@
 target_sources(mixcmp_model PRIVATE
   error/certified_lane.cpp
+  error/combined_lane.cpp
   error/constant_bound.cpp
   error/error_analysis.cpp
   error/exactness.cpp

@@ -57,6 +57,14 @@ std::string_view to_string(Operation operation) {
   MIXCMP_CHECK(false);
 }
 
+std::string_view to_string(Combination combination) {
+  switch (combination) {
+    case Combination::all: return "all";
+    case Combination::any: return "any";
+  }
+  MIXCMP_CHECK(false);
+}
+
 NodeId Graph::input(const std::string& name) {
   const auto found = std::find(inputs_.begin(), inputs_.end(), name);
   const int index = static_cast<int>(found - inputs_.begin());
@@ -79,8 +87,29 @@ NodeId Graph::apply(Operation operation, NodeId first, NodeId second) {
 }
 
 void Graph::compare(NodeId f, NodeId g) {
-  f_ = f;
-  g_ = g;
+  compare({{f, g}}, Combination::all);
+}
+
+void Graph::compare(std::vector<Sides> parts, Combination combination) {
+  MIXCMP_CHECK(!parts.empty());
+  parts_ = std::move(parts);
+  combination_ = combination;
+}
+
+NodeId Graph::f() const {
+  MIXCMP_CHECK(parts_.size() == 1);
+  return parts_.front().f;
+}
+
+NodeId Graph::g() const {
+  MIXCMP_CHECK(parts_.size() == 1);
+  return parts_.front().g;
+}
+
+Graph Graph::part(std::size_t index) const {
+  Graph alone = *this;
+  alone.parts_ = {parts_[index]};
+  return alone;
 }
 
 NodeId Graph::intern(Node node) {

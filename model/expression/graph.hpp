@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "model/expression/combination.hpp"
+
 namespace mixcmp::model {
 
 enum class Operation {
@@ -40,8 +42,14 @@ struct Node {
   mpq_class value;                            ///< for Operation::constant: exactly as written
 };
 
-/// The real-valued expressions f and g over shared subexpressions, free of any format.
-/// Equal subexpressions are one node; x * x and x ^ 2 are a square.
+/// One part of a comparison: the sign of f - g.
+struct Sides {
+  NodeId f;
+  NodeId g;
+};
+
+/// The real-valued expressions f and g, of one part or of several, over shared subexpressions, free
+/// of any format. Equal subexpressions are one node; x * x and x ^ 2 are a square.
 class Graph {
 public:
   NodeId input(const std::string& name);
@@ -49,20 +57,28 @@ public:
   NodeId apply(Operation operation, NodeId first, NodeId second = -1);
 
   void compare(NodeId f, NodeId g);
+  /// At least one part.
+  void compare(std::vector<Sides> parts, Combination combination);
 
   const std::vector<Node>& nodes() const { return nodes_; }
-  /// In order of first appearance, f before g: the order of operands everywhere.
+  /// In order of first appearance: the order of operands everywhere.
   const std::vector<std::string>& inputs() const { return inputs_; }
-  NodeId f() const { return f_; }
-  NodeId g() const { return g_; }
+  const std::vector<Sides>& parts() const { return parts_; }
+  /// Of several parts; of one it says nothing.
+  Combination combination() const { return combination_; }
+  /// Of the only part.
+  NodeId f() const;
+  NodeId g() const;
+  /// One part alone, over the same nodes and inputs.
+  Graph part(std::size_t index) const;
 
 private:
   NodeId intern(Node node);
 
   std::vector<Node> nodes_;
   std::vector<std::string> inputs_;
-  NodeId f_ = -1;
-  NodeId g_ = -1;
+  std::vector<Sides> parts_;
+  Combination combination_ = Combination::all;
 };
 
 }  // namespace mixcmp::model

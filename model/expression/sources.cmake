@@ -1,4 +1,5 @@
 target_sources(mixcmp_model PRIVATE
+  expression/combined_graph.cpp
   expression/graph.cpp
   expression/literal.cpp
   expression/name.cpp

@@ -7,9 +7,9 @@ namespace {
 
 using Operate = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
 
-std::vector<bool> needed_nodes(const Graph& graph) {
+std::vector<bool> needed_nodes(const Graph& graph, Sides part) {
   std::vector<bool> needed(graph.nodes().size(), false);
-  needed[graph.f()] = needed[graph.g()] = true;
+  needed[part.f] = needed[part.g] = true;
   for (auto id = static_cast<NodeId>(needed.size()) - 1; id >= 0; --id) {
     const Node& node = graph.nodes()[id];
     for (int k = 0; needed[id] && k < arity(node.operation); ++k) needed[node.operands[k]] = true;
@@ -81,7 +81,10 @@ void monotone(Interval& y, const Interval& a, const Interval& b, Operate operate
 }  // namespace
 
 Enclosure::Enclosure(const Graph& graph, mpfr_prec_t precision)
-    : graph_(graph), needed_(needed_nodes(graph)), scratch_(precision) {
+    : Enclosure(graph, {graph.f(), graph.g()}, precision) {}
+
+Enclosure::Enclosure(const Graph& graph, Sides part, mpfr_prec_t precision)
+    : graph_(graph), part_(part), needed_(needed_nodes(graph, part)), scratch_(precision) {
   MIXCMP_CHECK(precision >= encoding_precision);
   values_.reserve(graph.nodes().size());
   for (size_t id = 0; id < graph.nodes().size(); ++id) {

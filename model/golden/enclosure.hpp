@@ -25,19 +25,21 @@ enum class Knowledge {
 /// Interval arithmetic over the nodes that f and g need, every end rounded outward.
 class Enclosure {
 public:
-  /// At least encoding_precision digits. Looks at `graph` as long as it lives.
+  /// Of the only part. At least encoding_precision digits. Looks at `graph` as long as it lives.
   Enclosure(const Graph& graph, mpfr_prec_t precision);
+  Enclosure(const Graph& graph, Sides part, mpfr_prec_t precision);
 
   Knowledge compute(FloatFormat format, std::span<const Bits> inputs);
 
   /// After compute() said `enclosed`.
-  const Interval& f() const { return values_[graph_.f()]; }
-  const Interval& g() const { return values_[graph_.g()]; }
+  const Interval& f() const { return values_[part_.f]; }
+  const Interval& g() const { return values_[part_.g]; }
 
 private:
   Knowledge compute_node(NodeId id, FloatFormat format, std::span<const Bits> inputs);
 
   const Graph& graph_;
+  Sides part_;
   std::vector<bool> needed_;
   std::vector<Interval> values_;
   BigFloat scratch_;

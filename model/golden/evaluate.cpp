@@ -110,11 +110,11 @@ Decision decide(const AbsoluteBoundDecision& decision, const TypedGraph& graph,
   const FloatFormat lane = graph.arithmetic.format;
   const std::vector<Bits> bounds = evaluate_bound(decision.bound, graph, values);
   const Bits difference = values[decision.difference].bits;
-  const bool valid = std::all_of(
-      decision.conditions.begin(), decision.conditions.end(), [&](const BoundCondition& condition) {
-        return bound_is_at_most(format, bounds[condition.bound], lane,
-                                values[condition.value].bits);
-      });
+  const bool valid = std::all_of(decision.conditions.begin(), decision.conditions.end(),
+                                 [&](const BoundCondition& condition) {
+                                   return bound_is_at_most(format, bounds[condition.bound], lane,
+                                                           values[condition.value].bits);
+                                 });
   return {valid && bounds.back() != format.infinity() &&
               lane.magnitude(difference) > padded(format, bounds.back(), lane) + decision.guard_ulp,
           lane.sign(difference) ? Verdict::less : Verdict::greater};
@@ -144,6 +144,38 @@ Verdict order(const Interval& f, const Interval& g) {
   const bool points =
       mpfr_equal_p(f.low.get(), f.high.get()) != 0 && mpfr_equal_p(g.low.get(), g.high.get()) != 0;
   return points && mpfr_equal_p(f.low.get(), g.low.get()) ? Verdict::equal : Verdict::unordered;
+}
+
+Verdict true_verdict_of_part(const Graph& graph, Sides part, FloatFormat format,
+                             std::span<const Bits> inputs) {
+  Knowledge knowledge = Knowledge::uncertain;
+  for (mpfr_prec_t precision = first_precision; precision <= last_precision(format);
+       precision *= 2) {
+    Enclosure enclosure(graph, part, precision);
+    knowledge = enclosure.compute(format, inputs);
+    if (knowledge == Knowledge::undefined) return Verdict::unordered;
+    if (knowledge == Knowledge::uncertain) continue;
+    const Verdict verdict = order(enclosure.f(), enclosure.g());
+    if (verdict != Verdict::unordered) return verdict;
+  }
+  return knowledge == Knowledge::uncertain ? Verdict::unordered : Verdict::equal;
+}
+
+/// Less and greater alone: where combining starts, since it changes nothing.
+Verdict opposite(Verdict verdict) {
+  return verdict == Verdict::greater ? Verdict::less : Verdict::greater;
+}
+
+/// Looks no further than a dominating verdict.
+template <class Part, class Judge>
+Verdict combined_verdict(Combination combination, const std::vector<Part>& parts, Judge judge) {
+  const Verdict dominating = dominating_verdict(combination);
+  Verdict verdict = opposite(dominating);
+  for (const Part& part : parts) {
+    verdict = combine(combination, verdict, judge(part));
+    if (verdict == dominating) break;
+  }
+  return verdict;
 }
 
 }  // namespace
@@ -177,10 +209,27 @@ bool passes(const RangeCheck& check, FloatFormat format, Bits operand) {
   return check.least <= leading && leading <= check.greatest;
 }
 
+Verdict dominating_verdict(Combination combination) {
+  switch (combination) {
+    case Combination::all: return Verdict::greater;
+    case Combination::any: return Verdict::less;
+  }
+  MIXCMP_CHECK(false);
+}
+
+Verdict combine(Combination combination, Verdict a, Verdict b) {
+  const auto has = [&](Verdict verdict) { return a == verdict || b == verdict; };
+  const Verdict last = dominating_verdict(combination);
+  if (has(last)) return last;
+  if (has(Verdict::unordered)) return Verdict::unordered;
+  if (has(Verdict::equal)) return Verdict::equal;
+  return a;
+}
+
 LaneResult evaluate_lane(const Lane& lane, std::span<const Bits> inputs) {
   const std::vector<Rounded> values = evaluate(lane.graph, inputs);
-  const Decision decision = std::visit(
-      [&](const auto& kind) { return decide(kind, lane.graph, values); }, lane.decision);
+  const Decision decision =
+      std::visit([&](const auto& kind) { return decide(kind, lane.graph, values); }, lane.decision);
   // The paper's decision knows no exceptions: that is one of its errors, kept as it is.
   const bool usable = !lane.certified() || !any_exceptional(values);
   return {values[lane.graph.f].bits, values[lane.graph.g].bits,
@@ -193,18 +242,27 @@ Verdict evaluate_reference(const TypedGraph& reference, std::span<const Bits> in
                  values[reference.f].bits, values[reference.g].bits);
 }
 
-Verdict true_verdict(const Graph& graph, FloatFormat format, std::span<const Bits> inputs) {
-  Knowledge knowledge = Knowledge::uncertain;
-  for (mpfr_prec_t precision = first_precision; precision <= last_precision(format);
-       precision *= 2) {
-    Enclosure enclosure(graph, precision);
-    knowledge = enclosure.compute(format, inputs);
-    if (knowledge == Knowledge::undefined) return Verdict::unordered;
-    if (knowledge == Knowledge::uncertain) continue;
-    const Verdict verdict = order(enclosure.f(), enclosure.g());
-    if (verdict != Verdict::unordered) return verdict;
+CombinedResult evaluate_lane(const CombinedLane& lane, std::span<const Bits> inputs) {
+  const Verdict dominating = dominating_verdict(lane.combination);
+  CombinedResult result{.decided = true, .verdict = opposite(dominating)};
+  for (const Lane& part : lane.parts) {
+    const LaneResult one = evaluate_lane(part, inputs);
+    if (one.decided && one.verdict == dominating) return {true, dominating};
+    result.decided &= one.decided;
+    if (one.decided) result.verdict = combine(lane.combination, result.verdict, one.verdict);
   }
-  return knowledge == Knowledge::uncertain ? Verdict::unordered : Verdict::equal;
+  return result;
+}
+
+Verdict evaluate_reference(const CombinedGraph& reference, std::span<const Bits> inputs) {
+  return combined_verdict(reference.combination, reference.parts,
+                          [&](const TypedGraph& part) { return evaluate_reference(part, inputs); });
+}
+
+Verdict true_verdict(const Graph& graph, FloatFormat format, std::span<const Bits> inputs) {
+  return combined_verdict(graph.combination(), graph.parts(), [&](const Sides& part) {
+    return true_verdict_of_part(graph, part, format, inputs);
+  });
 }
 
 }  // namespace mixcmp::model::golden

@@ -3,8 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "model/error/lane.hpp"
-#include "model/expression/typed_graph.hpp"
+#include "model/error/combined_lane.hpp"
 #include "model/golden/arithmetic.hpp"
 
 namespace mixcmp::model::golden {
@@ -31,14 +30,28 @@ struct LaneResult {
 /// What a lane of the hardware decides, bit for bit.
 LaneResult evaluate_lane(const Lane& lane, std::span<const Bits> inputs);
 
+struct CombinedResult {
+  bool decided;
+  Verdict verdict;  ///< meaningful where decided; never unordered there
+};
+CombinedResult evaluate_lane(const CombinedLane& lane, std::span<const Bits> inputs);
+
 /// What a reference datapath answers: the ordering of f and g as computed in its format.
 Verdict evaluate_reference(const TypedGraph& reference, std::span<const Bits> inputs);
+Verdict evaluate_reference(const CombinedGraph& reference, std::span<const Bits> inputs);
 
-/// The ordering of the real numbers f and g of these inputs, which are exact values in `format`.
+/// The verdict that says all, whatever the other parts' are: greater of `all`, less of `any`.
+Verdict dominating_verdict(Combination combination);
+/// One verdict of two parts' verdicts; associative and commutative.
+Verdict combine(Combination combination, Verdict a, Verdict b);
+
+/// The ordering of the real numbers f and g of these inputs, which are exact values in `format`; of
+/// several parts, their combined verdict.
 /// Decided by interval arithmetic of growing precision; `unordered` for a NaN, for an infinite
 /// input, for a division by an exact zero and for the root of a negative number. Precision stops at
-/// 2^14 bits (2^15 to 2^17 for 13 to 15 exponent bits): where f and g still cannot be told apart they are called equal, and a divisor or a
-/// radicand that still may be zero or negative makes the verdict unordered.
+/// 2^14 bits (2^15 to 2^17 for 13 to 15 exponent bits): where f and g still cannot be told apart
+/// they are called equal, and a divisor or a radicand that still may be zero or negative makes the
+/// verdict unordered.
 Verdict true_verdict(const Graph& graph, FloatFormat format, std::span<const Bits> inputs);
 
 }  // namespace mixcmp::model::golden

@@ -141,13 +141,20 @@ bool read_number(const std::string& text, Number& number) {
 
 }  // namespace
 
-double lane_luts(const Lane& lane) {
-  const int precision = lane.graph.arithmetic.format.precision();
-  return graph_luts(lane.graph) + std::visit(DecisionLuts{precision}, lane.decision);
+double lane_luts(const CombinedLane& lane) {
+  const int precision = lane.arithmetic().format.precision();
+  const SharedLane shared = share(lane);
+  double luts = graph_luts(shared.graph);
+  for (const SharedPart& part : shared.parts) {
+    luts += std::visit(DecisionLuts{precision}, part.decision);
+  }
+  return luts;
 }
 
-double reference_luts(const TypedGraph& reference) {
-  return graph_luts(reference) + comparison(reference.arithmetic.format.precision());
+double reference_luts(const CombinedGraph& reference) {
+  const SharedGraph shared = share(reference);
+  return graph_luts(shared.graph) + static_cast<double>(shared.sides.size()) *
+                                        comparison(reference.arithmetic().format.precision());
 }
 
 namespace {

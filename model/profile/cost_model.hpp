@@ -6,15 +6,15 @@
 #include <string>
 #include <utility>
 
-#include "model/error/lane.hpp"
+#include "model/error/combined_lane.hpp"
 
 namespace mixcmp::model {
 
 /// A rough area of datapaths, in LUTs of six inputs and no DSPs: one term an operation, fitted to
 /// what Yosys makes of our units (docs/profile.md has the measurements). Good for comparing
 /// precisions of one expression; registers, streams and the crossbar are not in it.
-double lane_luts(const Lane& lane);
-double reference_luts(const TypedGraph& reference);
+double lane_luts(const CombinedLane& lane);
+double reference_luts(const CombinedGraph& reference);
 
 /// Areas that somebody has measured; they replace the rough ones, system by system.
 class MeasuredAreas {

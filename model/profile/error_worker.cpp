@@ -1,5 +1,6 @@
 #include "model/profile/error_worker.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -26,21 +27,25 @@ void ErrorTally::add(const ErrorTally& other) {
   comparisons += other.comparisons;
 }
 
-JudgedError judge_error(const ErrorJob& job, const TypedGraph& lane, std::uint64_t sample) {
+JudgedError judge_error(const ErrorJob& job, const ErrorLane& lane, std::uint64_t sample) {
   std::vector<Bits> operands(job.source.data().input_count());
   job.source.data().fetch(job.permutation(sample), operands);
-  golden::Enclosure truth(job.scene.graph, error_truth_precision);
-  if (truth.compute(lane.input_format, operands) != golden::Knowledge::enclosed) return {};
-  const std::vector<golden::Rounded> computed = golden::evaluate(lane, operands);
-  LargestRelativeError f(lane.arithmetic.format), g(lane.arithmetic.format);
-  f.measure(computed[lane.f].bits, truth.f().low);
-  g.measure(computed[lane.g].bits, truth.g().low);
-  return {f.value(), g.value()};
+  JudgedError largest;
+  for (std::size_t k = 0; k < lane.size(); ++k) {
+    const TypedGraph& graph = lane[k].graph;
+    golden::Enclosure truth(job.scene.graph, job.scene.graph.parts()[k], error_truth_precision);
+    if (truth.compute(graph.input_format, operands) != golden::Knowledge::enclosed) continue;
+    const std::vector<golden::Rounded> computed = golden::evaluate(graph, operands);
+    LargestRelativeError f(graph.arithmetic.format), g(graph.arithmetic.format);
+    f.measure(computed[graph.f].bits, truth.f().low);
+    g.measure(computed[graph.g].bits, truth.g().low);
+    largest = {std::max(largest.f, f.value()), std::max(largest.g, g.value())};
+  }
+  return largest;
 }
 
 ErrorWorker::ErrorWorker(const ErrorJob& job)
     : job_(job),
-      enclosure_(job.scene.graph, error_truth_precision),
       operands_(job.source.data().input_count(), block),
       scratch_(error_truth_precision),
       f_(block),
@@ -48,8 +53,12 @@ ErrorWorker::ErrorWorker(const ErrorJob& job)
       exceptional_(block) {
   tally_.f.resize(job.lanes.size());
   tally_.g.resize(job.lanes.size());
-  for (Truth* truth : {&truth_f_, &truth_g_}) {
-    for (auto* part : {&truth->high, &truth->low, &truth->scale}) part->resize(block);
+  for (const Sides& part : job.scene.graph.parts()) {
+    truths_.push_back(
+        {golden::Enclosure(job.scene.graph, part, error_truth_precision), {}, {}, {}});
+    for (Truth* truth : {&truths_.back().f, &truths_.back().g}) {
+      for (auto* values : {&truth->high, &truth->low, &truth->scale}) values->resize(block);
+    }
   }
 }
 
@@ -77,30 +86,40 @@ bool ErrorWorker::keep(Truth& truth, golden::BigFloat& scratch, const golden::Bi
 void ErrorWorker::find_truth(std::uint64_t first, std::size_t count) {
   std::vector<std::uint64_t> indices;
   std::vector<Bits> operands(job_.source.data().input_count());
-  extreme_.clear();
+  for (PartTruth& part : truths_) part.extreme.clear();
   for (std::size_t k = 0; k < count; ++k) {
     indices.push_back(job_.permutation(first + k));
     job_.source.data().fetch(indices.back(), operands);
-    truth_f_.scale[k] = truth_g_.scale[k] = 0;
-    const FloatFormat format = job_.source.data().format();
-    if (enclosure_.compute(format, operands) != golden::Knowledge::enclosed) continue;
-    ++tally_.comparisons;
-    const bool f_kept = keep(truth_f_, scratch_, enclosure_.f().low, k);
-    const bool g_kept = keep(truth_g_, scratch_, enclosure_.g().low, k);
-    if (!f_kept || !g_kept) extreme_.push_back(first + k);
+    bool measured = false;
+    for (PartTruth& part : truths_) measured |= find_truth(part, operands, first, k);
+    tally_.comparisons += measured ? 1 : 0;
   }
   job_.source.fetch(indices, operands_);
 }
 
+bool ErrorWorker::find_truth(PartTruth& part, std::span<const Bits> operands, std::uint64_t first,
+                             std::size_t k) {
+  part.f.scale[k] = part.g.scale[k] = 0;
+  const FloatFormat format = job_.source.data().format();
+  if (part.enclosure.compute(format, operands) != golden::Knowledge::enclosed) return false;
+  const bool f_kept = keep(part.f, scratch_, part.enclosure.f().low, k);
+  const bool g_kept = keep(part.g, scratch_, part.enclosure.g().low, k);
+  if (!f_kept || !g_kept) part.extreme.push_back(first + k);
+  return true;
+}
+
 void ErrorWorker::measure_lane(std::size_t index, std::uint64_t first, std::size_t count) {
   const ErrorLane& lane = job_.lanes[index];
-  lane.emulator.compute(operands_.columns(), count, f_, g_, exceptional_);
-  measure(truth_f_, f_, first, count, tally_.f[index]);
-  measure(truth_g_, g_, first, count, tally_.g[index]);
-  for (const std::uint64_t sample : extreme_) {
-    const JudgedError judged = judge_error(job_, lane.graph, sample);
-    tally_.f[index].add({judged.f.get_d(), sample});
-    tally_.g[index].add({judged.g.get_d(), sample});
+  for (std::size_t k = 0; k < lane.size(); ++k) {
+    const PartTruth& truth = truths_[k];
+    lane[k].emulator.compute(operands_.columns(), count, f_, g_, exceptional_);
+    measure(truth.f, f_, first, count, tally_.f[index]);
+    measure(truth.g, g_, first, count, tally_.g[index]);
+    for (const std::uint64_t sample : truth.extreme) {
+      const JudgedError judged = judge_error(job_, lane, sample);
+      tally_.f[index].add({judged.f.get_d(), sample});
+      tally_.g[index].add({judged.g.get_d(), sample});
+    }
   }
 }
 

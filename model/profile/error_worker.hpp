@@ -20,10 +20,13 @@ struct LargestError {
   void add(const LargestError& other);
 };
 
-struct ErrorLane {
+struct ErrorPart {
   TypedGraph graph;
   Emulator emulator;
 };
+
+/// One a part of the comparison.
+using ErrorLane = std::vector<ErrorPart>;
 
 /// What the samples have in common: built once, read by all threads.
 struct ErrorJob {
@@ -40,11 +43,11 @@ struct ErrorTally {
   void add(const ErrorTally& other);
 };
 
-/// The errors of f and g of one sample, by MPFR alone.
+/// The errors of f and g of one sample, the largest of all parts, by MPFR alone.
 struct JudgedError {
   mpq_class f = 0, g = 0;
 };
-JudgedError judge_error(const ErrorJob& job, const TypedGraph& lane, std::uint64_t sample);
+JudgedError judge_error(const ErrorJob& job, const ErrorLane& lane, std::uint64_t sample);
 
 /// One thread's share of figure 4. Errors are measured in double, from 500-bit true values kept as
 /// sums of two doubles: right to 2^-48 of themselves, enough to find the largest.
@@ -61,8 +64,17 @@ private:
   struct Truth {
     std::vector<double> high, low, scale;
   };
+  /// What is known of one part on a block of samples.
+  struct PartTruth {
+    golden::Enclosure enclosure;
+    Truth f, g;
+    std::vector<std::uint64_t> extreme;  ///< samples of the block left to MPFR
+  };
 
   void find_truth(std::uint64_t first, std::size_t count);
+  /// Of one sample; false where f or g is no real number.
+  bool find_truth(PartTruth& part, std::span<const Bits> operands, std::uint64_t first,
+                  std::size_t k);
   /// False where double has no such exponents.
   static bool keep(Truth& truth, golden::BigFloat& scratch, const golden::BigFloat& value,
                    std::size_t k);
@@ -72,10 +84,8 @@ private:
 
   const ErrorJob& job_;
   ErrorTally tally_;
-  golden::Enclosure enclosure_;
   OperandBlock operands_;
-  Truth truth_f_, truth_g_;
-  std::vector<std::uint64_t> extreme_;  ///< samples of the block left to MPFR
+  std::vector<PartTruth> truths_;
   golden::BigFloat scratch_;
   std::vector<double> f_, g_;
   std::vector<std::uint8_t> exceptional_;

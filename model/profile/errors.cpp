@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -18,14 +19,31 @@ std::optional<double> relative_to_truth(const std::optional<RelativeBound>& boun
   return std::nextafter(largest, std::numeric_limits<double>::infinity());
 }
 
-void add_bounds(const Scene& scene, const TypedGraph& graph, ErrorAtPrecision& error,
+/// Widens `all` by one part's; nothing where a part has none.
+void add_bound(std::optional<double>& all, std::string& reason, const NodeBound& side) {
+  const std::optional<double> bound = relative_to_truth(side.relative);
+  if (!bound) reason = side.reason;
+  all = bound && all ? std::optional(std::max(*all, *bound)) : std::nullopt;
+}
+
+void add_bounds(const Scene& scene, const ErrorLane& lane, ErrorAtPrecision& error,
                 ErrorProfile& profile) {
-  const ErrorAnalysis analysis = analyse_errors(graph, scene.nonnegative_inputs());
-  const NodeBound &f = analysis.nodes[graph.f], &g = analysis.nodes[graph.g];
-  error.f_bound = relative_to_truth(f.relative);
-  error.g_bound = relative_to_truth(g.relative);
-  profile.no_f_bound = f.relative ? "" : f.reason;
-  profile.no_g_bound = g.relative ? "" : g.reason;
+  error.f_bound = error.g_bound = 0;
+  profile.no_f_bound = profile.no_g_bound = "";
+  for (const ErrorPart& part : lane) {
+    const ErrorAnalysis analysis = analyse_errors(part.graph, scene.nonnegative_inputs());
+    add_bound(error.f_bound, profile.no_f_bound, analysis.nodes[part.graph.f]);
+    add_bound(error.g_bound, profile.no_g_bound, analysis.nodes[part.graph.g]);
+  }
+}
+
+ErrorLane lane_of(const CombinedGraph& graph) {
+  ErrorLane lane;
+  for (const TypedGraph& part : graph.parts) {
+    Emulator emulator(Lane{part, UlpDistanceDecision{.guard_ulp = 0, .nonnegative = false}});
+    lane.push_back({part, std::move(emulator)});
+  }
+  return lane;
 }
 
 ErrorTally run(const ErrorJob& job, std::uint64_t samples, const ProfileOptions& options) {
@@ -57,9 +75,7 @@ std::vector<ErrorProfile> profile_errors(const Scene& scene, const Comparisons& 
   for (const LaneInputs each : inputs) {
     for (int precision = options.first_precision; precision <= options.last_precision;
          ++precision) {
-      TypedGraph graph = graph_at(scene, precision, each);
-      Emulator emulator(Lane{graph, UlpDistanceDecision{.guard_ulp = 0, .nonnegative = false}});
-      job.lanes.push_back({std::move(graph), std::move(emulator)});
+      job.lanes.push_back(lane_of(graphs_at(scene, precision, each)));
     }
   }
   const ErrorTally tally = run(job, std::min(options.error_samples, data.size()), options);
@@ -71,11 +87,10 @@ std::vector<ErrorProfile> profile_errors(const Scene& scene, const Comparisons& 
     profile.comparisons = tally.comparisons;
     for (int precision = options.first_precision; precision <= options.last_precision;
          ++precision, ++lane) {
-      const TypedGraph& graph = job.lanes[lane].graph;
       ErrorAtPrecision error{.precision = precision,
-                             .f = judge_error(job, graph, tally.f[lane].sample).f,
-                             .g = judge_error(job, graph, tally.g[lane].sample).g};
-      add_bounds(scene, graph, error, profile);
+                             .f = judge_error(job, job.lanes[lane], tally.f[lane].sample).f,
+                             .g = judge_error(job, job.lanes[lane], tally.g[lane].sample).g};
+      add_bounds(scene, job.lanes[lane], error, profile);
       profile.precisions.push_back(std::move(error));
     }
   }

@@ -36,7 +36,7 @@ int highest_profiled_precision(const Scene& scene);
 /// can have.
 Result<Done> check_profile(const Scene& scene, const ProfileOptions& options);
 
-/// Figure 4: the relative error of f and g at one precision.
+/// Figure 4: the relative error of f and g at one precision; of several parts the largest.
 struct ErrorAtPrecision {
   int precision = 0;
   /// Measured: maximum of |f_L - f_T| / |f_T|, upward to 64 bits, f_T of 500 bits.
@@ -47,7 +47,7 @@ struct ErrorAtPrecision {
 
 struct ErrorProfile {
   LaneInputs inputs = LaneInputs::exact;
-  std::uint64_t comparisons = 0;  ///< measured: those with finite f_T and g_T
+  std::uint64_t comparisons = 0;  ///< measured: those with finite f_T and g_T of some part
   std::vector<ErrorAtPrecision> precisions;
   std::string no_f_bound, no_g_bound;  ///< why, where there is none at the last precision
 };

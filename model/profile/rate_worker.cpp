@@ -63,17 +63,10 @@ void RateWorker::start(std::uint64_t first, std::size_t count) {
 
 /// Envelopes of all candidates; for new ones the verdicts, too.
 void RateWorker::look(const Stage& stage, Candidates& candidates, bool is_first) {
-  const Envelope& envelope = stage.envelope();
-  const int reference = job_.scene.reference.format.precision();
   for (std::size_t at = 0; at < candidates.size(); at += envelope_width) {
-    envelope.evaluate(candidates.operands().columns(at), envelope_);
-    stage.last_open(envelope_, capacity, last_.data() + at);
-    if (!is_first) continue;
-    find_doubtful(envelope, reference, envelope_, doubtful_.data() + at);
-    for (std::size_t k = 0; k < envelope_width; ++k) {
-      const bool greater = envelope_.nodes.back().value[k] > 0;
-      candidates.truth[at + k] = greater ? Decision::greater : Decision::less;
-    }
+    const BlockFindings findings{last_.data() + at, capacity, doubtful_.data() + at,
+                                 (is_first ? candidates.truth : decisions_).data() + at};
+    stage.look(candidates.operands().columns(at), envelope_, findings);
   }
   if (job_.method == ProfileMethod::brute_force) {
     std::fill(last_.begin(), last_.end(), static_cast<LastOpen>(stage.next()));

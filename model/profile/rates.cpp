@@ -33,9 +33,9 @@ std::vector<NodeMagnitude> input_magnitudes(const OperandSource& source) {
 /// Checks repeat from precision to precision; one of each is enough.
 std::vector<RangeCheck> distinct_checks(const SystemLanes& system) {
   std::vector<RangeCheck> checks;
-  for (const std::optional<Lane>& lane : system.lanes) {
+  for (const std::optional<CombinedLane>& lane : system.lanes) {
     if (!lane) continue;
-    for (const RangeCheck& check : lane->checks) {
+    for (const RangeCheck& check : share(*lane).checks) {
       if (std::find(checks.begin(), checks.end(), check) == checks.end()) checks.push_back(check);
     }
   }
@@ -87,7 +87,7 @@ void add_stages(RateJob& job, const ErrorProfile& errors) {
                                     .reference = job.scene.reference.format,
                                     .inputs = inputs};
     job.stages.emplace_back(options, anchors[k + 1], anchors.front(),
-                            graph_at(job.scene, anchors[k], errors.inputs), job.systems);
+                            graphs_at(job.scene, anchors[k], errors.inputs), job.systems);
   }
 }
 
@@ -119,7 +119,7 @@ RateProfile profile_rates(const Scene& scene, const Comparisons& data, const Err
               .method = options.method,
               .systems = existing_systems(systems),
               .stages = {},
-              .reference = Emulator(reference_graph(scene.graph, scene.reference)),
+              .reference = Emulator(reference_graphs(scene.graph, scene.reference)),
               .failing = {}};
   find_failing(job);
   add_stages(job, errors);

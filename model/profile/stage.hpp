@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "model/emulator/emulator.hpp"
@@ -14,6 +15,17 @@ namespace mixcmp::model {
 /// Where the last precision at which a comparison may be open is kept: one byte a comparison.
 using LastOpen = std::uint8_t;
 
+/// What a stage finds out of envelope_width comparisons.
+struct BlockFindings {
+  /// last[system * stride + k]: the last precision at which the system may be undecided or wrong on
+  /// comparison k; anchor() - 1 if at none, next() if at next() or later.
+  LastOpen* last;
+  std::size_t stride;
+  /// 1 where `truth` might not be the true verdict, or the reference's might differ from it.
+  std::uint8_t* doubtful;
+  Decision* truth;
+};
+
 /// What all systems do at precisions anchor .. next - 1, for comparisons not yet settled there.
 class Stage {
 public:
@@ -24,33 +36,38 @@ public:
   };
 
   /// `systems` have lanes from precision `first` on.
-  Stage(const Envelope::Options& options, int next, int first, const TypedGraph& graph,
+  Stage(const Envelope::Options& options, int next, int first, const CombinedGraph& graph,
         const std::vector<SystemLanes>& systems);
 
-  int anchor() const { return envelope_.anchor(); }
+  int anchor() const { return parts_.front().envelope.anchor(); }
   int next() const { return next_; }
-  std::size_t system_count() const { return thresholds_.size(); }
+  std::size_t system_count() const { return runners_.size(); }
   const Runner& runner(std::size_t system, int precision) const {
     return runners_[system][precision - anchor()];
   }
 
-  const Envelope& envelope() const { return envelope_; }
-
-  /// Into last[system * stride + k], for k < envelope_width: the last precision at which the system
-  /// may be undecided or wrong on comparison k of the block; anchor() - 1 if at none, next() if at
-  /// next() or later.
-  void last_open(const EnvelopeBlock& block, std::size_t stride, LastOpen* last) const;
+  /// `columns` as for Envelope::evaluate; `block` is room to work in.
+  void look(std::span<const double* const> columns, EnvelopeBlock& block,
+            const BlockFindings& findings) const;
 
 private:
-  Envelope envelope_;
-  int next_;
-  std::vector<Threshold> thresholds_;
-  std::vector<std::vector<Runner>> runners_;
-};
+  /// One part of the comparison.
+  struct Part {
+    Envelope envelope;
+    std::vector<Threshold> thresholds;  ///< one a system
+  };
 
-/// 1 where the sign of values f - g of the block might not be that of the true f - g, or the
-/// reference's verdict might differ from it.
-void find_doubtful(const Envelope& envelope, int reference_precision, const EnvelopeBlock& block,
-                   std::uint8_t* doubtful);
+  void look(const Part& part, std::span<const double* const> columns, EnvelopeBlock& block,
+            const BlockFindings& findings) const;
+  void last_open(const Part& part, const EnvelopeBlock& block, const BlockFindings& findings) const;
+  void find_verdicts(const Part& part, const EnvelopeBlock& block,
+                     const BlockFindings& findings) const;
+
+  std::vector<Part> parts_;
+  Combination combination_;
+  int reference_precision_;
+  int next_;
+  std::vector<std::vector<Runner>> runners_;  ///< [system][precision - anchor()]
+};
 
 }  // namespace mixcmp::model

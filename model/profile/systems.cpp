@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/error/certified_lane.hpp"
-#include "model/error/profiled_error.hpp"
-
 namespace mixcmp::model {
 namespace {
 
-std::string name_of(const CandidateLane& candidate) {
+std::string name_of(const CandidateLanes& candidate) {
   if (candidate.kind != ErrorBoundKind::running) return std::string(to_string(candidate.kind));
   return fmt::format("running_{}", candidate.bound_digits);
 }
@@ -25,7 +22,7 @@ SystemLanes& system_named(std::vector<SystemLanes>& systems, const std::string& 
 }
 
 void add(std::vector<SystemLanes>& systems, const std::string& name, SystemKind kind,
-         Result<Lane> lane) {
+         Result<CombinedLane> lane) {
   SystemLanes& system = system_named(systems, name, kind);
   if (lane.ok()) {
     system.lanes.emplace_back(std::move(lane).value());
@@ -33,6 +30,14 @@ void add(std::vector<SystemLanes>& systems, const std::string& name, SystemKind 
     system.lanes.emplace_back(std::nullopt);
     system.reason = lane.error().message;
   }
+}
+
+CombinedLane lanes_alone(const CombinedGraph& graph) {
+  std::vector<Lane> parts;
+  for (const TypedGraph& part : graph.parts) {
+    parts.push_back(Lane{part, UlpDistanceDecision{.guard_ulp = 0, .nonnegative = false}});
+  }
+  return {graph.combination, std::move(parts)};
 }
 
 }  // namespace
@@ -45,21 +50,20 @@ int profiled_exponent_bits(const Scene& scene) {
   return scene.reduced.format.value_or(scene.reference.format).exponent_bits();
 }
 
-TypedGraph graph_at(const Scene& scene, int precision, LaneInputs inputs) {
+CombinedGraph graphs_at(const Scene& scene, int precision, LaneInputs inputs) {
   const ReducedSpec& reduced = scene.reduced;
   const FloatFormat format = FloatFormat::make(precision, profiled_exponent_bits(scene)).value();
-  return lane_graph(scene.graph, scene.reference.format,
-                    {format, reduced.rounding, reduced.subnormals}, inputs);
+  return lane_graphs(scene.graph, scene.reference.format,
+                     {format, reduced.rounding, reduced.subnormals}, inputs);
 }
 
 std::vector<SystemLanes> make_systems(const Scene& scene, const ErrorProfile& errors) {
   std::vector<SystemLanes> systems;
   for (const ErrorAtPrecision& error : errors.precisions) {
-    const TypedGraph graph = graph_at(scene, error.precision, errors.inputs);
-    const UlpDistanceDecision order{.guard_ulp = 0, .nonnegative = false};
-    add(systems, "lanes_alone", SystemKind::lanes_alone, Lane{graph, order});
-    add(systems, "profiled", SystemKind::profiled, profiled_lane(graph, error.f, error.g));
-    for (CandidateLane& candidate : candidate_lanes(graph, scene.ranges)) {
+    const CombinedGraph graph = graphs_at(scene, error.precision, errors.inputs);
+    add(systems, "lanes_alone", SystemKind::lanes_alone, lanes_alone(graph));
+    add(systems, "profiled", SystemKind::profiled, profiled_lanes(graph, error.f, error.g));
+    for (CandidateLanes& candidate : candidate_lanes(graph, scene.ranges)) {
       add(systems, name_of(candidate), SystemKind::certified, std::move(candidate.lane));
     }
   }

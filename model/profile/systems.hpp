@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/error/lane.hpp"
+#include "model/error/combined_lane.hpp"
 #include "model/profile/profile.hpp"
 
 namespace mixcmp::model {
@@ -13,8 +13,8 @@ namespace mixcmp::model {
 struct SystemLanes {
   std::string name;
   SystemKind kind;
-  std::vector<std::optional<Lane>> lanes;  ///< from the first precision on
-  std::string reason;                      ///< why it does not exist, where it does not
+  std::vector<std::optional<CombinedLane>> lanes;  ///< from the first precision on
+  std::string reason;                              ///< why it does not exist, where it does not
 
   bool exists() const;
 };
@@ -23,8 +23,8 @@ struct SystemLanes {
 /// "auto".
 int profiled_exponent_bits(const Scene& scene);
 
-/// The lane's graph at one precision, with `profiled_exponent_bits`.
-TypedGraph graph_at(const Scene& scene, int precision, LaneInputs inputs);
+/// The lane's graphs at one precision, with `profiled_exponent_bits`.
+CombinedGraph graphs_at(const Scene& scene, int precision, LaneInputs inputs);
 
 /// Lanes alone, profiled with the constants of `errors`, and every certified candidate.
 std::vector<SystemLanes> make_systems(const Scene& scene, const ErrorProfile& errors);

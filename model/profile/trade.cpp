@@ -17,7 +17,8 @@ TradePoint make_point(const RateProfile& rates, const SystemProfile& system,
   return point;
 }
 
-void price(const Trade& trade, const Lane& lane, const MeasuredAreas& areas, TradePoint& point) {
+void price(const Trade& trade, const CombinedLane& lane, const MeasuredAreas& areas,
+           TradePoint& point) {
   const std::optional<double> measured = areas.of(point.system, point.precision);
   point.measured = measured.has_value();
   point.lane_luts = measured ? *measured : lane_luts(lane);
@@ -34,7 +35,7 @@ bool qualifies(const TradePoint& point, double accepted_per_million) {
 
 Trade make_trade(const Scene& scene, const RateProfile& rates, const ErrorProfile& errors,
                  const MeasuredAreas& areas) {
-  const TypedGraph reference = reference_graph(scene.graph, scene.reference);
+  const CombinedGraph reference = reference_graphs(scene.graph, scene.reference);
   Trade trade{.inputs = rates.inputs,
               .slack = scene.system.slack,
               .reference_luts = areas.reference().value_or(reference_luts(reference)),

@@ -19,6 +19,12 @@ const Finding* first_with(const std::vector<Finding>& findings, Outcome outcome)
   return found == findings.end() ? nullptr : &*found;
 }
 
+void add_once(std::vector<std::string>& list, std::string statement) {
+  if (std::find(list.begin(), list.end(), statement) == list.end()) {
+    list.push_back(std::move(statement));
+  }
+}
+
 std::string described(const Finding& finding) {
   return finding.what + (finding.detail.empty() ? "" : " (" + finding.detail + ")");
 }
@@ -74,6 +80,25 @@ LaneProof prove_lane(const Lane& lane, const Prove& prove, Effort effort) {
   proof.kind = "profiled";
   proof.findings = {{"the bound", Outcome::not_expressible, "it is measured, not derived"}};
   return proof;
+}
+
+LaneProof prove_lane(const CombinedLane& lane, const Prove& prove, Effort effort) {
+  if (lane.parts.size() == 1) return prove_lane(lane.parts.front(), prove, effort);
+  LaneProof whole;
+  for (std::size_t k = 0; k < lane.parts.size(); ++k) {
+    LaneProof part = prove_lane(lane.parts[k], prove, effort);
+    whole.lane = part.lane;
+    if (whole.kind.find(part.kind) == std::string::npos) {
+      whole.kind += (whole.kind.empty() ? "" : ", ") + part.kind;
+    }
+    for (Finding& finding : part.findings) {
+      finding.what = fmt::format("part {}: {}", k, finding.what);
+      whole.findings.push_back(std::move(finding));
+    }
+    for (std::string& statement : part.by_hand) add_once(whole.by_hand, std::move(statement));
+  }
+  whole.by_hand.emplace_back("theorem 11 of docs/error_bounds.md: from the parts to one verdict");
+  return whole;
 }
 
 }  // namespace mixcmp::model::proof

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/error/combined_lane.hpp"
 #include "model/proof/claims.hpp"
 
 namespace mixcmp::model::proof {
@@ -57,6 +58,8 @@ struct LaneProof {
 
 /// Proves what the lane's decision rests on; see docs/error_bounds.md.
 LaneProof prove_lane(const Lane& lane, const Prove& prove, Effort effort);
+/// Part by part; that the parts' decisions make one is theorem 11, by hand.
+LaneProof prove_lane(const CombinedLane& lane, const Prove& prove, Effort effort);
 
 /// The same with the analysis' claims given: one a node, all of them relative.
 LaneProof prove_relative(const Lane& lane, const std::vector<NodeClaim>& claims, const Prove& prove,

@@ -27,6 +27,7 @@ private:
   /// Whether nothing remains to be tried.
   bool prove_whole(const std::string& name, const Cone& cone);
   void check_guard();
+  RelativeBound before_rounding(NodeId id) const;
   RelativeBound proven(NodeId id, const std::optional<RelativeBound>& bound) const {
     return provable(*bound, depth_of(graph_, id));
   }
@@ -49,7 +50,9 @@ std::vector<Finding> RelativeProof::run() && {
 void RelativeProof::prove_root(const std::string& name, NodeId root) {
   if (nodes_.is_done(root)) return;
   const TypedNode& node = graph_.nodes[root];
-  if (arity(node.operation) == 0 || is_inexpressible(graph_, claims_, root)) {
+  // A negation is proven apart: theorem 4 looks through it, at its operand's last rounding.
+  if (arity(node.operation) == 0 || node.operation == Operation::negate ||
+      is_inexpressible(graph_, claims_, root)) {
     nodes_.prove_node(root);
     for (int k = 0; k < arity(node.operation); ++k) {
       prove_root(nodes_.text(node.operands[k]), node.operands[k]);
@@ -88,18 +91,41 @@ bool RelativeProof::prove_whole(const std::string& name, const Cone& cone) {
   return settled;
 }
 
+/// The bound of theorem 4, written from it and not from the analysis: of the real number whose
+/// rounding the node, of the lane's format, holds.
+RelativeBound RelativeProof::before_rounding(NodeId id) const {
+  const TypedNode& node = graph_.nodes[id];
+  if (claims_[id].unrounded) return proven(id, claims_[id].unrounded);
+  switch (node.operation) {
+    case Operation::negate:
+    case Operation::absolute: return before_rounding(node.operands[0]);
+    case Operation::minimum:
+    case Operation::maximum:
+      return hull(before_rounding(node.operands[0]), before_rounding(node.operands[1]));
+    case Operation::constant:
+      if (graph_.arithmetic.rounding == Rounding::nearest_even) return {};
+      break;
+    case Operation::input:
+    case Operation::convert:
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::multiply:
+    case Operation::square:
+    case Operation::divide:
+    case Operation::square_root: break;
+  }
+  return proven(id, claims_[id].relative);
+}
+
 /// What the lane's guard would be if the bounds were as wide as they are proven.
 void RelativeProof::check_guard() {
   const auto& decision = std::get<UlpDistanceDecision>(lane_.decision);
   const FloatFormat format = graph_.arithmetic.format;
   const NodeClaim &f = claims_[graph_.f], &g = claims_[graph_.g];
-  Bits guard =
-      guard_ulp(proven(graph_.f, f.relative), proven(graph_.g, g.relative), format.precision());
-  if (f.unrounded && g.unrounded) {
-    guard = std::min(guard,
-                     guard_ulp_before_rounding(proven(graph_.f, f.unrounded),
-                                               proven(graph_.g, g.unrounded), format.precision()));
-  }
+  const Bits guard = std::min(
+      guard_ulp(proven(graph_.f, f.relative), proven(graph_.g, g.relative), format.precision()),
+      guard_ulp_before_rounding(before_rounding(graph_.f), before_rounding(graph_.g),
+                                format.precision()));
   const bool beyond = decision.guard_ulp == low_mask(format.width());
   const bool follows = decision.guard_ulp >= guard || beyond;
   const bool signs = !decision.nonnegative || (f.nonnegative && g.nonnegative);

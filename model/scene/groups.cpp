@@ -13,7 +13,21 @@ std::optional<int> total(const Groups& groups) {
   return count;
 }
 
+std::string joined(const std::vector<PartText>& parts, std::string PartText::*side) {
+  std::string text;
+  for (const PartText& part : parts) text += (text.empty() ? "" : "; ") + part.*side;
+  return text;
+}
+
 }  // namespace
+
+std::string Scene::f_text() const {
+  return joined(parts, &PartText::f);
+}
+
+std::string Scene::g_text() const {
+  return joined(parts, &PartText::g);
+}
 
 std::vector<bool> Scene::nonnegative_inputs() const {
   std::vector<bool> nonnegative;

@@ -20,13 +20,6 @@
 namespace mixcmp::model {
 namespace {
 
-struct Comparison {
-  std::string name;
-  std::string f;
-  std::string g;
-  Graph graph = {};
-};
-
 Result<Done> check_section_names(const Settings& settings) {
   const std::vector<std::string> names = {"comparison", "variant", "let",   "inputs",
                                           "reference",  "reduced", "lanes", "references",
@@ -39,24 +32,6 @@ Result<Done> check_section_names(const Settings& settings) {
                       list_with_nearest(entry.key, names));
   }
   return Done{};
-}
-
-Result<Comparison> read_comparison(const Settings& settings) {
-  Comparison comparison;
-  Section section(settings, "comparison");
-  section.require("name");
-  section.require("f");
-  section.require("g");
-  section.text("name", comparison.name);
-  section.text("f", comparison.f);
-  section.text("g", comparison.g);
-  const std::string problem = name_problem(comparison.name);
-  if (!problem.empty()) {
-    section.fail("name", problem, fmt::format("\"{}\"", comparison.name),
-                 std::string(accepted_names()));
-  }
-  if (const auto error = section.finish()) return *error;
-  return comparison;
 }
 
 Result<std::vector<LetDefinition>> read_lets(const Settings& settings) {
@@ -76,83 +51,6 @@ Result<std::vector<LetDefinition>> read_lets(const Settings& settings) {
   return lets;
 }
 
-/// Moves an expression's error to its place in the file. Where the text does not stand there as it
-/// is (escapes, --set), the message tells the position in the text instead.
-Error locate(const Setting& setting, Error error) {
-  const auto column = static_cast<std::size_t>(error.column);
-  static const std::string nothing;
-  const std::string& source = setting.file ? setting.file->text : nothing;
-  const auto& text = std::get<std::string>(setting.value);
-  error.file = file_of(setting);
-  error.line = setting.line;
-  error.column = 0;
-  std::size_t line_start = 0;
-  for (int line = 1; line < setting.line; ++line) line_start = source.find('\n', line_start) + 1;
-  const std::size_t quote = source.find_first_of("\"'", source.find('=', line_start));
-  const std::size_t begin = quote == std::string::npos ? quote : source.find(text, quote + 1);
-  const auto lines_between = [&](std::size_t from, std::size_t to) {
-    return static_cast<int>(std::count(source.begin() + static_cast<long>(from),
-                                       source.begin() + static_cast<long>(to), '\n'));
-  };
-  const bool stands_there =
-      setting.line > 0 && begin != std::string::npos &&
-      setting.line + lines_between(line_start, begin + text.size()) <= setting.end_line;
-  if (!stands_there) {
-    error.message += fmt::format(" at character {} of the text", column);
-    return error;
-  }
-  const std::size_t place = begin + column - 1;
-  error.line += lines_between(line_start, place);
-  const std::size_t newline = place == 0 ? std::string::npos : source.rfind('\n', place - 1);
-  error.column = static_cast<int>(newline == std::string::npos ? place + 1 : place - newline);
-  return error;
-}
-
-/// Parses the string at section.key; errors come back with their place in the file.
-Result<NodeId> parse_setting(const Settings& settings, Graph& graph, const std::string& section,
-                             const std::string& key, std::span<const LetDefinition> lets,
-                             std::set<std::string>& used_lets) {
-  const Setting* table = settings.root.find(section);
-  const Setting* setting = std::get<Setting::Table>(table->value).find(key);
-  const Result<NodeId> node =
-      parse_expression(graph, std::get<std::string>(setting->value), lets, &used_lets);
-  if (node.ok()) return node;
-  Error error = node.error();
-  if (error.field.empty()) {
-    error.field = fmt::format("{}.{}", section, key);
-    return locate(*setting, error);
-  }
-  const std::string let = error.field.substr(std::string_view("let.").size());
-  const auto& let_table = std::get<Setting::Table>(settings.root.find("let")->value);
-  return locate(*let_table.find(let), error);
-}
-
-/// f and g in one graph whose inputs begin with `inputs`; lets that neither needs are parsed too,
-/// for their mistakes.
-Result<Graph> read_graph(const Settings& settings, std::span<const LetDefinition> lets,
-                         const std::vector<std::string>& inputs, std::vector<std::string>& notes) {
-  Graph graph;
-  for (const std::string& input : inputs) graph.input(input);
-  std::set<std::string> used_lets;
-  MIXCMP_TRY(f, parse_setting(settings, graph, "comparison", "f", lets, used_lets));
-  MIXCMP_TRY(g, parse_setting(settings, graph, "comparison", "g", lets, used_lets));
-  graph.compare(f, g);
-  for (const LetDefinition& let : lets) {
-    if (used_lets.contains(let.name)) continue;
-    Graph scratch;
-    std::set<std::string> ignored;
-    MIXCMP_TRY(node, parse_setting(settings, scratch, "let", let.name, lets, ignored));
-    MIXCMP_CHECK(node >= 0);
-    notes.push_back(fmt::format("let {} is not used by f or g", let.name));
-  }
-  if (graph.inputs().empty()) {
-    const Section section(settings, "comparison");
-    return section.mistake("f", "f and g name no input", "constants only",
-                           "at least one input name");
-  }
-  return graph;
-}
-
 /// The mistake of a variant is one of its own table's key.
 Error in_variant(const std::string& variant, Error error) {
   constexpr std::string_view section = "comparison.";
@@ -164,12 +62,13 @@ Error in_variant(const std::string& variant, Error error) {
 
 /// A variant in the place of [comparison]: it has the same inputs in the same order, so that data
 /// and ports fit all of them.
-Result<Comparison> read_variant(const Formulation& formulation, std::span<const LetDefinition> lets,
-                                const Comparison& base, std::vector<std::string>& notes) {
+Result<ComparisonSpec> read_variant(const Formulation& formulation,
+                                    std::span<const LetDefinition> lets, const ComparisonSpec& base,
+                                    std::vector<std::string>& notes) {
   const Settings& settings = formulation.settings;
-  MIXCMP_TRY(variant, read_comparison(settings));
+  MIXCMP_TRY(variant, read_comparison(settings, lets));
   std::vector<std::string> ignored;
-  MIXCMP_TRY(alone, read_graph(settings, lets, {}, ignored));
+  MIXCMP_TRY(alone, read_graph(settings, variant, lets, {}, ignored));
   const std::set<std::string> named(alone.inputs().begin(), alone.inputs().end());
   const auto& inputs = base.graph.inputs();
   if (named != std::set<std::string>(inputs.begin(), inputs.end())) {
@@ -178,7 +77,7 @@ Result<Comparison> read_variant(const Formulation& formulation, std::span<const 
                            fmt::format("{}", fmt::join(named, ", ")),
                            fmt::format("{}", fmt::join(inputs, ", ")));
   }
-  MIXCMP_TRY(graph, read_graph(settings, lets, inputs, notes));
+  MIXCMP_TRY(graph, read_graph(settings, variant, lets, inputs, notes));
   variant.graph = std::move(graph);
   variant.name += "_" + formulation.variant;
   const std::string problem = name_problem(variant.name);
@@ -189,17 +88,17 @@ Result<Comparison> read_variant(const Formulation& formulation, std::span<const 
 
 /// The chosen formulation, all of them looked through for mistakes. Notes tell what none of them
 /// uses.
-Result<Comparison> read_formulation(const Formulations& formulations,
-                                    std::span<const LetDefinition> lets,
-                                    std::vector<std::string>& notes) {
+Result<ComparisonSpec> read_formulation(const Formulations& formulations,
+                                        std::span<const LetDefinition> lets,
+                                        std::vector<std::string>& notes) {
   const Settings& settings = formulations.all.front().settings;
-  MIXCMP_TRY(base, read_comparison(settings));
-  MIXCMP_TRY(graph, read_graph(settings, lets, {}, notes));
+  MIXCMP_TRY(base, read_comparison(settings, lets));
+  MIXCMP_TRY(graph, read_graph(settings, base, lets, {}, notes));
   base.graph = std::move(graph);
-  Comparison chosen = base;
+  ComparisonSpec chosen = base;
   for (std::size_t k = 1; k < formulations.all.size(); ++k) {
     std::vector<std::string> variant_notes;
-    Result<Comparison> variant = read_variant(formulations.all[k], lets, base, variant_notes);
+    Result<ComparisonSpec> variant = read_variant(formulations.all[k], lets, base, variant_notes);
     if (!variant.ok()) return in_variant(formulations.all[k].variant, variant.error());
     std::erase_if(notes, [&](const std::string& unused_let) {
       return std::find(variant_notes.begin(), variant_notes.end(), unused_let) ==
@@ -216,6 +115,19 @@ std::vector<std::string> names_of(const Formulations& formulations) {
     names.push_back(formulations.all[k].variant);
   }
   return names;
+}
+
+std::vector<PartText> texts_of(const ComparisonSpec& comparison) {
+  std::vector<PartText> texts;
+  for (const PartSettings& part : comparison.parts) {
+    std::string where;
+    for (const IndexValue& index : part.indices) {
+      where += fmt::format(" where {} = {}", index.name, index.value);
+    }
+    texts.push_back({std::get<std::string>(part.f->value) + where,
+                     std::get<std::string>(part.g->value) + where});
+  }
+  return texts;
 }
 
 /// A profiled lane checks no range, so that its exponents must reach as far as the reference's.
@@ -329,8 +241,7 @@ Result<Scene> load_scene(const std::filesystem::path& path,
               .name = comparison.name,
               .variant = formulations.all[formulations.chosen].variant,
               .variants = names_of(formulations),
-              .f_text = comparison.f,
-              .g_text = comparison.g,
+              .parts = texts_of(comparison),
               .graph = std::move(graph),
               .ranges = std::move(declared.ranges),
               .grids = std::move(declared.grids),

@@ -126,14 +126,21 @@ struct PlanReport {
   std::vector<std::pair<std::string, std::string>> values;
 };
 
+inline constexpr std::size_t max_parts = 64;  ///< of a comparison
+
+/// The expressions of one part, as written.
+struct PartText {
+  std::string f;
+  std::string g;
+};
+
 /// One validated scene file, or a plan laid over one. docs/scene_file.md is the user's view of it.
 struct Scene {
   std::filesystem::path path;
   std::string name;                   ///< with the variant's behind it: names the modules
   std::string variant;                ///< which [[variant]] this is; empty: as [comparison] has it
   std::vector<std::string> variants;  ///< names of all of them
-  std::string f_text;
-  std::string g_text;
+  std::vector<PartText> parts;        ///< one a part of the graph
   Graph graph;
   std::vector<std::optional<Range>> ranges;     ///< one per graph input
   std::vector<std::optional<mpq_class>> grids;  ///< one per graph input: a power of two
@@ -147,6 +154,10 @@ struct Scene {
   std::optional<PlanReport> plan;  ///< where the scene was read through one
   /// For the user's eye: inexact constants, unused ranges, ...
   std::vector<std::string> notes;
+
+  /// f (g) of every part, in a line.
+  std::string f_text() const;
+  std::string g_text() const;
 
   /// Excludes negative values by its declared range.
   std::vector<bool> nonnegative_inputs() const;

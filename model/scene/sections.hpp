@@ -11,6 +11,35 @@
 /// together. Errors name file, line and key.
 namespace mixcmp::model {
 
+/// Where the two expressions of one part stand; they live as long as the settings.
+struct PartSettings {
+  const Setting* f;
+  const Setting* g;
+  std::vector<IndexValue> indices = {};  ///< what the index of `for` is in this part
+};
+
+struct ComparisonSpec {
+  std::string name;
+  Combination combination = Combination::all;
+  std::vector<PartSettings> parts;
+  const Setting* index = nullptr;  ///< `for`, whose values are the parts; null: there is none
+  Graph graph = {};                ///< once the expressions have been parsed
+};
+
+/// [comparison], its expressions not parsed yet.
+Result<ComparisonSpec> read_comparison(const Settings& settings,
+                                       std::span<const LetDefinition> lets);
+
+/// One part for each value of `for`, where it stands.
+Result<Done> expand_parts(const Settings& settings, std::span<const LetDefinition> lets,
+                          ComparisonSpec& comparison);
+
+/// The parts in one graph whose inputs begin with `inputs`; lets that none needs are parsed too,
+/// for their mistakes, and noted.
+Result<Graph> read_graph(const Settings& settings, const ComparisonSpec& comparison,
+                         std::span<const LetDefinition> lets,
+                         const std::vector<std::string>& inputs, std::vector<std::string>& notes);
+
 struct ReferenceSpec {
   Arithmetic arithmetic;
   Multipliers multipliers = Multipliers::embedded;

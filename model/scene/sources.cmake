@@ -1,4 +1,6 @@
 target_sources(mixcmp_model PRIVATE
+  scene/comparison_graph.cpp
+  scene/comparison_section.cpp
   scene/data_section.cpp
   scene/engine_section.cpp
   scene/groups.cpp

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "model/error/combined_lane.hpp"
 #include "model/error/exactness.hpp"
 #include "model/error/hazards.hpp"
 #include "model/expression/text.hpp"
@@ -77,9 +78,7 @@ DatapathSummary summarise_datapath(const std::string& name, const TypedGraph& gr
 }
 
 SideSummary summarise_side(const std::string& name, const std::string& text,
-                           const TypedGraph& graph, NodeId root,
-                           const std::vector<std::optional<Range>>& ranges) {
-  const NodeRange range = analyse_ranges(graph, ranges)[static_cast<std::size_t>(root)];
+                           const TypedGraph& graph, NodeId root, const NodeRange& range) {
   SideSummary side{.name = name,
                    .text = text,
                    .value = range.value,
@@ -202,27 +201,32 @@ Exactness summarise_exactness(const Scene& scene, const TypedGraph& reference) {
                                 static_cast<NodeId>(first - exact.begin()), max_expression_length)};
 }
 
+void count_saved(LaneSavings& savings, Operation operation, const Hazards& hazards) {
+  if (!has_unit(operation)) return;
+  ++savings.operations;
+  savings.without_special_operands += hazards.special_operand ? 0 : 1;
+  savings.without_overflow += hazards.overflow ? 0 : 1;
+  savings.without_underflow += hazards.underflow ? 0 : 1;
+  savings.sums += operation == Operation::add || operation == Operation::subtract ? 1 : 0;
+  savings.without_cancellation += hazards.cancellation ? 0 : 1;
+}
+
 std::optional<LaneSavings> summarise_savings(const Scene& scene, const ReducedSpec& reduced,
-                                             const TypedGraph& graph) {
+                                             const CombinedGraph& graph) {
   if (reduced.bound != BoundKind::certified) return std::nullopt;
-  const Result<Lane> lane = certified_lane(
+  const Result<CombinedLane> lane = certified_lanes(
       graph,
       {.kind = reduced.error_bound, .bound_digits = reduced.bound_digits, .ranges = scene.ranges});
-  if (!lane.ok() || lane->hazards.empty()) return std::nullopt;
+  if (!lane.ok()) return std::nullopt;
+  const SharedLane shared = share(*lane);
   LaneSavings savings;
-  for (const RangeCheck& check : lane->checks) {
-    savings.checked_inputs.push_back(scene.graph.inputs()[static_cast<std::size_t>(check.input)]);
+  for (const RangeCheck& check : shared.checks) {
+    const std::string& name = scene.graph.inputs()[static_cast<std::size_t>(check.input)];
+    auto& checked = savings.checked_inputs;
+    if (std::find(checked.begin(), checked.end(), name) == checked.end()) checked.push_back(name);
   }
-  for (std::size_t id = 0; id < lane->hazards.size(); ++id) {
-    if (!has_unit(lane->graph.nodes[id].operation)) continue;
-    const Hazards& hazards = lane->hazards[id];
-    ++savings.operations;
-    savings.without_special_operands += hazards.special_operand ? 0 : 1;
-    savings.without_overflow += hazards.overflow ? 0 : 1;
-    savings.without_underflow += hazards.underflow ? 0 : 1;
-    const Operation operation = lane->graph.nodes[id].operation;
-    savings.sums += operation == Operation::add || operation == Operation::subtract ? 1 : 0;
-    savings.without_cancellation += hazards.cancellation ? 0 : 1;
+  for (std::size_t id = 0; id < shared.hazards.size(); ++id) {
+    count_saved(savings, shared.graph.nodes[id].operation, shared.hazards[id]);
   }
   return savings;
 }
@@ -230,11 +234,27 @@ std::optional<LaneSavings> summarise_savings(const Scene& scene, const ReducedSp
 DatapathSummary summarise_lane(const std::string& name, const Scene& scene,
                                const ReducedSpec& reduced) {
   const Arithmetic arithmetic = {*reduced.format, reduced.rounding, reduced.subnormals};
-  const TypedGraph graph =
-      lane_graph(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
-  DatapathSummary summary = summarise_datapath(name, graph, scene.ranges);
+  const CombinedGraph graph =
+      lane_graphs(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
+  DatapathSummary summary = summarise_datapath(name, share(graph).graph, scene.ranges);
   summary.savings = summarise_savings(scene, reduced, graph);
   return summary;
+}
+
+/// Of one part they are f and g, of several f[0], g[0], f[1], ...
+std::vector<SideSummary> summarise_sides(const Scene& scene, const SharedGraph& reference) {
+  const std::vector<NodeRange> ranges = analyse_ranges(reference.graph, scene.ranges);
+  std::vector<SideSummary> sides;
+  for (std::size_t k = 0; k < reference.sides.size(); ++k) {
+    const std::string index = reference.sides.size() == 1 ? "" : fmt::format("[{}]", k);
+    const auto add = [&](const std::string& name, const std::string& text, NodeId root) {
+      sides.push_back(summarise_side(name + index, text, reference.graph, root,
+                                     ranges[static_cast<std::size_t>(root)]));
+    };
+    add("f", scene.parts[k].f, reference.sides[k].f);
+    add("g", scene.parts[k].g, reference.sides[k].g);
+  }
+  return sides;
 }
 
 }  // namespace
@@ -262,12 +282,10 @@ std::string_view to_string(Possibility possibility) {
 }
 
 Summary summarise(const Scene& scene, const Comparisons* data) {
-  const TypedGraph reference = reference_graph(scene.graph, scene.reference);
+  const SharedGraph shared = share(reference_graphs(scene.graph, scene.reference));
+  const TypedGraph& reference = shared.graph;
   Summary summary{.scene = &scene};
-  summary.sides = {
-      summarise_side("f", scene.f_text, reference, reference.f, scene.ranges),
-      summarise_side("g", scene.g_text, reference, reference.g, scene.ranges),
-  };
+  summary.sides = summarise_sides(scene, shared);
   summary.datapaths.push_back(summarise_datapath("reference", reference, scene.ranges));
   const std::vector<std::string> labels = lane_group_labels(scene);
   const std::vector<LaneGroupSpec> groups = scene.lane_groups();

@@ -80,7 +80,7 @@ struct DataSummary {
 /// What `mixcmp check` tells.
 struct Summary {
   const Scene* scene;
-  std::vector<SideSummary> sides;          ///< f, g
+  std::vector<SideSummary> sides;          ///< f, g; of several parts f[0], g[0], f[1], ...
   std::vector<DatapathSummary> datapaths;  ///< reference; lanes, but for those in format "auto"
   Exactness reference;
   std::optional<DataSummary> data;

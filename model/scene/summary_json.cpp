@@ -116,6 +116,7 @@ nlohmann::json to_json(const Summary& summary) {
     json["inputs"].push_back(
         {{"name", scene.graph.inputs()[k]}, {"range", json_of(scene.ranges[k])}});
   }
+  if (scene.parts.size() > 1) json["combine"] = to_string(scene.graph.combination());
   for (const SideSummary& side : summary.sides) {
     json[side.name] = {{"text", side.text},
                        {"within", json_of(side.value)},

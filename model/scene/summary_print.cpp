@@ -78,10 +78,23 @@ void print_plan(Page& page, const PlanReport& plan) {
   for (const auto& [key, value] : plan.values) page.line(key, value);
 }
 
+void print_parts(Page& page, const Scene& scene) {
+  if (scene.parts.size() == 1) {
+    page.line("f", scene.parts.front().f);
+    page.line("g", scene.parts.front().g);
+    return;
+  }
+  page.line("parts", fmt::format("{}, combined by \"{}\"", scene.parts.size(),
+                                 to_string(scene.graph.combination())));
+  for (std::size_t k = 0; k < scene.parts.size(); ++k) {
+    page.line(fmt::format("f[{}]", k), scene.parts[k].f);
+    page.line(fmt::format("g[{}]", k), scene.parts[k].g);
+  }
+}
+
 void print_understood(Page& page, const Scene& scene) {
   page.section(fmt::format("scene {}", scene.name));
-  page.line("f", scene.f_text);
-  page.line("g", scene.g_text);
+  print_parts(page, scene);
   page.section("inputs");
   for (std::size_t k = 0; k < scene.ranges.size(); ++k) {
     std::string declared = scene.ranges[k] ? shown(*scene.ranges[k]) : "no range";

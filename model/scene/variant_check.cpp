@@ -11,8 +11,8 @@ VariantCheck check_variant(const Scene& given, const Scene& variant, const Compa
                            std::uint64_t most) {
   MIXCMP_CHECK(given.graph.inputs() == variant.graph.inputs());
   const FloatFormat format = given.reference.format;
-  const TypedGraph reference = reference_graph(given.graph, given.reference);
-  const TypedGraph variant_reference = reference_graph(variant.graph, variant.reference);
+  const CombinedGraph reference = reference_graphs(given.graph, given.reference);
+  const CombinedGraph variant_reference = reference_graphs(variant.graph, variant.reference);
   VariantCheck check{.variant = variant.variant, .comparisons = std::min(most, data.size())};
   std::vector<Bits> operands(data.input_count());
   for (std::uint64_t k = 0; k < check.comparisons; ++k) {

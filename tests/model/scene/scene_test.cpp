@@ -67,7 +67,7 @@ TEST_F(SceneTest, EveryKeyArrives) {
   const Result<Scene> scene = load(sphere_scene);
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->name, "sphere_collision");
-  EXPECT_EQ(scene->g_text, "(ri + rj)^2");
+  EXPECT_EQ(scene->g_text(), "(ri + rj)^2");
   EXPECT_EQ(scene->graph.inputs(),
             (std::vector<std::string>{"cxi", "cxj", "cyi", "cyj", "czi", "czj", "ri", "rj"}));
   EXPECT_EQ(scene->ranges.at(3)->high, 100);
@@ -178,7 +178,7 @@ TEST_F(SceneTest, OverridesWinAndTakeBareWords) {
   EXPECT_EQ(good->system.order, ResultOrder::tagged);
   EXPECT_FALSE(good->system.lanes.has_value());
   EXPECT_EQ(good->ranges.at(7)->high, 5);
-  EXPECT_EQ(good->g_text, "(ri + rj)^2 + ri");
+  EXPECT_EQ(good->g_text(), "(ri + rj)^2 + ri");
 }
 
 TEST_F(SceneTest, OverridesMayMakeSections) {

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "model/common/check.hpp"
+#include "model/scene/section.hpp"
+#include "model/scene/sections.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// Moves an expression's error to its place in the file. Where the text does not stand there as it
+/// is (escapes, --set), the message tells the position in the text instead.
+Error locate(const Setting& setting, Error error) {
+  const auto column = static_cast<std::size_t>(error.column);
+  static const std::string nothing;
+  const std::string& source = setting.file ? setting.file->text : nothing;
+  const auto& text = std::get<std::string>(setting.value);
+  error.file = file_of(setting);
+  error.line = setting.line;
+  error.column = 0;
+  std::size_t line_start = 0;
+  for (int line = 1; line < setting.line; ++line) line_start = source.find('\n', line_start) + 1;
+  // An element of a list has no key and no equals sign.
+  const std::size_t value = setting.key.empty() ? line_start : source.find('=', line_start);
+  const std::size_t quote = source.find_first_of("\"'", value);
+  std::size_t begin = quote == std::string::npos ? quote : source.find(text, quote + 1);
+  // Of a list's elements one may stand within another: the one that a quote opens is meant.
+  while (setting.key.empty() && begin != std::string::npos && source[begin - 1] != '"' &&
+         source[begin - 1] != '\'') {
+    begin = source.find(text, begin + 1);
+  }
+  const auto lines_between = [&](std::size_t from, std::size_t to) {
+    return static_cast<int>(std::count(source.begin() + static_cast<long>(from),
+                                       source.begin() + static_cast<long>(to), '\n'));
+  };
+  const bool stands_there =
+      setting.line > 0 && begin != std::string::npos &&
+      setting.line + lines_between(line_start, begin + text.size()) <= setting.end_line;
+  if (!stands_there) {
+    error.message += fmt::format(" at character {} of the text", column);
+    return error;
+  }
+  const std::size_t place = begin + column - 1;
+  error.line += lines_between(line_start, place);
+  const std::size_t newline = place == 0 ? std::string::npos : source.rfind('\n', place - 1);
+  error.column = static_cast<int>(newline == std::string::npos ? place + 1 : place - newline);
+  return error;
+}
+
+/// An error in the text of `setting`, which is called `field`, or in that of a let it uses, with
+/// its place in the file.
+Error locate_in(const Settings& settings, const Setting& setting, const std::string& field,
+                Error error) {
+  if (error.field.empty()) {
+    error.field = field;
+    return locate(setting, error);
+  }
+  const std::string let = error.field.substr(std::string_view("let.").size());
+  const auto& let_table = std::get<Setting::Table>(settings.root.find("let")->value);
+  return locate(*let_table.find(let), error);
+}
+
+/// What all expressions of a comparison are parsed with.
+struct Reading {
+  const Settings& settings;
+  std::span<const LetDefinition> lets;
+  std::set<std::string> used_lets = {};
+
+  Result<NodeId> parse(Graph& graph, const Setting& setting, const std::string& field,
+                       std::span<const IndexValue> indices) {
+    const Result<NodeId> node =
+        parse_expression(graph, std::get<std::string>(setting.value), lets, &used_lets, indices);
+    if (node.ok()) return node;
+    return locate_in(settings, setting, field, node.error());
+  }
+};
+
+}  // namespace
+
+Result<Done> expand_parts(const Settings& settings, std::span<const LetDefinition> lets,
+                          ComparisonSpec& comparison) {
+  if (comparison.index == nullptr) return Done{};
+  const auto parsed = parse_index_range(std::get<std::string>(comparison.index->value), lets);
+  if (!parsed.ok()) return locate_in(settings, *comparison.index, "comparison.for", parsed.error());
+  const PartSettings part = comparison.parts.front();
+  comparison.parts.clear();
+  for (long value = parsed->first; value <= parsed->last; ++value) {
+    if (comparison.parts.size() == max_parts) {
+      return mistake_at(*comparison.index, "comparison.for", "too many parts",
+                        comparison.index->shown(), fmt::format("at most {} values", max_parts));
+    }
+    comparison.parts.push_back({part.f, part.g, {{parsed->name, value}}});
+  }
+  return Done{};
+}
+
+Result<Graph> read_graph(const Settings& settings, const ComparisonSpec& comparison,
+                         std::span<const LetDefinition> lets,
+                         const std::vector<std::string>& inputs, std::vector<std::string>& notes) {
+  Graph graph;
+  for (const std::string& input : inputs) graph.input(input);
+  Reading reading{settings, lets};
+  std::vector<Sides> parts;
+  for (const PartSettings& part : comparison.parts) {
+    MIXCMP_TRY(f, reading.parse(graph, *part.f, "comparison.f", part.indices));
+    MIXCMP_TRY(g, reading.parse(graph, *part.g, "comparison.g", part.indices));
+    parts.push_back({f, g});
+  }
+  graph.compare(std::move(parts), comparison.combination);
+  for (const LetDefinition& let : lets) {
+    if (reading.used_lets.contains(let.name)) continue;
+    Graph scratch;
+    Reading ignored{settings, lets};
+    const auto& table = std::get<Setting::Table>(settings.root.find("let")->value);
+    MIXCMP_TRY(node, ignored.parse(scratch, *table.find(let.name), "let." + let.name, {}));
+    MIXCMP_CHECK(node >= 0);
+    notes.push_back(fmt::format("let {} is not used by f or g", let.name));
+  }
+  if (graph.inputs().empty()) {
+    const Section section(settings, "comparison");
+    return section.mistake("f", "f and g name no input", "constants only",
+                           "at least one input name");
+  }
+  return graph;
+}
+
+}  // namespace mixcmp::model
