@@ -98,7 +98,7 @@ struct Entry {
 };
 
 Entry entry_of(const Family& family, LaneInputs inputs, int precision,
-               const model::SystemLanes& system, const model::Lane& lane) {
+               const model::SystemLanes& system, const model::CombinedLane& lane) {
   const model::Emulator emulator(lane);
   const std::vector<Decision> decisions =
       system.kind == SystemKind::lanes_alone ? family.orders(emulator) : family.decisions(emulator);

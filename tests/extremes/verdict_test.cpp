@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "model/data/uniform_spheres.hpp"
-#include "model/error/certified_lane.hpp"
+#include "model/error/combined_lane.hpp"
 #include "model/error/profiled_error.hpp"
 #include "model/golden/bound_arithmetic.hpp"
 #include "model/golden/evaluate.hpp"
@@ -110,7 +110,7 @@ std::vector<NamedLane> certified_lanes(FloatFormat reference, int precision) {
                            to_string(arithmetic.rounding), to_string(arithmetic.subnormals),
                            to_string(inputs), to_string(candidate.kind), candidate.bound_digits,
                            ranged ? ", with ranges" : ""),
-               std::move(candidate.lane).value()});
+               candidate.lane->parts.front()});
         }
       }
     }

@@ -72,7 +72,7 @@ protected:
 TEST_P(ScheduleAtTarget, OperandsAreReadyBeforeTheyAreRead) {
   const Schedule schedule =
       schedule_lane(design_.lanes.front().lane, model::Multipliers::embedded, delays_, GetParam());
-  const auto& nodes = design_.lanes.front().lane.graph.nodes;
+  const auto& nodes = design_.lanes.front().lane.parts.front().graph.nodes;
   ASSERT_EQ(schedule.steps.size(), nodes.size());
   for (std::size_t id = 0; id < nodes.size(); ++id) {
     int latest = 0;
@@ -81,7 +81,7 @@ TEST_P(ScheduleAtTarget, OperandsAreReadyBeforeTheyAreRead) {
     }
     EXPECT_EQ(schedule.steps[id].start_cycle, latest) << "node " << id;
   }
-  EXPECT_EQ(schedule.latency_cycles, schedule.decision.ready_cycle);
+  EXPECT_EQ(schedule.latency_cycles, schedule.parts.front().decision.ready_cycle);
 }
 
 TEST_P(ScheduleAtTarget, LatencyOfAUnitIsTheNumberOfItsRegisters) {
@@ -161,21 +161,23 @@ TEST_P(ScheduleAtTarget, BoundsFollowTheirOperandsAndPrecedeTheDecision) {
           .value();
   const auto& decision = std::get<model::AbsoluteBoundDecision>(lane.decision);
   const Schedule schedule = schedule_lane(lane, model::Multipliers::embedded, delays_, GetParam());
-  ASSERT_EQ(schedule.bounds.size(), decision.bound.nodes.size());
+  ASSERT_EQ(schedule.parts.front().bounds.size(), decision.bound.nodes.size());
   ASSERT_EQ(schedule.checks.size(), 8u);
   for (std::size_t id = 0; id < decision.bound.nodes.size(); ++id) {
     const model::BoundNode& node = decision.bound.nodes[id];
     int latest = node.value >= 0 ? schedule.steps[node.value].ready_cycle : 0;
     for (int k = 0; k < model::arity(node.operation); ++k) {
-      latest = std::max(latest, schedule.bounds[node.operands[k]].ready_cycle);
+      latest = std::max(latest, schedule.parts.front().bounds[node.operands[k]].ready_cycle);
     }
-    EXPECT_EQ(schedule.bounds[id].start_cycle, latest) << "bound node " << id;
+    EXPECT_EQ(schedule.parts.front().bounds[id].start_cycle, latest) << "bound node " << id;
   }
-  EXPECT_GE(schedule.decision.start_cycle, schedule.bounds.back().ready_cycle);
-  EXPECT_GE(schedule.decision.start_cycle, schedule.steps[decision.difference].ready_cycle);
+  EXPECT_GE(schedule.parts.front().decision.start_cycle,
+            schedule.parts.front().bounds.back().ready_cycle);
+  EXPECT_GE(schedule.parts.front().decision.start_cycle,
+            schedule.steps[decision.difference].ready_cycle);
   for (const Step& check : schedule.checks) {
     EXPECT_EQ(check.unit.module, "fp_range_check");
-    EXPECT_GE(schedule.decision.start_cycle, check.ready_cycle);
+    EXPECT_GE(schedule.parts.front().decision.start_cycle, check.ready_cycle);
   }
 }
 

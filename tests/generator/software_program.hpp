@@ -13,9 +13,10 @@ namespace mixcmp::test {
 
 /// A comparison on doubles as a scene file declares it.
 struct SoftwareScene {
-  std::string f, g;
+  std::string f, g;         ///< with `combine` the elements of lists: "a", "b"
   std::string inputs = "";  ///< lines of [inputs]
   bool pairs = false;
+  std::string combine = "";
 };
 
 /// The compiled comparison with a folder of its own.
@@ -43,9 +44,15 @@ public:
 private:
   model::Scene read(const SoftwareScene& text) const {
     const auto path = directory_.path() / "scene.toml";
-    std::ofstream(path) << "[comparison]\nname = \"scene\"\nf = \"" << text.f << "\"\ng = \""
-                        << text.g << "\"\n[reference]\nformat = \"binary64\"\n[inputs]\n"
-                        << text.inputs;
+    const auto quoted = [&](const std::string& side) {
+      return text.combine.empty() ? "\"" + side + "\"" : "[" + side + "]";
+    };
+    std::ofstream scene(path);
+    scene << "[comparison]\nname = \"scene\"\nf = " << quoted(text.f) << "\ng = " << quoted(text.g)
+          << "\n";
+    if (!text.combine.empty()) scene << "combine = \"" << text.combine << "\"\n";
+    scene << "[reference]\nformat = \"binary64\"\n[inputs]\n" << text.inputs;
+    scene.close();
     return model::load_scene(path, {}).value();
   }
 

@@ -34,7 +34,7 @@ struct Seen {
 /// what single comparisons say. What the filters decided, one a filter.
 std::vector<Seen> expect_right(CompiledSoftware& software, const model::Comparisons& data,
                                const std::string& what) {
-  const auto doubles = reference_graph(software.scene().graph, {gen::software_format()});
+  const auto doubles = reference_graphs(software.scene().graph, {gen::software_format()});
   const std::vector<gen::KernelOutput> kernels = software.verdicts(data);
   EXPECT_EQ(kernels.size(), software.filters().filters.size() + 1);
   std::vector<Seen> seen(kernels.size() - 1);
@@ -330,6 +330,26 @@ TEST(Software, TheSameSceneGivesTheSameBytes) {
   const auto data = one.comparisons(*rows);
   EXPECT_EQ(gen::software_source(one.scene(), data, one.filters()),
             gen::software_source(other.scene(), data, other.filters()));
+}
+
+TEST(Software, SeveralPartsAreDecidedTogether) {
+  Random random(21);
+  for (const char* combine : {"all", "any"}) {
+    CompiledSoftware software({.f = R"("max(a, b)", "(a - b)^2")",
+                               .g = R"("min(c, d)", "c * d")",
+                               .inputs = "\"*\" = { range = [0, 1e6] }\n",
+                               .combine = combine});
+    ASSERT_EQ(software.filters().filters.size(), 2u);
+    const auto& inputs = software.scene().graph.inputs();
+    for (const model::Table& table :
+         {extreme_rows(inputs, 2000, random), close_rows(inputs, 2000, random, false),
+          close_rows(inputs, 2000, random, true), wide_rows(inputs, 2000, random)}) {
+      expect_right(software, software.comparisons(table), combine);
+    }
+    const std::vector<Seen> seen = expect_right(
+        software, software.comparisons(close_rows(inputs, 4000, random, false)), combine);
+    for (const Seen& filter : seen) EXPECT_GT(filter.decided, filter.comparisons / 2);
+  }
 }
 
 TEST(Software, WhyAFilterIsMissingIsTold) {

@@ -90,7 +90,8 @@ TEST(MixedSystem, EachKindHasItsModuleAndEqualKindsShareOne) {
 TEST(MixedSystem, LanesOfOneNameAreToldApartByANumberUnlessTheyAreOneHardware) {
   model::Design design = sphere_design(format("s8e8"), format("s24e8"), 1, 1);
   design.lanes.push_back(design.lanes.front());
-  auto& decision = std::get<model::UlpDistanceDecision>(design.lanes[1].lane.decision);
+  auto& decision =
+      std::get<model::UlpDistanceDecision>(design.lanes[1].lane.parts.front().decision);
   decision.guard_ulp += 1;
   const GeneratedSystem system = generate_system(design, command).value();
   const std::string& first = system.signature.lane_groups[0].module;

@@ -5,10 +5,19 @@
 namespace mixcmp::test {
 
 model::Graph graph_of(const std::string& f, const std::string& g) {
+  return graph_of({{f, g}}, model::Combination::all);
+}
+
+model::Graph graph_of(const std::vector<std::pair<std::string, std::string>>& parts,
+                      model::Combination combination) {
   model::Graph graph;
-  const model::NodeId left = parse_expression(graph, f, {}).value();
-  const model::NodeId right = parse_expression(graph, g, {}).value();
-  graph.compare(left, right);
+  std::vector<model::Sides> sides;
+  for (const auto& [f, g] : parts) {
+    const model::NodeId left = parse_expression(graph, f, {}).value();
+    const model::NodeId right = parse_expression(graph, g, {}).value();
+    sides.push_back({left, right});
+  }
+  graph.compare(std::move(sides), combination);
   return graph;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/error/certified_lane.hpp"
@@ -10,6 +11,10 @@ namespace mixcmp::test {
 
 /// The comparison of two expressions that are known to be valid.
 model::Graph graph_of(const std::string& f, const std::string& g);
+
+/// The same of several parts {f, g}.
+model::Graph graph_of(const std::vector<std::pair<std::string, std::string>>& parts,
+                      model::Combination combination);
 
 /// Where the certified decision exists: what it is.
 const model::UlpDistanceDecision& certified_decision(const model::Lane& lane);

@@ -128,7 +128,7 @@ TEST_P(Spheres, AreDecidedAsTheGoldenModelSaysAndTruly) {
   const model::Graph graph = sphere_graph();
   const model::FloatFormat s53e8 = format("s53e8");
   const model::Design design = design_of(GetParam(), graph, s53e8);
-  const int precision = design.lanes.front().lane.graph.arithmetic.format.precision();
+  const int precision = design.lanes.front().lane.arithmetic().format.precision();
   const auto data = model::Comparisons::rows(every_family(s53e8, precision), design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
   const tb::VerifyReport report =

@@ -46,10 +46,10 @@ model::Design design_of(const Case& c) {
 TEST_P(Families, VerdictsAreTheGoldenModelsAndLanesTellTheTruth) {
   const model::Graph graph = sphere_graph();
   const model::Design design = design_of(GetParam());
-  const int precision = design.lanes.front().lane.graph.arithmetic.format.precision();
+  const int precision = design.lanes.front().lane.arithmetic().format.precision();
   std::uint64_t checked = 0;
   for (const SphereFamily& family :
-       sphere_families(design.reference.arithmetic.format, precision, 4'000, 7)) {
+       sphere_families(design.reference.arithmetic().format, precision, 4'000, 7)) {
     const auto data = model::Comparisons::rows(family.pairs, design.inputs);
     ASSERT_TRUE(data.ok()) << data.error().to_string();
     const tb::VerifyReport report =

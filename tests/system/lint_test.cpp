@@ -51,12 +51,13 @@ model::Design bounded(model::ErrorBoundKind kind, int digits, model::Arithmetic 
                       std::optional<model::Range> range) {
   const model::Graph graph = sphere_graph();
   model::Design design = sphere_design(reduced.format, format("s53e8"), 2, 1);
-  const model::FloatFormat reference = design.reference.input_format;
-  design.lanes.front().lane = certified_lane(lane_graph(graph, reference, reduced, model::LaneInputs::rounded),
-                               {.kind = kind,
-                                .bound_digits = digits,
-                                .ranges = std::vector<std::optional<model::Range>>(8, range)})
-                    .value();
+  const model::FloatFormat reference = design.reference.input_format();
+  design.lanes.front().lane =
+      certified_lane(lane_graph(graph, reference, reduced, model::LaneInputs::rounded),
+                     {.kind = kind,
+                      .bound_digits = digits,
+                      .ranges = std::vector<std::optional<model::Range>>(8, range)})
+          .value();
   return design;
 }
 

@@ -34,7 +34,7 @@ model::Design with_streams(const Streams& streams) {
 
 model::Comparisons pairs_of_spheres(const model::Design& design) {
   const model::Table spheres = model::uniform_spheres(
-      {.count = 120, .side = 100, .radius_max = 50, .seed = 5}, design.reference.input_format);
+      {.count = 120, .side = 100, .radius_max = 50, .seed = 5}, design.reference.input_format());
   return model::Comparisons::all_pairs(spheres, design.inputs).value();
 }
 

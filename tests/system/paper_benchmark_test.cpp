@@ -15,7 +15,7 @@ TEST_P(PaperBenchmark, VerdictsAreTrue) {
   const model::Graph graph = sphere_graph();
   const model::Design design = sphere_design(format("s12e8"), format("s53e8"), 8, 1);
   const model::Table spheres = model::uniform_spheres(
-      {.radius_max = static_cast<double>(GetParam())}, design.reference.input_format);
+      {.radius_max = static_cast<double>(GetParam())}, design.reference.input_format());
   const auto data = model::Comparisons::all_pairs(spheres, design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
   EXPECT_EQ(data->size(), 33'550'336u);

@@ -111,6 +111,23 @@ std::uint64_t judge(const Emulator& emulator, const TypedGraph& graph, const Ope
   return fallbacks;
 }
 
+template <class Golden>
+void expect_decisions(const Emulator& emulator, FloatFormat format, const Operands& operands,
+                      Golden golden) {
+  const OperandBatch batch(format, operands);
+  for_each_instruction_set([&] {
+    std::vector<Decision> got(batch.count());
+    emulator.decide(batch.columns(), batch.count(), got);
+    for (std::size_t k = 0; k < got.size(); ++k) {
+      const Decision expected = golden(row(operands, k));
+      if (got[k] == expected) continue;
+      ADD_FAILURE() << Emulator::instruction_set() << ", comparison " << k << ": expected "
+                    << static_cast<int>(expected) << ", got " << static_cast<int>(got[k]);
+      return;
+    }
+  });
+}
+
 }  // namespace
 
 OperandBatch::OperandBatch(FloatFormat format, const Operands& operands) {
@@ -134,6 +151,20 @@ void for_each_instruction_set(const std::function<void()>& test) {
     test();
   }
   choose(0);
+}
+
+void expect_golden(const model::CombinedLane& lane, const Operands& operands) {
+  expect_decisions(Emulator(lane), lane.input_format(), operands, [&](std::span<const Bits> row) {
+    const model::golden::CombinedResult result = model::golden::evaluate_lane(lane, row);
+    return result.decided ? static_cast<Decision>(result.verdict) : Decision::undecided;
+  });
+}
+
+void expect_golden(const model::CombinedGraph& reference, const Operands& operands) {
+  expect_decisions(
+      Emulator(reference), reference.input_format(), operands, [&](std::span<const Bits> row) {
+        return static_cast<Decision>(model::golden::evaluate_reference(reference, row));
+      });
 }
 
 std::uint64_t expect_golden(const model::Lane& lane, const Operands& operands) {

@@ -31,4 +31,8 @@ void for_each_instruction_set(const std::function<void()>& test);
 std::uint64_t expect_golden(const model::Lane& lane, const Operands& operands);
 std::uint64_t expect_golden(const model::TypedGraph& reference, const Operands& operands);
 
+/// decide, of all parts together.
+void expect_golden(const model::CombinedLane& lane, const Operands& operands);
+void expect_golden(const model::CombinedGraph& reference, const Operands& operands);
+
 }  // namespace mixcmp::test

@@ -38,6 +38,26 @@ TEST_P(RandomLanes, SoAreReferences) {
   }
 }
 
+TEST_P(RandomLanes, SoAreThoseOfSeveralParts) {
+  Random random(static_cast<unsigned>(GetParam()));
+  for (int k = 0; k < 150 && !HasFailure(); ++k) {
+    const Graph graph = random_graph_of_parts(random);
+    const FloatFormat format = random_reference(random);
+    const Arithmetic reduced = random_reduced(format, random);
+    const model::LaneInputs inputs = random_inputs(random);
+    std::vector<model::Lane> parts;
+    for (model::TypedGraph& part : lane_graphs(graph, format, reduced, inputs).parts) {
+      parts.push_back(random_lane(std::move(part), random));
+    }
+    const model::CombinedLane lane(graph.combination(), std::move(parts));
+    const Operands operands =
+        random_operands(static_cast<int>(graph.inputs().size()), format, 200, random);
+    expect_golden(lane, operands);
+    expect_golden(reference_graphs(graph, {format, reduced.rounding, reduced.subnormals}),
+                  operands);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomLanes, testing::Range(1, 9));
 
 }  // namespace

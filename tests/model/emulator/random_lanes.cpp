@@ -130,6 +130,16 @@ model::Graph random_graph(Random& random) {
   return graph;
 }
 
+model::Graph random_graph_of_parts(Random& random) {
+  model::Graph graph = random_graph(random);
+  std::vector<model::Sides> parts;
+  const auto any = [&] { return below(random, static_cast<int>(graph.nodes().size())); };
+  for (int k = 2 + below(random, 3); k > 0; --k) parts.push_back({any(), any()});
+  graph.compare(std::move(parts),
+                below(random, 2) == 0 ? model::Combination::all : model::Combination::any);
+  return graph;
+}
+
 model::LaneInputs random_inputs(Random& random) {
   return below(random, 2) == 0 ? model::LaneInputs::exact : model::LaneInputs::rounded;
 }

@@ -15,6 +15,9 @@ int below(Random& random, int end);
 /// One to four inputs, every operation, constants that fit and some that do not.
 model::Graph random_graph(Random& random);
 
+/// Two to four parts over the nodes of a random graph.
+model::Graph random_graph_of_parts(Random& random);
+
 model::LaneInputs random_inputs(Random& random);
 /// Up to 53 digits and 11 exponent bits.
 model::FloatFormat random_reference(Random& random);

@@ -4,6 +4,7 @@
 #include <map>
 #include <random>
 
+#include "model/error/combined_lane.hpp"
 #include "model/error/error_analysis.hpp"
 #include "model/expression/text.hpp"
 #include "model/golden/evaluate.hpp"
@@ -327,6 +328,46 @@ TEST_P(RandomGraphs, AreDecidedAsTheRealNumbersAre) {
   EXPECT_GT(lanes[ErrorBoundKind::running], MIXCMP_FUZZED_GRAPHS / 4);
   EXPECT_GT(lanes[ErrorBoundKind::constant], MIXCMP_FUZZED_GRAPHS / 100);
   for (const auto& [kind, count] : lanes) EXPECT_GT(at_the_guard[kind], count / 8);
+}
+
+/// Two or three parts over the nodes of one graph.
+Graph random_parts(Random& random) {
+  Graph graph = random_graph(random);
+  const auto any = [&] { return below(random, static_cast<int>(graph.nodes().size())); };
+  std::vector<model::Sides> parts;
+  for (int k = 2 + below(random, 2); k > 0; --k) parts.push_back({any(), any()});
+  graph.compare(std::move(parts),
+                one_in(random, 2) ? model::Combination::all : model::Combination::any);
+  return graph;
+}
+
+TEST_P(RandomGraphs, OfSeveralPartsAreDecidedAsTheRealNumbersAre) {
+  Random random(static_cast<unsigned>(GetParam()));
+  int lanes = 0, decided = 0;
+  for (int k = 0; k < MIXCMP_FUZZED_GRAPHS / 4 && !HasFailure(); ++k) {
+    const Graph graph = random_parts(random);
+    const FloatFormat format = random_reference(random);
+    if (!holds_constants(graph, format)) continue;
+    CertifiedOptions options = random_options(random, graph.inputs().size());
+    if (one_in(random, 2)) options.kind.reset();
+    const LaneInputs how = one_in(random, 2) ? LaneInputs::exact : LaneInputs::rounded;
+    const auto lane =
+        certified_lanes(lane_graphs(graph, format, random_reduced(random, format), how), options);
+    if (!lane.ok()) continue;
+    ++lanes;
+    for (int n = 0; n < 20; ++n) {
+      std::vector<Bits> inputs(graph.inputs().size());
+      for (Bits& input : inputs) input = random_operand(format, random);
+      if (one_in(random, 3)) inputs.front() = moved(format, inputs.back(), random);
+      const auto result = evaluate_lane(*lane, inputs);
+      if (!result.decided) continue;
+      ++decided;
+      EXPECT_EQ(to_string(result.verdict), to_string(true_verdict(graph, format, inputs)))
+          << describe_decision(*lane);
+    }
+  }
+  EXPECT_GT(lanes, MIXCMP_FUZZED_GRAPHS / 20);
+  EXPECT_GT(decided, 2 * lanes);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomGraphs, testing::Range(1, 5));

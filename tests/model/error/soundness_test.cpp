@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/error/certified_lane.hpp"
+#include "model/error/combined_lane.hpp"
 #include "model/golden/evaluate.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
@@ -54,8 +54,8 @@ std::vector<Lane> lanes_of(const Graph& graph, FloatFormat reference, std::optio
     for (const model::Arithmetic& arithmetic : every_arithmetic(format)) {
       for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
         const auto typed = lane_graph(graph, reference, arithmetic, inputs);
-        for (model::CandidateLane& candidate : candidate_lanes(typed, ranges)) {
-          if (candidate.lane.ok()) lanes.push_back(std::move(candidate.lane).value());
+        for (model::CandidateLanes& candidate : candidate_lanes(typed, ranges)) {
+          if (candidate.lane.ok()) lanes.push_back(candidate.lane->parts.front());
         }
       }
     }

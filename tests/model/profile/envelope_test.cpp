@@ -312,15 +312,16 @@ TEST(Threshold, IsNeverBelowBoundAndGuard) {
 
 /// The lanes of one kind from the anchor on, where all exist and are of one structure.
 std::vector<const Lane*> lanes_of_kind(
-    const std::map<int, std::vector<model::CandidateLane>>& candidates, std::size_t kind) {
+    const std::map<int, std::vector<model::CandidateLanes>>& candidates, std::size_t kind) {
   std::vector<const Lane*> lanes;
   for (const auto& [precision, all] : candidates) {
-    const auto& lane = all[kind].lane;
-    if (!lane.ok() || !std::holds_alternative<AbsoluteBoundDecision>(lane->decision)) return {};
-    const auto& decision = std::get<AbsoluteBoundDecision>(lane->decision);
-    const auto& first = lanes.empty() ? lane->decision : lanes.front()->decision;
+    if (!all[kind].lane.ok()) return {};
+    const Lane& lane = all[kind].lane->parts.front();
+    if (!std::holds_alternative<AbsoluteBoundDecision>(lane.decision)) return {};
+    const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
+    const auto& first = lanes.empty() ? lane.decision : lanes.front()->decision;
     if (!BoundEnvelope::same_structure(decision, std::get<AbsoluteBoundDecision>(first))) return {};
-    lanes.push_back(&*lane);
+    lanes.push_back(&lane);
   }
   return lanes;
 }
@@ -337,7 +338,7 @@ TEST(BoundEnvelope, IsNeverBelowWhatTheHardwareComputes) {
       const int anchor = 6 + static_cast<int>(random() % 10);
       SCOPED_TRACE(fmt::format("{}, family {}, anchor {}", what, static_cast<int>(family), anchor));
       const Case test(scene, LaneInputs::rounded, anchor, last, family, random);
-      std::map<int, std::vector<model::CandidateLane>> candidates;
+      std::map<int, std::vector<model::CandidateLanes>> candidates;
       for (int precision = anchor; precision <= last; ++precision) {
         candidates[precision] = candidate_lanes(test.graph(precision), scene.ranges);
       }

@@ -30,7 +30,8 @@ void expect_slow_profile(const Scene& scene, const Comparisons& data,
   ASSERT_EQ(profiles.size(), 2u);
   for (const ErrorProfile& profile : profiles) {
     for (const model::ErrorAtPrecision& error : profile.precisions) {
-      const model::TypedGraph lane = graph_at(scene, error.precision, profile.inputs);
+      const model::TypedGraph lane =
+          graphs_at(scene, error.precision, profile.inputs).parts.front();
       const ProfiledError slow = profile_error(scene.graph, lane, data, options.error_samples, 1);
       const std::string what = "L = " + std::to_string(error.precision);
       expect_same(error.f, slow.f, what);
@@ -108,6 +109,27 @@ TEST(Errors, DoNotDependOnThreads) {
     return all;
   };
   EXPECT_EQ(errors(1), errors(3));
+}
+
+TEST(Errors, OfSeveralPartsAreTheLargest) {
+  std::mt19937_64 random(4);
+  const Arithmetic reduced{format_of(8, 8), model::Rounding::nearest_even,
+                           model::Subnormals::flush};
+  const std::vector<std::pair<std::string, std::string>> parts = {{"a * b", "c"},
+                                                                  {"a + b * c", "a"}};
+  const Scene scene = scene_of(graph_of(parts, model::Combination::any), format_of(53, 8), reduced);
+  const Comparisons data = random_rows(scene, Family::uniform, 300, random);
+  const ProfileOptions options{.first_precision = 7, .last_precision = 9, .error_samples = 300};
+  const ErrorProfile profile = profile_errors(scene, data, {LaneInputs::rounded}, options).front();
+  for (const model::ErrorAtPrecision& error : profile.precisions) {
+    const model::CombinedGraph lane = graphs_at(scene, error.precision, profile.inputs);
+    const ProfiledError one = profile_error(scene.graph.part(0), lane.parts[0], data, 300, 1);
+    const ProfiledError other = profile_error(scene.graph.part(1), lane.parts[1], data, 300, 1);
+    expect_same(error.f, std::max(one.f, other.f), "f");
+    expect_same(error.g, std::max(one.g, other.g), "g");
+    EXPECT_GT(other.f, one.f);
+  }
+  EXPECT_EQ(profile.comparisons, 300u);
 }
 
 }  // namespace

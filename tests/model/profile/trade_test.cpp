@@ -124,7 +124,8 @@ TEST(CostModel, GrowsWithPrecisionAndWithTheErrorUnit) {
   const Scene scene = sphere_scene();
   double before = 0;
   for (int precision = 4; precision <= 52; ++precision) {
-    const model::TypedGraph graph = graph_at(scene, precision, model::LaneInputs::rounded);
+    const model::TypedGraph graph =
+        graphs_at(scene, precision, model::LaneInputs::rounded).parts.front();
     const model::Lane alone{graph, model::UlpDistanceDecision{.guard_ulp = 0, .nonnegative = true}};
     const model::Lane profiled = model::profiled_lane(graph, mpq_class(1, 9), mpq_class(1, 9));
     EXPECT_GT(lane_luts(alone), before);

@@ -58,7 +58,7 @@ TEST_F(Variants, WithoutAChoiceTheComparisonIsAsWritten) {
   EXPECT_EQ(scene->name, "reach");
   EXPECT_EQ(scene->variant, "");
   EXPECT_EQ(scene->variants, std::vector<std::string>{"root"});
-  EXPECT_EQ(scene->f_text, "x^2 + y^2");
+  EXPECT_EQ(scene->f_text(), "x^2 + y^2");
   EXPECT_TRUE(scene->notes.empty()) << scene->notes[0];  // `far` is used by a variant
 }
 
@@ -67,14 +67,14 @@ TEST_F(Variants, TheChosenOneTakesTheComparisonsPlace) {
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->name, "reach_root");
   EXPECT_EQ(scene->variant, "root");
-  EXPECT_EQ(scene->f_text, "far");
-  EXPECT_EQ(scene->g_text, "r");
+  EXPECT_EQ(scene->f_text(), "far");
+  EXPECT_EQ(scene->g_text(), "r");
 }
 
 TEST_F(Variants, WhatAVariantDoesNotSayStays) {
   const Result<Scene> scene = load(variant("sum", "f = \"y^2 + x^2\"\n"), "sum");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
-  EXPECT_EQ(scene->g_text, "r^2");
+  EXPECT_EQ(scene->g_text(), "r^2");
 }
 
 TEST_F(Variants, InputsKeepTheirOrder) {

@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "model/error/combined_lane.hpp"
+#include "tests/support/float_samples.hpp"
+#include "tests/support/graphs.hpp"
+#include "tests/support/simulated_system.hpp"
+#include "tests/support/sphere.hpp"
+
+/// Systems that compare several parts: the hardware is the golden model bit for bit, and where a
+/// lane decided, its verdict is the truth; on every pair of encodings, NaNs and infinities too.
+namespace mixcmp::test {
+namespace {
+
+using model::Combination;
+using model::ErrorBoundKind;
+using model::LaneInputs;
+using model::Range;
+
+struct Case {
+  const char* name;
+  std::vector<std::pair<std::string, std::string>> parts;
+  Combination combination;
+  const char* lane = "s3e4";
+  LaneInputs inputs = LaneInputs::rounded;
+  std::optional<Range> range = {};
+  bool certified = true;
+};
+
+void PrintTo(const Case& c, std::ostream* stream) {
+  *stream << c.name;
+}
+
+model::CombinedLane lane_of(const Case& c, const model::CombinedGraph& graph, std::size_t inputs) {
+  if (!c.certified) return profiled_lanes(graph, mpq_class(1, 8), mpq_class(1, 8));
+  const std::vector<std::optional<Range>> ranges(inputs, c.range);
+  return certified_lanes(graph, {.ranges = ranges}).value();
+}
+
+model::Design design_of(const Case& c, const model::Graph& graph, model::FloatFormat reference) {
+  const model::CombinedGraph reduced = lane_graphs(graph, reference, {format(c.lane)}, c.inputs);
+  return {.name = "parts",
+          .inputs = graph.inputs(),
+          .lanes = {{.lane = lane_of(c, reduced, graph.inputs().size()), .inputs = c.inputs}},
+          .reference = reference_graphs(graph, {reference}),
+          .references = {{}},
+          .system = {}};
+}
+
+model::Table every_pair(model::FloatFormat format) {
+  model::Table table{.format = format, .columns = {"a", "b"}, .values = {}, .labels = {}};
+  const model::Bits count = model::Bits{1} << format.width();
+  for (model::Bits a = 0; a < count; ++a) {
+    for (model::Bits b = 0; b < count; ++b) table.values.insert(table.values.end(), {a, b});
+  }
+  return table;
+}
+
+class SeveralParts : public testing::TestWithParam<Case> {};
+
+TEST_P(SeveralParts, AreDecidedAsTheGoldenModelSaysAndTruly) {
+  const Case& c = GetParam();
+  const model::Graph graph = graph_of(c.parts, c.combination);
+  const model::FloatFormat s4e4 = format_of(4, 4);
+  const model::Design design = design_of(c, graph, s4e4);
+  const auto data = model::Comparisons::rows(every_pair(s4e4), design.inputs);
+  ASSERT_TRUE(data.ok()) << data.error().to_string();
+  const tb::VerifyReport report =
+      simulate(design, *data, {.truth = tb::TruthCheck{.graph = &graph}});
+  EXPECT_TRUE(report.passed()) << to_text(report);
+  EXPECT_EQ(report.comparisons, 65'536u);
+  EXPECT_GT(report.recomputations, 50u);
+  EXPECT_LT(report.recomputations, 62'000u) << "the lane decides nothing worth testing";
+  const auto seen = std::count_if(report.verdicts.begin(), report.verdicts.end(),
+                                  [](std::uint64_t count) { return count > 0; });
+  EXPECT_GE(seen, 3) << to_text(report);
+  if (c.certified) {
+    EXPECT_EQ(report.truth->wrong_by_lane, 0u) << to_text(report);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Systems, SeveralParts,
+    testing::Values(
+        Case{"all_of_two", {{"a", "b"}, {"-b", "max(a, 0.25)"}}, Combination::all},
+        Case{"any_of_two", {{"a", "b"}, {"-b", "max(a, 0.25)"}}, Combination::any},
+        // Bounds of three kinds, parts of different latency, nodes in common.
+        Case{"all_of_four",
+             {{"a * b", "b"}, {"a * b - a", "b^2"}, {"sqrt(abs(a))", "a / b"}, {"b", "a * b"}},
+             Combination::all,
+             "s4e5",
+             LaneInputs::exact},
+        Case{"any_in_ranges",
+             {{"a + b", "a * b"}, {"a - b * b", "b"}, {"b", "3"}},
+             Combination::any,
+             "s3e5",
+             LaneInputs::rounded,
+             Range{mpq_class(1, 2), 4}},
+        Case{"any_profiled",
+             {{"a * b", "b"}, {"a + b", "a"}},
+             Combination::any,
+             "s3e4",
+             LaneInputs::rounded,
+             std::nullopt,
+             false}),
+    [](const auto& instance) { return std::string(instance.param.name); });
+
+}  // namespace
+}  // namespace mixcmp::test
