@@ -86,7 +86,7 @@ Mismatch describe_comparison(const model::Design& design, const model::Compariso
   mismatch.items = model::describe(comparisons, index);
   std::vector<model::Bits> operands(comparisons.input_count());
   comparisons.fetch(index, operands);
-  const model::FloatFormat format = design.reference.input_format;
+  const model::FloatFormat format = design.reference.input_format();
   for (std::size_t k = 0; k < operands.size(); ++k) {
     mismatch.operands.push_back({design.inputs[k], model::to_hex(operands[k], format.width()),
                                  model::golden::to_text(format, operands[k])});
@@ -99,7 +99,7 @@ void hold_against_truth(const TruthCheck& check, const model::Design& design,
                         TruthCount& truth, GroupReport& group) {
   const bool recomputed = (tdata & recomputed_flag) != 0;
   if (check.scope == TruthScope::recomputed && !recomputed) return;
-  const model::FloatFormat format = design.reference.input_format;
+  const model::FloatFormat format = design.reference.input_format();
   // Infinite and NaN operands are no real numbers: there the reference's arithmetic is what counts.
   if (recomputed && !are_finite(format, operands)) return;
   ++truth.checked;

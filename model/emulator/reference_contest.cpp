@@ -10,7 +10,7 @@ namespace mixcmp::model {
 namespace {
 
 /// One operand after the other: for formats that double does not hold.
-void evaluate_contests(const TypedGraph& reference, const Comparisons& data,
+void evaluate_contests(const CombinedGraph& reference, const Comparisons& data,
                        std::span<const Items> items, std::span<std::uint8_t> greater) {
   std::vector<Bits> operands(data.input_count());
   for (std::size_t k = 0; k < items.size(); ++k) {
@@ -41,16 +41,18 @@ void emulate_contests(const Emulator& emulator, const Comparisons& data,
 
 }  // namespace
 
-Contest reference_contest(const TypedGraph& reference) {
-  if (!emulator::fits_double(reference.input_format)) {
+Contest reference_contest(const CombinedGraph& reference) {
+  if (!emulator::fits_double(reference.input_format())) {
     return [reference](const Comparisons& data, std::span<const Items> items,
                        std::span<std::uint8_t> greater) {
       evaluate_contests(reference, data, items, greater);
     };
   }
-  return [emulator = std::make_shared<const Emulator>(reference)](
-             const Comparisons& data, std::span<const Items> items,
-             std::span<std::uint8_t> greater) { emulate_contests(*emulator, data, items, greater); };
+  return
+      [emulator = std::make_shared<const Emulator>(reference)](
+          const Comparisons& data, std::span<const Items> items, std::span<std::uint8_t> greater) {
+        emulate_contests(*emulator, data, items, greater);
+      };
 }
 
 }  // namespace mixcmp::model

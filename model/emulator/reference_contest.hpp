@@ -1,11 +1,11 @@
 #pragma once
 
 #include "model/data/comparisons.hpp"
-#include "model/expression/typed_graph.hpp"
+#include "model/expression/combined_graph.hpp"
 
 namespace mixcmp::model {
 
 /// Contests decided by a reference datapath, bit for bit.
-Contest reference_contest(const TypedGraph& reference);
+Contest reference_contest(const CombinedGraph& reference);
 
 }  // namespace mixcmp::model

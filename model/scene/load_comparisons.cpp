@@ -85,7 +85,7 @@ Result<Comparisons> arrange(const Scene& scene) {
   if (scene.data->pairing == Pairing::cross) {
     return Comparisons::cross(std::move(first), std::move(second), inputs);
   }
-  const Contest contest = reference_contest(reference_graph(scene.graph, scene.reference));
+  const Contest contest = reference_contest(reference_graphs(scene.graph, scene.reference));
   return Comparisons::arg_min(std::move(first), std::move(second), inputs, contest);
 }
 

@@ -335,8 +335,8 @@ TEST(Software, TheSameSceneGivesTheSameBytes) {
 TEST(Software, SeveralPartsAreDecidedTogether) {
   Random random(21);
   for (const char* combine : {"all", "any"}) {
-    CompiledSoftware software({.f = R"("max(a, b)", "(a - b)^2")",
-                               .g = R"("min(c, d)", "c * d")",
+    CompiledSoftware software({.f = R"x("max(a, b)", "(a - b)^2")x",
+                               .g = R"x("min(c, d)", "c * d")x",
                                .inputs = "\"*\" = { range = [0, 1e6] }\n",
                                .combine = combine});
     ASSERT_EQ(software.filters().filters.size(), 2u);

@@ -31,13 +31,13 @@ model::Design spheres(int lanes, int references) {
 
 model::Comparisons random_spheres(const model::Design& design, std::uint64_t count) {
   const model::Table table = model::uniform_spheres(
-      {.count = count, .side = 100, .radius_max = 30, .seed = 3}, design.reference.input_format);
+      {.count = count, .side = 100, .radius_max = 30, .seed = 3}, design.reference.input_format());
   return model::Comparisons::all_pairs(table, design.inputs).value();
 }
 
 /// Whole numbers 0..3: ties and equal items abound.
 model::Comparisons grid_spheres(const model::Design& design, std::size_t count) {
-  model::Table table{design.reference.input_format, {"cx", "cy", "cz", "r"}, {}, {}};
+  model::Table table{design.reference.input_format(), {"cx", "cy", "cz", "r"}, {}, {}};
   for (std::size_t k = 0; k < 4 * count; ++k) {
     const auto number = tb::counter_random(7, k) % (k % 4 == 3 ? 2 : 4);
     table.values.push_back(model::golden::from_rational(table.format, number));

@@ -106,7 +106,7 @@ model::Design fake_design(const FakeSystem& fake) {
   const model::UlpDistanceDecision decision{.guard_ulp = 4, .nonnegative = true};
   return {.name = "fake",
           .inputs = {"a", "b"},
-          .lanes = {{.lane = {graph, decision}, .count = fake.lanes}},
+          .lanes = {{.lane = model::Lane{graph, decision}, .count = fake.lanes}},
           .reference = graph,
           .references = references_of(fake)};
 }

@@ -46,17 +46,15 @@ std::vector<CombinedLane> lanes_of(const Graph& graph, FloatFormat reference,
   const std::vector<std::optional<Range>> ranges(graph.inputs().size(), range);
   std::vector<CombinedLane> lanes;
   const FloatFormat format = format_of(2, 4);
-  for (const model::Arithmetic& arithmetic :
-       {model::Arithmetic{format, model::Rounding::nearest_even, model::Subnormals::flush},
-        model::Arithmetic{format, model::Rounding::toward_zero, model::Subnormals::gradual}}) {
-    for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
-      const CombinedGraph typed = lane_graphs(graph, reference, arithmetic, inputs);
-      for (model::CandidateLanes& candidate : candidate_lanes(typed, ranges)) {
-        if (candidate.lane.ok()) lanes.push_back(std::move(candidate.lane).value());
-      }
-      lanes.push_back(certified_lanes(typed, {.ranges = ranges}).value());
+  const auto add = [&](const model::Arithmetic& arithmetic, LaneInputs inputs) {
+    const CombinedGraph typed = lane_graphs(graph, reference, arithmetic, inputs);
+    for (model::CandidateLanes& candidate : candidate_lanes(typed, ranges)) {
+      if (candidate.lane.ok()) lanes.push_back(std::move(candidate.lane).value());
     }
-  }
+    lanes.push_back(certified_lanes(typed, {.ranges = ranges}).value());
+  };
+  add({format, model::Rounding::nearest_even, model::Subnormals::flush}, LaneInputs::rounded);
+  add({format, model::Rounding::toward_zero, model::Subnormals::gradual}, LaneInputs::exact);
   return lanes;
 }
 

@@ -273,5 +273,27 @@ TEST(GuardUlp, OfTheSphereIsSeven) {
   }
 }
 
+Bits guard_of(const std::string& f, const std::string& g, model::Rounding rounding) {
+  const model::Arithmetic reduced = {format_of(8, 8), rounding, model::Subnormals::flush};
+  const auto lane =
+      relative_lane(lane_graph(graph_of(f, g), format_of(24, 8), reduced, LaneInputs::rounded), {});
+  return certified_decision(lane.value()).guard_ulp;
+}
+
+/// Rounding keeps order, and what is chosen among rounded numbers is the rounding of what is
+/// chosen.
+TEST(GuardUlp, OfSelectionsOfRoundedInputsIsOneStep) {
+  for (const auto rounding : {model::Rounding::nearest_even, model::Rounding::toward_zero}) {
+    EXPECT_EQ(guard_of("a", "b", rounding), 1);
+    EXPECT_EQ(guard_of("max(a, b)", "min(c, d)", rounding), 1);
+    EXPECT_EQ(guard_of("-abs(min(a, -b))", "max(-c, abs(d))", rounding), 1);
+    EXPECT_EQ(guard_of("max(a, 2)", "min(b, 0)", rounding), 1) << "constants of the format";
+    EXPECT_GT(guard_of("max(a * b, c)", "d", rounding), 1);
+  }
+  EXPECT_EQ(guard_of("max(a, 0.3)", "b", model::Rounding::nearest_even), 1);
+  EXPECT_GT(guard_of("max(a, 0.3)", "b", model::Rounding::toward_zero), 1)
+      << "constants are encoded to nearest";
+}
+
 }  // namespace
 }  // namespace mixcmp::test

@@ -43,8 +43,8 @@ void expect_combined(unsigned parts, Combination combination) {
   int decided = 0;
   for (unsigned verdicts = 0; verdicts < 1u << (2 * parts); ++verdicts) {
     for (unsigned known = 0; known < 1u << parts; ++known) {
-      model.verdicts = verdicts;
-      model.known = known;
+      model.verdicts = static_cast<CData>(verdicts);
+      model.known = static_cast<CData>(known);
       model.aclk = 0;
       model.eval();
       model.aclk = 1;

@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "model/golden/evaluate.hpp"
+#include "model/scene/summary.hpp"
+#include "tests/support/scratch_directory.hpp"
+
+/// [comparison] of several parts.
+namespace mixcmp::model {
+namespace {
+
+class PartsTest : public testing::Test {
+protected:
+  Result<Scene> load(const std::string& comparison) {
+    std::filesystem::remove(path_);
+    std::ofstream(path_) << "[comparison]\nname = \"n\"\n"
+                         << comparison << "[let]\nD = \"3\"\n[reference]\nformat = \"binary32\"\n";
+    return load_scene(path_, {});
+  }
+
+  void expect_mistake(const std::string& comparison, const std::string& error) {
+    const Result<Scene> scene = load(comparison);
+    ASSERT_FALSE(scene.ok()) << comparison;
+    EXPECT_EQ(scene.error().to_string(), path_.string() + error);
+  }
+
+private:
+  test::ScratchDirectory directory_;
+  std::filesystem::path path_ = directory_.path() / "scene.toml";
+};
+
+TEST_F(PartsTest, ListsAreOnePartEach) {
+  const auto scene = load("f = [\"a\", \"b - c\"]\ng = [\"b\", \"a\"]\ncombine = \"any\"\n");
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  ASSERT_EQ(scene->graph.parts().size(), 2u);
+  EXPECT_EQ(scene->graph.combination(), Combination::any);
+  EXPECT_EQ(scene->graph.inputs(), (std::vector<std::string>{"a", "b", "c"}));
+  EXPECT_EQ(scene->graph.part(1).g(), scene->graph.part(0).f()) << "one node, a";
+  EXPECT_EQ(scene->f_text(), "a; b - c");
+}
+
+TEST_F(PartsTest, AnIndexIsOnePartForEachOfItsValues) {
+  const auto scene =
+      load("for = \"k in 0..D-1\"\nf = \"p[k] + k\"\ng = \"q[k]\"\ncombine = \"all\"\n");
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  ASSERT_EQ(scene->graph.parts().size(), 3u);
+  EXPECT_EQ(scene->graph.combination(), Combination::all);
+  EXPECT_EQ(scene->graph.inputs(),
+            (std::vector<std::string>{"p_0", "q_0", "p_1", "q_1", "p_2", "q_2"}));
+  EXPECT_EQ(scene->parts[2].f, "p[k] + k where k = 2");
+  const std::string text = to_text(summarise(*scene, nullptr));
+  EXPECT_NE(text.find("3, combined by \"all\""), std::string::npos) << text;
+  EXPECT_NE(text.find("g[2] negative"), std::string::npos) << text;
+}
+
+TEST_F(PartsTest, AllTakesTheLastVerdictAndAnyTheFirst) {
+  const auto scene = load("f = [\"a\", \"b\"]\ng = [\"1\", \"1\"]\ncombine = \"all\"\n");
+  const auto bits = [&](int value) {
+    return golden::from_rational(scene->reference.format, mpq_class(value));
+  };
+  const auto verdict = [&](Bits a, Bits b) {
+    return golden::true_verdict(scene->graph, scene->reference.format, std::vector{a, b});
+  };
+  EXPECT_EQ(verdict(bits(0), bits(0)), golden::Verdict::less);
+  EXPECT_EQ(verdict(bits(0), bits(1)), golden::Verdict::equal);
+  EXPECT_EQ(verdict(bits(2), scene->reference.format.quiet_nan()), golden::Verdict::greater);
+  EXPECT_EQ(verdict(bits(1), scene->reference.format.quiet_nan()), golden::Verdict::unordered);
+}
+
+TEST_F(PartsTest, MistakesNameTheirPlace) {
+  expect_mistake("f = [\"a\", \"b\"]\ng = [\"b\", \"a\"]\n",
+                 ":1: comparison.combine: missing: it says what the verdicts of several parts make "
+                 "together: received nothing; accepted \"all\" or \"any\"");
+  expect_mistake("f = \"a\"\ng = \"b\"\ncombine = \"all\"\n",
+                 ":5: comparison.combine: there is nothing to combine: received one f and one g; "
+                 "accepted lists of f and g, or an index: for = \"k in 0..2\"");
+  expect_mistake("f = [\"a\", \"b\"]\ng = [\"b\"]\ncombine = \"all\"\n",
+                 ":4: comparison.g: f and g are the sides of the same parts: received a list of 1; "
+                 "accepted a list of 2, as f is");
+  expect_mistake("f = [\"a\", \"b\"]\ng = \"b\"\ncombine = \"all\"\n",
+                 ":4: comparison.g: f and g are the sides of the same parts: received a string; "
+                 "accepted a list of 2, as f is");
+  expect_mistake("f = [\"a\", 3]\ng = [\"b\", \"c\"]\ncombine = \"all\"\n",
+                 ":3: comparison.f: not an expression in the list: received 3 (an integer); "
+                 "accepted a string, or a list of strings, one for each part");
+  expect_mistake("f = []\ng = []\ncombine = \"all\"\n",
+                 ":3: comparison.f: an empty list: received an array of 0 (an array); accepted a "
+                 "string, or a list of strings, one for each part");
+  expect_mistake("f = [\"a\"]\ng = [\"b\"]\ncombine = \"most\"\n",
+                 ":5: comparison.combine: not a choice: received \"most\"; accepted all, any");
+  expect_mistake("for = \"k in 0..2\"\nf = [\"a\"]\ng = [\"b\"]\ncombine = \"all\"\n",
+                 ":3: comparison.for: the parts are listed already: received \"k in 0..2\"; "
+                 "accepted one f and one g, in which the index stands");
+  expect_mistake("for = \"k in 0..64\"\nf = \"a[k]\"\ng = \"1\"\ncombine = \"all\"\n",
+                 ":3: comparison.for: too many parts: received \"k in 0..64\"; accepted at most 64 "
+                 "values");
+}
+
+TEST_F(PartsTest, AnExpressionsErrorNamesItsColumnInTheList) {
+  const auto scene = load(
+      "f = [\"b * a\", \"b\", \"a b\"]\ng = [\"b\", \"1\", \"2\"]\n"
+      "combine = \"all\"\n");
+  ASSERT_FALSE(scene.ok());
+  EXPECT_EQ(scene.error().line, 3);
+  EXPECT_EQ(scene.error().column, 23);
+  EXPECT_EQ(scene.error().field, "comparison.f");
+}
+
+}  // namespace
+}  // namespace mixcmp::model
