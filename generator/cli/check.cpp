@@ -97,8 +97,11 @@ std::vector<model::VariantCheck> check_variants(const SceneOptions& options,
   std::vector<model::VariantCheck> checks;
   const auto formulations = value_or_exit(load_formulations(options, loaded));
   for (std::size_t k = 1; k < formulations.size() && loaded.data; ++k) {
-    show_progress(fmt::format("variant {}", formulations[k].scene.variant));
-    checks.push_back(check_variant(loaded.scene, formulations[k].scene, *loaded.data));
+    const model::Scene& variant = formulations[k].scene;
+    checks.push_back(check_variant(
+        loaded.scene, variant, *loaded.data, model::checked_comparisons, [&](double share) {
+          show_progress(fmt::format("variant {}: {:.0f} %", variant.variant, share * 100));
+        }));
   }
   show_progress("");
   return checks;
@@ -107,7 +110,10 @@ std::vector<model::VariantCheck> check_variants(const SceneOptions& options,
 void print_text(const std::vector<model::VariantCheck>& checks) {
   if (!checks.empty()) fmt::print("variants\n");
   for (const model::VariantCheck& check : checks) {
-    std::string verdict = "decides all of them alike";
+    std::string verdict = check.untold == 0
+                              ? "decides all of them alike"
+                              : fmt::format("decides alike all but {} that {} bits do not tell",
+                                            check.untold, model::checked_bits);
     if (const auto& first = check.first_difference) {
       verdict = fmt::format("decides {} of them differently, the first number {}: {}, not {}",
                             check.differences, first->index, to_string(first->variant),
@@ -126,6 +132,7 @@ nlohmann::json to_json(const std::vector<model::VariantCheck>& checks) {
     report.push_back({{"name", check.variant},
                       {"comparisons", check.comparisons},
                       {"differences", check.differences},
+                      {"untold", check.untold},
                       {"reference_differences", check.reference_differences}});
     if (const auto& first = check.first_difference) {
       report.back()["first_difference"] = {{"index", first->index},
@@ -163,6 +170,9 @@ void run(const CheckOptions& options) {
     fmt::print("{}", to_text(summary));
     print_text(generated);
     print_text(variants);
+    if (variants.empty() && !loaded.scene.variants.empty() && !loaded.data) {
+      fmt::print("variants\n  {:<18} the scene has no data to compare them on\n", "not compared");
+    }
     if (costs) fmt::print("{}", to_text(*costs));
     print_text(proven);
   }

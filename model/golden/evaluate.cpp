@@ -146,19 +146,31 @@ Verdict order(const Interval& f, const Interval& g) {
   return points && mpfr_equal_p(f.low.get(), g.low.get()) ? Verdict::equal : Verdict::unordered;
 }
 
+/// What intervals of up to `most` bits tell of one part, and how far they came.
+struct Told {
+  std::optional<Verdict> verdict;
+  Knowledge knowledge = Knowledge::uncertain;
+};
+
+Told tell(const Graph& graph, Sides part, FloatFormat format, std::span<const Bits> inputs,
+          mpfr_prec_t most) {
+  Told told;
+  for (mpfr_prec_t precision = std::min(first_precision, most); precision <= most; precision *= 2) {
+    Enclosure enclosure(graph, part, precision);
+    told.knowledge = enclosure.compute(format, inputs);
+    if (told.knowledge == Knowledge::undefined) return {Verdict::unordered, told.knowledge};
+    if (told.knowledge == Knowledge::uncertain) continue;
+    const Verdict verdict = order(enclosure.f(), enclosure.g());
+    if (verdict != Verdict::unordered) return {verdict, told.knowledge};
+  }
+  return told;
+}
+
 Verdict true_verdict_of_part(const Graph& graph, Sides part, FloatFormat format,
                              std::span<const Bits> inputs) {
-  Knowledge knowledge = Knowledge::uncertain;
-  for (mpfr_prec_t precision = first_precision; precision <= last_precision(format);
-       precision *= 2) {
-    Enclosure enclosure(graph, part, precision);
-    knowledge = enclosure.compute(format, inputs);
-    if (knowledge == Knowledge::undefined) return Verdict::unordered;
-    if (knowledge == Knowledge::uncertain) continue;
-    const Verdict verdict = order(enclosure.f(), enclosure.g());
-    if (verdict != Verdict::unordered) return verdict;
-  }
-  return knowledge == Knowledge::uncertain ? Verdict::unordered : Verdict::equal;
+  const Told told = tell(graph, part, format, inputs, last_precision(format));
+  const bool uncertain = told.knowledge == Knowledge::uncertain;
+  return told.verdict.value_or(uncertain ? Verdict::unordered : Verdict::equal);
 }
 
 /// Less and greater alone: where combining starts, since it changes nothing.
@@ -263,6 +275,19 @@ Verdict true_verdict(const Graph& graph, FloatFormat format, std::span<const Bit
   return combined_verdict(graph.combination(), graph.parts(), [&](const Sides& part) {
     return true_verdict_of_part(graph, part, format, inputs);
   });
+}
+
+std::optional<Verdict> verdict_within(const Graph& graph, FloatFormat format,
+                                      std::span<const Bits> inputs, int bits) {
+  const Verdict dominating = dominating_verdict(graph.combination());
+  std::optional<Verdict> verdict = opposite(dominating);
+  for (const Sides& part : graph.parts()) {
+    const std::optional<Verdict> one = tell(graph, part, format, inputs, bits).verdict;
+    if (one == dominating) return dominating;
+    verdict =
+        verdict && one ? std::optional(combine(graph.combination(), *verdict, *one)) : std::nullopt;
+  }
+  return verdict;
 }
 
 }  // namespace mixcmp::model::golden

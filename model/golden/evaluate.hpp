@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -53,5 +54,9 @@ Verdict combine(Combination combination, Verdict a, Verdict b);
 /// they are called equal, and a divisor or a radicand that still may be zero or negative makes the
 /// verdict unordered.
 Verdict true_verdict(const Graph& graph, FloatFormat format, std::span<const Bits> inputs);
+
+/// The same, as far as intervals of at most `bits` digits tell; none where they do not.
+std::optional<Verdict> verdict_within(const Graph& graph, FloatFormat format,
+                                      std::span<const Bits> inputs, int bits);
 
 }  // namespace mixcmp::model::golden

@@ -60,11 +60,17 @@ Error in_variant(const std::string& variant, Error error) {
   return error;
 }
 
+std::string place_of_f(const Settings& settings) {
+  Section comparison(settings, "comparison");
+  const Setting& f = *comparison.find("f");
+  return f.line == 0 ? file_of(f) : fmt::format("{}:{}", file_of(f), f.line);
+}
+
 /// A variant in the place of [comparison]: it has the same inputs in the same order, so that data
 /// and ports fit all of them.
 Result<ComparisonSpec> read_variant(const Formulation& formulation,
-                                    std::span<const LetDefinition> lets, const ComparisonSpec& base,
-                                    std::vector<std::string>& notes) {
+                                    std::span<const LetDefinition> lets, const Settings& given,
+                                    const ComparisonSpec& base, std::vector<std::string>& notes) {
   const Settings& settings = formulation.settings;
   MIXCMP_TRY(variant, read_comparison(settings, lets));
   std::vector<std::string> ignored;
@@ -73,7 +79,7 @@ Result<ComparisonSpec> read_variant(const Formulation& formulation,
   const auto& inputs = base.graph.inputs();
   if (named != std::set<std::string>(inputs.begin(), inputs.end())) {
     const Section section(settings, "comparison");
-    return section.mistake("f", "f and g have other inputs than [comparison]",
+    return section.mistake("f", "f and g have other inputs than those at " + place_of_f(given),
                            fmt::format("{}", fmt::join(named, ", ")),
                            fmt::format("{}", fmt::join(inputs, ", ")));
   }
@@ -82,8 +88,7 @@ Result<ComparisonSpec> read_variant(const Formulation& formulation,
   variant.name += "_" + formulation.variant;
   const std::string problem = name_problem(variant.name);
   if (problem.empty()) return variant;
-  const Section section(settings, "comparison");
-  return section.mistake("name", problem, variant.name, std::string(accepted_names()));
+  return formulation.name_mistake(problem + " behind the scene's name", variant.name);
 }
 
 /// The chosen formulation, all of them looked through for mistakes. Notes tell what none of them
@@ -98,7 +103,8 @@ Result<ComparisonSpec> read_formulation(const Formulations& formulations,
   ComparisonSpec chosen = base;
   for (std::size_t k = 1; k < formulations.all.size(); ++k) {
     std::vector<std::string> variant_notes;
-    Result<ComparisonSpec> variant = read_variant(formulations.all[k], lets, base, variant_notes);
+    Result<ComparisonSpec> variant =
+        read_variant(formulations.all[k], lets, settings, base, variant_notes);
     if (!variant.ok()) return in_variant(formulations.all[k].variant, variant.error());
     std::erase_if(notes, [&](const std::string& unused_let) {
       return std::find(variant_notes.begin(), variant_notes.end(), unused_let) ==

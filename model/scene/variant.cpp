@@ -52,10 +52,8 @@ Result<std::string> read_name(const Setting& table, const std::vector<Formulatio
 
 /// [comparison] keeps what the variant does not say, and its name.
 Result<Formulation> lay_over(const Setting& table, std::string name, const Settings& base) {
-  Formulation formulation{.variant = std::move(name),
-                          .settings = base,
-                          .file = file_of(table),
-                          .line = table.line};
+  Formulation formulation{
+      .variant = std::move(name), .settings = base, .file = file_of(table), .line = table.line};
   Setting::Table* comparison = table_of(formulation.settings.root, "comparison");
   if (comparison == nullptr) return formulation;  // read_comparison tells
   bool says_something = false;

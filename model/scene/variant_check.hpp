@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -21,19 +22,23 @@ struct VariantCheck {
 
   std::string variant;
   std::uint64_t comparisons = 0;
-  /// Of the real numbers f and g, told by intervals of 2^14 bits or more where fewer do not
-  /// (golden::true_verdict). None: they decide alike.
+  /// Of the real numbers f and g. None: they decide alike.
   std::optional<Difference> first_difference;
   std::uint64_t differences = 0;
+  /// Comparisons of which intervals of `checked_bits` digits do not tell the order in both: ties of
+  /// numbers that are not exact, mostly.
+  std::uint64_t untold = 0;
   /// Rounded in the reference format the two need not agree; how often they do not.
   std::uint64_t reference_differences = 0;
 };
 
+constexpr int checked_bits = 512;
 constexpr std::uint64_t checked_comparisons = 250'000;
 
-/// On all comparisons, or on that many spread over all. Both scenes have the same inputs in the
-/// same order.
+/// On all comparisons, or on `most` spread over all. Both scenes have the same inputs in the same
+/// order. `progress` is told the share that is done.
 VariantCheck check_variant(const Scene& given, const Scene& variant, const Comparisons& data,
-                           std::uint64_t most = checked_comparisons);
+                           std::uint64_t most = checked_comparisons,
+                           const std::function<void(double)>& progress = {});
 
 }  // namespace mixcmp::model
