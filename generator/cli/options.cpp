@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <cstdint>
 
+#include "generator/cli/output.hpp"
 #include "generator/datapath/delays.hpp"
 #include "model/scene/load_comparisons.hpp"
 
@@ -27,6 +29,17 @@ constexpr std::array<Shortcut, 8> shortcuts = {{
     {"--target-mhz", "system.target_mhz", "clock that the cut points are chosen for"},
     {"--device", "system.device", "device whose rough delays choose the cut points"},
 }};
+
+/// A search of many contests takes long enough to be asked about.
+model::ContestProgress contest_progress() {
+  return [shown = std::uint64_t{0}](std::uint64_t done, std::uint64_t all) mutable {
+    constexpr std::uint64_t many = 1'000'000;
+    const std::uint64_t percent = 100 * done / all;
+    if (all <= many || percent == shown) return;
+    shown = percent;
+    show_progress(done == all ? "" : fmt::format("arg_min: {} of {} comparisons", done, all));
+  };
+}
 
 bool needs_quotes(const std::string& text) {
   return text.find_first_of(" \t\"'$&|;<>()[]{}*?!#~`\\") != std::string::npos;
@@ -68,7 +81,7 @@ model::Result<LoadedScene> load(const SceneOptions& options) {
   }
   LoadedScene loaded = {std::move(scene), std::nullopt};
   if (loaded.scene.data) {
-    MIXCMP_TRY(data, model::load_comparisons(loaded.scene));
+    MIXCMP_TRY(data, model::load_comparisons(loaded.scene, contest_progress()));
     loaded.data = std::move(data);
   }
   return loaded;

@@ -5,16 +5,19 @@
 
 namespace mixcmp::model {
 
-Result<std::string> read_file(const std::filesystem::path& path) {
+Result<Done> check_readable(const std::filesystem::path& path) {
   std::error_code ignored;
+  if (std::filesystem::is_regular_file(path, ignored) && std::ifstream(path)) return Done{};
+  return Error{.file = path.string(),
+               .message = "cannot read the file",
+               .received = std::filesystem::exists(path, ignored) ? "no readable regular file"
+                                                                  : "no such file",
+               .accepted = "a readable file"};
+}
+
+Result<std::string> read_file(const std::filesystem::path& path) {
+  MIXCMP_TRY(readable, check_readable(path));
   std::ifstream file(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, ignored) || !file) {
-    return Error{.file = path.string(),
-                 .message = "cannot read the file",
-                 .received = std::filesystem::exists(path, ignored) ? "no readable regular file"
-                                                                    : "no such file",
-                 .accepted = "a readable file"};
-  }
   std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   return text;
 }

@@ -7,6 +7,8 @@
 
 namespace mixcmp::model {
 
+Result<Done> check_readable(const std::filesystem::path& path);
+
 /// All bytes of a regular file.
 Result<std::string> read_file(const std::filesystem::path& path);
 

@@ -22,22 +22,37 @@ std::optional<std::size_t> subscript_in(const std::string& wanted, const std::st
   return subscript;
 }
 
+constexpr std::string_view no_such_column = "no such column";
+
 bool explains(const ColumnNames& names, const std::string& wanted) {
   return names.is_list ? subscript_in(wanted, names.name).has_value() : wanted == names.name;
 }
 
+Error mistake(const ColumnNames& names, std::string message, std::string received,
+              std::string accepted) {
+  return {.file = names.place.file,
+          .line = names.place.line,
+          .field = names.field,
+          .message = std::move(message),
+          .received = std::move(received),
+          .accepted = std::move(accepted)};
+}
+
 Result<std::string> file_column(std::span<const ColumnNames> all, const std::string& wanted) {
-  const auto found = std::find_if(
-      all.begin(), all.end(), [&](const ColumnNames& names) { return explains(names, wanted); });
+  const auto explains_it = [&](const ColumnNames& names) { return explains(names, wanted); };
+  const auto found = std::find_if(all.begin(), all.end(), explains_it);
   if (found == all.end()) return wanted;
+  const auto again = std::find_if(std::next(found), all.end(), explains_it);
+  if (again != all.end()) {
+    return mistake(*again, fmt::format("a second column for {}", wanted),
+                   fmt::format("{} beside {}", again->field, found->field), "one of them");
+  }
   if (!found->is_list) return found->columns[0];
   const std::size_t subscript = *subscript_in(wanted, found->name);
   if (subscript < found->columns.size()) return found->columns[subscript];
-  return Error{.line = found->line,
-               .field = found->field,
-               .message = fmt::format("no column for {}", wanted),
-               .received = fmt::format("a list of {}", found->columns.size()),
-               .accepted = fmt::format("{} columns or more", subscript + 1)};
+  return mistake(*found, fmt::format("no column for {}", wanted),
+                 fmt::format("a list of {}", found->columns.size()),
+                 fmt::format("{} columns or more", subscript + 1));
 }
 
 }  // namespace
@@ -47,11 +62,9 @@ Result<std::vector<std::string>> file_columns(std::span<const ColumnNames> names
   for (const ColumnNames& one : names) {
     const auto is_wanted = [&](const std::string& column) { return explains(one, column); };
     if (std::any_of(wanted.begin(), wanted.end(), is_wanted)) continue;
-    return Error{.line = one.line,
-                 .field = one.field,
-                 .message = "no input needs such a column",
-                 .received = one.is_list ? one.name + "_0, ..." : one.name,
-                 .accepted = list_with_nearest(one.name, wanted)};
+    return mistake(one, "no input needs such a column",
+                   one.is_list ? one.name + "_0, ..." : one.name,
+                   list_with_nearest(one.name, wanted));
   }
   std::vector<std::string> columns;
   for (const std::string& column : wanted) {
@@ -61,17 +74,23 @@ Result<std::vector<std::string>> file_columns(std::span<const ColumnNames> names
   return columns;
 }
 
+Error missing_column(const std::string& column, std::span<const std::string> known) {
+  return {.field = column,
+          .message = std::string(no_such_column),
+          .received = "nothing",
+          .accepted = list_with_nearest(column, known)};
+}
+
+bool is_missing_column(const Error& error) {
+  return error.message == no_such_column;
+}
+
 Result<Table> select_columns(const Table& table, std::span<const std::string> columns,
                              std::span<const std::string> wanted) {
   std::vector<std::size_t> places;
   for (const std::string& column : columns) {
     const auto found = std::find(table.columns.begin(), table.columns.end(), column);
-    if (found == table.columns.end()) {
-      return Error{.field = "data",
-                   .message = fmt::format("no column {}", column),
-                   .received = "no such column",
-                   .accepted = list_with_nearest(column, table.columns)};
-    }
+    if (found == table.columns.end()) return missing_column(column, table.columns);
     places.push_back(static_cast<std::size_t>(found - table.columns.begin()));
   }
   Table selected{.format = table.format,

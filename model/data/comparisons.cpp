@@ -17,11 +17,16 @@ std::uint64_t first_pair_of(std::uint64_t i, std::uint64_t count) {
   return i * (2 * count - i - 1) / 2;
 }
 
-Error no_column(const std::string& input, const std::string& column, const Table& table) {
-  return {.field = "data",
-          .message = fmt::format("no column {} for the input {}", column, input),
+/// The key that says where a table comes from.
+std::string key_of(std::size_t table) {
+  return table == 0 ? "data.file" : "data.with";
+}
+
+Error no_column(const std::string& input, const InputColumn& place, const Table& table) {
+  return {.field = key_of(place.table),
+          .message = fmt::format("no column {} for the input {}", place.name, input),
           .received = "no such column",
-          .accepted = list_with_nearest(column, table.columns)};
+          .accepted = list_with_nearest(place.name, table.columns)};
 }
 
 std::optional<std::size_t> find_column(const Table& table, std::string_view name) {
@@ -30,16 +35,9 @@ std::optional<std::size_t> find_column(const Table& table, std::string_view name
   return static_cast<std::size_t>(found - table.columns.begin());
 }
 
-Error nothing_to_compare(std::string_view what) {
-  return {.field = "data",
-          .message = "nothing to compare",
-          .received = fmt::format("no {}", what),
-          .accepted = "at least one"};
-}
-
-Error wrong_count(std::string message, std::string_view what, std::uint64_t received,
-                  std::uint64_t low, std::uint64_t high) {
-  return {.field = "data.pairs",
+Error wrong_count(std::size_t table, std::string message, std::string_view what,
+                  std::uint64_t received, std::uint64_t low, std::uint64_t high) {
+  return {.field = key_of(table),
           .message = std::move(message),
           .received = fmt::format("{} {}", received, what),
           .accepted = fmt::format("{}..{} {}", low, high, what)};
@@ -48,19 +46,20 @@ Error wrong_count(std::string message, std::string_view what, std::uint64_t rece
 Result<Done> check_counts(Pairing pairing, const std::vector<Table>& tables) {
   const std::uint64_t rows = tables[0].rows();
   if (pairing == Pairing::all && (rows < 2 || rows > max_paired_items)) {
-    return wrong_count("no such number of items can be paired", "items", rows, 2, max_paired_items);
+    return wrong_count(0, "no such number of items can be paired", "items", rows, 2,
+                       max_paired_items);
   }
-  if (rows == 0) return nothing_to_compare("rows");
+  if (rows == 0) return wrong_count(0, "nothing to compare", "rows", rows, 1, max_paired_items);
   if (!has_second_table(pairing)) return Done{};
   const std::uint64_t others = tables[1].rows();
   const std::uint64_t least = pairing == Pairing::arg_min ? 2 : 1;
   if (others < least) {
-    return wrong_count("too few rows in the second table", "rows", others, least, max_paired_items);
+    return wrong_count(1, "too few rows", "rows", others, least, max_paired_items);
   }
   const std::uint64_t most =
       pairing == Pairing::arg_min ? max_arg_min_comparisons / (others - 1) : max_paired_items;
   if (rows > most || others > max_paired_items) {
-    return wrong_count("too many comparisons", "rows", rows, 1, most);
+    return wrong_count(0, "too many comparisons", "rows", rows, 1, most);
   }
   return Done{};
 }
@@ -93,7 +92,7 @@ Result<Comparisons> Comparisons::make(Pairing pairing, std::vector<Table> tables
     MIXCMP_TRY(place, input_column(pairing, input));
     const Table& table = tables[place.table];
     const auto column = find_column(table, place.name);
-    if (!column) return no_column(input, place.name, table);
+    if (!column) return no_column(input, place, table);
     sources.push_back({.table = place.table, .column = *column, .item = place.item});
   }
   for (std::size_t table = 0; table < tables.size(); ++table) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "model/common/file.hpp"
-#include "model/common/nearest.hpp"
+#include "model/data/column_names.hpp"
 #include "model/data/number.hpp"
 
 namespace mixcmp::model {
@@ -101,12 +101,17 @@ Result<std::vector<std::size_t>> find_columns(const Record& header,
   for (const std::string& column : wanted) {
     const auto found = std::find(names.begin(), names.end(), column);
     const auto times = std::count(names.begin(), names.end(), column);
-    if (times != 1) {
+    if (times == 0) {
+      Error error = missing_column(column, names);
+      error.line = header.line;
+      return error;
+    }
+    if (times > 1) {
       return Error{.line = header.line,
                    .field = column,
-                   .message = times == 0 ? "no such column" : "two columns of this name",
-                   .received = times == 0 ? "nothing" : fmt::format("{} of them", times),
-                   .accepted = times == 0 ? list_with_nearest(column, names) : "one"};
+                   .message = "two columns of this name",
+                   .received = fmt::format("{} of them", times),
+                   .accepted = "one"};
     }
     places.push_back(static_cast<std::size_t>(found - names.begin()));
   }

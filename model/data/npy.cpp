@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "model/common/file.hpp"
-#include "model/common/nearest.hpp"
+#include "model/data/column_names.hpp"
 #include "model/data/npy_header.hpp"
 #include "model/golden/arithmetic.hpp"
 
@@ -90,12 +90,7 @@ Result<Layout> structured_layout(const NpyHeader& header, std::span<const std::s
   Layout layout{.rows = header.shape[0], .total_bytes = *total};
   for (const std::string& column : columns) {
     const auto found = std::find(names.begin(), names.end(), column);
-    if (found == names.end()) {
-      return Error{.field = column,
-                   .message = "no such field",
-                   .received = "nothing",
-                   .accepted = list_with_nearest(column, names)};
-    }
+    if (found == names.end()) return missing_column(column, names);
     const NpyField& field = header.fields[static_cast<std::size_t>(found - names.begin())];
     MIXCMP_TRY(scalar, scalar_of(field));
     layout.columns.push_back({scalar, field.offset, row_bytes});

@@ -293,4 +293,29 @@ std::string name_spelling(std::string name) {
   return name;
 }
 
+std::string subscript_problem(std::string_view key) {
+  const std::size_t first = key.find_first_of("[]");
+  if (first == 0) return "a subscript of nothing";
+  std::string_view rest = first == std::string_view::npos ? "" : key.substr(first);
+  while (!rest.empty()) {
+    if (rest[0] != '[' && rest[0] != ']') return "text behind a subscript";
+    const std::size_t end = rest.find(']');
+    if (rest[0] == ']' || end == std::string_view::npos) return "a bracket without its other half";
+    const std::string_view subscript = rest.substr(1, end - 1);
+    const bool starred = subscript.find('*') != std::string_view::npos;
+    const auto allowed = [](char c) { return is_digit(c) || c == '*'; };
+    if (subscript.empty() || !std::all_of(subscript.begin(), subscript.end(), allowed)) {
+      return "a subscript that is no number";
+    }
+    const bool padded = !starred && subscript.size() > 1 && subscript[0] == '0';
+    if (padded) return "a subscript with a 0 before it";
+    rest.remove_prefix(end + 1);
+  }
+  return {};
+}
+
+std::string_view accepted_subscripts() {
+  return "\"p[2]\", the pattern \"p[*]\", or the name p_2";
+}
+
 }  // namespace mixcmp::model

@@ -18,4 +18,11 @@ std::string_view accepted_names();
 /// A name with subscripts as Verilog spells it: p_2 for p[2], p_* for the pattern p[*].
 std::string name_spelling(std::string name);
 
+/// What is wrong with the brackets of a key like "p[2]" or the pattern "p[*]", in words; empty if
+/// nothing is.
+std::string subscript_problem(std::string_view key);
+
+/// What an error about such a key says is accepted.
+std::string_view accepted_subscripts();
+
 }  // namespace mixcmp::model

@@ -56,6 +56,8 @@ public:
   void end_signs(std::size_t column);
 
   const OpenBracket& open_bracket() const { return open_brackets_.back(); }
+  /// Whether all that a call has yet is a name.
+  bool may_have_read_index() const;
   Syntax finish();
 
 private:
@@ -133,6 +135,13 @@ void Gathering::begin_index(std::string name, std::size_t column) {
   calls_.back().index_column = column;
 }
 
+bool Gathering::may_have_read_index() const {
+  const OpenCall& call = calls_.back();
+  const Syntax& last = parts_.back();
+  return call.index.empty() && parts_.size() == call.first_argument + 1 &&
+         last.kind == Syntax::Kind::name && last.parts.empty();
+}
+
 void Gathering::end_call(Syntax::Kind kind) {
   OpenCall call = std::move(calls_.back());
   calls_.pop_back();
@@ -179,6 +188,7 @@ struct number : sor<seq<one<'0'>, one<'x', 'X'>, mantissa<xdigit>, scale<'p', 'P
 struct expression;
 struct open : one<'('> {};
 struct close : one<')'> {};
+struct close_call : one<')'> {};
 struct group : if_must<open, gap, expression, close> {};
 
 struct function_name : seq<identifier, at<gap, one<'('>>> {};
@@ -191,7 +201,7 @@ struct index_range
 struct indexed_term : if_must<index_range, comma, gap, expression> {};
 struct argument_list : seq<must<expression>, star<if_must<one<','>, gap, expression>>> {};
 struct arguments : sor<at<one<')'>>, indexed_term, argument_list> {};
-struct call : if_must<function_name, gap, open, gap, arguments, close> {};
+struct call : if_must<function_name, gap, open, gap, arguments, close_call> {};
 
 struct open_bracket : one<'['> {};
 struct close_bracket : one<']'> {};
@@ -222,6 +232,8 @@ template <class Rule>
 constexpr std::string_view accepted = operand;
 template <>
 constexpr std::string_view accepted<close> = "an operator or ')'";
+template <>
+constexpr std::string_view accepted<close_call> = "an operator, ',' or ')'";
 template <>
 constexpr std::string_view accepted<close_bracket> = "an operator or ']'";
 template <>
@@ -254,12 +266,20 @@ struct Control : pegtl::normal<Rule> {
   [[noreturn]] static void raise(const Input& in, Gathering& gathering) {
     const std::string received = in.empty() ? "the end" : quoted(in.peek_char());
     std::string message = in.empty() ? "unexpected end" : "unexpected character";
-    if constexpr (std::is_same_v<Rule, rules::close> ||
+    std::string accepted(rules::accepted<Rule>);
+    if constexpr (std::is_same_v<Rule, rules::close> || std::is_same_v<Rule, rules::close_call> ||
                   std::is_same_v<Rule, rules::close_bracket>) {
       const OpenBracket& open = gathering.open_bracket();
-      message = fmt::format("the '{}' at column {} is not closed", open.character, open.column);
+      message = fmt::format("the '{}' at character {} of the text is not closed", open.character,
+                            open.column);
     }
-    fail(column_of(in), message, received, std::string(rules::accepted<Rule>));
+    if constexpr (std::is_same_v<Rule, rules::close_call>) {
+      if (!in.empty() && gathering.may_have_read_index()) {
+        message = "unexpected character";
+        accepted = "\"in\" after an index (k in 0..3), " + accepted;
+      }
+    }
+    fail(column_of(in), message, received, accepted);
   }
 };
 
@@ -318,6 +338,8 @@ struct Close {
 };
 template <>
 struct Action<rules::close> : Close {};
+template <>
+struct Action<rules::close_call> : Close {};
 template <>
 struct Action<rules::close_bracket> : Close {};
 

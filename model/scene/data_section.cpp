@@ -33,8 +33,8 @@ void read_data_file(Section& section, const std::string& key, const std::filesys
 ColumnNames read_column_names(const std::string& field, const Setting& entry) {
   ColumnNames names{.name = name_spelling(entry.key),
                     .columns = {},
-                    .field = field + "." + entry.key,
-                    .line = entry.line};
+                    .field = field,
+                    .place = {.file = file_of(entry), .line = entry.line}};
   if (const auto* column = std::get_if<std::string>(&entry.value)) names.columns = {*column};
   const auto* list = std::get_if<Setting::Array>(&entry.value);
   if (list == nullptr) return names;
@@ -59,10 +59,16 @@ void read_columns(Section& section, const std::string& key, std::vector<ColumnNa
     return;
   }
   for (const Setting& entry : table->entries) {
-    columns.push_back(read_column_names("data." + key, entry));
+    const std::string field = fmt::format("data.{}.{}", key, entry.key);
+    const std::string problem = subscript_problem(entry.key);
+    if (!problem.empty()) {
+      section.fail(mistake_at(entry, field, problem, fmt::format("\"{}\"", entry.key),
+                              std::string(accepted_subscripts())));
+    }
+    columns.push_back(read_column_names(field, entry));
     if (!columns.back().columns.empty()) continue;
-    section.fail(key, fmt::format("{} is not a column", entry.key), entry.shown(),
-                 "the name of a column, or a list of names");
+    section.fail(mistake_at(entry, field, "not a column", entry.shown(),
+                            "the name of a column, or a list of names"));
   }
 }
 
@@ -104,11 +110,18 @@ void check_family(Section& section, const DataSpec& spec) {
   }
 }
 
-void check_data_source(Section& section, const DataSpec& spec, std::vector<std::string>& notes) {
+/// Which of two sources is one too many: what a plan or --set adds to the scene's.
+std::string later_source(Section& section, const Settings& settings) {
+  return file_of(*section.find("file")) == settings.path.string() ? "items" : "file";
+}
+
+void check_data_source(Section& section, const Settings& settings, const DataSpec& spec,
+                       std::vector<std::string>& notes) {
   const bool items = section.find("items") != nullptr;
   const bool file = section.find("file") != nullptr;
   if (items == file) {
-    section.fail("", items ? "two sources of data" : "no source of data",
+    section.fail(items ? later_source(section, settings) : "",
+                 items ? "two sources of data" : "no source of data",
                  items ? "items and file" : "neither items nor file",
                  "items = \"uniform_spheres\", or file = a .pdb, .csv or .npy file");
   }
@@ -130,11 +143,21 @@ void check_data_source(Section& section, const DataSpec& spec, std::vector<std::
 
 }  // namespace
 
+std::string table_name(const DataSpec& data, std::size_t which) {
+  if (which == 1) return data.with.filename().string();
+  return data.file.empty() ? data.items : data.file.filename().string();
+}
+
 Result<std::optional<DataSpec>> read_data(const Settings& settings,
                                           std::vector<std::string>& notes) {
   Section section(settings, "data");
-  if (settings.root.find("data") == nullptr) return std::optional<DataSpec>();
-  DataSpec spec{.line = section.line()};
+  const Setting* data = settings.root.find("data");
+  if (data == nullptr) return std::optional<DataSpec>();
+  DataSpec spec;
+  spec.places[""] = {.file = file_of(*data), .line = data->line};
+  for (const Setting& entry : section.entries()) {
+    spec.places[entry.key] = {.file = file_of(entry), .line = entry.line};
+  }
   section.text("items", spec.items);
   section.text("family", spec.family);
   read_data_file(section, "file", settings.path, spec.file);
@@ -145,7 +168,7 @@ Result<std::optional<DataSpec>> read_data(const Settings& settings,
   section.choice("pairs", spec.pairing, {Pairing::all, Pairing::cross, Pairing::arg_min});
   read_columns(section, "columns", spec.columns);
   read_second_table(section, settings.path, spec);
-  check_data_source(section, spec, notes);
+  check_data_source(section, settings, spec, notes);
   if (const auto error = section.finish()) return *error;
   return std::optional<DataSpec>(spec);
 }

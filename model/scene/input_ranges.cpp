@@ -54,10 +54,15 @@ Result<InputDeclaration> read_input(const Setting& entry) {
   return InputDeclaration{.range = {.low = *low, .high = *high}, .grid = grid};
 }
 
-/// TOML takes "p[2]" and p_2 for two keys.
+/// TOML takes any text for a key, and "p[2]" and p_2 for two.
 Result<Done> check_spellings(std::span<const Setting> entries) {
   std::map<std::string, const Setting*> known;
   for (const Setting& entry : entries) {
+    const std::string problem = subscript_problem(entry.key);
+    if (!problem.empty()) {
+      return mistake_at(entry, "inputs." + entry.key, problem, fmt::format("\"{}\"", entry.key),
+                        std::string(accepted_subscripts()));
+    }
     const auto [other, is_new] = known.try_emplace(name_spelling(entry.key), &entry);
     if (is_new) continue;
     return mistake_at(entry, "inputs." + entry.key,

@@ -1,9 +1,12 @@
 #include "model/scene/load_comparisons.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
+#include "model/common/file.hpp"
 #include "model/data/csv.hpp"
 #include "model/data/npy.hpp"
 #include "model/data/pdb.hpp"
@@ -48,7 +51,7 @@ Result<Table> first_table(const DataSpec& data, FloatFormat format,
 }
 
 /// Readers of some files give the wanted columns alone, others all that there are; without names of
-/// the scene's own those keep their columns, which errors can then list.
+/// the scene's own those keep their columns.
 Result<Table> renamed(Table table, const std::vector<ColumnNames>& names,
                       const std::vector<std::string>& columns,
                       const std::vector<std::string>& wanted) {
@@ -56,8 +59,79 @@ Result<Table> renamed(Table table, const std::vector<ColumnNames>& names,
     table.columns = wanted;
     return table;
   }
-  if (names.empty()) return table;
-  return select_columns(table, columns, wanted);
+  if (!names.empty()) return select_columns(table, columns, wanted);
+  for (const std::string& column : wanted) {
+    const auto& known = table.columns;
+    if (std::find(known.begin(), known.end(), column) == known.end()) {
+      return missing_column(column, known);
+    }
+  }
+  return table;
+}
+
+/// What the inputs' names say.
+std::string input_rule(const DataSpec& data) {
+  const std::string first = table_name(data, 0), second = table_name(data, 1);
+  switch (data.pairing) {
+    case Pairing::rows: return "";
+    case Pairing::all: return fmt::format(": an input ending in i or j is of an item of {}", first);
+    case Pairing::cross:
+      return fmt::format(": an input ending in i is of an item of {}, in j of {}", first, second);
+    case Pairing::arg_min:
+      return fmt::format(
+          ": an input ending in i or j is of a candidate of {}, any other of a row of {}", second,
+          first);
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// Who needs the column that the scene calls `column`.
+std::string needing_input(const Scene& scene, std::size_t which, const std::string& column) {
+  for (const std::string& input : scene.graph.inputs()) {
+    const Result<InputColumn> place = input_column(scene.data->pairing, input);
+    if (place.ok() && place->table == which && place->name == column) return input;
+  }
+  MIXCMP_CHECK(false);
+}
+
+Place place_of(const DataSpec& data, const std::string& key) {
+  const auto found = data.places.find(key);
+  if (found != data.places.end()) return found->second;
+  const auto section = data.places.find("");
+  return section == data.places.end() ? Place{} : section->second;
+}
+
+std::string source_key(const DataSpec& data, std::size_t which) {
+  if (which == 1) return "with";
+  return data.file.empty() ? "items" : "file";
+}
+
+/// That a file cannot be read is a mistake of the key that names it.
+Result<Done> check_source(const DataSpec& data, std::size_t which) {
+  const std::filesystem::path& path = which == 0 ? data.file : data.with;
+  if (path.empty()) return Done{};
+  const Result<Done> readable = check_readable(path);
+  if (readable.ok()) return Done{};
+  const Place place = place_of(data, source_key(data, which));
+  Error error = readable.error();
+  error.message += " " + path.string();
+  error.file = place.file;
+  error.line = place.line;
+  error.field = "data." + source_key(data, which);
+  return error;
+}
+
+/// A missing column is told with the input that needs it and the rule that makes it that table's.
+Error with_input(const Scene& scene, std::size_t which, const std::string& wanted, Error error) {
+  const std::string need = fmt::format(
+      ", which the input {} needs{}", needing_input(scene, which, wanted), input_rule(*scene.data));
+  if (!error.file.empty()) {
+    error.message += need;
+    return error;
+  }
+  error.message = fmt::format("no column {}{}", error.field, need);
+  error.field = which == 0 ? "data.file" : "data.with";
+  return error;
 }
 
 Result<Table> load_table(const Scene& scene, std::size_t which,
@@ -65,13 +139,30 @@ Result<Table> load_table(const Scene& scene, std::size_t which,
   const DataSpec& data = *scene.data;
   const FloatFormat format = scene.reference.format;
   const std::vector<ColumnNames>& names = which == 0 ? data.columns : data.with_columns;
+  MIXCMP_TRY(source_checked, check_source(data, which));
   MIXCMP_TRY(columns, file_columns(names, wanted));
-  MIXCMP_TRY(table, which == 0 ? first_table(data, format, columns)
-                               : read_table(data.with, format, columns));
-  return renamed(std::move(table), names, columns, wanted);
+  Result<Table> table =
+      which == 0 ? first_table(data, format, columns) : read_table(data.with, format, columns);
+  if (table.ok()) table = renamed(std::move(table).value(), names, columns, wanted);
+  if (table.ok() || !is_missing_column(table.error())) return table;
+  const auto missing = std::find(columns.begin(), columns.end(), table.error().field);
+  return with_input(scene, which, wanted[static_cast<std::size_t>(missing - columns.begin())],
+                    table.error());
 }
 
-Result<Comparisons> arrange(const Scene& scene) {
+/// Tells how far a contest is.
+Contest with_progress(Contest contest, const ContestProgress& progress) {
+  if (!progress) return contest;
+  return [contest = std::move(contest), progress, done = std::uint64_t{0}](
+             const Comparisons& data, std::span<const Items> items,
+             std::span<std::uint8_t> greater) mutable {
+    contest(data, items, greater);
+    done += items.size();
+    progress(done, data.size());
+  };
+}
+
+Result<Comparisons> arrange(const Scene& scene, const ContestProgress& progress) {
   const std::vector<std::string>& inputs = scene.graph.inputs();
   MIXCMP_TRY(needed, needed_columns(scene));
   MIXCMP_TRY(first, load_table(scene, 0, needed[0]));
@@ -86,27 +177,41 @@ Result<Comparisons> arrange(const Scene& scene) {
     return Comparisons::cross(std::move(first), std::move(second), inputs);
   }
   const Contest contest = reference_contest(reference_graphs(scene.graph, scene.reference));
-  return Comparisons::arg_min(std::move(first), std::move(second), inputs, contest);
+  return Comparisons::arg_min(std::move(first), std::move(second), inputs,
+                              with_progress(contest, progress));
 }
 
-/// A mistake that no data file names stands in the scene's [data].
+/// A mistake that stands in no file yet is one of the key that it names, or of [data]; one of a
+/// table's names the table.
 Error in_scene(const Scene& scene, Error error) {
   if (!error.file.empty()) return error;
   error.file = scene.path.string();
-  if (scene.data && error.line == 0) error.line = scene.data->line;
   if (error.field.empty()) error.field = "data";
+  if (!scene.data) return error;
+  const DataSpec& data = *scene.data;
+  for (const std::size_t which : {std::size_t{0}, std::size_t{1}}) {
+    if (error.field != (which == 0 ? "data.file" : "data.with")) continue;
+    error.field = "data." + source_key(data, which);
+    error.received += " in " + table_name(data, which);
+    break;
+  }
+  const std::string_view section = "data.";
+  const Place place = place_of(
+      data, error.field.starts_with(section) ? error.field.substr(section.size()) : std::string());
+  if (!place.file.empty()) error.file = place.file;
+  error.line = place.line;
   return error;
 }
 
 }  // namespace
 
-Result<Comparisons> load_comparisons(const Scene& scene) {
+Result<Comparisons> load_comparisons(const Scene& scene, const ContestProgress& progress) {
   if (!scene.data) {
     return in_scene(scene, {.message = "the scene has no data",
                             .received = "nothing",
                             .accepted = "a section [data]"});
   }
-  Result<Comparisons> comparisons = arrange(scene);
+  Result<Comparisons> comparisons = arrange(scene, progress);
   if (!comparisons.ok()) return in_scene(scene, comparisons.error());
   return comparisons;
 }

@@ -12,6 +12,7 @@
 #include "model/expression/text.hpp"
 #include "model/golden/arithmetic.hpp"
 #include "model/scene/input_ranges.hpp"
+#include "model/scene/pairing_notes.hpp"
 #include "model/scene/plan.hpp"
 #include "model/scene/section.hpp"
 #include "model/scene/sections.hpp"
@@ -242,6 +243,9 @@ Result<Scene> load_scene(const std::filesystem::path& path,
   MIXCMP_TRY(references, read_reference_groups(settings, reference.multipliers));
   MIXCMP_TRY(system, read_system(settings));
   MIXCMP_TRY(data, read_data(settings, notes));
+  if (data) {
+    for (std::string& note : pairing_notes(graph, data->pairing)) notes.push_back(std::move(note));
+  }
   MIXCMP_TRY(engine, read_engine(settings, graph.inputs(), data));
   Scene scene{.path = settings.path,
               .name = comparison.name,

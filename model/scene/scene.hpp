@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "model/common/place.hpp"
 #include "model/data/column_names.hpp"
 #include "model/data/pairing.hpp"
 #include "model/error/certified_lane.hpp"
@@ -67,12 +69,6 @@ struct ReducedSpec {
 inline constexpr int max_lanes = 512;      ///< p_L
 inline constexpr int max_references = 16;  ///< p_H
 
-/// Where something stands that was read: of the scene's file or of a plan's.
-struct Place {
-  std::string file;
-  int line = 0;
-};
-
 /// Lanes of one kind.
 struct LaneGroupSpec {
   std::optional<int> count;  ///< none: "auto"
@@ -117,8 +113,12 @@ struct DataSpec {
   std::filesystem::path with;        ///< the second table's file, where the pairing has one
   std::vector<ColumnNames> columns;  ///< the scene's names of columns
   std::vector<ColumnNames> with_columns;
-  int line = 0;  ///< of [data] in the scene, for errors found when it is read
+  /// Of each key that is given, and of [data] itself under "": for errors found when data are read.
+  std::map<std::string, Place> places;
 };
+
+/// What messages call the table `which`, 0 or 1: its file's name, or what it is made of.
+std::string table_name(const DataSpec& data, std::size_t which);
 
 /// What a plan says of itself, each value as it is shown; nothing is made of it.
 struct PlanReport {

@@ -82,8 +82,11 @@ Error Section::mistake(const std::string& key, std::string message, std::string 
 
 void Section::fail(const std::string& key, std::string message, std::string received,
                    std::string accepted) {
-  if (error_) return;
-  error_ = mistake(key, std::move(message), std::move(received), std::move(accepted));
+  fail(mistake(key, std::move(message), std::move(received), std::move(accepted)));
+}
+
+void Section::fail(Error error) {
+  if (!error_) error_ = std::move(error);
 }
 
 void Section::require(const std::string& key) {

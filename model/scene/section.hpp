@@ -50,6 +50,7 @@ public:
   /// Keeps a mistake found by the caller, unless there is one already.
   void fail(const std::string& key, std::string message, std::string received,
             std::string accepted);
+  void fail(Error error);
   /// The same without keeping it.
   Error mistake(const std::string& key, std::string message, std::string received,
                 std::string accepted) const;

@@ -92,23 +92,28 @@ Result<Done> apply_override(Setting::Table& root, const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::size_t dot = text.find('.');
   if (equals == std::string::npos || dot == std::string::npos || dot > equals || dot == 0 ||
-      dot + 1 == equals) {
+      text[equals - 1] == '.') {
     return Error{.file = "--set",
                  .message = "not an override",
                  .received = in_quotes(text),
                  .accepted = "section.key=value"};
   }
-  Setting& section = find_or_add(root, text.substr(0, dot));
-  if (std::holds_alternative<Setting::Array>(section.value)) {
-    return Error{.file = "--set",
-                 .field = section.key,
-                 .message = "a list: its entries have no names of their own",
-                 .received = in_quotes(text),
-                 .accepted = "the key of a section; lists are changed in the file or by a plan"};
+  Setting::Table* table = &root;
+  std::size_t begin = 0;
+  for (std::size_t end = dot; end < equals; end = text.find('.', begin)) {
+    Setting& section = find_or_add(*table, text.substr(begin, end - begin));
+    if (std::holds_alternative<Setting::Array>(section.value)) {
+      return Error{.file = "--set",
+                   .field = section.key,
+                   .message = "a list: its entries have no names of their own",
+                   .received = in_quotes(text),
+                   .accepted = "the key of a section; lists are changed in the file or by a plan"};
+    }
+    table = std::get_if<Setting::Table>(&section.value);
+    if (table == nullptr) return Done{};  // the section's own mistake is told when it is read
+    begin = end + 1;
   }
-  auto* table = std::get_if<Setting::Table>(&section.value);
-  if (table == nullptr) return Done{};  // the section's own mistake is told when it is read
-  const std::string key = text.substr(dot + 1, equals - dot - 1);
+  const std::string key = text.substr(begin, equals - begin);
   find_or_add(*table, key) = parse_override_value(key, text.substr(equals + 1));
   return Done{};
 }

@@ -149,24 +149,27 @@ private:
       if (within && range && !is_within(*range, table.format, bits)) {
         within = false;
         ranges_.add([&] {
-          return fmt::format("{} is outside [{}, {}] of {}", number(table, row, column),
+          return fmt::format("{} is outside [{}, {}] of {}", number(table_index, row, column),
                              to_text(range->low), to_text(range->high), name(input));
         });
       }
       if (on_grid && grid && !is_multiple(*grid, table.format, bits)) {
         on_grid = false;
         grids_.add([&] {
-          return fmt::format("{} is no multiple of {} as {} is", number(table, row, column),
+          return fmt::format("{} is no multiple of {} as {} is", number(table_index, row, column),
                              to_text(*grid), name(input));
         });
       }
     }
   }
 
-  static std::string number(const Table& table, std::size_t row, std::size_t column) {
+  std::string number(std::size_t table_index, std::size_t row, std::size_t column) const {
+    const Table& table = data_.tables()[table_index];
     const std::string label = table.labels.empty() ? fmt::format("row {}", row) : table.labels[row];
-    return fmt::format("{}: {} = {}", label, table.columns[column],
-                       golden::to_text(table.format, table.at(row, column)));
+    const bool one_of_two = data_.tables().size() > 1 && scene_.data;
+    return fmt::format("{}{}: {} = {}",
+                       one_of_two ? table_name(*scene_.data, table_index) + " " : "", label,
+                       table.columns[column], golden::to_text(table.format, table.at(row, column)));
   }
 
   const std::string& name(std::size_t input) const { return scene_.graph.inputs()[input]; }

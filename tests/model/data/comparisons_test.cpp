@@ -82,9 +82,10 @@ TEST(Comparisons, PairsServeInputsOfItemsIAndJ) {
 TEST(Comparisons, InputsWithoutColumnAreNamed) {
   const auto rows = Comparisons::rows(counting_table(3, {"alpha", "b"}), {"b", "alpah"});
   ASSERT_FALSE(rows.ok());
-  EXPECT_EQ(rows.error().to_string(),
-            "data: no column alpah for the input alpah: received no such column; accepted alpha "
-            "(the nearest), b");
+  EXPECT_EQ(
+      rows.error().to_string(),
+      "data.file: no column alpah for the input alpah: received no such column; accepted alpha "
+      "(the nearest), b");
   const auto pairs = Comparisons::all_pairs(counting_table(3, {"a"}), {"ai", "qj"});
   ASSERT_FALSE(pairs.ok());
   EXPECT_EQ(pairs.error().message, "no column q for the input qj");
@@ -125,15 +126,15 @@ TEST(LoadComparisons, MistakesStandInTheScenesDataSection) {
   Result<Scene> scene = load_scene(path, {});
   ASSERT_TRUE(scene.ok());
   Scene changed = std::move(scene).value();
-  const int line = changed.data.value().line;
+  const Place file = changed.data.value().places.at("file");
   changed.data->pairing = Pairing::rows;
   const Result<Comparisons> rows = load_comparisons(changed);
   ASSERT_FALSE(rows.ok());
   EXPECT_EQ(rows.error().file, path.string());
-  EXPECT_EQ(rows.error().line, line);
-  EXPECT_EQ(rows.error().message, "no column cxi for the input cxi");
+  EXPECT_EQ(rows.error().line, file.line);
+  EXPECT_EQ(rows.error().message, "no column cxi, which the input cxi needs");
   changed.data->file = "/nowhere/atoms.pdb";
-  EXPECT_EQ(load_comparisons(changed).error().file, "/nowhere/atoms.pdb");
+  EXPECT_EQ(load_comparisons(changed).error().message, "cannot read the file /nowhere/atoms.pdb");
   changed.data.reset();
   EXPECT_EQ(load_comparisons(changed).error().message, "the scene has no data");
 }

@@ -99,7 +99,7 @@ TEST_F(NpyTest, StructuredArraysAreReadByFieldName) {
             "integers of 1, 2, 4, 8");
   const std::vector<std::string> other = {"nmae"};
   EXPECT_EQ(told(read_npy(path_, binary64_, other)),
-            ": nmae: no such field: received nothing; accepted name (the nearest), y, x");
+            ": nmae: no such column: received nothing; accepted name (the nearest), y, x");
 }
 
 TEST_F(NpyTest, MistakesTellWhatWasFoundAndAccepted) {

@@ -131,25 +131,31 @@ TEST(Comparisons, TwoTablesMistakesAreTold) {
     EXPECT_FALSE(data.ok());
     return data.ok() ? "" : data.error().to_string();
   };
-  EXPECT_EQ(message(Comparisons::cross(numbered(0, 3, {"a"}), numbered(1, 2, {"alpha"}),
-                                       {"ai", "alhpaj"})),
-            "data: no column alhpa for the input alhpaj: received no such column; accepted alpha "
-            "(the nearest)");
+  EXPECT_EQ(
+      message(
+          Comparisons::cross(numbered(0, 3, {"a"}), numbered(1, 2, {"alpha"}), {"ai", "alhpaj"})),
+      "data.with: no column alhpa for the input alhpaj: received no such column; accepted alpha "
+      "(the nearest)");
   EXPECT_EQ(message(Comparisons::cross(numbered(0, 3, {"a"}), numbered(1, 2, {"a"}), {"ai"})),
             "data.pairs: no input is a column of the second table: received ai; accepted inputs of "
             "item i and inputs of item j");
   EXPECT_EQ(message(Comparisons::arg_min(numbered(0, 3, {"p"}), numbered(1, 1, {"c"}),
                                          {"p", "ci", "cj"}, greater_at_random)),
-            "data.pairs: too few rows in the second table: received 1 rows; accepted 2..2147483648 "
-            "rows");
+            "data.with: too few rows: received 1 rows; accepted 2..2147483648 rows");
   EXPECT_EQ(message(Comparisons::arg_min(numbered(0, 0, {"p"}), numbered(1, 2, {"c"}),
                                          {"p", "ci", "cj"}, greater_at_random)),
-            "data: nothing to compare: received no rows; accepted at least one");
+            "data.file: nothing to compare: received 0 rows; accepted 1..2147483648 rows");
 }
 
-const std::vector<ColumnNames> point_names = {
-    {.name = "p", .columns = {"x", "y"}, .is_list = true, .field = "data.columns.p", .line = 7},
-    {.name = "r", .columns = {"radius"}, .field = "data.columns.r", .line = 8}};
+const std::vector<ColumnNames> point_names = {{.name = "p",
+                                               .columns = {"x", "y"},
+                                               .is_list = true,
+                                               .field = "data.columns.p",
+                                               .place = {.file = {}, .line = 7}},
+                                              {.name = "r",
+                                               .columns = {"radius"},
+                                               .field = "data.columns.r",
+                                               .place = {.file = "plan.toml", .line = 8}}};
 
 TEST(ColumnNames, ListsNameSubscriptedColumns) {
   const std::vector<std::string> wanted = {"p_1", "r", "p_0", "q"};
@@ -163,12 +169,20 @@ TEST(ColumnNames, MistakesAreTold) {
   EXPECT_EQ(file_columns(point_names, beyond).error().to_string(),
             ":7: data.columns.p: no column for p_2: received a list of 2; accepted 3 columns or "
             "more");
-  EXPECT_EQ(file_columns(point_names, unused).error().to_string(),
-            ":8: data.columns.r: no input needs such a column: received r; accepted rr (the "
-            "nearest), p_0");
+  EXPECT_EQ(
+      file_columns(point_names, unused).error().to_string(),
+      "plan.toml:8: data.columns.r: no input needs such a column: received r; accepted rr (the "
+      "nearest), p_0");
+  const std::vector<ColumnNames> twice = {
+      {.name = "p", .columns = {"x", "y"}, .is_list = true, .field = "data.columns.p", .place = {}},
+      {.name = "p_1", .columns = {"y"}, .field = "data.columns.p_1", .place = {}}};
+  const std::vector<std::string> both = {"p_0", "p_1"};
+  EXPECT_EQ(file_columns(twice, both).error().to_string(),
+            "data.columns.p_1: a second column for p_1: received data.columns.p_1 beside "
+            "data.columns.p; accepted one of them");
   const std::vector<std::string> misspelt = {"radiu"}, name = {"r"};
   EXPECT_EQ(select_columns(numbered(0, 1, {"x", "radius"}), misspelt, name).error().to_string(),
-            "data: no column radiu: received no such column; accepted radius (the nearest), x");
+            "radiu: no such column: received nothing; accepted radius (the nearest), x");
 }
 
 TEST(ColumnNames, SelectedColumnsAreInTheWantedOrder) {

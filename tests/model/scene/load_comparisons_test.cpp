@@ -81,11 +81,13 @@ TEST_F(TwoTables, MistakesNameFileLineAndKey) {
   EXPECT_EQ(error("a", "b", both),
             "scene.toml:9: data.with: a second file needs pairs that use it: received "
             "\"centres.csv\"; accepted pairs = \"cross\" or \"arg_min\" beside it");
-  EXPECT_EQ(error("wi", "xj", both + "pairs = \"cross\"\ncolumns = { w = \"with\" }\n"),
-            "points.csv:1: with: no such column: received nothing; accepted width (the nearest), "
-            "height");
+  EXPECT_EQ(
+      error("wi", "xj", both + "pairs = \"cross\"\ncolumns = { w = \"with\" }\n"),
+      "points.csv:1: with: no such column, which the input wi needs: an input ending in i is of "
+      "an item of points.csv, in j of centres.csv: received nothing; accepted width (the "
+      "nearest), height");
   EXPECT_EQ(error("wi", "xj", both + "pairs = \"cross\"\ncolumns = { w = 3 }\n"),
-            "scene.toml:11: data.columns: w is not a column: received 3; accepted the name of a "
+            "scene.toml:11: data.columns.w: not a column: received 3; accepted the name of a "
             "column, or a list of names");
   EXPECT_EQ(error("widthi", "xj", both + "pairs = \"cross\"\nwith_columns = { w = \"x\" }\n"),
             "scene.toml:11: data.with_columns.w: no input needs such a column: received w; "

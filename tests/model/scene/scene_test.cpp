@@ -142,6 +142,26 @@ format = "s53e8"
       << twice.error().to_string();
 }
 
+TEST_F(SceneTest, KeysOfInputsAreNamesPatternsOrSubscripts) {
+  const auto error = [&](const std::string& key) {
+    const Result<Scene> scene = load(
+        "[comparison]\nname = \"n\"\nf = \"p[2]\"\ng = \"p_x\"\n"
+        "[reference]\nformat = \"binary64\"\n[inputs]\n\"" +
+        key + "\" = { range = [0, 1] }\n");
+    return scene.ok() ? std::string() : scene.error().field + ": " + scene.error().message;
+  };
+  EXPECT_EQ(error("p[2]"), "");
+  EXPECT_EQ(error("p*[*]"), "");
+  EXPECT_EQ(error("p[2"), "inputs.p[2: a bracket without its other half");
+  EXPECT_EQ(error("p[2]]"), "inputs.p[2]]: a bracket without its other half");
+  EXPECT_EQ(error("p]2["), "inputs.p]2[: a bracket without its other half");
+  EXPECT_EQ(error("p[2]x"), "inputs.p[2]x: text behind a subscript");
+  EXPECT_EQ(error("p[x]"), "inputs.p[x]: a subscript that is no number");
+  EXPECT_EQ(error("p[]"), "inputs.p[]: a subscript that is no number");
+  EXPECT_EQ(error("p[02]"), "inputs.p[02]: a subscript with a 0 before it");
+  EXPECT_EQ(error("[2]"), "inputs.[2]: a subscript of nothing");
+}
+
 TEST_F(SceneTest, RangesAreReadExactly) {
   const Result<Scene> scene =
       load_changed("[0, 0.1]", R"(["-0x1.8p-1", "12345678901234567890.123456789012345678901"])");
@@ -230,9 +250,10 @@ TEST_P(SceneMistake, IsToldInOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     Sections, SceneMistake,
     testing::Values(
-        Mistake{"[reduced]", "[redcued]",
-                ":13: redcued: unknown section: received redcued; accepted reduced (the nearest), "
-                "comparison, variant, let, inputs, reference, lanes, references, system, engine, data"},
+        Mistake{
+            "[reduced]", "[redcued]",
+            ":13: redcued: unknown section: received redcued; accepted reduced (the nearest), "
+            "comparison, variant, let, inputs, reference, lanes, references, system, engine, data"},
         Mistake{
             "[comparison]", "x = 1\n[comparison]",
             ":1: x: a key outside of any section: received x; accepted comparison, variant, let, "
@@ -329,7 +350,7 @@ INSTANTIATE_TEST_SUITE_P(
                 ":27: data.items: not a choice: received \"cubes\"; accepted uniform_spheres, "
                 "sphere_family"},
         Mistake{"seed = 7", "file = \"a.csv\"",
-                ":26: data: two sources of data: received items and file; accepted items = "
+                ":27: data.items: two sources of data: received items and file; accepted items = "
                 "\"uniform_spheres\", or file = a .pdb, .csv or .npy file"},
         Mistake{"items = \"uniform_spheres\"\n", "",
                 ":26: data: no source of data: received neither items nor file; accepted items = "

@@ -1,0 +1,96 @@
+#include "model/scene/pairing_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mixcmp::model {
+namespace {
+
+/// The name of the same column of the other item: "ci_2" of "cj_2".
+std::string fellow_of(const std::string& input, const ItemColumn& column) {
+  const std::size_t letter = input.find_last_not_of("0123456789_");
+  std::string fellow = input;
+  fellow[letter] = column.second ? 'i' : 'j';
+  return fellow;
+}
+
+bool has_input(const Graph& graph, const std::string& name) {
+  const auto& inputs = graph.inputs();
+  return std::find(inputs.begin(), inputs.end(), name) != inputs.end();
+}
+
+std::vector<std::string> lonely_inputs(const Graph& graph) {
+  std::vector<std::string> lonely;
+  for (const std::string& input : graph.inputs()) {
+    const auto column = item_column(input);
+    if (column && !has_input(graph, fellow_of(input, *column))) lonely.push_back(input);
+  }
+  return lonely;
+}
+
+std::vector<bool> cone_of(const Graph& graph, NodeId root) {
+  std::vector<bool> needed(graph.nodes().size());
+  needed[static_cast<std::size_t>(root)] = true;
+  for (std::size_t id = needed.size(); id-- > 0;) {
+    if (!needed[id]) continue;
+    const Node& node = graph.nodes()[id];
+    for (int k = 0; k < arity(node.operation); ++k) {
+      needed[static_cast<std::size_t>(node.operands[static_cast<std::size_t>(k)])] = true;
+    }
+  }
+  return needed;
+}
+
+/// Whether f is of no candidate but i, and g is f with j in its place. Equal nodes are one, so that
+/// f renamed among the nodes of g is g or another.
+bool is_one_cost(const Graph& graph, const Sides& part) {
+  const std::vector<bool> of_f = cone_of(graph, part.f);
+  Graph renamed = graph;
+  std::vector<NodeId> image(of_f.size(), -1);
+  for (std::size_t id = 0; id < of_f.size(); ++id) {
+    if (!of_f[id]) continue;
+    const Node& node = graph.nodes()[id];
+    const auto operand = [&](std::size_t k) {
+      return image[static_cast<std::size_t>(node.operands[k])];
+    };
+    if (node.operation == Operation::input) {
+      const std::string& input = graph.inputs()[static_cast<std::size_t>(node.input)];
+      const auto column = item_column(input);
+      if (column && column->second) return false;
+      image[id] = renamed.input(column ? fellow_of(input, *column) : input);
+    } else if (node.operation == Operation::constant) {
+      image[id] = static_cast<NodeId>(id);
+    } else {
+      image[id] =
+          renamed.apply(node.operation, operand(0), arity(node.operation) == 2 ? operand(1) : -1);
+    }
+  }
+  return image[static_cast<std::size_t>(part.f)] == part.g;
+}
+
+}  // namespace
+
+std::vector<std::string> pairing_notes(const Graph& graph, Pairing pairing) {
+  if (pairing != Pairing::all && pairing != Pairing::arg_min) return {};
+  const char* item = pairing == Pairing::all ? "item" : "candidate";
+  std::vector<std::string> notes;
+  for (const std::string& input : lonely_inputs(graph)) {
+    const ItemColumn column = *item_column(input);
+    notes.push_back(
+        fmt::format("the input {} is a column of {} {} by its last letter, and there "
+                    "is no {}: if that is not meant, give it another name",
+                    input, item, column.second ? 'j' : 'i', fellow_of(input, column)));
+  }
+  const auto& parts = graph.parts();
+  const bool one_cost = std::all_of(parts.begin(), parts.end(),
+                                    [&](const Sides& part) { return is_one_cost(graph, part); });
+  if (pairing == Pairing::arg_min && notes.empty() && !one_cost) {
+    notes.emplace_back(
+        "g is not f with candidate j in the place of i, as it is written: unless the two are equal "
+        "otherwise, the contests are no arg-min of one cost");
+  }
+  return notes;
+}
+
+}  // namespace mixcmp::model
