@@ -100,6 +100,24 @@ std::string pairwise_ports(const gen::Signature& s, const gen::SignatureEngine& 
   return header.text("PairwisePorts");
 }
 
+std::string arg_min_ports(const gen::Signature& s, const gen::SignatureEngine& engine) {
+  PortsHeader header;
+  header.constant("int", "lanes", s.lanes)
+      .constant("int", "item_bytes", engine.item_bytes)
+      .constant("int", "row_bytes", engine.row_bytes)
+      .constant("int", "index_bits", engine.index_bits)
+      .constant("int", "tag_bits", engine.tag_bits)
+      .constant("int", "counter_bits", s.counter_bits)
+      .ports({"aresetn", "s_candidate_tvalid", "s_candidate_tready", "s_candidate_tdata",
+              "s_candidate_tlast", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
+              "s_axis_tlast", "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser",
+              "m_axis_tlast", "overrun"});
+  if (s.counter_bits > 0) {
+    header.ports({"comparisons", "recomputations", "stalls", "rows", "stalled_cycles"});
+  }
+  return header.text("ArgMinPorts");
+}
+
 /// What of a generated system is simulated, by which harness.
 struct Bench {
   std::string top;
@@ -113,6 +131,8 @@ Bench bench_of(const gen::Signature& s) {
     case model::EngineKind::none: return {s.top, "simulator.cpp", system_ports(s)};
     case model::EngineKind::pairwise:
       return {s.engine->top, "pairwise.cpp", pairwise_ports(s, *s.engine)};
+    case model::EngineKind::arg_min:
+      return {s.engine->top, "arg_min.cpp", arg_min_ports(s, *s.engine)};
   }
   MIXCMP_CHECK(false);
 }

@@ -75,6 +75,7 @@ std::string to_text(wire::Fault fault) {
     case wire::Fault::unknown_value: return "unknown value (x) on a handshake or a result";
     case wire::Fault::after_the_end: return "report behind the closing beat";
     case wire::Fault::closed_early: return "closing beat before the last item";
+    case wire::Fault::loaded_among_rows: return "candidate accepted while rows are inside";
   }
   MIXCMP_CHECK(false);
   return {};

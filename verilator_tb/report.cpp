@@ -79,6 +79,19 @@ std::string engine_lines(const VerifyReport& r) {
                                                       r.item_bytes_per_pair(), engine.pair_bytes));
 }
 
+std::string arg_min_lines(const VerifyReport& r) {
+  if (!r.arg_min) return {};
+  const ArgMinFigures& engine = *r.arg_min;
+  std::string text = line("engine", fmt::format("{}, {} loads, one of all {} candidates",
+                                                engine.top, engine.loads, engine.candidates));
+  text +=
+      line("rows", fmt::format("{} ({:.3f} per cycle)", engine.rows, ratio(engine.rows, r.cycles)));
+  if (!r.certified) text += line("rows unlike the reference", std::to_string(engine.wrong_rows));
+  text += latency_line("latency of a row", engine.latency);
+  text += line("loading", fmt::format("{} cycles", engine.loading_cycles));
+  return text + line("stalled cycles", std::to_string(engine.stalled_cycles));
+}
+
 std::string latency_range(const Latency& latency) {
   if (latency.count == 0) return "none";
   return fmt::format("{} .. {} cycles", latency.minimum_cycles, latency.maximum_cycles);
@@ -172,6 +185,7 @@ std::string to_text(const VerifyReport& r) {
                                  r.certified ? "certified" : "not certified", r.simulator);
   text += totals(r);
   text += engine_lines(r);
+  text += arg_min_lines(r);
   text += group_lines(r);
   text += line("mismatches", std::to_string(r.mismatch_count));
   for (const Mismatch& mismatch : r.mismatches) text += to_text(mismatch);
@@ -231,6 +245,18 @@ Json to_json(const VerifyReport& r) {
                       {"stalled_cycles", r.engine->stalled_cycles},
                       {"item_bytes_per_pair", r.item_bytes_per_pair()},
                       {"sets", r.engine->sets}};
+  }
+  if (r.arg_min) {
+    const ArgMinFigures& engine = *r.arg_min;
+    json["arg_min"] = {{"top", engine.top},
+                       {"candidates", engine.candidates},
+                       {"rows", engine.rows},
+                       {"rows_per_cycle", ratio(engine.rows, r.cycles)},
+                       {"wrong_rows", engine.wrong_rows},
+                       {"row_latency_cycles", engine.latency.mean_cycles()},
+                       {"loading_cycles", engine.loading_cycles},
+                       {"stalled_cycles", engine.stalled_cycles},
+                       {"loads", engine.loads}};
   }
   json["build_seconds"] = r.build_seconds;
   json["run_seconds"] = r.run_seconds;

@@ -88,6 +88,19 @@ struct EngineFigures {
   std::uint64_t sets = 0;            ///< in all, small ones and broken ones included
 };
 
+/// The same of an arg-min engine, whose rows meet all of the scene's candidates.
+struct ArgMinFigures {
+  std::string top;
+  std::uint64_t candidates = 0;
+  std::uint64_t rows = 0;
+  std::uint64_t wrong_rows = 0;      ///< whose candidate is not that of the reference alone
+  std::uint64_t loading_cycles = 0;  ///< from the first candidate to the first row
+  std::uint64_t stalled_cycles =
+      0;                    ///< in which a row was offered and not taken; 0 without counters
+  std::uint64_t loads = 0;  ///< in all, short ones and broken ones included
+  Latency latency;          ///< of a row
+};
+
 struct VerifyReport {
   static constexpr std::size_t kept = 20;  ///< of mismatches and violations
 
@@ -113,6 +126,7 @@ struct VerifyReport {
   std::vector<ProtocolViolation> violations;  ///< the first ones
   std::optional<TruthCount> truth;
   std::optional<EngineFigures> engine;
+  std::optional<ArgMinFigures> arg_min;
   double build_seconds = 0;
   double run_seconds = 0;
 

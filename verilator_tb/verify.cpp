@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <future>
 
+#include "verilator_tb/arg_min_verify.hpp"
 #include "verilator_tb/icarus.hpp"
 #include "verilator_tb/judge.hpp"
 #include "verilator_tb/pairwise_verify.hpp"
@@ -77,9 +78,15 @@ model::Result<model::Done> check_signature(const System& system, const model::De
     return differs("inputs", fmt::format("{} inputs", s.inputs.size()),
                    fmt::format("the scene's {}, in its order", design.inputs.size()));
   }
+  const auto kind = s.engine ? s.engine->kind : model::EngineKind::none;
+  const model::EngineSpec& engine = design.system.engine;
+  if (kind != engine.kind) {
+    return differs("engine.kind", std::string(to_string(kind)),
+                   std::string(to_string(engine.kind)));
+  }
+  // That of an arg-min engine follows from the lanes.
   const int capacity = s.engine ? s.engine->capacity : 0;
-  const bool wanted = design.system.engine.kind != model::EngineKind::none;
-  const int expected = wanted ? design.system.engine.capacity : 0;
+  const int expected = engine.kind == model::EngineKind::pairwise ? engine.capacity : capacity;
   if (capacity != expected) {
     return differs("engine.capacity", std::to_string(capacity), std::to_string(expected));
   }
@@ -196,6 +203,7 @@ model::Result<VerifyReport> verify(const model::Design& design,
   switch (design.system.engine.kind) {
     case model::EngineKind::none: break;
     case model::EngineKind::pairwise: return verify_pairwise(system, design, comparisons, options);
+    case model::EngineKind::arg_min: return verify_arg_min(system, design, comparisons, options);
   }
   const Selection selection(comparisons.size(), options.selection);
   if (selection.size() == 0) {

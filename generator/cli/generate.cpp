@@ -61,6 +61,11 @@ void print_parts(const gen::Signature& s) {
 void print_engine(const gen::Signature& signature) {
   if (!signature.engine) return;
   const gen::SignatureEngine& engine = *signature.engine;
+  if (engine.kind == model::EngineKind::arg_min) {
+    fmt::print("{}: {} candidates of {} bytes, rows of {} bytes, the least one's number leaves\n",
+               engine.top, engine.capacity, engine.item_bytes, engine.row_bytes);
+    return;
+  }
   fmt::print("{}: up to {} items of {} bytes, pairs that are {} leave\n", engine.top,
              engine.capacity, engine.item_bytes, fmt::join(engine.report, ", "));
 }

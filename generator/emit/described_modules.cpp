@@ -140,10 +140,45 @@ Described describe_top(const Design& design, const SystemShape& shape) {
   return {top_module(shape), std::move(facts)};
 }
 
+std::vector<std::string> describe_arg_min(const EngineShape& engine, const SystemShape& shape) {
+  int latency_cycles = 0;
+  for (const DatapathGroup& lanes : shape.lane_groups) {
+    latency_cycles += lanes.count * (lanes.latency_cycles + shape.channel_latency_cycles() + 1);
+  }
+  std::vector<std::string> facts = {
+      fmt::format("{}: which of {} candidates costs a row least,", engine.top, engine.capacity),
+      fmt::format("  by a chain of the lanes of {}.", shape.top),
+      fmt::format("s_candidate: a beat a candidate, tlast with the last; columns {} bits each, the "
+                  "first lowest:",
+                  engine.column_width),
+      fmt::format("  {}.", fmt::join(engine.columns, ", ")),
+      "  Fewer are as good as the last one repeated; more are left out, overrun says so until the",
+      "  next load, which is taken when no row is inside; while it is offered no row comes in.",
+      "s_axis: a beat a row, tag in tuser; columns likewise:",
+      fmt::format("  {}.", fmt::join(engine.row_columns, ", ")),
+      fmt::format(
+          "m_axis: rows in their order; tdata: the candidate's number in [{}:0], from 0, the "
+          "first of equals;",
+          engine.index_bits() - 1),
+      "  tuser and tlast: the row's.",
+      fmt::format("Initiation interval 1, latency {} cycles where nothing is recomputed.",
+                  latency_cycles)};
+  if (shape.counter_bits > 0) {
+    facts.emplace_back(
+        "Counters since reset, they wrap: of each lane comparisons, recomputations, stalls;");
+    facts.emplace_back("  rows that have left, stalled_cycles in which a row waited.");
+  }
+  facts.emplace_back("Reset: aresetn, synchronous, active low; forgets the candidates, too.");
+  return facts;
+}
+
 Described describe_engine(const EngineShape& engine, const SystemShape& shape) {
+  if (engine.spec.kind == model::EngineKind::arg_min) {
+    return {engine_module(engine, shape), describe_arg_min(engine, shape)};
+  }
   const int field_bits = engine.index_field_bits();
   std::vector<std::string> facts = {
-      fmt::format("{}: every pair i < j of up to {} items,", engine.top, engine.spec.capacity),
+      fmt::format("{}: every pair i < j of up to {} items,", engine.top, engine.capacity),
       fmt::format("  through the lanes of {}.", shape.top),
       fmt::format("s_axis: a beat an item, tlast with the last; columns {} bits each, the first "
                   "lowest:",
@@ -153,8 +188,7 @@ Described describe_engine(const EngineShape& engine, const SystemShape& shape) {
                   fmt::join(reported_verdicts(engine.spec), ", ")),
       fmt::format("  tdata: i in [{}:0], j in [{}:{}], from 0; tuser: {{4'b0, undecided, "
                   "recomputed, verdict[1:0]}};",
-                  engine.spec.index_bits() - 1, field_bits + engine.spec.index_bits() - 1,
-                  field_bits),
+                  engine.index_bits() - 1, field_bits + engine.index_bits() - 1, field_bits),
       "  verdict: 0 less, 1 equal, 2 greater, 3 unordered.",
       "A set ends with a beat with tlast: tdata is the number of its reports, tuser",
       "  {1'b1, overrun, 6'b0}; overrun: more items came than fit, and the others were left out."};

@@ -33,7 +33,8 @@ constexpr std::array multipliers_names = {
     Name<model::Multipliers>{model::Multipliers::logic, "logic"}};
 
 constexpr std::array engine_kinds = {
-    Name<model::EngineKind>{model::EngineKind::pairwise, "pairwise"}};
+    Name<model::EngineKind>{model::EngineKind::pairwise, "pairwise"},
+    Name<model::EngineKind>{model::EngineKind::arg_min, "arg_min"}};
 
 template <class Value, std::size_t count>
 const char* text_of(const std::array<Name<Value>, count>& names, Value value) {
@@ -174,14 +175,21 @@ Json to_json(const SignatureReferences& group) {
 }
 
 Json to_json(const SignatureEngine& engine) {
-  return {{"kind", text_of(engine_kinds, engine.kind)},
-          {"top", engine.top},
-          {"capacity", engine.capacity},
-          {"index_bits", engine.index_bits},
-          {"columns", engine.columns},
-          {"item_bytes", engine.item_bytes},
-          {"report", engine.report},
-          {"ports", ports_to_json(engine.ports)}};
+  Json json = {{"kind", text_of(engine_kinds, engine.kind)},
+               {"top", engine.top},
+               {"capacity", engine.capacity},
+               {"index_bits", engine.index_bits},
+               {"columns", engine.columns},
+               {"item_bytes", engine.item_bytes}};
+  if (engine.kind == model::EngineKind::arg_min) {
+    json["row_columns"] = engine.row_columns;
+    json["row_bytes"] = engine.row_bytes;
+    json["tag_bits"] = engine.tag_bits;
+  } else {
+    json["report"] = engine.report;
+  }
+  json["ports"] = ports_to_json(engine.ports);
+  return json;
 }
 
 template <class Group>
@@ -212,14 +220,23 @@ SignatureReferences read_references(Reader& reader) {
 }
 
 SignatureEngine read_engine(Reader& reader) {
-  return {.kind = reader.choice("kind", engine_kinds),
-          .top = reader.text("top"),
-          .capacity = reader.number("capacity", 2, model::EngineSpec::max_capacity),
-          .index_bits = reader.number("index_bits", 1, 16),
-          .columns = reader.read<std::vector<std::string>>("columns", "a list of names"),
-          .item_bytes = reader.number("item_bytes", 1, many),
-          .report = reader.read<std::vector<std::string>>("report", "a list of verdicts"),
-          .ports = reader.ports("ports")};
+  SignatureEngine engine = {
+      .kind = reader.choice("kind", engine_kinds),
+      .top = reader.text("top"),
+      .capacity = reader.number("capacity", 2, model::EngineSpec::max_capacity),
+      .index_bits = reader.number("index_bits", 1, 16),
+      .columns = reader.read<std::vector<std::string>>("columns", "a list of names"),
+      .item_bytes = reader.number("item_bytes", 1, many),
+      .report = {},
+      .ports = reader.ports("ports")};
+  if (engine.kind == model::EngineKind::arg_min) {
+    engine.row_columns = reader.read<std::vector<std::string>>("row_columns", "a list of names");
+    engine.row_bytes = reader.number("row_bytes", 1, many);
+    engine.tag_bits = reader.number("tag_bits", 1, 64);
+  } else {
+    engine.report = reader.read<std::vector<std::string>>("report", "a list of verdicts");
+  }
+  return engine;
 }
 
 }  // namespace

@@ -39,12 +39,15 @@ struct SignatureReferences {
 /// What stands around the system and makes its comparisons.
 struct SignatureEngine {
   model::EngineKind kind = model::EngineKind::none;
-  std::string top;                   ///< the module; the system is inside
-  int capacity = 0;                  ///< items of a set, at most
-  int index_bits = 0;                ///< to number them
-  std::vector<std::string> columns;  ///< column k of an item is tdata[k * width +: width]
-  int item_bytes = 0;                ///< of an item, padded
-  std::vector<std::string> report;   ///< verdicts that leave
+  std::string top;                            ///< the module; the system is inside
+  int capacity = 0;                           ///< items of a set, or candidates, at most
+  int index_bits = 0;                         ///< to number them
+  std::vector<std::string> columns;           ///< column k of an item is tdata[k * width +: width]
+  int item_bytes = 0;                         ///< of an item, padded
+  std::vector<std::string> report;            ///< of pairwise: verdicts that leave
+  std::vector<std::string> row_columns = {};  ///< of arg_min, as columns
+  int row_bytes = 0;                          ///< of arg_min, padded
+  int tag_bits = 0;                           ///< of arg_min: of a row's tag
   std::vector<SignaturePort> ports;
 };
 

@@ -96,12 +96,18 @@ std::vector<SignaturePort> signature_ports(const Module& top) {
 SignatureEngine signature_engine(const EngineShape& engine, const Module& top) {
   SignatureEngine signature{.kind = engine.spec.kind,
                             .top = engine.top,
-                            .capacity = engine.spec.capacity,
-                            .index_bits = engine.spec.index_bits(),
+                            .capacity = engine.capacity,
+                            .index_bits = engine.index_bits(),
                             .columns = engine.columns,
                             .item_bytes = engine.item_bytes(),
                             .report = {},
                             .ports = signature_ports(top)};
+  if (engine.spec.kind == model::EngineKind::arg_min) {
+    signature.row_columns = engine.row_columns;
+    signature.row_bytes = engine.row_bytes();
+    signature.tag_bits = engine.spec.row_tag_bits;
+    return signature;
+  }
   for (const std::string_view verdict : reported_verdicts(engine.spec)) {
     signature.report.emplace_back(verdict);
   }

@@ -2,29 +2,42 @@
 
 #include <algorithm>
 
+#include "generator/rtl/arg_min_module.hpp"
 #include "generator/rtl/pairwise_module.hpp"
 #include "model/common/check.hpp"
-#include "model/data/pairing.hpp"
 
 namespace mixcmp::gen {
+namespace {
+
+/// Where the engine's items have this input; the column is added where it is new.
+EngineShape::Source source_of(const std::string& input, EngineShape& engine) {
+  const auto of_item = model::item_column(input);
+  const bool pairwise = engine.spec.kind == model::EngineKind::pairwise;
+  MIXCMP_CHECK(of_item.has_value() || !pairwise);
+  std::vector<std::string>& columns = of_item ? engine.columns : engine.row_columns;
+  const std::string& name = of_item ? of_item->name : input;
+  const auto known = std::find(columns.begin(), columns.end(), name);
+  const auto column = static_cast<std::size_t>(known - columns.begin());
+  if (known == columns.end()) columns.push_back(name);
+  if (!of_item) return {column, model::Item::row};
+  return {column, of_item->second ? model::Item::second : model::Item::first};
+}
+
+}  // namespace
 
 std::optional<EngineShape> engine_shape(const SystemShape& system,
                                         const std::vector<std::string>& inputs,
                                         const model::EngineSpec& spec) {
   if (spec.kind == model::EngineKind::none) return std::nullopt;
-  EngineShape engine{.top = system.top + "_" + std::string(to_string(spec.kind)),
-                     .spec = spec,
-                     .columns = {},
-                     .sources = {},
-                     .column_width = system.input_width};
-  for (const std::string& input : inputs) {
-    const auto item = model::item_column(input);
-    MIXCMP_CHECK(item.has_value());
-    const auto known = std::find(engine.columns.begin(), engine.columns.end(), item->name);
-    engine.sources.push_back(
-        {static_cast<std::size_t>(known - engine.columns.begin()), item->second});
-    if (known == engine.columns.end()) engine.columns.push_back(item->name);
-  }
+  EngineShape engine{
+      .top = system.top + "_" + std::string(to_string(spec.kind)),
+      .spec = spec,
+      .capacity = spec.kind == model::EngineKind::pairwise ? spec.capacity : system.lanes + 1,
+      .columns = {},
+      .row_columns = {},
+      .sources = {},
+      .column_width = system.input_width};
+  for (const std::string& input : inputs) engine.sources.push_back(source_of(input, engine));
   return engine;
 }
 
@@ -32,6 +45,7 @@ rtl::Module engine_module(const EngineShape& engine, const SystemShape& system) 
   switch (engine.spec.kind) {
     case model::EngineKind::none: break;
     case model::EngineKind::pairwise: return pairwise_module(engine, system);
+    case model::EngineKind::arg_min: return arg_min_module(engine, system);
   }
   MIXCMP_CHECK(false);
 }

@@ -1,9 +1,7 @@
 #include "generator/rtl/pairwise_module.hpp"
 
-#include <algorithm>
-
 #include "generator/rtl/connections.hpp"
-#include "generator/rtl/net_names.hpp"
+#include "generator/rtl/engine_operands.hpp"
 
 namespace mixcmp::gen {
 namespace {
@@ -11,7 +9,6 @@ namespace {
 using namespace rtl;
 
 constexpr int result_bits = 8;
-const std::vector<std::string> lane_counters = {"comparisons", "recomputations", "stalls"};
 const std::vector<std::string> engine_counters = {"reports", "busy_cycles", "stalled_cycles"};
 
 std::vector<Port> pairwise_ports(const EngineShape& engine, const SystemShape& system) {
@@ -27,65 +24,18 @@ std::vector<Port> pairwise_ports(const EngineShape& engine, const SystemShape& s
   add_output(ports, 2 * engine.index_field_bits(), "m_axis_tdata");
   add_output(ports, result_bits, "m_axis_tuser");
   add_output(ports, 1, "m_axis_tlast");
-  if (system.counter_bits == 0) return ports;
-  for (const std::string& counter : lane_counters) {
-    add_output(ports, system.lanes * system.counter_bits, counter, true);
-  }
-  for (const std::string& counter : engine_counters) {
-    add_output(ports, system.counter_bits, counter);
-  }
+  add_counters(system, engine_counters, ports);
   return ports;
 }
 
-/// Columns that only one of the two items lends to the comparison.
-std::vector<Operand> unused_columns(const EngineShape& engine) {
-  std::vector<Operand> unused;
-  for (std::size_t column = 0; column < engine.columns.size(); ++column) {
-    for (const bool second : {false, true}) {
-      const bool used = std::any_of(engine.sources.begin(), engine.sources.end(),
-                                    [&](const EngineShape::Source& source) {
-                                      return source.column == column && source.second == second;
-                                    });
-      const int low = static_cast<int>(column) * engine.column_width;
-      if (!used) {
-        unused.push_back(slice(second ? "item_j" : "item_i", low + engine.column_width - 1, low));
-      }
-    }
-  }
-  return unused;
-}
-
 /// The operands of a pair, from its two items: `pair` to `target`.
-void map_operands(const EngineShape& engine, const SystemShape& system, const Operand& pair,
-                  const Operand& target, std::vector<Item>& items) {
+void map_pair(const EngineShape& engine, const SystemShape& system, const Operand& pair,
+              const Operand& target, std::vector<Item>& items) {
   const int bits = engine.item_bits();
   items.push_back(Wire{2 * bits, "pair", pair});
   items.push_back(Wire{bits, "item_i", slice("pair", bits - 1, 0)});
   items.push_back(Wire{bits, "item_j", slice("pair", 2 * bits - 1, bits)});
-  NamePool names({"pair", "item_i", "item_j", "unused_columns"});
-  std::vector<Operand> operands;
-  for (std::size_t k = 0; k < engine.sources.size(); ++k) {
-    const EngineShape::Source& source = engine.sources[k];
-    const int low = static_cast<int>(source.column) * engine.column_width;
-    const std::string name = names.unique("operand_" + system.input_ports[k]);
-    items.push_back(
-        Wire{engine.column_width, name,
-             slice(source.second ? "item_j" : "item_i", low + engine.column_width - 1, low)});
-    operands.insert(operands.begin(), net(name));
-  }
-  const int padding = system.tdata_bytes() * 8 - system.operand_bits();
-  if (padding > 0) operands.insert(operands.begin(), literal(padding, 0));
-  items.push_back(Assignment{target, concatenation(std::move(operands))});
-  std::vector<Operand> unused = unused_columns(engine);
-  if (unused.empty()) return;
-  unused.insert(unused.begin(), literal(1, 0));
-  items.push_back(Wire{1, "unused_columns", all_bits(concatenation(std::move(unused)))});
-}
-
-std::shared_ptr<const ForGenerate> loop(const std::string& variable, int count,
-                                        const std::string& label, std::vector<Item> items) {
-  return std::make_shared<const ForGenerate>(
-      ForGenerate{variable, 0, count, label, std::move(items)});
+  map_operands(engine, system, {"", "item_i", "item_j"}, target, items);
 }
 
 void declare_lane_streams(const EngineShape& engine, const SystemShape& system,
@@ -105,8 +55,8 @@ void declare_lane_streams(const EngineShape& engine, const SystemShape& system,
     items.push_back(Wire{lanes * width, name, nullptr, true});
   }
   std::vector<Item> mapping;
-  map_operands(engine, system, indexed("pair_items", "lane", 2 * engine.item_bits()),
-               indexed("operands", "lane", system.tdata_bytes() * 8), mapping);
+  map_pair(engine, system, indexed("pair_items", "lane", 2 * engine.item_bits()),
+           indexed("operands", "lane", system.tdata_bytes() * 8), mapping);
   items.push_back(loop("lane", lanes, "lane_operands", std::move(mapping)));
 }
 
@@ -136,8 +86,8 @@ void declare_refetch_streams(const EngineShape& engine, const SystemShape& syste
   }
   mapping.push_back(Assignment{indexed("refetch_tag", "reference", system.tag_bits),
                                slice("padded_tag", system.tag_bits - 1, 0)});
-  map_operands(engine, system, net("answer_items"),
-               indexed("answer_operands", "reference", system.tdata_bytes() * 8), mapping);
+  map_pair(engine, system, net("answer_items"),
+           indexed("answer_operands", "reference", system.tdata_bytes() * 8), mapping);
   items.push_back(loop("reference", references, "reference_operands", std::move(mapping)));
 }
 
@@ -178,42 +128,9 @@ Instance pairwise_instance(const EngineShape& engine, const SystemShape& system,
   connect_refetch(engine, system, items, connections);
   append(connections,
          {"m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser", "m_axis_tlast"});
-  for (const std::string& counter : engine_counters) {
-    if (system.counter_bits > 0) {
-      connections.push_back(same(counter));
-    } else {
-      items.push_back(Wire{1, "unused_" + counter, nullptr});
-      connections.push_back({counter, net("unused_" + counter)});
-    }
-  }
+  connect_counters(system, engine_counters, items, connections);
   TemplateInstance around = pairwise_template(engine, system);
   return {around.module, "engine", std::move(around.parameters), std::move(connections)};
-}
-
-Instance system_instance(const SystemShape& system) {
-  std::vector<Connection> connections = clock_and_reset();
-  for (const auto& [port, name] :
-       std::vector<std::pair<std::string, std::string>>{{"s_axis_tvalid", "pair_tvalid"},
-                                                        {"s_axis_tready", "pair_tready"},
-                                                        {"s_axis_tdata", "operands"},
-                                                        {"s_axis_tuser", "pair_tag"},
-                                                        {"m_axis_tvalid", "result_tvalid"},
-                                                        {"m_axis_tready", "result_tready"},
-                                                        {"m_axis_tdata", "result_tdata"},
-                                                        {"m_axis_tuser", "result_tag"}}) {
-    connections.push_back({port, net(name)});
-  }
-  if (system.refetches()) {
-    for (const char* part : {"tvalid", "tready", "tdata"}) {
-      connections.push_back(
-          {std::string("m_refetch_") + part, net(std::string("refetch_") + part)});
-    }
-    connections.push_back({"s_refetch_tvalid", net("answer_tvalid")});
-    connections.push_back({"s_refetch_tready", net("answer_tready")});
-    connections.push_back({"s_refetch_tdata", net("answer_operands")});
-  }
-  if (system.counter_bits > 0) append(connections, lane_counters);
-  return {system.top, "system", {}, std::move(connections)};
 }
 
 long long report_mask(const model::EngineSpec& spec) {
@@ -228,9 +145,9 @@ TemplateInstance pairwise_template(const EngineShape& engine, const SystemShape&
   return {"pairwise_engine",
           {{"LANES", system.lanes},
            {"REFERENCES", system.references},
-           {"CAPACITY", engine.spec.capacity},
+           {"CAPACITY", engine.capacity},
            {"ITEM_BITS", engine.item_bits()},
-           {"INDEX_BITS", engine.spec.index_bits()},
+           {"INDEX_BITS", engine.index_bits()},
            {"SLOT_BITS", system.slot_bits},
            {"REPORT", report_mask(engine.spec)},
            {"COUNTER_BITS", system.counter_bits}}};
@@ -241,16 +158,10 @@ Module pairwise_module(const EngineShape& engine, const SystemShape& system) {
   std::vector<Item>& items = module.items;
   declare_lane_streams(engine, system, items);
   if (system.refetches()) declare_refetch_streams(engine, system, items);
-  const int padding = engine.item_bytes() * 8 - engine.item_bits();
-  if (padding > 0) {
-    const int top = engine.item_bytes() * 8 - 1;
-    items.push_back(Wire{
-        1, "unused_padding",
-        all_bits(concatenation({literal(1, 0), slice("s_axis_tdata", top, top - padding + 1)}))});
-  }
+  consume_padding("s_axis_tdata", engine.item_bits(), engine.item_bytes() * 8, items);
   Instance around = pairwise_instance(engine, system, items);
   items.push_back(std::move(around));
-  items.push_back(system_instance(system));
+  items.push_back(system_instance(system, net("pair_tag")));
   return module;
 }
 

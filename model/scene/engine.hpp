@@ -11,6 +11,7 @@ namespace mixcmp::model {
 enum class EngineKind {
   none,      ///< nothing: comparisons come as streams
   pairwise,  ///< every pair i < j of a set of items
+  arg_min,   ///< each row of a stream past all candidates, one in each lane but the first
 };
 std::string_view to_string(EngineKind kind);
 
@@ -18,15 +19,19 @@ struct EngineSpec {
   static constexpr int max_capacity = 65'536;
 
   EngineKind kind = EngineKind::none;
-  int capacity = 1024;  ///< items that the memory holds, 2..max_capacity
-  /// By golden::Verdict: which ones leave. All but `greater`: whatever is not certainly apart.
+  int capacity = 1024;    ///< of pairwise: items that the memory holds, 2..max_capacity
+  int row_tag_bits = 16;  ///< of arg_min: of the tag that goes with a row, 1..64
+  /// Of pairwise, by golden::Verdict: which ones leave. All but `greater`: whatever is not
+  /// certainly apart.
   std::array<bool, 4> report = {true, true, false, true};
 
-  /// To number the items.
-  int index_bits() const;
-  /// Of the tag {j, i} of a pair.
-  int tag_bits() const { return 2 * index_bits(); }
+  /// Of the tag that goes with a comparison: {j, i} of a pair; one bit that says nothing where an
+  /// arg_min engine keeps the row's own.
+  int tag_bits() const;
 };
+
+/// To number so many items.
+int index_bits_for(int count);
 
 /// The words for what an engine reports.
 std::vector<std::string_view> reported_verdicts(const EngineSpec& engine);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "model/data/pairing.hpp"
@@ -12,8 +14,8 @@ namespace {
 
 using golden::Verdict;
 
-/// Keys of [system] that an engine decides: one may repeat them, not contradict.
-Result<Done> check_system(const Settings& settings, const EngineSpec& engine) {
+/// Keys of [system] that the pairwise engine decides: one may repeat them, not contradict.
+Result<Done> check_pairwise_system(const Settings& settings, const EngineSpec& engine) {
   Section section(settings, "system");
   const auto refuse = [&](const char* key, const std::string& received,
                           const std::string& accepted) {
@@ -35,7 +37,41 @@ Result<Done> check_system(const Settings& settings, const EngineSpec& engine) {
   return Done{};
 }
 
-Result<Done> check_inputs(const Section& section, const std::vector<std::string>& inputs) {
+/// The same of the arg-min engine. Its chain cannot go on from a comparison that stays undecided.
+Result<Done> check_arg_min_system(const Settings& settings, const EngineSpec& engine) {
+  Section section(settings, "system");
+  const auto refuse = [&](const char* key, const std::string& message, const std::string& received,
+                          const std::string& accepted) {
+    return section.mistake(key, message, received, accepted);
+  };
+  const std::string decided = "the arg-min engine decides it";
+  OperandStore operands = OperandStore::carried;
+  section.choice("operands", operands, {OperandStore::carried, OperandStore::refetched});
+  if (operands != OperandStore::carried) {
+    return refuse("operands", decided, "\"refetched\"", "\"carried\", or no key");
+  }
+  ResultOrder order = ResultOrder::in_order;
+  section.choice("order", order, {ResultOrder::tagged, ResultOrder::in_order});
+  if (order != ResultOrder::in_order) {
+    return refuse("order", decided, "\"tagged\"", "\"in_order\", or no key");
+  }
+  int tag_bits = engine.tag_bits();
+  section.integer("tag_bits", tag_bits, 1, 64);
+  if (tag_bits != engine.tag_bits()) {
+    return refuse(
+        "tag_bits", decided, fmt::format("{}", tag_bits),
+        fmt::format("{}, or no key: a row's tag is engine.tag_bits wide", engine.tag_bits()));
+  }
+  std::optional<int> references;
+  section.integer_or_auto("references", references, 0, max_references);
+  if (references && *references == 0) {
+    return refuse("references", "the arg-min engine needs every verdict", "0",
+                  fmt::format("1..{}", max_references));
+  }
+  return Done{};
+}
+
+Result<Done> check_pairwise_inputs(const Section& section, const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
     if (item_column(input)) continue;
     return section.mistake("kind", "the pairwise engine compares item i with item j",
@@ -45,23 +81,74 @@ Result<Done> check_inputs(const Section& section, const std::vector<std::string>
   return Done{};
 }
 
-Result<Done> check_data(const Settings& settings, const std::optional<DataSpec>& data) {
-  if (!data || data->pairing == Pairing::all) return Done{};
+/// The inputs of a row may be none; candidates must have some.
+Result<Done> check_arg_min_inputs(const Section& section, const std::vector<std::string>& inputs) {
+  const bool has_candidates =
+      std::any_of(inputs.begin(), inputs.end(),
+                  [](const std::string& name) { return item_column(name).has_value(); });
+  const bool has_rows = std::any_of(inputs.begin(), inputs.end(), [](const std::string& name) {
+    return !item_column(name).has_value();
+  });
+  if (has_candidates && has_rows) return Done{};
+  return section.mistake("kind", "the arg-min engine compares candidates i and j for a row",
+                         fmt::format("the inputs {}", fmt::join(inputs, ", ")),
+                         "names that end in i or j for candidates, and others for the row");
+}
+
+Result<Done> check_data(const Settings& settings, const std::optional<DataSpec>& data,
+                        Pairing wanted, const char* message) {
+  if (!data || data->pairing == wanted) return Done{};
   const Section section(settings, "data");
-  return section.mistake("pairs", "the pairwise engine compares every two items",
-                         fmt::format("{}", to_string(data->pairing)), "pairs = \"all\"");
+  return section.mistake("pairs", message, fmt::format("{}", to_string(data->pairing)),
+                         fmt::format("pairs = \"{}\"", to_string(wanted)));
+}
+
+Result<Done> check_pairwise(const Settings& settings, const Section& section,
+                            const EngineSpec& engine, const std::vector<std::string>& inputs,
+                            const std::optional<DataSpec>& data) {
+  MIXCMP_TRY(system_checked, check_pairwise_system(settings, engine));
+  MIXCMP_TRY(inputs_checked, check_pairwise_inputs(section, inputs));
+  return check_data(settings, data, Pairing::all, "the pairwise engine compares every two items");
+}
+
+Result<Done> check_arg_min(const Settings& settings, const Section& section,
+                           const EngineSpec& engine, const std::vector<std::string>& inputs,
+                           const std::optional<DataSpec>& data) {
+  MIXCMP_TRY(system_checked, check_arg_min_system(settings, engine));
+  MIXCMP_TRY(inputs_checked, check_arg_min_inputs(section, inputs));
+  return check_data(settings, data, Pairing::arg_min,
+                    "the arg-min engine compares candidates for each row");
+}
+
+void read_pairwise_keys(Section& section, EngineSpec& engine) {
+  section.integer("capacity", engine.capacity, 2, EngineSpec::max_capacity);
+  std::vector<Verdict> report;
+  section.choices("report", report,
+                  {Verdict::less, Verdict::equal, Verdict::greater, Verdict::unordered});
+  if (!report.empty()) engine.report = {};
+  for (const Verdict verdict : report) engine.report[static_cast<std::size_t>(verdict)] = true;
 }
 
 }  // namespace
 
-int EngineSpec::index_bits() const {
-  return std::bit_width(static_cast<unsigned>(capacity - 1));
+int index_bits_for(int count) {
+  return std::bit_width(static_cast<unsigned>(count - 1));
+}
+
+int EngineSpec::tag_bits() const {
+  return kind == EngineKind::arg_min ? 1 : 2 * index_bits_for(capacity);
 }
 
 SystemSpec with_engine(SystemSpec system, const EngineSpec& engine) {
   system.engine = engine;
-  if (engine.kind == EngineKind::none) return system;
-  system.operands = OperandStore::refetched;
+  switch (engine.kind) {
+    case EngineKind::none: return system;
+    case EngineKind::pairwise: system.operands = OperandStore::refetched; break;
+    case EngineKind::arg_min:
+      system.operands = OperandStore::carried;
+      system.order = ResultOrder::in_order;
+      break;
+  }
   system.tag_bits = engine.tag_bits();
   return system;
 }
@@ -70,6 +157,7 @@ std::string_view to_string(EngineKind kind) {
   switch (kind) {
     case EngineKind::none: return "none";
     case EngineKind::pairwise: return "pairwise";
+    case EngineKind::arg_min: return "arg_min";
   }
   MIXCMP_CHECK(false);
 }
@@ -87,18 +175,23 @@ Result<EngineSpec> read_engine(const Settings& settings, const std::vector<std::
   Section section(settings, "engine");
   EngineSpec engine;
   if (section.present()) section.require("kind");
-  section.choice("kind", engine.kind, {EngineKind::none, EngineKind::pairwise});
-  section.integer("capacity", engine.capacity, 2, EngineSpec::max_capacity);
-  std::vector<Verdict> report;
-  section.choices("report", report,
-                  {Verdict::less, Verdict::equal, Verdict::greater, Verdict::unordered});
-  if (!report.empty()) engine.report = {};
-  for (const Verdict verdict : report) engine.report[static_cast<std::size_t>(verdict)] = true;
+  section.choice("kind", engine.kind,
+                 {EngineKind::none, EngineKind::pairwise, EngineKind::arg_min});
+  // Keys of the other kind are unknown; with none, whatever is there sleeps.
+  if (engine.kind != EngineKind::arg_min) read_pairwise_keys(section, engine);
+  if (engine.kind != EngineKind::pairwise) section.integer("tag_bits", engine.row_tag_bits, 1, 64);
   if (const auto error = section.finish()) return *error;
-  if (engine.kind == EngineKind::none) return engine;
-  MIXCMP_TRY(system_checked, check_system(settings, engine));
-  MIXCMP_TRY(inputs_checked, check_inputs(section, inputs));
-  MIXCMP_TRY(data_checked, check_data(settings, data));
+  switch (engine.kind) {
+    case EngineKind::none: break;
+    case EngineKind::pairwise: {
+      MIXCMP_TRY(checked, check_pairwise(settings, section, engine, inputs, data));
+      break;
+    }
+    case EngineKind::arg_min: {
+      MIXCMP_TRY(checked, check_arg_min(settings, section, engine, inputs, data));
+      break;
+    }
+  }
   return engine;
 }
 

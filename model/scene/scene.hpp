@@ -93,12 +93,12 @@ struct SystemSpec {
   OperandStore operands = OperandStore::carried;
   int tag_bits = 32;      ///< 1..64
   int counter_bits = 32;  ///< 0 (no counters) or 8..64
-  /// Around the system; it decides `operands` and `tag_bits`.
+  /// Around the system; it decides `operands` and `tag_bits`, an arg_min engine `order`, too.
   EngineSpec engine;
 };
 
-/// The same with an engine around it. Its memory holds the operands of a recomputation, and a tag
-/// names two items in it.
+/// The same with an engine around it. A pairwise engine's memory holds the operands of a
+/// recomputation, and a tag names two items in it; an arg_min engine wants verdicts in order.
 SystemSpec with_engine(SystemSpec system, const EngineSpec& engine);
 
 struct DataSpec {

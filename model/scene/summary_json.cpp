@@ -52,6 +52,9 @@ nlohmann::json json_of(const std::optional<int>& number) {
 
 nlohmann::json json_of(const EngineSpec& engine) {
   if (engine.kind == EngineKind::none) return nullptr;
+  if (engine.kind == EngineKind::arg_min) {
+    return {{"kind", to_string(engine.kind)}, {"tag_bits", engine.row_tag_bits}};
+  }
   return {{"kind", to_string(engine.kind)},
           {"capacity", engine.capacity},
           {"report", reported_verdicts(engine)}};

@@ -119,6 +119,11 @@ void print_understood(Page& page, const Scene& scene) {
   page.line("tag_bits", fmt::format("{}", system.tag_bits));
   page.line("counter_bits", fmt::format("{}", system.counter_bits));
   if (system.engine.kind == EngineKind::none) return;
+  if (system.engine.kind == EngineKind::arg_min) {
+    return page.line("engine", fmt::format("{}, a candidate more than lanes, row tags of {} bits",
+                                           to_string(system.engine.kind),
+                                           system.engine.row_tag_bits));
+  }
   page.line("engine",
             fmt::format("{}, {} items, reports {}", to_string(system.engine.kind),
                         system.engine.capacity, fmt::join(reported_verdicts(system.engine), ", ")));

@@ -115,6 +115,51 @@ TEST(Engine, TemplateIsToldWhatTheSystemIs) {
   }
 }
 
+/// One of four candidates; only f reads w, only g reads o.
+GeneratedSystem arg_min_of_four() {
+  model::Design design = with_pairs(design_of("(p - ci)^2 + (wi * q)^2", "(p - cj)^2 + oj^2"),
+                                    {.kind = model::EngineKind::arg_min, .row_tag_bits = 5});
+  design.lanes.front().count = 3;
+  return generated(design);
+}
+
+TEST(ArgMinEngine, SignatureTellsItsStreams) {
+  const SignatureEngine engine = *arg_min_of_four().signature.engine;
+  EXPECT_EQ(engine.kind, model::EngineKind::arg_min);
+  EXPECT_EQ(engine.capacity, 4);
+  EXPECT_EQ(engine.index_bits, 2);
+  EXPECT_EQ(engine.columns, (std::vector<std::string>{"c", "w", "o"}));
+  EXPECT_EQ(engine.row_columns, (std::vector<std::string>{"p", "q"}));
+  EXPECT_EQ(engine.item_bytes, 12);
+  EXPECT_EQ(engine.row_bytes, 8);
+  EXPECT_EQ(engine.tag_bits, 5);
+  EXPECT_EQ(width_of(engine, "s_candidate_tdata"), 96);
+  EXPECT_EQ(width_of(engine, "s_axis_tdata"), 64);
+  EXPECT_EQ(width_of(engine, "s_axis_tuser"), 5);
+  EXPECT_EQ(width_of(engine, "m_axis_tdata"), 8);
+  EXPECT_EQ(width_of(engine, "comparisons"), 3 * 32);
+}
+
+TEST(ArgMinEngine, SignatureIsReadBackWhole) {
+  test::ScratchDirectory scratch;
+  const GeneratedSystem system = arg_min_of_four();
+  ASSERT_TRUE(write_system(system, scratch.path() / "out").ok());
+  const auto read = read_signature(scratch.path() / "out" / (system.signature.top + ".json"));
+  ASSERT_TRUE(read.ok()) << read.error().to_string();
+  EXPECT_EQ(to_json(*read), to_json(system.signature));
+}
+
+TEST(ArgMinEngine, EachOperandComesFromItsItem) {
+  const GeneratedSystem system = arg_min_of_four();
+  const std::string text = verilog_of(system, system.signature.engine->top);
+  for (const char* line :
+       {"operand_p = row[31:0];", "operand_ci = best[31:0];", "operand_wi = best[63:32];",
+        "operand_q = row[63:32];", "operand_cj = own[31:0];", "operand_oj = own[95:64];",
+        "unused_columns = &{1'b0, best[95:64], own[63:32]};"}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+  }
+}
+
 TEST(Engine, SameDesignGivesTheSameBytes) {
   const GeneratedSystem once = generated(spheres(3, 1)), again = generated(spheres(3, 1));
   ASSERT_EQ(once.files.size(), again.files.size());

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,28 @@ TEST(KMeans, EveryAtomGetsItsNearestResidue) {
     EXPECT_EQ(chosen[row], nearest(atoms[row], centres)) << "atom " << row;
   }
 }
+
+/// The chain of lanes: `verify` fails unless every flower leaves it with the model's centre.
+class KMeansChain : public testing::TestWithParam<const char*> {};
+
+TEST_P(KMeansChain, EveryFlowerLeavesItWithItsNearestCentre) {
+  const fs::path work = test_work_dir("kmeans_chain");
+  fs::create_directories(work);
+  const fs::path report = work / "report.txt";
+  const std::string command =
+      std::string(MIXCMP_PROGRAM) + " verify " + (examples / "kmeans/iris_chain.toml").string() +
+      " --work " + (work / "simulation").string() + " " + GetParam() + " > " + report.string();
+  ASSERT_EQ(std::system(command.c_str()), 0) << "see " << report;
+  std::ifstream stream(report);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  EXPECT_NE(text.find("one of all 3 candidates"), std::string::npos) << text;
+  EXPECT_NE(text.find("rows                   150"), std::string::npos) << text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Traffic, KMeansChain,
+                         testing::Values("", "--traffic stressed --resets 3",
+                                         "--set data.with=" MIXCMP_SOURCE_DIR
+                                         "/examples/kmeans/centres_1.csv"));
 
 }  // namespace
 }  // namespace mixcmp::test

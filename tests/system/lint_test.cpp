@@ -67,6 +67,16 @@ model::Design with_pairs(model::Design design, int capacity) {
   return design;
 }
 
+/// The nearest of some points, for a row that needs not all of its columns to be read twice.
+model::Design with_arg_min(int lanes, const std::function<void(model::Design&)>& change) {
+  model::Design design = design_of("(x - cxi)^2 + (y - cyi)^2", "(x - cxj)^2 + (y - cyj)^2",
+                                   {format("s9e8")}, format("s23e8"));
+  design.lanes.front().count = lanes;
+  design.system = with_engine(design.system, {.kind = model::EngineKind::arg_min});
+  change(design);
+  return design;
+}
+
 std::vector<Variant> variants() {
   const model::Design base = sphere_design(format("s17e8"), format("s53e8"), 8, 1);
   constexpr auto running = model::ErrorBoundKind::running;
@@ -117,6 +127,9 @@ std::vector<Variant> variants() {
        with_pairs(design_of("xj * ai", "abs(bi)", {format("s8e8")}, format("s24e8")), 65536)},
       {"pairwise_no_counters",
        with(with_pairs(base, 9), [](auto& d) { d.system.counter_bits = 0; })},
+      {"arg_min_3", with_arg_min(2, [](auto&) {})},
+      {"arg_min_2", with_arg_min(1, [](auto& d) { d.system.engine.row_tag_bits = 1; })},
+      {"arg_min_no_counters", with_arg_min(8, [](auto& d) { d.system.counter_bits = 0; })},
       {"lane_only", sphere_design(format("s12e6"), format("s24e8"), 3, 0)},
       {"single_lane", sphere_design(format("s4e8"), format("s11e8"), 1, 1)},
       {"more_references_than_lanes", sphere_design(format("s4e8"), format("s11e8"), 2, 3)},

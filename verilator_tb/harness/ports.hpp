@@ -69,4 +69,15 @@ struct PairwisePorts {
   Port reports, busy_cycles, stalled_cycles;
 };
 
+/// The ports of an arg-min engine; the first three counters are vectors of the lanes'.
+struct ArgMinPorts {
+  Port aresetn;
+  Port s_candidate_tvalid, s_candidate_tready, s_candidate_tdata, s_candidate_tlast;
+  Port s_axis_tvalid, s_axis_tready, s_axis_tdata, s_axis_tuser, s_axis_tlast;
+  Port m_axis_tvalid, m_axis_tready, m_axis_tdata, m_axis_tuser, m_axis_tlast;
+  Port overrun;
+  Port comparisons, recomputations, stalls;
+  Port rows, stalled_cycles;
+};
+
 }  // namespace mixcmp::tb

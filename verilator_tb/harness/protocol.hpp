@@ -53,9 +53,10 @@ enum class Fault : std::uint32_t {
   lost,          ///< never left, though its lane goes on
   hung,          ///< never left, and its lane takes nothing more
   unknown_refetch,
-  unknown_value,  ///< x on a handshake or a result; only an event-driven simulator sees it
-  after_the_end,  ///< of an engine: a report behind the closing beat
-  closed_early,   ///< of an engine: a closing beat before the last item
+  unknown_value,      ///< x on a handshake or a result; only an event-driven simulator sees it
+  after_the_end,      ///< of an engine: a report behind the closing beat
+  closed_early,       ///< of an engine: a closing beat before the last item
+  loaded_among_rows,  ///< of an engine: a candidate accepted while a row is inside
 };
 
 struct Violation {

@@ -65,13 +65,57 @@ TEST_F(EngineSection, WhatTheEngineDecidesMayBeRepeated) {
                   .ok());
 }
 
+const std::string nearest = "f = \"(p - ci)^2\"\ng = \"(p - cj)^2\"\n";
+const std::string arg_min = "[engine]\nkind = \"arg_min\"\n";
+
+TEST_F(EngineSection, ArgMinDecidesOrderOperandsAndTag) {
+  const Scene scene = load(arg_min + "tag_bits = 9\n", nearest).value();
+  EXPECT_EQ(scene.system.engine.kind, EngineKind::arg_min);
+  EXPECT_EQ(scene.system.engine.row_tag_bits, 9);
+  EXPECT_EQ(scene.system.order, ResultOrder::in_order);
+  EXPECT_EQ(scene.system.operands, OperandStore::carried);
+  EXPECT_EQ(scene.system.tag_bits, 1);
+  EXPECT_EQ(load(arg_min, nearest)->system.engine.row_tag_bits, 16);
+  EXPECT_TRUE(load(arg_min + "[system]\norder = \"in_order\"\noperands = \"carried\"\n"
+                             "tag_bits = 1\nreferences = 1\n",
+                   nearest)
+                  .ok());
+}
+
+TEST_F(EngineSection, ArgMinTellsItsMistakes) {
+  const auto told = [this](const std::string& more) { return error(arg_min + more, nearest); };
+  EXPECT_EQ(told("[system]\nreferences = 0\n"),
+            ":10: system.references: the arg-min engine needs every verdict: received 0; accepted "
+            "1..16");
+  EXPECT_EQ(told("[system]\norder = \"tagged\"\n"),
+            ":10: system.order: the arg-min engine decides it: received \"tagged\"; accepted "
+            "\"in_order\", or no key");
+  EXPECT_EQ(told("[system]\noperands = \"refetched\"\n"),
+            ":10: system.operands: the arg-min engine decides it: received \"refetched\"; accepted "
+            "\"carried\", or no key");
+  EXPECT_EQ(told("[system]\ntag_bits = 8\n"),
+            ":10: system.tag_bits: the arg-min engine decides it: received 8; accepted 1, or no "
+            "key: a row's tag is engine.tag_bits wide");
+  EXPECT_EQ(told("[data]\nfile = \"points.csv\"\n"),
+            ":9: data.pairs: the arg-min engine compares candidates for each row: received rows; "
+            "accepted pairs = \"arg_min\"");
+  EXPECT_NE(told("capacity = 7\n").find("engine.capacity"), std::string::npos);
+  EXPECT_NE(error("[engine]\nkind = \"pairwise\"\ntag_bits = 7\n").find("engine.tag_bits"),
+            std::string::npos);
+  EXPECT_EQ(
+      error(arg_min, "f = \"xi\"\ng = \"xj\"\n"),
+      ":8: engine.kind: the arg-min engine compares candidates i and j for a row: received the "
+      "inputs xi, xj; accepted names that end in i or j for candidates, and others for the "
+      "row");
+}
+
 TEST_F(EngineSection, MistakesAreToldInOneLine) {
   const std::string engine = "[engine]\nkind = \"pairwise\"\n";
   EXPECT_EQ(error("[engine]\ncapacity = 7\n"),
             ":7: engine.kind: missing: received nothing; accepted a key kind");
   EXPECT_EQ(error("[engine]\nkind = \"pairs\"\n"),
             ":8: engine.kind: not a choice: received \"pairs\"; accepted none, "
-            "pairwise");
+            "pairwise, arg_min");
   EXPECT_EQ(error(engine + "capacity = 1\n"),
             ":9: engine.capacity: out of range: received 1; accepted an integer 2..65536");
   const std::string list = "; accepted a list of one or more of less, equal, greater, unordered";

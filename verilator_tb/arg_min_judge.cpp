@@ -1,0 +1,164 @@
+#include "verilator_tb/arg_min_judge.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "verilator_tb/judgement.hpp"
+
+namespace mixcmp::tb {
+
+using model::golden::Verdict;
+
+ArgMinJudge::ArgMinJudge(const gen::Signature& signature, const model::Design& design,
+                         const model::Comparisons& comparisons, const VerifyOptions& options)
+    : signature_(signature),
+      design_(design),
+      comparisons_(comparisons),
+      options_(options),
+      lanes_(static_cast<std::size_t>(signature.lanes)),
+      operands_(comparisons.input_count()),
+      report_(empty_report(signature, design, options)) {
+  for (std::size_t k = 0; k < design.lanes.size(); ++k) {
+    group_of_lane_.insert(group_of_lane_.end(), static_cast<std::size_t>(design.lanes[k].count), k);
+  }
+  report_.requested = comparisons.size();
+  report_.arg_min = ArgMinFigures{.top = signature.engine->top,
+                                  .candidates = comparisons.tables()[1].rows(),
+                                  .rows = comparisons.table().rows()};
+}
+
+/// What the lanes must make of a row, one after the other. Of a short load, the last candidate
+/// stands for those that are missing; one longer than the data starts again with their first.
+std::uint64_t ArgMinJudge::chain(const LoadRange& load, std::uint64_t row, Use use) {
+  const std::uint64_t all = report_.arg_min->candidates;
+  std::uint64_t best = 0;
+  for (std::uint64_t lane = 0; lane < lanes_.size(); ++lane) {
+    const std::uint64_t last = load.candidates - 1;
+    const std::uint64_t own = std::min(lane + 1, last);
+    comparisons_.fetch({.row = row, .first = std::min(best, last) % all, .second = own % all},
+                       operands_);
+    const std::uint32_t tdata = expected_tdata(design_, group_of_lane_[lane], operands_);
+    ++lanes_[lane].observed[0];
+    if ((tdata & recomputed_flag) != 0) ++lanes_[lane].observed[1];
+    if (use == Use::figures && lane < last) count(row, best, own, tdata);
+    if (static_cast<Verdict>(tdata & 3) == Verdict::greater) best = lane + 1;
+  }
+  return best;
+}
+
+void ArgMinJudge::count(std::uint64_t row, std::uint64_t best, std::uint64_t own,
+                        std::uint32_t tdata) {
+  const bool recomputed = (tdata & recomputed_flag) != 0;
+  const auto verdict = static_cast<Verdict>(tdata & 3);
+  GroupReport& group = report_.groups[group_of_lane_[own - 1]];
+  ++report_.comparisons;
+  ++group.comparisons;
+  if (recomputed) ++report_.recomputations, ++group.recomputations;
+  ++report_.verdicts[static_cast<std::size_t>(verdict)];
+  if (options_.truth) {
+    hold_against_truth(*options_.truth, design_, operands_, tdata, *report_.truth, group);
+  }
+  if (!options_.on_result) return;
+  // A lane that errs, as profiled ones may, has the chain go on with another candidate than the
+  // data's.
+  const std::uint64_t index = row * (report_.arg_min->candidates - 1) + own - 1;
+  if (comparisons_.items(index).first == best) {
+    options_.on_result({index, verdict, recomputed, false});
+  }
+}
+
+void ArgMinJudge::take(const LoadRange& load, const LoadAnswer& answer, Use use) {
+  for (const wire::Violation& violation : answer.violations) {
+    add_violation(to_text(violation.fault), violation.cycle,
+                  fmt::format("tag 0x{:x}", violation.tag));
+  }
+  ++report_.arg_min->loads;
+  if (answer.rows.size() > load.rows) return add_violation("rows too many", 0, "");
+  for (std::uint64_t k = 0; k < answer.rows.size(); ++k) {
+    judge_row(load, load.first + k, answer.rows[k], use);
+  }
+  switch (answer.response.state) {
+    case wire::LoadState::complete: return judge_end(load, answer, use);
+    case wire::LoadState::interrupted:
+      lanes_.assign(lanes_.size(), {});
+      stalled_before_ = 0;
+      return;
+    case wire::LoadState::stopped: return;
+  }
+}
+
+void ArgMinJudge::judge_row(const LoadRange& load, std::uint64_t row, const wire::RowResult& got,
+                            Use use) {
+  const std::uint64_t expected = chain(load, row, use);
+  const bool is_whole = load.candidates == report_.arg_min->candidates;
+  const bool differs = is_whole && expected != comparisons_.arg_min(row);
+  if (got.index != expected || (differs && design_.certified())) add_mismatch(row, expected, got);
+  if (use == Use::check) return;
+  if (differs) ++report_.arg_min->wrong_rows;
+  report_.arg_min->latency.add(got.cycle_left - got.cycle_accepted);
+}
+
+void ArgMinJudge::judge_end(const LoadRange& load, const LoadAnswer& answer, Use use) {
+  if (answer.rows.size() != load.rows) {
+    add_violation("rows lost", 0, fmt::format("{} of {}", answer.rows.size(), load.rows));
+  }
+  const bool too_many = load.candidates > lanes_.size() + 1;
+  if ((answer.response.overrun != 0) != too_many) {
+    add_violation("overrun is wrong", 0, fmt::format("{} candidates", load.candidates));
+  }
+  judge_counters(answer, use);
+  if (use == Use::check) return;
+  report_.cycles = answer.response.cycles;
+  report_.arg_min->loading_cycles = answer.response.loading_cycles;
+}
+
+void ArgMinJudge::check_counter(const std::string& name, std::uint64_t counted,
+                                std::uint64_t observed, CounterTotal& total) {
+  const auto mask = static_cast<std::uint64_t>(model::low_mask(signature_.counter_bits));
+  total.counted += counted;
+  total.observed += observed;
+  if (counted == (observed & mask)) return;
+  add_violation("counter is wrong", 0,
+                fmt::format("{}: {} instead of {}", name, counted, observed));
+}
+
+/// After every load, since reset; the last totals stay in the report.
+void ArgMinJudge::judge_counters(const LoadAnswer& answer, Use use) {
+  if (signature_.counter_bits == 0) return;
+  const wire::LaneEnd& counters = answer.response.counters;
+  const auto mask = static_cast<std::uint64_t>(model::low_mask(signature_.counter_bits));
+  if (use == Use::figures) {
+    report_.arg_min->stalled_cycles = (counters.counted[1] - stalled_before_) & mask;
+  }
+  stalled_before_ = counters.counted[1];
+  std::vector<CounterTotal> totals = {{"comparisons"}, {"recomputations"}, {"rows"}};
+  for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      check_counter(fmt::format("{} of lane {}", totals[k].name, lane),
+                    answer.lanes[lane].counted[k], lanes_[lane].observed[k], totals[k]);
+    }
+  }
+  check_counter("rows", counters.counted[0], counters.observed[0], totals[2]);
+  report_.counters = std::move(totals);
+}
+
+void ArgMinJudge::add_mismatch(std::uint64_t row, std::uint64_t expected,
+                               const wire::RowResult& got) {
+  ++report_.mismatch_count;
+  if (report_.mismatches.size() >= VerifyReport::kept) return;
+  Mismatch mismatch =
+      describe_comparison(design_, comparisons_, row * (report_.arg_min->candidates - 1));
+  mismatch.expected = fmt::format("candidate {}", expected);
+  mismatch.got = fmt::format("candidate {}", got.index);
+  mismatch.cycle = got.cycle_left;
+  report_.mismatches.push_back(std::move(mismatch));
+}
+
+void ArgMinJudge::add_violation(std::string fault, std::uint64_t cycle, std::string details) {
+  ++report_.violation_count;
+  if (report_.violations.size() >= VerifyReport::kept) return;
+  report_.violations.push_back({std::move(fault), 0, cycle, std::move(details)});
+}
+
+}  // namespace mixcmp::tb

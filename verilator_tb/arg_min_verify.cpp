@@ -1,0 +1,170 @@
+#include "verilator_tb/arg_min_verify.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+#include "verilator_tb/arg_min_judge.hpp"
+#include "verilator_tb/waves.hpp"
+
+namespace mixcmp::tb {
+
+namespace {
+
+struct Trial {
+  LoadRange load;
+  std::uint64_t reload_after = 0;
+  std::uint64_t reset_after = 0;
+  ArgMinJudge::Use use = ArgMinJudge::Use::check;
+};
+
+model::Result<model::Done> check_request(const System& system,
+                                         const model::Comparisons& comparisons,
+                                         const VerifyOptions& options) {
+  if (options.simulator == SimulatorKind::icarus) {
+    return model::Error{.field = "--simulator",
+                        .message = "engines are simulated with Verilator alone",
+                        .received = "icarus",
+                        .accepted = "verilator, or --set engine.kind=none for the system inside"};
+  }
+  if (options.selection.limit != 0 || options.selection.only) {
+    return model::Error{.field = "--first, --sample, --only",
+                        .message = "an engine compares every candidate for every row",
+                        .received = "a selection of comparisons",
+                        .accepted = "none; or --set engine.kind=none for the system inside"};
+  }
+  if (comparisons.pairing() != model::Pairing::arg_min) {
+    return model::Error{.field = "data.pairs",
+                        .message = "the arg-min engine compares candidates for each row",
+                        .received = std::string(to_string(comparisons.pairing())),
+                        .accepted = "pairs = \"arg_min\""};
+  }
+  const std::uint64_t candidates = comparisons.tables()[1].rows();
+  const auto lanes = static_cast<std::uint64_t>(system.signature.lanes);
+  if (candidates <= lanes + 1) return model::Done{};
+  return model::Error{
+      .field = "system.lanes",
+      .message = "the data have more candidates than the engine",
+      .received = fmt::format("{} candidates, {} lanes", candidates, lanes),
+      .accepted = fmt::format("{} lanes, one for each candidate but the first", candidates - 1)};
+}
+
+/// Loads of 1, 2 and one too few, one with a candidate too many; then everything.
+std::vector<Trial> plan_trials(const System& system, const model::Comparisons& comparisons,
+                               const VerifyOptions& options) {
+  const std::uint64_t rows = comparisons.table().rows();
+  const std::uint64_t candidates = comparisons.tables()[1].rows();
+  const auto lanes = static_cast<std::uint64_t>(system.signature.lanes);
+  std::vector<Trial> trials;
+  for (int k = 0; k < options.resets; ++k) {
+    const std::uint64_t after =
+        1 + counter_random(options.traffic_seed, trials.size()) % (candidates + rows);
+    trials.push_back({.load = {candidates, 0, rows}, .reset_after = after});
+  }
+  for (const std::uint64_t count : std::set<std::uint64_t>{
+           1, std::min<std::uint64_t>(2, candidates), candidates - 1, lanes + 2}) {
+    const std::uint64_t some = std::min<std::uint64_t>(rows, 8);
+    const std::uint64_t places = rows - some + 1;
+    const std::uint64_t first = counter_random(options.traffic_seed, trials.size()) % places;
+    trials.push_back({.load = {count, first, some}});
+  }
+  trials.push_back({.load = {candidates, 0, rows}, .use = ArgMinJudge::Use::figures});
+  trials.push_back({.load = {candidates, 0, rows}, .reload_after = (rows + 1) / 2});
+  return trials;
+}
+
+std::vector<std::size_t> places_of(const model::Table& table,
+                                   const std::vector<std::string>& columns) {
+  std::vector<std::size_t> places;
+  for (const std::string& name : columns) {
+    const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+    places.push_back(static_cast<std::size_t>(found - table.columns.begin()));
+  }
+  return places;
+}
+
+/// Rows of a table as they stand on a tdata; beyond its last from the first on again.
+std::vector<std::uint8_t> row_bytes(const model::Table& table,
+                                    const std::vector<std::string>& columns, int bytes_of_one,
+                                    std::uint64_t first, std::uint64_t count) {
+  const std::vector<std::size_t> places = places_of(table, columns);
+  const auto size = static_cast<std::size_t>(bytes_of_one);
+  std::vector<std::uint8_t> bytes(size * count);
+  std::vector<model::Bits> values(places.size());
+  for (std::uint64_t k = 0; k < count; ++k) {
+    for (std::size_t c = 0; c < places.size(); ++c) {
+      values[c] = table.at((first + k) % table.rows(), places[c]);
+    }
+    pack_operands(values, table.format.width(), k % 2 != 0,
+                  std::span(bytes).subspan(size * k, size));
+  }
+  return bytes;
+}
+
+CandidateLoad load_of(const gen::SignatureEngine& engine, const model::Comparisons& comparisons,
+                      const Trial& trial, bool last) {
+  const LoadRange& load = trial.load;
+  return {.request = {.candidates = load.candidates,
+                      .rows = load.rows,
+                      .reload_after = trial.reload_after,
+                      .reset_after = trial.reset_after,
+                      .last = last ? 1u : 0u},
+          .candidates = row_bytes(comparisons.tables()[1], engine.columns, engine.item_bytes, 0,
+                                  load.candidates),
+          .rows = row_bytes(comparisons.table(), engine.row_columns, engine.row_bytes, load.first,
+                            load.rows)};
+}
+
+model::Result<model::Done> run_trials(const System& system, const model::Comparisons& comparisons,
+                                      const VerifyOptions& options, const Executable& executable,
+                                      ArgMinJudge& judge) {
+  MIXCMP_TRY(simulation, ArgMinSimulation::start(executable, simulation_options(options)));
+  const gen::SignatureEngine& engine = *system.signature.engine;
+  const std::vector<Trial> trials = plan_trials(system, comparisons, options);
+  for (std::size_t k = 0; k < trials.size(); ++k) {
+    const Trial& trial = trials[k];
+    if (options.progress) {
+      options.progress(fmt::format("{}: {} candidates, {} rows", engine.top, trial.load.candidates,
+                                   trial.load.rows));
+    }
+    const CandidateLoad load = load_of(engine, comparisons, trial, k + 1 == trials.size());
+    MIXCMP_TRY(answer, simulation.exchange(load, system.signature.lanes));
+    judge.take(trial.load, answer, trial.use);
+    if (answer.response.state == wire::LoadState::stopped) break;
+  }
+  return model::Done{};
+}
+
+model::Result<model::Done> save_waves(const gen::SignatureEngine& engine,
+                                      const VerifyOptions& options) {
+  if (options.waves.empty()) return model::Done{};
+  return write_save_file(options.waves, gtkwave_save_file(engine, {.waves = options.waves,
+                                                                   .scope = "TOP." + engine.top,
+                                                                   .time_per_cycle = 2,
+                                                                   .marked = {}}));
+}
+
+}  // namespace
+
+model::Result<VerifyReport> verify_arg_min(const System& system, const model::Design& design,
+                                           const model::Comparisons& comparisons,
+                                           const VerifyOptions& options) {
+  MIXCMP_TRY(checked, check_request(system, comparisons, options));
+  const Waves waves = options.waves.empty() ? Waves::off : Waves::on;
+  MIXCMP_TRY(executable, build_simulator(system, {.work_dir = options.work_dir,
+                                                  .waves = waves,
+                                                  .progress = options.progress}));
+  ArgMinJudge judge(system.signature, design, comparisons, options);
+  judge.report().build_seconds = executable.build_seconds;
+  judge.report().simulator = "Verilator";
+  const auto start = std::chrono::steady_clock::now();
+  MIXCMP_TRY(run, run_trials(system, comparisons, options, executable, judge));
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  judge.report().run_seconds = taken.count();
+  MIXCMP_TRY(saved, save_waves(*system.signature.engine, options));
+  return std::move(judge.report());
+}
+
+}  // namespace mixcmp::tb

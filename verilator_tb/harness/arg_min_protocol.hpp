@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+#include "protocol.hpp"
+
+/// What the host and the simulator of an arg-min engine exchange, in the way of protocol.hpp: a
+/// request is one load of candidates and the rows behind it, its response the rows that left.
+namespace mixcmp::tb::wire {
+
+/// Followed by the candidates, item_bytes for each, and the rows, row_bytes for each.
+struct LoadRequest {
+  std::uint64_t candidates;
+  std::uint64_t rows;
+  /// Not 0: once so many rows were accepted, load the same candidates again, ahead of the others.
+  std::uint64_t reload_after;
+  /// Not 0: reset the engine so many cycles after the first candidate was offered.
+  std::uint64_t reset_after;
+  std::uint64_t last;  ///< not 0: the simulator ends after it
+};
+
+enum class LoadState : std::uint64_t {
+  complete,     ///< every row has left
+  interrupted,  ///< by the reset, before that
+  stopped,      ///< the engine stands still, or max_violations were seen; the simulator ends
+};
+
+/// Followed by the rows that left, in that order, the violations and by one LaneEnd for each lane,
+/// of which only `counted` is set.
+struct LoadResponse {
+  std::uint64_t rows;
+  std::uint64_t violations;
+  std::uint64_t loading_cycles;  ///< from the first candidate's acceptance to the first row's
+  std::uint64_t cycles;          ///< from the first row's acceptance to the last one's departure
+  std::uint64_t overrun;         ///< the port, when the last row had left
+  /// Since reset: rows, stalled cycles; of the last only `counted` is set.
+  LaneEnd counters;
+  LoadState state;
+};
+
+struct RowResult {
+  std::uint64_t index;
+  std::uint64_t cycle_accepted;
+  std::uint64_t cycle_left;
+};
+
+}  // namespace mixcmp::tb::wire
