@@ -61,9 +61,8 @@ TEST(SceneData, OnlyFamiliesHaveAFamily) {
 TEST(SceneData, FamiliesThatDoNotFitTheReferenceAreAnErrorOfItsData) {
   EXPECT_EQ(
       error_of({"data.family=near_tie_17", "reference.format=binary16", "reduced.format=s8e5"}),
-      scene_path +
-          ":22: data.family: near_tie_17 needs operands of 17 digits: received s11e5, a "
-          "reference of 11; accepted a reference of 17 digits or more");
+      "--set: data.family: near_tie_17 needs operands of 17 digits: received s11e5, a reference of "
+      "11; accepted a reference of 17 digits or more");
 }
 
 TEST(SceneData, SizesOfACubeAreNotedAsUnused) {
