@@ -289,6 +289,7 @@ TEST(GuardUlp, OfSelectionsOfRoundedInputsIsOneStep) {
     EXPECT_EQ(guard_of("-abs(min(a, -b))", "max(-c, abs(d))", rounding), 1);
     EXPECT_EQ(guard_of("max(a, 2)", "min(b, 0)", rounding), 1) << "constants of the format";
     EXPECT_GT(guard_of("max(a * b, c)", "d", rounding), 1);
+    EXPECT_GT(guard_of("2 * (a * b)", "c", rounding), 1) << "what is rounded before is inexact";
   }
   EXPECT_EQ(guard_of("max(a, 0.3)", "b", model::Rounding::nearest_even), 1);
   EXPECT_GT(guard_of("max(a, 0.3)", "b", model::Rounding::toward_zero), 1)
