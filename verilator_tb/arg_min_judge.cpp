@@ -12,17 +12,7 @@ using model::golden::Verdict;
 
 ArgMinJudge::ArgMinJudge(const gen::Signature& signature, const model::Design& design,
                          const model::Comparisons& comparisons, const VerifyOptions& options)
-    : signature_(signature),
-      design_(design),
-      comparisons_(comparisons),
-      options_(options),
-      lanes_(static_cast<std::size_t>(signature.lanes)),
-      operands_(comparisons.input_count()),
-      report_(empty_report(signature, design, options)) {
-  for (std::size_t k = 0; k < design.lanes.size(); ++k) {
-    group_of_lane_.insert(group_of_lane_.end(), static_cast<std::size_t>(design.lanes[k].count), k);
-  }
-  report_.requested = comparisons.size();
+    : EngineJudge(signature, design, comparisons, options) {
   report_.arg_min = ArgMinFigures{.top = signature.engine->top,
                                   .candidates = comparisons.tables()[1].rows(),
                                   .rows = comparisons.table().rows()};
@@ -113,32 +103,14 @@ void ArgMinJudge::judge_end(const LoadRange& load, const LoadAnswer& answer, Use
   report_.arg_min->loading_cycles = answer.response.loading_cycles;
 }
 
-void ArgMinJudge::check_counter(const std::string& name, std::uint64_t counted,
-                                std::uint64_t observed, CounterTotal& total) {
-  const auto mask = static_cast<std::uint64_t>(model::low_mask(signature_.counter_bits));
-  total.counted += counted;
-  total.observed += observed;
-  if (counted == (observed & mask)) return;
-  add_violation("counter is wrong", 0,
-                fmt::format("{}: {} instead of {}", name, counted, observed));
-}
-
 /// After every load, since reset; the last totals stay in the report.
 void ArgMinJudge::judge_counters(const LoadAnswer& answer, Use use) {
   if (signature_.counter_bits == 0) return;
   const wire::LaneEnd& counters = answer.response.counters;
-  const auto mask = static_cast<std::uint64_t>(model::low_mask(signature_.counter_bits));
-  if (use == Use::figures) {
-    report_.arg_min->stalled_cycles = (counters.counted[1] - stalled_before_) & mask;
-  }
-  stalled_before_ = counters.counted[1];
-  std::vector<CounterTotal> totals = {{"comparisons"}, {"recomputations"}, {"rows"}};
-  for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      check_counter(fmt::format("{} of lane {}", totals[k].name, lane),
-                    answer.lanes[lane].counted[k], lanes_[lane].observed[k], totals[k]);
-    }
-  }
+  const std::uint64_t stalled = stalls_gained(counters.counted[1]);
+  if (use == Use::figures) report_.arg_min->stalled_cycles = stalled;
+  std::vector<CounterTotal> totals = check_lanes(answer.lanes);
+  totals.push_back({"rows"});
   check_counter("rows", counters.counted[0], counters.observed[0], totals[2]);
   report_.counters = std::move(totals);
 }
@@ -153,12 +125,6 @@ void ArgMinJudge::add_mismatch(std::uint64_t row, std::uint64_t expected,
   mismatch.got = fmt::format("candidate {}", got.index);
   mismatch.cycle = got.cycle_left;
   report_.mismatches.push_back(std::move(mismatch));
-}
-
-void ArgMinJudge::add_violation(std::string fault, std::uint64_t cycle, std::string details) {
-  ++report_.violation_count;
-  if (report_.violations.size() >= VerifyReport::kept) return;
-  report_.violations.push_back({std::move(fault), 0, cycle, std::move(details)});
 }
 
 }  // namespace mixcmp::tb

@@ -3,11 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <set>
 
 #include "verilator_tb/arg_min_judge.hpp"
-#include "verilator_tb/waves.hpp"
+#include "verilator_tb/engine_verify.hpp"
 
 namespace mixcmp::tb {
 
@@ -23,18 +22,7 @@ struct Trial {
 model::Result<model::Done> check_request(const System& system,
                                          const model::Comparisons& comparisons,
                                          const VerifyOptions& options) {
-  if (options.simulator == SimulatorKind::icarus) {
-    return model::Error{.field = "--simulator",
-                        .message = "engines are simulated with Verilator alone",
-                        .received = "icarus",
-                        .accepted = "verilator, or --set engine.kind=none for the system inside"};
-  }
-  if (options.selection.limit != 0 || options.selection.only) {
-    return model::Error{.field = "--first, --sample, --only",
-                        .message = "an engine compares every candidate for every row",
-                        .received = "a selection of comparisons",
-                        .accepted = "none; or --set engine.kind=none for the system inside"};
-  }
+  MIXCMP_TRY(possible, check_engine_options(options, "every candidate for every row"));
   if (comparisons.pairing() != model::Pairing::arg_min) {
     return model::Error{.field = "data.pairs",
                         .message = "the arg-min engine compares candidates for each row",
@@ -75,34 +63,6 @@ std::vector<Trial> plan_trials(const System& system, const model::Comparisons& c
   return trials;
 }
 
-std::vector<std::size_t> places_of(const model::Table& table,
-                                   const std::vector<std::string>& columns) {
-  std::vector<std::size_t> places;
-  for (const std::string& name : columns) {
-    const auto found = std::find(table.columns.begin(), table.columns.end(), name);
-    places.push_back(static_cast<std::size_t>(found - table.columns.begin()));
-  }
-  return places;
-}
-
-/// Rows of a table as they stand on a tdata; beyond its last from the first on again.
-std::vector<std::uint8_t> row_bytes(const model::Table& table,
-                                    const std::vector<std::string>& columns, int bytes_of_one,
-                                    std::uint64_t first, std::uint64_t count) {
-  const std::vector<std::size_t> places = places_of(table, columns);
-  const auto size = static_cast<std::size_t>(bytes_of_one);
-  std::vector<std::uint8_t> bytes(size * count);
-  std::vector<model::Bits> values(places.size());
-  for (std::uint64_t k = 0; k < count; ++k) {
-    for (std::size_t c = 0; c < places.size(); ++c) {
-      values[c] = table.at((first + k) % table.rows(), places[c]);
-    }
-    pack_operands(values, table.format.width(), k % 2 != 0,
-                  std::span(bytes).subspan(size * k, size));
-  }
-  return bytes;
-}
-
 CandidateLoad load_of(const gen::SignatureEngine& engine, const model::Comparisons& comparisons,
                       const Trial& trial, bool last) {
   const LoadRange& load = trial.load;
@@ -137,34 +97,16 @@ model::Result<model::Done> run_trials(const System& system, const model::Compari
   return model::Done{};
 }
 
-model::Result<model::Done> save_waves(const gen::SignatureEngine& engine,
-                                      const VerifyOptions& options) {
-  if (options.waves.empty()) return model::Done{};
-  return write_save_file(options.waves, gtkwave_save_file(engine, {.waves = options.waves,
-                                                                   .scope = "TOP." + engine.top,
-                                                                   .time_per_cycle = 2,
-                                                                   .marked = {}}));
-}
-
 }  // namespace
 
 model::Result<VerifyReport> verify_arg_min(const System& system, const model::Design& design,
                                            const model::Comparisons& comparisons,
                                            const VerifyOptions& options) {
   MIXCMP_TRY(checked, check_request(system, comparisons, options));
-  const Waves waves = options.waves.empty() ? Waves::off : Waves::on;
-  MIXCMP_TRY(executable, build_simulator(system, {.work_dir = options.work_dir,
-                                                  .waves = waves,
-                                                  .progress = options.progress}));
   ArgMinJudge judge(system.signature, design, comparisons, options);
-  judge.report().build_seconds = executable.build_seconds;
-  judge.report().simulator = "Verilator";
-  const auto start = std::chrono::steady_clock::now();
-  MIXCMP_TRY(run, run_trials(system, comparisons, options, executable, judge));
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  judge.report().run_seconds = taken.count();
-  MIXCMP_TRY(saved, save_waves(*system.signature.engine, options));
-  return std::move(judge.report());
+  return run_engine(system, options, judge, [&](const Executable& executable) {
+    return run_trials(system, comparisons, options, executable, judge);
+  });
 }
 
 }  // namespace mixcmp::tb

@@ -58,17 +58,7 @@ std::string pair_text(const wire::Report& report) {
 
 PairwiseJudge::PairwiseJudge(const gen::Signature& signature, const model::Design& design,
                              const model::Comparisons& comparisons, const VerifyOptions& options)
-    : signature_(signature),
-      design_(design),
-      comparisons_(comparisons),
-      options_(options),
-      lanes_(static_cast<std::size_t>(signature.lanes)),
-      operands_(comparisons.input_count()),
-      report_(empty_report(signature, design, options)) {
-  for (std::size_t k = 0; k < design.lanes.size(); ++k) {
-    group_of_lane_.insert(group_of_lane_.end(), static_cast<std::size_t>(design.lanes[k].count), k);
-  }
-  report_.requested = comparisons.size();
+    : EngineJudge(signature, design, comparisons, options) {
   report_.engine =
       EngineFigures{.top = signature.engine->top,
                     .items = comparisons.table().rows(),
@@ -165,33 +155,15 @@ void PairwiseJudge::judge_closing_beat(const SetAnswer& answer, std::uint64_t du
                             response.closing_tdata, response.closing_tuser, due, closing_tuser));
 }
 
-void PairwiseJudge::check_counter(const std::string& name, std::uint64_t counted,
-                                  std::uint64_t observed, CounterTotal& total) {
-  const auto mask = static_cast<std::uint64_t>(model::low_mask(signature_.counter_bits));
-  total.counted += counted;
-  total.observed += observed;
-  if (counted == (observed & mask)) return;
-  add_violation("counter is wrong", 0,
-                fmt::format("{}: {} instead of {}", name, counted, observed));
-}
-
 /// After every set, since reset; the last totals stay in the report.
 void PairwiseJudge::judge_counters(const SetAnswer& answer, Use use) {
   if (signature_.counter_bits == 0) return;
   const wire::LaneEnd& counters = answer.response.counters;
-  const auto mask = static_cast<std::uint64_t>(model::low_mask(signature_.counter_bits));
-  if (use == Use::figures) {
-    report_.engine->stalled_cycles = (counters.counted[2] - stalled_before_) & mask;
-  }
-  stalled_before_ = counters.counted[2];
-  std::vector<CounterTotal> totals = {
-      {"comparisons"}, {"recomputations"}, {"reports"}, {"busy_cycles"}};
-  for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      check_counter(fmt::format("{} of lane {}", totals[k].name, lane),
-                    answer.lanes[lane].counted[k], lanes_[lane].observed[k], totals[k]);
-    }
-  }
+  const std::uint64_t stalled = stalls_gained(counters.counted[2]);
+  if (use == Use::figures) report_.engine->stalled_cycles = stalled;
+  std::vector<CounterTotal> totals = check_lanes(answer.lanes);
+  totals.push_back({"reports"});
+  totals.push_back({"busy_cycles"});
   check_counter("reports", counters.counted[0], counters.observed[0], totals[2]);
   check_counter("busy_cycles", counters.counted[1], counters.observed[1], totals[3]);
   report_.counters = std::move(totals);
@@ -232,12 +204,6 @@ void PairwiseJudge::add_mismatch(const SetRange& set, std::uint64_t i, std::uint
   mismatch.lane = static_cast<std::uint32_t>(lane_of(i));
   mismatch.cycle = got == nullptr ? 0 : got->cycle;
   report_.mismatches.push_back(std::move(mismatch));
-}
-
-void PairwiseJudge::add_violation(std::string fault, std::uint64_t cycle, std::string details) {
-  ++report_.violation_count;
-  if (report_.violations.size() >= VerifyReport::kept) return;
-  report_.violations.push_back({std::move(fault), 0, cycle, std::move(details)});
 }
 
 }  // namespace mixcmp::tb

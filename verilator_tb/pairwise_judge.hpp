@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
+#include "verilator_tb/engine_judge.hpp"
 #include "verilator_tb/pairwise_simulation.hpp"
-#include "verilator_tb/verify.hpp"
 
 namespace mixcmp::tb {
 
@@ -15,19 +15,12 @@ struct SetRange {
 
 /// Holds what a pairwise engine reports against the golden model: of every pair of a set, whether
 /// it is reported, once, and what is said of it; the closing beat; the counters.
-class PairwiseJudge {
+class PairwiseJudge : public EngineJudge {
 public:
-  /// What becomes of a set's findings.
-  enum class Use {
-    check,    ///< mismatches and violations alone
-    figures,  ///< the report's numbers, too; for the one set that is the scene's data
-  };
-
   PairwiseJudge(const gen::Signature& signature, const model::Design& design,
                 const model::Comparisons& comparisons, const VerifyOptions& options);
 
   void take(const SetRange& set, const SetAnswer& answer, Use use);
-  VerifyReport& report() { return report_; }
 
 private:
   /// The reports of one set, in the order of pairs.
@@ -42,22 +35,9 @@ private:
   bool is_reported(std::uint32_t tdata) const;
   void add_mismatch(const SetRange& set, std::uint64_t i, std::uint64_t j, std::uint32_t expected,
                     const wire::Report* got);
-  void add_violation(std::string fault, std::uint64_t cycle, std::string details);
   void count(const SetRange& set, std::uint64_t i, std::uint64_t j, std::uint32_t tdata);
-  void check_counter(const std::string& name, std::uint64_t counted, std::uint64_t observed,
-                     CounterTotal& total);
   std::uint64_t pair_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const;
   std::size_t lane_of(std::uint64_t i) const { return i % group_of_lane_.size(); }
-
-  const gen::Signature& signature_;
-  const model::Design& design_;
-  const model::Comparisons& comparisons_;
-  const VerifyOptions& options_;
-  std::vector<std::size_t> group_of_lane_;
-  std::vector<wire::LaneEnd> lanes_;  ///< since reset: what the model makes of their pairs
-  std::vector<model::Bits> operands_;
-  std::uint64_t stalled_before_ = 0;  ///< the counter, when the last set had closed
-  VerifyReport report_;
 };
 
 }  // namespace mixcmp::tb

@@ -3,11 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <set>
 
+#include "verilator_tb/engine_verify.hpp"
 #include "verilator_tb/pairwise_judge.hpp"
-#include "verilator_tb/waves.hpp"
 
 namespace mixcmp::tb {
 
@@ -22,18 +21,7 @@ struct Trial {
 model::Result<model::Done> check_request(const System& system,
                                          const model::Comparisons& comparisons,
                                          const VerifyOptions& options) {
-  if (options.simulator == SimulatorKind::icarus) {
-    return model::Error{.field = "--simulator",
-                        .message = "engines are simulated with Verilator alone",
-                        .received = "icarus",
-                        .accepted = "verilator, or --set engine.kind=none for the system inside"};
-  }
-  if (options.selection.limit != 0 || options.selection.only) {
-    return model::Error{.field = "--first, --sample, --only",
-                        .message = "an engine compares every pair of its items",
-                        .received = "a selection of comparisons",
-                        .accepted = "none; or --set engine.kind=none for the system inside"};
-  }
+  MIXCMP_TRY(possible, check_engine_options(options, "every pair of its items"));
   const auto capacity = static_cast<std::uint64_t>(system.signature.engine->capacity);
   const std::uint64_t items = comparisons.table().rows();
   if (items <= capacity) return model::Done{};
@@ -71,27 +59,6 @@ std::vector<Trial> plan_trials(const System& system, std::uint64_t items,
   return trials;
 }
 
-/// The items as they stand on s_axis_tdata.
-std::vector<std::uint8_t> item_bytes(const gen::Signature& signature, const model::Table& table,
-                                     const SetRange& set) {
-  const gen::SignatureEngine& engine = *signature.engine;
-  std::vector<std::size_t> columns;
-  for (const std::string& name : engine.columns) {
-    const auto found = std::find(table.columns.begin(), table.columns.end(), name);
-    columns.push_back(static_cast<std::size_t>(found - table.columns.begin()));
-  }
-  const auto size = static_cast<std::size_t>(engine.item_bytes);
-  std::vector<std::uint8_t> bytes(size * set.count);
-  std::vector<model::Bits> values(columns.size());
-  for (std::uint64_t k = 0; k < set.count; ++k) {
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      values[c] = table.at(set.first + k, columns[c]);
-    pack_operands(values, table.format.width(), k % 2 != 0,
-                  std::span(bytes).subspan(size * k, size));
-  }
-  return bytes;
-}
-
 void tell(const VerifyOptions& options, const System& system, const Trial& trial) {
   if (!options.progress) return;
   options.progress(
@@ -102,13 +69,15 @@ model::Result<model::Done> run_trials(const System& system, const model::Compari
                                       const VerifyOptions& options, const Executable& executable,
                                       PairwiseJudge& judge) {
   MIXCMP_TRY(simulation, PairwiseSimulation::start(executable, simulation_options(options)));
+  const gen::SignatureEngine& engine = *system.signature.engine;
   const std::vector<Trial> trials = plan_trials(system, comparisons.table().rows(), options);
   for (std::size_t k = 0; k < trials.size(); ++k) {
     const Trial& trial = trials[k];
     tell(options, system, trial);
     MIXCMP_TRY(answer, simulation.exchange(
                            {.items = trial.set.count,
-                            .bytes = item_bytes(system.signature, comparisons.table(), trial.set),
+                            .bytes = row_bytes(comparisons.table(), engine.columns,
+                                               engine.item_bytes, trial.set.first, trial.set.count),
                             .reset_after = trial.reset_after,
                             .last = k + 1 == trials.size()},
                            system.signature.lanes));
@@ -118,34 +87,16 @@ model::Result<model::Done> run_trials(const System& system, const model::Compari
   return model::Done{};
 }
 
-model::Result<model::Done> save_waves(const gen::SignatureEngine& engine,
-                                      const VerifyOptions& options) {
-  if (options.waves.empty()) return model::Done{};
-  return write_save_file(options.waves, gtkwave_save_file(engine, {.waves = options.waves,
-                                                                   .scope = "TOP." + engine.top,
-                                                                   .time_per_cycle = 2,
-                                                                   .marked = {}}));
-}
-
 }  // namespace
 
 model::Result<VerifyReport> verify_pairwise(const System& system, const model::Design& design,
                                             const model::Comparisons& comparisons,
                                             const VerifyOptions& options) {
   MIXCMP_TRY(checked, check_request(system, comparisons, options));
-  const Waves waves = options.waves.empty() ? Waves::off : Waves::on;
-  MIXCMP_TRY(executable, build_simulator(system, {.work_dir = options.work_dir,
-                                                  .waves = waves,
-                                                  .progress = options.progress}));
   PairwiseJudge judge(system.signature, design, comparisons, options);
-  judge.report().build_seconds = executable.build_seconds;
-  judge.report().simulator = "Verilator";
-  const auto start = std::chrono::steady_clock::now();
-  MIXCMP_TRY(run, run_trials(system, comparisons, options, executable, judge));
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  judge.report().run_seconds = taken.count();
-  MIXCMP_TRY(saved, save_waves(*system.signature.engine, options));
-  return std::move(judge.report());
+  return run_engine(system, options, judge, [&](const Executable& executable) {
+    return run_trials(system, comparisons, options, executable, judge);
+  });
 }
 
 }  // namespace mixcmp::tb

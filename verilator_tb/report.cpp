@@ -148,6 +148,33 @@ Json to_json(const GroupReport& group) {
           {"wrong_by_lane", group.wrong_by_lane}};
 }
 
+/// What only a system with an engine has.
+void add_engines(Json& json, const VerifyReport& r) {
+  if (r.engine) {
+    json["engine"] = {{"top", r.engine->top},
+                      {"items", r.engine->items},
+                      {"item_bytes", r.engine->item_bytes},
+                      {"pair_bytes", r.engine->pair_bytes},
+                      {"reported", r.engine->reported},
+                      {"cycles_per_pair", ratio(r.cycles, r.comparisons)},
+                      {"stalled_cycles", r.engine->stalled_cycles},
+                      {"item_bytes_per_pair", r.item_bytes_per_pair()},
+                      {"sets", r.engine->sets}};
+  }
+  if (r.arg_min) {
+    const ArgMinFigures& engine = *r.arg_min;
+    json["arg_min"] = {{"top", engine.top},
+                       {"candidates", engine.candidates},
+                       {"rows", engine.rows},
+                       {"rows_per_cycle", ratio(engine.rows, r.cycles)},
+                       {"wrong_rows", engine.wrong_rows},
+                       {"row_latency_cycles", engine.latency.mean_cycles()},
+                       {"loading_cycles", engine.loading_cycles},
+                       {"stalled_cycles", engine.stalled_cycles},
+                       {"loads", engine.loads}};
+  }
+}
+
 }  // namespace
 
 void Latency::add(std::uint64_t cycles) {
@@ -235,29 +262,7 @@ Json to_json(const VerifyReport& r) {
                      {"wrong_by_lane", r.truth->wrong_by_lane},
                      {"wrong_by_reference", r.truth->wrong_by_reference}};
   }
-  if (r.engine) {
-    json["engine"] = {{"top", r.engine->top},
-                      {"items", r.engine->items},
-                      {"item_bytes", r.engine->item_bytes},
-                      {"pair_bytes", r.engine->pair_bytes},
-                      {"reported", r.engine->reported},
-                      {"cycles_per_pair", ratio(r.cycles, r.comparisons)},
-                      {"stalled_cycles", r.engine->stalled_cycles},
-                      {"item_bytes_per_pair", r.item_bytes_per_pair()},
-                      {"sets", r.engine->sets}};
-  }
-  if (r.arg_min) {
-    const ArgMinFigures& engine = *r.arg_min;
-    json["arg_min"] = {{"top", engine.top},
-                       {"candidates", engine.candidates},
-                       {"rows", engine.rows},
-                       {"rows_per_cycle", ratio(engine.rows, r.cycles)},
-                       {"wrong_rows", engine.wrong_rows},
-                       {"row_latency_cycles", engine.latency.mean_cycles()},
-                       {"loading_cycles", engine.loading_cycles},
-                       {"stalled_cycles", engine.stalled_cycles},
-                       {"loads", engine.loads}};
-  }
+  add_engines(json, r);
   json["build_seconds"] = r.build_seconds;
   json["run_seconds"] = r.run_seconds;
   return json;

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "verilator_tb/harness/protocol.hpp"
+#include "verilator_tb/verify.hpp"
+
+namespace mixcmp::tb {
+
+/// What the judges of all engines have in common: the report, the lanes' counters since reset, and
+/// how a fault is kept.
+class EngineJudge {
+public:
+  /// What becomes of a trial's findings.
+  enum class Use {
+    check,    ///< mismatches and violations alone
+    figures,  ///< the report's numbers, too; for the one trial that is the scene's data
+  };
+
+  VerifyReport& report() { return report_; }
+
+protected:
+  EngineJudge(const gen::Signature& signature, const model::Design& design,
+              const model::Comparisons& comparisons, const VerifyOptions& options);
+
+  /// Holds what the lanes' own counters say against `lanes_`; the totals, by name.
+  std::vector<CounterTotal> check_lanes(const std::vector<wire::LaneEnd>& counted);
+  void check_counter(const std::string& name, std::uint64_t counted, std::uint64_t observed,
+                     CounterTotal& total);
+  /// What a counter has gained since the last call, though it may have wrapped.
+  std::uint64_t stalls_gained(std::uint64_t counted);
+  void add_violation(std::string fault, std::uint64_t cycle, std::string details);
+
+  const gen::Signature& signature_;
+  const model::Design& design_;
+  const model::Comparisons& comparisons_;
+  const VerifyOptions& options_;
+  std::vector<std::size_t> group_of_lane_;
+  std::vector<wire::LaneEnd> lanes_;  ///< since reset: what the model makes of their pairs
+  std::vector<model::Bits> operands_;
+  std::uint64_t stalled_before_ = 0;  ///< the counter, after the last trial
+  VerifyReport report_;
+};
+
+}  // namespace mixcmp::tb

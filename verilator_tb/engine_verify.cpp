@@ -1,0 +1,82 @@
+#include "verilator_tb/engine_verify.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "verilator_tb/waves.hpp"
+
+namespace mixcmp::tb {
+
+namespace {
+
+model::Result<model::Done> save_waves(const gen::SignatureEngine& engine,
+                                      const VerifyOptions& options) {
+  if (options.waves.empty()) return model::Done{};
+  return write_save_file(options.waves, gtkwave_save_file(engine, {.waves = options.waves,
+                                                                   .scope = "TOP." + engine.top,
+                                                                   .time_per_cycle = 2,
+                                                                   .marked = {}}));
+}
+
+std::vector<std::size_t> places_of(const model::Table& table,
+                                   const std::vector<std::string>& columns) {
+  std::vector<std::size_t> places;
+  for (const std::string& name : columns) {
+    const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+    places.push_back(static_cast<std::size_t>(found - table.columns.begin()));
+  }
+  return places;
+}
+
+}  // namespace
+
+model::Result<model::Done> check_engine_options(const VerifyOptions& options,
+                                                const std::string& compares) {
+  if (options.simulator == SimulatorKind::icarus) {
+    return model::Error{.field = "--simulator",
+                        .message = "engines are simulated with Verilator alone",
+                        .received = "icarus",
+                        .accepted = "verilator, or --set engine.kind=none for the system inside"};
+  }
+  if (options.selection.limit == 0 && !options.selection.only) return model::Done{};
+  return model::Error{.field = "--first, --sample, --only",
+                      .message = "an engine compares " + compares,
+                      .received = "a selection of comparisons",
+                      .accepted = "none; or --set engine.kind=none for the system inside"};
+}
+
+std::vector<std::uint8_t> row_bytes(const model::Table& table,
+                                    const std::vector<std::string>& columns, int bytes_of_one,
+                                    std::uint64_t first, std::uint64_t count) {
+  const std::vector<std::size_t> places = places_of(table, columns);
+  const auto size = static_cast<std::size_t>(bytes_of_one);
+  std::vector<std::uint8_t> bytes(size * count);
+  std::vector<model::Bits> values(places.size());
+  for (std::uint64_t k = 0; k < count; ++k) {
+    for (std::size_t c = 0; c < places.size(); ++c) {
+      values[c] = table.at((first + k) % table.rows(), places[c]);
+    }
+    pack_operands(values, table.format.width(), k % 2 != 0,
+                  std::span(bytes).subspan(size * k, size));
+  }
+  return bytes;
+}
+
+model::Result<VerifyReport> run_engine(
+    const System& system, const VerifyOptions& options, EngineJudge& judge,
+    const std::function<model::Result<model::Done>(const Executable&)>& trials) {
+  const Waves waves = options.waves.empty() ? Waves::off : Waves::on;
+  MIXCMP_TRY(executable, build_simulator(system, {.work_dir = options.work_dir,
+                                                  .waves = waves,
+                                                  .progress = options.progress}));
+  judge.report().build_seconds = executable.build_seconds;
+  judge.report().simulator = "Verilator";
+  const auto start = std::chrono::steady_clock::now();
+  MIXCMP_TRY(run, trials(executable));
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  judge.report().run_seconds = taken.count();
+  MIXCMP_TRY(saved, save_waves(*system.signature.engine, options));
+  return std::move(judge.report());
+}
+
+}  // namespace mixcmp::tb
