@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "model/common/check.hpp"
 #include "model/scene/section.hpp"
@@ -84,14 +85,16 @@ Result<Done> expand_parts(const Settings& settings, std::span<const LetDefinitio
   if (comparison.index == nullptr) return Done{};
   const auto parsed = parse_index_range(std::get<std::string>(comparison.index->value), lets);
   if (!parsed.ok()) return locate_in(settings, *comparison.index, "comparison.for", parsed.error());
-  const PartSettings part = comparison.parts.front();
-  comparison.parts.clear();
+  const std::vector<PartSettings> listed = std::exchange(comparison.parts, {});
   for (long value = parsed->first; value <= parsed->last; ++value) {
-    if (comparison.parts.size() == max_parts) {
+    if (comparison.parts.size() + listed.size() > max_parts) {
       return mistake_at(*comparison.index, "comparison.for", "too many parts",
-                        comparison.index->shown(), fmt::format("at most {} values", max_parts));
+                        comparison.index->shown(),
+                        fmt::format("at most {} values", max_parts / listed.size()));
     }
-    comparison.parts.push_back({part.f, part.g, {{parsed->name, value}}});
+    for (const PartSettings& part : listed) {
+      comparison.parts.push_back({part.f, part.g, {{parsed->name, value}}});
+    }
   }
   return Done{};
 }

@@ -54,10 +54,6 @@ void check_lists(Section& section, std::size_t f_count, std::size_t g_count) {
 /// Lists, or an index, go with `combine`.
 void check_combination(Section& section) {
   const bool list = is_list(section, "f"), indexed = section.find("for") != nullptr;
-  if (list && indexed) {
-    section.fail("for", "the parts are listed already", section.find("for")->shown(),
-                 "one f and one g, in which the index stands");
-  }
   const bool combined = section.find("combine") != nullptr;
   if ((list || indexed) && !combined) {
     section.fail("combine", "missing: it says what the verdicts of several parts make together",

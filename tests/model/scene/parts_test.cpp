@@ -54,6 +54,17 @@ TEST_F(PartsTest, AnIndexIsOnePartForEachOfItsValues) {
   EXPECT_NE(text.find("g[2] negative"), std::string::npos) << text;
 }
 
+TEST_F(PartsTest, ListsHaveAllTheirPartsForEachValueOfAnIndex) {
+  const auto scene = load(
+      "for = \"k in 1..2\"\nf = [\"a[k]\", \"b[k]\"]\ng = [\"c[k]\", \"k\"]\ncombine = \"all\"\n");
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  ASSERT_EQ(scene->parts.size(), 4u);
+  EXPECT_EQ(scene->graph.inputs(),
+            (std::vector<std::string>{"a_1", "c_1", "b_1", "a_2", "c_2", "b_2"}));
+  EXPECT_EQ(scene->parts[3].f, "b[k] where k = 2");
+  EXPECT_EQ(scene->parts[3].g, "k where k = 2");
+}
+
 TEST_F(PartsTest, AllTakesTheLastVerdictAndAnyTheFirst) {
   const auto scene = load("f = [\"a\", \"b\"]\ng = [\"1\", \"1\"]\ncombine = \"all\"\n");
   const auto bits = [&](int value) {
@@ -89,9 +100,10 @@ TEST_F(PartsTest, MistakesNameTheirPlace) {
                  "string, or a list of strings, one for each part");
   expect_mistake("f = [\"a\"]\ng = [\"b\"]\ncombine = \"most\"\n",
                  ":5: comparison.combine: not a choice: received \"most\"; accepted all, any");
-  expect_mistake("for = \"k in 0..2\"\nf = [\"a\"]\ng = [\"b\"]\ncombine = \"all\"\n",
-                 ":3: comparison.for: the parts are listed already: received \"k in 0..2\"; "
-                 "accepted one f and one g, in which the index stands");
+  expect_mistake(
+      "for = \"k in 0..32\"\nf = [\"a[k]\", \"1\"]\ng = [\"1\", \"a[k]\"]\ncombine = \"all\"\n",
+      ":3: comparison.for: too many parts: received \"k in 0..32\"; accepted at most 32 "
+      "values");
   expect_mistake("for = \"k in 0..64\"\nf = \"a[k]\"\ng = \"1\"\ncombine = \"all\"\n",
                  ":3: comparison.for: too many parts: received \"k in 0..64\"; accepted at most 64 "
                  "values");
