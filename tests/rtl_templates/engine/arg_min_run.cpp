@@ -59,8 +59,9 @@ void ArgMinRun::reset() {
   dut_->aresetn.set_bit(0, true);
   dut_->eval();
   expected_.clear();
-  loading_ = offering_ = held_result_ = false;
-  counted_ = 0;
+  held_.clear();
+  loading_ = was_loading_ = offering_ = held_result_ = false;
+  counted_ = stalled_ = rows_taken_ = 0;
   ++resets_;
 }
 
@@ -79,9 +80,9 @@ std::uint32_t ArgMinRun::verdict(std::uint32_t row, std::uint32_t best, std::uin
 
 std::uint32_t ArgMinRun::least(std::uint32_t row) {
   std::uint32_t best = 0;
-  const auto count = std::min<std::size_t>(candidates_.size(), spec_.candidates);
+  const auto count = std::min<std::size_t>(held_.size(), spec_.candidates);
   for (std::uint32_t j = 1; j < count; ++j) {
-    const std::uint32_t found = verdict(row, candidates_[best], candidates_[j]);
+    const std::uint32_t found = verdict(row, held_[best], held_[j]);
     if (found == greater) best = j;
     if (found == equal) ++ties_;
     if (found == unordered) ++incomparable_;
@@ -122,11 +123,15 @@ void ArgMinRun::drain() {
 void ArgMinRun::check_counters() {
   const std::uint64_t counted = dut_->rows.field(0, 32);
   if (counted != counted_) fail(fmt::format("{} rows counted, {} seen", counted, counted_));
+  if (stalled_cycles() != stalled_) {
+    fail(fmt::format("{} stalled cycles counted, {} seen", stalled_cycles(), stalled_));
+  }
 }
 
 void ArgMinRun::cycle() {
   drive();
   dut_->eval();
+  const bool loading = loading_;
   // What leaves has come in before this cycle.
   take_result();
   take_candidate();
@@ -136,6 +141,7 @@ void ArgMinRun::cycle() {
     take_pair(k);
   }
   edge();
+  was_loading_ = loading;
   ++cycles_;
 }
 
@@ -146,9 +152,8 @@ void ArgMinRun::drive_streams() {
                                     loading_ ? candidates_[loaded_] : random_.word() >> 11);
   dut_->s_candidate_tlast.set_bit(
       0, loading_ ? loaded_ + 1 == candidates_.size() : random_.chance(0.5));
-  // Rows of this load wait until its candidates are in.
-  if (!offering_ && rows_left_ > 0 && loaded_ == candidates_.size() &&
-      random_.chance(traffic_.offer)) {
+  const bool may_offer = traffic_.impatient || loaded_ == candidates_.size();
+  if (!offering_ && rows_left_ > 0 && may_offer && random_.chance(traffic_.offer)) {
     offering_ = true;
     row_ = random_.word() >> (32 - row_bits);
     tag_ = random_.word() >> (32 - tag_bits);
@@ -162,7 +167,8 @@ void ArgMinRun::drive_streams() {
 
 void ArgMinRun::drive() {
   drive_streams();
-  dut_->m_axis_tready.set_bit(0, random_.chance(traffic_.accept));
+  dut_->m_axis_tready.set_bit(0,
+                              (held_result_ || !traffic_.wary) && random_.chance(traffic_.accept));
   for (std::size_t k = 0; k < lanes_.size(); ++k) {
     Lane& lane = lanes_[k];
     dut_->pair_tready.set_bit(k, lane.inside.size() < slots && random_.chance(traffic_.take));
@@ -182,15 +188,26 @@ void ArgMinRun::take_candidate() {
   ++loaded_;
   loading_ = false;
   loaded_at_ = cycles_;
+  rows_taken_ = 0;
+  held_.clear();
+  if (loaded_ == candidates_.size()) held_ = candidates_;
 }
 
 void ArgMinRun::take_row() {
-  if (!offering_ || !dut_->s_axis_tready.bit(0)) return;
-  const bool too_many = candidates_.size() > spec_.candidates;
+  if (!offering_) return;
+  if (!dut_->s_axis_tready.bit(0)) {
+    // The first row of a load finds the chain empty: it waits for no room.
+    if (rows_taken_ > 0 && !was_loading_) ++stalled_;
+    return;
+  }
+  if (held_.empty() || loaded_at_ == cycles_) return fail("a row was taken without candidates");
+  if (was_loading_) fail("a row was taken while a load is on offer");
+  const bool too_many = held_.size() > spec_.candidates;
   if (dut_->overrun.bit(0) != too_many) fail("overrun is wrong");
   expected_.push_back({least(row_), tag_, row_last_, cycles_});
   offering_ = false;
   --rows_left_;
+  ++rows_taken_;
   if (settling_ == 0) settling_ = cycles_ - loaded_at_;
 }
 

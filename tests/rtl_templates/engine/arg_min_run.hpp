@@ -50,6 +50,8 @@ struct ArgMinTraffic {
   double nan = 0.1;
   double reset = 0.0;
   int lane_latency = 1;
+  bool wary = false;       ///< a result is taken only once it was seen
+  bool impatient = false;  ///< rows are offered before and while candidates are loaded, too
 };
 
 /// Puts model lanes around an engine, which know rows and candidates only by the pairs they get,
@@ -64,8 +66,9 @@ public:
   ArgMinRun(const ArgMinSpec& spec, std::uint64_t seed) : ArgMinRun(spec, seed, {}) {}
   ArgMinRun(const ArgMinSpec& spec, std::uint64_t seed, ArgMinTraffic traffic);
 
-  /// Offers so many candidates, while rows of the load before may be inside, and then so many rows.
-  /// Returns when all rows have been accepted; a reset throws the load out and starts it again.
+  /// Offers so many candidates, while rows of the load before may be inside, and then (impatient:
+  /// at the same time) so many rows. Returns when all rows have been accepted; a reset throws the
+  /// load out and starts it again.
   void run_load(std::uint32_t candidates, std::uint32_t rows);
   /// Until all has left, and a while longer.
   void drain();
@@ -126,21 +129,25 @@ private:
   RandomSource random_;
   std::vector<Lane> lanes_;
   std::vector<std::uint32_t> candidates_;  ///< of this load, all that are offered
+  std::vector<std::uint32_t> held_;        ///< of the last whole load
   std::size_t loaded_ = 0;                 ///< of them, accepted
   std::uint32_t rows_left_ = 0;            ///< of this load, not accepted yet
   bool loading_ = false;                   ///< a candidate is on offer
+  bool was_loading_ = false;               ///< in the cycle before
   bool offering_ = false;                  ///< a row is
   std::uint32_t row_ = 0, tag_ = 0;
   bool row_last_ = false;
   bool may_reset_ = false;
   std::deque<Expected> expected_;
-  bool held_result_ = false;
+  bool held_result_ = false;  ///< a result was offered and not taken in the last cycle
   std::uint64_t held_data_ = 0;
   std::uint64_t cycles_ = 0;
   std::uint64_t loaded_at_ = 0, left_at_ = 0;
   std::uint64_t left_ = 0, resets_ = 0, ties_ = 0, incomparable_ = 0;
   std::uint64_t latency_ = 0, settling_ = 0, interval_ = 0;
-  std::uint32_t counted_ = 0;  ///< rows that left since reset
+  std::uint32_t counted_ = 0;     ///< rows that left since reset
+  std::uint32_t stalled_ = 0;     ///< cycles in which a row waited for room alone, likewise
+  std::uint32_t rows_taken_ = 0;  ///< of the last whole load's
   std::vector<std::uint64_t> chosen_;
   std::string failure_;
 };

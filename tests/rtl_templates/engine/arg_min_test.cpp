@@ -58,6 +58,8 @@ const std::vector<ArgMinTraffic> traffics = {
     {.name = "SlowLanes", .take = 0.3, .give = 0.5, .lane_latency = 5},
     {.name = "SlowResults", .give = 0.3},
     {.name = "SlowSink", .accept = 0.1},
+    {.name = "WarySink", .accept = 0.8, .wary = true},
+    {.name = "Impatient", .load = 0.6, .accept = 0.8, .lane_latency = 2, .impatient = true},
     {.name = "AllSlow",
      .load = 0.5,
      .offer = 0.5,
@@ -65,7 +67,8 @@ const std::vector<ArgMinTraffic> traffics = {
      .give = 0.5,
      .accept = 0.4,
      .nan = 0.02,
-     .lane_latency = 3},
+     .lane_latency = 3,
+     .impatient = true},
 };
 
 class ArgMin : public ::testing::TestWithParam<ArgMinSpec> {};
@@ -99,6 +102,17 @@ TEST_P(ArgMin, LoadsOfEveryLengthFollowOneAnother) {
     run.check_counters();
     EXPECT_EQ(run.failure(), "");
   }
+}
+
+/// More rows than a power of two that the count of rows inside could wrap at.
+TEST_P(ArgMin, ALoadWaitsUntilAFullChainIsEmpty) {
+  const std::uint32_t candidates = GetParam().candidates;
+  ArgMinRun run(GetParam(), 35, {.name = "SlowSink", .accept = 0.3});
+  for (int load = 0; load < 3; ++load) run.run_load(candidates, 40 * candidates);
+  run.drain();
+  run.check_counters();
+  EXPECT_EQ(run.failure(), "");
+  EXPECT_GT(run.stalled_cycles(), 20u * candidates);
 }
 
 TEST_P(ArgMin, AResetForgetsTheLoadAndItsRows) {

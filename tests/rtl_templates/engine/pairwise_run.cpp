@@ -101,6 +101,7 @@ void EngineRun::run_set(int items, const EngineTraffic& traffic, bool equal) {
       start_set(items, equal);
       now.reset = 0;
     }
+    if (cycles_ - start >= now.slow_cycles) now.take = now.give = 1;
     cycle(now);
   }
   set_cycles_ = cycles_ - start;
@@ -133,7 +134,7 @@ void EngineRun::drive(const EngineTraffic& traffic) {
   dut_->s_axis_tvalid.set_bit(0, offering_);
   dut_->s_axis_tdata.set_field(0, item_bits, offering_ ? item(loaded_) : random_.word() >> 12);
   dut_->s_axis_tlast.set_bit(0, offering_ ? loaded_ + 1 == items_ : random_.chance(0.5));
-  dut_->m_axis_tready.set_bit(0, random_.chance(traffic.accept));
+  dut_->m_axis_tready.set_bit(0, (held_report_ || !traffic.wary) && random_.chance(traffic.accept));
   const int tag_bits = 2 * spec_.index_bits;
   for (std::size_t k = 0; k < lanes_.size(); ++k) {
     Lane& lane = lanes_[k];

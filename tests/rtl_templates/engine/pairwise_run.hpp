@@ -56,6 +56,9 @@ struct EngineTraffic {
   double undecided = 0.1;  ///< of a pair
   double reset = 0.0;
   bool quiet = false;  ///< all verdicts are of a kind that is not reported
+  bool wary = false;   ///< a report is taken only once it was seen
+  /// Of a set, in which `take` and `give` count; from then on lanes are always ready.
+  std::uint64_t slow_cycles = ~std::uint64_t{0};
 };
 
 /// Puts model lanes and references around an engine, which know the items only by their pairs, and
@@ -135,7 +138,7 @@ private:
   bool open_ = false;                     ///< the closing beat is still to come
   std::map<Tag, std::uint32_t> met_;      ///< pairs that a lane took, and what it made of them
   std::map<Tag, std::uint32_t> reports_;  ///< of this set
-  bool held_report_ = false;
+  bool held_report_ = false;              ///< a report was offered and not taken in the last cycle
   std::uint64_t held_data_ = 0;
   std::uint64_t cycles_ = 0;
   std::uint64_t set_cycles_ = 0;

@@ -57,6 +57,7 @@ const std::vector<EngineTraffic> traffics = {
     {.name = "SlowLanes", .take = 0.3, .give = 0.5},
     {.name = "SlowResults", .give = 0.3, .undecided = 0.4},
     {.name = "SlowReports", .accept = 0.1},
+    {.name = "WarySink", .accept = 0.8, .wary = true},
     {.name = "AllSlow", .offer = 0.5, .take = 0.5, .give = 0.5, .accept = 0.4, .undecided = 0.3},
 };
 
@@ -130,6 +131,25 @@ TEST_P(QuietPairwise, TakesAWordACycleWithoutAGap) {
   }
   EXPECT_EQ(run.failure(), "");
   EXPECT_EQ(run.stalled_cycles(), 0u);
+}
+
+/// A word that is held up is late; those between the segments may be, too, when the lanes are fast
+/// again.
+TEST_P(QuietPairwise, StalledCyclesAreWhatTheSetTakesLonger) {
+  const EngineSpec& spec = GetParam();
+  EngineRun run(spec, 26);
+  const int segments = (spec.lanes + spec.radix - 1) / spec.radix;
+  const std::uint64_t words = words_of(spec.capacity, spec.lanes);
+  run.run_set(spec.capacity, {.name = "SlowAtFirst",
+                              .take = 0.3,
+                              .undecided = 0,
+                              .quiet = true,
+                              .slow_cycles = words / 2});
+  EXPECT_EQ(run.failure(), "");
+  const std::uint64_t late = run.set_cycles() - (words + 2 * segments + 6);
+  EXPECT_GE(run.stalled_cycles(), words / 8);
+  EXPECT_LE(run.stalled_cycles(), late);
+  EXPECT_GE(run.stalled_cycles() + 2 * segments, late);
 }
 
 std::vector<EngineSpec> engines_that_leave_verdicts_out() {
