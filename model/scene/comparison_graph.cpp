@@ -78,6 +78,17 @@ struct Reading {
   }
 };
 
+/// A let may name an input that the index of `for` would be mistaken for.
+Result<Done> check_index_name(const ComparisonSpec& comparison, const Graph& graph) {
+  if (comparison.index == nullptr) return Done{};
+  const std::string& name = comparison.parts.front().indices.front().name;
+  const std::vector<std::string>& inputs = graph.inputs();
+  if (std::find(inputs.begin(), inputs.end(), name) == inputs.end()) return Done{};
+  return mistake_at(*comparison.index, "comparison.for",
+                    fmt::format("the index {} has the name of an input", name),
+                    comparison.index->shown(), "a name of no let, function or input");
+}
+
 }  // namespace
 
 Result<Done> expand_parts(const Settings& settings, std::span<const LetDefinition> lets,
@@ -111,6 +122,7 @@ Result<Graph> read_graph(const Settings& settings, const ComparisonSpec& compari
     MIXCMP_TRY(g, reading.parse(graph, *part.g, "comparison.g", part.indices));
     parts.push_back({f, g});
   }
+  MIXCMP_TRY(index_checked, check_index_name(comparison, graph));
   graph.compare(std::move(parts), comparison.combination);
   for (const LetDefinition& let : lets) {
     if (reading.used_lets.contains(let.name)) continue;

@@ -15,7 +15,9 @@ protected:
   Result<Scene> load(const std::string& comparison) {
     std::filesystem::remove(path_);
     std::ofstream(path_) << "[comparison]\nname = \"n\"\n"
-                         << comparison << "[let]\nD = \"3\"\n[reference]\nformat = \"binary32\"\n";
+                         << comparison
+                         << "[let]\nD = \"3\"\nstep = \"k + 1\"\n"
+                            "[reference]\nformat = \"binary32\"\n";
     return load_scene(path_, {});
   }
 
@@ -107,6 +109,14 @@ TEST_F(PartsTest, MistakesNameTheirPlace) {
   expect_mistake("for = \"k in 0..64\"\nf = \"a[k]\"\ng = \"1\"\ncombine = \"all\"\n",
                  ":3: comparison.for: too many parts: received \"k in 0..64\"; accepted at most 64 "
                  "values");
+}
+
+/// A let sees no index: what it calls by the index's name would be an input.
+TEST_F(PartsTest, AnIndexMayNotHaveAnInputsName) {
+  expect_mistake(
+      "for = \"k in 0..2\"\nf = \"a[k] + step\"\ng = \"k\"\ncombine = \"all\"\n",
+      ":3: comparison.for: the index k has the name of an input: received \"k in 0..2\"; accepted "
+      "a name of no let, function or input");
 }
 
 TEST_F(PartsTest, AnExpressionsErrorNamesItsColumnInTheList) {
