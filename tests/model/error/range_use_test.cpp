@@ -162,6 +162,16 @@ TEST(LaneExponentBits, AreTheFewestThatReachBothEnds) {
       << "without ranges";
 }
 
+TEST(LaneExponentBits, ServeEveryPart) {
+  const auto bits = [](const std::vector<std::pair<std::string, std::string>>& parts) {
+    return lane_exponent_bits(graph_of(parts, model::Combination::all), format("s53e8"),
+                              {format_of(4, 8)}, LaneInputs::exact, {Range{0, 100}});
+  };
+  EXPECT_EQ(bits({{"a", "1"}}), 4) << "100 is below e4's 2^8";
+  EXPECT_EQ(bits({{"a", "1"}, {"a^3", "1"}}), 6) << "a million is above e5's 2^16";
+  EXPECT_EQ(bits({{"a^3", "1"}, {"a", "1"}}), 6);
+}
+
 /// All operands on the grid: a node that is called exact holds the real value.
 TEST(ExactOnGrid, NodesAreExact) {
   const FloatFormat reference = format_of(12, 5);
