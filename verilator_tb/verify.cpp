@@ -208,7 +208,7 @@ model::Result<VerifyReport> verify(const model::Design& design,
   const Selection selection(comparisons.size(), options.selection);
   if (selection.size() == 0) {
     return model::Error{
-        .field = options.selection.only ? "only" : "data",
+        .field = options.selection.only ? "--only" : "data",
         .message = "no comparison to verify",
         .received = options.selection.only ? std::to_string(*options.selection.only) : "",
         .accepted = fmt::format("an index below {}", comparisons.size())};

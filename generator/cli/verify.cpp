@@ -146,13 +146,27 @@ tb::VerifyOptions run_options(const VerifyCommand& command, const LoadedScene& l
   return options;
 }
 
+/// A mistake in a key is one of the scene, whose path the simulation does not know.
+tb::VerifyReport verified(const model::Design& design, const model::Comparisons& data,
+                          const fs::path& rtl, const tb::VerifyOptions& options,
+                          const VerifyCommand& command) {
+  const auto report = tb::verify(design, data, rtl, options);
+  if (report.ok()) return *report;
+  model::Error error = report.error();
+  const bool is_option = error.field.starts_with("--");
+  if (error.file.empty() && !error.field.empty() && !is_option) {
+    error.file = command.scene.scene.string();
+  }
+  return value_or_exit<tb::VerifyReport>(error);
+}
+
 tb::VerifyReport run_with_table(const model::Design& design, const model::Comparisons& data,
                                 const fs::path& rtl, tb::VerifyOptions options,
                                 const VerifyCommand& command) {
-  if (command.csv.empty()) return value_or_exit(tb::verify(design, data, rtl, options));
+  if (command.csv.empty()) return verified(design, data, rtl, options, command);
   ResultTable table = value_or_exit(ResultTable::open(command.csv, data, command.csv_verdicts));
   options.on_result = [&table](const tb::VerifiedResult& result) { table.add(result); };
-  tb::VerifyReport report = value_or_exit(tb::verify(design, data, rtl, options));
+  tb::VerifyReport report = verified(design, data, rtl, options, command);
   value_or_exit(table.finish());
   return report;
 }

@@ -15,14 +15,29 @@ namespace {
 /// Comparisons measured for the paper's constants.
 constexpr std::uint64_t profile_samples = 100'000;
 
+/// `mixcmp optimise` plans no chain of lanes.
 Error unresolved(const Scene& scene, const std::string& field, const std::string& option,
                  const std::string& accepted) {
-  return {.field = field,
-          .message = fmt::format("is not chosen yet; give it in the scene or by {}, or let `mixcmp "
-                                 "optimise {} -o plan.toml` choose",
-                                 option, scene.path.filename().string()),
-          .received = "\"auto\"",
-          .accepted = accepted};
+  std::string message = fmt::format("is not chosen yet; give it in the scene or by {}", option);
+  if (scene.system.engine.kind != EngineKind::arg_min) {
+    message += fmt::format(", or let `mixcmp optimise {} -o plan.toml` choose",
+                           scene.path.filename().string());
+  }
+  return {.field = field, .message = message, .received = "\"auto\"", .accepted = accepted};
+}
+
+/// A chain has a lane for each of the data's candidates but the first.
+Result<int> lane_count(const Scene& scene, const LaneGroupSpec& group, const Comparisons* data) {
+  if (group.count) return *group.count;
+  if (scene.system.engine.kind != EngineKind::arg_min || data == nullptr) {
+    return unresolved(scene, "system.lanes", "--lanes 8", fmt::format("1..{}", max_lanes));
+  }
+  const std::uint64_t candidates = data->tables()[1].rows();
+  if (candidates <= max_lanes + 1) return static_cast<int>(candidates - 1);
+  return Error{.field = "system.lanes",
+               .message = "the arg-min engine has a lane for each candidate but the first",
+               .received = fmt::format("{} candidates", candidates),
+               .accepted = fmt::format("data with at most {}", max_lanes + 1)};
 }
 
 /// The largest errors of any part: RE_f and RE_g serve all of them.
@@ -121,13 +136,11 @@ Result<LaneGroup> design_group(const Scene& scene, const LaneGroupSpec& group,
                                const Comparisons* data) {
   const Result<CombinedLane> lane = design_lane(scene, group.reduced, data);
   if (!lane.ok()) return placed(lane.error(), group);
-  if (!group.count) {
-    return unresolved(scene, "system.lanes", "--lanes 8", fmt::format("1..{}", max_lanes));
-  }
+  MIXCMP_TRY(count, lane_count(scene, group, data));
   return LaneGroup{.lane = *lane,
                    .inputs = group.reduced.inputs,
                    .multipliers = group.reduced.multipliers,
-                   .count = *group.count};
+                   .count = count};
 }
 
 Result<Design> choose(const Scene& scene, const Comparisons* data) {
@@ -143,8 +156,9 @@ Result<Design> choose(const Scene& scene, const Comparisons* data) {
   }
   for (const ReferenceGroupSpec& spec : scene.reference_groups()) {
     if (!spec.count) {
+      const int fewest = scene.system.engine.kind == EngineKind::arg_min ? 1 : 0;
       return unresolved(scene, "system.references", "--references 1",
-                        fmt::format("0..{}", max_references));
+                        fmt::format("{}..{}", fewest, max_references));
     }
     if (*spec.count == 0) continue;
     design.references.push_back({.multipliers = spec.multipliers, .count = *spec.count});

@@ -99,6 +99,25 @@ TEST_F(CommandLine, WhatIsNotChosenNamesWhoChooses) {
   }
 }
 
+/// A chain of lanes; its candidates decide how many.
+TEST_F(CommandLine, NothingIsPlannedForAChain) {
+  std::ofstream(directory_.path() / "points.csv") << "p\n1\n2\n";
+  std::ofstream(directory_.path() / "centres.csv") << "c\n1\n2\n5\n";
+  std::ofstream(directory_.path() / "chain.toml")
+      << "[comparison]\nname = \"chain\"\nf = \"(p - ci)^2\"\ng = \"(p - cj)^2\"\n"
+      << "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"s8e8\"\n"
+      << "[system]\nreferences = 1\n[engine]\nkind = \"arg_min\"\n"
+      << "[data]\nfile = \"points.csv\"\nwith = \"centres.csv\"\npairs = \"arg_min\"\n";
+  const Outcome check = mixcmp("check chain.toml --json");
+  ASSERT_EQ(check.exit_code, 0) << check.output;
+  EXPECT_EQ(nlohmann::json::parse(check.output)["generate"]["top"], "chain_s8e8_2x1");
+  for (const char* verb : {"optimise", "explore"}) {
+    expect_refused(fmt::format("{} chain.toml", verb), "chain.toml: engine.kind: ");
+  }
+  expect_refused("optimise chain.toml --set engine.kind=none", "mixcmp characterise chain.toml");
+  expect_refused("verify chain.toml --lanes 1", "chain.toml: system.lanes: ");
+}
+
 TEST_F(CommandLine, EveryVerbRefusesAnUnknownDevice) {
   for (const char* verb : {"check", "generate", "verify"}) {
     expect_refused(fmt::format("{} scene.toml --device virtex7", verb),

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/emulator/reference_contest.hpp"
 #include "model/golden/arithmetic.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
@@ -209,6 +210,41 @@ TEST(MakeDesign, MeasuresMissingConstantsOnData) {
   EXPECT_GT(decision.relative_error_f, 0);
   EXPECT_LT(decision.relative_error_f, mpq_class(1, 1 << 17));
   EXPECT_EQ(decision.relative_error_g, mpq_class(1, 2000));
+}
+
+/// Points on a line, f and g the squared distance of a row to a candidate.
+Comparisons points(const Scene& scene, std::uint64_t candidates) {
+  const auto line = [](const char* column, std::uint64_t count) {
+    model::Table table{.format = format_of(53, 8), .columns = {column}};
+    for (std::uint64_t k = 0; k < count; ++k) {
+      table.values.push_back(model::golden::from_rational(table.format, k));
+    }
+    return table;
+  };
+  const auto reference = reference_graphs(scene.graph, scene.reference);
+  return Comparisons::arg_min(line("p", 1), line("c", candidates), scene.graph.inputs(),
+                              model::reference_contest(reference))
+      .value();
+}
+
+TEST(MakeDesign, AChainHasALaneForEachCandidateOfTheDataButTheFirst) {
+  Scene scene = complete_scene();
+  scene.graph = graph_of("(p - ci)^2", "(p - cj)^2");
+  scene.ranges.assign(3, std::nullopt);
+  scene.system = with_engine(scene.system, {.kind = model::EngineKind::arg_min});
+  scene.system.lanes.reset();
+  scene.system.references = 1;
+  const Comparisons few = points(scene, 7), most = points(scene, 513), many = points(scene, 514);
+  EXPECT_EQ(make_design(scene, &few)->lane_count(), 6);
+  EXPECT_EQ(make_design(scene, &most)->lane_count(), 512);
+  const auto refused = make_design(scene, &many);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().field, "system.lanes");
+  EXPECT_EQ(refused.error().received, "514 candidates");
+  EXPECT_EQ(error_of(scene).field, "system.lanes");
+  EXPECT_EQ(error_of(scene).message.find("optimise"), std::string::npos);
+  scene.system.lanes = 4;
+  EXPECT_EQ(make_design(scene, &few)->lane_count(), 4);
 }
 
 }  // namespace
