@@ -16,8 +16,11 @@ void append(std::vector<Finding>& findings, std::vector<Finding> more) {
   for (Finding& finding : more) findings.push_back(std::move(finding));
 }
 
-bool is_constant(const BoundGraph& bound) {
-  return bound.nodes.size() == 1 && bound.nodes.front().operation == BoundOperation::constant;
+/// A running bound may be a number too: what that leaves out is in guard and conditions.
+bool is_constant(const AbsoluteBoundDecision& decision) {
+  const std::vector<BoundNode>& nodes = decision.bound.nodes;
+  return decision.guard_ulp == 0 && decision.conditions.empty() && nodes.size() == 1 &&
+         nodes.front().operation == BoundOperation::constant;
 }
 
 /// The two sides of the difference that decides.
@@ -46,7 +49,7 @@ Finding prove_from_ranges(const Lane& lane, const AbsoluteBoundDecision& decisio
 
 LaneProof prove_absolute(const Lane& lane, const ErrorAnalysis& analysis, const Prove& prove) {
   const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
-  const bool constant = is_constant(decision.bound);
+  const bool constant = is_constant(decision);
   LaneProof proof;
   proof.lane = describe_arithmetic(lane.graph.arithmetic);
   proof.kind = constant ? "constant" : "running";

@@ -21,6 +21,13 @@ public:
     for (const NodeId id : atoms) {
       if (!zeros[id]) must_be_nonzero_.push_back(id);
     }
+    for (const NodeId id : nodes_of(cone)) {
+      const TypedNode& node = graph_.nodes[id];
+      const bool divides = !cone.is_leaf[id] && node.operation == Operation::divide;
+      if (divides && !must_be_nonzero(node.operands[1])) {
+        must_be_nonzero_.push_back(node.operands[1]);
+      }
+    }
   }
 
   std::string text() &&;
@@ -32,6 +39,10 @@ private:
     std::string unrounded;  ///< the exact result on computed operands
   };
 
+  bool must_be_nonzero(NodeId id) const {
+    return std::find(must_be_nonzero_.begin(), must_be_nonzero_.end(), id) !=
+           must_be_nonzero_.end();
+  }
   void add_operators();
   void add_leaf(NodeId id, int number);
   void add_constant(NodeId id, int number);
@@ -114,9 +125,8 @@ void CaseScript::add_magnitude(NodeId id) {
   const bool nonnegative = is_input ? is_checked_nonnegative(*cone_.checks, graph_.nodes[id].input)
                                     : claim(id).nonnegative;
   const bool nonpositive = !is_input && claim(id).nonpositive;
-  const auto found = std::find(must_be_nonzero_.begin(), must_be_nonzero_.end(), id);
-  const bool nonzero = found != must_be_nonzero_.end();
-  if (nonzero) must_be_nonzero_.erase(found);
+  const bool nonzero = must_be_nonzero(id);
+  std::erase(must_be_nonzero_, id);
   const std::string& name = names_[id].computed;
   const std::string least = nonzero ? least_magnitude(id) : "0", most = limit(id);
   if (nonnegative || nonpositive) {
@@ -140,10 +150,6 @@ void CaseScript::add_constant(NodeId id, int number) {
 
 void CaseScript::add_operation(NodeId id, int number) {
   const TypedNode& node = graph_.nodes[id];
-  for (int k = 0; k < arity(node.operation); ++k) {
-    const bool divides = node.operation == Operation::divide && k == 1;
-    if (divides) assume_nonzero(node.operands[k], "|{}|");
-  }
   if (node.operation == Operation::square_root) assume_nonzero(node.operands[0], "{}");
   const std::string computed = expression(id, &Names::computed);
   const std::string truth = expression(id, &Names::truth);

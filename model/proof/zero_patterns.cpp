@@ -52,9 +52,11 @@ void add_atoms(const Cone& cone, NodeId id, std::set<NodeId>& atoms) {
   atoms.insert(id);
 }
 
-/// A leaf that is neither positive nor negative.
+/// A leaf that is neither positive nor negative. Of a constant that its format rounds to zero a
+/// factor says nothing: it is all absolute part.
 bool is_always_zero(const Cone& cone, NodeId id) {
-  if (is_constant(cone, id)) return cone.graph->nodes[id].value == 0;
+  const TypedNode& node = cone.graph->nodes[id];
+  if (is_constant(cone, id)) return node.format.is_zero(node.constant);
   const NodeClaim& claim = (*cone.claims)[id];
   return claim.nonnegative && claim.nonpositive;
 }

@@ -93,6 +93,28 @@ TEST_F(AbsoluteProof, EveryOperationIsProven) {
   EXPECT_GE(lanes, 18);
 }
 
+/// Constants that the lane rounds to zero: beside them, operations have factors all the same.
+TEST_F(AbsoluteProof, OperationsOnConstantsThatAreLostAreProven) {
+  for (const auto& [f, g] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"-0x1p-200", "a"},
+           {"a + 0x1p-200", "b"},
+           {"0x1p-200 * a - b", "sqrt(0x1p-200)"},
+           {"min(a - b, 0x1p-200)", "0x1p-200 / a"}}) {
+    const Lane lane = absolute_lane(graph_of(f, g), ErrorBoundKind::running).value();
+    const LaneProof proof = prove(lane);
+    EXPECT_TRUE(proof.machine_checked()) << f << " : " << g << "\n" << to_text(proof, "");
+  }
+}
+
+/// Gappa concludes nothing from a sign and a magnitude that spans so many binades.
+TEST_F(AbsoluteProof, QuotientsOfManyExponentBitsAreProven) {
+  const Lane lane = absolute_lane(graph_of("a / b + c", "d"), ErrorBoundKind::running,
+                                  Rounding::nearest_even, "s17e14")
+                        .value();
+  const LaneProof proof = prove(lane);
+  EXPECT_TRUE(proof.machine_checked()) << to_text(proof, "");
+}
+
 TEST_F(AbsoluteProof, RandomLanesAreProven) {
   int lanes = 0;
   for (std::uint64_t seed = 5000; seed < 5025; ++seed) {
