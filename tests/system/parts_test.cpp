@@ -92,6 +92,11 @@ INSTANTIATE_TEST_SUITE_P(
              Combination::all,
              "s4e5",
              LaneInputs::exact},
+        // A divisor and a radicand that the second part must not trust too close to zero.
+        Case{"all_with_conditions",
+             {{"a * b", "b"}, {"a / (b - 0.3)", "sqrt(a - 0.3)"}},
+             Combination::all,
+             "s4e5"},
         Case{"any_in_ranges",
              {{"a + b", "a * b"}, {"a - b * b", "b"}, {"b", "3"}},
              Combination::any,
