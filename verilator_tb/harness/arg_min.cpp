@@ -9,28 +9,18 @@
 
 #include "arg_min_protocol.hpp"
 #include "channel.hpp"
-#include "clocked_model.hpp"
-#include "hold_checker.hpp"
-#include "settings.hpp"
-#include "system_ports.hpp"
+#include "engine_simulator.hpp"
 
 namespace mixcmp::tb {
 
 namespace {
 
-class ArgMinSimulator {
+class ArgMinSimulator : EngineSimulator {
 public:
-  ArgMinSimulator(int count, char** words)
-      : settings_(read_settings(count, words)),
-        traffic_(settings_.traffic, settings_.seed),
-        clocked_(settings_, count, words),
-        ports_(system::bind(clocked_.model())) {
-    clocked_.open_trace(settings_.trace);
-    reset();
-  }
+  ArgMinSimulator(int count, char** words) : EngineSimulator(count, words) { reset(); }
 
   void serve(Channel& channel) {
-    for (bool last = false; !last && state_ != wire::LoadState::stopped;) {
+    for (bool last = false; !last && !stopped_;) {
       channel.read(&request_, 1);
       candidates_.resize(request_.candidates * system::item_bytes);
       channel.read(candidates_.data(), candidates_.size());
@@ -43,7 +33,6 @@ public:
   }
 
 private:
-  static constexpr int reset_cycles = 2;
   /// After a load's last row: long enough for one too many to show itself.
   static constexpr int quiet_cycles = 64;
   /// Streams of the traffic.
@@ -71,14 +60,12 @@ private:
         return;
       }
       step();
-      if (cycle_ - progress_ > settings_.hang_cycles) violate(wire::Fault::hung, 0), stop();
-      if (state_ == wire::LoadState::stopped) return;
+      if (cycle_ - progress_ > settings_.hang_cycles) hang();
+      if (stopped_) return;
     }
     response_.overrun = ports_.overrun.bit(0) ? 1 : 0;
-    for (int k = 0; k < quiet_cycles && state_ == wire::LoadState::complete; ++k) step();
+    for (int k = 0; k < quiet_cycles && !stopped_; ++k) step();
   }
-
-  void stop() { state_ = wire::LoadState::stopped; }
 
   void step() {
     drive();
@@ -87,8 +74,7 @@ private:
     sample_results();
     sample_candidates();
     sample_rows();
-    clocked_.rise(cycle_);
-    ++cycle_;
+    rise();
   }
 
   static std::uint64_t random_bits(std::uint64_t number) {
@@ -173,46 +159,14 @@ private:
     loading_ = offering_ = false;
     observed_rows_ = 0;
     inside_.clear();
-    hold_.reset();
-    for (Port* port : {&ports_.s_candidate_tvalid, &ports_.s_axis_tvalid, &ports_.m_axis_tready,
-                       &ports_.aresetn}) {
-      port->set_bit(0, false);
-    }
-    for (int k = 0; k < reset_cycles; ++k) {
-      clocked_.settle(cycle_);
-      clocked_.rise(cycle_);
-      ++cycle_;
-    }
-    if (ports_.m_axis_tvalid.bit(0)) violate(wire::Fault::valid_in_reset, 0);
-    ports_.aresetn.set_bit(0, true);
-  }
-
-  void violate(wire::Fault fault, std::uint64_t tag) {
-    violations_.push_back({fault, 0, wire::no_position, tag, cycle_});
-    if (++violation_count_ >= wire::max_violations) stop();
-  }
-
-  std::vector<wire::LaneEnd> lane_ends() const {
-    std::vector<wire::LaneEnd> ends(system::lanes);
-    if (system::counter_bits == 0) return ends;
-    const Port* const counters[] = {&ports_.comparisons, &ports_.recomputations, &ports_.stalls};
-    for (std::size_t lane = 0; lane < ends.size(); ++lane) {
-      for (int k = 0; k < 3; ++k) {
-        ends[lane].counted[k] =
-            counters[k]->field(lane * system::counter_bits, system::counter_bits);
-      }
-    }
-    return ends;
+    reset_engine({&ports_.s_candidate_tvalid, &ports_.s_axis_tvalid});
   }
 
   void respond(Channel& channel) {
     response_.rows = results_.size();
     response_.violations = violations_.size();
-    response_.state = state_;
-    if (system::counter_bits > 0) {
-      response_.counters.counted[0] = ports_.rows.field(0, system::counter_bits);
-      response_.counters.counted[1] = ports_.stalled_cycles.field(0, system::counter_bits);
-    }
+    response_.state = stopped_ ? wire::LoadState::stopped : state_;
+    read_counters(response_.counters, {&ports_.rows, &ports_.stalled_cycles});
     response_.counters.observed[0] = observed_rows_;
     const std::vector<wire::LaneEnd> ends = lane_ends();
     channel.write(&response_, 1);
@@ -223,15 +177,9 @@ private:
     violations_.clear();
   }
 
-  static constexpr int index_field_bits = (system::index_bits + 7) / 8 * 8;
   static constexpr std::uint64_t tag_mask =
       system::tag_bits == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << system::tag_bits % 64) - 1;
 
-  Settings settings_;
-  Traffic traffic_;
-  ClockedModel clocked_;
-  ArgMinPorts ports_;
-  HoldChecker hold_;
   wire::LoadRequest request_ = {};
   std::vector<std::uint8_t> candidates_;
   std::vector<std::uint8_t> rows_;
@@ -243,14 +191,11 @@ private:
   bool ready_ = false;
   std::deque<Inside> inside_;
   std::uint64_t accepted_ = 0;  ///< rows ever; tags follow from it
-  std::uint64_t cycle_ = 0;
   std::uint64_t load_cycle_ = 0;
   std::uint64_t first_cycle_ = 0;
   std::uint64_t progress_ = 0;
   std::uint64_t observed_rows_ = 0;  ///< left since reset
-  std::uint64_t violation_count_ = 0;
   std::vector<wire::RowResult> results_;
-  std::vector<wire::Violation> violations_;
   wire::LoadResponse response_ = {};
   wire::LoadState state_ = wire::LoadState::complete;
 };

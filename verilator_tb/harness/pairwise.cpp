@@ -9,29 +9,19 @@
 #include <vector>
 
 #include "channel.hpp"
-#include "clocked_model.hpp"
-#include "hold_checker.hpp"
+#include "engine_simulator.hpp"
 #include "pairwise_protocol.hpp"
-#include "settings.hpp"
-#include "system_ports.hpp"
 
 namespace mixcmp::tb {
 
 namespace {
 
-class PairwiseSimulator {
+class PairwiseSimulator : EngineSimulator {
 public:
-  PairwiseSimulator(int count, char** words)
-      : settings_(read_settings(count, words)),
-        traffic_(settings_.traffic, settings_.seed),
-        clocked_(settings_, count, words),
-        ports_(system::bind(clocked_.model())) {
-    clocked_.open_trace(settings_.trace);
-    reset();
-  }
+  PairwiseSimulator(int count, char** words) : EngineSimulator(count, words) { reset(); }
 
   void serve(Channel& channel) {
-    for (bool last = false; !last && state_ != wire::SetState::stopped;) {
+    for (bool last = false; !last && !stopped_;) {
       wire::SetRequest request;
       channel.read(&request, 1);
       items_.resize(request.items * system::item_bytes);
@@ -43,7 +33,6 @@ public:
   }
 
 private:
-  static constexpr int reset_cycles = 2;
   /// After a set: long enough for what comes behind its closing beat to show itself.
   static constexpr int quiet_cycles = 64 + 4 * system::lanes;
   /// Streams of the traffic.
@@ -61,12 +50,12 @@ private:
     progress_ = cycle_;
     // Every pair may have to be fetched again, and all traffic may stand still for a while.
     const std::uint64_t limit = settings_.hang_cycles + 4 * item_count() * item_count();
-    while (open_ && state_ == wire::SetState::closed) {
+    while (open_ && !stopped_) {
       if (request.reset_after != 0 && cycle_ - start >= request.reset_after) return interrupt();
       step();
-      if (cycle_ - progress_ > limit) violate(wire::Fault::hung, 0), stop();
+      if (cycle_ - progress_ > limit) hang();
     }
-    for (int k = 0; k < quiet_cycles && state_ == wire::SetState::closed; ++k) step();
+    for (int k = 0; k < quiet_cycles && !stopped_; ++k) step();
   }
 
   void interrupt() {
@@ -75,16 +64,13 @@ private:
     state_ = wire::SetState::interrupted;
   }
 
-  void stop() { state_ = wire::SetState::stopped; }
-
   void step() {
     drive();
     clocked_.settle(cycle_);
     if (busy_) ++observed_busy_;
     sample_reports();
     sample_items();
-    clocked_.rise(cycle_);
-    ++cycle_;
+    rise();
   }
 
   void drive() {
@@ -137,47 +123,14 @@ private:
   void reset() {
     offering_ = busy_ = false;
     observed_reports_ = observed_busy_ = 0;
-    hold_.reset();
-    ports_.s_axis_tvalid.set_bit(0, false);
-    ports_.m_axis_tready.set_bit(0, false);
-    ports_.aresetn.set_bit(0, false);
-    for (int k = 0; k < reset_cycles; ++k) {
-      clocked_.settle(cycle_);
-      clocked_.rise(cycle_);
-      ++cycle_;
-    }
-    if (ports_.m_axis_tvalid.bit(0)) violate(wire::Fault::valid_in_reset, 0);
-    ports_.aresetn.set_bit(0, true);
-  }
-
-  void violate(wire::Fault fault, std::uint64_t tdata) {
-    violations_.push_back({fault, 0, wire::no_position, tdata, cycle_});
-    if (++violation_count_ >= wire::max_violations) stop();
-  }
-
-  std::vector<wire::LaneEnd> lane_ends() const {
-    std::vector<wire::LaneEnd> ends(system::lanes);
-    if (system::counter_bits == 0) return ends;
-    const Port* const counters[] = {&ports_.comparisons, &ports_.recomputations, &ports_.stalls};
-    for (std::size_t lane = 0; lane < ends.size(); ++lane) {
-      for (int k = 0; k < 3; ++k) {
-        ends[lane].counted[k] =
-            counters[k]->field(lane * system::counter_bits, system::counter_bits);
-      }
-    }
-    return ends;
+    reset_engine({&ports_.s_axis_tvalid});
   }
 
   void respond(Channel& channel) {
     response_.reports = reports_.size();
     response_.violations = violations_.size();
-    response_.state = state_;
-    if (system::counter_bits > 0) {
-      const Port* const counters[] = {&ports_.reports, &ports_.busy_cycles, &ports_.stalled_cycles};
-      for (int k = 0; k < 3; ++k) {
-        response_.counters.counted[k] = counters[k]->field(0, system::counter_bits);
-      }
-    }
+    response_.state = stopped_ ? wire::SetState::stopped : state_;
+    read_counters(response_.counters, {&ports_.reports, &ports_.busy_cycles, &ports_.stalled_cycles});
     response_.counters.observed[0] = observed_reports_;
     response_.counters.observed[1] = observed_busy_;
     const std::vector<wire::LaneEnd> ends = lane_ends();
@@ -189,28 +142,19 @@ private:
     violations_.clear();
   }
 
-  static constexpr int index_field_bits = (system::index_bits + 7) / 8 * 8;
   static constexpr std::uint64_t index_mask = (std::uint64_t{1} << index_field_bits) - 1;
 
-  Settings settings_;
-  Traffic traffic_;
-  ClockedModel clocked_;
-  PairwisePorts ports_;
-  HoldChecker hold_;
   std::vector<std::uint8_t> items_;
   std::uint64_t next_ = 0;  ///< item to be offered
   bool offering_ = false;
   bool ready_ = false;
   bool open_ = false;  ///< the closing beat is still to come
   bool busy_ = false;  ///< an item was accepted and the closing beat was not
-  std::uint64_t cycle_ = 0;
   std::uint64_t first_cycle_ = 0;
   std::uint64_t progress_ = 0;
   std::uint64_t observed_reports_ = 0;  ///< since reset, as observed_busy_
   std::uint64_t observed_busy_ = 0;
-  std::uint64_t violation_count_ = 0;
   std::vector<wire::Report> reports_;
-  std::vector<wire::Violation> violations_;
   wire::SetResponse response_ = {};
   wire::SetState state_ = wire::SetState::closed;
 };

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+#include "clocked_model.hpp"
+#include "hold_checker.hpp"
+#include "protocol.hpp"
+#include "settings.hpp"
+#include "system_ports.hpp"
+#include "traffic.hpp"
+
+namespace mixcmp::tb {
+
+/// What the simulators of all engines have in common: the model and its clock, resets, what breaks
+/// the protocol, the lanes' counters.
+class EngineSimulator {
+protected:
+  using EnginePorts = decltype(system::bind(std::declval<system::Model&>()));
+
+  static constexpr int index_field_bits = (system::index_bits + 7) / 8 * 8;
+
+  EngineSimulator(int count, char** words)
+      : settings_(read_settings(count, words)),
+        traffic_(settings_.traffic, settings_.seed),
+        clocked_(settings_, count, words),
+        ports_(system::bind(clocked_.model())) {
+    clocked_.open_trace(settings_.trace);
+    // Verilated hierarchical blocks are made in the first cycle, and miss it.
+    ports_.aresetn.set_bit(0, false);
+    clocked_.settle(cycle_);
+    rise();
+  }
+
+  /// The streams that enter, by their tvalid, are quiet meanwhile.
+  void reset_engine(std::initializer_list<Port*> entering) {
+    hold_.reset();
+    for (Port* tvalid : entering) tvalid->set_bit(0, false);
+    ports_.m_axis_tready.set_bit(0, false);
+    ports_.aresetn.set_bit(0, false);
+    for (int k = 0; k < reset_cycles; ++k) {
+      clocked_.settle(cycle_);
+      rise();
+    }
+    if (ports_.m_axis_tvalid.bit(0)) violate(wire::Fault::valid_in_reset, 0);
+    ports_.aresetn.set_bit(0, true);
+  }
+
+  void rise() {
+    clocked_.rise(cycle_);
+    ++cycle_;
+  }
+
+  void violate(wire::Fault fault, std::uint64_t tag) {
+    violations_.push_back({fault, 0, wire::no_position, tag, cycle_});
+    if (++violation_count_ >= wire::max_violations) stopped_ = true;
+  }
+
+  void hang() {
+    violate(wire::Fault::hung, 0);
+    stopped_ = true;
+  }
+
+  std::vector<wire::LaneEnd> lane_ends() const {
+    std::vector<wire::LaneEnd> ends(system::lanes);
+    if (system::counter_bits == 0) return ends;
+    const Port* const counters[] = {&ports_.comparisons, &ports_.recomputations, &ports_.stalls};
+    for (std::size_t lane = 0; lane < ends.size(); ++lane) {
+      for (int k = 0; k < 3; ++k) {
+        ends[lane].counted[k] =
+            counters[k]->field(lane * system::counter_bits, system::counter_bits);
+      }
+    }
+    return ends;
+  }
+
+  /// The engine's own counters, into the first places.
+  void read_counters(wire::LaneEnd& end, std::initializer_list<const Port*> counters) const {
+    if (system::counter_bits == 0) return;
+    int place = 0;
+    for (const Port* counter : counters) {
+      end.counted[place++] = counter->field(0, system::counter_bits);
+    }
+  }
+
+  Settings settings_;
+  Traffic traffic_;
+  ClockedModel clocked_;
+  EnginePorts ports_;
+  HoldChecker hold_;
+  std::vector<wire::Violation> violations_;  ///< since the last response
+  std::uint64_t cycle_ = 0;
+  bool stopped_ = false;  ///< nothing more is to be expected of the engine
+
+private:
+  static constexpr int reset_cycles = 1;  ///< as few as docs/ports.md promises
+
+  std::uint64_t violation_count_ = 0;
+};
+
+}  // namespace mixcmp::tb
