@@ -130,7 +130,8 @@ private:
     response_.reports = reports_.size();
     response_.violations = violations_.size();
     response_.state = stopped_ ? wire::SetState::stopped : state_;
-    read_counters(response_.counters, {&ports_.reports, &ports_.busy_cycles, &ports_.stalled_cycles});
+    read_counters(response_.counters,
+                  {&ports_.reports, &ports_.busy_cycles, &ports_.stalled_cycles});
     response_.counters.observed[0] = observed_reports_;
     response_.counters.observed[1] = observed_busy_;
     const std::vector<wire::LaneEnd> ends = lane_ends();
