@@ -1,6 +1,11 @@
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 #include "generator/cli/exit.hpp"
+#include "generator/cli/usage.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/version.hpp"
 
@@ -27,7 +32,10 @@ int main(int argc, char** argv) {
           "baseline, route)");
     }
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 1;
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    fmt::print(stderr, "mixcmp: {}\n", mixcmp::cli::usage_error(app, error, words));
+    return 1;
   } catch (const mixcmp::cli::Exit& exit) {
     return exit.code;
   }

@@ -1,0 +1,69 @@
+#include "generator/cli/usage.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "model/common/nearest.hpp"
+#include "model/common/result.hpp"
+
+namespace mixcmp::cli {
+namespace {
+
+/// CLI11 lists what it could not use backwards; the user looks for the first of them.
+std::string first_unused(const CLI::App& app, const std::vector<std::string>& words) {
+  const std::vector<std::string> unused = app.remaining(true);
+  const auto is_unused = [&](const std::string& word) {
+    return std::find(unused.begin(), unused.end(), word) != unused.end();
+  };
+  const auto found = std::find_if(words.begin(), words.end(), is_unused);
+  return found != words.end() ? *found : unused.front();
+}
+
+std::vector<std::string> verbs_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
+  return names;
+}
+
+std::vector<std::string> options_of(const CLI::App& verb) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : verb.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+model::Error unused_word(const CLI::App& app, const CLI::App* verb, const std::string& word) {
+  if (word.starts_with("-")) {
+    const CLI::App& owner = verb != nullptr ? *verb : app;
+    return {.field = verb != nullptr ? verb->get_name() : "",
+            .message = "unknown option",
+            .received = word,
+            .accepted = model::list_with_nearest(word, options_of(owner))};
+  }
+  if (verb != nullptr) {
+    return {.field = verb->get_name(),
+            .message = "an argument too many",
+            .received = word,
+            .accepted = fmt::format("what mixcmp {} --help lists", verb->get_name())};
+  }
+  return {.message = "unknown verb",
+          .received = word,
+          .accepted = model::list_with_nearest(word, verbs_of(app))};
+}
+
+}  // namespace
+
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error,
+                        const std::vector<std::string>& words) {
+  const std::vector<CLI::App*> verbs = app.get_subcommands();
+  const CLI::App* verb = verbs.empty() ? nullptr : verbs.front();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    return unused_word(app, verb, first_unused(app, words)).to_string();
+  }
+  if (verb == nullptr) return error.what();
+  return fmt::format("{}: {} (mixcmp {} --help)", verb->get_name(), error.what(), verb->get_name());
+}
+
+}  // namespace mixcmp::cli
