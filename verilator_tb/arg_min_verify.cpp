@@ -19,26 +19,6 @@ struct Trial {
   ArgMinJudge::Use use = ArgMinJudge::Use::check;
 };
 
-model::Result<model::Done> check_request(const System& system,
-                                         const model::Comparisons& comparisons,
-                                         const VerifyOptions& options) {
-  MIXCMP_TRY(possible, check_engine_options(options, "every candidate for every row"));
-  if (comparisons.pairing() != model::Pairing::arg_min) {
-    return model::Error{.field = "data.pairs",
-                        .message = "the arg-min engine compares candidates for each row",
-                        .received = std::string(to_string(comparisons.pairing())),
-                        .accepted = "pairs = \"arg_min\""};
-  }
-  const std::uint64_t candidates = comparisons.tables()[1].rows();
-  const auto lanes = static_cast<std::uint64_t>(system.signature.lanes);
-  if (candidates <= lanes + 1) return model::Done{};
-  return model::Error{
-      .field = "system.lanes",
-      .message = "the data have more candidates than the engine",
-      .received = fmt::format("{} candidates, {} lanes", candidates, lanes),
-      .accepted = fmt::format("{} lanes, one for each candidate but the first", candidates - 1)};
-}
-
 /// Loads of 1, 2 and one too few, one with a candidate too many; then everything.
 std::vector<Trial> plan_trials(const System& system, const model::Comparisons& comparisons,
                                const VerifyOptions& options) {
@@ -102,7 +82,6 @@ model::Result<model::Done> run_trials(const System& system, const model::Compari
 model::Result<VerifyReport> verify_arg_min(const System& system, const model::Design& design,
                                            const model::Comparisons& comparisons,
                                            const VerifyOptions& options) {
-  MIXCMP_TRY(checked, check_request(system, comparisons, options));
   ArgMinJudge judge(system.signature, design, comparisons, options);
   return run_engine(system, options, judge, [&](const Executable& executable) {
     return run_trials(system, comparisons, options, executable, judge);

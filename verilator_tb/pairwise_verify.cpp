@@ -18,20 +18,6 @@ struct Trial {
   PairwiseJudge::Use use = PairwiseJudge::Use::check;
 };
 
-model::Result<model::Done> check_request(const System& system,
-                                         const model::Comparisons& comparisons,
-                                         const VerifyOptions& options) {
-  MIXCMP_TRY(possible, check_engine_options(options, "every pair of its items"));
-  const auto capacity = static_cast<std::uint64_t>(system.signature.engine->capacity);
-  const std::uint64_t items = comparisons.table().rows();
-  if (items <= capacity) return model::Done{};
-  return model::Error{.field = "engine.capacity",
-                      .message = "the data have more items than the engine holds",
-                      .received = fmt::format("{} items, a capacity of {}", items, capacity),
-                      .accepted = fmt::format("a capacity of at least {}, at most {}", items,
-                                              model::EngineSpec::max_capacity)};
-}
-
 /// Words that pass the first lane.
 std::uint64_t words_of(std::uint64_t items, std::uint64_t lanes) {
   std::uint64_t words = 0;
@@ -92,7 +78,6 @@ model::Result<model::Done> run_trials(const System& system, const model::Compari
 model::Result<VerifyReport> verify_pairwise(const System& system, const model::Design& design,
                                             const model::Comparisons& comparisons,
                                             const VerifyOptions& options) {
-  MIXCMP_TRY(checked, check_request(system, comparisons, options));
   PairwiseJudge judge(system.signature, design, comparisons, options);
   return run_engine(system, options, judge, [&](const Executable& executable) {
     return run_trials(system, comparisons, options, executable, judge);

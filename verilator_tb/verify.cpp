@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <future>
 
+#include "model/design/engine_data.hpp"
 #include "verilator_tb/arg_min_verify.hpp"
+#include "verilator_tb/engine_verify.hpp"
 #include "verilator_tb/icarus.hpp"
 #include "verilator_tb/judge.hpp"
 #include "verilator_tb/pairwise_verify.hpp"
@@ -99,6 +101,23 @@ model::Result<model::Done> check_signature(const System& system, const model::De
     return differs("tag_bits", std::to_string(s.tag_bits), "at least one tag for each lane");
   }
   return model::Done{};
+}
+
+model::Result<model::Done> check_selection(const model::Comparisons& comparisons,
+                                           const Selection::Options& selection) {
+  if (Selection(comparisons.size(), selection).size() > 0) return model::Done{};
+  return model::Error{.field = selection.only ? "--only" : "data",
+                      .message = "no comparison to verify",
+                      .received = selection.only ? std::to_string(*selection.only) : "",
+                      .accepted = fmt::format("an index below {}", comparisons.size())};
+}
+
+model::Result<model::Done> check_contests(const model::Comparisons& comparisons) {
+  if (comparisons.pairing() == model::Pairing::arg_min) return model::Done{};
+  return model::Error{.field = "data.pairs",
+                      .message = "the arg-min engine compares candidates for each row",
+                      .received = std::string(to_string(comparisons.pairing())),
+                      .accepted = "pairs = \"arg_min\""};
 }
 
 /// Somewhere inside each of `resets` equal parts of the run.
@@ -195,9 +214,28 @@ SimulationOptions simulation_options(const VerifyOptions& options) {
           .plusargs = options.plusargs};
 }
 
+model::Result<model::Done> check_request(const model::Design& design,
+                                         const model::Comparisons& comparisons,
+                                         const VerifyOptions& options) {
+  switch (design.system.engine.kind) {
+    case model::EngineKind::none: return check_selection(comparisons, options.selection);
+    case model::EngineKind::pairwise: {
+      MIXCMP_TRY(possible, check_engine_options(options, "every pair of its items"));
+      break;
+    }
+    case model::EngineKind::arg_min: {
+      MIXCMP_TRY(possible, check_engine_options(options, "every candidate for every row"));
+      MIXCMP_TRY(paired, check_contests(comparisons));
+      break;
+    }
+  }
+  return check_engine_data(design.system.engine, design.lane_count(), comparisons);
+}
+
 model::Result<VerifyReport> verify(const model::Design& design,
                                    const model::Comparisons& comparisons,
                                    const fs::path& generated_dir, const VerifyOptions& options) {
+  MIXCMP_TRY(requested, check_request(design, comparisons, options));
   MIXCMP_TRY(system, load_system(generated_dir));
   MIXCMP_TRY(checked, check_signature(system, design));
   switch (design.system.engine.kind) {
@@ -206,13 +244,6 @@ model::Result<VerifyReport> verify(const model::Design& design,
     case model::EngineKind::arg_min: return verify_arg_min(system, design, comparisons, options);
   }
   const Selection selection(comparisons.size(), options.selection);
-  if (selection.size() == 0) {
-    return model::Error{
-        .field = options.selection.only ? "--only" : "data",
-        .message = "no comparison to verify",
-        .received = options.selection.only ? std::to_string(*options.selection.only) : "",
-        .accepted = fmt::format("an index below {}", comparisons.size())};
-  }
   Judge judge(system.signature, design, comparisons, selection, options);
   const Run run{system, comparisons, selection, options, judge};
   const auto start = Clock::now();

@@ -58,6 +58,12 @@ struct VerifyOptions {
 /// What of them the simulator is told.
 SimulationOptions simulation_options(const VerifyOptions& options);
 
+/// Refuses what cannot be run, before anything is written: a selection of nothing, a simulator or a
+/// selection that an engine does not have, data that do not fit into it.
+model::Result<model::Done> check_request(const model::Design& design,
+                                         const model::Comparisons& comparisons,
+                                         const VerifyOptions& options);
+
 /// Runs the system in `generated_dir` on the comparisons and holds every result against the golden
 /// model. An error means that it could not be run; what it did wrong is in the report.
 model::Result<VerifyReport> verify(const model::Design& design,

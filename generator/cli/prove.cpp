@@ -37,10 +37,11 @@ std::string format_name(const model::ReducedSpec& reduced) {
   return reduced.format ? reduced.format->name() : "auto";
 }
 
-/// One lane of each kind; a proof needs no number of lanes.
+/// One lane of each kind; a proof needs no number of lanes, and nothing around them.
 std::vector<Candidate> candidates(model::Scene scene, const model::Comparisons* data) {
   scene.system.lanes = scene.system.lanes.value_or(1);
   scene.system.references = scene.system.references.value_or(1);
+  scene.system.engine = {};
   const auto design = model::make_design(scene, data);
   std::vector<Candidate> found;
   if (!design.ok()) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "model/design/engine_data.hpp"
 #include "model/error/hazards.hpp"
 #include "model/error/profiled_error.hpp"
 #include "model/error/range_analysis.hpp"
@@ -162,6 +163,9 @@ Result<Design> choose(const Scene& scene, const Comparisons* data) {
     }
     if (*spec.count == 0) continue;
     design.references.push_back({.multipliers = spec.multipliers, .count = *spec.count});
+  }
+  if (data != nullptr) {
+    MIXCMP_TRY(fits, check_engine_data(scene.system.engine, design.lane_count(), *data));
   }
   return design;
 }

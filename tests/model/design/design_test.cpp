@@ -212,15 +212,17 @@ TEST(MakeDesign, MeasuresMissingConstantsOnData) {
   EXPECT_EQ(decision.relative_error_g, mpq_class(1, 2000));
 }
 
+/// 0, 1, 2, ...
+model::Table line(const char* column, std::uint64_t count) {
+  model::Table table{.format = format_of(53, 8), .columns = {column}};
+  for (std::uint64_t k = 0; k < count; ++k) {
+    table.values.push_back(model::golden::from_rational(table.format, k));
+  }
+  return table;
+}
+
 /// Points on a line, f and g the squared distance of a row to a candidate.
 Comparisons points(const Scene& scene, std::uint64_t candidates) {
-  const auto line = [](const char* column, std::uint64_t count) {
-    model::Table table{.format = format_of(53, 8), .columns = {column}};
-    for (std::uint64_t k = 0; k < count; ++k) {
-      table.values.push_back(model::golden::from_rational(table.format, k));
-    }
-    return table;
-  };
   const auto reference = reference_graphs(scene.graph, scene.reference);
   return Comparisons::arg_min(line("p", 1), line("c", candidates), scene.graph.inputs(),
                               model::reference_contest(reference))
@@ -243,8 +245,29 @@ TEST(MakeDesign, AChainHasALaneForEachCandidateOfTheDataButTheFirst) {
   EXPECT_EQ(refused.error().received, "514 candidates");
   EXPECT_EQ(error_of(scene).field, "system.lanes");
   EXPECT_EQ(error_of(scene).message.find("optimise"), std::string::npos);
-  scene.system.lanes = 4;
-  EXPECT_EQ(make_design(scene, &few)->lane_count(), 4);
+  scene.system.lanes = 8;  // two candidates fewer than it could
+  EXPECT_EQ(make_design(scene, &few)->lane_count(), 8);
+  scene.system.lanes = 6;
+  EXPECT_TRUE(make_design(scene, &few).ok());
+  scene.system.lanes = 5;
+  const auto short_chain = make_design(scene, &few);
+  ASSERT_FALSE(short_chain.ok());
+  EXPECT_EQ(short_chain.error().field, "system.lanes");
+  EXPECT_EQ(short_chain.error().received, "7 candidates, 5 lanes");
+  EXPECT_TRUE(make_design(scene, nullptr).ok());
+}
+
+TEST(MakeDesign, APairwiseEngineHoldsAllItemsOfTheData) {
+  Scene scene = complete_scene();
+  scene.graph = graph_of("pi", "pj");
+  scene.system = with_engine(scene.system, {.kind = model::EngineKind::pairwise, .capacity = 4});
+  const Comparisons four = Comparisons::all_pairs(line("p", 4), scene.graph.inputs()).value();
+  const Comparisons five = Comparisons::all_pairs(line("p", 5), scene.graph.inputs()).value();
+  EXPECT_TRUE(make_design(scene, &four).ok());
+  const auto refused = make_design(scene, &five);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().field, "engine.capacity");
+  EXPECT_EQ(refused.error().received, "5 items, a capacity of 4");
 }
 
 }  // namespace
