@@ -80,7 +80,7 @@ bool CombinedLane::certified() const {
 }
 
 Error of_part(Error error, std::size_t part, std::size_t parts) {
-  if (parts > 1) error.message = fmt::format("part {} of {}: {}", part, parts, error.message);
+  if (parts > 1) error.message = fmt::format("of f[{0}] and g[{0}], {1}", part, error.message);
   return error;
 }
 

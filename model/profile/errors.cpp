@@ -11,12 +11,13 @@
 namespace mixcmp::model {
 namespace {
 
-/// |1/t - 1| for every t of the bound, as a double above.
+/// |1/t - 1| for every t of the bound, as a double above; 0 of what is exact.
 std::optional<double> relative_to_truth(const std::optional<RelativeBound>& bound) {
   if (!bound) return std::nullopt;
   const mpq_class above = 1 / bound->low - 1, below = 1 - 1 / bound->high;
-  const double largest = std::max(above, below).get_d();
-  return std::nextafter(largest, std::numeric_limits<double>::infinity());
+  const mpq_class largest = std::max(above, below);
+  if (largest == 0) return 0;
+  return std::nextafter(largest.get_d(), std::numeric_limits<double>::infinity());
 }
 
 /// Widens `all` by one part's; nothing where a part has none.

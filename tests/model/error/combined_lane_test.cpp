@@ -187,7 +187,7 @@ TEST(CombinedLane, AnErrorNamesThePart) {
                       {.kind = model::ErrorBoundKind::relative});
   ASSERT_FALSE(lane.ok());
   EXPECT_EQ(lane.error().field, "reduced.error_bound");
-  EXPECT_NE(lane.error().message.find("part 1 of 2: no relative bound"), std::string::npos)
+  EXPECT_NE(lane.error().message.find("of f[1] and g[1], no relative bound"), std::string::npos)
       << lane.error().message;
 }
 

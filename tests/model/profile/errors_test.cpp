@@ -88,6 +88,17 @@ TEST(Errors, StayWithinTheCertifiedBound) {
   }
 }
 
+TEST(Errors, WhatIsExactHasABoundOfZero) {
+  std::mt19937_64 random(5);
+  const Scene scene = scene_of(graph_of("a * b", "1"), format_of(53, 8), {format_of(8, 8)});
+  const auto profiles = profile_errors(scene, random_rows(scene, all_families[0], 20, random),
+                                       {LaneInputs::exact}, {.threads = 1});
+  for (const model::ErrorAtPrecision& error : profiles.front().precisions) {
+    EXPECT_GT(error.f_bound, 0.0);
+    EXPECT_EQ(error.g_bound, 0.0);
+  }
+}
+
 TEST(Errors, SayWhereNoBoundExists) {
   const Scene scene = sphere_scene();
   const auto profiles = profile_errors(scene, spheres(scene, 20), {LaneInputs::rounded},
