@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "model/common/check.hpp"
+#include "model/expression/text.hpp"
 
 namespace mixcmp::gen {
 namespace {
@@ -131,7 +132,7 @@ std::string formula(const TypedGraph& graph, NodeId id, const std::vector<std::s
   const auto operand = [&](int k) {
     const NodeId source = node.operands[k];
     const bool constant = graph.nodes[source].operation == Operation::constant;
-    return constant ? graph.nodes[source].value.get_str() : names[source];
+    return constant ? model::to_text(graph.nodes[source].value) : names[source];
   };
   switch (node.operation) {
     case Operation::input:
