@@ -21,8 +21,8 @@ struct Outlook {
   model::Result<gen::GeneratedSystem> system;
 };
 
-Outlook outlook(const LoadedScene& loaded) {
-  const auto design = make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr);
+Outlook outlook(const SceneOptions& options, const LoadedScene& loaded) {
+  const auto design = design_of(options, loaded);
   if (!design.ok()) return {design.error()};
   return {gen::generate_system(*design, "")};
 }
@@ -153,7 +153,7 @@ void run(const CheckOptions& options) {
   const LoadedScene loaded = value_or_exit(load(options.scene));
   const model::Summary summary =
       model::summarise(loaded.scene, loaded.data ? &*loaded.data : nullptr);
-  const Outlook generated = outlook(loaded);
+  const Outlook generated = outlook(options.scene, loaded);
   const std::vector<model::VariantCheck> variants = check_variants(options.scene, loaded);
   std::vector<ProvenLane> proven;
   if (options.prove.prove) proven = prove(loaded, options.prove);

@@ -110,8 +110,7 @@ std::vector<GroupProof> prove_groups(const std::filesystem::path& scene,
 
 void run(const GenerateOptions& options) {
   const LoadedScene loaded = value_or_exit(load(options.scene));
-  const model::Design design =
-      value_or_exit(make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr));
+  const model::Design design = value_or_exit(design_of(options.scene, loaded));
   const gen::GeneratedSystem system =
       value_or_exit(gen::generate_system(design, command_line("generate", options.scene)));
   std::vector<GroupProof> proofs;

@@ -8,6 +8,7 @@
 #include "generator/cli/output.hpp"
 #include "generator/datapath/delays.hpp"
 #include "model/scene/load_comparisons.hpp"
+#include "model/scene/locate.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -41,6 +42,14 @@ model::ContestProgress contest_progress() {
   };
 }
 
+/// Where the user wrote what is at fault: a key's line, or the shortcut that set it.
+model::Error at_fault(const model::Error& found, const SceneOptions& options) {
+  model::Error error = located(found, options.scene, options.settings);
+  const auto shortcut = options.shortcuts.find(error.field);
+  if (error.file == "--set" && shortcut != options.shortcuts.end()) error.file = shortcut->second;
+  return error;
+}
+
 bool needs_quotes(const std::string& text) {
   return text.find_first_of(" \t\"'$&|;<>()[]{}*?!#~`\\") != std::string::npos;
 }
@@ -64,8 +73,9 @@ void add_scene_options(CLI::App& verb, SceneOptions& options,
     if (left_out.contains(shortcut.flag)) continue;
     verb.add_option_function<std::string>(
         shortcut.flag,
-        [&options, key = std::string(shortcut.key)](const std::string& value) {
-          options.settings.push_back(key + "=" + value);
+        [&options, &shortcut](const std::string& value) {
+          options.settings.push_back(fmt::format("{}={}", shortcut.key, value));
+          options.shortcuts[shortcut.key] = shortcut.flag;
         },
         fmt::format("{} (--set {}=...)", shortcut.help, shortcut.key));
   }
@@ -73,11 +83,14 @@ void add_scene_options(CLI::App& verb, SceneOptions& options,
 }
 
 model::Result<LoadedScene> load(const SceneOptions& options) {
-  MIXCMP_TRY(scene, model::load_scene(options.scene, options.settings));
+  model::Result<model::Scene> loaded_scene = model::load_scene(options.scene, options.settings);
+  if (!loaded_scene.ok()) return at_fault(loaded_scene.error(), options);
+  model::Scene scene = std::move(loaded_scene).value();
   if (const auto delays = gen::delays_of(scene.system.device); !delays.ok()) {
     model::Error error = delays.error();
-    if (error.file.empty()) error.file = options.scene.string();
-    return error;
+    if (!error.file.empty()) return error;  // the device file's own
+    error.file = options.scene.string();
+    return at_fault(error, options);
   }
   LoadedScene loaded = {std::move(scene), std::nullopt};
   if (loaded.scene.data) {
@@ -85,6 +98,12 @@ model::Result<LoadedScene> load(const SceneOptions& options) {
     loaded.data = std::move(data);
   }
   return loaded;
+}
+
+model::Result<model::Design> design_of(const SceneOptions& options, const LoadedScene& loaded) {
+  auto design = make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr);
+  if (!design.ok()) return at_fault(design.error(), options);
+  return design;
 }
 
 model::Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& options,

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@ namespace mixcmp::cli {
 struct SceneOptions {
   std::filesystem::path scene;
   std::vector<std::string> settings;  ///< "section.key=value", shortcuts included
+  /// Which shortcut set a key, if one did: errors name it.
+  std::map<std::string, std::string> shortcuts;
   bool json = false;
 };
 
@@ -29,6 +32,9 @@ struct LoadedScene {
   std::optional<model::Comparisons> data;
 };
 model::Result<LoadedScene> load(const SceneOptions& options);
+
+/// What the scene's system is made of. Errors, of both, name the file and line of the key at fault.
+model::Result<model::Design> design_of(const SceneOptions& options, const LoadedScene& loaded);
 
 /// The scene as it was loaded and, where it names no variant, each of its variants with the same
 /// data.

@@ -36,8 +36,7 @@ model::SynthesisJob job_of(const RouteCommand& command, const LoadedScene& loade
   if (command.references_alone > 0) {
     return value_or_exit(gen::references_job(loaded.scene, command.references_alone));
   }
-  const model::Design design =
-      value_or_exit(make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr));
+  const model::Design design = value_or_exit(design_of(command.scene, loaded));
   return gen::system_job(value_or_exit(gen::generate_system(design, "")));
 }
 

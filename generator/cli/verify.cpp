@@ -146,18 +146,23 @@ tb::VerifyOptions run_options(const VerifyCommand& command, const LoadedScene& l
   return options;
 }
 
-/// A mistake in a key is one of the scene, whose path the simulation does not know.
-tb::VerifyReport verified(const model::Design& design, const model::Comparisons& data,
-                          const fs::path& rtl, const tb::VerifyOptions& options,
-                          const VerifyCommand& command) {
-  const auto report = tb::verify(design, data, rtl, options);
-  if (report.ok()) return *report;
-  model::Error error = report.error();
+/// The value, or the end. A mistake in a key is one of the scene, whose path the simulation does
+/// not know.
+template <class Value>
+Value in_scene_or_exit(model::Result<Value> result, const VerifyCommand& command) {
+  if (result.ok()) return std::move(result).value();
+  model::Error error = result.error();
   const bool is_option = error.field.starts_with("--");
   if (error.file.empty() && !error.field.empty() && !is_option) {
     error.file = command.scene.scene.string();
   }
-  return value_or_exit<tb::VerifyReport>(error);
+  return value_or_exit<Value>(error);
+}
+
+tb::VerifyReport verified(const model::Design& design, const model::Comparisons& data,
+                          const fs::path& rtl, const tb::VerifyOptions& options,
+                          const VerifyCommand& command) {
+  return in_scene_or_exit(tb::verify(design, data, rtl, options), command);
 }
 
 tb::VerifyReport run_with_table(const model::Design& design, const model::Comparisons& data,
@@ -199,17 +204,18 @@ void run(const VerifyCommand& command) {
                                             .received = "a scene without [data]",
                                             .accepted = "[data] with items or file"});
   }
-  const model::Design design = value_or_exit(make_design(loaded.scene, &*loaded.data));
+  const model::Design design = value_or_exit(design_of(command.scene, loaded));
   const gen::GeneratedSystem system =
       value_or_exit(gen::generate_system(design, command_line("generate", command.scene)));
   const fs::path work =
       command.work.empty() ? fs::path(system.signature.top + "_simulation") : command.work;
   value_or_exit(check_work(command, work));
+  const tb::VerifyOptions options = run_options(command, loaded, work);
+  in_scene_or_exit(check_request(design, *loaded.data, options), command);
   value_or_exit(check_trace(command.run.waves));
   const fs::path rtl = work / "rtl";
   value_or_exit(gen::write_system(system, rtl));
-  const tb::VerifyReport report =
-      run_with_table(design, *loaded.data, rtl, run_options(command, loaded, work), command);
+  const tb::VerifyReport report = run_with_table(design, *loaded.data, rtl, options, command);
   show_progress("");
   fmt::print("{}", command.scene.json ? to_json(report).dump(2) + "\n" : to_text(report));
   if (!report.passed()) throw Exit{2};

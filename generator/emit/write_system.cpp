@@ -44,7 +44,12 @@ std::set<std::string> files_of_previous_output(const fs::path& directory) {
 /// Nothing of the user's may be lost: only what this program wrote is replaced.
 Result<Done> check_replaceable(const fs::path& directory) {
   if (!fs::exists(directory)) return Done{};
-  if (!fs::is_directory(directory)) return write_error(directory, "is not a directory");
+  if (!fs::is_directory(directory)) {
+    return Error{.file = directory.string(),
+                 .message = "is not a directory",
+                 .received = "a file",
+                 .accepted = "a new or empty directory, or a previous output of generate"};
+  }
   const std::set<std::string> ours = files_of_previous_output(directory);
   for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
     if (ours.count(entry.path().filename().string()) > 0) continue;

@@ -99,7 +99,9 @@ Result<Done> check_data(const Settings& settings, const std::optional<DataSpec>&
                         Pairing wanted, const char* message) {
   if (!data || data->pairing == wanted) return Done{};
   const Section section(settings, "data");
-  return section.mistake("pairs", message, fmt::format("{}", to_string(data->pairing)),
+  const bool absent = data->pairing == Pairing::rows;
+  return section.mistake("pairs", message,
+                         absent ? "nothing" : fmt::format("\"{}\"", to_string(data->pairing)),
                          fmt::format("pairs = \"{}\"", to_string(wanted)));
 }
 

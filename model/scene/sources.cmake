@@ -6,6 +6,7 @@ target_sources(mixcmp_model PRIVATE
   scene/groups.cpp
   scene/input_ranges.cpp
   scene/load_comparisons.cpp
+  scene/locate.cpp
   scene/pairing_notes.cpp
   scene/plan.cpp
   scene/reduced_section.cpp

@@ -29,8 +29,32 @@ protected:
 };
 
 TEST_F(CommandLine, NamesAWordThatIsNoVerb) {
-  expect_refused("chek scene.toml", "chek");
+  expect_refused("chek scene.toml",
+                 "mixcmp: unknown verb: received chek; accepted check (the nearest), ");
   expect_refused("", "check, generate, verify, profile, ");
+}
+
+TEST_F(CommandLine, NamesAnOptionThatTheVerbDoesNotHave) {
+  expect_refused(
+      "check --formt s9 scene.toml --lnes 3",
+      "mixcmp: check: unknown option: received --formt; accepted --format (the nearest)");
+  expect_refused("--josn", "mixcmp: unknown option: received --josn; accepted ");
+  expect_refused("check scene.toml other.toml",
+                 "mixcmp: check: an argument too many: received other.toml");
+}
+
+TEST_F(CommandLine, AMistakeNamesTheLineOrTheOption) {
+  std::ofstream(directory_.path() / "device.toml")
+      << "scene = \"scene.toml\"\n\n[system]\ndevice = \"virtex7\"\n";
+  expect_refused("check device.toml", "device.toml:4: system.device: unknown device");
+  expect_refused("generate scene.toml --set system.lanes=auto", "mixcmp: --set: system.lanes: ");
+  expect_refused("generate scene.toml --lanes auto", "mixcmp: --lanes: system.lanes: is not");
+  expect_refused("check scene.toml --variant none", "mixcmp: --variant: comparison.variant: ");
+  expect_refused("generate scene.toml --format s8e8 --set reduced.bound=certain",
+                 "mixcmp: --set: reduced.bound: ");
+  std::ofstream(directory_.path() / "undecided.toml")
+      << "scene = \"scene.toml\"\n[reduced]\n\nformat = \"auto\"\n";
+  expect_refused("generate undecided.toml", "undecided.toml:4: reduced.format: is not chosen yet");
 }
 
 TEST_F(CommandLine, CheckTellsWhatGenerateWillDo) {
@@ -115,13 +139,22 @@ TEST_F(CommandLine, NothingIsPlannedForAChain) {
     expect_refused(fmt::format("{} chain.toml", verb), "chain.toml: engine.kind: ");
   }
   expect_refused("optimise chain.toml --set engine.kind=none", "mixcmp characterise chain.toml");
-  expect_refused("verify chain.toml --lanes 1", "chain.toml: system.lanes: ");
+  for (const char* verb : {"generate", "verify"}) {
+    expect_refused(fmt::format("{} chain.toml --lanes 1", verb),
+                   "--lanes: system.lanes: the data have more candidates than the engine: received "
+                   "3 candidates, 1 lanes");
+  }
+  EXPECT_FALSE(fs::exists(directory_.path() / "chain_s8e8_1x1_simulation"));
+  EXPECT_NE(mixcmp("check chain.toml --lanes 1").output.find("more candidates than the engine"),
+            std::string::npos);
+  expect_refused("verify chain.toml --simulator icarus", "engines are simulated with Verilator");
+  EXPECT_FALSE(fs::exists(directory_.path() / "chain_s8e8_2x1_simulation"));
 }
 
 TEST_F(CommandLine, EveryVerbRefusesAnUnknownDevice) {
   for (const char* verb : {"check", "generate", "verify"}) {
     expect_refused(fmt::format("{} scene.toml --device virtex7", verb),
-                   "scene.toml: system.device: unknown device: received \"virtex7\"");
+                   "--device: system.device: unknown device: received \"virtex7\"");
   }
 }
 
@@ -144,12 +177,15 @@ TEST_F(CommandLine, FilesThatCannotBeWrittenAreRefusedBeforeAnythingRuns) {
   expect_refused("verify scene.toml --csv nowhere/t.csv", "nowhere/t.csv");
   expect_refused("verify scene.toml --csv-verdict less", "--csv");
   expect_refused("verify scene.toml --work 'two words'", "the path has blanks");
+  expect_refused("generate scene.toml -o data.csv",
+                 "is not a directory: received a file; accepted ");
 }
 
 TEST_F(CommandLine, NothingIsLeftOfATableThatWasNotFinished) {
   expect_refused("verify scene.toml --csv t.csv --only 2", "an index below 2");
   EXPECT_FALSE(fs::exists(directory_.path() / "t.csv"));
   EXPECT_FALSE(fs::exists(directory_.path() / "t.csv.part"));
+  EXPECT_FALSE(fs::exists(directory_.path() / "scene_s8e8_1x1_simulation"));
 }
 
 }  // namespace

@@ -96,9 +96,10 @@ TEST_F(EngineSection, ArgMinTellsItsMistakes) {
   EXPECT_EQ(told("[system]\ntag_bits = 8\n"),
             ":10: system.tag_bits: the arg-min engine decides it: received 8; accepted 1, or no "
             "key: a row's tag is engine.tag_bits wide");
-  EXPECT_EQ(told("[data]\nfile = \"points.csv\"\n"),
-            ":9: data.pairs: the arg-min engine compares candidates for each row: received rows; "
-            "accepted pairs = \"arg_min\"");
+  EXPECT_EQ(
+      told("[data]\nfile = \"points.csv\"\n"),
+      ":9: data.pairs: the arg-min engine compares candidates for each row: received nothing; "
+      "accepted pairs = \"arg_min\"");
   EXPECT_NE(told("capacity = 7\n").find("engine.capacity"), std::string::npos);
   EXPECT_NE(error("[engine]\nkind = \"pairwise\"\ntag_bits = 7\n").find("engine.tag_bits"),
             std::string::npos);
@@ -133,9 +134,10 @@ TEST_F(EngineSection, MistakesAreToldInOneLine) {
   EXPECT_EQ(error(engine + "[system]\ntag_bits = 26\n"),
             ":10: system.tag_bits: the pairwise engine decides it: received 26; accepted 20, the "
             "numbers of two of 1024 items, or no key");
-  EXPECT_EQ(error(engine + data),
-            ":9: data.pairs: the pairwise engine compares every two items: received rows; accepted "
-            "pairs = \"all\"");
+  EXPECT_EQ(
+      error(engine + data),
+      ":9: data.pairs: the pairwise engine compares every two items: received nothing; accepted "
+      "pairs = \"all\"");
 }
 
 TEST_F(EngineSection, InputsMustBeColumnsOfTwoItems) {

@@ -1,0 +1,31 @@
+#include "model/scene/locate.hpp"
+
+#include "model/scene/plan.hpp"
+#include "model/scene/section.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+const Setting* find_in(const Setting* table, const std::string& key) {
+  const auto* entries = std::get_if<Setting::Table>(&table->value);
+  return entries == nullptr ? nullptr : entries->find(key);
+}
+
+}  // namespace
+
+Error located(Error error, const std::filesystem::path& scene,
+              std::span<const std::string> overrides) {
+  const std::size_t dot = error.field.find('.');
+  if (error.line > 0 || dot == std::string::npos) return error;
+  const Result<SceneSettings> read = read_scene_settings(scene, overrides);
+  if (!read.ok()) return error;
+  const Setting* section = read->settings.root.find(error.field.substr(0, dot));
+  if (section == nullptr) return error;
+  const Setting* key = find_in(section, error.field.substr(dot + 1));
+  const Setting& place = key != nullptr ? *key : *section;
+  error.file = file_of(place);
+  error.line = place.line;
+  return error;
+}
+
+}  // namespace mixcmp::model
