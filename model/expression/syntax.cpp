@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tao/pegtl.hpp>
 
+#include "model/common/quote.hpp"
+
 namespace mixcmp::model {
 namespace {
 
@@ -267,6 +269,10 @@ struct Control : pegtl::normal<Rule> {
     const std::string received = in.empty() ? "the end" : quoted(in.peek_char());
     std::string message = in.empty() ? "unexpected end" : "unexpected character";
     std::string accepted(rules::accepted<Rule>);
+    if constexpr (std::is_same_v<Rule, rules::index_range>) {
+      fail(column_of(in), "no index and its values",
+           in.empty() ? "the end" : in_quotes(std::string(in.current(), in.end())), accepted);
+    }
     if constexpr (std::is_same_v<Rule, rules::close> || std::is_same_v<Rule, rules::close_call> ||
                   std::is_same_v<Rule, rules::close_bracket>) {
       const OpenBracket& open = gathering.open_bracket();

@@ -67,6 +67,18 @@ std::string place_of_f(const Settings& settings) {
   return f.line == 0 ? file_of(f) : fmt::format("{}:{}", file_of(f), f.line);
 }
 
+/// "z is none of them, y is missing".
+std::string differences(const std::set<std::string>& named, const std::set<std::string>& wanted) {
+  std::vector<std::string> told;
+  for (const std::string& name : named) {
+    if (!wanted.contains(name)) told.push_back(name + " is none of them");
+  }
+  for (const std::string& name : wanted) {
+    if (!named.contains(name)) told.push_back(name + " is missing");
+  }
+  return fmt::format("{}", fmt::join(told, ", "));
+}
+
 /// A variant in the place of [comparison]: it has the same inputs in the same order, so that data
 /// and ports fit all of them.
 Result<ComparisonSpec> read_variant(const Formulation& formulation,
@@ -78,9 +90,12 @@ Result<ComparisonSpec> read_variant(const Formulation& formulation,
   MIXCMP_TRY(alone, read_graph(settings, variant, lets, {}, ignored));
   const std::set<std::string> named(alone.inputs().begin(), alone.inputs().end());
   const auto& inputs = base.graph.inputs();
-  if (named != std::set<std::string>(inputs.begin(), inputs.end())) {
+  const std::set<std::string> wanted(inputs.begin(), inputs.end());
+  if (named != wanted) {
     const Section section(settings, "comparison");
-    return section.mistake("f", "f and g have other inputs than those at " + place_of_f(given),
+    return section.mistake("f",
+                           fmt::format("f and g have other inputs than those at {}: {}",
+                                       place_of_f(given), differences(named, wanted)),
                            fmt::format("{}", fmt::join(named, ", ")),
                            fmt::format("{}", fmt::join(inputs, ", ")));
   }

@@ -376,6 +376,10 @@ TEST(Parser, ReadsRangesAlone) {
   EXPECT_EQ(range->first, 0);
   EXPECT_EQ(range->last, 2);
   EXPECT_EQ(parse_index_range("k", lets).error().accepted, "an index and its values: k in 0..3");
+  const model::Error error = parse_index_range(" k = 0..2", lets).error();
+  EXPECT_EQ(error.column, 2);
+  EXPECT_EQ(error.message, "no index and its values");
+  EXPECT_EQ(error.received, "\"k = 0..2\"");
   EXPECT_EQ(parse_index_range("k in 0..3, x", lets).error().column, 10);
   EXPECT_EQ(parse_index_range("k in 1..0", lets).error().message, "an empty range");
   Graph graph;

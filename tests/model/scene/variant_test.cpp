@@ -91,9 +91,8 @@ TEST_F(Variants, MistakesAreFoundInThoseNotChosenToo) {
       "scene.toml:7:9: variant bad, f: unexpected end: received the end; accepted a number, a "
       "name, a function call, '(' or '-'");
   EXPECT_EQ(error(variant("bad", "f = \"x^2 + z\"\n")),
-            "scene.toml:7: variant bad, f: f and g have other inputs than those at scene.toml:3: "
-            "received r, "
-            "x, z; accepted x, y, r");
+            "scene.toml:7: variant bad, f: f and g have other inputs than those at scene.toml:3: z "
+            "is none of them, y is missing: received r, x, z; accepted x, y, r");
   EXPECT_EQ(error(root_ + root_),
             "scene.toml:10: variant.name: two variants have it: received \"root\"; accepted a name "
             "of its own");
