@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
-#include <vector>
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/usage.hpp"
@@ -33,8 +32,7 @@ int main(int argc, char** argv) {
     }
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    const std::vector<std::string> words(argv + 1, argv + argc);
-    fmt::print(stderr, "mixcmp: {}\n", mixcmp::cli::usage_error(app, error, words));
+    fmt::print(stderr, "mixcmp: {}\n", mixcmp::cli::usage_error(app, error));
     return 1;
   } catch (const mixcmp::cli::Exit& exit) {
     return exit.code;

@@ -2,23 +2,14 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <string>
+#include <vector>
 
 #include "model/common/nearest.hpp"
 #include "model/common/result.hpp"
 
 namespace mixcmp::cli {
 namespace {
-
-/// CLI11 lists what it could not use backwards; the user looks for the first of them.
-std::string first_unused(const CLI::App& app, const std::vector<std::string>& words) {
-  const std::vector<std::string> unused = app.remaining(true);
-  const auto is_unused = [&](const std::string& word) {
-    return std::find(unused.begin(), unused.end(), word) != unused.end();
-  };
-  const auto found = std::find_if(words.begin(), words.end(), is_unused);
-  return found != words.end() ? *found : unused.front();
-}
 
 std::vector<std::string> verbs_of(const CLI::App& app) {
   std::vector<std::string> names;
@@ -55,12 +46,11 @@ model::Error unused_word(const CLI::App& app, const CLI::App* verb, const std::s
 
 }  // namespace
 
-std::string usage_error(const CLI::App& app, const CLI::ParseError& error,
-                        const std::vector<std::string>& words) {
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> verbs = app.get_subcommands();
   const CLI::App* verb = verbs.empty() ? nullptr : verbs.front();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    return unused_word(app, verb, first_unused(app, words)).to_string();
+    return unused_word(app, verb, app.remaining(true).front()).to_string();
   }
   if (verb == nullptr) return error.what();
   return fmt::format("{}: {} (mixcmp {} --help)", verb->get_name(), error.what(), verb->get_name());
