@@ -239,8 +239,8 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const Measurement& row, const M
   if (!has_enough_exponents(row)) return;
   Area area = row.area;
   if (fifo != nullptr) area += fifo->area;
-  const std::string name = fmt::format("{} {} {} {}", row.key.format, row.key.inputs, row.key.bound,
-                                       row.key.multipliers);
+  std::string name = fmt::format("{} {} {}", row.key.format, row.key.inputs, row.key.bound);
+  if (!row.key.multipliers.empty()) name += " " + row.key.multipliers;
   const double mhz = clock_of(row, options_.clocks.lane_mhz, fifo);
   plan.lanes.push_back({row, area, *rate, {name, mhz * hertz_per_mhz, rate->value(), area}});
 }
