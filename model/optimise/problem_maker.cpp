@@ -60,6 +60,9 @@ ProblemMaker::ProblemMaker(const Scene& scene, const Characterisation& table, co
   sort_rows();
   leave_out_untimed();
   if (!options_.fixed_communication) add_crossbar();
+  if (scene_.system.engine.kind == EngineKind::pairwise) {
+    notes_.insert("the pairwise engine around the system is not counted");
+  }
 }
 
 std::vector<int> ProblemMaker::precisions() const {
