@@ -42,14 +42,6 @@ model::ContestProgress contest_progress() {
   };
 }
 
-/// Where the user wrote what is at fault: a key's line, or the shortcut that set it.
-model::Error at_fault(const model::Error& found, const SceneOptions& options) {
-  model::Error error = located(found, options.scene, options.settings);
-  const auto shortcut = options.shortcuts.find(error.field);
-  if (error.file == "--set" && shortcut != options.shortcuts.end()) error.file = shortcut->second;
-  return error;
-}
-
 bool needs_quotes(const std::string& text) {
   return text.find_first_of(" \t\"'$&|;<>()[]{}*?!#~`\\") != std::string::npos;
 }
@@ -80,6 +72,13 @@ void add_scene_options(CLI::App& verb, SceneOptions& options,
         fmt::format("{} (--set {}=...)", shortcut.help, shortcut.key));
   }
   verb.add_flag("--json", options.json, "print the result as JSON");
+}
+
+model::Error at_fault(const model::Error& found, const SceneOptions& options) {
+  model::Error error = located(found, options.scene, options.settings);
+  const auto shortcut = options.shortcuts.find(error.field);
+  if (error.file == "--set" && shortcut != options.shortcuts.end()) error.file = shortcut->second;
+  return error;
 }
 
 model::Result<LoadedScene> load(const SceneOptions& options) {

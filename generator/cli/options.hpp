@@ -33,6 +33,10 @@ struct LoadedScene {
 };
 model::Result<LoadedScene> load(const SceneOptions& options);
 
+/// The mistake with the place where the user wrote what is at fault: a key's line, or the shortcut
+/// that set it.
+model::Error at_fault(const model::Error& found, const SceneOptions& options);
+
 /// What the scene's system is made of. Errors, of both, name the file and line of the key at fault.
 model::Result<model::Design> design_of(const SceneOptions& options, const LoadedScene& loaded);
 

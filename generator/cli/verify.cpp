@@ -146,17 +146,11 @@ tb::VerifyOptions run_options(const VerifyCommand& command, const LoadedScene& l
   return options;
 }
 
-/// The value, or the end. A mistake in a key is one of the scene, whose path the simulation does
-/// not know.
+/// The value, or the end. The simulation does not know where the scene stands.
 template <class Value>
 Value in_scene_or_exit(model::Result<Value> result, const VerifyCommand& command) {
   if (result.ok()) return std::move(result).value();
-  model::Error error = result.error();
-  const bool is_option = error.field.starts_with("--");
-  if (error.file.empty() && !error.field.empty() && !is_option) {
-    error.file = command.scene.scene.string();
-  }
-  return value_or_exit<Value>(error);
+  return value_or_exit<Value>(at_fault(result.error(), command.scene));
 }
 
 tb::VerifyReport verified(const model::Design& design, const model::Comparisons& data,
