@@ -249,6 +249,9 @@ model::Result<Executable> build_simulator(const System& system, const BuildOptio
   if (fs::exists(stamp) && fs::exists(executable.path)) return executable;
 
   const auto start = std::chrono::steady_clock::now();
+  // What a killed compiler or linker leaves is half of a file, and newer than what it is made of.
+  fs::remove_all(folder / "obj", failure);
+  if (failure) return model::Error{.file = folder.string(), .message = failure.message()};
   for (const auto& [name, text] : inputs) {
     MIXCMP_TRY(written, write_text(folder / name, text));
   }

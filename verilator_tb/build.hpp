@@ -45,9 +45,9 @@ struct Executable {
 };
 
 /// Runs Verilator on the system together with our harness. A build is found again by the content of
-/// everything that went into it; one that was interrupted is taken up where it stopped. Channels
-/// and references are verilated once each (hierarchical blocks). Of those, 5.006 traces the first
-/// channel and the first reference inside, and the ports of all.
+/// everything that went into it; one that was interrupted starts anew (ccache keeps its objects).
+/// Channels and references are verilated once each (hierarchical blocks). Of those, 5.006 traces
+/// the first channel and the first reference inside, and the ports of all.
 model::Result<Executable> build_simulator(const System& system, const BuildOptions& options);
 
 }  // namespace mixcmp::tb

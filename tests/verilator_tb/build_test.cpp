@@ -23,6 +23,20 @@ TEST(Build, IsFoundAgainByItsContent) {
   EXPECT_EQ(second->build_seconds, 0);
 }
 
+/// A linker that is killed leaves a file that is newer than its objects.
+TEST(Build, StartsAnewWhereItWasInterrupted) {
+  const auto system = load_system(write_fake_system({.name = "good"}));
+  ASSERT_TRUE(system.ok()) << system.error().to_string();
+  const BuildOptions options{.work_dir = fake_work_dir() / "interrupted"};
+  const auto first = build_simulator(*system, options);
+  ASSERT_TRUE(first.ok()) << first.error().to_string();
+  ASSERT_TRUE(fs::remove(first->path.parent_path().parent_path() / "complete"));
+  fs::resize_file(first->path, 0);
+  const auto second = build_simulator(*system, options);
+  ASSERT_TRUE(second.ok()) << second.error().to_string();
+  EXPECT_GT(fs::file_size(second->path), 0u);
+}
+
 TEST(Build, OfOtherSourcesIsAnother) {
   const auto folder = write_fake_system({.name = "broken"});
   const auto good = load_system(write_fake_system({.name = "good"}));

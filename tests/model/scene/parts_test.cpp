@@ -67,6 +67,12 @@ TEST_F(PartsTest, ListsHaveAllTheirPartsForEachValueOfAnIndex) {
   EXPECT_EQ(scene->parts[3].g, "k where k = 2");
 }
 
+TEST_F(PartsTest, AsManyPartsAsTheLimitAreTaken) {
+  const auto indexed = load("for = \"k in 1..64\"\nf = \"a[k]\"\ng = \"1\"\ncombine = \"all\"\n");
+  ASSERT_TRUE(indexed.ok()) << indexed.error().to_string();
+  EXPECT_EQ(indexed->parts.size(), max_parts);
+}
+
 TEST_F(PartsTest, AllTakesTheLastVerdictAndAnyTheFirst) {
   const auto scene = load("f = [\"a\", \"b\"]\ng = [\"1\", \"1\"]\ncombine = \"all\"\n");
   const auto bits = [&](int value) {
