@@ -6,13 +6,12 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <set>
 
 #include "embedded/harness_files.hpp"
 #include "model/common/content_hash.hpp"
+#include "model/common/file.hpp"
 
 namespace mixcmp::tb {
 
@@ -23,19 +22,6 @@ namespace fs = std::filesystem;
 /// Two lanes are built as fast at once; of more, each kind of channel is verilated once.
 bool is_hierarchical(const System& system) {
   return system.signature.lanes > 2;
-}
-
-std::string read_text(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-model::Result<model::Done> write_text(const fs::path& path, std::string_view text) {
-  if (fs::exists(path) && read_text(path) == text) return model::Done{};  // keeps make idle
-  std::ofstream stream(path, std::ios::binary);
-  stream << text;
-  if (stream.flush()) return model::Done{};
-  return model::Error{.file = path.string(), .message = "cannot write"};
 }
 
 /// The constants and ports of one top, for its harness.
@@ -179,7 +165,8 @@ model::Result<Inputs> gather_inputs(const System& system, const Bench& bench) {
       return model::Error{.file = source.string(),
                           .message = "named by the system's signature, but not there"};
     }
-    inputs.emplace_back(source.filename().string(), read_text(source));
+    MIXCMP_TRY(text, model::read_file(source));
+    inputs.emplace_back(source.filename().string(), text);
   }
   for (const model::EmbeddedFile& file : harness_files()) inputs.emplace_back(file.name, file.text);
   inputs.emplace_back("system_ports.hpp", bench.ports);
@@ -253,10 +240,10 @@ model::Result<Executable> build_simulator(const System& system, const BuildOptio
   fs::remove_all(folder / "obj", failure);
   if (failure) return model::Error{.file = folder.string(), .message = failure.message()};
   for (const auto& [name, text] : inputs) {
-    MIXCMP_TRY(written, write_text(folder / name, text));
+    MIXCMP_TRY(written, model::write_in_place(folder / name, text));
   }
   MIXCMP_TRY(run, run_tool(command, folder, folder / "build.log", options.progress));
-  MIXCMP_TRY(stamped, write_text(stamp, ""));
+  MIXCMP_TRY(stamped, model::write_in_place(stamp, ""));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return Executable{executable.path, taken.count()};
 }

@@ -11,6 +11,7 @@
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/scratch.hpp"
+#include "model/common/file.hpp"
 #include "model/common/process.hpp"
 
 namespace mixcmp::cli {
@@ -22,15 +23,6 @@ namespace {
 model::Error cannot_write(const fs::path& path) {
   return {.file = path.string(),
           .message = fmt::format("cannot be written: {}", std::strerror(errno))};
-}
-
-/// A pipe or a device takes what it is given; it is not replaced by a file.
-model::Result<model::Done> write_directly(const fs::path& path, const std::string& text) {
-  std::ofstream stream(path, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (stream) return model::Done{};
-  return cannot_write(path);
 }
 
 }  // namespace
@@ -58,13 +50,13 @@ model::Result<model::Done> check_outputs(const std::vector<fs::path>& outputs,
 model::Result<model::Done> write_file(const fs::path& file, const std::string& text) {
   std::error_code failed;
   const fs::path path = fs::is_symlink(file, failed) ? fs::weakly_canonical(file) : file;
-  if (fs::exists(path) && !fs::is_regular_file(path)) return write_directly(path, text);
+  // A pipe or a device takes what it is given; it is not replaced by a file.
+  const bool is_special = fs::exists(path) && !fs::is_regular_file(path);
+  if (is_special) return model::write_in_place(path, text);
   const fs::path unfinished = path.string() + ".part";
-  std::ofstream stream(unfinished, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (stream) fs::rename(unfinished, path, failed);
-  if (stream && !failed) return model::Done{};
+  const bool written = model::write_in_place(unfinished, text).ok();
+  if (written) fs::rename(unfinished, path, failed);
+  if (written && !failed) return model::Done{};
   const model::Error error = cannot_write(path);
   fs::remove(unfinished, failed);
   return error;

@@ -36,14 +36,6 @@ model::Error cannot_write(const fs::path& path) {
   return {.file = path.string(), .message = "cannot be written"};
 }
 
-model::Result<model::Done> write_text(const fs::path& path, const std::string& text) {
-  std::ofstream stream(path, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) return cannot_write(path);
-  return model::Done{};
-}
-
 void write_word(std::ofstream& stream, std::uint64_t word) {
   stream.write(reinterpret_cast<const char*>(&word), sizeof word);
 }
@@ -120,7 +112,8 @@ model::Result<SoftwareProgram> SoftwareProgram::compile(const model::Scene& scen
                                                         const BaselineOptions& options) {
   MIXCMP_TRY(compiler, model::tool_version("g++", "--version", "g++"));
   const fs::path& work = options.work;
-  MIXCMP_TRY(written, write_text(work / "comparison.cpp", software_source(scene, data, filters)));
+  MIXCMP_TRY(written,
+             model::write_in_place(work / "comparison.cpp", software_source(scene, data, filters)));
   MIXCMP_TRY(compiled,
              model::run_tool(compile_command, work, work / "compile.log", options.progress));
   return SoftwareProgram(options, compiler);

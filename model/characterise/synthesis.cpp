@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "model/characterise/logic_cells.hpp"
@@ -28,17 +27,9 @@ struct Run {
   bool is_ice40() const { return device.synthesis.starts_with("synth_ice40"); }
 };
 
-Result<Done> write_text(const fs::path& path, const std::string& text) {
-  std::ofstream stream(path, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (stream.good()) return Done{};
-  return Error{.file = path.string(), .message = "cannot be written"};
-}
-
 Result<Done> write_sources(const Run& run) {
   for (const SourceText& source : run.job.sources) {
-    MIXCMP_TRY(written, write_text(run.directory / source.name, source.text));
+    MIXCMP_TRY(written, write_in_place(run.directory / source.name, source.text));
   }
   return Done{};
 }
@@ -50,7 +41,7 @@ std::string read_sources(const SynthesisJob& job) {
 }
 
 Result<Done> run_yosys(const Run& run, const std::string& name, const std::string& script) {
-  MIXCMP_TRY(written, write_text(run.directory / (name + ".ys"), script));
+  MIXCMP_TRY(written, write_in_place(run.directory / (name + ".ys"), script));
   Command command = yosys_command(run.device);
   command.insert(command.end(), {"-q", "-s", name + ".ys"});
   return run_in(run.directory, command, name + ".log", run.options.seconds_per_tool);
@@ -110,7 +101,7 @@ Result<Done> wrap(const Run& run) {
   const std::string name = "mixcmp_wrapper_of_" + run.job.top;
   MIXCMP_TRY(netlist, read_json(run.directory / "map.json"));
   MIXCMP_TRY(wrapper, register_wrapper(netlist, run.job.top, run.job.clock_port, name));
-  MIXCMP_TRY(written, write_text(run.directory / "mixcmp_wrapper.v", wrapper));
+  MIXCMP_TRY(written, write_in_place(run.directory / "mixcmp_wrapper.v", wrapper));
   return run_yosys(run, "wrap",
                    fmt::format("read_rtlil map.il\nread_verilog mixcmp_wrapper.v\n{} -top {}\n"
                                "write_json wrapped.json\n",
