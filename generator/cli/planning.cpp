@@ -98,8 +98,7 @@ void use_given_constants(const model::ReducedSpec& reduced, model::ErrorProfile&
 /// Of a chain's lanes there is nothing to choose.
 Result<model::Done> check_no_chain(const model::Scene& scene) {
   if (scene.system.engine.kind != model::EngineKind::arg_min) return model::Done{};
-  return Error{.file = scene.path.string(),
-               .field = "engine.kind",
+  return Error{.field = "engine.kind",
                .message =
                    "nothing is to be planned: the arg-min engine has a lane for each "
                    "candidate but the first",
@@ -192,7 +191,8 @@ std::filesystem::path table_of(const PlanningOptions& options, const model::Scen
 
 Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene,
                                const model::Comparisons* data) {
-  MIXCMP_TRY(possible, check_no_chain(scene));
+  const Result<model::Done> possible = check_no_chain(scene);
+  if (!possible.ok()) return at_fault(possible.error(), options.scene);
   MIXCMP_TRY(device, model::find_device(scene.system.device));
   const std::filesystem::path path = table_of(options, scene);
   MIXCMP_TRY(exists, check_table_exists(path, options, scene.variant, device));

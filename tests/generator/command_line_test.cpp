@@ -143,7 +143,7 @@ TEST_F(CommandLine, NothingIsPlannedForAChain) {
   ASSERT_EQ(check.exit_code, 0) << check.output;
   EXPECT_EQ(nlohmann::json::parse(check.output)["generate"]["top"], "chain_s8e8_2x1");
   for (const char* verb : {"optimise", "explore"}) {
-    expect_refused(fmt::format("{} chain.toml", verb), "chain.toml: engine.kind: ");
+    expect_refused(fmt::format("{} chain.toml", verb), "chain.toml:12: engine.kind: ");
   }
   expect_refused("optimise chain.toml --set engine.kind=none", "mixcmp characterise chain.toml");
   for (const char* verb : {"generate", "verify"}) {
