@@ -112,14 +112,6 @@ model::Result<model::Done> check_selection(const model::Comparisons& comparisons
                       .accepted = fmt::format("an index below {}", comparisons.size())};
 }
 
-model::Result<model::Done> check_contests(const model::Comparisons& comparisons) {
-  if (comparisons.pairing() == model::Pairing::arg_min) return model::Done{};
-  return model::Error{.field = "data.pairs",
-                      .message = "the arg-min engine compares candidates for each row",
-                      .received = std::string(to_string(comparisons.pairing())),
-                      .accepted = "pairs = \"arg_min\""};
-}
-
 /// Somewhere inside each of `resets` equal parts of the run.
 std::vector<std::uint64_t> reset_positions(const Run& run) {
   std::vector<std::uint64_t> positions;
@@ -225,7 +217,6 @@ model::Result<model::Done> check_request(const model::Design& design,
     }
     case model::EngineKind::arg_min: {
       MIXCMP_TRY(possible, check_engine_options(options, "every candidate for every row"));
-      MIXCMP_TRY(paired, check_contests(comparisons));
       break;
     }
   }

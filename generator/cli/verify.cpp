@@ -146,26 +146,13 @@ tb::VerifyOptions run_options(const VerifyCommand& command, const LoadedScene& l
   return options;
 }
 
-/// The value, or the end. The simulation does not know where the scene stands.
-template <class Value>
-Value in_scene_or_exit(model::Result<Value> result, const VerifyCommand& command) {
-  if (result.ok()) return std::move(result).value();
-  return value_or_exit<Value>(at_fault(result.error(), command.scene));
-}
-
-tb::VerifyReport verified(const model::Design& design, const model::Comparisons& data,
-                          const fs::path& rtl, const tb::VerifyOptions& options,
-                          const VerifyCommand& command) {
-  return in_scene_or_exit(tb::verify(design, data, rtl, options), command);
-}
-
 tb::VerifyReport run_with_table(const model::Design& design, const model::Comparisons& data,
                                 const fs::path& rtl, tb::VerifyOptions options,
                                 const VerifyCommand& command) {
-  if (command.csv.empty()) return verified(design, data, rtl, options, command);
+  if (command.csv.empty()) return value_or_exit(tb::verify(design, data, rtl, options));
   ResultTable table = value_or_exit(ResultTable::open(command.csv, data, command.csv_verdicts));
   options.on_result = [&table](const tb::VerifiedResult& result) { table.add(result); };
-  tb::VerifyReport report = verified(design, data, rtl, options, command);
+  tb::VerifyReport report = value_or_exit(tb::verify(design, data, rtl, options));
   value_or_exit(table.finish());
   return report;
 }
@@ -205,7 +192,7 @@ void run(const VerifyCommand& command) {
       command.work.empty() ? fs::path(system.signature.top + "_simulation") : command.work;
   value_or_exit(check_work(command, work));
   const tb::VerifyOptions options = run_options(command, loaded, work);
-  in_scene_or_exit(check_request(design, *loaded.data, options), command);
+  value_or_exit(check_request(design, *loaded.data, options));
   value_or_exit(check_trace(command.run.waves));
   const fs::path rtl = work / "rtl";
   value_or_exit(gen::write_system(system, rtl));

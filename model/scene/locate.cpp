@@ -15,14 +15,13 @@ const Setting* find_in(const Setting* table, const std::string& key) {
 
 Error located(Error error, const std::filesystem::path& scene,
               std::span<const std::string> overrides) {
-  if (error.line > 0) return error;
+  const std::size_t dot = error.field.find('.');
+  if (error.line > 0 || dot == std::string::npos) return error;
   const Result<SceneSettings> read = read_scene_settings(scene, overrides);
   if (!read.ok()) return error;
-  const std::size_t dot = error.field.find('.');
   const Setting* section = read->settings.root.find(error.field.substr(0, dot));
   if (section == nullptr) return error;
-  const Setting* key =
-      dot == std::string::npos ? nullptr : find_in(section, error.field.substr(dot + 1));
+  const Setting* key = find_in(section, error.field.substr(dot + 1));
   const Setting& place = key != nullptr ? *key : *section;
   error.file = file_of(place);
   error.line = place.line;

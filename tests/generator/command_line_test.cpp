@@ -55,13 +55,6 @@ TEST_F(CommandLine, AMistakeNamesTheLineOrTheOption) {
   std::ofstream(directory_.path() / "undecided.toml")
       << "scene = \"scene.toml\"\n[reduced]\n\nformat = \"auto\"\n";
   expect_refused("generate undecided.toml", "undecided.toml:4: reduced.format: is not chosen yet");
-  std::ofstream(directory_.path() / "rows.csv") << "pi,pj,q\n1,2,3\n";
-  std::ofstream(directory_.path() / "contest.toml")
-      << "[comparison]\nname = \"contest\"\nf = \"abs(pj - q)\"\ng = \"abs(pi - q)\"\n"
-      << "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"s8e8\"\n"
-      << "[system]\nlanes = 1\nreferences = 1\n[engine]\nkind = \"arg_min\"\n"
-      << "[data]\nfile = \"rows.csv\"\n";
-  expect_refused("verify contest.toml", "contest.toml:14: data.pairs: the arg-min engine");
 }
 
 TEST_F(CommandLine, CheckTellsWhatGenerateWillDo) {
