@@ -33,10 +33,11 @@ TEST(Build, StartsAnewWhereItWasInterrupted) {
   const fs::path objects = first->path.parent_path();
   ASSERT_TRUE(fs::remove(objects.parent_path() / "complete"));
   fs::resize_file(first->path, 0);
-  fs::resize_file(objects / "verilated.o", 0);
+  std::ofstream(objects / "half.o") << "half";
   const auto second = build_simulator(*system, options);
   ASSERT_TRUE(second.ok()) << second.error().to_string();
   EXPECT_GT(fs::file_size(second->path), 0u);
+  EXPECT_FALSE(fs::exists(objects / "half.o")) << "nothing of it is used again";
 }
 
 TEST(Build, OfOtherSourcesIsAnother) {
