@@ -34,9 +34,11 @@ install_packages() {
     apt-get install -y --no-install-recommends $absent
 }
 
-# build_release TARGET [OPTION]: OPTION goes to the configuration.
+# build_release TARGET [OPTION]: OPTION goes to the configuration. Warnings are errors in CI alone.
 build_release() {
   say "building into build/release"
-  logged build/log/configure.txt cmake --preset release ${2:+"$2"}
+  [ "${CI:-}" = true ] && warnings=ON || warnings=OFF
+  logged build/log/configure.txt \
+    cmake --preset release -DMIXCMP_WARNINGS_AS_ERRORS=$warnings ${2:+"$2"}
   logged build/log/build.txt cmake --build --preset release --target "$1"
 }

@@ -31,6 +31,7 @@ public:
 
   /// Sends a load and waits until its rows have left, or the reset.
   model::Result<LoadAnswer> exchange(const CandidateLoad& load, int lanes);
+  model::Result<model::Done> finish() { return process_.finish(); }
 
 private:
   explicit ArgMinSimulation(SimulatorProcess process) : process_(std::move(process)) {}

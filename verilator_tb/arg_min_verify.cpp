@@ -74,7 +74,7 @@ model::Result<model::Done> run_trials(const System& system, const model::Compari
     judge.take(trial.load, answer, trial.use);
     if (answer.response.state == wire::LoadState::stopped) break;
   }
-  return model::Done{};
+  return simulation.finish();
 }
 
 }  // namespace

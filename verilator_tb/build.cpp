@@ -1,9 +1,6 @@
 #include "verilator_tb/build.hpp"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <initializer_list>
@@ -12,6 +9,8 @@
 #include "embedded/harness_files.hpp"
 #include "model/common/content_hash.hpp"
 #include "model/common/file.hpp"
+#include "model/common/folder_lock.hpp"
+#include "model/common/output_file.hpp"
 
 namespace mixcmp::tb {
 
@@ -154,40 +153,13 @@ Command verilator_command(const System& system, const Bench& bench, Waves waves,
   return command;
 }
 
-/// Everything Verilator reads, side by side in the build's own folder: relative paths, and a system
-/// generated anew in the meantime does not mix with it.
-using Inputs = std::vector<std::pair<std::string, std::string>>;
-
-model::Result<Inputs> gather_inputs(const System& system, const Bench& bench) {
-  Inputs inputs;
-  for (const fs::path& source : system.sources()) {
-    if (!fs::exists(source)) {
-      return model::Error{.file = source.string(),
-                          .message = "named by the system's signature, but not there"};
-    }
-    MIXCMP_TRY(text, model::read_file(source));
-    inputs.emplace_back(source.filename().string(), text);
-  }
+model::Result<SourceFiles> gather_inputs(const System& system, const Bench& bench) {
+  MIXCMP_TRY(inputs, system_sources(system));
   for (const model::EmbeddedFile& file : harness_files()) inputs.emplace_back(file.name, file.text);
   inputs.emplace_back("system_ports.hpp", bench.ports);
   inputs.emplace_back("hierarchy.vlt", hierarchy(system.signature));
   return inputs;
 }
-
-/// Held while building: a second process on the same build waits for the first.
-class FolderLock {
-public:
-  explicit FolderLock(const fs::path& folder)
-      : descriptor_(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-    flock(descriptor_, LOCK_EX);
-  }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-  ~FolderLock() { close(descriptor_); }
-
-private:
-  int descriptor_;
-};
 
 }  // namespace
 
@@ -214,36 +186,54 @@ model::Result<System> load_system(const fs::path& directory) {
   return System{fs::absolute(directory), signature};
 }
 
-model::Result<Executable> build_simulator(const System& system, const BuildOptions& options) {
-  MIXCMP_TRY(version, tool_version("verilator", "--version", "verilator"));
-  const Bench bench = bench_of(system.signature);
-  MIXCMP_TRY(inputs, gather_inputs(system, bench));
-  const bool ccache = tool_version("ccache", "--version", "ccache").ok();
-  const Command command = verilator_command(system, bench, options.waves, ccache);
+model::Result<SourceFiles> system_sources(const System& system) {
+  SourceFiles inputs;
+  for (const fs::path& source : system.sources()) {
+    if (!fs::exists(source)) {
+      return model::Error{.file = source.string(),
+                          .message = "named by the system's signature, but not there"};
+    }
+    MIXCMP_TRY(text, model::read_file(source));
+    inputs.emplace_back(source.filename().string(), text);
+  }
+  return inputs;
+}
 
+fs::path work_folder(const fs::path& work, const std::string& name, const std::string& version,
+                     const Command& command, const SourceFiles& inputs) {
   model::ContentHash hash;
   hash.add(version).add(to_shell(command));
-  for (const auto& [name, text] : inputs) hash.add(name).add(text);
-  const fs::path folder =
-      fs::absolute(options.work_dir) / fmt::format("{}-{}", bench.top, hash.hex().substr(0, 16));
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) return model::Error{.file = folder.string(), .message = failure.message()};
+  for (const auto& [file, text] : inputs) hash.add(file).add(text);
+  return fs::absolute(work) / fmt::format("{}-{}", name, hash.hex().substr(0, 16));
+}
 
-  const FolderLock lock(folder);
+model::Result<Executable> build_simulator(const System& system, const BuildOptions& options) {
+  MIXCMP_TRY(version, tool_version({"verilator", "--version"}, "verilator"));
+  const Bench bench = bench_of(system.signature);
+  MIXCMP_TRY(inputs, gather_inputs(system, bench));
+  const bool ccache = tool_version({"ccache", "--version"}, "ccache").ok();
+  const Command command = verilator_command(system, bench, options.waves, ccache);
+  const fs::path folder = work_folder(options.work_dir, bench.top, version, command, inputs);
+  MIXCMP_TRY(lock, model::FolderLock::take(folder, [&] {
+               if (options.progress) options.progress("waiting for another run's build");
+             }));
   const Executable executable{folder / "obj" / "Vsystem"};
   const fs::path stamp = folder / "complete";
   if (fs::exists(stamp) && fs::exists(executable.path)) return executable;
 
   const auto start = std::chrono::steady_clock::now();
   // What a killed compiler or linker leaves is half of a file, and newer than what it is made of.
+  std::error_code failure;
   fs::remove_all(folder / "obj", failure);
-  if (failure) return model::Error{.file = folder.string(), .message = failure.message()};
+  if (failure) return model::cannot_write(folder / "obj", failure.value());
   for (const auto& [name, text] : inputs) {
-    MIXCMP_TRY(written, model::write_in_place(folder / name, text));
+    MIXCMP_TRY(written, model::write_file(folder / name, text));
   }
-  MIXCMP_TRY(run, run_tool(command, folder, folder / "build.log", options.progress));
-  MIXCMP_TRY(stamped, model::write_in_place(stamp, ""));
+  MIXCMP_TRY(run, run_tool({.command = command,
+                            .directory = folder,
+                            .log = folder / "build.log",
+                            .progress = options.progress}));
+  MIXCMP_TRY(stamped, model::write_file(stamp, ""));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return Executable{executable.path, taken.count()};
 }

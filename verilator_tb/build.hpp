@@ -44,6 +44,18 @@ struct Executable {
   double build_seconds = 0;  ///< 0: it was there already
 };
 
+/// Files that a simulator reads, names and texts. They lie side by side in the build's own folder,
+/// so that a system generated anew in the meantime does not mix with it.
+using SourceFiles = std::vector<std::pair<std::string, std::string>>;
+
+/// The Verilog files that the system's signature names; an error names a missing one.
+model::Result<SourceFiles> system_sources(const System& system);
+
+/// WORK/NAME-HASH, the hash being of the command, the tool's version and all that the tool reads.
+std::filesystem::path work_folder(const std::filesystem::path& work, const std::string& name,
+                                  const std::string& version, const Command& command,
+                                  const SourceFiles& inputs);
+
 /// Runs Verilator on the system together with our harness. A build is found again by the content of
 /// everything that went into it; one that was interrupted starts anew (ccache keeps its objects).
 /// Channels and references are verilated once each (hierarchical blocks). Of those, 5.006 traces

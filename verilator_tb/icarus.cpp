@@ -1,13 +1,14 @@
 #include "verilator_tb/icarus.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <cstdint>
 #include <fstream>
 #include <sstream>
 
 #include "embedded/icarus_files.hpp"
+#include "model/common/folder_lock.hpp"
+#include "model/common/output_file.hpp"
 
 namespace mixcmp::tb {
 
@@ -15,40 +16,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-model::Error cannot_write(const fs::path& path) {
-  return {.file = path.string(), .message = "cannot write"};
-}
-
 /// One line of hexadecimal for each comparison, for $readmemh.
-model::Result<model::Done> write_stimulus(const fs::path& path, const Block& block,
-                                          std::size_t tdata_bytes) {
-  std::ofstream stream(path);
+std::string stimulus_text(const Block& block, std::size_t tdata_bytes) {
+  std::string text;
   for (std::size_t k = 0; k < block.comparisons; ++k) {
-    std::string line;
     for (std::size_t byte = tdata_bytes; byte-- > 0;) {
-      line += fmt::format("{:02x}", block.operands[k * tdata_bytes + byte]);
+      text += fmt::format("{:02x}", block.operands[k * tdata_bytes + byte]);
     }
-    stream << line << '\n';
+    text += '\n';
   }
-  if (stream.flush()) return model::Done{};
-  return cannot_write(path);
+  return text;
 }
 
-model::Result<model::Done> write_resets(const fs::path& path, const Block& block) {
-  std::ofstream stream(path);
-  for (const std::uint64_t position : block.resets) stream << fmt::format("{:x}\n", position);
-  stream << "ffffffff\n";  // the end; $readmemh warns about an empty file
-  if (stream.flush()) return model::Done{};
-  return cannot_write(path);
-}
-
-model::Result<model::Done> write_testbench(const fs::path& folder) {
-  for (const model::EmbeddedFile& file : icarus_files()) {
-    std::ofstream stream(folder / file.name);
-    stream << file.text;
-    if (!stream.flush()) return cannot_write(folder / file.name);
-  }
-  return model::Done{};
+std::string resets_text(const Block& block) {
+  std::string text;
+  for (const std::uint64_t position : block.resets) text += fmt::format("{:x}\n", position);
+  return text + "ffffffff\n";  // the end; $readmemh warns about an empty file
 }
 
 Command compile_command(const System& system, const Block& block,
@@ -76,7 +59,9 @@ Command compile_command(const System& system, const Block& block,
   parameter("SEED", options.seed % 0x7fffffff);
   parameter("HANG_CYCLES", options.hang_cycles);
   command.push_back("testbench.v");
-  for (const fs::path& source : system.sources()) command.push_back(source.string());
+  for (const fs::path& source : system.sources()) {
+    command.push_back(source.filename().string());
+  }
   return command;
 }
 
@@ -117,8 +102,31 @@ bool parse_line(const std::string& line, Answer& answer) {
     std::uint64_t state = 0;
     words >> state >> answer.cycles;
     answer.state = static_cast<wire::State>(state);
+  } else {
+    return false;
   }
   return !words.fail();
+}
+
+/// The judge relies on it that each comparison leaves once at most, and that it was offered.
+model::Result<model::Done> check_results(const Answer& answer, const Block& block,
+                                         const gen::Signature& signature, const fs::path& path) {
+  std::vector<bool> has_left(block.comparisons);
+  for (const wire::Result& result : answer.results) {
+    const bool known = result.position < block.comparisons &&
+                       result.lane < static_cast<std::uint32_t>(signature.lanes);
+    if (known && !has_left[result.position]) {
+      has_left[result.position] = true;
+      continue;
+    }
+    return model::Error{.file = path.string(),
+                        .message = "the simulator wrote results that cannot be",
+                        .received = fmt::format("comparison {} from lane {}{}", result.position,
+                                                result.lane, known ? " a second time" : ""),
+                        .accepted = fmt::format("each of {} comparisons once, from one of {} lanes",
+                                                block.comparisons, signature.lanes)};
+  }
+  return model::Done{};
 }
 
 model::Result<Answer> read_results(const fs::path& path) {
@@ -142,22 +150,33 @@ model::Result<Answer> read_results(const fs::path& path) {
 model::Result<Answer> simulate_in_icarus(const System& system, const Block& block,
                                          const fs::path& work_dir, const SimulationOptions& options,
                                          const Progress& progress) {
-  MIXCMP_TRY(version, tool_version("iverilog", "-V", "iverilog"));
-  const fs::path folder =
-      fs::absolute(work_dir) / fmt::format("{}-icarus-{}", system.signature.top, getpid());
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) return model::Error{.file = folder.string(), .message = failure.message()};
+  MIXCMP_TRY(version, tool_version({"iverilog", "-V"}, "iverilog"));
+  MIXCMP_TRY(inputs, system_sources(system));
   const auto bytes = static_cast<std::size_t>(system.signature.tdata_bytes);
-  MIXCMP_TRY(stimulus, write_stimulus(folder / "stimulus.hex", block, bytes));
-  MIXCMP_TRY(resets, write_resets(folder / "resets.hex", block));
-  MIXCMP_TRY(testbench, write_testbench(folder));
-  MIXCMP_TRY(compiled, run_tool(compile_command(system, block, options), folder,
-                                folder / "compile.log", progress));
-  MIXCMP_TRY(simulated,
-             run_tool(run_command(options), folder, folder / "simulation.log", progress));
-  auto answer = read_results(folder / "results.txt");
-  if (answer.ok()) fs::remove_all(folder, failure);
+  for (const model::EmbeddedFile& file : icarus_files()) inputs.emplace_back(file.name, file.text);
+  inputs.emplace_back("stimulus.hex", stimulus_text(block, bytes));
+  inputs.emplace_back("resets.hex", resets_text(block));
+  const Command command = compile_command(system, block, options);
+  const fs::path folder =
+      work_folder(work_dir, system.signature.top + "-icarus", version, command, inputs);
+  MIXCMP_TRY(lock, model::FolderLock::take(folder, [&] {
+               if (progress) progress("waiting for another run of the same simulation");
+             }));
+  for (const auto& [name, text] : inputs) {
+    MIXCMP_TRY(written, model::write_file(folder / name, text));
+  }
+  std::error_code failure;
+  fs::remove(folder / "results.txt", failure);
+  MIXCMP_TRY(compiled, run_tool({.command = command,
+                                 .directory = folder,
+                                 .log = folder / "compile.log",
+                                 .progress = progress}));
+  MIXCMP_TRY(simulated, run_tool({.command = run_command(options),
+                                  .directory = folder,
+                                  .log = folder / "simulation.log",
+                                  .progress = progress}));
+  MIXCMP_TRY(answer, read_results(folder / "results.txt"));
+  MIXCMP_TRY(possible, check_results(answer, block, system.signature, folder / "results.txt"));
   return answer;
 }
 

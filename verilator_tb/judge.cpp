@@ -61,6 +61,9 @@ void Judge::take_result(const wire::Result& result) {
 
   std::vector<model::Bits> operands(comparisons_.input_count());
   comparisons_.fetch(selection_.index(result.position), operands);
+  if (options_.truth) {
+    hold_against_truth(*options_.truth, design_, operands, result.tdata, *report_.truth, group);
+  }
   const std::uint32_t expected = expected_tdata(design_, group_of_lane_[result.lane], operands);
   if (meaningful(result.tdata) == expected) return;
   ++report_.mismatch_count;
@@ -144,17 +147,8 @@ void Judge::count(std::uint64_t index, const Fate& fate) {
     ++group.undecided;
   } else {
     ++report_.verdicts[static_cast<std::size_t>(verdict)];
-    check_truth(index, fate);
   }
   if (options_.on_result) options_.on_result({index, verdict, recomputed, undecided});
-}
-
-void Judge::check_truth(std::uint64_t index, const Fate& fate) {
-  if (!options_.truth) return;
-  std::vector<model::Bits> operands(comparisons_.input_count());
-  comparisons_.fetch(index, operands);
-  hold_against_truth(*options_.truth, design_, operands, fate.tdata, *report_.truth,
-                     group_of(fate.lane));
 }
 
 }  // namespace mixcmp::tb

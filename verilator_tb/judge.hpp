@@ -42,7 +42,6 @@ private:
   Mismatch describe(const wire::Result& result, std::uint32_t expected) const;
   void retire();
   void count(std::uint64_t index, const Fate& fate);
-  void check_truth(std::uint64_t index, const Fate& fate);
 
   const gen::Signature& signature_;
   const model::Design& design_;

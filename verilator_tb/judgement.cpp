@@ -12,12 +12,6 @@ namespace {
 
 using model::golden::Verdict;
 
-bool are_finite(model::FloatFormat format, std::span<const model::Bits> operands) {
-  return std::all_of(operands.begin(), operands.end(), [&](model::Bits operand) {
-    return format.biased_exponent(operand) < format.max_biased_exponent();
-  });
-}
-
 }  // namespace
 
 VerifyReport empty_report(const gen::Signature& signature, const model::Design& design,
@@ -98,16 +92,34 @@ Mismatch describe_comparison(const model::Design& design, const model::Compariso
 void hold_against_truth(const TruthCheck& check, const model::Design& design,
                         std::span<const model::Bits> operands, std::uint32_t tdata,
                         TruthCount& truth, GroupReport& group) {
-  const bool recomputed = (tdata & recomputed_flag) != 0;
-  if (check.scope == TruthScope::recomputed && !recomputed) return;
-  const model::FloatFormat format = design.reference.input_format();
-  // Infinite and NaN operands are no real numbers: there the reference's arithmetic is what counts.
-  if (recomputed && !are_finite(format, operands)) return;
-  ++truth.checked;
-  if (static_cast<Verdict>(tdata & 3) ==
-      model::golden::true_verdict(*check.graph, format, operands)) {
+  if ((tdata & undecided_flag) != 0) {
+    ++truth.undecided;
     return;
   }
+  const bool recomputed = (tdata & recomputed_flag) != 0;
+  if (check.scope == TruthScope::recomputed && !recomputed) {
+    ++truth.decided_by_lane;
+    return;
+  }
+  const auto verdict =
+      model::golden::true_verdict(*check.graph, design.reference.input_format(), operands);
+  if (!verdict) {
+    ++truth.undetermined;
+    return;
+  }
+  const bool has_order = *verdict != Verdict::unordered;
+  // What a reference says of no real numbers is a matter of its arithmetic: it is not blamed.
+  if (recomputed && !has_order) {
+    ++truth.undefined;
+    return;
+  }
+  ++truth.checked;
+  if (has_order && !design.references.empty()) {
+    ++truth.reference_alone_checked;
+    const Verdict reference = model::golden::evaluate_reference(design.reference, operands);
+    truth.reference_alone_wrong += reference == *verdict ? 0 : 1;
+  }
+  if (static_cast<Verdict>(tdata & 3) == *verdict) return;
   if (recomputed) {
     ++truth.wrong_by_reference;
   } else {

@@ -183,9 +183,9 @@ void PairwiseJudge::count(const SetRange& set, std::uint64_t i, std::uint64_t j,
     ++group.undecided;
   } else {
     ++report_.verdicts[static_cast<std::size_t>(verdict)];
-    if (options_.truth) {
-      hold_against_truth(*options_.truth, design_, operands_, tdata, *report_.truth, group);
-    }
+  }
+  if (options_.truth) {
+    hold_against_truth(*options_.truth, design_, operands_, tdata, *report_.truth, group);
   }
   if (options_.on_result && is_reported(tdata)) {
     options_.on_result({pair_of(set, i, j), verdict, recomputed, undecided});

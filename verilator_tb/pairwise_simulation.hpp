@@ -32,6 +32,7 @@ public:
 
   /// Sends a set and waits until its closing beat, or the reset.
   model::Result<SetAnswer> exchange(const ItemSet& set, int lanes);
+  model::Result<model::Done> finish() { return process_.finish(); }
 
 private:
   explicit PairwiseSimulation(SimulatorProcess process) : process_(std::move(process)) {}

@@ -70,7 +70,7 @@ model::Result<model::Done> run_trials(const System& system, const model::Compari
     judge.take(trial.set, answer, trial.use);
     if (answer.response.state == wire::SetState::stopped) break;
   }
-  return model::Done{};
+  return simulation.finish();
 }
 
 }  // namespace

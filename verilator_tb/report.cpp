@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace mixcmp::tb {
 
@@ -38,6 +39,35 @@ std::string to_text(const Mismatch& m) {
   return text;
 }
 
+/// "3: 2 where f or g has no value, 1 undetermined"
+std::string not_checked(const TruthCount& truth) {
+  std::string text = std::to_string(truth.not_checked());
+  const char* separator = ": ";
+  const auto add = [&](std::uint64_t count, const char* why) {
+    if (count == 0) return;
+    text += fmt::format("{}{} {}", std::exchange(separator, ", "), count, why);
+  };
+  add(truth.decided_by_lane, "decided by a lane");
+  add(truth.undefined, "where f or g has no value");
+  add(truth.undetermined, "whose truth is undetermined");
+  add(truth.undecided, "undecided");
+  return text;
+}
+
+std::string truth_lines(const VerifyReport& r) {
+  if (!r.truth) return {};
+  const TruthCount& truth = *r.truth;
+  std::string text =
+      line("against the truth",
+           fmt::format("{} checked, {} wrong by a lane, {} by a reference", truth.checked,
+                       truth.wrong_by_lane, truth.wrong_by_reference));
+  text += line("not checked", not_checked(truth));
+  if (r.references == 0) return text;
+  return text + line("reference by itself",
+                     fmt::format("wrong on {} of {} checked", truth.reference_alone_wrong,
+                                 truth.reference_alone_checked));
+}
+
 std::string totals(const VerifyReport& r) {
   std::string text;
   text += line("comparisons", fmt::format("{} of {}", r.comparisons, r.requested));
@@ -58,12 +88,7 @@ std::string totals(const VerifyReport& r) {
                  fmt::format("{} (observed {}){}", counter.counted, counter.observed,
                              r.resets > 0 ? " since the last reset" : ""));
   }
-  if (r.truth) {
-    text += line("against the truth",
-                 fmt::format("{} checked, {} wrong by a lane, {} by a reference", r.truth->checked,
-                             r.truth->wrong_by_lane, r.truth->wrong_by_reference));
-  }
-  return text;
+  return text + truth_lines(r);
 }
 
 std::string engine_lines(const VerifyReport& r) {
@@ -117,6 +142,54 @@ std::string group_lines(const VerifyReport& r) {
     add("mismatches", std::to_string(group.mismatches));
   }
   return text;
+}
+
+/// What lanes of one kind did that no count of mismatches shows.
+void add_notes(std::vector<std::string>& notes, const GroupReport& group) {
+  if (group.comparisons == 0) {
+    notes.push_back(fmt::format("no comparison went through the lanes {}", group.name));
+  } else if (group.recomputations + group.undecided == group.comparisons) {
+    notes.push_back(fmt::format("the lanes {} decided nothing: all of {} comparisons {}",
+                                group.name, group.comparisons,
+                                group.undecided == 0 ? "were recomputed" : "were left undecided"));
+  }
+  if (!group.certified && group.wrong_by_lane > 0) {
+    notes.push_back(
+        fmt::format("the lanes {} decided {} of {} comparisons wrongly, which does not "
+                    "fail since they are not certified",
+                    group.name, group.wrong_by_lane, group.comparisons));
+  }
+}
+
+Json to_json(const TruthCount& truth) {
+  return {{"checked", truth.checked},
+          {"wrong_by_lane", truth.wrong_by_lane},
+          {"wrong_by_reference", truth.wrong_by_reference},
+          {"reference_alone_checked", truth.reference_alone_checked},
+          {"reference_alone_wrong", truth.reference_alone_wrong},
+          {"not_checked",
+           {{"total", truth.not_checked()},
+            {"decided_by_lane", truth.decided_by_lane},
+            {"undefined", truth.undefined},
+            {"undetermined", truth.undetermined},
+            {"undecided", truth.undecided}}}};
+}
+
+std::string input_lines(const VerifyReport& r) {
+  std::string text;
+  for (const model::InputSource& input : r.inputs) {
+    text += line(input.input.c_str(), "<- " + input.shown());
+  }
+  return text;
+}
+
+Json to_json(const model::InputSource& input) {
+  const std::string& name = input.column.name;
+  return {{"input", input.input},
+          {"column", input.column.number},
+          {"name", name.empty() ? Json() : Json(name)},
+          {"source", input.source},
+          {"item", input.item}};
 }
 
 Json to_json(const Mismatch& m) {
@@ -206,10 +279,27 @@ double VerifyReport::item_bytes_per_pair() const {
   return engine ? ratio(engine->items * engine->item_bytes, comparisons) : 0;
 }
 
+std::vector<std::string> notes_on(const VerifyReport& r) {
+  if (r.comparisons == 0) return {"no comparison was made, so nothing was verified"};
+  std::vector<std::string> notes;
+  for (const GroupReport& group : r.groups) add_notes(notes, group);
+  if (r.references > 0 && r.recomputations == 0) {
+    notes.push_back("no comparison here was recomputed, so none put a reference to the test");
+  }
+  if (r.verdicts[static_cast<std::size_t>(model::golden::Verdict::unordered)] == r.comparisons) {
+    notes.push_back("every verdict is unordered");
+  }
+  if (r.truth && r.truth->checked == 0) {
+    notes.push_back("no verdict was held against the truth");
+  }
+  return notes;
+}
+
 std::string to_text(const VerifyReport& r) {
   std::string text = fmt::format("{}: {}, p_L = {}, p_H = {}, {}, {}\n",
                                  r.passed() ? "passed" : "FAILED", r.system, r.lanes, r.references,
                                  r.certified ? "certified" : "not certified", r.simulator);
+  text += input_lines(r);
   text += totals(r);
   text += engine_lines(r);
   text += arg_min_lines(r);
@@ -222,6 +312,7 @@ std::string to_text(const VerifyReport& r) {
         fmt::format("  cycle {}, lane {}: {}{}\n", violation.cycle, violation.lane, violation.fault,
                     violation.details.empty() ? "" : " (" + violation.details + ")");
   }
+  for (const std::string& note : notes_on(r)) text += line("note", note);
   return text;
 }
 
@@ -230,6 +321,8 @@ Json to_json(const VerifyReport& r) {
                {"simulator", r.simulator},   {"lanes", r.lanes},
                {"references", r.references}, {"certified", r.certified},
                {"requested", r.requested},   {"comparisons", r.comparisons}};
+  json["inputs"] = Json::array();
+  for (const model::InputSource& input : r.inputs) json["inputs"].push_back(to_json(input));
   for (std::size_t k = 0; k < r.verdicts.size(); ++k) {
     const auto name = model::golden::to_string(static_cast<model::golden::Verdict>(k));
     json["verdicts"][std::string(name)] = r.verdicts[k];
@@ -257,11 +350,8 @@ Json to_json(const VerifyReport& r) {
                                   {"cycle", violation.cycle},
                                   {"details", violation.details}});
   }
-  if (r.truth) {
-    json["truth"] = {{"checked", r.truth->checked},
-                     {"wrong_by_lane", r.truth->wrong_by_lane},
-                     {"wrong_by_reference", r.truth->wrong_by_reference}};
-  }
+  if (r.truth) json["truth"] = to_json(*r.truth);
+  json["notes"] = notes_on(r);
   add_engines(json, r);
   json["build_seconds"] = r.build_seconds;
   json["run_seconds"] = r.run_seconds;

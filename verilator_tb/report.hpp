@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/data/input_sources.hpp"
 #include "model/golden/arithmetic.hpp"
 
 namespace mixcmp::tb {
@@ -55,12 +56,27 @@ struct CounterTotal {
   std::uint64_t observed = 0;
 };
 
-/// Verdicts that are not the order of the real numbers f and g. A recomputed comparison with an
-/// infinite or NaN operand has no such order and is not checked.
+/// Verdicts against the order of the real numbers f and g. Every comparison is either checked or
+/// counted under the reason why it was not.
 struct TruthCount {
   std::uint64_t checked = 0;
   std::uint64_t wrong_by_lane = 0;
   std::uint64_t wrong_by_reference = 0;
+  /// Verdicts of the golden reference on checked comparisons, whoever decided these in hardware.
+  /// Comparisons without a true order are left out; none are counted in a system without
+  /// references.
+  std::uint64_t reference_alone_checked = 0;
+  std::uint64_t reference_alone_wrong = 0;
+  /// Not checked: a reference answered, but f or g has no value (an infinite or NaN operand, a
+  /// division by zero, the root of a negative number). A lane that decides there is wrong.
+  std::uint64_t undefined = 0;
+  std::uint64_t undetermined = 0;     ///< not checked: golden::true_verdict has no answer
+  std::uint64_t undecided = 0;        ///< not checked: no lane decided and there is no reference
+  std::uint64_t decided_by_lane = 0;  ///< not checked: TruthScope::recomputed asks for references
+
+  std::uint64_t not_checked() const {
+    return undefined + undetermined + undecided + decided_by_lane;
+  }
 };
 
 /// What went through the lanes of one kind.
@@ -109,6 +125,7 @@ struct VerifyReport {
   int lanes = 0;
   int references = 0;
   bool certified = false;                      ///< all lanes are
+  std::vector<model::InputSource> inputs;      ///< which column of the data feeds which input
   std::vector<GroupReport> groups;             ///< lanes are numbered through them, in order
   std::uint64_t requested = 0;                 ///< comparisons to be made
   std::uint64_t comparisons = 0;               ///< results judged
@@ -138,6 +155,9 @@ struct VerifyReport {
   /// Into an engine, of its items; into the system inside it, of pairs.
   double item_bytes_per_pair() const;
 };
+
+/// What passes and yet deserves a word, such as lanes that decided nothing; a sentence each.
+std::vector<std::string> notes_on(const VerifyReport& report);
 
 std::string to_text(const VerifyReport& report);
 nlohmann::ordered_json to_json(const VerifyReport& report);

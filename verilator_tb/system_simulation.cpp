@@ -4,6 +4,12 @@
 
 namespace mixcmp::tb {
 
+namespace {
+
+constexpr const char* log_name = "simulation.log";
+
+}  // namespace
+
 model::Result<SimulatorProcess> SimulatorProcess::start(const Executable& executable,
                                                         const SimulationOptions& options) {
   Command command = {
@@ -12,14 +18,22 @@ model::Result<SimulatorProcess> SimulatorProcess::start(const Executable& execut
       fmt::format("seed={}", options.seed), fmt::format("hang_cycles={}", options.hang_cycles)};
   if (!options.waves.empty()) command.push_back("trace=" + options.waves.string());
   for (const std::string& plusarg : options.plusargs) command.push_back("+" + plusarg);
-  const auto log = executable.path.parent_path().parent_path() / "simulation.log";
-  MIXCMP_TRY(child, Child::spawn(command, log));
-  return SimulatorProcess(std::move(child), log);
+  MIXCMP_TRY(folder,
+             model::ScratchFolder::make_in(executable.path.parent_path().parent_path(), "run"));
+  MIXCMP_TRY(child, Child::spawn(command, folder.path() / log_name));
+  return SimulatorProcess(std::move(folder), std::move(child));
 }
 
-model::Error SimulatorProcess::ended_unexpectedly() const {
-  return {.file = log_.string(),
-          .message = "the simulator ended unexpectedly; its last words\n" + last_lines(log_, 20)};
+model::Result<model::Done> SimulatorProcess::finish() {
+  if (child_.finish()) return model::Done{};
+  return ended_unexpectedly();
+}
+
+model::Error SimulatorProcess::ended_unexpectedly() {
+  folder_.keep();
+  const auto log = folder_.path() / log_name;
+  return {.file = log.string(),
+          .message = "the simulator ended unexpectedly; its last words\n" + last_lines(log, 20)};
 }
 
 model::Result<SystemSimulation> SystemSimulation::start(const Executable& executable,

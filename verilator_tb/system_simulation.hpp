@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "model/common/scratch_folder.hpp"
 #include "verilator_tb/build.hpp"
 #include "verilator_tb/harness/protocol.hpp"
 
@@ -54,14 +55,18 @@ public:
   bool receive(std::span<T, extent> items) {
     return child_.receive(std::as_writable_bytes(items));
   }
-  model::Error ended_unexpectedly() const;
+  /// Waits until the simulator, having answered its last request, has ended: its waves are whole
+  /// then.
+  model::Result<model::Done> finish();
+  /// The log is kept for the user to look at.
+  model::Error ended_unexpectedly();
 
 private:
-  SimulatorProcess(Child child, std::filesystem::path log)
-      : child_(std::move(child)), log_(std::move(log)) {}
+  SimulatorProcess(model::ScratchFolder folder, Child child)
+      : folder_(std::move(folder)), child_(std::move(child)) {}
 
+  model::ScratchFolder folder_;  ///< of this run, beside the executable
   Child child_;
-  std::filesystem::path log_;
 };
 
 /// A verilated system at work.
@@ -72,6 +77,7 @@ public:
 
   /// Sends a block and waits for what it has led to.
   model::Result<Answer> exchange(const Block& block, int lanes);
+  model::Result<model::Done> finish() { return process_.finish(); }
 
 private:
   explicit SystemSimulation(SimulatorProcess process) : process_(std::move(process)) {}

@@ -166,7 +166,7 @@ model::Result<model::Done> run_verilator(const Run& run) {
     tell(run, first);
   }
   run.judge.take(answer);
-  return model::Done{};
+  return simulation.finish();
 }
 
 model::Result<model::Done> run_icarus(const Run& run) {
@@ -184,16 +184,36 @@ model::Result<model::Done> run_icarus(const Run& run) {
   return model::Done{};
 }
 
-model::Result<model::Done> save_waves(const Run& run) {
-  if (run.options.waves.empty()) return model::Done{};
+std::string save_file(const Run& run) {
   const bool icarus = run.options.simulator == SimulatorKind::icarus;
-  return write_save_file(
-      run.options.waves,
-      gtkwave_save_file(run.system.signature, {.waves = run.options.waves,
-                                               .scope = icarus ? std::string("testbench.system")
-                                                               : "TOP." + run.system.signature.top,
-                                               .time_per_cycle = icarus ? icarus_time_per_cycle : 2,
-                                               .marked = run.judge.first_undecided()}));
+  return gtkwave_save_file(
+      run.system.signature,
+      {.waves = run.options.waves,
+       .scope = icarus ? std::string("testbench.system") : "TOP." + run.system.signature.top,
+       .time_per_cycle = icarus ? icarus_time_per_cycle : 2,
+       .marked = run.judge.first_undecided()});
+}
+
+model::Result<VerifyReport> run_system(const System& system, const model::Design& design,
+                                       const model::Comparisons& comparisons,
+                                       const VerifyOptions& options) {
+  switch (design.system.engine.kind) {
+    case model::EngineKind::none: break;
+    case model::EngineKind::pairwise: return verify_pairwise(system, design, comparisons, options);
+    case model::EngineKind::arg_min: return verify_arg_min(system, design, comparisons, options);
+  }
+  const Selection selection(comparisons.size(), options.selection);
+  Judge judge(system.signature, design, comparisons, selection, options);
+  const Run run{system, comparisons, selection, options, judge};
+  const auto start = Clock::now();
+  const bool icarus = options.simulator == SimulatorKind::icarus;
+  judge.report().simulator = icarus ? "Icarus Verilog" : "Verilator";
+  MIXCMP_TRY(done, icarus ? run_icarus(run) : run_verilator(run));
+  judge.report().run_seconds = seconds_since(start) - judge.report().build_seconds;
+  if (!options.waves.empty()) {
+    MIXCMP_TRY(saved, write_save_file(options.waves, save_file(run)));
+  }
+  return std::move(judge.report());
 }
 
 }  // namespace
@@ -202,7 +222,7 @@ SimulationOptions simulation_options(const VerifyOptions& options) {
   return {.traffic = options.traffic,
           .seed = options.traffic_seed,
           .hang_cycles = options.hang_cycles,
-          .waves = options.waves,
+          .waves = options.unfinished_waves,
           .plusargs = options.plusargs};
 }
 
@@ -229,21 +249,13 @@ model::Result<VerifyReport> verify(const model::Design& design,
   MIXCMP_TRY(requested, check_request(design, comparisons, options));
   MIXCMP_TRY(system, load_system(generated_dir));
   MIXCMP_TRY(checked, check_signature(system, design));
-  switch (design.system.engine.kind) {
-    case model::EngineKind::none: break;
-    case model::EngineKind::pairwise: return verify_pairwise(system, design, comparisons, options);
-    case model::EngineKind::arg_min: return verify_arg_min(system, design, comparisons, options);
-  }
-  const Selection selection(comparisons.size(), options.selection);
-  Judge judge(system.signature, design, comparisons, selection, options);
-  const Run run{system, comparisons, selection, options, judge};
-  const auto start = Clock::now();
-  const bool icarus = options.simulator == SimulatorKind::icarus;
-  judge.report().simulator = icarus ? "Icarus Verilog" : "Verilator";
-  MIXCMP_TRY(done, icarus ? run_icarus(run) : run_verilator(run));
-  judge.report().run_seconds = seconds_since(start) - judge.report().build_seconds;
-  MIXCMP_TRY(saved, save_waves(run));
-  return std::move(judge.report());
+  if (options.waves.empty()) return run_system(system, design, comparisons, options);
+  MIXCMP_TRY(waves, WaveFile::open(options.waves));
+  VerifyOptions with_waves = options;
+  with_waves.unfinished_waves = waves.unfinished();
+  MIXCMP_TRY(report, run_system(system, design, comparisons, with_waves));
+  MIXCMP_TRY(kept, waves.commit());
+  return report;
 }
 
 }  // namespace mixcmp::tb

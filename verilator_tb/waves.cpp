@@ -4,6 +4,9 @@
 
 #include <cstdint>
 #include <fstream>
+#include <set>
+
+#include "model/common/output_file.hpp"
 
 namespace mixcmp::tb {
 
@@ -57,7 +60,37 @@ std::string header(const SaveFile& options) {
   return text + "\n";
 }
 
+/// The big-endian number of 8 bytes at the stream's place.
+std::uint64_t read_number(std::ifstream& stream) {
+  std::uint64_t number = 0;
+  for (int byte = 0; byte < 8; ++byte) {
+    number = number << 8 | static_cast<std::uint64_t>(stream.get() & 0xff);
+  }
+  return number;
+}
+
 }  // namespace
+
+bool is_whole_fst(const std::filesystem::path& path) {
+  // Types of blocks: header, geometry; the hierarchy comes in three packings.
+  constexpr int header = 0, geometry = 3, packed_file = 254;
+  std::error_code failed;
+  const std::uint64_t size = std::filesystem::file_size(path, failed);
+  std::ifstream stream(path, std::ios::binary);
+  std::set<int> types;
+  std::uint64_t place = 0;
+  while (!failed && place < size) {
+    stream.seekg(static_cast<std::streamoff>(place));
+    const int type = stream.get();
+    const std::uint64_t length = read_number(stream);
+    if (!stream || length < 8 || length > size - place - 1) return false;
+    types.insert(type);
+    place += 1 + length;
+  }
+  const bool hierarchy = types.contains(4) || types.contains(6) || types.contains(7);
+  return types.contains(packed_file) ||
+         (types.contains(header) && types.contains(geometry) && hierarchy);
+}
 
 std::string gtkwave_save_file(const gen::Signature& s, const SaveFile& options) {
   const int lane = options.marked ? static_cast<int>(options.marked->lane) : 0;
@@ -95,14 +128,33 @@ std::string gtkwave_save_file(const gen::SignatureEngine& engine, const SaveFile
   return header(options) + writer.text();
 }
 
+model::Result<WaveFile> WaveFile::open(const std::filesystem::path& path) {
+  std::error_code failed;
+  if (std::filesystem::exists(path, failed) && !std::filesystem::is_regular_file(path, failed)) {
+    return model::Error{.file = path.string(),
+                        .message = "waves cannot be written there",
+                        .received = "no regular file",
+                        .accepted = "the name of a file"};
+  }
+  auto own = model::ScratchFolder::make_in(std::filesystem::absolute(path).parent_path(), "waves");
+  if (own.ok()) return WaveFile(path, std::move(own).value());
+  model::Error error = own.error();
+  error.file = path.string();
+  return error;
+}
+
+model::Result<model::Done> WaveFile::commit() {
+  if (is_whole_fst(unfinished())) return model::put_in_place(unfinished(), path_);
+  return model::Error{.file = path_.string(),
+                      .message = "cannot be written: the simulator left waves that are not whole",
+                      .received = "a broken FST file, as of a full disk"};
+}
+
 model::Result<model::Done> write_save_file(const std::filesystem::path& waves,
                                            const std::string& text) {
   std::filesystem::path path = waves;
   path.replace_extension(".gtkw");
-  std::ofstream stream(path);
-  stream << text;
-  if (stream.flush()) return model::Done{};
-  return model::Error{.file = path.string(), .message = "cannot write"};
+  return model::write_file(path, text);
 }
 
 }  // namespace mixcmp::tb

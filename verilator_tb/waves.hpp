@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "generator/emit/signature.hpp"
+#include "model/common/scratch_folder.hpp"
 #include "verilator_tb/harness/protocol.hpp"
 
 namespace mixcmp::tb {
@@ -21,6 +22,27 @@ struct SaveFile {
 std::string gtkwave_save_file(const gen::Signature& signature, const SaveFile& options);
 /// Of an engine: all of its ports.
 std::string gtkwave_save_file(const gen::SignatureEngine& engine, const SaveFile& options);
+
+/// Whether a file is an FST that its writer has closed: its blocks follow one another to the end of
+/// the file, and header, geometry and hierarchy are among them (GTKWave's fstapi). Simulators do
+/// not say that a disk was full.
+bool is_whole_fst(const std::filesystem::path& path);
+
+/// Waves that a simulator writes are in a folder of their own, beside the final path, until they
+/// are whole.
+class WaveFile {
+public:
+  static model::Result<WaveFile> open(const std::filesystem::path& path);
+  std::filesystem::path unfinished() const { return folder_.path() / "waves.fst"; }
+  model::Result<model::Done> commit();
+
+private:
+  WaveFile(std::filesystem::path path, model::ScratchFolder folder)
+      : path_(std::move(path)), folder_(std::move(folder)) {}
+
+  std::filesystem::path path_;
+  model::ScratchFolder folder_;
+};
 
 /// Beside the waves, under their name with the ending .gtkw.
 model::Result<model::Done> write_save_file(const std::filesystem::path& waves,

@@ -1,14 +1,14 @@
 #include "generator/software/baseline.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
-#include "generator/cli/scratch.hpp"
+#include "generator/cli/output.hpp"
 #include "generator/cli/verbs.hpp"
+#include "model/common/scratch_folder.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -23,9 +23,9 @@ void add_options(CLI::App& verb, BaselineCommand& command) {
   add_scene_options(verb, command.scene);
   verb.add_flag("--csv", command.csv, "print the rates as CSV")->excludes("--json");
   verb.add_option("--threads", command.run.threads, "\"all cores\" (default: the machine's)")
-      ->check(CLI::Range(1u, 1024u));
+      ->check(within(model::limits::threads));
   verb.add_option("--rounds", command.run.rounds, "measurements of each kernel (default: 5)")
-      ->check(CLI::Range(1, 1000));
+      ->check(within({1, 1000}));
   verb.add_option("--seconds", command.run.seconds, "that one measurement takes (default: 0.5)")
       ->check(CLI::Range(0.001, 600.0));
   verb.add_option("--sample", command.run.sample,
@@ -35,43 +35,34 @@ void add_options(CLI::App& verb, BaselineCommand& command) {
                   "folder that keeps source, program and logs (default: none are kept)");
 }
 
-/// A line that is overwritten, on a terminal only.
-void show_progress(const std::string& text) {
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K{}", text);
-}
-
-model::Result<model::Done> prepare(const std::filesystem::path& folder) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (!failed) return model::Done{};
-  return model::Error{.file = folder.string(),
-                      .field = "--work",
-                      .message = "cannot be written: " + failed.message()};
-}
-
 void run(const BaselineCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
   if (!loaded.data) {
-    value_or_exit<model::Done>(model::Error{.file = command.scene.scene.string(),
-                                            .field = "data",
-                                            .message = "a baseline needs data to run on",
-                                            .received = "a scene without [data]",
-                                            .accepted = "[data] with items or file"});
+    fail(model::Error{.file = command.scene.scene.string(),
+                      .field = "data",
+                      .message = "a baseline needs data to run on",
+                      .received = "a scene without [data]",
+                      .accepted = "[data] with items or file"});
   }
-  const Scratch scratch;
   gen::BaselineOptions options = command.run;
-  if (options.work.empty()) options.work = scratch.path();
-  value_or_exit(prepare(options.work));
+  std::optional<model::ScratchFolder> scratch;
+  std::optional<model::FolderLock> held;
+  if (options.work.empty()) {
+    scratch.emplace(value_or_exit(model::ScratchFolder::make()));
+    options.work = scratch->path();
+  } else {
+    held.emplace(hold(options.work));
+  }
   options.progress = show_progress;
   const gen::Baseline baseline =
       value_or_exit(software_baseline(loaded.scene, *loaded.data, options));
   show_progress("");
   if (command.scene.json) {
-    fmt::print("{}\n", to_json(baseline).dump(2));
+    print(fmt::format("{}\n", to_json(baseline).dump(2)));
   } else {
-    fmt::print("{}", command.csv ? to_csv(baseline) : to_text(baseline));
+    print(command.csv ? to_csv(baseline) : to_text(baseline));
   }
-  if (!baseline.passed()) throw Exit{2};
+  if (!baseline.passed()) throw Exit(ExitCode::refuted);
 }
 
 }  // namespace

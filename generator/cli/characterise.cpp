@@ -9,6 +9,7 @@
 #include "generator/cli/output.hpp"
 #include "generator/cli/planning.hpp"
 #include "generator/cli/verbs.hpp"
+#include "model/common/output_file.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -70,22 +71,23 @@ std::vector<Gap> gaps(const std::vector<gen::MissingLane>& missing) {
 }
 
 void print_text(const CharacteriseReport& report, const fs::path& table) {
-  fmt::print("{} on {}: {} components, {} jobs run, {} failed\n", report.table.scene,
-             report.table.device, report.components, report.synthesised, report.failed.size());
+  print(fmt::format("{} on {}: {} components, {} jobs run, {} failed\n", report.table.scene,
+                    report.table.device, report.components, report.synthesised,
+                    report.failed.size()));
   for (const Gap& gap : gaps(report.missing)) {
-    fmt::print("no lane: {} {} .. {} ({}): {}\n", gap.what, gap.first, gap.last, gap.count,
-               gap.reason);
+    print(fmt::format("no lane: {} {} .. {} ({}): {}\n", gap.what, gap.first, gap.last, gap.count,
+                      gap.reason));
   }
   for (const auto& [reason, components] : report.no_clock) {
     const std::string more =
         components.size() == 1 ? "" : fmt::format(" and {} more", components.size() - 1);
-    fmt::print("no clock: {}{}: {}\n", components.front(), more, reason);
+    print(fmt::format("no clock: {}{}: {}\n", components.front(), more, reason));
   }
   if (report.interrupted_by != 0) return;
-  fmt::print("{} rows in {}", report.table.rows.size(), table.string());
-  if (report.kept > 0) fmt::print(", {} of them kept from before", report.kept);
-  if (report.dropped > 0) fmt::print("; {} outdated rows dropped", report.dropped);
-  fmt::print("\n");
+  print(fmt::format("{} rows in {}", report.table.rows.size(), table.string()));
+  if (report.kept > 0) print(fmt::format(", {} of them kept from before", report.kept));
+  if (report.dropped > 0) print(fmt::format("; {} outdated rows dropped", report.dropped));
+  print("\n");
 }
 
 nlohmann::ordered_json json_of(const model::Measurement& row) {
@@ -142,7 +144,7 @@ void print_json(const CharacteriseReport& report, const fs::path& table) {
                                {"reason", gap.reason}});
   }
   for (const model::Measurement& row : report.table.rows) json["rows"].push_back(json_of(row));
-  fmt::print("{}\n", json.dump(2));
+  print(fmt::format("{}\n", json.dump(2)));
 }
 
 /// All RTL depends on where registers go.
@@ -178,26 +180,40 @@ model::Result<std::optional<model::Characterisation>> previous_table(const fs::p
       .accepted = fmt::format("{} on {}, or another path by -o", scene.name, device)};
 }
 
+/// Rows that another run has put into the table while this one measured stay there.
+void adopt_new_rows(model::Characterisation& table, const model::Characterisation& now,
+                    const model::Characterisation* before) {
+  for (const model::Measurement& row : now.rows) {
+    const bool is_new = before == nullptr || before->find(row.key) == nullptr;
+    if (is_new && table.find(row.key) == nullptr) table.rows.push_back(row);
+  }
+  std::sort(table.rows.begin(), table.rows.end(),
+            [](const model::Measurement& a, const model::Measurement& b) { return a.key < b.key; });
+}
+
 void write_table(CharacteriseReport& report, const CharacteriseCommand& command,
-                 const model::Scene& scene, const fs::path& path) {
+                 const model::Scene& scene, const fs::path& path,
+                 const std::optional<model::Characterisation>& before) {
+  const model::FolderLock held = hold(fs::absolute(path).parent_path());
+  const auto now = value_or_exit(previous_table(path, scene, report.table.device));
+  if (now) adopt_new_rows(report.table, *now, before ? &*before : nullptr);
   report.table.command = characterise_command_line(command);
   std::set<std::string> tools;
   for (const model::Measurement& row : report.table.rows) tools.insert(row.tools);
   std::string used;
   for (const std::string& each : tools) used += (used.empty() ? "" : "; ") + each;
   report.table.spec = spec_of(scene, used);
-  value_or_exit(write_file(path, to_csv(report.table)));
+  value_or_exit(model::write_file(path, to_csv(report.table)));
 }
 
 void tell_failures(const CharacteriseReport& report) {
   for (const model::FailedJob& job : report.failed) {
-    fmt::print(stderr, "mixcmp: {}: {}\n  kept in {}\n", job.label, job.message,
-               job.directory.string());
+    tell(fmt::format("{}: {}\n  kept in {}", job.label, job.message, job.directory.string()));
   }
   if (report.interrupted_by != 0) {
-    fmt::print(stderr,
-               "mixcmp: interrupted; what is finished is in the store, the same command "
-               "goes on from there\n");
+    tell(
+        "interrupted; what is finished is in the store, the same command "
+        "goes on from there");
   }
 }
 
@@ -209,17 +225,18 @@ void run(const CharacteriseCommand& command) {
   const fs::path path = command.output.empty()
                             ? default_table(command.scene.scene, loaded.scene.variant, device.name)
                             : command.output;
-  value_or_exit(prepare_directory(path.parent_path()));
+  value_or_exit(model::make_writable_folder(fs::absolute(path).parent_path()));
   const auto previous = value_or_exit(previous_table(path, loaded.scene, device.name));
   CharacteriseReport report =
       value_or_exit(gen::characterise(loaded.scene, loaded.data ? &*loaded.data : nullptr, device,
                                       options, previous ? &*previous : nullptr));
   show_progress("");
-  if (report.interrupted_by == 0) write_table(report, command, loaded.scene, path);
+  if (report.interrupted_by == 0) write_table(report, command, loaded.scene, path, previous);
   command.scene.json ? print_json(report, path) : print_text(report, path);
   tell_failures(report);
-  if (report.interrupted_by != 0) throw Exit{128 + report.interrupted_by};  // as shells say it
-  if (!report.failed.empty()) throw Exit{1};
+  if (report.interrupted_by != 0) throw Exit::interrupted(report.interrupted_by);
+  if (!report.failed.empty()) throw Exit(ExitCode::mistake);
+  if (options.synthesis.effort == model::TimingEffort::timing) end_if_router_is_missing(device);
 }
 
 }  // namespace

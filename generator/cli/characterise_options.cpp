@@ -21,8 +21,6 @@ using model::LaneInputs;
 using model::Multipliers;
 using model::Result;
 
-constexpr int max_ports = 128;
-
 Error mistake(const std::string& option, std::string message, std::string_view received,
               std::string accepted) {
   return {.field = option,
@@ -95,27 +93,29 @@ Result<std::optional<gen::LaneExponents>> exponents(const std::string& word) {
 }
 
 /// The numbers of "7" or "4-9".
-Result<std::pair<int, int>> interval(const std::string& option, const std::string& word, int low,
-                                     int high) {
+Result<std::pair<int, int>> interval(const std::string& option, const std::string& word,
+                                     model::Limits allowed) {
   const std::size_t dash = std::min(word.find('-'), word.size());
   const std::optional<int> first = number(std::string_view(word).substr(0, dash));
   const std::optional<int> last =
       dash == word.size() ? first : number(std::string_view(word).substr(dash + 1));
-  if (first && last && low <= *first && *first <= *last && *last <= high) {
+  if (first && last && allowed.hold(*first) && *first <= *last && allowed.hold(*last)) {
     return std::pair(*first, *last);
   }
-  return mistake(option, "not a number or an interval of numbers in range", word,
-                 fmt::format("numbers {}..{} and intervals, such as {}-{},{}", low, high, low,
-                             std::min(low + 2, high), high));
+  return mistake(
+      option, "not a number or an interval of numbers in range", word,
+      fmt::format("numbers {} and intervals, such as {}-{},{}", to_string(allowed), allowed.least,
+                  std::min(allowed.least + 2, allowed.most), allowed.most));
 }
 
 Result<gen::ComponentQuery> query_of(const CharacteriseCommand& command,
                                      const model::Scene& scene) {
-  const int highest = highest_profiled_precision(scene);
+  const model::Limits allowed = lane_precisions(scene.reference.format);
   gen::ComponentQuery query;
-  const std::string precisions =
-      command.precisions.empty() ? fmt::format("4-{}", highest) : command.precisions;
-  MIXCMP_TRY(numbers, number_list("--precisions", precisions, 4, highest));
+  const std::string precisions = command.precisions.empty()
+                                     ? fmt::format("{}-{}", allowed.least, allowed.most)
+                                     : command.precisions;
+  MIXCMP_TRY(numbers, number_list("--precisions", precisions, allowed));
   query.precisions = numbers;
   MIXCMP_TRY(names, bounds(command.bounds));
   query.bounds = names;
@@ -125,7 +125,7 @@ Result<gen::ComponentQuery> query_of(const CharacteriseCommand& command,
   MIXCMP_TRY(multipliers, one_or_both("--multipliers", command.multipliers, Multipliers::embedded,
                                       Multipliers::logic));
   query.multipliers = multipliers;
-  MIXCMP_TRY(ports, number_list("--ports", command.ports, 1, max_ports));
+  MIXCMP_TRY(ports, number_list("--ports", command.ports, gen::measured_ports));
   query.ports = ports;
   MIXCMP_TRY(kinds, component_kinds(command.components));
   query.kinds = kinds;
@@ -136,11 +136,11 @@ Result<gen::ComponentQuery> query_of(const CharacteriseCommand& command,
 
 }  // namespace
 
-Result<std::vector<int>> number_list(const std::string& option, const std::string& text, int low,
-                                     int high) {
+Result<std::vector<int>> number_list(const std::string& option, const std::string& text,
+                                     model::Limits allowed) {
   std::set<int> numbers;
   for (const std::string& word : words(text)) {
-    MIXCMP_TRY(ends, interval(option, word, low, high));
+    MIXCMP_TRY(ends, interval(option, word, allowed));
     for (int k = ends.first; k <= ends.second; ++k) numbers.insert(k);
   }
   return std::vector<int>(numbers.begin(), numbers.end());
@@ -149,11 +149,15 @@ Result<std::vector<int>> number_list(const std::string& option, const std::strin
 void add_characterise_options(CLI::App& verb, CharacteriseCommand& command) {
   add_scene_options(verb, command.scene,
                     {"--format", "--bound", "--inputs", "--lanes", "--references"});
-  verb.add_option("--precisions", command.precisions,
-                  "of lanes: 4-52 or 8,12,17 (default: all that the scene can have)");
+  verb.add_option(
+      "--precisions", command.precisions,
+      fmt::format("of lanes: {}-{} or 8,12,17 (default: all that the scene can have)",
+                  model::limits::lane_precision.least, model::limits::lane_precision.most));
   verb.add_option("--bounds", command.bounds,
-                  "of lanes: relative, running_1 .. running_8, constant, profiled (default: " +
-                      command.bounds + ")");
+                  fmt::format("of lanes: relative, running_{} .. running_{}, constant, profiled "
+                              "(default: {})",
+                              model::limits::bound_digits.least, model::limits::bound_digits.most,
+                              command.bounds));
   verb.add_option("--inputs", command.inputs, "of lanes: both, exact or rounded (default: both)");
   verb.add_option("--multipliers", command.multipliers, "both, embedded or logic (default: both)");
   verb.add_option("--exponents", command.exponents,
@@ -164,10 +168,10 @@ void add_characterise_options(CLI::App& verb, CharacteriseCommand& command) {
   verb.add_option("--ports", command.ports,
                   "lanes at one reference's crossbar (default: " + command.ports + ")");
   verb.add_flag("--area-only", command.area_only, "no clocks");
-  verb.add_option("--seeds", command.seeds, "of the router, 1 or more (default: 3)")
-      ->check(CLI::Range(1, 1000));
+  verb.add_option("--seeds", command.seeds, "of the router (default: 3)")
+      ->check(within(model::limits::seeds));
   verb.add_option("--jobs", command.jobs, "at a time (default: one a processor)")
-      ->check(CLI::Range(1, 1024));
+      ->check(within(model::limits::threads));
   verb.add_option("-o,--output", command.output,
                   "the table (default: characterisation/SCENE-DEVICE.csv beside the scene)");
   verb.add_option("--store", command.store,

@@ -28,9 +28,9 @@ void add_characterise_options(CLI::App& verb, CharacteriseCommand& command);
 model::Result<gen::CharacteriseOptions> characterise_options(const CharacteriseCommand& command,
                                                              const model::Scene& scene);
 
-/// "4-9,12" as numbers between `low` and `high`, each once, in order. Errors name `option`.
+/// "4-9,12" as numbers that are `allowed`, each once, in order. Errors name `option`.
 model::Result<std::vector<int>> number_list(const std::string& option, const std::string& text,
-                                            int low, int high);
+                                            model::Limits allowed);
 
 /// The command that makes the same table, the scene by its file name alone.
 std::string characterise_command_line(const CharacteriseCommand& command);

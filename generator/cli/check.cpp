@@ -5,6 +5,7 @@
 
 #include "generator/cli/costs.hpp"
 #include "generator/cli/exit.hpp"
+#include "generator/cli/fit.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/cli/prove.hpp"
@@ -24,14 +25,18 @@ struct Outlook {
 Outlook outlook(const SceneOptions& options, const LoadedScene& loaded) {
   const auto design = design_of(options, loaded);
   if (!design.ok()) return {design.error()};
-  return {gen::generate_system(*design, "")};
+  auto system = gen::generate_system(*design, "");
+  if (!system.ok()) return {system.error()};
+  gen::GeneratedSystem generated = std::move(system).value();
+  if (auto note = fit_note(loaded, *design)) generated.notes.push_back(std::move(*note));
+  return {std::move(generated)};
 }
 
 void print_text(const Outlook& outlook) {
   const auto line = [](const char* name, const std::string& text) {
-    fmt::print("  {:<18} {}\n", name, text);
+    print(fmt::format("  {:<18} {}\n", name, text));
   };
-  fmt::print("what generate writes\n");
+  print("what generate writes\n");
   if (!outlook.system.ok()) return line("nothing", outlook.system.error().to_string());
   const gen::Signature& signature = outlook.system->signature;
   line("top", signature.top);
@@ -53,6 +58,7 @@ void print_text(const Outlook& outlook) {
     line(kind.empty() ? "reference" : "references",
          fmt::format("{}{} cycles", kind, group.latency_cycles));
   }
+  for (const std::string& note : outlook.system->notes) line("note", note);
 }
 
 nlohmann::json to_json(const Outlook& outlook) {
@@ -67,7 +73,8 @@ nlohmann::json to_json(const Outlook& outlook) {
   const auto signature = nlohmann::json::parse(gen::to_json(outlook.system->signature));
   return {{"top", signature["top"]},
           {"lane_groups", signature["lane_groups"]},
-          {"reference_groups", signature["reference_groups"]}};
+          {"reference_groups", signature["reference_groups"]},
+          {"notes", outlook.system->notes}};
 }
 
 struct CheckOptions {
@@ -77,7 +84,7 @@ struct CheckOptions {
 };
 
 void print_text(const std::vector<ProvenLane>& proven) {
-  for (const ProvenLane& lane : proven) fmt::print("{}", to_text(lane));
+  for (const ProvenLane& lane : proven) print(to_text(lane));
 }
 
 nlohmann::json to_json(const std::vector<ProvenLane>& proven) {
@@ -108,7 +115,7 @@ std::vector<model::VariantCheck> check_variants(const SceneOptions& options,
 }
 
 void print_text(const std::vector<model::VariantCheck>& checks) {
-  if (!checks.empty()) fmt::print("variants\n");
+  if (!checks.empty()) print("variants\n");
   for (const model::VariantCheck& check : checks) {
     std::string verdict = check.untold == 0
                               ? "decides all of them alike"
@@ -119,10 +126,10 @@ void print_text(const std::vector<model::VariantCheck>& checks) {
                             check.differences, first->index, to_string(first->variant),
                             to_string(first->given));
     }
-    fmt::print("  {:<18} {} comparisons: {}\n", check.variant, check.comparisons, verdict);
+    print(fmt::format("  {:<18} {} comparisons: {}\n", check.variant, check.comparisons, verdict));
     if (check.reference_differences == 0) continue;
-    fmt::print("  {:<18} rounded in the reference format, {} differ\n", "",
-               check.reference_differences);
+    print(fmt::format("  {:<18} rounded in the reference format, {} differ\n", "",
+                      check.reference_differences));
   }
 }
 
@@ -149,6 +156,44 @@ bool any_differs(const std::vector<model::VariantCheck>& checks) {
   });
 }
 
+/// A proof of a lane that does not exist was asked for by mistake.
+void end_without_lanes(const std::vector<ProvenLane>& proven) {
+  bool all_exist = true;
+  for (const ProvenLane& lane : proven) {
+    if (lane.error.empty()) continue;
+    tell(fmt::format("--prove, {}: there is no such lane: {}", lane.format, lane.error));
+    all_exist = false;
+  }
+  if (!all_exist) throw Exit(ExitCode::mistake);
+}
+
+/// Why not all of a lane was proven; empty where it was, as far as Gappa's theory goes.
+std::string unproven_part(const ProvenLane& lane) {
+  for (const model::proof::Finding& finding : lane.proof.findings) {
+    const bool open = finding.outcome == model::proof::Outcome::out_of_time ||
+                      finding.outcome == model::proof::Outcome::unchecked;
+    if (open && !finding.optional) return fmt::format("{}: {}", finding.what, finding.detail);
+  }
+  return "";
+}
+
+/// Parts of what was asked for that are missing from the report.
+std::vector<std::string> not_done(const CheckOptions& options,
+                                  const std::vector<ProvenLane>& proven,
+                                  const std::optional<BoundCosts>& costs) {
+  std::vector<std::string> parts;
+  for (const ProvenLane& lane : proven) {
+    const std::string why = unproven_part(lane);
+    if (!why.empty()) parts.push_back(fmt::format("--prove, {}: {}", lane.format, why));
+  }
+  if (options.prove.prove && proven.empty()) parts.emplace_back("--prove: the scene has no lane");
+  if (costs && costs->no_area) {
+    parts.push_back("--costs, areas: " + costs->no_area->to_string());
+  }
+  if (costs && !costs->no_rate.empty()) parts.push_back("--costs, rates: " + costs->no_rate);
+  return parts;
+}
+
 void run(const CheckOptions& options) {
   const LoadedScene loaded = value_or_exit(load(options.scene));
   const model::Summary summary =
@@ -158,25 +203,34 @@ void run(const CheckOptions& options) {
   std::vector<ProvenLane> proven;
   if (options.prove.prove) proven = prove(loaded, options.prove);
   std::optional<BoundCosts> costs;
-  if (options.costs) costs = measure_costs(loaded);
+  if (options.costs) {
+    auto measured = measure_costs(loaded);
+    if (!measured.ok()) fail(at_fault(measured.error(), options.scene));
+    costs = std::move(measured).value();
+  }
   if (options.scene.json) {
     nlohmann::json report = to_json(summary);
     report["generate"] = to_json(generated);
     if (!variants.empty()) report["variants"] = to_json(variants);
     if (options.prove.prove) report["proof"] = to_json(proven);
     if (costs) report["costs"] = to_json(*costs);
-    fmt::print("{}\n", report.dump(2));
+    print(fmt::format("{}\n", report.dump(2)));
   } else {
-    fmt::print("{}", to_text(summary));
+    print(to_text(summary));
     print_text(generated);
     print_text(variants);
     if (variants.empty() && !loaded.scene.variants.empty() && !loaded.data) {
-      fmt::print("variants\n  {:<18} the scene has no data to compare them on\n", "not compared");
+      print(fmt::format("variants\n  {:<18} the scene has no data to compare them on\n",
+                        "not compared"));
     }
-    if (costs) fmt::print("{}", to_text(*costs));
+    if (costs) print(to_text(*costs));
     print_text(proven);
   }
-  if (any_refused(proven) || any_differs(variants)) throw Exit{2};
+  end_without_lanes(proven);
+  const bool broken = costs && costs->no_area && costs->no_area->kind == model::ErrorKind::mistake;
+  if (broken) fail(*costs->no_area);
+  if (any_refused(proven) || any_differs(variants)) throw Exit(ExitCode::refuted);
+  end_if_incomplete(not_done(options, proven, costs));
 }
 
 }  // namespace

@@ -4,11 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
-#include "generator/cli/scratch.hpp"
 #include "generator/components/component_maker.hpp"
 #include "generator/components/lane_bound.hpp"
 #include "generator/components/synthesis_jobs.hpp"
+#include "model/common/scratch_folder.hpp"
 #include "model/error/combined_lane.hpp"
 #include "model/profile/profile.hpp"
 
@@ -24,9 +25,10 @@ using model::Scene;
 /// One lane alone on the scene's device.
 Result<Area> lane_area(const Scene& scene, const CombinedLane& lane) {
   MIXCMP_TRY(device, model::find_device(scene.system.device));
+  MIXCMP_TRY(tools, model::tool_versions(device, model::TimingEffort::area_only));
   MIXCMP_TRY(built,
              gen::lane_rtl(scene.graph.inputs(), lane, scene.reduced.multipliers, scene.system));
-  const Scratch scratch;
+  MIXCMP_TRY(scratch, model::ScratchFolder::make());
   MIXCMP_TRY(result, synthesise(gen::module_job(built.module), device,
                                 {.effort = model::TimingEffort::area_only}, scratch.path()));
   return result.area;
@@ -56,7 +58,8 @@ bool is_chosen(const LoadedScene& loaded, const gen::LaneBound& bound,
   return taken.ok() && describe_decision(*taken) == decision;
 }
 
-BoundCost cost_of(const LoadedScene& loaded, const std::string& name, std::string& no_area) {
+BoundCost cost_of(const LoadedScene& loaded, const std::string& name,
+                  std::optional<model::Error>& no_area) {
   const Scene& scene = loaded.scene;
   const gen::LaneBound bound = gen::find_lane_bound(name).value();
   BoundCost cost{.name = name};
@@ -71,7 +74,7 @@ BoundCost cost_of(const LoadedScene& loaded, const std::string& name, std::strin
   show_progress(fmt::format("Yosys maps the lane with the {} bound", name));
   const auto area = lane_area(scene, *lane);
   if (!area.ok()) {
-    no_area = area.error().to_string();
+    no_area = area.error();
     return cost;
   }
   cost.area = *area;
@@ -82,7 +85,7 @@ BoundCost cost_of(const LoadedScene& loaded, const std::string& name, std::strin
 void add_rates(const LoadedScene& loaded, BoundCosts& costs) {
   const Scene& scene = loaded.scene;
   if (!loaded.data) {
-    costs.no_rate = "no data";
+    costs.no_rate = "the scene has no data";
     return;
   }
   const int precision = scene.reduced.format->precision();
@@ -114,12 +117,14 @@ nlohmann::json json_of(const std::optional<Area>& area) {
 
 }  // namespace
 
-BoundCosts measure_costs(const LoadedScene& loaded) {
-  BoundCosts costs;
+Result<BoundCosts> measure_costs(const LoadedScene& loaded) {
   if (!loaded.scene.reduced.format) {
-    costs.no_area = costs.no_rate = "reduced.format is \"auto\"";
-    return costs;
+    return model::Error{.field = "reduced.format",
+                        .message = "--costs compares the bounds of one lane",
+                        .received = "\"auto\"",
+                        .accepted = "a format, such as --format s17"};
   }
+  BoundCosts costs;
   for (const std::string& name : gen::profiled_lane_bounds()) {
     costs.bounds.push_back(cost_of(loaded, name, costs.no_area));
   }
@@ -143,7 +148,7 @@ std::string to_text(const BoundCosts& costs) {
     if (cost.all_built) text += fmt::format("; all built: {}", shown(cost.all_built));
     text += "\n";
   }
-  if (!costs.no_area.empty()) text += fmt::format("  no areas: {}\n", costs.no_area);
+  if (costs.no_area) text += fmt::format("  no areas: {}\n", costs.no_area->to_string());
   if (!costs.no_rate.empty()) text += fmt::format("  no rates: {}\n", costs.no_rate);
   return text;
 }

@@ -19,13 +19,14 @@ struct BoundCost {
 
 struct BoundCosts {
   std::vector<BoundCost> bounds;
-  std::string no_area;  ///< why there are no areas, if there are none
+  std::optional<model::Error> no_area;  ///< why there are no areas, if there are none
   std::string no_rate;
 };
 
 /// Every certified bound of the scene's lane, and the profiled one where its constants are known or
 /// can be measured. Takes seconds a lane: Yosys maps each.
-BoundCosts measure_costs(const LoadedScene& loaded);
+/// An error where the scene leaves the lane's format open.
+model::Result<BoundCosts> measure_costs(const LoadedScene& loaded);
 
 std::string to_text(const BoundCosts& costs);
 nlohmann::json to_json(const BoundCosts& costs);

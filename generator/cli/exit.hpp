@@ -1,26 +1,56 @@
 #pragma once
 
-#include <fmt/core.h>
-
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "model/common/result.hpp"
 
 namespace mixcmp::cli {
 
-/// Thrown by a verb to end the program; main turns it into the exit code.
-struct Exit {
-  int code;
+/// What the program's exit code means.
+enum class ExitCode {
+  done = 0,        ///< all that was asked for was done
+  mistake = 1,     ///< it was not done: a mistake of the user's, a disk that is full
+  refuted = 2,     ///< the answer is no: hardware and model differ, Gappa refuses a bound, no plan
+                   ///< fits
+  incomplete = 3,  ///< a part was not done: a tool or data are missing; stderr says which
 };
 
-/// The value, or the error on stderr and the end.
+/// Thrown by a verb to end the program; only main catches it.
+struct Exit {
+  int code;
+
+  explicit Exit(ExitCode meaning) : code(static_cast<int>(meaning)) {}
+  /// Exit code 128 + signal, as shells report it.
+  static Exit interrupted(int signal) {
+    Exit exit(ExitCode::mistake);
+    exit.code = 128 + signal;
+    return exit;
+  }
+};
+
+/// Prints the error on stderr and ends the program, with the code that the error's kind says.
+[[noreturn]] void fail(const model::Error& error);
+
+/// Returns the value, or ends the program as `fail` does.
 template <class T>
 T value_or_exit(model::Result<T> result) {
-  if (!result.ok()) {
-    fmt::print(stderr, "mixcmp: {}\n", result.error().to_string());
-    throw Exit{1};
-  }
+  if (!result.ok()) fail(result.error());
   return std::move(result).value();
 }
+
+/// Writes to standard output; ends the program where that cannot be written.
+void print(const std::string& text);
+
+/// Writes "mixcmp: " and a line to stderr.
+void tell(const std::string& line);
+
+/// Tells what was asked for and not done, and ends the program with ExitCode::incomplete; nothing
+/// happens where the list is empty.
+void end_if_incomplete(const std::vector<std::string>& not_done);
+
+/// Shows a line on stderr that the next one overwrites, on a terminal only; an empty one clears it.
+void show_progress(const std::string& line);
 
 }  // namespace mixcmp::cli

@@ -8,13 +8,14 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/cli/planning.hpp"
-#include "generator/cli/scratch.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/version.hpp"
 #include "generator/software/baseline.hpp"
 #include "model/common/content_hash.hpp"
 #include "model/common/file.hpp"
+#include "model/common/output_file.hpp"
 #include "model/common/quote.hpp"
+#include "model/common/scratch_folder.hpp"
 #include "model/optimise/exploration.hpp"
 #include "model/optimise/plan.hpp"
 #include "model/profile/report.hpp"
@@ -101,21 +102,21 @@ model::Rates rates_of(const ExploreCommand& command, const std::string& set) {
                               .comparisons = loaded.data->size(),
                               .errors = {},
                               .rates = rates};
-  value_or_exit(write_file(kept, figure5_csv(report)));
+  value_or_exit(model::write_file(kept, figure5_csv(report)));
   return model::Rates::of(rates);
 }
 
 /// In double, and of the kernel that is fastest on all cores.
 std::vector<model::SoftwareThroughput> measure_software(const LoadedScene& loaded) {
-  const Scratch scratch;
+  const model::ScratchFolder scratch = value_or_exit(model::ScratchFolder::make());
   gen::BaselineOptions options{.work = scratch.path()};
-  options.progress = [](const std::string& what) { show_progress(what); };
+  options.progress = show_progress;
   const gen::Baseline baseline =
       value_or_exit(software_baseline(loaded.scene, *loaded.data, options));
   show_progress("");
   if (!baseline.passed()) {
-    fmt::print(stderr, "mixcmp: software and golden model disagree: see mixcmp baseline\n");
-    throw Exit{2};
+    tell("software and golden model disagree: see mixcmp baseline");
+    throw Exit(ExitCode::refuted);
   }
   std::vector<model::SoftwareThroughput> all;
   for (const gen::BaselineKernel* kernel : {&baseline.exact(), &baseline.fastest()}) {
@@ -158,29 +159,38 @@ void write_plan(const ExploreCommand& command, const std::string& device, const 
   if (best == nullptr) return;
   model::PlanSource source = plan_source(command.planning, device, path, command_of(command));
   if (!set.empty()) source.settings.push_back(set);
-  value_or_exit(write_file(path, plan_toml(found, *best, source)));
+  value_or_exit(model::write_file(path, plan_toml(found, *best, source)));
+}
+
+/// A run before may have found a plan where this one finds none.
+void remove_old_plans(const fs::path& folder) {
+  for (const char* name : {"plan_scenario_1.toml", "plan_scenario_2.toml"}) {
+    std::error_code ignored;
+    fs::remove(folder / name, ignored);
+  }
 }
 
 void write_device(const ExploreCommand& command, const std::string& device,
-                  const model::Exploration& exploration, const std::string& tables) {
+                  const model::Exploration& exploration, const std::string& tables,
+                  std::vector<std::string>& not_done) {
   const fs::path folder = command.output / exploration.device.name;
-  value_or_exit(prepare_directory(folder));
+  value_or_exit(model::make_writable_folder(folder));
+  remove_old_plans(folder);
   const model::Column& ours = exploration.columns.back();
   // With given clocks every lane counts, timed or not.
   const model::Optimisation& areas = exploration.columns.front().example;
-  value_or_exit(write_file(folder / "figure7.csv", figure7_csv(areas)));
-  value_or_exit(write_file(folder / "figure9.csv", figure9_csv(ours.example)));
-  value_or_exit(write_file(folder / "scenarios.csv", scenarios_csv(exploration)));
-  value_or_exit(write_file(folder / "tables.md", tables));
+  value_or_exit(model::write_file(folder / "figure7.csv", figure7_csv(areas)));
+  value_or_exit(model::write_file(folder / "figure9.csv", figure9_csv(ours.example)));
+  value_or_exit(model::write_file(folder / "scenarios.csv", scenarios_csv(exploration)));
+  value_or_exit(model::write_file(folder / "tables.md", tables));
   const std::string& first = exploration.data_sets.front();
   write_plan(command, device, first == own_data ? "" : first, folder / "plan_scenario_1.toml",
              ours.example);
   write_plan(command, device, "", folder / "plan_scenario_2.toml", ours.worst);
-  const bool drawn = draw(folder, "figure3", figure3_script(ours.example, "figure3.svg")) &&
-                     draw(folder, "figure7", figure7_script(areas, "figure7.svg")) &&
-                     draw(folder, "figure8", figure8_script(ours.example, "figure8.svg")) &&
-                     draw(folder, "figure9", figure9_script(ours.example, "figure9.svg"));
-  if (!drawn) warn_of_no_pictures();
+  draw(folder, "figure3", figure3_script(ours.example, "figure3.svg"), not_done);
+  draw(folder, "figure7", figure7_script(areas, "figure7.svg"), not_done);
+  draw(folder, "figure8", figure8_script(ours.example, "figure8.svg"), not_done);
+  draw(folder, "figure9", figure9_script(ours.example, "figure9.svg"), not_done);
 }
 
 void print_notes(const model::Exploration& exploration) {
@@ -190,7 +200,7 @@ void print_notes(const model::Exploration& exploration) {
     if (column.worst.best() == nullptr) notes.insert(column.title + ": no plan fits");
   }
   for (const std::string& note : notes) {
-    fmt::print(stderr, "mixcmp: note: {}: {}\n", exploration.device.name, note);
+    tell(fmt::format("note: {}: {}", exploration.device.name, note));
   }
 }
 
@@ -241,13 +251,14 @@ void run(const ExploreCommand& command) {
   for (const std::string& device : devices_of(command, loaded.scene)) {
     known.push_back(planning_for(command, device, &*loaded.data));
   }
-  value_or_exit(prepare_directory(command.output));
+  const model::FolderLock held = hold(command.output);
   const std::vector<model::DataSet> sets = measure_sets(command, settings);
   std::vector<model::SoftwareThroughput> software;
   if (command.software) software = measure_software(loaded);
   std::string report = fmt::format("# {}: plans\n", loaded.scene.name);
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   bool feasible = true;
+  std::vector<std::string> not_done;
   for (const Planning& each : known) {
     const auto published = command.beside_paper ? model::published(each.device.name) : std::nullopt;
     const model::Exploration exploration =
@@ -255,20 +266,21 @@ void run(const ExploreCommand& command) {
                               command.planning.choice));
     const std::string tables = tables_of(exploration, published, software);
     print_notes(exploration);
-    write_device(command, each.scene.system.device, exploration, tables);
+    write_device(command, each.scene.system.device, exploration, tables, not_done);
     report += "\n" + tables;
     json.push_back(to_json(exploration));
     for (const model::Column& column : exploration.columns) {
       feasible = feasible && column.worst.best() != nullptr;
     }
   }
-  value_or_exit(write_file(command.output / "report.md", report));
+  value_or_exit(model::write_file(command.output / "report.md", report));
   if (command.planning.scene.json) {
-    fmt::print("{}\n", json.dump(2));
+    print(fmt::format("{}\n", json.dump(2)));
   } else {
-    fmt::print("{}\n{}\n", report, (command.output / "report.md").string());
+    print(fmt::format("{}\n{}\n", report, (command.output / "report.md").string()));
   }
-  if (!feasible) throw Exit{2};
+  if (!feasible) throw Exit(ExitCode::refuted);
+  end_if_incomplete(not_done);
 }
 
 }  // namespace

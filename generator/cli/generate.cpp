@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/exit.hpp"
+#include "generator/cli/fit.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/cli/prove.hpp"
 #include "generator/cli/verbs.hpp"
@@ -41,20 +42,20 @@ void print_parts(const gen::Signature& s) {
                                       ? ""
                                       : fmt::format(" in {} ({} cycles)", s.reference_format.name(),
                                                     s.reference_groups.front().latency_cycles);
-    return fmt::print("{}: p_L = {} in {} ({} cycles), p_H = {}{}, {}\n", s.top, s.lanes,
-                      lanes.format.name(), lanes.latency_cycles, s.references, reference,
-                      certainty(s.certified));
+    return print(fmt::format("{}: p_L = {} in {} ({} cycles), p_H = {}{}, {}\n", s.top, s.lanes,
+                             lanes.format.name(), lanes.latency_cycles, s.references, reference,
+                             certainty(s.certified)));
   }
-  fmt::print("{}: p_L = {}, p_H = {} in {}, {}\n", s.top, s.lanes, s.references,
-             s.reference_format.name(), certainty(s.certified));
+  print(fmt::format("{}: p_L = {}, p_H = {} in {}, {}\n", s.top, s.lanes, s.references,
+                    s.reference_format.name(), certainty(s.certified)));
   for (const gen::SignatureLanes& group : s.lane_groups) {
-    fmt::print("  {} in {}: {} cycles, inputs {}, multipliers {}; {}\n",
-               counted(group.count, "lane"), group.format.name(), group.latency_cycles,
-               to_string(group.inputs), to_string(group.multipliers), group.decision);
+    print(fmt::format("  {} in {}: {} cycles, inputs {}, multipliers {}; {}\n",
+                      counted(group.count, "lane"), group.format.name(), group.latency_cycles,
+                      to_string(group.inputs), to_string(group.multipliers), group.decision));
   }
   for (const gen::SignatureReferences& group : s.reference_groups) {
-    fmt::print("  {}: {} cycles, multipliers {}\n", counted(group.count, "reference"),
-               group.latency_cycles, to_string(group.multipliers));
+    print(fmt::format("  {}: {} cycles, multipliers {}\n", counted(group.count, "reference"),
+                      group.latency_cycles, to_string(group.multipliers)));
   }
 }
 
@@ -62,25 +63,26 @@ void print_engine(const gen::Signature& signature) {
   if (!signature.engine) return;
   const gen::SignatureEngine& engine = *signature.engine;
   if (engine.kind == model::EngineKind::arg_min) {
-    fmt::print("{}: {} candidates of {} bytes, rows of {} bytes, the least one's number leaves\n",
-               engine.top, engine.capacity, engine.item_bytes, engine.row_bytes);
+    print(fmt::format(
+        "{}: {} candidates of {} bytes, rows of {} bytes, the least one's number leaves\n",
+        engine.top, engine.capacity, engine.item_bytes, engine.row_bytes));
     return;
   }
-  fmt::print("{}: up to {} items of {} bytes, pairs that are {} leave\n", engine.top,
-             engine.capacity, engine.item_bytes, fmt::join(engine.report, ", "));
+  print(fmt::format("{}: up to {} items of {} bytes, pairs that are {} leave\n", engine.top,
+                    engine.capacity, engine.item_bytes, fmt::join(engine.report, ", ")));
 }
 
 void print_text(const gen::GeneratedSystem& system, const std::vector<GroupProof>& proofs,
                 const std::filesystem::path& directory) {
   print_parts(system.signature);
   print_engine(system.signature);
-  for (const std::string& note : system.notes) fmt::print("note: {}\n", note);
+  for (const std::string& note : system.notes) print(fmt::format("note: {}\n", note));
   const bool one_kind = system.signature.lane_groups.size() == 1;
   for (const GroupProof& proof : proofs) {
-    fmt::print("error bound{}: {}\n", one_kind ? "" : " of " + proof.name,
-               proof.quick.proof.verdict());
+    print(fmt::format("error bound{}: {}\n", one_kind ? "" : " of " + proof.name,
+                      proof.quick.proof.verdict()));
   }
-  fmt::print("{} files in {}\n", system.files.size(), directory.string());
+  print(fmt::format("{} files in {}\n", system.files.size(), directory.string()));
 }
 
 void print_json(const gen::GeneratedSystem& system, const std::vector<GroupProof>& proofs,
@@ -93,7 +95,7 @@ void print_json(const gen::GeneratedSystem& system, const std::vector<GroupProof
     report["proof"].push_back(model::proof::to_json(proof.quick.proof, proof.quick.gappa));
     report["proof"].back()["lanes"] = proof.name;
   }
-  fmt::print("{}\n", report.dump(2));
+  print(fmt::format("{}\n", report.dump(2)));
 }
 
 /// Of every kind of lane that claims a proof.
@@ -111,8 +113,9 @@ std::vector<GroupProof> prove_groups(const std::filesystem::path& scene,
 void run(const GenerateOptions& options) {
   const LoadedScene loaded = value_or_exit(load(options.scene));
   const model::Design design = value_or_exit(design_of(options.scene, loaded));
-  const gen::GeneratedSystem system =
+  gen::GeneratedSystem system =
       value_or_exit(gen::generate_system(design, command_line("generate", options.scene)));
+  if (auto note = fit_note(loaded, design)) system.notes.push_back(std::move(*note));
   std::vector<GroupProof> proofs;
   if (!options.skip_proof) proofs = prove_groups(options.scene.scene, design);
   const std::filesystem::path directory =

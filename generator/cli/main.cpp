@@ -1,6 +1,10 @@
-#include <fmt/core.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <exception>
+#include <new>
 #include <string>
 
 #include "generator/cli/exit.hpp"
@@ -8,7 +12,53 @@
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/version.hpp"
 
+namespace {
+
+using mixcmp::cli::Exit;
+using mixcmp::cli::ExitCode;
+
+/// Opens /dev/null, for reading alone, in place of standard streams that are closed: else the first
+/// output file would get the descriptor of standard output and take what is printed.
+void occupy_standard_streams() {
+  while (true) {
+    const int descriptor = open("/dev/null", O_RDONLY);
+    if (descriptor > STDERR_FILENO || descriptor < 0) {
+      close(descriptor);
+      return;
+    }
+  }
+}
+
+void run(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+    if (app.get_subcommands().empty()) {
+      throw CLI::RequiredError(
+          "A verb (check, generate, verify, profile, characterise, optimise, explore, doctor, "
+          "baseline, route)");
+    }
+  } catch (const CLI::CallForHelp&) {
+    const auto verbs = app.get_subcommands();
+    return mixcmp::cli::print(verbs.empty() ? app.help() : verbs.front()->help());
+  } catch (const CLI::CallForVersion&) {
+    return mixcmp::cli::print(std::string(mixcmp::gen::version) + "\n");
+  } catch (const CLI::ParseError& error) {
+    mixcmp::cli::tell(mixcmp::cli::usage_error(app, error));
+    throw Exit(ExitCode::mistake);
+  }
+}
+
+/// What no verb expects: no memory, a file system that fails in an unusual place.
+int end_unexpectedly(const char* why) {
+  mixcmp::cli::tell(std::string("ended before its time: ") + why);
+  return Exit(ExitCode::mistake).code;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  occupy_standard_streams();
+  signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of whoever writes it
   CLI::App app("Turns a numerical comparison, the sign of f(x) - g(y), into verified Verilog.",
                "mixcmp");
   app.set_version_flag("--version", std::string(mixcmp::gen::version));
@@ -24,18 +74,13 @@ int main(int argc, char** argv) {
   mixcmp::cli::add_baseline(app);
   mixcmp::cli::add_route(app);
   try {
-    app.parse(argc, argv);
-    if (app.get_subcommands().empty()) {
-      throw CLI::RequiredError(
-          "A verb (check, generate, verify, profile, characterise, optimise, explore, doctor, "
-          "baseline, route)");
-    }
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    fmt::print(stderr, "mixcmp: {}\n", mixcmp::cli::usage_error(app, error));
-    return 1;
-  } catch (const mixcmp::cli::Exit& exit) {
+    run(app, argc, argv);
+  } catch (const Exit& exit) {
     return exit.code;
+  } catch (const std::bad_alloc&) {
+    return end_unexpectedly("out of memory");
+  } catch (const std::exception& error) {
+    return end_unexpectedly(error.what());
   }
-  return 0;
+  return static_cast<int>(ExitCode::done);
 }

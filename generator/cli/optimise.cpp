@@ -7,6 +7,7 @@
 #include "generator/cli/output.hpp"
 #include "generator/cli/planning.hpp"
 #include "generator/cli/verbs.hpp"
+#include "model/common/output_file.hpp"
 #include "model/optimise/plan.hpp"
 #include "model/optimise/report.hpp"
 
@@ -55,8 +56,7 @@ std::vector<LoadedScene> formulations_of(const OptimiseCommand& command,
   const bool by_hand = !command.planning.table.empty() || !command.rates.empty();
   if (!by_hand) return value_or_exit(load_formulations(command.planning.scene, loaded));
   if (loaded.scene.variant.empty() && !loaded.scene.variants.empty()) {
-    fmt::print(stderr,
-               "mixcmp: note: --table and --rates are of [comparison]; variants left out\n");
+    tell("note: --table and --rates are of [comparison]; variants left out");
   }
   return {loaded};
 }
@@ -84,19 +84,19 @@ std::vector<Candidate> find_candidates(const OptimiseCommand& command,
       left_out.emplace_back(name_of(formulation.scene), candidate.error());
     }
   }
-  if (candidates.empty()) value_or_exit<model::Done>(left_out.front().second);
+  if (candidates.empty()) fail(left_out.front().second);
   for (const auto& [name, error] : left_out) {
-    fmt::print(stderr, "mixcmp: note: {} left out: {}\n", name, error.to_string());
+    tell(fmt::format("note: {} left out: {}", name, error.to_string()));
   }
   return candidates;
 }
 
 void write_files(const OptimiseCommand& command, const Candidate& chosen) {
   const model::Optimisation& found = chosen.found;
-  if (!command.csv.empty()) value_or_exit(write_file(command.csv, figure9_csv(found)));
+  if (!command.csv.empty()) value_or_exit(model::write_file(command.csv, figure9_csv(found)));
   const model::PrecisionPlan* best = found.best();
   if (best == nullptr) return;
-  if (!command.lp.empty()) value_or_exit(write_file(command.lp, to_lp(best->problem)));
+  if (!command.lp.empty()) value_or_exit(model::write_file(command.lp, to_lp(best->problem)));
   if (command.plan.empty()) return;
   PlanningOptions planning = command.planning;
   if (!chosen.known.scene.variant.empty()) {
@@ -104,7 +104,7 @@ void write_files(const OptimiseCommand& command, const Candidate& chosen) {
   }
   const model::PlanSource source =
       plan_source(planning, chosen.known.scene.system.device, command.plan, command_of(command));
-  value_or_exit(write_file(command.plan, plan_toml(found, *best, source)));
+  value_or_exit(model::write_file(command.plan, plan_toml(found, *best, source)));
 }
 
 /// Which formulation is best, and by how much.
@@ -146,7 +146,8 @@ void run(OptimiseCommand& command) {
   PlanningOptions& planning = command.planning;
   if (planning.separate_clocks) planning.choice.clocks.domains = model::ClockDomains::separate;
   const LoadedScene loaded = value_or_exit(load(planning.scene));
-  std::vector<fs::path> inputs = {planning.scene.scene, command.rates};
+  std::vector<fs::path> inputs = inputs_of(planning.scene, loaded.scene);
+  inputs.push_back(command.rates);
   const std::vector<LoadedScene> formulations = formulations_of(command, loaded);
   for (const LoadedScene& each : formulations) inputs.push_back(table_of(planning, each.scene));
   value_or_exit(check_outputs({command.plan, command.csv, command.lp}, inputs));
@@ -158,14 +159,14 @@ void run(OptimiseCommand& command) {
   const auto chosen = static_cast<std::size_t>(best - candidates.begin());
   write_files(command, *best);
   if (planning.scene.json) {
-    fmt::print("{}\n", to_json(candidates, chosen).dump(2));
+    print(fmt::format("{}\n", to_json(candidates, chosen).dump(2)));
   } else {
-    fmt::print("{}{}", compare_variants(candidates, chosen), to_text(best->found));
+    print(fmt::format("{}{}", compare_variants(candidates, chosen), to_text(best->found)));
     if (best->found.best() != nullptr && !command.plan.empty()) {
-      fmt::print("plan: {}\n", command.plan.string());
+      print(fmt::format("plan: {}\n", command.plan.string()));
     }
   }
-  if (best->found.best() == nullptr) throw Exit{2};
+  if (best->found.best() == nullptr) throw Exit(ExitCode::refuted);
 }
 
 }  // namespace

@@ -2,11 +2,14 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
+#include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/datapath/delays.hpp"
+#include "model/scene/blame.hpp"
 #include "model/scene/load_comparisons.hpp"
 #include "model/scene/locate.hpp"
 
@@ -18,6 +21,7 @@ struct Shortcut {
   const char* flag;
   const char* key;
   const char* help;
+  std::optional<model::Limits> limits = {};
 };
 
 constexpr std::array<Shortcut, 8> shortcuts = {{
@@ -25,11 +29,25 @@ constexpr std::array<Shortcut, 8> shortcuts = {{
     {"--format", "reduced.format", "reduced format of the lanes, s17e8"},
     {"--bound", "reduced.bound", "certified or profiled"},
     {"--inputs", "reduced.inputs", "rounded or exact"},
-    {"--lanes", "system.lanes", "p_L, 1..512"},
-    {"--references", "system.references", "p_H, 0..16"},
+    {"--lanes", "system.lanes", "p_L", model::limits::lanes},
+    {"--references", "system.references", "p_H", model::limits::references},
     {"--target-mhz", "system.target_mhz", "clock that the cut points are chosen for"},
     {"--device", "system.device", "device whose rough delays choose the cut points"},
 }};
+
+/// Mistakes in a data file are the file's own; others may come from an override.
+model::Error at_fault_in_data(const model::Error& error, const model::DataSpec& data,
+                              const SceneOptions& options) {
+  if (error.file == data.file.string() || error.file == data.with.string()) return error;
+  const auto attempt = [&](std::span<const std::string> settings) -> std::optional<model::Error> {
+    const model::Result<model::Scene> scene = model::load_scene(options.scene, settings);
+    if (!scene.ok()) return scene.error();
+    if (!scene->data) return std::nullopt;
+    const model::Result<model::Comparisons> comparisons = model::load_comparisons(*scene);
+    return comparisons.ok() ? std::nullopt : std::optional(comparisons.error());
+  };
+  return at_fault(blamed(error, options.settings, attempt), options);
+}
 
 /// A search of many contests takes long enough to be asked about.
 model::ContestProgress contest_progress() {
@@ -40,6 +58,11 @@ model::ContestProgress contest_progress() {
     shown = percent;
     show_progress(done == all ? "" : fmt::format("arg_min: {} of {} comparisons", done, all));
   };
+}
+
+std::string help_of(const Shortcut& shortcut) {
+  const std::string limits = shortcut.limits ? ", " + to_string(*shortcut.limits) : "";
+  return fmt::format("{}{} (--set {}=...)", shortcut.help, limits, shortcut.key);
 }
 
 bool needs_quotes(const std::string& text) {
@@ -69,15 +92,30 @@ void add_scene_options(CLI::App& verb, SceneOptions& options,
           options.settings.push_back(fmt::format("{}={}", shortcut.key, value));
           options.shortcuts[shortcut.key] = shortcut.flag;
         },
-        fmt::format("{} (--set {}=...)", shortcut.help, shortcut.key));
+        help_of(shortcut));
   }
   verb.add_flag("--json", options.json, "print the result as JSON");
 }
 
+CLI::Validator within(model::Limits limits) {
+  return {[limits](const std::string& text) {
+            int value = 0;
+            const bool accepted = CLI::detail::lexical_cast(text, value) && limits.hold(value);
+            return accepted ? std::string()
+                            : fmt::format("received {}; accepted {}", text, to_string(limits));
+          },
+          to_string(limits)};
+}
+
 model::Error at_fault(const model::Error& found, const SceneOptions& options) {
   model::Error error = located(found, options.scene, options.settings);
-  const auto shortcut = options.shortcuts.find(error.field);
-  if (error.file == "--set" && shortcut != options.shortcuts.end()) error.file = shortcut->second;
+  // "--set" alone is about the key that the error names, "--set key" about another.
+  const std::string set = "--set";
+  const std::string key = error.file == set                   ? error.field
+                          : error.file.starts_with(set + " ") ? error.file.substr(set.size() + 1)
+                                                              : "";
+  const auto shortcut = options.shortcuts.find(key);
+  if (shortcut != options.shortcuts.end()) error.file = shortcut->second;
   return error;
 }
 
@@ -93,16 +131,33 @@ model::Result<LoadedScene> load(const SceneOptions& options) {
   }
   LoadedScene loaded = {std::move(scene), std::nullopt};
   if (loaded.scene.data) {
-    MIXCMP_TRY(data, model::load_comparisons(loaded.scene, contest_progress()));
-    loaded.data = std::move(data);
+    auto data = model::load_comparisons(loaded.scene, contest_progress());
+    if (!data.ok()) return at_fault_in_data(data.error(), *loaded.scene.data, options);
+    loaded.data = std::move(data).value();
   }
   return loaded;
 }
 
 model::Result<model::Design> design_of(const SceneOptions& options, const LoadedScene& loaded) {
   auto design = make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr);
-  if (!design.ok()) return at_fault(design.error(), options);
-  return design;
+  if (design.ok()) return design;
+  const model::Error error = at_fault(design.error(), options);
+  // The errors of a profiled bound are measured on the data: too long to be found again.
+  const std::vector<model::LaneGroupSpec> groups = loaded.scene.lane_groups();
+  const bool certified = std::all_of(groups.begin(), groups.end(), [](const auto& group) {
+    return group.reduced.bound == model::BoundKind::certified;
+  });
+  if (!certified) return error;
+  return at_fault(
+      blamed(error, options.settings,
+             [&](std::span<const std::string> settings) -> std::optional<model::Error> {
+               const model::Result<model::Scene> scene = model::load_scene(options.scene, settings);
+               if (!scene.ok()) return scene.error();
+               const model::Result<model::Design> attempt = make_design(*scene, nullptr);
+               if (attempt.ok()) return std::nullopt;
+               return located(attempt.error(), options.scene, settings);
+             }),
+      options);
 }
 
 model::Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& options,
@@ -116,6 +171,13 @@ model::Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& op
     formulations.push_back({std::move(scene), loaded.data});
   }
   return formulations;
+}
+
+std::vector<std::filesystem::path> inputs_of(const SceneOptions& options,
+                                             const model::Scene& scene) {
+  std::vector<std::filesystem::path> inputs = {options.scene, scene.path};
+  if (scene.data) inputs.insert(inputs.end(), {scene.data->file, scene.data->with});
+  return inputs;
 }
 
 std::string command_line(const std::string& verb, const SceneOptions& options) {

@@ -37,6 +37,9 @@ model::Result<LoadedScene> load(const SceneOptions& options);
 /// that set it.
 model::Error at_fault(const model::Error& found, const SceneOptions& options);
 
+/// Accepts a whole number in these limits, which help and errors then state.
+CLI::Validator within(model::Limits limits);
+
 /// What the scene's system is made of. Errors, of both, name the file and line of the key at fault.
 model::Result<model::Design> design_of(const SceneOptions& options, const LoadedScene& loaded);
 
@@ -44,6 +47,10 @@ model::Result<model::Design> design_of(const SceneOptions& options, const Loaded
 /// data.
 model::Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& options,
                                                           const LoadedScene& loaded);
+
+/// The files that the scene is read from: its own, its plan's, its data.
+std::vector<std::filesystem::path> inputs_of(const SceneOptions& options,
+                                             const model::Scene& scene);
 
 /// One word of a POSIX shell's command line, quoted where it must be.
 std::string quoted(const std::string& text);

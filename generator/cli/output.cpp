@@ -1,31 +1,19 @@
 #include "generator/cli/output.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include "generator/cli/exit.hpp"
-#include "generator/cli/scratch.hpp"
+#include "model/characterise/tools.hpp"
 #include "model/common/file.hpp"
+#include "model/common/output_file.hpp"
 #include "model/common/process.hpp"
+#include "model/common/scratch_folder.hpp"
 
 namespace mixcmp::cli {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-model::Error cannot_write(const fs::path& path) {
-  return {.file = path.string(),
-          .message = fmt::format("cannot be written: {}", std::strerror(errno))};
-}
-
-}  // namespace
 
 model::Result<model::Done> check_outputs(const std::vector<fs::path>& outputs,
                                          const std::vector<fs::path>& inputs) {
@@ -47,48 +35,37 @@ model::Result<model::Done> check_outputs(const std::vector<fs::path>& outputs,
   return model::Done{};
 }
 
-model::Result<model::Done> write_file(const fs::path& file, const std::string& text) {
-  std::error_code failed;
-  const fs::path path = fs::is_symlink(file, failed) ? fs::weakly_canonical(file) : file;
-  // A pipe or a device takes what it is given; it is not replaced by a file.
-  const bool is_special = fs::exists(path) && !fs::is_regular_file(path);
-  if (is_special) return model::write_in_place(path, text);
-  const fs::path unfinished = path.string() + ".part";
-  const bool written = model::write_in_place(unfinished, text).ok();
-  if (written) fs::rename(unfinished, path, failed);
-  if (written && !failed) return model::Done{};
-  const model::Error error = cannot_write(path);
-  fs::remove(unfinished, failed);
-  return error;
+void tell_waiting(const fs::path& folder) {
+  show_progress("");
+  tell(fmt::format("{}: waiting for another run", folder.string()));
 }
 
-bool draw(const fs::path& directory, const std::string& name, const std::string& script) {
-  const Scratch scratch;
-  value_or_exit(write_file(scratch.path() / "script.gnuplot", script));
-  const auto drawn = model::run_tool({"gnuplot", "script.gnuplot"}, scratch.path(),
-                                     scratch.path() / "gnuplot.log", {});
-  if (!drawn.ok()) return false;
-  std::ostringstream picture;
-  picture << std::ifstream(scratch.path() / (name + ".svg"), std::ios::binary).rdbuf();
-  value_or_exit(write_file(directory / (name + ".svg"), picture.str()));
-  return true;
+model::FolderLock hold(const fs::path& folder) {
+  return value_or_exit(model::FolderLock::take(folder, [&] { tell_waiting(folder); }));
 }
 
-model::Result<model::Done> prepare_directory(const fs::path& directory) {
-  if (directory.empty()) return model::Done{};
-  std::error_code failed;
-  fs::create_directories(directory, failed);
-  if (!failed && access(directory.c_str(), W_OK | X_OK) == 0) return model::Done{};
-  if (failed) errno = failed.value();
-  return cannot_write(directory);
+void draw(const fs::path& directory, const std::string& name, const std::string& script,
+          std::vector<std::string>& not_done) {
+  const std::string file = name + ".svg";
+  const model::ScratchFolder scratch = value_or_exit(model::ScratchFolder::make());
+  value_or_exit(model::write_file(scratch.path() / "script.gnuplot", script));
+  const auto drawn = model::run_tool({.command = {"gnuplot", "script.gnuplot"},
+                                      .directory = scratch.path(),
+                                      .log = scratch.path() / "gnuplot.log"});
+  if (!drawn.ok() && drawn.error().kind == model::ErrorKind::missing_tool) {
+    not_done.push_back(fmt::format("{}: gnuplot does not run (apt-get install gnuplot-nox)",
+                                   (directory / file).string()));
+    return;
+  }
+  value_or_exit(drawn);
+  value_or_exit(
+      model::write_file(directory / file, value_or_exit(model::read_file(scratch.path() / file))));
 }
 
-void warn_of_no_pictures() {
-  fmt::print(stderr, "mixcmp: no pictures: gnuplot does not run (apt-get install gnuplot-nox)\n");
-}
-
-void show_progress(const std::string& line) {
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K{}", line);
+void end_if_router_is_missing(const model::Device& device) {
+  if (!model::is_routed(device)) return;
+  const auto version = model::router_version(device);
+  if (!version.ok()) end_if_incomplete({"clocks: " + version.error().to_string()});
 }
 
 }  // namespace mixcmp::cli

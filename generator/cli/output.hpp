@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "model/common/folder_lock.hpp"
 #include "model/common/result.hpp"
+#include "model/devices/device.hpp"
 
 namespace mixcmp::cli {
 
@@ -12,21 +14,19 @@ namespace mixcmp::cli {
 model::Result<model::Done> check_outputs(const std::vector<std::filesystem::path>& outputs,
                                          const std::vector<std::filesystem::path>& inputs);
 
-/// Complete or not at all; through a link to its target, into a pipe or a device as it comes.
-model::Result<model::Done> write_file(const std::filesystem::path& path, const std::string& text);
-
-/// A directory that cannot be written should not cost a long run first. An empty path is none.
-model::Result<model::Done> prepare_directory(const std::filesystem::path& directory);
+/// Locks a work folder, which is made where there is none, for as long as the result lives. The
+/// user is told where another run must end first.
+model::FolderLock hold(const std::filesystem::path& folder);
+void tell_waiting(const std::filesystem::path& folder);
 
 /// Runs the gnuplot script, which writes NAME.svg, elsewhere, so that no picture is ever half
-/// there. False where gnuplot cannot run; ends the program where the picture cannot be written.
-bool draw(const std::filesystem::path& directory, const std::string& name,
-          const std::string& script);
+/// there. Without gnuplot, adds the picture to `not_done`; ends the program where the picture
+/// cannot be drawn or written.
+void draw(const std::filesystem::path& directory, const std::string& name,
+          const std::string& script, std::vector<std::string>& not_done);
 
-/// On stderr.
-void warn_of_no_pictures();
-
-/// A line on stderr that is overwritten, on a terminal only; empty clears it.
-void show_progress(const std::string& line);
+/// Ends the program with ExitCode::incomplete where the device has a router and this machine has
+/// not.
+void end_if_router_is_missing(const model::Device& device);
 
 }  // namespace mixcmp::cli

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/components/characterise.hpp"
 
@@ -61,9 +62,8 @@ Result<model::Done> adopt_target(Planning& planning, const std::filesystem::path
     if (CLI::detail::lexical_cast(text, measured) && measured > 0) {
       double& target = planning.scene.system.target_mhz;
       if (target != measured && is_set(options, "system.target_mhz")) {
-        fmt::print(stderr,
-                   "mixcmp: note: registers are placed for {:g} MHz, which {} was measured for\n",
-                   measured, path.filename().string());
+        tell(fmt::format("note: registers are placed for {:g} MHz, which {} was measured for",
+                         measured, path.filename().string()));
       }
       target = measured;
       return model::Done{};
@@ -81,10 +81,10 @@ void warn_of_outdated(const Planning& planning, const model::Comparisons* data) 
   const gen::Currency currency =
       gen::check_currency(planning.table, planning.scene, data, planning.device);
   if (currency.outdated == 0) return;
-  fmt::print(stderr,
-             "mixcmp: note: {} of {} rows of the table for {} were measured on other RTL than "
-             "what is generated today\n",
-             currency.outdated, currency.rows, planning.device.name);
+  tell(
+      fmt::format("note: {} of {} rows of the table for {} were measured on other RTL than "
+                  "what is generated today",
+                  currency.outdated, currency.rows, planning.device.name));
 }
 
 /// Lanes of a plan have the constants that the scene gives, at whatever precision.
@@ -114,10 +114,10 @@ void add_planning_options(CLI::App& verb, PlanningOptions& options) {
   verb.add_option("--table", options.table,
                   "areas and clocks, made by mixcmp characterise (default: "
                   "characterisation/SCENE-DEVICE.csv beside the scene)");
-  verb.add_option("--first", choice.first_precision, "the lowest L, 4 or more (default: 4)")
-      ->check(CLI::Range(4, 112));
-  verb.add_option("--last", choice.last_precision, "the highest L (default: 52)")
-      ->check(CLI::Range(4, 112));
+  verb.add_option("--first", choice.first_precision, "the lowest L (default: the lowest there is)")
+      ->check(within(model::limits::lane_precision));
+  verb.add_option("--last", choice.last_precision, "the highest L (default: the highest there is)")
+      ->check(within(model::limits::lane_precision));
   add_list(verb, "--use-inputs", choice.inputs,
            "lanes to choose from: exact,rounded (default: both)", {"exact", "rounded"});
   add_list(verb, "--use-bounds", choice.bounds,
@@ -232,7 +232,8 @@ Result<std::vector<model::RateProfile>> measure_rates(const LoadedScene& loaded,
   MIXCMP_TRY(has_data, check_has_data(loaded));
   model::ProfileOptions options{
       .first_precision = choice.first_precision,
-      .last_precision = std::min(choice.last_precision, highest_profiled_precision(scene))};
+      .last_precision =
+          std::min(choice.last_precision, lane_precisions(scene.reference.format).most)};
   options.progress = [](const std::string& what, double share) {
     show_progress(fmt::format("{}: {:.0f} %", what, share * 100));
   };

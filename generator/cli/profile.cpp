@@ -6,6 +6,7 @@
 #include "generator/cli/options.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/cli/verbs.hpp"
+#include "model/common/output_file.hpp"
 #include "model/profile/report.hpp"
 #include "model/profile/trade.hpp"
 
@@ -28,15 +29,19 @@ struct ProfileCommand {
 
 void add_options(CLI::App& verb, ProfileCommand& command) {
   add_scene_options(verb, command.scene);
-  verb.add_option("--first", command.run.first_precision, "the lowest L, 4 or more (default: 4)");
+  verb.add_option("--first", command.run.first_precision,
+                  "the lowest L (default: the lowest there is)")
+      ->check(within(model::limits::lane_precision));
   verb.add_option("--last", command.last,
-                  "the highest L (default: 52, or the reference's digits if fewer)");
+                  "the highest L (default: the highest there is, or the reference's precision if "
+                  "that is less)")
+      ->check(within(model::limits::lane_precision));
   verb.add_option("--samples", command.run.error_samples,
                   "comparisons that relative errors are measured on (default: 1000000)")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
   verb.add_option("--threads", command.run.threads,
                   "threads; results do not depend on them (default: one a processor)")
-      ->check(CLI::Range(1u, 1024u));
+      ->check(within(model::limits::threads));
   verb.add_flag("--both-inputs", command.both_inputs,
                 "rates for rounded and for exact inputs, whatever the scene says");
   verb.add_flag("--brute-force", command.brute_force,
@@ -120,55 +125,63 @@ nlohmann::ordered_json json_of(const model::ProfileReport& report, const Trades&
   return all;
 }
 
-void write_results(const model::ProfileReport& report, const Trades& weighed,
-                   const fs::path& directory) {
+/// Returns what could not be made.
+std::vector<std::string> write_results(const model::ProfileReport& report, const Trades& weighed,
+                                       const fs::path& directory) {
+  const model::FolderLock held = hold(directory);
   remove_old_results(directory);
-  value_or_exit(write_file(directory / "profile.json", json_of(report, weighed).dump(2) + "\n"));
-  value_or_exit(write_file(directory / "figure4.csv", figure4_csv(report)));
-  value_or_exit(write_file(directory / "figure5.csv", figure5_csv(report)));
-  bool drawn = draw(directory, "figure4", figure4_script(report, "figure4.svg")) &&
-               draw(directory, "figure5", figure5_script(report, "figure5.svg"));
+  std::vector<std::string> not_done;
+  value_or_exit(
+      model::write_file(directory / "profile.json", json_of(report, weighed).dump(2) + "\n"));
+  value_or_exit(model::write_file(directory / "figure4.csv", figure4_csv(report)));
+  value_or_exit(model::write_file(directory / "figure5.csv", figure5_csv(report)));
+  draw(directory, "figure4", figure4_script(report, "figure4.svg"), not_done);
+  draw(directory, "figure5", figure5_script(report, "figure5.svg"), not_done);
   if (!weighed.trades.empty()) {
-    value_or_exit(write_file(directory / "trade.csv", trade_csv(weighed.trades)));
+    value_or_exit(model::write_file(directory / "trade.csv", trade_csv(weighed.trades)));
     const std::string script = trade_script(weighed.trades, report.scene, "trade.svg");
-    drawn = drawn && draw(directory, "trade", script);
+    draw(directory, "trade", script, not_done);
   }
-  if (!drawn) warn_of_no_pictures();
+  return not_done;
 }
 
 void print_text(const model::ProfileReport& report, const Trades& weighed) {
-  fmt::print("{}", to_text(report));
-  for (const model::Trade& trade : weighed.trades) fmt::print("{}", to_text(trade));
-  for (const std::string& advice : weighed.advice) fmt::print("{}", advice);
+  print(to_text(report));
+  for (const model::Trade& trade : weighed.trades) print(to_text(trade));
+  for (const std::string& advice : weighed.advice) print(advice);
 }
 
 void run(const ProfileCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
   if (!loaded.data) {
-    value_or_exit<model::Done>(model::Error{.file = command.scene.scene.string(),
-                                            .field = "data",
-                                            .message = "a profile needs data to measure",
-                                            .received = "a scene without [data]",
-                                            .accepted = "[data] with items or file"});
+    fail(model::Error{.file = command.scene.scene.string(),
+                      .field = "data",
+                      .message = "a profile needs data to measure",
+                      .received = "a scene without [data]",
+                      .accepted = "[data] with items or file"});
   }
   model::ProfileOptions options = command.run;
-  options.last_precision = command.last.value_or(highest_profiled_precision(loaded.scene));
+  options.last_precision =
+      command.last.value_or(lane_precisions(loaded.scene.reference.format).most);
   if (command.brute_force) options.method = model::ProfileMethod::brute_force;
   options.progress = show_share;
   value_or_exit(check_profile(loaded.scene, options));
   const model::MeasuredAreas areas = command.areas.empty()
                                          ? model::MeasuredAreas()
                                          : value_or_exit(model::MeasuredAreas::read(command.areas));
-  value_or_exit(prepare_directory(command.output));
+  // A folder that cannot be written should not cost a long run first.
+  if (!command.output.empty()) value_or_exit(model::make_writable_folder(command.output));
   const model::ProfileReport report = measure(loaded, command, options);
   const bool weighs = command.trade || !command.accepted.empty() || !command.areas.empty();
   const Trades weighed = weighs ? weigh(loaded, report, areas, command.accepted) : Trades();
-  if (!command.output.empty()) write_results(report, weighed, command.output);
+  std::vector<std::string> not_done;
+  if (!command.output.empty()) not_done = write_results(report, weighed, command.output);
   if (command.scene.json) {
-    fmt::print("{}\n", json_of(report, weighed).dump(2));
+    print(fmt::format("{}\n", json_of(report, weighed).dump(2)));
   } else {
     print_text(report, weighed);
   }
+  end_if_incomplete(not_done);
 }
 
 }  // namespace

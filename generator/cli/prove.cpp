@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/exit.hpp"
+#include "generator/cli/output.hpp"
 #include "model/proof/gappa.hpp"
 #include "model/proof/provers.hpp"
 #include "model/proof/report.hpp"
@@ -59,17 +60,22 @@ std::vector<Candidate> candidates(model::Scene scene, const model::Comparisons* 
   return found;
 }
 
+/// Empty where there is none.
+std::string version_text(const model::Result<std::string>& version) {
+  return version.ok() ? *version : "";
+}
+
 ProvenLane prove_lane(const std::string& scene, const std::string& name,
                       const model::CombinedLane& lane, const ProveOptions& options) {
   ProvenLane result{.format = lane.arithmetic().format.name()};
   const std::string stem = fmt::format("{}_{}", scene, name);
   result.directory =
       options.directory.empty() ? std::filesystem::path(stem + "_proof") : options.directory;
-  proof::ProofDirectory directory =
-      value_or_exit(proof::ProofDirectory::open(result.directory, options.seconds_a_script));
+  proof::ProofDirectory directory = value_or_exit(proof::ProofDirectory::open(
+      result.directory, options.seconds_a_script, [&] { tell_waiting(result.directory); }));
   result.proof = proof::prove_lane(lane, std::ref(directory), proof::Effort::whole);
-  if (directory.failure()) value_or_exit<model::Done>(*directory.failure());
-  result.gappa = directory.gappa().value_or("");
+  if (directory.failure()) fail(*directory.failure());
+  result.gappa = version_text(directory.gappa());
   result.reused = directory.reused();
   const nlohmann::ordered_json report = proof::to_json(result.proof, result.gappa);
   value_or_exit(directory.write_report(stem + ".json", report.dump(2) + "\n"));
@@ -87,7 +93,7 @@ void add_prove_options(CLI::App& verb, ProveOptions& options) {
   verb.add_option("--precisions", options.precisions,
                   "prove lanes of these precisions instead of the scene's: 4,8,17")
       ->delimiter(',')
-      ->check(CLI::Range(4, 52))
+      ->check(within(model::limits::lane_precision))
       ->needs(prove);
   verb.add_option("--proof-seconds", options.seconds_a_script, "for each script, 10 if not given")
       ->check(CLI::PositiveNumber)
@@ -132,16 +138,15 @@ nlohmann::ordered_json to_json(const ProvenLane& lane) {
 QuickProof prove_quickly(const std::filesystem::path& scene, const model::CombinedLane& lane) {
   proof::QuickProver prover(quick_seconds);
   QuickProof quick{proof::prove_lane(lane, std::ref(prover), proof::Effort::operations),
-                   prover.gappa().value_or("")};
+                   version_text(prover.gappa())};
   if (!quick.proof.refused()) return quick;
-  value_or_exit<model::Done>(
-      model::Error{.file = scene.string(),
-                   .field = "reduced.bound",
-                   .message = quick.proof.verdict(),
-                   .received = "a certified bound that the machine check refuses",
-                   .accepted = "reduced.bound = \"profiled\"; `mixcmp check --prove` keeps the "
-                               "scripts; --no-prove trusts docs/error_bounds.md alone"});
-  throw Exit{1};
+  fail(model::Error{.file = scene.string(),
+                    .field = "reduced.bound",
+                    .message = quick.proof.verdict(),
+                    .received = "a certified bound that the machine check refuses",
+                    .accepted = "reduced.bound = \"profiled\"; `mixcmp check --prove` keeps the "
+                                "scripts; --no-prove trusts docs/error_bounds.md alone",
+                    .kind = model::ErrorKind::refuted});
 }
 
 }  // namespace mixcmp::cli

@@ -2,22 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <cerrno>
-#include <cstring>
-
 namespace mixcmp::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path unfinished(const fs::path& path) {
-  return path.string() + ".part";
-}
-
-model::Error cannot_write(const fs::path& path) {
-  return {.file = path.string(),
-          .message = fmt::format("cannot be written: {}", std::strerror(errno))};
-}
 
 /// RFC 4180: a field with a comma, a quote or a line end stands in quotes, its quotes doubled.
 std::string field(const std::string& text) {
@@ -51,51 +39,35 @@ std::vector<NamedItem> named_items(const model::Comparisons& data) {
 
 }  // namespace
 
-ResultTable::~ResultTable() {
-  if (!stream_.is_open()) return;
-  stream_.close();
-  std::error_code ignored;
-  fs::remove(unfinished(path_), ignored);
-}
-
-ResultTable::ResultTable(fs::path path, std::ofstream stream, const model::Comparisons& data,
-                         std::set<std::string> kept)
-    : path_(std::move(path)), stream_(std::move(stream)), data_(&data), kept_(std::move(kept)) {}
-
 model::Result<ResultTable> ResultTable::open(const fs::path& path, const model::Comparisons& data,
                                              std::set<std::string> kept) {
-  std::ofstream stream(unfinished(path), std::ios::binary);
-  stream << "index";
+  MIXCMP_TRY(file, model::OutputFile::open(path));
+  std::string header = "index";
   const std::vector<NamedItem> items = named_items(data);
-  for (const NamedItem& item : items) stream << ',' << item.name;
+  for (const NamedItem& item : items) header += fmt::format(",{}", item.name);
   for (const NamedItem& item : items) {
-    if (!item.table->labels.empty()) stream << ",label_" << item.name;
+    if (!item.table->labels.empty()) header += fmt::format(",label_{}", item.name);
   }
-  stream << ",verdict,recomputed\n";
-  if (!stream) return cannot_write(path);
-  return ResultTable(path, std::move(stream), data, std::move(kept));
+  file.write(header + ",verdict,recomputed\n");
+  return ResultTable(std::move(file), data, std::move(kept));
 }
 
 void ResultTable::add(const tb::VerifiedResult& result) {
   const std::string verdict(result.undecided ? undecided : to_string(result.verdict));
   if (kept_.count(verdict) == 0) return;
-  stream_ << result.index;
+  std::string row = std::to_string(result.index);
   const std::vector<NamedItem> named = named_items(*data_);
   const model::Items items = data_->items(result.index);
-  for (const NamedItem& item : named) stream_ << ',' << items.of(item.item);
+  for (const NamedItem& item : named) row += fmt::format(",{}", items.of(item.item));
   for (const NamedItem& item : named) {
-    if (!item.table->labels.empty())
-      stream_ << ',' << field(item.table->labels[items.of(item.item)]);
+    if (item.table->labels.empty()) continue;
+    row += "," + field(item.table->labels[items.of(item.item)]);
   }
-  stream_ << ',' << verdict << ',' << (result.recomputed ? 1 : 0) << '\n';
+  file_.write(fmt::format("{},{},{}\n", row, verdict, result.recomputed ? 1 : 0));
 }
 
 model::Result<model::Done> ResultTable::finish() {
-  stream_.close();
-  std::error_code failed;
-  if (stream_) fs::rename(unfinished(path_), path_, failed);
-  if (!stream_ || failed) return cannot_write(path_);
-  return model::Done{};
+  return file_.commit();
 }
 
 }  // namespace mixcmp::cli

@@ -5,10 +5,10 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/cli/output.hpp"
-#include "generator/cli/scratch.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/components/whole_job.hpp"
 #include "model/characterise/job_runner.hpp"
+#include "model/common/scratch_folder.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -26,9 +26,9 @@ void add_options(CLI::App& verb, RouteCommand& command) {
   add_scene_options(verb, command.scene);
   verb.add_option("--references-alone", command.references_alone,
                   "not the system: so many reference datapaths with nothing around them")
-      ->check(CLI::Range(1, 1024));
-  verb.add_option("--seeds", command.synthesis.seeds, "of the router, 1 or more (default: 3)")
-      ->check(CLI::Range(1, 1000));
+      ->check(within({1, 1024}));
+  verb.add_option("--seeds", command.synthesis.seeds, "of the router (default: 3)")
+      ->check(within(model::limits::seeds));
   verb.add_option("--work", command.work, "folder that keeps netlists and logs (default: none)");
 }
 
@@ -51,12 +51,12 @@ std::string clock_text(const model::SynthesisResult& result) {
 
 void print_text(const model::SynthesisJob& job, const model::Device& device,
                 const model::SynthesisResult& result) {
-  fmt::print("{} on {}\n", job.top, device.name);
+  print(fmt::format("{} on {}\n", job.top, device.name));
   for (const model::Resource& resource : model::bounded_resources) {
-    fmt::print("  {:<10} {} of {}\n", resource.name, result.area.*resource.amount,
-               device.available.*resource.amount);
+    print(fmt::format("  {:<10} {} of {}\n", resource.name, result.area.*resource.amount,
+                      device.available.*resource.amount));
   }
-  fmt::print("  {:<10} {}\n", "clock", clock_text(result));
+  print(fmt::format("  {:<10} {}\n", "clock", clock_text(result)));
 }
 
 void print_json(const model::SynthesisJob& job, const model::Device& device,
@@ -76,13 +76,13 @@ void print_json(const model::SynthesisJob& job, const model::Device& device,
   } else {
     report["no_clock"] = result.no_clock;
   }
-  fmt::print("{}\n", report.dump(2));
+  print(fmt::format("{}\n", report.dump(2)));
 }
 
-/// In a process of its own: an interrupt ends it with all that it has started.
+/// Runs the one job; an interrupt ends its tools.
 model::SynthesisResult result_of(const RouteCommand& command, const model::SynthesisJob& job,
                                  const model::Device& device, const std::string& tools) {
-  const Scratch scratch;
+  const model::ScratchFolder scratch = value_or_exit(model::ScratchFolder::make());
   const fs::path store = scratch.path() / "result.sqlite";
   const model::JobRunOptions options = {
       .synthesis = command.synthesis, .keep = command.work, .progress = [&](int, double seconds) {
@@ -92,11 +92,8 @@ model::SynthesisResult result_of(const RouteCommand& command, const model::Synth
       value_or_exit(run_jobs({{.hash = job.top, .label = job.top, .job = [&] { return job; }}},
                              device, tools, store, options));
   show_progress("");
-  if (run.interrupted_by != 0) throw Exit{128 + run.interrupted_by};  // as shells say it
-  for (const model::FailedJob& failed : run.failed) {
-    fmt::print(stderr, "mixcmp: {}\n", failed.message);
-    throw Exit{1};
-  }
+  if (run.interrupted_by != 0) throw Exit::interrupted(run.interrupted_by);
+  if (!run.failed.empty()) fail({.message = run.failed.front().message});
   auto opened = value_or_exit(model::ResultStore::open(store));
   return value_or_exit(opened.find(job.top)).value();
 }
@@ -105,10 +102,11 @@ void run(const RouteCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
   const model::Device device = value_or_exit(model::find_device(loaded.scene.system.device));
   const model::SynthesisJob job = job_of(command, loaded);
-  value_or_exit(prepare_directory(command.work));
+  if (!command.work.empty()) value_or_exit(model::make_writable_folder(command.work));
   const std::string tools = value_or_exit(tool_versions(device, command.synthesis.effort));
   const model::SynthesisResult result = result_of(command, job, device, tools);
   command.scene.json ? print_json(job, device, result, tools) : print_text(job, device, result);
+  end_if_router_is_missing(device);
 }
 
 }  // namespace

@@ -2,10 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-/// One function a verb: it adds its subcommand, whose callback runs it. A user's mistake is printed
-/// to stderr and ends the program with exit code 1; `verify` ends with 2 where the hardware and the
-/// golden model disagree, `check --prove` where Gappa refuses a bound, `baseline` where
-/// software and the golden model do.
+/// One function for each verb: it adds the verb's subcommand, whose callback runs it and throws Exit
+/// (exit.hpp) where it does not end well.
 namespace mixcmp::cli {
 
 void add_check(CLI::App& app);

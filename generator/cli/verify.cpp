@@ -1,18 +1,18 @@
 #include "verilator_tb/verify.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstdint>
-#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
+#include "generator/cli/output.hpp"
 #include "generator/cli/result_table.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/system.hpp"
+#include "model/common/content_hash.hpp"
+#include "verilator_tb/waves.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -117,11 +117,6 @@ tb::Selection::Options selection(const VerifyCommand& command) {
   return options;
 }
 
-/// A line that is overwritten, on a terminal only.
-void show_progress(const std::string& what) {
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K{}", what);
-}
-
 std::string repeat_command(const VerifyCommand& command) {
   std::string line = "mixcmp verify " + quoted(command.scene.scene.string());
   for (const std::string& setting : command.scene.settings) line += " --set " + quoted(setting);
@@ -170,20 +165,36 @@ model::Result<model::Done> check_work(const VerifyCommand& command, const fs::pa
 
 /// A trace that cannot be written should not cost a simulation first.
 model::Result<model::Done> check_trace(const fs::path& trace) {
-  if (trace.empty() || std::ofstream(trace, std::ios::app)) return model::Done{};
-  return model::Error{.file = trace.string(),
-                      .field = "--trace",
-                      .message = fmt::format("cannot be written: {}", std::strerror(errno))};
+  if (trace.empty()) return model::Done{};
+  MIXCMP_TRY(possible, tb::WaveFile::open(trace));
+  return model::Done{};
+}
+
+/// The system in a folder of WORK/rtl that is named by all of its bytes: runs of different systems
+/// share a work folder and never a system.
+fs::path write_rtl(const gen::GeneratedSystem& system, const fs::path& work) {
+  model::ContentHash hash;
+  for (const gen::GeneratedFile& file : system.files) hash.add(file.name).add(file.text);
+  const model::FolderLock held = hold(work / "rtl");
+  const fs::path folder =
+      work / "rtl" / fmt::format("{}-{}", system.signature.top, hash.hex().substr(0, 16));
+  value_or_exit(gen::write_system(system, folder));
+  return folder;
+}
+
+/// Beside the waves; empty without them.
+fs::path save_file_of(fs::path waves) {
+  return waves.empty() ? waves : waves.replace_extension(".gtkw");
 }
 
 void run(const VerifyCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
   if (!loaded.data) {
-    value_or_exit<model::Done>(model::Error{.file = command.scene.scene.string(),
-                                            .field = "data",
-                                            .message = "verify needs data to run on",
-                                            .received = "a scene without [data]",
-                                            .accepted = "[data] with items or file"});
+    fail(model::Error{.file = command.scene.scene.string(),
+                      .field = "data",
+                      .message = "verify needs data to run on",
+                      .received = "a scene without [data]",
+                      .accepted = "[data] with items or file"});
   }
   const model::Design design = value_or_exit(design_of(command.scene, loaded));
   const gen::GeneratedSystem system =
@@ -193,13 +204,15 @@ void run(const VerifyCommand& command) {
   value_or_exit(check_work(command, work));
   const tb::VerifyOptions options = run_options(command, loaded, work);
   value_or_exit(check_request(design, *loaded.data, options));
+  value_or_exit(check_outputs({command.csv, command.run.waves, save_file_of(command.run.waves)},
+                              inputs_of(command.scene, loaded.scene)));
   value_or_exit(check_trace(command.run.waves));
-  const fs::path rtl = work / "rtl";
-  value_or_exit(gen::write_system(system, rtl));
-  const tb::VerifyReport report = run_with_table(design, *loaded.data, rtl, options, command);
+  const fs::path rtl = write_rtl(system, work);
+  tb::VerifyReport report = run_with_table(design, *loaded.data, rtl, options, command);
+  report.inputs = model::input_sources(*loaded.data, loaded.scene.graph.inputs());
   show_progress("");
-  fmt::print("{}", command.scene.json ? to_json(report).dump(2) + "\n" : to_text(report));
-  if (!report.passed()) throw Exit{2};
+  print(command.scene.json ? to_json(report).dump(2) + "\n" : to_text(report));
+  if (!report.passed()) throw Exit(ExitCode::refuted);
 }
 
 }  // namespace

@@ -180,8 +180,8 @@ Result<Component> ComponentMaker::make_fifo(const ComponentKey& key) {
 }
 
 Result<Component> ComponentMaker::make_crossbar(const ComponentKey& key) {
-  if (key.ports < 1 || key.ports > model::max_lanes) {
-    return out_of_range("ports", key.ports, fmt::format("1..{}", model::max_lanes));
+  if (!measured_ports.hold(key.ports)) {
+    return out_of_range("ports", key.ports, to_string(measured_ports));
   }
   SystemShape shape = stream_shape();
   shape.references = 1;
@@ -218,8 +218,9 @@ Result<Done> ComponentMaker::measure_constants() {
   model::Scene scene = scene_;
   // A profiled lane checks no range: its exponents reach as far as the reference's.
   if (scene.reduced.exponent_bits_from_ranges) scene.reduced.format.reset();
-  const model::ProfileOptions options{.last_precision = highest_profiled_precision(scene),
-                                      .error_samples = constant_samples};
+  const model::ProfileOptions options{
+      .last_precision = lane_precisions(scene.reference.format).most,
+      .error_samples = constant_samples};
   MIXCMP_TRY(possible, check_profile(scene, options));
   for (const model::ErrorProfile& profile :
        profile_errors(scene, *data_, {LaneInputs::rounded, LaneInputs::exact}, options)) {

@@ -13,6 +13,10 @@
 
 namespace mixcmp::gen {
 
+/// Lanes at a reference whose crossbar is measured alone. Yosys maps 128 in a minute and not 512 in
+/// five; what is generated may have more.
+inline constexpr model::Limits measured_ports{1, 128};
+
 /// One component of a scene's systems, ready to be synthesised alone.
 struct Component {
   model::ComponentKey key;

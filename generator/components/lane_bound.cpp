@@ -1,5 +1,7 @@
 #include "generator/components/lane_bound.hpp"
 
+#include <fmt/core.h>
+
 #include "model/common/quote.hpp"
 
 namespace mixcmp::gen {
@@ -12,13 +14,17 @@ model::Result<LaneBound> find_lane_bound(std::string_view name) {
   if (name == "constant") return LaneBound{.kind = ErrorBoundKind::constant};
   if (name == "profiled") return LaneBound{.bound = BoundKind::profiled};
   constexpr std::string_view running = "running_";
-  if (name.size() == running.size() + 1 && name.starts_with(running) && name.back() >= '1' &&
-      name.back() <= '8') {
+  constexpr model::Limits digits = model::limits::bound_digits;
+  static_assert(digits.most <= 9, "one character names the digits");
+  if (name.size() == running.size() + 1 && name.starts_with(running) &&
+      digits.hold(name.back() - '0')) {
     return LaneBound{.kind = ErrorBoundKind::running, .digits = name.back() - '0'};
   }
-  return model::Error{.message = "not a bound",
-                      .received = model::in_quotes(name),
-                      .accepted = "relative, running_1 to running_8, constant, profiled"};
+  return model::Error{
+      .message = "not a bound",
+      .received = model::in_quotes(name),
+      .accepted = fmt::format("relative, running_{} to running_{}, constant, profiled",
+                              digits.least, digits.most)};
 }
 
 const std::vector<std::string>& profiled_lane_bounds() {

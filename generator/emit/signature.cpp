@@ -66,6 +66,10 @@ public:
 
   std::string text(const char* field) { return read<std::string>(field, "a string"); }
 
+  int number(const char* field, model::Limits limits) {
+    return number(field, limits.least, limits.most);
+  }
+
   int number(const char* field, int low, int high) {
     const std::string accepted = fmt::format("an integer in {}..{}", low, high);
     const auto value = read<std::int64_t>(field, accepted.c_str());
@@ -202,7 +206,7 @@ Json groups_to_json(const std::vector<Group>& groups) {
 constexpr int many = 1 << 30;
 
 SignatureLanes read_lanes(Reader& reader) {
-  return {.count = reader.number("count", 1, model::max_lanes),
+  return {.count = reader.number("count", model::limits::lanes),
           .module = reader.text("module"),
           .format = reader.format("format"),
           .latency_cycles = reader.number("latency_cycles", 0, many),
@@ -213,7 +217,7 @@ SignatureLanes read_lanes(Reader& reader) {
 }
 
 SignatureReferences read_references(Reader& reader) {
-  return {.count = reader.number("count", 1, model::max_references),
+  return {.count = reader.number("count", 1, model::limits::references.most),
           .module = reader.text("module"),
           .latency_cycles = reader.number("latency_cycles", 0, many),
           .multipliers = reader.choice("multipliers", multipliers_names)};
@@ -223,7 +227,7 @@ SignatureEngine read_engine(Reader& reader) {
   SignatureEngine engine = {
       .kind = reader.choice("kind", engine_kinds),
       .top = reader.text("top"),
-      .capacity = reader.number("capacity", 2, model::EngineSpec::max_capacity),
+      .capacity = reader.number("capacity", model::limits::engine_capacity),
       .index_bits = reader.number("index_bits", 1, 16),
       .columns = reader.read<std::vector<std::string>>("columns", "a list of names"),
       .item_bytes = reader.number("item_bytes", 1, many),
@@ -232,7 +236,7 @@ SignatureEngine read_engine(Reader& reader) {
   if (engine.kind == model::EngineKind::arg_min) {
     engine.row_columns = reader.read<std::vector<std::string>>("row_columns", "a list of names");
     engine.row_bytes = reader.number("row_bytes", 1, many);
-    engine.tag_bits = reader.number("tag_bits", 1, 64);
+    engine.tag_bits = reader.number("tag_bits", model::limits::tag_bits);
   } else {
     engine.report = reader.read<std::vector<std::string>>("report", "a list of verdicts");
   }
@@ -285,13 +289,13 @@ model::Result<Signature> read_signature(const std::filesystem::path& path) {
       .reference_format = reader.format("reference_format"),
       .certified = reader.read<bool>("certified", "true or false"),
       .inputs = reader.read<std::vector<std::string>>("inputs", "a list of names"),
-      .lanes = reader.number("lanes", 1, model::max_lanes),
-      .references = reader.number("references", 0, model::max_references),
+      .lanes = reader.number("lanes", model::limits::lanes),
+      .references = reader.number("references", model::limits::references),
       .lane_groups = reader.groups("lane_groups", read_lanes),
       .reference_groups = reader.groups("reference_groups", read_references),
       .tdata_bytes = reader.number("tdata_bytes", 1, many),
-      .tag_bits = reader.number("tag_bits", 1, 64),
-      .counter_bits = reader.number("counter_bits", 0, 64),
+      .tag_bits = reader.number("tag_bits", model::limits::tag_bits),
+      .counter_bits = reader.number("counter_bits", 0, model::limits::counter_bits.most),
       .slots = reader.number("slots", 1, many),
       .order = reader.choice("order", orders),
       .operands = reader.choice("operands", stores),

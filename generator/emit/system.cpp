@@ -153,6 +153,25 @@ GeneratedFile template_file(const std::string& name) {
                       version, template_text(name))};
 }
 
+/// Names are relative to the list's own folder: absolute ones would make other bytes in another
+/// place. Which option says so, or what does without the list, is each tool's own matter.
+/// tests/system/lint_test.cpp runs these commands.
+GeneratedFile file_list(const Signature& signature) {
+  const std::string& top = signature.engine ? signature.engine->top : signature.top;
+  std::string text = fmt::format(
+      "// The Verilog files of {0}, relative to the folder of this list, here called DIR.\n"
+      "// From any folder:\n"
+      "//   verilator --lint-only -Wall --top-module {0} -F DIR/{1}.f\n"
+      "//   iverilog -g2001 -Wall -s {0} -y DIR -o {0}.vvp DIR/{0}.v\n"
+      "//   yosys -q -p 'read_verilog DIR/*.v; hierarchy -check -top {0}'\n"
+      "// Others with an option -F (slang, Verific) take the list as Verilator does. With -f or "
+      "-c\n"
+      "// names are relative to the working directory.\n",
+      top, signature.top);
+  for (const std::string& file : signature.files) text += file + "\n";
+  return {signature.top + ".f", text};
+}
+
 GeneratedFile constraint_file(const Signature& signature) {
   return {signature.top + ".sdc",
           fmt::format("# {:g} MHz, the target the cut points were chosen for.\n"
@@ -185,9 +204,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   }
   for (const GeneratedFile& file : system.files) system.signature.files.push_back(file.name);
 
-  std::string list;
-  for (const std::string& file : system.signature.files) list += file + "\n";
-  system.files.push_back({plan.shape.top + ".f", list});
+  system.files.push_back(file_list(system.signature));
   system.files.push_back(constraint_file(system.signature));
   system.files.push_back({plan.shape.top + ".json", to_json(system.signature)});
   return system;

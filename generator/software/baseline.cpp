@@ -86,6 +86,12 @@ char letter(Verdict verdict) {
   MIXCMP_CHECK(false);
 }
 
+constexpr char undetermined = '?';
+
+char letter(const std::optional<Verdict>& truth) {
+  return truth ? letter(*truth) : undetermined;
+}
+
 VerdictCounts count_letters(const std::string& letters) {
   const auto count = [&](char c) {
     return static_cast<std::uint64_t>(std::count(letters.begin(), letters.end(), c));
@@ -125,13 +131,15 @@ private:
 void count(BaselineCheck& check, const std::vector<KernelOutput>& kernels, std::size_t index,
            const Judgement& judgement) {
   const char exact = kernels.front().letters[index];
-  const bool defined = judgement.truth != letter(Verdict::unordered);
+  const bool known = judgement.truth != undetermined;
+  const bool defined = known && judgement.truth != letter(Verdict::unordered);
+  check.undetermined += known ? 0 : 1;
   check.wrong += exact != judgement.golden ? 1 : 0;
   check.unlike_reference += exact != judgement.reference ? 1 : 0;
   check.not_true += defined && exact != judgement.truth ? 1 : 0;
   for (std::size_t k = 1; k < kernels.size(); ++k) {
     const char decided = kernels[k].letters[index];
-    check.decided_wrongly += decided != '?' && decided != judgement.truth ? 1 : 0;
+    check.decided_wrongly += known && decided != '?' && decided != judgement.truth ? 1 : 0;
   }
 }
 

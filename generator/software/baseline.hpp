@@ -49,6 +49,7 @@ struct BaselineCheck {
   std::uint64_t wrong = 0;             ///< differ from the golden model's binary64
   std::uint64_t decided_wrongly = 0;   ///< by a filter, against the order of the real numbers
   std::uint64_t not_true = 0;          ///< of the doubles, against the order of the real numbers
+  std::uint64_t undetermined = 0;      ///< truths; nobody is called untrue or wrong there
   std::uint64_t unlike_reference = 0;  ///< of the doubles, against the scene's reference
 };
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <fstream>
 #include <sstream>
 
 #include "generator/software/source.hpp"
 #include "model/common/file.hpp"
+#include "model/common/output_file.hpp"
 #include "model/golden/big_float.hpp"
 #include "model/golden/encoding.hpp"
 #include "model/profile/operands.hpp"
@@ -32,29 +32,23 @@ const model::Command compile_command = {"g++",
                                         "-o",
                                         "comparison"};
 
-model::Error cannot_write(const fs::path& path) {
-  return {.file = path.string(), .message = "cannot be written"};
-}
-
-void write_word(std::ofstream& stream, std::uint64_t word) {
-  stream.write(reinterpret_cast<const char*>(&word), sizeof word);
+void write_word(model::OutputFile& file, std::uint64_t word) {
+  file.write({reinterpret_cast<const char*>(&word), sizeof word});
 }
 
 /// The numbers of items, then the columns as doubles: program/harness.hpp reads them.
 model::Result<model::Done> write_data(const fs::path& path, const model::Comparisons& data) {
   const model::OperandSource operands(data);
   const SoftwareColumns columns = software_columns(data);
-  std::ofstream stream(path, std::ios::binary);
-  write_word(stream, data.tables().front().rows());
-  write_word(stream, data.tables().back().rows());
+  MIXCMP_TRY(file, model::OutputFile::open(path));
+  write_word(file, data.tables().front().rows());
+  write_word(file, data.tables().back().rows());
   for (const std::size_t input : columns.inputs) {
     const std::vector<double>& values = operands.values(input);
-    write_word(stream, values.size());
-    for (const double value : values) write_word(stream, std::bit_cast<std::uint64_t>(value));
+    write_word(file, values.size());
+    for (const double value : values) write_word(file, std::bit_cast<std::uint64_t>(value));
   }
-  stream.close();
-  if (!stream) return cannot_write(path);
-  return model::Done{};
+  return file.commit();
 }
 
 /// The lines of one kernel, found or added.
@@ -110,12 +104,14 @@ model::Result<SoftwareProgram> SoftwareProgram::compile(const model::Scene& scen
                                                         const model::Comparisons& data,
                                                         const FloatFilters& filters,
                                                         const BaselineOptions& options) {
-  MIXCMP_TRY(compiler, model::tool_version("g++", "--version", "g++"));
+  MIXCMP_TRY(compiler, model::tool_version({"g++", "--version"}, "g++"));
   const fs::path& work = options.work;
   MIXCMP_TRY(written,
-             model::write_in_place(work / "comparison.cpp", software_source(scene, data, filters)));
-  MIXCMP_TRY(compiled,
-             model::run_tool(compile_command, work, work / "compile.log", options.progress));
+             model::write_file(work / "comparison.cpp", software_source(scene, data, filters)));
+  MIXCMP_TRY(compiled, model::run_tool({.command = compile_command,
+                                        .directory = work,
+                                        .log = work / "compile.log",
+                                        .progress = options.progress}));
   return SoftwareProgram(options, compiler);
 }
 
@@ -125,7 +121,10 @@ model::Result<std::vector<KernelOutput>> SoftwareProgram::run(
   model::Command command = {"./comparison", "data.bin"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   const fs::path log = options_.work / "run.log";
-  MIXCMP_TRY(finished, model::run_tool(command, options_.work, log, options_.progress));
+  MIXCMP_TRY(finished, model::run_tool({.command = command,
+                                        .directory = options_.work,
+                                        .log = log,
+                                        .progress = options_.progress}));
   return parse(log);
 }
 

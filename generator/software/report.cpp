@@ -37,9 +37,12 @@ std::string verdict_text(const Baseline& baseline) {
 std::string check_text(const BaselineCheck& check) {
   return fmt::format(
       "  sample: {} comparisons; doubles: {} unlike the golden model's, {} unlike the reference, "
-      "{} untrue; {} decided wrongly by filters\n",
-      check.comparisons, check.wrong, check.unlike_reference, check.not_true,
-      check.decided_wrongly);
+      "{} untrue; {} decided wrongly by filters{}\n",
+      check.comparisons, check.wrong, check.unlike_reference, check.not_true, check.decided_wrongly,
+      check.undetermined == 0
+          ? ""
+          : fmt::format("; {} not held against the truth, which is undetermined",
+                        check.undetermined));
 }
 
 std::string name_of(const std::optional<model::ErrorBoundKind>& filter) {
@@ -61,11 +64,9 @@ nlohmann::ordered_json to_json(const BaselineKernel& kernel) {
 }
 
 nlohmann::ordered_json to_json(const BaselineCheck& check) {
-  return {{"comparisons", check.comparisons},
-          {"unlike_golden", check.wrong},
-          {"unlike_reference", check.unlike_reference},
-          {"untrue", check.not_true},
-          {"decided_wrongly", check.decided_wrongly}};
+  return {{"comparisons", check.comparisons},           {"unlike_golden", check.wrong},
+          {"unlike_reference", check.unlike_reference}, {"untrue", check.not_true},
+          {"truth_undetermined", check.undetermined},   {"decided_wrongly", check.decided_wrongly}};
 }
 
 }  // namespace

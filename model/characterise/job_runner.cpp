@@ -1,18 +1,15 @@
 #include "model/characterise/job_runner.hpp"
 
 #include <fmt/core.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <fstream>
-#include <map>
+#include <atomic>
+#include <mutex>
+#include <thread>
 
-#include "model/characterise/process_tree.hpp"
 #include "model/characterise/signal_gate.hpp"
-#include "model/common/file.hpp"
+#include "model/common/folder_lock.hpp"
+#include "model/common/output_file.hpp"
+#include "model/common/scratch_folder.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -20,8 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Time = std::chrono::steady_clock;
 
-constexpr const char* failure_file = "failure.txt";
-constexpr std::chrono::milliseconds between_looks{500};
+constexpr std::chrono::milliseconds between_looks{100};
 
 std::string replaced(std::string text, const std::string& old_part, const std::string& new_part) {
   for (std::size_t place = 0; (place = text.find(old_part, place)) != std::string::npos;
@@ -29,6 +25,16 @@ std::string replaced(std::string text, const std::string& old_part, const std::s
     text.replace(place, old_part.size(), new_part);
   }
   return text;
+}
+
+/// Copies a folder's files into one that may hold files of a run before.
+Result<Done> copy_into(const fs::path& folder, const fs::path& kept) {
+  MIXCMP_TRY(lock, FolderLock::take(kept));
+  constexpr auto all = fs::copy_options::recursive | fs::copy_options::overwrite_existing;
+  std::error_code failed;
+  fs::copy(folder, kept, all, failed);
+  if (failed) return cannot_write(kept, failed.value());
+  return Done{};
 }
 
 class JobRunner {
@@ -43,116 +49,85 @@ public:
         options_(options) {}
 
   Result<JobRun> run() {
-    std::error_code failed;
-    fs::create_directories(work_, failed);
-    if (failed) return Error{.file = work_.string(), .message = failed.message()};
-    while (run_.interrupted_by == 0 && (next_ < jobs_.size() || !running_.empty())) {
-      while (next_ < jobs_.size() && running_.size() < options_.workers) {
-        MIXCMP_TRY(started, start(jobs_[next_++]));
-      }
-      const int signal = gate_.wait(between_looks);
-      if (signal != SIGCHLD) run_.interrupted_by = signal;
-      reap();
+    MIXCMP_TRY(made, make_writable_folder(work_));
+    working_ = options_.workers;
+    std::vector<std::thread> workers;
+    for (unsigned k = 0; k < options_.workers; ++k) workers.emplace_back([this] { work(); });
+    while (working_ > 0) {
+      if (const int signal = gate_.wait(between_looks); signal != 0) interrupt(signal);
       tell();
     }
-    end_all();
-    fs::remove(work_, failed);  // unless something is kept in it
+    for (std::thread& worker : workers) worker.join();
+    std::error_code kept;
+    fs::remove(work_, kept);  // unless something is kept in it
     return std::move(run_);
   }
 
-  ~JobRunner() { end_all(); }
-  JobRunner(const JobRunner&) = delete;
-  JobRunner& operator=(const JobRunner&) = delete;
-
 private:
-  struct Running {
-    const PendingJob* job;
-    fs::path directory;
-  };
-
-  fs::path kept_directory(const PendingJob& job) const { return work_ / ("failed." + job.hash); }
-
-  Result<Done> start(const PendingJob& job) {
-    const fs::path directory = work_ / fmt::format("{}.{}", job.hash, getpid());
-    std::error_code failed;
-    fs::remove_all(directory, failed);  // of a process that had our number before
-    fs::create_directories(directory, failed);
-    if (failed) return Error{.file = directory.string(), .message = failed.message()};
-    const pid_t child = fork();
-    if (child < 0) {
-      return Error{.message = fmt::format("no new process: {}", strerror(errno))};
-    }
-    if (child == 0) {
-      setpgid(0, 0);  // an interrupt from the terminal reaches us alone
-      gate_.restore();
-      setenv("TMPDIR", directory.c_str(), 1);  // what tools leave behind goes with the folder
-      _exit(work_in_child(job, directory));
-    }
-    running_[child] = {&job, directory};
-    return Done{};
+  void work() {
+    while (const PendingJob* job = next()) do_one(*job);
+    --working_;
   }
 
-  int work_in_child(const PendingJob& job, const fs::path& directory) const {
-    const Result<Done> done = synthesise_into_store(job, directory);
-    if (done.ok()) return 0;
-    std::ofstream(directory / failure_file) << done.error().to_string();
-    return 1;
+  const PendingJob* next() {
+    const std::lock_guard lock(mutex_);
+    return cancelled_ || next_ == jobs_.size() ? nullptr : &jobs_[next_++];
   }
 
-  Result<Done> synthesise_into_store(const PendingJob& job, const fs::path& directory) const {
+  void interrupt(int signal) {
+    const std::lock_guard lock(mutex_);
+    run_.interrupted_by = signal;
+    cancelled_ = true;
+  }
+
+  void do_one(const PendingJob& job) {
+    if (const Result<Done> made = make_writable_folder(work_); !made.ok()) {
+      return finish(job, made.error(), work_);  // another run may have removed it, being done
+    }
+    const Result<ScratchFolder> folder = ScratchFolder::make_in(work_, "job");
+    if (!folder.ok()) return finish(job, folder.error(), work_);
+    const fs::path kept = work_ / ("failed." + job.hash);
+    std::error_code ignored;
+    fs::remove_all(kept, ignored);
+    const Result<Done> done = synthesise_into_store(job, folder->path());
+    if (done.ok() || cancelled_) return finish(job, done, {});
+    fs::rename(folder->path(), kept, ignored);
+    Error error = done.error();
+    error.file = replaced(error.file, folder->path().string(), kept.string());
+    error.message = replaced(error.message, folder->path().string(), kept.string());
+    finish(job, error, kept);
+  }
+
+  Result<Done> synthesise_into_store(const PendingJob& job, const fs::path& folder) {
     MIXCMP_TRY(store, ResultStore::open(store_));
     MIXCMP_TRY(known, store.find(job.hash));
     if (known) return Done{};  // another process was faster
-    MIXCMP_TRY(result, synthesise(job.job(), device_, options_.synthesis, directory));
+    SynthesisOptions synthesis = options_.synthesis;
+    synthesis.each_tool.cancelled = &cancelled_;
+    MIXCMP_TRY(result, synthesise(make(job), device_, synthesis, folder));
+    if (!options_.keep.empty()) {
+      MIXCMP_TRY(copied, copy_into(folder, options_.keep));
+    }
     return store.add(job.hash, result, tools_);
   }
 
-  void reap() {
-    int status = 0;
-    for (pid_t child = 0; (child = waitpid(-1, &status, WNOHANG)) > 0;) {
-      const auto found = running_.find(child);
-      if (found == running_.end()) continue;
-      finish(found->second, status);
-      running_.erase(found);
-    }
+  /// One job is made at a time: their maker keeps what they share.
+  SynthesisJob make(const PendingJob& job) {
+    const std::lock_guard lock(mutex_);
+    return job.job();
   }
 
-  void finish(const Running& finished, int status) {
+  void finish(const PendingJob& job, const Result<Done>& done, const fs::path& kept) {
+    const std::lock_guard lock(mutex_);
+    if (!done.ok() && cancelled_) return;
     ++run_.done;
-    std::error_code ignored;
-    const fs::path kept = kept_directory(*finished.job);
-    fs::remove_all(kept, ignored);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
-      constexpr auto all = fs::copy_options::recursive | fs::copy_options::overwrite_existing;
-      if (!options_.keep.empty()) fs::copy(finished.directory, options_.keep, all, ignored);
-      fs::remove_all(finished.directory, ignored);
-      return;
-    }
-    fs::rename(finished.directory, kept, ignored);
-    const Result<std::string> told = read_file(kept / failure_file);
-    const std::string message = told.ok()
-                                    ? replaced(*told, finished.directory.string(), kept.string())
-                                    : fmt::format("ended by signal {}", WTERMSIG(status));
-    run_.failed.push_back({finished.job->label, message, kept});
+    if (!done.ok()) run_.failed.push_back({job.label, done.error().to_string(), kept});
   }
 
-  void tell() const {
+  void tell() {
+    const std::lock_guard lock(mutex_);
     const std::chrono::duration<double> elapsed = Time::now() - start_time_;
     if (options_.progress) options_.progress(run_.done, elapsed.count());
-  }
-
-  /// Of what has not finished nothing remains.
-  void end_all() {
-    for (const auto& [child, running] : running_) end_process_tree(child);
-    for (const auto& [child, running] : running_) {
-      waitpid(child, nullptr, 0);
-      std::error_code ignored;
-      // Another's file may appear while its process ends.
-      for (int attempt = 0; attempt < 50 && fs::exists(running.directory, ignored); ++attempt) {
-        fs::remove_all(running.directory, ignored);
-      }
-    }
-    running_.clear();
   }
 
   const std::vector<PendingJob>& jobs_;
@@ -161,10 +136,12 @@ private:
   const fs::path store_;
   const fs::path work_;
   const JobRunOptions& options_;
-  const SignalGate gate_;
+  const SignalGate gate_;  ///< before the workers, which hold back the same signals
   const Time::time_point start_time_ = Time::now();
+  std::atomic<unsigned> working_ = 0;
+  std::atomic<bool> cancelled_ = false;
+  std::mutex mutex_;  ///< for what follows
   std::size_t next_ = 0;
-  std::map<pid_t, Running> running_;
   JobRun run_;
 };
 

@@ -30,15 +30,14 @@ struct JobRun {
 struct JobRunOptions {
   SynthesisOptions synthesis;
   unsigned workers = 1;
-  std::filesystem::path keep = {};  ///< of a single job: where a copy of its folder goes
+  std::filesystem::path keep = {};  ///< takes a copy of the folder of a single job
   /// Called now and then with what is finished (failed or not) and for how long it has run.
   std::function<void(int finished, double seconds)> progress = {};
 };
 
-/// Synthesises each job in a process of its own, `workers` at a time, and puts the results into the
-/// store at `store`, which nobody in this process may have open. An interrupt (SIGINT, SIGTERM,
-/// SIGHUP) ends those that run; what is in the store by then stays. Work is done in STORE.work;
-/// failed jobs are kept there. To be called from the only thread of a process.
+/// Synthesises the jobs, `workers` at a time, and puts the results into the store at `store`. An
+/// interrupt (SIGINT, SIGTERM, SIGHUP) ends those that run; what is in the store by then stays.
+/// Work is done in STORE.work; failed jobs are kept there.
 Result<JobRun> run_jobs(const std::vector<PendingJob>& jobs, const Device& device,
                         const std::string& tools, const std::filesystem::path& store,
                         const JobRunOptions& options);

@@ -62,7 +62,7 @@ Result<Refusal> reason_of(const Error& failure, const std::filesystem::path& log
 using Attempt = std::variant<double, Refusal>;
 
 Result<Attempt> route_once(const Device& device, const std::filesystem::path& directory,
-                           const std::string& netlist, int seed, int seconds) {
+                           const std::string& netlist, int seed, const ToolLimits& limits) {
   // The router serves the most critical path first whatever the target, as long as it is missed.
   constexpr const char* target_mhz = "400";
   const std::string report = fmt::format("route_{}.json", seed);
@@ -70,7 +70,7 @@ Result<Attempt> route_once(const Device& device, const std::filesystem::path& di
   const Command command = call(device, netlist,
                                {"--report", report, "--seed", std::to_string(seed), "--freq",
                                 target_mhz, "--timing-allow-fail"});
-  const auto ran = run_in(directory, command, log, seconds);
+  const auto ran = run_in(directory, command, log, limits);
   if (!ran.ok()) {
     MIXCMP_TRY(refusal, reason_of(ran.error(), directory / log));
     return Attempt(std::move(refusal));
@@ -83,8 +83,8 @@ Result<Attempt> route_once(const Device& device, const std::filesystem::path& di
 }  // namespace
 
 Result<Packed> packed_luts(const Device& device, const std::filesystem::path& directory,
-                           const std::string& netlist, int seconds) {
-  const auto ran = run_in(directory, call(device, netlist, {"--pack-only"}), "pack.log", seconds);
+                           const std::string& netlist, const ToolLimits& limits) {
+  const auto ran = run_in(directory, call(device, netlist, {"--pack-only"}), "pack.log", limits);
   if (!ran.ok()) {
     MIXCMP_TRY(refusal, reason_of(ran.error(), directory / "pack.log"));
     return Packed(std::move(refusal));
@@ -118,11 +118,11 @@ Clock clock_over_seeds(std::vector<double> mhz) {
 }
 
 Result<Routed> route(const Device& device, const std::filesystem::path& directory,
-                     const std::string& netlist, int seeds, int seconds) {
+                     const std::string& netlist, int seeds, const ToolLimits& limits) {
   std::vector<double> mhz;
   Refusal refusal{"no seed was asked for"};
   for (int seed = 1; seed <= seeds; ++seed) {
-    MIXCMP_TRY(routed, route_once(device, directory, netlist, seed, seconds));
+    MIXCMP_TRY(routed, route_once(device, directory, netlist, seed, limits));
     if (const double* clock = std::get_if<double>(&routed)) {
       mhz.push_back(*clock);
     } else {

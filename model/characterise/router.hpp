@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/characterise/measurement.hpp"
+#include "model/common/process.hpp"
 #include "model/devices/device.hpp"
 
 namespace mixcmp::model {
@@ -22,12 +23,12 @@ using Routed = std::variant<Clock, Refusal>;
 
 /// The LUTs (iCE40: logic cells) that nextpnr packs `netlist` into, a file in `directory`.
 Result<Packed> packed_luts(const Device& device, const std::filesystem::path& directory,
-                           const std::string& netlist, int seconds);
+                           const std::string& netlist, const ToolLimits& limits);
 
 /// Places and routes `netlist` once for each seed 1..seeds; reports and logs stay in `directory`.
 /// Seeds that are refused are left out; a refusal where all are.
 Result<Routed> route(const Device& device, const std::filesystem::path& directory,
-                     const std::string& netlist, int seeds, int seconds);
+                     const std::string& netlist, int seeds, const ToolLimits& limits);
 
 /// The slowest clock of a nextpnr report, in MHz; none where no path joins registers.
 std::optional<double> routed_mhz(const nlohmann::json& report);

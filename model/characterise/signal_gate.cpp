@@ -15,25 +15,20 @@ bool is_ignored(int signal) {
 
 SignalGate::SignalGate() {
   sigemptyset(&held_);
-  sigaddset(&held_, SIGCHLD);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (!is_ignored(signal)) sigaddset(&held_, signal);
   }
-  sigprocmask(SIG_BLOCK, &held_, &before_);
+  pthread_sigmask(SIG_BLOCK, &held_, &before_);
 }
 
 SignalGate::~SignalGate() {
-  restore();
+  pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
 int SignalGate::wait(std::chrono::milliseconds patience) const {
   const timespec timeout = {.tv_sec = patience.count() / 1000,
                             .tv_nsec = patience.count() % 1000 * 1'000'000};
   return std::max(sigtimedwait(&held_, nullptr, &timeout), 0);
-}
-
-void SignalGate::restore() const {
-  sigprocmask(SIG_SETMASK, &before_, nullptr);
 }
 
 }  // namespace mixcmp::model

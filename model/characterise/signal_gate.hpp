@@ -7,8 +7,8 @@
 namespace mixcmp::model {
 
 /// Holds back, while it lives, what would end the program from outside (an interrupt, a request to
-/// end, a lost terminal) and the news of children, so that they are taken where it suits. A signal
-/// that the program was told to ignore, as nohup does, stays ignored.
+/// end, a lost terminal), so that it is taken where it suits. Threads that start meanwhile hold the
+/// same back. A signal that the program was told to ignore, as nohup does, stays ignored.
 class SignalGate {
 public:
   SignalGate();
@@ -18,9 +18,6 @@ public:
 
   /// The first signal held back within this time; 0: none came.
   int wait(std::chrono::milliseconds patience) const;
-
-  /// For a new child: signals do again what they did before.
-  void restore() const;
 
 private:
   sigset_t held_;

@@ -4,7 +4,6 @@ target_sources(mixcmp_model PRIVATE
   characterise/logic_cells.cpp
   characterise/mapped_area.cpp
   characterise/measurement.cpp
-  characterise/process_tree.cpp
   characterise/register_wrapper.cpp
   characterise/router.cpp
   characterise/signal_gate.cpp

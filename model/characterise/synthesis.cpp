@@ -11,6 +11,7 @@
 #include "model/characterise/static_timing.hpp"
 #include "model/characterise/tools.hpp"
 #include "model/common/file.hpp"
+#include "model/common/output_file.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -29,7 +30,7 @@ struct Run {
 
 Result<Done> write_sources(const Run& run) {
   for (const SourceText& source : run.job.sources) {
-    MIXCMP_TRY(written, write_in_place(run.directory / source.name, source.text));
+    MIXCMP_TRY(written, write_file(run.directory / source.name, source.text));
   }
   return Done{};
 }
@@ -41,10 +42,10 @@ std::string read_sources(const SynthesisJob& job) {
 }
 
 Result<Done> run_yosys(const Run& run, const std::string& name, const std::string& script) {
-  MIXCMP_TRY(written, write_in_place(run.directory / (name + ".ys"), script));
+  MIXCMP_TRY(written, write_file(run.directory / (name + ".ys"), script));
   Command command = yosys_command(run.device);
   command.insert(command.end(), {"-q", "-s", name + ".ys"});
-  return run_in(run.directory, command, name + ".log", run.options.seconds_per_tool);
+  return run_in(run.directory, command, name + ".log", run.options.each_tool);
 }
 
 /// Maps the module alone. Leaves map.json, the netlist, and map.il, the same for Yosys.
@@ -101,7 +102,7 @@ Result<Done> wrap(const Run& run) {
   const std::string name = "mixcmp_wrapper_of_" + run.job.top;
   MIXCMP_TRY(netlist, read_json(run.directory / "map.json"));
   MIXCMP_TRY(wrapper, register_wrapper(netlist, run.job.top, run.job.clock_port, name));
-  MIXCMP_TRY(written, write_in_place(run.directory / "mixcmp_wrapper.v", wrapper));
+  MIXCMP_TRY(written, write_file(run.directory / "mixcmp_wrapper.v", wrapper));
   return run_yosys(run, "wrap",
                    fmt::format("read_rtlil map.il\nread_verilog mixcmp_wrapper.v\n{} -top {}\n"
                                "write_json wrapped.json\n",
@@ -119,10 +120,10 @@ std::optional<std::string> shortage(const Area& area, const Area& available) {
 
 /// Corrects the LUTs in `area` to what the router packs.
 Result<Timing> route_clock(const Run& run, Area& area) {
-  const int seconds = run.options.seconds_per_tool;
+  const ToolLimits& limits = run.options.each_tool;
   const Result<std::string> version = router_version(run.device);
   if (!version.ok()) return Timing{std::nullopt, version.error().message};
-  MIXCMP_TRY(packed, packed_luts(run.device, run.directory, "map.json", seconds));
+  MIXCMP_TRY(packed, packed_luts(run.device, run.directory, "map.json", limits));
   if (const auto* refusal = std::get_if<Refusal>(&packed)) {
     return Timing{std::nullopt, refusal->reason};
   }
@@ -131,7 +132,7 @@ Result<Timing> route_clock(const Run& run, Area& area) {
     return Timing{std::nullopt, *message};
   }
   MIXCMP_TRY(wrapped, wrap(run));
-  MIXCMP_TRY(routed, route(run.device, run.directory, "wrapped.json", run.options.seeds, seconds));
+  MIXCMP_TRY(routed, route(run.device, run.directory, "wrapped.json", run.options.seeds, limits));
   if (const auto* refusal = std::get_if<Refusal>(&routed)) {
     return Timing{std::nullopt, refusal->reason};
   }

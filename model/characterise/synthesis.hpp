@@ -29,8 +29,8 @@ enum class TimingEffort {
 
 struct SynthesisOptions {
   TimingEffort effort = TimingEffort::timing;
-  int seeds = 3;                ///< of the router
-  int seconds_per_tool = 3600;  ///< a run of Yosys or of the router that takes longer is ended
+  int seeds = 3;                             ///< of the router
+  ToolLimits each_tool = {.seconds = 3600};  ///< for one run of Yosys or of the router
 };
 
 struct SynthesisResult {

@@ -21,20 +21,9 @@ Command command_from(const char* variable, const std::string& otherwise) {
   return command;
 }
 
-/// A folder of our own: two versions may be asked for at once.
-Result<std::string> first_line(Command command, const std::string& option,
-                               const std::string& package) {
-  const std::string tool = command.back();
-  command.push_back(option);
-  std::string pattern = (std::filesystem::temp_directory_path() / "mixcmp.XXXXXX").string();
-  MIXCMP_CHECK(mkdtemp(pattern.data()) != nullptr);
-  const std::filesystem::path directory = pattern;
-  const auto ran = run_tool(command, directory, directory / "version", {});
-  const Result<std::string> text = read_file(directory / "version");
-  std::filesystem::remove_all(directory);
-  if (ran.ok() && text.ok()) return text->substr(0, text->find('\n'));
-  return Error{.message = fmt::format("{} does not run", to_shell(command)),
-               .accepted = fmt::format("{}, on Debian: apt-get install {}", tool, package)};
+Command with(Command command, const char* option) {
+  command.emplace_back(option);
+  return command;
 }
 
 }  // namespace
@@ -54,28 +43,35 @@ Command yosys_command(const Device& device) {
   return command_from("MIXCMP_YOSYS_ECP5", "yosys");
 }
 
-Command router_command(const Device& device) {
-  MIXCMP_CHECK(is_routed(device));
-  if (device.timing == TimingTool::nextpnr_ice40) return {"nextpnr-ice40"};
+Command ecp5_router_command() {
   return command_from("MIXCMP_NEXTPNR_ECP5", "nextpnr-ecp5");
 }
 
+Command router_command(const Device& device) {
+  MIXCMP_CHECK(is_routed(device));
+  if (device.timing == TimingTool::nextpnr_ice40) return {"nextpnr-ice40"};
+  return ecp5_router_command();
+}
+
 Result<std::string> yosys_version(const Device& device) {
-  return first_line(yosys_command(device), "-V", "yosys");
+  return tool_version(with(yosys_command(device), "-V"), "yosys");
 }
 
 Result<std::string> router_version(const Device& device) {
   const bool ice40 = device.timing == TimingTool::nextpnr_ice40;
-  return first_line(
-      router_command(device), "--version",
+  return tool_version(
+      with(router_command(device), "--version"),
       ice40 ? "nextpnr-ice40" : "nextpnr-ecp5 (Debian 13; docs/devices.md for Debian 12)");
 }
 
 Result<Done> run_in(const std::filesystem::path& directory, const Command& command,
-                    const std::string& log, int seconds) {
-  Command limited = {"timeout", std::to_string(seconds)};
-  limited.insert(limited.end(), command.begin(), command.end());
-  return run_tool(limited, directory, std::filesystem::absolute(directory / log), {});
+                    const std::string& log, const ToolLimits& limits) {
+  return run_tool({.command = command,
+                   .directory = directory,
+                   .log = std::filesystem::absolute(directory / log),
+                   // What tools leave behind goes with the folder.
+                   .environment = {"TMPDIR=" + std::filesystem::absolute(directory).string()},
+                   .limits = limits});
 }
 
 Result<nlohmann::json> read_json(const std::filesystem::path& path) {

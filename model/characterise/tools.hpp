@@ -16,17 +16,19 @@ bool is_routed(const Device& device);
 /// are split at blanks.
 Command yosys_command(const Device& device);
 
-/// nextpnr-ice40; or nextpnr-ecp5, or the command in $MIXCMP_NEXTPNR_ECP5 where that is set. Only
-/// of devices that are routed.
+/// nextpnr-ecp5, or the command in $MIXCMP_NEXTPNR_ECP5 where that is set.
+Command ecp5_router_command();
+
+/// nextpnr-ice40 or nextpnr-ecp5. Only of devices that are routed.
 Command router_command(const Device& device);
 
 /// The line a tool prints of its version; an error that names the package where it does not run.
 Result<std::string> yosys_version(const Device& device);
 Result<std::string> router_version(const Device& device);
 
-/// Runs a tool in `directory` with its output in the file `log` there, and ends it after `seconds`.
+/// Runs a tool in `directory`, with its output in the file `log` there.
 Result<Done> run_in(const std::filesystem::path& directory, const Command& command,
-                    const std::string& log, int seconds);
+                    const std::string& log, const ToolLimits& limits);
 
 /// What a tool left; an error names the file.
 Result<nlohmann::json> read_json(const std::filesystem::path& path);

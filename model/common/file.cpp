@@ -1,9 +1,5 @@
 #include "model/common/file.hpp"
 
-#include <fmt/format.h>
-
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -24,15 +20,6 @@ Result<std::string> read_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   return text;
-}
-
-Result<Done> write_in_place(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream stream(path, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (stream) return Done{};
-  return Error{.file = path.string(),
-               .message = fmt::format("cannot be written: {}", std::strerror(errno))};
 }
 
 }  // namespace mixcmp::model

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 namespace mixcmp::model {
@@ -30,6 +32,9 @@ std::string nearest(std::string_view text, std::span<const std::string> names) {
   std::string best;
   int best_distance = static_cast<int>(std::max<std::size_t>(text.size(), 2)) / 2 + 1;
   for (const std::string& name : names) {
+    const auto longer =
+        static_cast<std::int64_t>(name.size()) - static_cast<std::int64_t>(text.size());
+    if (std::abs(longer) >= best_distance) continue;  // as far apart at least
     const int distance = edit_distance(text, name);
     if (distance >= best_distance) continue;
     best = name;
@@ -42,9 +47,13 @@ std::string list_with_nearest(std::string_view text, std::span<const std::string
   const std::string first = nearest(text, names);
   std::vector<std::string> listed;
   if (!first.empty()) listed.push_back(first + " (the nearest)");
+  constexpr std::size_t most = 40;
   for (const std::string& name : names) {
+    if (listed.size() == most) break;
     if (name != first) listed.push_back(name);
   }
+  const std::size_t others = names.size() - std::min(names.size(), listed.size());
+  if (listed.size() == most && others > 0) listed.push_back(fmt::format("and {} more", others));
   return fmt::format("{}", fmt::join(listed, ", "));
 }
 

@@ -2,107 +2,196 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
-#include <signal.h>
-#include <spawn.h>
+#include <poll.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <deque>
 #include <fstream>
-#include <thread>
+#include <utility>
 
-extern char** environ;
+#include "model/common/output_file.hpp"
 
 namespace mixcmp::model {
 
 namespace {
 
-/// posix_spawn's file actions, owned.
-class FileActions {
-public:
-  FileActions() { posix_spawn_file_actions_init(&actions_); }
-  FileActions(const FileActions&) = delete;
-  FileActions& operator=(const FileActions&) = delete;
-  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
-  posix_spawn_file_actions_t* get() { return &actions_; }
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
 
-  void log_output(const std::filesystem::path& log) {
-    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, log.c_str(),
-                                     O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    posix_spawn_file_actions_adddup2(&actions_, STDOUT_FILENO, STDERR_FILENO);
-  }
-
-private:
-  posix_spawn_file_actions_t actions_;
-};
-
-Result<pid_t> start(const Command& command, FileActions& actions) {
-  std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  pid_t process = 0;
-  const int failure =
-      posix_spawnp(&process, words[0], actions.get(), nullptr, words.data(), environ);
-  if (failure == 0) return process;
-  return Error{.message = fmt::format("cannot run {}: {}", command[0], strerror(failure))};
+int open_log(const fs::path& log) {
+  return open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
 }
 
 bool quotes_needed(const std::string& word) {
   return word.empty() || word.find_first_of(" \t\n'\"\\$`*?[]{}()<>|&;!#~") != std::string::npos;
 }
 
-/// Waits for the process, telling every second how long it has been.
-int wait_for(pid_t process, const std::string& tool, const Progress& progress) {
-  using Clock = std::chrono::steady_clock;
-  const auto start_time = Clock::now();
-  auto told = start_time;
-  int status = 0;
-  while (waitpid(process, &status, WNOHANG) == 0) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    if (!progress || Clock::now() - told < std::chrono::seconds(1)) continue;
-    told = Clock::now();
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(told - start_time);
-    progress(fmt::format("{}: {} s", tool, seconds.count()));
+/// Why a tool was ended before its time; nothing: it ended by itself.
+std::optional<std::string> wait_within(ProcessGroup& group, const ToolRun& run) {
+  constexpr std::chrono::milliseconds between_looks{20};
+  const auto start = Clock::now();
+  std::int64_t told = 0;
+  while (!group.wait_for(between_looks)) {
+    const auto so_far =
+        std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - start).count();
+    if (run.limits.cancelled != nullptr && *run.limits.cancelled) return "was interrupted";
+    if (run.limits.seconds > 0 && so_far >= run.limits.seconds) {
+      return fmt::format("took longer than {} s", run.limits.seconds);
+    }
+    if (run.progress && so_far > std::exchange(told, so_far)) {
+      run.progress(fmt::format("{}: {} s", run.command[0], so_far));
+    }
   }
-  return status;
+  return std::nullopt;
+}
+
+std::string how_it_ended(int status) {
+  return WIFSIGNALED(status) ? fmt::format("was ended by signal {}", WTERMSIG(status)) : "failed";
+}
+
+/// The beginning of a text, as long as a line of a report may be.
+std::string first_line(const std::string& text) {
+  constexpr std::size_t most = 200;
+  return text.substr(0, std::min(text.find('\n'), most));
+}
+
+/// A file in memory with this content, to be read from its beginning.
+Descriptor memory_file(std::string_view content) {
+  Descriptor file(memfd_create("mixcmp", MFD_CLOEXEC));
+  while (file.get() >= 0 && !content.empty()) {
+    const ssize_t written = write(file.get(), content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return Descriptor();
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  if (file.get() >= 0) lseek(file.get(), 0, SEEK_SET);
+  return file;
+}
+
+/// Appends what has come; false at its end.
+bool take(int descriptor, std::string& text) {
+  std::array<char, 65536> block;
+  const ssize_t size = read(descriptor, block.data(), block.size());
+  if (size < 0) return errno == EINTR;
+  text.append(block.data(), static_cast<std::size_t>(size));
+  return size > 0;
+}
+
+constexpr std::size_t most_captured_bytes = std::size_t{64} << 20;
+
+/// Reads both streams until they end; false if time or room runs out first.
+bool take_all(int output, int errors, Clock::time_point deadline, Captured& captured) {
+  std::array<pollfd, 2> open = {{{output, POLLIN, 0}, {errors, POLLIN, 0}}};
+  const std::array<std::string*, 2> texts = {&captured.output, &captured.errors};
+  while (open[0].fd >= 0 || open[1].fd >= 0) {
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left <= 0 || captured.output.size() + captured.errors.size() > most_captured_bytes) {
+      return false;
+    }
+    if (poll(open.data(), open.size(), static_cast<int>(left)) < 0 && errno != EINTR) return false;
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      const bool ready = open[k].fd >= 0 && open[k].revents != 0;
+      if (ready && !take(open[k].fd, *texts[k])) open[k].fd = -1;
+    }
+  }
+  return true;
+}
+
+Error no_descriptor(const char* what) {
+  return {.message = fmt::format("no {}: {}", what, std::strerror(errno))};
 }
 
 }  // namespace
 
-Result<Child> Child::spawn(const Command& command, const std::filesystem::path& log) {
-  int sockets[2];
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) {
-    return Error{.message = fmt::format("no socket: {}", strerror(errno))};
+Result<Done> run_tool(const ToolRun& run) {
+  const Descriptor log(open_log(run.log));
+  if (log.get() < 0) return cannot_write(run.log, errno);
+  MIXCMP_TRY(group, ProcessGroup::start({.command = run.command,
+                                         .directory = run.directory,
+                                         .environment = run.environment,
+                                         .output = log.get(),
+                                         .errors = log.get()}));
+  std::optional<std::string> failure = wait_within(group, run);
+  if (!failure) {
+    const int status = group.wait();
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return Done{};
+    failure = how_it_ended(status);
   }
-  FileActions actions;
-  posix_spawn_file_actions_adddup2(actions.get(), sockets[1], STDIN_FILENO);
-  actions.log_output(log);
-  auto process = start(command, actions);
-  close(sockets[1]);
-  if (process.ok()) return Child(*process, sockets[0]);
-  close(sockets[0]);
-  return process.error();
+  return Error{
+      .file = run.log.string(),
+      .message = fmt::format("{} {}; the command was\n  cd {} && {}\nand the log ends with\n{}",
+                             run.command[0], *failure, run.directory.string(),
+                             to_shell(run.command), last_lines(run.log, 20))};
 }
 
-Child::Child(Child&& other) noexcept
-    : process_(std::exchange(other.process_, -1)), socket_(std::exchange(other.socket_, -1)) {}
+Result<Captured> capture(const Command& command, const CaptureOptions& options) {
+  const Descriptor input = memory_file(options.input);
+  Pipe output, errors;
+  if (input.get() < 0) return no_descriptor("file in memory");
+  if (!output.open() || !errors.open()) return no_descriptor("pipe");
+  const auto limit = std::chrono::duration<double>(options.seconds);
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
+  Captured captured;
+  MIXCMP_TRY(group, ProcessGroup::start({.command = command,
+                                         .input = input.get(),
+                                         .output = output.write_end.get(),
+                                         .errors = errors.write_end.get(),
+                                         .memory_bytes = options.memory_bytes}));
+  output.write_end.reset();
+  errors.write_end.reset();
+  captured.in_time = take_all(output.read_end.get(), errors.read_end.get(), deadline, captured);
+  if (captured.in_time) captured.status = group.wait();
+  if (captured.output.size() + captured.errors.size() <= most_captured_bytes) return captured;
+  return Error{.message = fmt::format("{} prints too much", to_shell(command)),
+               .received = "more than 64 MiB"};
+}
 
-Child::~Child() {
-  if (process_ < 0) return;
-  close(socket_);  // ends a simulator that waits for us
-  for (int attempt = 0; attempt < 100; ++attempt) {
-    if (waitpid(process_, nullptr, WNOHANG) != 0) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+Result<std::string> tool_version(const Command& command, const std::string& package) {
+  const Command tool(command.begin(), command.end() - 1);
+  const Result<Captured> run = capture(command);
+  if (!run.ok() && run.error().kind == ErrorKind::missing_tool) {
+    return Error{.message = fmt::format("{} does not run", to_shell(tool)),
+                 .accepted = fmt::format("{}, on Debian: apt-get install {}", tool.back(), package),
+                 .kind = ErrorKind::missing_tool};
   }
-  kill(process_, SIGKILL);
-  waitpid(process_, nullptr, 0);
+  if (!run.ok()) return run.error();
+  if (run->succeeded()) return first_line(run->output.empty() ? run->errors : run->output);
+  const std::string how = run->in_time ? how_it_ended(run->status) : "does not end";
+  return Error{.message = fmt::format("{} {}", to_shell(command), how),
+               .received = first_line(run->errors.empty() ? run->output : run->errors),
+               .accepted = fmt::format("a {} that runs", tool.back())};
+}
+
+Result<Child> Child::spawn(const Command& command, const fs::path& log_path) {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return no_descriptor("socket");
+  Descriptor ours(ends[0]);
+  const Descriptor theirs(ends[1]), log(open_log(log_path));
+  if (log.get() < 0) return cannot_write(log_path, errno);
+  MIXCMP_TRY(
+      group,
+      ProcessGroup::start(
+          {.command = command, .input = theirs.get(), .output = log.get(), .errors = log.get()}));
+  return Child(std::move(group), std::move(ours));
+}
+
+bool Child::finish() {
+  constexpr std::chrono::minutes patience{10};  // large waves take long to be packed
+  return group_.wait_for(patience) && group_.wait() == 0;
 }
 
 bool Child::send(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
-    const ssize_t done = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    const ssize_t done = ::send(socket_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (done < 0 && errno == EINTR) continue;
     if (done <= 0) return false;
     bytes = bytes.subspan(static_cast<std::size_t>(done));
@@ -112,7 +201,7 @@ bool Child::send(std::span<const std::byte> bytes) {
 
 bool Child::receive(std::span<std::byte> bytes) {
   while (!bytes.empty()) {
-    const ssize_t done = ::recv(socket_, bytes.data(), bytes.size(), 0);
+    const ssize_t done = ::recv(socket_.get(), bytes.data(), bytes.size(), 0);
     if (done < 0 && errno == EINTR) continue;
     if (done <= 0) return false;
     bytes = bytes.subspan(static_cast<std::size_t>(done));
@@ -120,37 +209,7 @@ bool Child::receive(std::span<std::byte> bytes) {
   return true;
 }
 
-Result<Done> run_tool(const Command& command, const std::filesystem::path& directory,
-                                    const std::filesystem::path& log, const Progress& progress) {
-  FileActions actions;
-  posix_spawn_file_actions_addopen(actions.get(), STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  actions.log_output(log);
-  posix_spawn_file_actions_addchdir_np(actions.get(), directory.c_str());
-  MIXCMP_TRY(process, start(command, actions));
-  const int status = wait_for(process, command[0], progress);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return Done{};
-  return Error{.file = log.string(),
-                      .message = fmt::format(
-                          "{} failed; the command was\n  cd {} && {}\nand the log ends with\n{}",
-                          command[0], directory.string(), to_shell(command), last_lines(log, 20))};
-}
-
-Result<std::string> tool_version(const std::string& tool, const std::string& version_option,
-                                        const std::string& package) {
-  char name[] = "/tmp/mixcmp-version-XXXXXX";
-  const int file = mkstemp(name);
-  if (file >= 0) close(file);
-  const auto run = run_tool({tool, version_option}, "/", name, {});
-  std::ifstream stream(name);
-  std::string line;
-  std::getline(stream, line);
-  std::filesystem::remove(name);
-  if (run.ok()) return line;
-  return Error{.message =
-                          fmt::format("{} does not run; on Debian: apt install {}", tool, package)};
-}
-
-std::string last_lines(const std::filesystem::path& file, std::size_t count) {
+std::string last_lines(const fs::path& file, std::size_t count) {
   std::ifstream stream(file);
   std::deque<std::string> lines;
   for (std::string line; std::getline(stream, line);) {

@@ -1,53 +1,83 @@
 #pragma once
 
-#include <sys/types.h>
-
-#include <chrono>
+#include <atomic>
 #include <cstddef>
-#include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
-#include <string>
-#include <vector>
+#include <string_view>
 
-#include "model/common/result.hpp"
+#include "model/common/descriptor.hpp"
+#include "model/common/process_group.hpp"
 
 namespace mixcmp::model {
-
-using Command = std::vector<std::string>;
 
 /// What is being done, for a line on a terminal.
 using Progress = std::function<void(const std::string&)>;
 
+/// What may end a tool before it ends by itself.
+struct ToolLimits {
+  int seconds = 0;                               ///< of wall time; 0: no limit
+  const std::atomic<bool>* cancelled = nullptr;  ///< null: nobody cancels
+};
+
+/// One run of a tool.
+struct ToolRun {
+  Command command;
+  std::filesystem::path directory;            ///< that it runs in
+  std::filesystem::path log;                  ///< takes its standard output and standard error
+  std::vector<std::string> environment = {};  ///< "NAME=value" each, over our own
+  ToolLimits limits = {};
+  Progress progress = {};  ///< told every second how long it has been
+};
+
+/// Runs a tool to its end. If it fails, the error names the log and shows its end.
+Result<Done> run_tool(const ToolRun& run);
+
+struct Captured {
+  bool in_time = true;
+  int status = 0;  ///< as waitpid gives it
+  std::string output;
+  std::string errors;
+
+  bool succeeded() const { return in_time && status == 0; }
+};
+
+struct CaptureOptions {
+  std::string_view input = {};
+  double seconds = 10;             ///< of wall time, then the program is killed
+  std::uint64_t memory_bytes = 0;  ///< 0: no limit
+};
+
+/// Runs a program and keeps what it writes in memory; an error where that is more than 64 MiB.
+Result<Captured> capture(const Command& command, const CaptureOptions& options = {});
+
+/// The first line that a tool prints about its version, on whichever stream. The command ends with
+/// the tool and its option for that. Where PATH has no such tool, an error of the kind
+/// `missing_tool` names the Debian package; a tool that is there and fails is an error, too.
+Result<std::string> tool_version(const Command& command, const std::string& package);
+
 /// A child process whose standard input is a socket to us, for both directions. Standard output and
-/// error go to a log file.
+/// error go to a log file. The child ends with this object.
 class Child {
 public:
   static Result<Child> spawn(const Command& command, const std::filesystem::path& log);
-  Child(Child&& other) noexcept;
-  Child& operator=(Child&&) = delete;
-  /// Ends the child.
-  ~Child();
 
   /// False if the child is gone.
   bool send(std::span<const std::byte> bytes);
   bool receive(std::span<std::byte> bytes);
 
+  /// Waits until the child, which knows that it has nothing more to do, has ended by itself. False
+  /// where it does not, or says that it failed.
+  bool finish();
+
 private:
-  Child(pid_t process, int socket) : process_(process), socket_(socket) {}
+  Child(ProcessGroup group, Descriptor socket)
+      : group_(std::move(group)), socket_(std::move(socket)) {}
 
-  pid_t process_;
-  int socket_;
+  ProcessGroup group_;
+  Descriptor socket_;
 };
-
-/// Runs a tool in `directory` to its end. If it fails, the error names the log and shows its end.
-Result<Done> run_tool(const Command& command, const std::filesystem::path& directory,
-                                    const std::filesystem::path& log, const Progress& progress);
-
-/// The first line a tool prints about its version; an error that names the package if it is not
-/// there.
-Result<std::string> tool_version(const std::string& tool, const std::string& version_option,
-                                        const std::string& package);
 
 /// The last lines of a file, for error messages.
 std::string last_lines(const std::filesystem::path& file, std::size_t count);

@@ -1,6 +1,26 @@
 #include "model/common/quote.hpp"
 
 namespace mixcmp::model {
+namespace {
+
+/// Bytes of the character at the front of `text`, which is not empty; 0 where it is no UTF-8.
+std::size_t character_bytes(std::string_view text) {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || text.size() < bytes) return 0;
+  for (std::size_t k = 1; k < bytes; ++k) {
+    if ((byte(k) & 0xC0U) != 0x80U) return 0;
+  }
+  // Longer forms than needed, halves of surrogate pairs, and what lies beyond U+10FFFF.
+  const unsigned second = byte(1);
+  const bool wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
+                     (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F);
+  return wrong ? 0 : bytes;
+}
+
+}  // namespace
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t most = 80;
@@ -8,6 +28,18 @@ std::string in_quotes(std::string_view text) {
   for (const char c : text.substr(0, most)) shown += ' ' <= c && c <= '~' ? c : '?';
   if (text.size() > most) shown += "...";
   shown += '"';
+  return shown;
+}
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const std::size_t bytes = character_bytes(text);
+    const char c = text[0];
+    const bool control = bytes == 1 && ((' ' > c && c != '\n') || c == 0x7F);
+    shown += bytes == 0 || control ? "?" : text.substr(0, bytes);
+    text.remove_prefix(bytes == 0 ? 1 : bytes);
+  }
   return shown;
 }
 

@@ -8,6 +8,12 @@
 
 namespace mixcmp::model {
 
+enum class ErrorKind {
+  mistake,       ///< the user's, or a machine that does not allow what was asked
+  missing_tool,  ///< what was asked for needs a program that is not installed
+  refuted,       ///< what was claimed does not hold
+};
+
 /// A user's mistake, told once: where it stands, what was received and what would be accepted.
 /// Empty fields (and line or column 0) are left out of the printed message.
 struct Error {
@@ -18,8 +24,10 @@ struct Error {
   std::string message;
   std::string received;
   std::string accepted;
+  ErrorKind kind = ErrorKind::mistake;
 
-  /// "file:line:column: field: message: received R; accepted A".
+  /// "file:line:column: field: message: received R; accepted A", each part cut at its limit and
+  /// printable.
   std::string to_string() const;
 };
 

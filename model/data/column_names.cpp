@@ -1,10 +1,12 @@
 #include "model/data/column_names.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "model/common/nearest.hpp"
 
@@ -38,27 +40,74 @@ Error mistake(const ColumnNames& names, std::string message, std::string receive
           .accepted = std::move(accepted)};
 }
 
-Result<std::string> file_column(std::span<const ColumnNames> all, const std::string& wanted) {
+Result<WantedColumn> file_column(std::span<const ColumnNames> all, const std::string& wanted) {
   const auto explains_it = [&](const ColumnNames& names) { return explains(names, wanted); };
   const auto found = std::find_if(all.begin(), all.end(), explains_it);
-  if (found == all.end()) return wanted;
+  if (found == all.end()) return WantedColumn{.name = wanted, .column = wanted};
   const auto again = std::find_if(std::next(found), all.end(), explains_it);
   if (again != all.end()) {
     return mistake(*again, fmt::format("a second column for {}", wanted),
                    fmt::format("{} beside {}", again->field, found->field), "one of them");
   }
-  if (!found->is_list) return found->columns[0];
-  const std::size_t subscript = *subscript_in(wanted, found->name);
-  if (subscript < found->columns.size()) return found->columns[subscript];
+  const std::size_t subscript = found->is_list ? *subscript_in(wanted, found->name) : 0;
+  if (subscript < found->columns.size()) {
+    return WantedColumn{.name = wanted,
+                        .column = found->columns[subscript],
+                        .field = found->field,
+                        .place = found->place};
+  }
   return mistake(*found, fmt::format("no column for {}", wanted),
                  fmt::format("a list of {}", found->columns.size()),
                  fmt::format("{} columns or more", subscript + 1));
 }
 
+constexpr std::string_view no_names = "the columns of a plain array have no names";
+
+/// Numbers for all of `wanted`: those that are given, and for the others the first ones left over.
+std::vector<std::string> suggested_numbers(std::span<const WantedColumn> wanted,
+                                           std::uint64_t columns) {
+  std::set<std::uint64_t> taken;
+  for (const WantedColumn& column : wanted) {
+    if (const auto* number = std::get_if<std::uint64_t>(&column.column)) taken.insert(*number);
+  }
+  std::vector<std::string> numbers;
+  std::uint64_t next = 0;
+  for (const WantedColumn& column : wanted) {
+    if (const auto* number = std::get_if<std::uint64_t>(&column.column)) {
+      numbers.push_back(std::to_string(*number));
+      continue;
+    }
+    while (taken.contains(next)) ++next;
+    numbers.push_back(next < columns ? std::to_string(next) : "?");
+    ++next;
+  }
+  return numbers;
+}
+
+/// "{ p = [0, 1], r = 2 }": what a scene might say that means `wanted`.
+std::string suggested_columns(std::span<const WantedColumn> wanted, std::uint64_t columns) {
+  const std::vector<std::string> numbers = suggested_numbers(wanted, columns);
+  std::map<std::string, std::string> number_of;
+  for (std::size_t k = 0; k < wanted.size(); ++k) number_of[wanted[k].name] = numbers[k];
+  std::vector<std::string> entries;
+  for (const WantedColumn& column : wanted) {
+    if (!number_of.contains(column.name)) continue;  // in a list before
+    const std::string base = column.name.substr(0, column.name.rfind('_'));
+    std::vector<std::string> list;
+    while (number_of.contains(fmt::format("{}_{}", base, list.size()))) {
+      list.push_back(number_of.extract(fmt::format("{}_{}", base, list.size())).mapped());
+    }
+    if (!list.empty()) entries.push_back(fmt::format("{} = [{}]", base, fmt::join(list, ", ")));
+    const auto alone = number_of.extract(column.name);
+    if (!alone.empty()) entries.push_back(fmt::format("{} = {}", column.name, alone.mapped()));
+  }
+  return fmt::format("{{ {} }}", fmt::join(entries, ", "));
+}
+
 }  // namespace
 
-Result<std::vector<std::string>> file_columns(std::span<const ColumnNames> names,
-                                              std::span<const std::string> wanted) {
+Result<std::vector<WantedColumn>> file_columns(std::span<const ColumnNames> names,
+                                               std::span<const std::string> wanted) {
   for (const ColumnNames& one : names) {
     const auto is_wanted = [&](const std::string& column) { return explains(one, column); };
     if (std::any_of(wanted.begin(), wanted.end(), is_wanted)) continue;
@@ -66,12 +115,42 @@ Result<std::vector<std::string>> file_columns(std::span<const ColumnNames> names
                    one.is_list ? one.name + "_0, ..." : one.name,
                    list_with_nearest(one.name, wanted));
   }
-  std::vector<std::string> columns;
+  std::vector<WantedColumn> columns;
   for (const std::string& column : wanted) {
     MIXCMP_TRY(named, file_column(names, column));
     columns.push_back(named);
   }
   return columns;
+}
+
+std::vector<WantedColumn> columns_by_name(std::span<const std::string> names) {
+  std::vector<WantedColumn> columns;
+  for (const std::string& name : names) columns.push_back({.name = name, .column = name});
+  return columns;
+}
+
+Result<std::size_t> find_column(const WantedColumn& wanted, std::span<const std::string> known,
+                                const std::string& source) {
+  if (const auto* number = std::get_if<std::uint64_t>(&wanted.column)) {
+    if (*number < known.size()) return static_cast<std::size_t>(*number);
+    return column_mistake(wanted, "no column of this number in " + source, std::to_string(*number),
+                          known.empty() ? "nothing: it has no columns"
+                                        : fmt::format("0..{}, counted from 0", known.size() - 1));
+  }
+  const std::string& name = std::get<std::string>(wanted.column);
+  const auto found = std::find(known.begin(), known.end(), name);
+  if (found == known.end()) return missing_column(name, known);
+  return static_cast<std::size_t>(found - known.begin());
+}
+
+Error column_mistake(const WantedColumn& wanted, std::string message, std::string received,
+                     std::string accepted) {
+  return {.file = wanted.place.file,
+          .line = wanted.place.line,
+          .field = wanted.field,
+          .message = std::move(message),
+          .received = std::move(received),
+          .accepted = std::move(accepted)};
 }
 
 Error missing_column(const std::string& column, std::span<const std::string> known) {
@@ -85,18 +164,35 @@ bool is_missing_column(const Error& error) {
   return error.message == no_such_column;
 }
 
-Result<Table> select_columns(const Table& table, std::span<const std::string> columns,
-                             std::span<const std::string> wanted) {
-  std::vector<std::size_t> places;
-  for (const std::string& column : columns) {
-    const auto found = std::find(table.columns.begin(), table.columns.end(), column);
-    if (found == table.columns.end()) return missing_column(column, table.columns);
-    places.push_back(static_cast<std::size_t>(found - table.columns.begin()));
+Error unnamed_columns(std::span<const WantedColumn> wanted, std::uint64_t columns) {
+  std::vector<std::string> unnumbered;
+  for (const WantedColumn& column : wanted) {
+    if (const auto* name = std::get_if<std::string>(&column.column)) unnumbered.push_back(*name);
   }
+  return {.message = std::string(no_names),
+          .received = "no number for " + fmt::format("{}", fmt::join(unnumbered, ", ")),
+          .accepted = fmt::format("the number of each one's column, counted from 0 and below {}, "
+                                  "for example {}",
+                                  columns, suggested_columns(wanted, columns))};
+}
+
+bool is_unnamed_columns(const Error& error) {
+  return error.message == no_names;
+}
+
+Result<Table> select_columns(const Table& table, std::span<const WantedColumn> wanted) {
   Table selected{.format = table.format,
-                 .columns = {wanted.begin(), wanted.end()},
-                 .values = {},
-                 .labels = table.labels};
+                 .columns = {},
+                 .labels = table.labels,
+                 .lines = table.lines,
+                 .source = table.source};
+  std::vector<std::size_t> places;
+  for (const WantedColumn& column : wanted) {
+    MIXCMP_TRY(place, find_column(column, table.columns, table.source));
+    places.push_back(place);
+    selected.columns.push_back(column.name);
+    selected.origins.push_back({.number = place, .name = table.columns[place]});
+  }
   for (std::size_t row = 0; row < table.rows(); ++row) {
     for (const std::size_t place : places) selected.values.push_back(table.at(row, place));
   }

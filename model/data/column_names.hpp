@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "model/common/place.hpp"
@@ -10,28 +12,54 @@
 
 namespace mixcmp::model {
 
+/// A column of a file: its name, or its number, counted from 0 as NumPy counts.
+using ColumnKey = std::variant<std::string, std::uint64_t>;
+
 /// What a scene calls columns of a file: one name for one column, or p for a list of them, which
 /// are then p_0, p_1, ...
 struct ColumnNames {
   std::string name;
-  std::vector<std::string> columns;  ///< the file's
+  std::vector<ColumnKey> columns;  ///< the file's
   bool is_list = false;
   std::string field;  ///< "data.columns.p", for errors
   Place place;
 };
 
-/// What the file calls each of `wanted`; a name that no one explains is the file's own. A list that
-/// ends before the number that is wanted is an error, as is a name that nothing wanted has, and two
-/// names of one that is.
-Result<std::vector<std::string>> file_columns(std::span<const ColumnNames> names,
-                                              std::span<const std::string> wanted);
+/// A column that inputs need.
+struct WantedColumn {
+  std::string name;        ///< the scene's name: what a table calls the column once it is read
+  ColumnKey column;        ///< the file's
+  std::string field = {};  ///< the key that says so; empty: the scene's name is the file's
+  Place place = {};        ///< of that key
+};
 
-/// What a reader says of a wanted column that its file, which has those of `known`, lacks.
+/// Which column of the file each of `wanted` is. A column without an entry in `names` keeps the
+/// file's name. Errors: a list that is too short, an entry that no input needs, two entries for one
+/// column.
+Result<std::vector<WantedColumn>> file_columns(std::span<const ColumnNames> names,
+                                               std::span<const std::string> wanted);
+
+/// Columns under the names that the file has.
+std::vector<WantedColumn> columns_by_name(std::span<const std::string> names);
+
+/// Where `wanted` stands among the columns of `source`, which are called `known`.
+Result<std::size_t> find_column(const WantedColumn& wanted, std::span<const std::string> known,
+                                const std::string& source);
+
+/// A mistake of the key that says which column `wanted` is.
+Error column_mistake(const WantedColumn& wanted, std::string message, std::string received,
+                     std::string accepted);
+
+/// The error for a wanted column that a file lacks; `known` are the columns that it has.
 Error missing_column(const std::string& column, std::span<const std::string> known);
 bool is_missing_column(const Error& error);
 
-/// The columns of `table` that it calls `columns`, in that order, under the names `wanted`.
-Result<Table> select_columns(const Table& table, std::span<const std::string> columns,
-                             std::span<const std::string> wanted);
+/// The error for a file of `columns` columns without names where the scene gives no numbers;
+/// load_comparisons adds the key's file and line.
+Error unnamed_columns(std::span<const WantedColumn> wanted, std::uint64_t columns);
+bool is_unnamed_columns(const Error& error);
+
+/// The wanted columns of `table`, in their order, under the scene's names.
+Result<Table> select_columns(const Table& table, std::span<const WantedColumn> wanted);
 
 }  // namespace mixcmp::model

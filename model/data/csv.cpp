@@ -5,8 +5,9 @@
 #include <algorithm>
 
 #include "model/common/file.hpp"
-#include "model/data/column_names.hpp"
+#include "model/common/quote.hpp"
 #include "model/data/number.hpp"
+#include "model/golden/arithmetic.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -92,55 +93,126 @@ private:
   int line_ = 1;
 };
 
-/// Where each wanted column stands in the header.
-Result<std::vector<std::size_t>> find_columns(const Record& header,
-                                              std::span<const std::string> wanted) {
-  std::vector<std::string> names;
-  for (const std::string& name : header.fields) names.emplace_back(trimmed(name));
-  std::vector<std::size_t> places;
-  for (const std::string& column : wanted) {
-    const auto found = std::find(names.begin(), names.end(), column);
-    const auto times = std::count(names.begin(), names.end(), column);
-    if (times == 0) {
-      Error error = missing_column(column, names);
-      error.line = header.line;
-      return error;
+/// What a line looks like that is not one of fields between commas: "separated by ';'"; empty where
+/// nothing is suspicious.
+std::string likely_form(const Record& record) {
+  const auto count = [&](char c) {
+    std::size_t all = 0;
+    for (const std::string& field : record.fields) {
+      all += static_cast<std::size_t>(std::count(field.begin(), field.end(), c));
     }
-    if (times > 1) {
-      return Error{.line = header.line,
-                   .field = column,
-                   .message = "two columns of this name",
-                   .received = fmt::format("{} of them", times),
-                   .accepted = "one"};
-    }
-    places.push_back(static_cast<std::size_t>(found - names.begin()));
+    return all;
+  };
+  const std::string_view first = record.fields.front();
+  const std::size_t commas = record.fields.size() - 1;
+  const bool blank = std::all_of(record.fields.begin(), record.fields.end(),
+                                 [](const std::string& field) { return trimmed(field).empty(); });
+  if (blank) return "blank";
+  if (count('\0') > 0) return "text in UTF-16, or no text";
+  if (first.starts_with('#') || first.starts_with('%')) return "a comment";
+  if (count('\r') > 0) return "several lines that end in CR alone";
+  if (count(';') > commas) return "separated by ';'";
+  if (count('\t') > commas) return "separated by tabs";
+  if (commas == 0 && trimmed(first).find(' ') != std::string_view::npos) {
+    return "separated by blanks";
   }
-  return places;
+  return {};
 }
 
-Result<Done> append_row(Table& table, const Record& record, const Record& header,
-                        std::span<const std::size_t> places) {
-  if (record.fields.size() != header.fields.size()) {
+bool is_number(FloatFormat format, std::string_view text) {
+  return golden::from_text(format, trimmed(text)).ok();
+}
+
+/// Where a column is missing, the first line may be no header at all.
+Error without_column(Error missing, const Record& header, FloatFormat format) {
+  std::string seems = likely_form(header);
+  const auto number = [&](const std::string& field) { return is_number(format, field); };
+  if (seems.empty() && std::all_of(header.fields.begin(), header.fields.end(), number)) {
+    seems = "numbers";
+  }
+  if (seems.empty()) return missing;
+  missing.received = "a first line that seems to be " + seems;
+  missing.accepted = "a first line that names the columns, with ',' between them";
+  return missing;
+}
+
+Error two_columns(const std::string& name, std::span<const std::string> names) {
+  const auto first = std::find(names.begin(), names.end(), name);
+  const auto second = std::find(std::next(first), names.end(), name);
+  return {.field = name,
+          .message = "two columns of this name",
+          .received = fmt::format("{} of them", std::count(names.begin(), names.end(), name)),
+          .accepted = fmt::format("one, or the column's number in data.columns, such as {} or {}",
+                                  first - names.begin(), second - names.begin())};
+}
+
+/// Which column of the file is meant. One that is chosen by number may have any name that is no
+/// number: else the file has no header, and its first row would be lost.
+Result<FileColumn> locate_column(const WantedColumn& wanted, std::span<const std::string> names,
+                                 const Record& header, FloatFormat format,
+                                 const std::string& source) {
+  const Result<std::size_t> place = find_column(wanted, names, source);
+  if (!place.ok()) {
+    const bool missing = is_missing_column(place.error());
+    return missing ? without_column(place.error(), header, format) : place.error();
+  }
+  const std::string& name = names[*place];
+  const bool by_name = std::holds_alternative<std::string>(wanted.column);
+  if (by_name && std::count(names.begin(), names.end(), name) > 1) return two_columns(name, names);
+  if (!by_name && is_number(format, name)) {
+    return Error{.message = "the first line seems to hold numbers, not names of columns",
+                 .received = fmt::format("{} in column {}", in_quotes(name), *place),
+                 .accepted =
+                     "a first line that names the columns; data.columns with the name "
+                     "where a number is one"};
+  }
+  return FileColumn{.number = *place, .name = printable(name)};
+}
+
+/// The wanted columns, in their order.
+Result<std::vector<FileColumn>> find_columns(const Record& header, FloatFormat format,
+                                             std::span<const WantedColumn> wanted,
+                                             const std::string& source) {
+  std::vector<std::string> names;
+  for (const std::string& name : header.fields) names.emplace_back(trimmed(name));
+  std::vector<FileColumn> columns;
+  for (const WantedColumn& column : wanted) {
+    const Result<FileColumn> found = locate_column(column, names, header, format, source);
+    if (!found.ok()) {
+      Error error = found.error();
+      if (error.file.empty()) error.line = header.line;
+      return error;
+    }
+    columns.push_back(*found);
+  }
+  return columns;
+}
+
+Result<Done> append_row(Table& table, const Record& record, std::size_t field_count) {
+  if (record.fields.size() != field_count) {
+    const std::string seems = likely_form(record);
     return Error{.line = record.line,
                  .message = "wrong number of fields",
-                 .received = fmt::format("{}", record.fields.size()),
-                 .accepted = fmt::format("{}, as in the first line", header.fields.size())};
+                 .received = fmt::format("{}{}", record.fields.size(),
+                                         seems.empty() ? "" : ", the line seems to be " + seems),
+                 .accepted = fmt::format("{}, as in the first line", field_count)};
   }
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const Result<Bits> number = read_number(table.format, record.fields[places[k]]);
+  for (const FileColumn& column : table.origins) {
+    const Result<Bits> number = read_number(table.format, record.fields[column.number]);
     if (!number.ok()) {
       Error error = number.error();
       error.line = record.line;
-      error.field = table.columns[k];
+      error.field = column.shown();
       return error;
     }
     table.values.push_back(*number);
   }
+  table.lines.push_back(record.line);
   return Done{};
 }
 
 Result<Table> parse_csv(std::string_view text, FloatFormat format,
-                        std::span<const std::string> columns) {
+                        std::span<const WantedColumn> wanted, const std::string& source) {
   RecordReader records(text);
   if (!records.more()) {
     return Error{.message = "no header",
@@ -148,11 +220,12 @@ Result<Table> parse_csv(std::string_view text, FloatFormat format,
                  .accepted = "a first line that names the columns"};
   }
   MIXCMP_TRY(header, records.next());
-  MIXCMP_TRY(places, find_columns(header, columns));
-  Table table{.format = format, .columns = {columns.begin(), columns.end()}};
+  MIXCMP_TRY(columns, find_columns(header, format, wanted, source));
+  Table table{.format = format, .columns = {}, .source = source, .origins = std::move(columns)};
+  for (const WantedColumn& column : wanted) table.columns.push_back(column.name);
   while (records.more()) {
     MIXCMP_TRY(record, records.next());
-    const Result<Done> appended = append_row(table, record, header, places);
+    const Result<Done> appended = append_row(table, record, header.fields.size());
     if (!appended.ok()) return appended.error();
   }
   return table;
@@ -161,12 +234,12 @@ Result<Table> parse_csv(std::string_view text, FloatFormat format,
 }  // namespace
 
 Result<Table> read_csv(const std::filesystem::path& path, FloatFormat format,
-                       std::span<const std::string> columns) {
+                       std::span<const WantedColumn> wanted) {
   MIXCMP_TRY(text, read_file(path));
-  Result<Table> table = parse_csv(text, format, columns);
+  Result<Table> table = parse_csv(text, format, wanted, path.filename().string());
   if (table.ok()) return table;
   Error error = table.error();
-  error.file = path.string();
+  if (error.file.empty()) error.file = path.string();
   return error;
 }
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "model/common/file.hpp"
-#include "model/data/column_names.hpp"
+#include "model/common/quote.hpp"
 #include "model/data/npy_header.hpp"
 #include "model/golden/arithmetic.hpp"
 
@@ -19,6 +19,7 @@ constexpr std::string_view accepted_types = "floats of 2, 4, 8 bytes or integers
 
 /// Where a column's numbers stand among the file's data.
 struct ColumnLayout {
+  FileColumn column;
   NpyScalar scalar;
   std::size_t first;
   std::size_t stride;
@@ -55,45 +56,80 @@ Result<NpyScalar> scalar_of(const NpyField& field) {
                .accepted = std::string(accepted_types)};
 }
 
-Result<Layout> plain_layout(const NpyHeader& header, std::span<const std::string> columns) {
-  MIXCMP_TRY(scalar, scalar_of(header.fields[0]));
-  std::string names;
-  for (const std::string& column : columns) names += (names.empty() ? "" : ", ") + column;
-  if (header.shape.size() != 2 || header.shape[1] != columns.size()) {
-    return shape_error(header,
-                       fmt::format("(rows, {}), the columns being {}", columns.size(), names));
+/// The array's columns have no names: the scene says which is which, and no order is implied.
+Result<std::vector<FileColumn>> plain_columns(std::span<const WantedColumn> wanted,
+                                              std::uint64_t count, const std::string& source) {
+  std::vector<FileColumn> columns;
+  bool all_numbered = true;
+  for (const WantedColumn& column : wanted) {
+    const auto* number = std::get_if<std::uint64_t>(&column.column);
+    const bool named = number == nullptr && !column.field.empty();
+    if (named || (number != nullptr && *number >= count)) {
+      return column_mistake(
+          column,
+          named ? "the columns of " + source + " have no names" : "no such column in " + source,
+          named ? in_quotes(std::get<std::string>(column.column)) : std::to_string(*number),
+          fmt::format("a number below {}, the first column being 0", count));
+    }
+    all_numbered = all_numbered && number != nullptr;
+    if (number != nullptr) columns.push_back({.number = *number, .name = {}});
   }
-  const std::uint64_t rows = header.shape[0];
+  if (!all_numbered) return unnamed_columns(wanted, count);
+  return columns;
+}
+
+Result<Layout> plain_layout(const NpyHeader& header, std::span<const WantedColumn> wanted,
+                            const std::string& source) {
+  MIXCMP_TRY(scalar, scalar_of(header.fields[0]));
+  if (header.shape.size() != 2) {
+    return shape_error(header, "(rows, columns), or (rows,) for an array of named fields");
+  }
+  const std::uint64_t rows = header.shape[0], count = header.shape[1];
+  if (count == 0) return shape_error(header, "at least one column");
   const auto bytes = static_cast<std::size_t>(scalar.bytes);
-  const auto column_bytes = product(rows, bytes);
-  const auto total = product(column_bytes.value_or(SIZE_MAX), columns.size());
-  if (!column_bytes || !total) return shape_error(header, "an array that fits a file");
+  const auto column_bytes = product(rows, bytes), row_bytes = product(count, bytes);
+  const auto total = product(column_bytes.value_or(SIZE_MAX), count);
+  if (!column_bytes || !row_bytes || !total) {
+    return shape_error(header, "an array that fits a file");
+  }
   Layout layout{.rows = rows, .total_bytes = *total};
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    layout.columns.push_back(header.fortran_order
-                                 ? ColumnLayout{scalar, k * *column_bytes, bytes}
-                                 : ColumnLayout{scalar, k * bytes, bytes * columns.size()});
+  MIXCMP_TRY(columns, plain_columns(wanted, count, source));
+  for (const FileColumn& column : columns) {
+    layout.columns.push_back(
+        header.fortran_order ? ColumnLayout{column, scalar, column.number * *column_bytes, bytes}
+                             : ColumnLayout{column, scalar, column.number * bytes, *row_bytes});
   }
   return layout;
 }
 
-Result<Layout> structured_layout(const NpyHeader& header, std::span<const std::string> columns) {
+Result<Layout> structured_layout(const NpyHeader& header, std::span<const WantedColumn> wanted,
+                                 const std::string& source) {
   if (header.shape.size() != 1) return shape_error(header, "(rows,) for an array of named fields");
   std::vector<std::string> names;
+  std::vector<NpyField> fields;
   std::size_t row_bytes = 0;
   for (const NpyField& field : header.fields) {
-    names.push_back(field.name);
     row_bytes += field.bytes;
+    if (field.name.empty()) continue;
+    if (std::find(names.begin(), names.end(), field.name) != names.end()) {
+      return Error{.field = "descr",
+                   .message = "two fields of this name",
+                   .received = in_quotes(field.name),
+                   .accepted = "names that differ, as NumPy has them"};
+    }
+    names.push_back(field.name);
+    fields.push_back(field);
   }
   const auto total = product(header.shape[0], row_bytes);
   if (!total) return shape_error(header, "an array that fits a file");
   Layout layout{.rows = header.shape[0], .total_bytes = *total};
-  for (const std::string& column : columns) {
-    const auto found = std::find(names.begin(), names.end(), column);
-    if (found == names.end()) return missing_column(column, names);
-    const NpyField& field = header.fields[static_cast<std::size_t>(found - names.begin())];
-    MIXCMP_TRY(scalar, scalar_of(field));
-    layout.columns.push_back({scalar, field.offset, row_bytes});
+  for (const WantedColumn& column : wanted) {
+    MIXCMP_TRY(place, find_column(column, names, source));
+    MIXCMP_TRY(scalar, scalar_of(fields[place]));
+    layout.columns.push_back({{.number = place, .name = printable(names[place])},
+                              scalar,
+                              fields[place].offset,
+                              row_bytes});
   }
   return layout;
 }
@@ -139,10 +175,10 @@ std::optional<Bits> read_scalar(std::string_view bytes, const NpyScalar& scalar,
 }
 
 Result<Table> parse_npy(std::string_view file, FloatFormat format,
-                        std::span<const std::string> columns) {
+                        std::span<const WantedColumn> wanted, const std::string& source) {
   MIXCMP_TRY(header, parse_npy_header(file));
-  MIXCMP_TRY(layout, header.structured ? structured_layout(header, columns)
-                                       : plain_layout(header, columns));
+  MIXCMP_TRY(layout, header.structured ? structured_layout(header, wanted, source)
+                                       : plain_layout(header, wanted, source));
   const std::string_view data = file.substr(header.data_offset);
   if (data.size() != layout.total_bytes) {
     return Error{.field = "data",
@@ -150,15 +186,16 @@ Result<Table> parse_npy(std::string_view file, FloatFormat format,
                  .received = fmt::format("{} bytes", data.size()),
                  .accepted = fmt::format("{} bytes", layout.total_bytes)};
   }
-  Table table{.format = format, .columns = {columns.begin(), columns.end()}};
+  Table table{.format = format, .columns = {}, .source = source};
+  for (const WantedColumn& column : wanted) table.columns.push_back(column.name);
+  for (const ColumnLayout& column : layout.columns) table.origins.push_back(column.column);
   for (std::uint64_t row = 0; row < layout.rows; ++row) {
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      const ColumnLayout& column = layout.columns[k];
+    for (const ColumnLayout& column : layout.columns) {
       const auto bytes = data.substr(column.first + row * column.stride,
                                      static_cast<std::size_t>(column.scalar.bytes));
       const auto value = read_scalar(bytes, column.scalar, format);
       if (!value) {
-        return Error{.field = fmt::format("{}, row {}", columns[k], row),
+        return Error{.field = fmt::format("row {}, {}", row, column.column.shown()),
                      .message = "out of range",
                      .received = fmt::format("a number beyond the largest of {}", format.name()),
                      .accepted = "a smaller one, or a reference format with more exponent bits"};
@@ -172,12 +209,12 @@ Result<Table> parse_npy(std::string_view file, FloatFormat format,
 }  // namespace
 
 Result<Table> read_npy(const std::filesystem::path& path, FloatFormat format,
-                       std::span<const std::string> columns) {
+                       std::span<const WantedColumn> wanted) {
   MIXCMP_TRY(file, read_file(path));
-  Result<Table> table = parse_npy(file, format, columns);
+  Result<Table> table = parse_npy(file, format, wanted, path.filename().string());
   if (table.ok()) return table;
   Error error = table.error();
-  error.file = path.string();
+  if (error.file.empty()) error.file = path.string();
   return error;
 }
 

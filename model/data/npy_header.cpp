@@ -55,6 +55,9 @@ public:
     while (!take('}')) {
       MIXCMP_TRY(key, string());
       if (!take(':')) return unexpected("':'");
+      const bool again = (key == "descr" && has_type) || (key == "fortran_order" && has_order) ||
+                         (key == "shape" && has_shape);
+      if (again) return header_error("a key given twice", in_quotes(key), "each key once");
       if (key == "descr") {
         MIXCMP_TRY(done, type(header));
         has_type = true;
@@ -71,6 +74,7 @@ public:
       }
       take(',');
     }
+    if (!at_end()) return unexpected("the end of the header");
     if (has_type && has_order && has_shape) return header;
     return header_error("a key is missing", "the header's dictionary",
                         "descr, fortran_order and shape");
@@ -83,6 +87,8 @@ private:
     text_.remove_prefix(1);
     return true;
   }
+
+  bool at_end() const { return text_.find_first_not_of(" \n") == std::string_view::npos; }
 
   Error unexpected(std::string accepted) const {
     return header_error("malformed", in_quotes(text_.substr(0, 20)), std::move(accepted));

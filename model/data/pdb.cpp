@@ -98,9 +98,9 @@ Result<Atom> read_atom(std::string_view line, FloatFormat format) {
   }
   MIXCMP_TRY(r, read_number(format, *radius));
   return Atom{.sphere = {x, y, z, r},
-              .label = fmt::format(
+              .label = printable(fmt::format(
                   "{} {} {} {}", field(line, chain_columns), trimmed(field(line, sequence_columns)),
-                  trimmed(field(line, residue_columns)), trimmed(field(line, name_columns))),
+                  trimmed(field(line, residue_columns)), trimmed(field(line, name_columns)))),
               .alternate = field(line, alternate_columns),
               .occupancy = occupancy};
 }
@@ -130,11 +130,19 @@ private:
 
 Result<Molecule> read_molecule(std::string_view text, FloatFormat format) {
   Molecule molecule;
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t end = text.find('\n');
     std::string_view line = text.substr(0, end);
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.find('\r') != std::string_view::npos) {
+      return Error{.line = number,
+                   .message = "not a line of a PDB file",
+                   .received = "CR within it",
+                   .accepted = "lines that end in LF or CR LF"};
+    }
     if (line.starts_with("ENDMDL")) break;
     if (!line.starts_with("ATOM  ") && !line.starts_with("HETATM")) continue;
     Result<Atom> atom = read_atom(line, format);

@@ -3,6 +3,7 @@ target_sources(mixcmp_model PRIVATE
   data/comparisons.cpp
   data/csv.cpp
   data/dyadic.cpp
+  data/input_sources.cpp
   data/near_tie.cpp
   data/npy.cpp
   data/npy_header.cpp

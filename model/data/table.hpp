@@ -8,20 +8,35 @@
 
 namespace mixcmp::model {
 
+/// A column as its file has it.
+struct FileColumn {
+  std::uint64_t number;  ///< counted from 0
+  std::string name;      ///< empty where the file has no names
+
+  /// `width`, or `column 2` where there is no name.
+  std::string shown() const { return name.empty() ? "column " + std::to_string(number) : name; }
+};
+
 /// Rows of numbers in one format: spheres, atoms, points, or whole comparisons.
 struct Table {
   FloatFormat format;
   std::vector<std::string> columns;
-  std::vector<Bits> values;  ///< row-major, rows() * columns.size()
-  /// What a report calls row i (an atom's "A 151 MET CA"); empty: the row number.
-  std::vector<std::string> labels;
+  std::vector<Bits> values = {};  ///< row-major, rows() * columns.size()
+  /// What a report calls row i (an atom's "A 151 MET CA"); empty: its line or its number.
+  std::vector<std::string> labels = {};
+  std::vector<int> lines = {};           ///< the line of its file that row i begins in, if any has
+  std::string source = {};               ///< the file's name, or what the rows are made of
+  std::vector<FileColumn> origins = {};  ///< one per column where there is a source
 
   std::size_t rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
   Bits at(std::size_t row, std::size_t column) const {
     return values[row * columns.size() + column];
   }
+  /// The label, "of line 7", or the number counted from 0.
   std::string label(std::size_t row) const {
-    return labels.empty() ? std::to_string(row) : labels[row];
+    if (!labels.empty()) return labels[row];
+    if (!lines.empty()) return "of line " + std::to_string(lines[row]);
+    return std::to_string(row);
   }
 };
 

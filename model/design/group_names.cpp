@@ -16,17 +16,6 @@ std::string bound_name_of_part(const Lane& lane) {
   return fmt::format("running_{}", absolute->bound.format.precision);
 }
 
-/// Of parts whose bounds differ: each kind once.
-std::string bound_name(const CombinedLane& lane) {
-  std::string name;
-  std::set<std::string> told;
-  for (const Lane& part : lane.parts) {
-    const std::string kind = bound_name_of_part(part);
-    if (told.insert(kind).second) name += (name.empty() ? "" : "_") + kind;
-  }
-  return name;
-}
-
 /// Words for what may tell a group from another of its format.
 std::vector<std::string> traits_of(const LaneGroup& group) {
   const Arithmetic& arithmetic = group.lane.arithmetic();
@@ -40,6 +29,16 @@ FloatFormat format_of(const LaneGroup& group) {
 }
 
 }  // namespace
+
+std::string bound_name(const CombinedLane& lane) {
+  std::string name;
+  std::set<std::string> told;
+  for (const Lane& part : lane.parts) {
+    const std::string kind = bound_name_of_part(part);
+    if (told.insert(kind).second) name += (name.empty() ? "" : "_") + kind;
+  }
+  return name;
+}
 
 std::vector<std::string> lane_group_names(const Design& design) {
   std::vector<std::string> names;

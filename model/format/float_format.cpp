@@ -9,9 +9,6 @@
 namespace mixcmp::model {
 namespace {
 
-constexpr std::string_view accepted_formats =
-    "sPeE with P 2..113 and E 2..15, or binary16, bfloat16, binary32, binary64, binary128";
-
 struct NamedFormat {
   std::string_view name;
   int precision;
@@ -29,7 +26,7 @@ constexpr std::array<NamedFormat, 5> named_formats = {{
 Error format_error(std::string received) {
   return {.message = "not a floating-point format",
           .received = std::move(received),
-          .accepted = std::string(accepted_formats)};
+          .accepted = FloatFormat::accepted()};
 }
 
 /// Reads a decimal integer that fills `text`; -1 where it does not.
@@ -46,6 +43,16 @@ Result<FloatFormat> FloatFormat::make(int precision, int exponent_bits) {
                      min_exponent_bits <= exponent_bits && exponent_bits <= max_exponent_bits;
   if (!valid) return format_error(fmt::format("s{}e{}", precision, exponent_bits));
   return FloatFormat(precision, exponent_bits);
+}
+
+std::string FloatFormat::accepted(int least, int most) {
+  std::string names;
+  for (const NamedFormat& named : named_formats) {
+    if (named.precision < least || named.precision > most) continue;
+    names += fmt::format("{}{}", names.empty() ? ", or " : ", ", named.name);
+  }
+  return fmt::format("sPeE with P {}..{} and E {}..{}{}", least, most, min_exponent_bits,
+                     max_exponent_bits, names);
 }
 
 Result<FloatFormat> FloatFormat::parse(std::string_view text) {

@@ -18,6 +18,9 @@ public:
 
   static Result<FloatFormat> make(int precision, int exponent_bits);
 
+  /// How messages say what `parse` takes, of formats with a precision from `least` to `most`.
+  static std::string accepted(int least = min_precision, int most = max_precision);
+
   /// Reads "s17e8", or one of binary16, bfloat16, binary32, binary64, binary128.
   static Result<FloatFormat> parse(std::string_view text);
 

@@ -21,6 +21,25 @@ bool is_zero(const Interval& x) {
   return mpfr_zero_p(x.low.get()) != 0 && mpfr_zero_p(x.high.get()) != 0;
 }
 
+bool is_point(const Interval& x) {
+  return mpfr_equal_p(x.low.get(), x.high.get()) != 0;
+}
+
+bool is_finite(const Interval& x) {
+  return mpfr_number_p(x.low.get()) != 0 && mpfr_number_p(x.high.get()) != 0;
+}
+
+/// Whether |x| < 2^exponent.
+bool is_below(const BigFloat& x, std::int64_t exponent) {
+  return mpfr_zero_p(x.get()) != 0 || mpfr_get_exp(x.get()) <= exponent;
+}
+
+/// Whether the interval is so narrow around zero that a number of this separation must be zero.
+bool is_proven_zero(const Interval& x, const Separation& separation) {
+  const auto least = separation.least_exponent();
+  return least && is_below(x.low, *least) && is_below(x.high, *least);
+}
+
 bool may_be_zero(const Interval& x) {
   return mpfr_sgn(x.low.get()) <= 0 && mpfr_sgn(x.high.get()) >= 0;
 }
@@ -84,7 +103,11 @@ Enclosure::Enclosure(const Graph& graph, mpfr_prec_t precision)
     : Enclosure(graph, {graph.f(), graph.g()}, precision) {}
 
 Enclosure::Enclosure(const Graph& graph, Sides part, mpfr_prec_t precision)
-    : graph_(graph), part_(part), needed_(needed_nodes(graph, part)), scratch_(precision) {
+    : graph_(graph),
+      part_(part),
+      needed_(needed_nodes(graph, part)),
+      known_(needed_.size(), false),
+      scratch_(precision) {
   MIXCMP_CHECK(precision >= encoding_precision);
   values_.reserve(graph.nodes().size());
   for (size_t id = 0; id < graph.nodes().size(); ++id) {
@@ -93,11 +116,75 @@ Enclosure::Enclosure(const Graph& graph, Sides part, mpfr_prec_t precision)
 }
 
 Knowledge Enclosure::compute(FloatFormat format, std::span<const Bits> inputs) {
+  separations_.clear();
   Knowledge knowledge = Knowledge::enclosed;
-  for (size_t id = 0; id < values_.size() && knowledge == Knowledge::enclosed; ++id) {
-    if (needed_[id]) knowledge = compute_node(static_cast<NodeId>(id), format, inputs);
+  for (NodeId id = 0; id < static_cast<NodeId>(values_.size()); ++id) {
+    if (!needed_[id]) continue;
+    known_[id] = false;
+    if (!operands_are_known(id)) continue;
+    const Knowledge one = compute_node(id, format, inputs);
+    if (one == Knowledge::undefined) return one;
+    // Beyond MPFR's exponents no digits help.
+    known_[id] = one == Knowledge::enclosed && is_finite(values_[id]);
+    if (!known_[id]) knowledge = Knowledge::uncertain;
+    if (known_[id]) decide_zero(id);
   }
   return knowledge;
+}
+
+bool Enclosure::operands_are_known(NodeId id) const {
+  const Node& node = graph_.nodes()[id];
+  for (int k = 0; k < arity(node.operation); ++k) {
+    if (!known_[node.operands[k]]) return false;
+  }
+  return true;
+}
+
+void Enclosure::decide_zero(NodeId id) {
+  Interval& y = values_[id];
+  if (!may_be_zero(y) || is_point(y) || !is_proven_zero(y, separation(id))) return;
+  mpfr_set_zero(y.low.get(), 1);
+  mpfr_set_zero(y.high.get(), 1);
+}
+
+bool Enclosure::are_equal() {
+  if (part_.f == part_.g) return true;
+  Interval difference{BigFloat(scratch_.precision()), BigFloat(scratch_.precision())};
+  mpfr_sub(difference.low.get(), f().low.get(), g().high.get(), MPFR_RNDD);
+  mpfr_sub(difference.high.get(), f().high.get(), g().low.get(), MPFR_RNDU);
+  if (is_zero(difference)) return true;
+  return may_be_zero(difference) &&
+         is_proven_zero(difference, separation_of_sum(separation(part_.f), separation(part_.g)));
+}
+
+const Separation& Enclosure::separation(NodeId id) {
+  if (separations_.empty()) separations_.resize(values_.size());
+  if (!separations_[id]) separations_[id] = find_separation(id);
+  return *separations_[id];
+}
+
+/// A point is a number, whatever it was computed from.
+Separation Enclosure::find_separation(NodeId id) {
+  if (is_point(values_[id])) return separation_of(values_[id].low);
+  const Node& node = graph_.nodes()[id];
+  const auto a = [&]() -> const Separation& { return separation(node.operands[0]); };
+  const auto b = [&]() -> const Separation& { return separation(node.operands[1]); };
+  switch (node.operation) {
+    case Operation::constant: return separation_of(node.value);
+    case Operation::negate:
+    case Operation::absolute: return a();
+    case Operation::add:
+    case Operation::subtract: return separation_of_sum(a(), b());
+    case Operation::multiply: return separation_of_product(a(), b());
+    case Operation::square: return separation_of_product(a(), a());
+    case Operation::divide: return separation_of_quotient(a(), b());
+    case Operation::square_root: return separation_of_root(a(), id);
+    case Operation::minimum:
+    case Operation::maximum: return separation_of_either(a(), b());
+    case Operation::input:  // always a point
+    case Operation::convert: break;
+  }
+  MIXCMP_CHECK(false);
 }
 
 Knowledge Enclosure::compute_node(NodeId id, FloatFormat format, std::span<const Bits> inputs) {

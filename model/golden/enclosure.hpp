@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "model/expression/graph.hpp"
 #include "model/format/float_format.hpp"
 #include "model/golden/big_float.hpp"
+#include "model/golden/separation.hpp"
 
 namespace mixcmp::model::golden {
 
@@ -22,26 +24,38 @@ enum class Knowledge {
   undefined,  ///< a divisor is zero, a radicand negative, or an input not finite
 };
 
-/// Interval arithmetic over the nodes that f and g need, every end rounded outward.
+/// Interval arithmetic over the nodes that f and g need, every end rounded outward. A value that
+/// its interval does not tell from zero is taken for an exact zero where it is proven to be one:
+/// where the interval is narrower than the value's separation from zero.
 class Enclosure {
 public:
   /// Of the only part. At least encoding_precision digits. Looks at `graph` as long as it lives.
   Enclosure(const Graph& graph, mpfr_prec_t precision);
   Enclosure(const Graph& graph, Sides part, mpfr_prec_t precision);
 
+  /// `undefined` if any node is, even where another node is uncertain.
   Knowledge compute(FloatFormat format, std::span<const Bits> inputs);
 
   /// After compute() said `enclosed`.
   const Interval& f() const { return values_[part_.f]; }
   const Interval& g() const { return values_[part_.g]; }
+  /// Whether f = g is proven; after compute() said `enclosed`.
+  bool are_equal();
 
 private:
+  bool operands_are_known(NodeId id) const;
   Knowledge compute_node(NodeId id, FloatFormat format, std::span<const Bits> inputs);
+  void decide_zero(NodeId id);
+  const Separation& separation(NodeId id);
+  Separation find_separation(NodeId id);
 
   const Graph& graph_;
   Sides part_;
   std::vector<bool> needed_;
+  std::vector<bool> known_;  ///< the node has an interval
   std::vector<Interval> values_;
+  /// Found where they are asked for, which is seldom; empty until then.
+  std::vector<std::optional<Separation>> separations_;
   BigFloat scratch_;
 };
 

@@ -137,40 +137,22 @@ mpfr_prec_t last_precision(FloatFormat format) {
   return std::max(1 << 14, 4 << format.exponent_bits());
 }
 
-/// `unordered` here: the intervals do not tell.
-Verdict order(const Interval& f, const Interval& g) {
-  if (mpfr_less_p(f.high.get(), g.low.get())) return Verdict::less;
-  if (mpfr_greater_p(f.low.get(), g.high.get())) return Verdict::greater;
-  const bool points =
-      mpfr_equal_p(f.low.get(), f.high.get()) != 0 && mpfr_equal_p(g.low.get(), g.high.get()) != 0;
-  return points && mpfr_equal_p(f.low.get(), g.low.get()) ? Verdict::equal : Verdict::unordered;
-}
-
-/// What intervals of up to `most` bits tell of one part, and how far they came.
-struct Told {
-  std::optional<Verdict> verdict;
-  Knowledge knowledge = Knowledge::uncertain;
-};
-
-Told tell(const Graph& graph, Sides part, FloatFormat format, std::span<const Bits> inputs,
-          mpfr_prec_t most) {
-  Told told;
+/// The order of one part, as far as intervals of up to `most` digits tell.
+std::optional<Verdict> tell(const Graph& graph, Sides part, FloatFormat format,
+                            std::span<const Bits> inputs, mpfr_prec_t most) {
   for (mpfr_prec_t precision = std::min(first_precision, most); precision <= most; precision *= 2) {
     Enclosure enclosure(graph, part, precision);
-    told.knowledge = enclosure.compute(format, inputs);
-    if (told.knowledge == Knowledge::undefined) return {Verdict::unordered, told.knowledge};
-    if (told.knowledge == Knowledge::uncertain) continue;
-    const Verdict verdict = order(enclosure.f(), enclosure.g());
-    if (verdict != Verdict::unordered) return {verdict, told.knowledge};
+    switch (enclosure.compute(format, inputs)) {
+      case Knowledge::undefined: return Verdict::unordered;
+      case Knowledge::uncertain: continue;
+      case Knowledge::enclosed: break;
+    }
+    const Interval &f = enclosure.f(), &g = enclosure.g();
+    if (mpfr_less_p(f.high.get(), g.low.get())) return Verdict::less;
+    if (mpfr_greater_p(f.low.get(), g.high.get())) return Verdict::greater;
+    if (enclosure.are_equal()) return Verdict::equal;
   }
-  return told;
-}
-
-Verdict true_verdict_of_part(const Graph& graph, Sides part, FloatFormat format,
-                             std::span<const Bits> inputs) {
-  const Told told = tell(graph, part, format, inputs, last_precision(format));
-  const bool uncertain = told.knowledge == Knowledge::uncertain;
-  return told.verdict.value_or(uncertain ? Verdict::unordered : Verdict::equal);
+  return std::nullopt;
 }
 
 /// Less and greater alone: where combining starts, since it changes nothing.
@@ -271,23 +253,26 @@ Verdict evaluate_reference(const CombinedGraph& reference, std::span<const Bits>
                           [&](const TypedGraph& part) { return evaluate_reference(part, inputs); });
 }
 
-Verdict true_verdict(const Graph& graph, FloatFormat format, std::span<const Bits> inputs) {
-  return combined_verdict(graph.combination(), graph.parts(), [&](const Sides& part) {
-    return true_verdict_of_part(graph, part, format, inputs);
-  });
+std::optional<Verdict> true_verdict(const Graph& graph, FloatFormat format,
+                                    std::span<const Bits> inputs) {
+  return verdict_within(graph, format, inputs, last_precision(format));
 }
 
 std::optional<Verdict> verdict_within(const Graph& graph, FloatFormat format,
-                                      std::span<const Bits> inputs, int bits) {
+                                      std::span<const Bits> inputs, long bits) {
   const Verdict dominating = dominating_verdict(graph.combination());
   std::optional<Verdict> verdict = opposite(dominating);
   for (const Sides& part : graph.parts()) {
-    const std::optional<Verdict> one = tell(graph, part, format, inputs, bits).verdict;
+    const std::optional<Verdict> one = tell(graph, part, format, inputs, bits);
     if (one == dominating) return dominating;
     verdict =
         verdict && one ? std::optional(combine(graph.combination(), *verdict, *one)) : std::nullopt;
   }
   return verdict;
+}
+
+std::string_view to_string(const std::optional<Verdict>& truth) {
+  return truth ? to_string(*truth) : "undetermined";
 }
 
 }  // namespace mixcmp::model::golden

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "model/error/combined_lane.hpp"
@@ -46,17 +47,23 @@ Verdict dominating_verdict(Combination combination);
 /// One verdict of two parts' verdicts; associative and commutative.
 Verdict combine(Combination combination, Verdict a, Verdict b);
 
-/// The ordering of the real numbers f and g of these inputs, which are exact values in `format`; of
-/// several parts, their combined verdict.
-/// Decided by interval arithmetic of growing precision; `unordered` for a NaN, for an infinite
-/// input, for a division by an exact zero and for the root of a negative number. Precision stops at
-/// 2^14 bits (2^15 to 2^17 for 13 to 15 exponent bits): where f and g still cannot be told apart
-/// they are called equal, and a divisor or a radicand that still may be zero or negative makes the
-/// verdict unordered.
-Verdict true_verdict(const Graph& graph, FloatFormat format, std::span<const Bits> inputs);
+/// The order of the real numbers f and g of these inputs, which are exact values in `format`; of
+/// several parts, their combined verdict. It is `unordered` where f or g has no value: for a NaN,
+/// an infinite input, a division by zero and the root of a negative number.
+///
+/// Decided by interval arithmetic of growing precision; where intervals do not tell a value from
+/// zero, by the value's separation from zero (separation.hpp), so that ties and zeros hidden behind
+/// roots and roundoff are proven and never guessed. There is no verdict, "undetermined", where
+/// 2^14 bits do not suffice (2^15 to 2^17 bits for 13 to 15 exponent bits): ties of sums of about
+/// eight roots and more, and of rational numbers of that many bits.
+std::optional<Verdict> true_verdict(const Graph& graph, FloatFormat format,
+                                    std::span<const Bits> inputs);
 
-/// The same, as far as intervals of at most `bits` digits tell; none where they do not.
+/// As true_verdict, with intervals of at most `bits` digits; `bits` is at least 128.
 std::optional<Verdict> verdict_within(const Graph& graph, FloatFormat format,
-                                      std::span<const Bits> inputs, int bits);
+                                      std::span<const Bits> inputs, long bits);
+
+/// "less", or "undetermined" where there is none.
+std::string_view to_string(const std::optional<Verdict>& truth);
 
 }  // namespace mixcmp::model::golden

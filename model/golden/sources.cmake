@@ -5,4 +5,5 @@ target_sources(mixcmp_model PRIVATE
   golden/enclosure.cpp
   golden/encoding.cpp
   golden/evaluate.cpp
+  golden/separation.cpp
 )

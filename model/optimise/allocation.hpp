@@ -8,6 +8,7 @@
 
 #include "model/common/result.hpp"
 #include "model/devices/area.hpp"
+#include "model/scene/limits.hpp"
 
 /// Step 3 of the paper's Algorithm 1: how many datapaths of each kind fill a device best.
 namespace mixcmp::model {
@@ -56,8 +57,8 @@ struct AllocationProblem {
   double slack = 0.2;  ///< R_S
   ClockDomains clocks = ClockDomains::single;
   ReferenceSharing sharing = ReferenceSharing::dealt;
-  int max_lanes = 512;
-  int max_references = 16;
+  int max_lanes = limits::lanes.most;
+  int max_references = limits::references.most;
 };
 
 struct Allocation {

@@ -20,8 +20,8 @@ struct ClockChoice {
 };
 
 struct OptimiseOptions {
-  int first_precision = 4;
-  int last_precision = 52;
+  int first_precision = limits::lane_precision.least;
+  int last_precision = limits::lane_precision.most;
   /// What may be used; empty: all that the table has.
   std::vector<std::string> inputs;
   std::vector<std::string> bounds;

@@ -8,6 +8,7 @@ target_sources(mixcmp_model PRIVATE
   optimise/exploration.cpp
   optimise/feasibility.cpp
   optimise/figures.cpp
+  optimise/footprint.cpp
   optimise/integer_program.cpp
   optimise/kinds_at_clock.cpp
   optimise/optimise.cpp

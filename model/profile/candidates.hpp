@@ -18,7 +18,8 @@ public:
   const OperandBlock& operands() const { return operands_; }
   OperandBlock& operands() { return operands_; }
 
-  std::vector<Decision> truth;      ///< the order of the real numbers f and g
+  /// The order of the real numbers f and g; `undecided` where it is undetermined.
+  std::vector<Decision> truth;
   std::vector<Decision> reference;  ///< what the reference datapath answers
   /// Bit k: system k is still to be looked at.
   std::vector<std::uint32_t> systems;

@@ -18,10 +18,6 @@ Error unsuitable(const Scene& scene, const std::string& field, FloatFormat forma
 
 }  // namespace
 
-int highest_profiled_precision(const Scene& scene) {
-  return std::min(52, scene.reference.format.precision());
-}
-
 Result<Done> check_profile(const Scene& scene, const ProfileOptions& options) {
   if (!double_holds(scene.reference.format)) {
     return unsuitable(scene, "reference.format", scene.reference.format);
@@ -29,17 +25,17 @@ Result<Done> check_profile(const Scene& scene, const ProfileOptions& options) {
   if (scene.reduced.format && !double_holds(*scene.reduced.format)) {
     return unsuitable(scene, "reduced.format", *scene.reduced.format);
   }
-  const int highest = highest_profiled_precision(scene);
-  if (options.first_precision < 4 || options.last_precision > highest ||
+  const Limits allowed = lane_precisions(scene.reference.format);
+  if (!allowed.hold(options.first_precision) || !allowed.hold(options.last_precision) ||
       options.first_precision > options.last_precision) {
     return Error{
         .file = scene.path.string(),
         .field = "--first, --last",
         .message = "no such precisions can be profiled",
         .received = fmt::format("L = {}..{}", options.first_precision, options.last_precision),
-        .accepted = fmt::format("4..{}, at most the reference's, the first not after "
+        .accepted = fmt::format("{}, at most the reference's, the first not after "
                                 "the last",
-                                highest)};
+                                to_string(allowed))};
   }
   return Done{};
 }

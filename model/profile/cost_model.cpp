@@ -75,9 +75,16 @@ double node_luts(const TypedGraph& graph, const TypedNode& node) {
   MIXCMP_CHECK(false);
 }
 
-double graph_luts(const TypedGraph& graph) {
+bool is_product(const TypedNode& node) {
+  return node.operation == Operation::multiply || node.operation == Operation::square;
+}
+
+double graph_luts(const TypedGraph& graph, Products products) {
   double luts = 0;
-  for (const TypedNode& node : graph.nodes) luts += node_luts(graph, node);
+  for (const TypedNode& node : graph.nodes) {
+    if (products == Products::left_out && is_product(node)) continue;
+    luts += node_luts(graph, node);
+  }
   return luts;
 }
 
@@ -141,20 +148,21 @@ bool read_number(const std::string& text, Number& number) {
 
 }  // namespace
 
-double lane_luts(const CombinedLane& lane) {
+double lane_luts(const CombinedLane& lane, Products products) {
   const int precision = lane.arithmetic().format.precision();
   const SharedLane shared = share(lane);
-  double luts = graph_luts(shared.graph);
+  double luts = graph_luts(shared.graph, products);
   for (const SharedPart& part : shared.parts) {
     luts += std::visit(DecisionLuts{precision}, part.decision);
   }
   return luts;
 }
 
-double reference_luts(const CombinedGraph& reference) {
+double reference_luts(const CombinedGraph& reference, Products products) {
   const SharedGraph shared = share(reference);
-  return graph_luts(shared.graph) + static_cast<double>(shared.sides.size()) *
-                                        comparison(reference.arithmetic().format.precision());
+  return graph_luts(shared.graph, products) +
+         static_cast<double>(shared.sides.size()) *
+             comparison(reference.arithmetic().format.precision());
 }
 
 namespace {

@@ -10,11 +10,17 @@
 
 namespace mixcmp::model {
 
+/// Whether an estimate includes products.
+enum class Products {
+  in_luts,
+  left_out,  ///< embedded multipliers take them
+};
+
 /// A rough area of datapaths, in LUTs of six inputs and no DSPs: one term an operation, fitted to
 /// what Yosys makes of our units (docs/profile.md has the measurements). Good for comparing
 /// precisions of one expression; registers, streams and the crossbar are not in it.
-double lane_luts(const CombinedLane& lane);
-double reference_luts(const CombinedGraph& reference);
+double lane_luts(const CombinedLane& lane, Products products = Products::in_luts);
+double reference_luts(const CombinedGraph& reference, Products products = Products::in_luts);
 
 /// Areas that somebody has measured; they replace the rough ones, system by system.
 class MeasuredAreas {

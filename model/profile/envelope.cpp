@@ -33,7 +33,7 @@ Envelope::Envelope(const TypedGraph& lane, const Options& options)
     : options_(options), graph_(lane) {
   const FloatFormat format = lane.arithmetic.format, reference = options.reference;
   MIXCMP_CHECK(format.precision() == options.anchor && options.anchor <= options.last &&
-               options.last <= std::min(52, reference.precision()) && reference.precision() <= 53);
+               options.last <= lane_precisions(reference).most && reference.precision() <= 53);
   const bool nearest = lane.arithmetic.rounding == Rounding::nearest_even;
   unit_ = std::ldexp(1.0, (nearest ? 0 : 1) - options.anchor);
   lowest_ = 1 + std::max({format.min_exponent(), reference.min_exponent(), lowest_in_double});

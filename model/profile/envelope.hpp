@@ -6,6 +6,7 @@
 
 #include "model/expression/typed_graph.hpp"
 #include "model/profile/node_magnitudes.hpp"
+#include "model/scene/limits.hpp"
 
 namespace mixcmp::model {
 
@@ -31,8 +32,8 @@ struct EnvelopeBlock {
 class Envelope {
 public:
   struct Options {
-    int anchor = 4;  ///< A
-    int last = 52;
+    int anchor = limits::lane_precision.least;  ///< A
+    int last = limits::lane_precision.most;
     FloatFormat reference;  ///< also evaluates the comparison, in its own precision
     std::vector<NodeMagnitude> inputs;
   };

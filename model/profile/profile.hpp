@@ -21,16 +21,14 @@ enum class ProfileMethod {
 };
 
 struct ProfileOptions {
-  int first_precision = 4, last_precision = 52;
+  int first_precision = limits::lane_precision.least;
+  int last_precision = limits::lane_precision.most;
   std::uint64_t error_samples = 1'000'000;  ///< for figure 4 and the profiled constants
   unsigned threads = 0;                     ///< 0: as many as the machine has
   ProfileMethod method = ProfileMethod::envelope;
   /// Called with what is being done and the share that is, 0..1; from any thread, one at a time.
   std::function<void(const std::string&, double)> progress = {};
 };
-
-/// 52, or the reference's where that is less.
-int highest_profiled_precision(const Scene& scene);
 
 /// Errors name the scene's field: a reference that double does not hold, precisions that no lane
 /// can have.
@@ -85,11 +83,13 @@ struct SystemProfile {
 /// Figure 5 and the wrong verdicts.
 struct RateProfile {
   LaneInputs inputs = LaneInputs::exact;
-  int first_precision = 4;
+  int first_precision = limits::lane_precision.least;
   std::uint64_t comparisons = 0;
   std::uint64_t reference_wrong = 0;  ///< verdicts of the reference datapath alone
   std::uint64_t true_verdicts = 0;    ///< how many it took MPFR to decide
-  std::uint64_t emulated = 0;         ///< lane evaluations
+  /// Of these, how many stayed undetermined; nobody is called wrong there.
+  std::uint64_t undetermined = 0;
+  std::uint64_t emulated = 0;  ///< lane evaluations
   std::vector<SystemProfile> systems;
 };
 

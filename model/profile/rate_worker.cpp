@@ -6,6 +6,15 @@
 
 namespace mixcmp::model {
 
+namespace {
+
+/// Nobody is wrong where the truth is undetermined.
+bool is_wrong(Decision verdict, Decision truth) {
+  return verdict != truth && truth != Decision::undecided;
+}
+
+}  // namespace
+
 RateTally::RateTally(const RateJob& job) {
   for (const SystemLanes& system : job.systems) {
     std::vector<SystemCounts>& row = counts.emplace_back();
@@ -23,6 +32,7 @@ void RateTally::add(const RateTally& other) {
   }
   reference_wrong += other.reference_wrong;
   true_verdicts += other.true_verdicts;
+  undetermined += other.undetermined;
   emulated += other.emulated;
 }
 
@@ -87,9 +97,11 @@ void RateWorker::find_true_verdicts(std::uint64_t first, Candidates& candidates)
     const std::size_t k = indices[n] - first;
     job_.source.data().fetch(indices[n], operands);
     candidates.reference[k] = decisions_[n];
-    candidates.truth[k] = static_cast<Decision>(
-        golden::true_verdict(job_.scene.graph, job_.scene.reference.format, operands));
-    if (candidates.reference[k] != candidates.truth[k]) ++tally_.reference_wrong;
+    const auto truth =
+        golden::true_verdict(job_.scene.graph, job_.scene.reference.format, operands);
+    candidates.truth[k] = truth ? static_cast<Decision>(*truth) : Decision::undecided;
+    if (!truth) ++tally_.undetermined;
+    if (is_wrong(candidates.reference[k], candidates.truth[k])) ++tally_.reference_wrong;
   }
   tally_.true_verdicts += indices.size();
 }
@@ -184,9 +196,9 @@ void RateWorker::run_lane(const Stage::Runner& runner, std::size_t system, int p
     const bool open = decisions_[n] == Decision::undecided;
     const Decision verdict = open ? candidates.reference[n] : decisions_[n];
     undecided += open ? 1 : 0;
-    const bool is_wrong = verdict != candidates.truth[n];
-    wrong += is_wrong ? 1 : 0;
-    wrong_by_lane += is_wrong && !open ? 1 : 0;
+    const bool blamed = is_wrong(verdict, candidates.truth[n]);
+    wrong += blamed ? 1 : 0;
+    wrong_by_lane += blamed && !open ? 1 : 0;
   }
   SystemCounts& counts = tally_.counts[system][precision - job_.stages.front().anchor()];
   counts.undecided += undecided;

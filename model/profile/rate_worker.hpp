@@ -30,7 +30,7 @@ struct RateJob {
 struct RateTally {
   /// One a system, one a precision.
   std::vector<std::vector<SystemCounts>> counts;
-  std::uint64_t reference_wrong = 0, true_verdicts = 0, emulated = 0;
+  std::uint64_t reference_wrong = 0, true_verdicts = 0, undetermined = 0, emulated = 0;
 
   explicit RateTally(const RateJob& job);
   void add(const RateTally& other);

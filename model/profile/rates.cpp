@@ -129,6 +129,7 @@ RateProfile profile_rates(const Scene& scene, const Comparisons& data, const Err
                       .comparisons = data.size(),
                       .reference_wrong = tally.reference_wrong,
                       .true_verdicts = tally.true_verdicts,
+                      .undetermined = tally.undetermined,
                       .emulated = tally.emulated,
                       .systems = {}};
   std::size_t counted = 0;

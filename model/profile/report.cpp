@@ -91,7 +91,12 @@ void add_wrong_lanes(Page& page, const RateProfile& profile) {
 void add_rates(Page& page, const RateProfile& profile) {
   page.add("\nrecomputation rate and wrong verdicts, {} inputs, {} comparisons\n",
            to_string(profile.inputs), profile.comparisons);
-  page.add("the reference alone: {} wrong\n{:>4}", profile.reference_wrong, "L");
+  page.add("the reference alone: {} wrong\n", profile.reference_wrong);
+  if (profile.undetermined > 0) {
+    page.add("the truth is undetermined of {}, which count as wrong of nobody\n",
+             profile.undetermined);
+  }
+  page.add("{:>4}", "L");
   std::string units = "    ";
   for (const SystemProfile& system : profile.systems) {
     if (!exists(system)) continue;
@@ -162,6 +167,7 @@ Json to_json(const RateProfile& profile) {
           {"comparisons", profile.comparisons},
           {"reference_wrong", profile.reference_wrong},
           {"true_verdicts_by_mpfr", profile.true_verdicts},
+          {"truth_undetermined", profile.undetermined},
           {"lane_evaluations", profile.emulated},
           {"systems", std::move(systems)}};
 }

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "model/common/check.hpp"
-#include "model/proof/cone.hpp"
+#include "model/proof/constant_proof.hpp"
 #include "model/proof/node_prover.hpp"
 #include "model/proof/rule_proof.hpp"
 
@@ -14,13 +14,6 @@ namespace {
 
 void append(std::vector<Finding>& findings, std::vector<Finding> more) {
   for (Finding& finding : more) findings.push_back(std::move(finding));
-}
-
-/// A running bound may be a number too: what that leaves out is in guard and conditions.
-bool is_constant(const AbsoluteBoundDecision& decision) {
-  const std::vector<BoundNode>& nodes = decision.bound.nodes;
-  return decision.guard_ulp == 0 && decision.conditions.empty() && nodes.size() == 1 &&
-         nodes.front().operation == BoundOperation::constant;
 }
 
 /// The two sides of the difference that decides.
@@ -34,8 +27,9 @@ Finding prove_from_ranges(const Lane& lane, const AbsoluteBoundDecision& decisio
                           const Prove& prove) {
   Finding finding{"f - g, the whole expression, from the ranges", Outcome::not_expressible, ""};
   const auto [f, g] = sides(lane, decision);
-  const mpq_class& bound = decision.bound.nodes.front().constant;
-  const RangeScript range = range_script(lane, f, g, bound);
+  const std::optional<mpq_class> bound = decided_beyond(lane);
+  if (!bound) return {finding.what, Outcome::proven, "an infinite bound decides nothing"};
+  const RangeScript range = range_script(lane, f, g, *bound);
   finding.detail = range.obstacle;
   if (!range.script) return finding;
   const ScriptResult result = prove(*range.script);
@@ -47,30 +41,34 @@ Finding prove_from_ranges(const Lane& lane, const AbsoluteBoundDecision& decisio
 
 }  // namespace
 
-LaneProof prove_absolute(const Lane& lane, const ErrorAnalysis& analysis, const Prove& prove) {
+LaneProof prove_absolute(const Lane& lane, const ErrorAnalysis& analysis, const Prove& prove,
+                         Effort effort) {
   const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
   const bool constant = is_constant(decision);
   LaneProof proof;
   proof.lane = describe_arithmetic(lane.graph.arithmetic);
   proof.kind = constant ? "constant" : "running";
-  proof.by_hand = {"that a non-exceptional result is the rounding with unbounded exponents",
-                   "theorem 8 of docs/error_bounds.md: from the bound of f - g to its sign"};
-  if (constant) {
+  const ByHand decides = {"8", "theorem 8: from the bound of f - g to its sign"};
+  proof.by_hand = {scaling_by_hand()};
+  if (constant && effort == Effort::whole) {
     Finding whole = prove_from_ranges(lane, decision, prove);
     const bool settled = whole.outcome == Outcome::proven || whole.outcome == Outcome::unchecked;
     whole.optional = !settled;
     proof.findings.push_back(std::move(whole));
-    if (settled) return proof;
-    proof.by_hand.push_back("that intervals take the place of magnitudes in the bound (theorem 9)");
-  } else {
-    proof.by_hand.push_back("that bounds are rounded up in their few digits (theorem 9)");
+    if (settled) {
+      proof.by_hand.push_back(decides);
+      return proof;
+    }
   }
-  proof.by_hand.push_back("theorem 7: that an error is the sum of terms whose size is proven");
-  proof.by_hand.push_back("that rounding and its error scale with powers of two");
+  proof.by_hand.push_back({"7",
+                           "theorem 7: that an error is the sum of terms whose size is proven, and "
+                           "the bound their sum wherever it is in random points"});
+  proof.by_hand.push_back(decides);
   append(proof.findings, prove_rules(lane, analysis, prove));
   if (constant) {
-    proof.findings.push_back(check_constant_decision(lane, analysis));
+    append(proof.findings, prove_constant(lane, analysis, prove));
   } else {
+    proof.by_hand.push_back({"9", "theorem 9: that bounds are rounded up in their few digits"});
     append(proof.findings, check_running_decision(lane, analysis));
   }
   return proof;

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <optional>
 #include <string>
+
+#include "model/common/result.hpp"
 
 namespace mixcmp::model::proof {
 
@@ -25,8 +26,8 @@ struct GappaRun {
   std::string certificate;  ///< empty unless proven and asked for
 };
 
-/// "1.4.1" of the gappa that PATH finds; none where it finds none that runs.
-std::optional<std::string> gappa_version();
+/// "1.4.1" of the gappa that PATH finds; an error where it finds none that runs.
+Result<std::string> gappa_version();
 
 /// Runs the gappa that PATH finds on a script, for at most `seconds` of wall time.
 GappaRun run_gappa(const std::string& script, Certificate certificate, double seconds);

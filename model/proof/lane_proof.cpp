@@ -6,6 +6,7 @@
 
 #include "model/common/check.hpp"
 #include "model/proof/absolute_proof.hpp"
+#include "model/proof/hazard_proof.hpp"
 #include "model/proof/rule_proof.hpp"
 
 namespace mixcmp::model::proof {
@@ -19,10 +20,34 @@ const Finding* first_with(const std::vector<Finding>& findings, Outcome outcome)
   return found == findings.end() ? nullptr : &*found;
 }
 
-void add_once(std::vector<std::string>& list, std::string statement) {
-  if (std::find(list.begin(), list.end(), statement) == list.end()) {
-    list.push_back(std::move(statement));
+void add_once(std::vector<ByHand>& list, ByHand step) {
+  if (std::find(list.begin(), list.end(), step) == list.end()) list.push_back(std::move(step));
+}
+
+/// One that is known, a node's range, is not listed twice.
+void add_new(std::vector<Finding>& findings, std::vector<Finding> more) {
+  for (Finding& finding : more) {
+    const bool known = std::any_of(findings.begin(), findings.end(), [&](const Finding& other) {
+      return other.what == finding.what && other.outcome == finding.outcome;
+    });
+    if (!known) findings.push_back(std::move(finding));
   }
+}
+
+void add_hazards(LaneProof& proof, const Lane& lane, const Prove& prove) {
+  add_new(proof.findings, prove_hazards(lane, prove));
+  if (lane.checks.empty()) return;
+  proof.by_hand.push_back(
+      {"10", "theorem 10: that nothing is decided where an operand fails its check"});
+}
+
+std::string joined(const std::vector<ByHand>& steps) {
+  std::string text;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const bool last = k + 1 == steps.size();
+    text += (k == 0 ? "" : last ? " and " : ", ") + steps[k].theorem;
+  }
+  return text;
 }
 
 std::string described(const Finding& finding) {
@@ -53,7 +78,11 @@ bool LaneProof::refused() const {
 }
 
 std::string LaneProof::verdict() const {
-  if (machine_checked()) return "machine-checked";
+  if (machine_checked()) {
+    return by_hand.empty()
+               ? "machine-checked"
+               : fmt::format("machine-checked but for theorems {}, by hand", joined(by_hand));
+  }
   if (const Finding* finding = first_with(findings, Outcome::not_proven)) {
     return "refused: Gappa does not prove " + described(*finding);
   }
@@ -68,14 +97,22 @@ std::string LaneProof::verdict() const {
   MIXCMP_CHECK(false);
 }
 
+ByHand scaling_by_hand() {
+  return {"1 (exponents)",
+          "theorem 1: that a non-exceptional result is the rounding with unbounded exponents, that "
+          "rounding "
+          "and its error scale with powers of two, and that products with these are exact"};
+}
+
 LaneProof prove_lane(const Lane& lane, const Prove& prove, Effort effort) {
-  if (std::holds_alternative<UlpDistanceDecision>(lane.decision)) {
-    return prove_relative(lane, relative_claims(lane), prove, effort);
-  }
-  if (std::holds_alternative<AbsoluteBoundDecision>(lane.decision)) {
-    return prove_absolute(lane, analysis_of(lane), prove);
-  }
   LaneProof proof;
+  if (lane.certified()) {
+    proof = std::holds_alternative<UlpDistanceDecision>(lane.decision)
+                ? prove_relative(lane, relative_claims(lane), prove, effort)
+                : prove_absolute(lane, analysis_of(lane), prove, effort);
+    add_hazards(proof, lane, prove);
+    return proof;
+  }
   proof.lane = lane.graph.arithmetic.format.name();
   proof.kind = "profiled";
   proof.findings = {{"the bound", Outcome::not_expressible, "it is measured, not derived"}};
@@ -95,9 +132,9 @@ LaneProof prove_lane(const CombinedLane& lane, const Prove& prove, Effort effort
       finding.what = fmt::format("part {}: {}", k, finding.what);
       whole.findings.push_back(std::move(finding));
     }
-    for (std::string& statement : part.by_hand) add_once(whole.by_hand, std::move(statement));
+    for (ByHand& step : part.by_hand) add_once(whole.by_hand, std::move(step));
   }
-  whole.by_hand.emplace_back("theorem 11 of docs/error_bounds.md: from the parts to one verdict");
+  whole.by_hand.push_back({"11", "theorem 11: from the parts' decisions to one verdict"});
   return whole;
 }
 

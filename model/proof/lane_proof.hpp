@@ -42,21 +42,34 @@ enum class Effort {
                ///< fails
 };
 
+/// A step of the proof that no machine has checked: docs/error_bounds.md proves it.
+struct ByHand {
+  std::string theorem;    ///< in the verdict: "8", "2 to 4"
+  std::string statement;  ///< for the report
+
+  friend bool operator==(const ByHand&, const ByHand&) = default;
+};
+
 struct LaneProof {
   std::string lane;  ///< "s17e8, nearest_even"
   std::string kind;  ///< of the error bound
   std::vector<Finding> findings;
-  std::vector<std::string> by_hand;  ///< what no machine has checked, and where it is proven
+  std::vector<ByHand> by_hand;
 
   /// Everything that is not by hand.
   bool machine_checked() const;
   /// Something within Gappa's theory is not proven: the bound must not be called certified.
   bool refused() const;
-  /// "machine-checked", "refused: ...", "not machine-checked: ...".
+  /// "machine-checked but for theorems 7 and 8, by hand" with every such step, "refused: ...",
+  /// "not machine-checked: ...".
   std::string verdict() const;
 };
 
-/// Proves what the lane's decision rests on; see docs/error_bounds.md.
+/// What theorem 1 leaves to be proven by hand, in every kind of bound.
+ByHand scaling_by_hand();
+
+/// Proves what the lane's decision rests on, and that what its operations leave unbuilt cannot
+/// occur; see docs/error_bounds.md.
 LaneProof prove_lane(const Lane& lane, const Prove& prove, Effort effort);
 /// Part by part; that the parts' decisions make one is theorem 11, by hand.
 LaneProof prove_lane(const CombinedLane& lane, const Prove& prove, Effort effort);

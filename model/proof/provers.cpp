@@ -1,18 +1,14 @@
 #include "model/proof/provers.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstring>
-#include <fstream>
-#include <system_error>
 
 #include "model/common/check.hpp"
 #include "model/common/content_hash.hpp"
 #include "model/common/file.hpp"
+#include "model/common/output_file.hpp"
 #include "model/proof/gappa.hpp"
 
 namespace mixcmp::model::proof {
@@ -43,23 +39,12 @@ ScriptResult to_result(const GappaRun& run, double seconds) {
   MIXCMP_CHECK(false);
 }
 
-const ScriptResult no_gappa = {Outcome::unchecked, "gappa is not installed", ""};
-
-Error write_error(const fs::path& path, const std::string& what) {
-  return {.file = path.string(), .field = "--proof-dir", .message = "cannot be written: " + what};
+ScriptResult without_gappa(const Error& error) {
+  return {Outcome::unchecked, error.to_string(), ""};
 }
 
-/// Beside its place first, so that the name is a whole file's.
-Result<Done> write_whole(const fs::path& path, const std::string& text) {
-  const fs::path unfinished = fmt::format("{}.{}.part", path.string(), getpid());
-  std::ofstream stream(unfinished, std::ios::binary);
-  stream << text;
-  stream.close();
-  std::error_code failed;
-  if (stream) fs::rename(unfinished, path, failed);
-  if (stream && !failed) return Done{};
-  Error error = write_error(path, failed ? failed.message() : std::strerror(errno));
-  fs::remove(unfinished, failed);
+Error of_proof_directory(Error error) {
+  error.field = "--proof-dir";
   return error;
 }
 
@@ -73,7 +58,7 @@ QuickProver::QuickProver(double budget_seconds)
     : version_(gappa_version()), seconds_left_(budget_seconds) {}
 
 ScriptResult QuickProver::operator()(const std::string& script) {
-  if (!version_) return no_gappa;
+  if (!version_) return without_gappa(version_.error());
   const auto [place, is_new] = known_.try_emplace(script);
   if (!is_new) return place->second;
   if (seconds_left_ <= 0) return place->second = {Outcome::out_of_time, "", ""};
@@ -85,11 +70,11 @@ ScriptResult QuickProver::operator()(const std::string& script) {
   return place->second;
 }
 
-Result<ProofDirectory> ProofDirectory::open(const fs::path& path, double seconds_a_script) {
-  std::error_code failed;
-  fs::create_directories(path, failed);
-  if (failed) return write_error(path, failed.message());
-  return ProofDirectory(path, gappa_version(), seconds_a_script);
+Result<ProofDirectory> ProofDirectory::open(const fs::path& path, double seconds_a_script,
+                                            const std::function<void()>& waiting) {
+  auto lock = FolderLock::take(path, waiting);
+  if (!lock.ok()) return of_proof_directory(lock.error());
+  return ProofDirectory(path, std::move(lock).value(), gappa_version(), seconds_a_script);
 }
 
 ScriptResult ProofDirectory::operator()(const std::string& script) {
@@ -97,7 +82,7 @@ ScriptResult ProofDirectory::operator()(const std::string& script) {
   const auto [place, is_new] = known_.try_emplace(hash);
   if (!is_new) return place->second;
   if (!version_) {
-    place->second = no_gappa;
+    place->second = without_gappa(version_.error());
     keep(hash, script, "", "");
   } else if (is_proven(hash, script)) {
     ++reused_;
@@ -129,8 +114,8 @@ void ProofDirectory::keep(const std::string& hash, const std::string& script,
                           const std::string& verdict, const std::string& certificate) {
   const auto write = [&](const char* extension, const std::string& text) {
     if (failure_) return;
-    const Result<Done> written = write_whole(path_ / (hash + extension), text);
-    if (!written.ok()) failure_ = written.error();
+    const Result<Done> written = write_file(path_ / (hash + extension), text);
+    if (!written.ok()) failure_ = of_proof_directory(written.error());
   };
   write(".g", script);
   if (!certificate.empty()) write(".v", certificate);
@@ -139,7 +124,9 @@ void ProofDirectory::keep(const std::string& hash, const std::string& script,
 
 Result<Done> ProofDirectory::write_report(const std::string& file_name,
                                           const std::string& text) const {
-  return write_whole(path_ / file_name, text);
+  const Result<Done> written = write_file(path_ / file_name, text);
+  if (!written.ok()) return of_proof_directory(written.error());
+  return Done{};
 }
 
 }  // namespace mixcmp::model::proof

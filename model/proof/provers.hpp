@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "model/common/folder_lock.hpp"
 #include "model/common/result.hpp"
 #include "model/proof/lane_proof.hpp"
 
@@ -17,11 +18,11 @@ class QuickProver {
 public:
   explicit QuickProver(double budget_seconds);
   ScriptResult operator()(const std::string& script);
-  /// Its version; none where there is no Gappa.
-  const std::optional<std::string>& gappa() const { return version_; }
+  /// Its version, or why there is none.
+  const Result<std::string>& gappa() const { return version_; }
 
 private:
-  std::optional<std::string> version_;
+  Result<std::string> version_;
   double seconds_left_;
   std::map<std::string, ScriptResult> known_;
 };
@@ -34,23 +35,29 @@ private:
 /// same Gappa has proven is not proven again.
 class ProofDirectory {
 public:
-  /// Makes the directory. An error where that cannot be.
-  static Result<ProofDirectory> open(const std::filesystem::path& path, double seconds_a_script);
+  /// Makes the directory and holds it until this object goes; `waiting` is called where another run
+  /// holds it. An error where that cannot be.
+  static Result<ProofDirectory> open(const std::filesystem::path& path, double seconds_a_script,
+                                     const std::function<void()>& waiting = {});
 
   ScriptResult operator()(const std::string& script);
   /// The lane's proof for a reader, beside the scripts that it names.
   Result<Done> write_report(const std::string& file_name, const std::string& text) const;
 
   const std::filesystem::path& path() const { return path_; }
-  /// None where there is no Gappa.
-  const std::optional<std::string>& gappa() const { return version_; }
+  /// Its version, or why there is none.
+  const Result<std::string>& gappa() const { return version_; }
   int reused() const { return reused_; }
   /// A file that could not be written, if any: scripts are proven all the same.
   const std::optional<Error>& failure() const { return failure_; }
 
 private:
-  ProofDirectory(std::filesystem::path path, std::optional<std::string> version, double seconds)
-      : path_(std::move(path)), version_(std::move(version)), seconds_(seconds) {}
+  ProofDirectory(std::filesystem::path path, FolderLock lock, Result<std::string> version,
+                 double seconds)
+      : path_(std::move(path)),
+        lock_(std::move(lock)),
+        version_(std::move(version)),
+        seconds_(seconds) {}
 
   bool is_proven(const std::string& hash, const std::string& script) const;
   std::string verdict_text(const std::string& words, const std::string& certificate) const;
@@ -58,7 +65,8 @@ private:
             const std::string& certificate);
 
   std::filesystem::path path_;
-  std::optional<std::string> version_;
+  FolderLock lock_;
+  Result<std::string> version_;
   double seconds_;
   std::map<std::string, ScriptResult> known_;
   int reused_ = 0;

@@ -1,11 +1,10 @@
 #include <fmt/core.h>
 
 #include "model/common/check.hpp"
-#include "model/error/hazards.hpp"
 #include "model/golden/arithmetic.hpp"
 #include "model/proof/absolute_proof.hpp"
-#include "model/proof/claims.hpp"
 #include "model/proof/cone.hpp"
+#include "model/proof/node_ranges.hpp"
 #include "model/proof/script.hpp"
 
 namespace mixcmp::model::proof {
@@ -14,8 +13,7 @@ namespace {
 /// Every node as computed (c) and truly (t), from inputs in their ranges.
 class RangeWriter {
 public:
-  explicit RangeWriter(const Lane& lane)
-      : graph_(lane.graph), ranges_(checked_ranges(lane.graph, lane.checks)) {}
+  explicit RangeWriter(const Lane& lane) : graph_(lane.graph), ranges_(enforced_ranges(lane)) {}
 
   RangeScript run(NodeId f, NodeId g, const mpq_class& bound) &&;
 
@@ -42,7 +40,7 @@ RangeScript RangeWriter::run(NodeId f, NodeId g, const mpq_class& bound) && {
   visit(f);
   visit(g);
   if (!obstacle_.empty()) return {std::nullopt, obstacle_};
-  const std::string most = dyadic(rounded_down(bound));
+  const std::string most = dyadic(bound);
   script_.conclude(fmt::format("(t{0} - t{1}) - (c{0} - c{1}) in [-{2}, {2}]", f, g, most));
   return {script_.text(), ""};
 }
@@ -89,23 +87,7 @@ void RangeWriter::add_constant(NodeId id) {
 }
 
 std::string RangeWriter::expression(const TypedNode& node, char kind) const {
-  const std::string a = name(kind, node.operands[0]), b = name(kind, node.operands[1]);
-  switch (node.operation) {
-    case Operation::convert: return a;
-    case Operation::negate: return fmt::format("-{}", a);
-    case Operation::absolute: return fmt::format("|{}|", a);
-    case Operation::add: return fmt::format("{} + {}", a, b);
-    case Operation::subtract: return fmt::format("{} - {}", a, b);
-    case Operation::multiply: return fmt::format("{} * {}", a, b);
-    case Operation::square: return fmt::format("{0} * {0}", a);
-    case Operation::divide: return fmt::format("{} / {}", a, b);
-    case Operation::square_root: return fmt::format("sqrt({})", a);
-    case Operation::input:
-    case Operation::constant:
-    case Operation::minimum:
-    case Operation::maximum: break;
-  }
-  MIXCMP_CHECK(false);
+  return result_text(node, name(kind, node.operands[0]), name(kind, node.operands[1]));
 }
 
 }  // namespace

@@ -10,6 +10,12 @@
 namespace mixcmp::model::proof {
 namespace {
 
+/// How wide a bound is taken.
+enum class Width {
+  exact,     ///< as the analysis has it, in rationals
+  provable,  ///< as Gappa has proven it: wider by the slack of its dyadic numbers
+};
+
 class RelativeProof {
 public:
   RelativeProof(const Lane& lane, const std::vector<NodeClaim>& claims, const Prove& prove,
@@ -27,9 +33,10 @@ private:
   /// Whether nothing remains to be tried.
   bool prove_whole(const std::string& name, const Cone& cone);
   void check_guard();
-  RelativeBound before_rounding(NodeId id) const;
-  RelativeBound proven(NodeId id, const std::optional<RelativeBound>& bound) const {
-    return provable(*bound, depth_of(graph_, id));
+  Bits guard_from(Width width) const;
+  RelativeBound before_rounding(NodeId id, Width width) const;
+  RelativeBound claimed(NodeId id, const std::optional<RelativeBound>& bound, Width width) const {
+    return width == Width::exact ? *bound : provable(*bound, depth_of(graph_, id));
   }
 
   const Lane& lane_;
@@ -93,15 +100,16 @@ bool RelativeProof::prove_whole(const std::string& name, const Cone& cone) {
 
 /// The bound of theorem 4, written from it and not from the analysis: of the real number whose
 /// rounding the node, of the lane's format, holds.
-RelativeBound RelativeProof::before_rounding(NodeId id) const {
+RelativeBound RelativeProof::before_rounding(NodeId id, Width width) const {
   const TypedNode& node = graph_.nodes[id];
-  if (claims_[id].unrounded) return proven(id, claims_[id].unrounded);
+  if (claims_[id].unrounded) return claimed(id, claims_[id].unrounded, width);
   switch (node.operation) {
     case Operation::negate:
-    case Operation::absolute: return before_rounding(node.operands[0]);
+    case Operation::absolute: return before_rounding(node.operands[0], width);
     case Operation::minimum:
     case Operation::maximum:
-      return hull(before_rounding(node.operands[0]), before_rounding(node.operands[1]));
+      return hull(before_rounding(node.operands[0], width),
+                  before_rounding(node.operands[1], width));
     case Operation::constant:
       if (graph_.arithmetic.rounding == Rounding::nearest_even) return {};
       break;
@@ -114,25 +122,39 @@ RelativeBound RelativeProof::before_rounding(NodeId id) const {
     case Operation::divide:
     case Operation::square_root: break;
   }
-  return proven(id, claims_[id].relative);
+  return claimed(id, claims_[id].relative, width);
 }
 
-/// What the lane's guard would be if the bounds were as wide as they are proven.
-void RelativeProof::check_guard() {
-  const auto& decision = std::get<UlpDistanceDecision>(lane_.decision);
+/// What the lane's guard would be from bounds of that width.
+Bits RelativeProof::guard_from(Width width) const {
   const FloatFormat format = graph_.arithmetic.format;
   const NodeClaim &f = claims_[graph_.f], &g = claims_[graph_.g];
-  const Bits guard = std::min(
-      guard_ulp(proven(graph_.f, f.relative), proven(graph_.g, g.relative), format.precision()),
-      guard_ulp_before_rounding(before_rounding(graph_.f), before_rounding(graph_.g),
-                                format.precision()));
-  const bool beyond = decision.guard_ulp == low_mask(format.width());
-  const bool follows = decision.guard_ulp >= guard || beyond;
+  return std::min(guard_ulp(claimed(graph_.f, f.relative, width),
+                            claimed(graph_.g, g.relative, width), format.precision()),
+                  guard_ulp_before_rounding(before_rounding(graph_.f, width),
+                                            before_rounding(graph_.g, width), format.precision()));
+}
+
+/// Where f and g have the same constant factor its error cancels exactly, and any slack, however
+/// small, takes that away: the guard is then the analysis' alone.
+void RelativeProof::check_guard() {
+  const auto& decision = std::get<UlpDistanceDecision>(lane_.decision);
+  const NodeClaim &f = claims_[graph_.f], &g = claims_[graph_.g];
+  const bool beyond = decision.guard_ulp == low_mask(graph_.arithmetic.format.width());
   const bool signs = !decision.nonnegative || (f.nonnegative && g.nonnegative);
-  nodes_.add({fmt::format("a guard of {} ulp from these bounds",
-                          static_cast<unsigned long long>(decision.guard_ulp)),
-              follows && signs ? Outcome::proven : Outcome::not_proven,
-              "by exact arithmetic; theorems 2 to 4 by hand"});
+  const auto follows_from = [&](Width width) {
+    return signs && (beyond || decision.guard_ulp >= guard_from(width));
+  };
+  Finding finding{fmt::format("a guard of {} ulp from these bounds",
+                              static_cast<unsigned long long>(decision.guard_ulp)),
+                  Outcome::not_proven, "by exact arithmetic; theorems 2 to 4 by hand"};
+  if (follows_from(Width::provable)) {
+    finding.outcome = Outcome::proven;
+  } else if (follows_from(Width::exact)) {
+    finding.outcome = Outcome::not_expressible;
+    finding.detail = "it follows from the exact bounds, which have no binary digits; by hand";
+  }
+  nodes_.add(std::move(finding));
 }
 
 }  // namespace
@@ -143,10 +165,8 @@ LaneProof prove_relative(const Lane& lane, const std::vector<NodeClaim>& claims,
   proof.lane = describe_arithmetic(lane.graph.arithmetic);
   proof.kind = "relative";
   proof.findings = RelativeProof(lane, claims, prove, effort).run();
-  proof.by_hand = {
-      "theorems 2 to 4 of docs/error_bounds.md: from the bounds of f and g to the guard",
-      "that a non-exceptional result is the rounding with unbounded exponents",
-      "that rounding and its error scale with powers of two"};
+  proof.by_hand = {scaling_by_hand(),
+                   {"2 to 4", "theorems 2 to 4: from the bounds of f and g to the guard"}};
   return proof;
 }
 

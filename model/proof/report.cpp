@@ -14,8 +14,8 @@ std::string to_text(const LaneProof& proof, const std::string& gappa) {
                         finding.detail.empty() ? "" : ": " + finding.detail,
                         finding.optional ? "; its operations one by one instead" : "");
   }
-  for (const std::string& statement : proof.by_hand) {
-    text += fmt::format("  {:<16} {}\n", "by hand", statement);
+  for (const ByHand& step : proof.by_hand) {
+    text += fmt::format("  {:<16} {}\n", "by hand", step.statement);
   }
   return text + "  " + proof.verdict() + "\n";
 }
@@ -29,6 +29,10 @@ nlohmann::ordered_json to_json(const LaneProof& proof, const std::string& gappa)
                         {"optional", finding.optional},
                         {"scripts", finding.files}});
   }
+  nlohmann::ordered_json by_hand = nlohmann::ordered_json::array();
+  for (const ByHand& step : proof.by_hand) {
+    by_hand.push_back({{"theorem", step.theorem}, {"statement", step.statement}});
+  }
   return {{"lane", proof.lane},
           {"bound", proof.kind},
           {"gappa", gappa.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(gappa)},
@@ -36,7 +40,7 @@ nlohmann::ordered_json to_json(const LaneProof& proof, const std::string& gappa)
           {"refused", proof.refused()},
           {"verdict", proof.verdict()},
           {"findings", findings},
-          {"by_hand", proof.by_hand}};
+          {"by_hand", by_hand}};
 }
 
 }  // namespace mixcmp::model::proof

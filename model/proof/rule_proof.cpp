@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "model/common/check.hpp"
-#include "model/error/constant_bound.hpp"
 #include "model/golden/arithmetic.hpp"
 #include "model/proof/cone.hpp"
 #include "model/proof/node_prover.hpp"
@@ -165,13 +164,6 @@ bool stands_for(const Lane& lane, int lane_bound, const ErrorAnalysis& analysis,
   });
 }
 
-/// The least of the difference's factor before its own rounding, at most 1: theorem 8's l.
-mpq_class factor_before_rounding(const Lane& lane, const MixedBound& bound) {
-  const Arithmetic& arithmetic = lane.graph.arithmetic;
-  const RelativeBound own = rounding_interval(arithmetic.format.precision(), arithmetic.rounding);
-  return std::min<mpq_class>(1, bound.factor.low / own.low);
-}
-
 /// A guard of 0 serves a fudge that is no more than the proof's slack, too: numbers of P digits are
 /// further apart.
 bool guards(Bits guard, const mpq_class& fudge, int precision) {
@@ -221,16 +213,6 @@ std::vector<Finding> check_running_decision(const Lane& lane, const ErrorAnalysi
                   guards(decision.guard_ulp, fudge, precision) ||
                       decision.guard_ulp == low_mask(arithmetic.format.width())),
           finding("it asks for every condition", conditions)};
-}
-
-Finding check_constant_decision(const Lane& lane, const ErrorAnalysis& analysis) {
-  const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
-  const MixedBound& bound = *analysis.nodes[decision.difference].mixed;
-  const auto most = constant_bound(lane.graph, analysis, bound.absolute, lane.checks);
-  const bool holds = most.ok() && *most / factor_before_rounding(lane, bound) <=
-                                      decision.bound.nodes.back().constant;
-  return {"the constant, from that bound and the ranges",
-          holds ? Outcome::proven : Outcome::not_proven, "by the model's own interval arithmetic"};
 }
 
 }  // namespace mixcmp::model::proof

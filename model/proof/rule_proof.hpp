@@ -19,8 +19,4 @@ std::vector<Finding> prove_rules(const Lane& lane, const ErrorAnalysis& analysis
 /// asks for every condition.
 std::vector<Finding> check_running_decision(const Lane& lane, const ErrorAnalysis& analysis);
 
-/// That a lane's constant bound is what the analysis' bound of f - g cannot exceed on the checked
-/// ranges: the model's own interval arithmetic once more, not Gappa's.
-Finding check_constant_decision(const Lane& lane, const ErrorAnalysis& analysis);
-
 }  // namespace mixcmp::model::proof

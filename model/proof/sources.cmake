@@ -3,9 +3,12 @@ target_sources(mixcmp_model PRIVATE
   proof/claims.cpp
   proof/cone.cpp
   proof/cone_script.cpp
+  proof/constant_proof.cpp
   proof/gappa.cpp
+  proof/hazard_proof.cpp
   proof/lane_proof.cpp
   proof/node_prover.cpp
+  proof/node_ranges.cpp
   proof/absolute_proof.cpp
   proof/provers.cpp
   proof/range_script.cpp

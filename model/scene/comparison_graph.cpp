@@ -112,7 +112,7 @@ Result<Done> expand_parts(const Settings& settings, std::span<const LetDefinitio
 
 Result<Graph> read_graph(const Settings& settings, const ComparisonSpec& comparison,
                          std::span<const LetDefinition> lets,
-                         const std::vector<std::string>& inputs, std::vector<std::string>& notes) {
+                         const std::vector<std::string>& inputs, std::set<std::string>& used_lets) {
   Graph graph;
   for (const std::string& input : inputs) graph.input(input);
   Reading reading{settings, lets};
@@ -124,21 +124,26 @@ Result<Graph> read_graph(const Settings& settings, const ComparisonSpec& compari
   }
   MIXCMP_TRY(index_checked, check_index_name(comparison, graph));
   graph.compare(std::move(parts), comparison.combination);
-  for (const LetDefinition& let : lets) {
-    if (reading.used_lets.contains(let.name)) continue;
-    Graph scratch;
-    Reading ignored{settings, lets};
-    const auto& table = std::get<Setting::Table>(settings.root.find("let")->value);
-    MIXCMP_TRY(node, ignored.parse(scratch, *table.find(let.name), "let." + let.name, {}));
-    MIXCMP_CHECK(node >= 0);
-    notes.push_back(fmt::format("let {} is not used by f or g", let.name));
-  }
+  used_lets.merge(reading.used_lets);
   if (graph.inputs().empty()) {
     const Section section(settings, "comparison");
     return section.mistake("f", "f and g name no input", "constants only",
                            "at least one input name");
   }
   return graph;
+}
+
+Result<Done> check_unused_lets(const Settings& settings, std::span<const LetDefinition> lets,
+                               const std::set<std::string>& used) {
+  for (const LetDefinition& let : lets) {
+    if (used.contains(let.name)) continue;
+    Graph scratch;
+    Reading reading{settings, lets};
+    const auto& table = std::get<Setting::Table>(settings.root.find("let")->value);
+    MIXCMP_TRY(node, reading.parse(scratch, *table.find(let.name), "let." + let.name, {}));
+    MIXCMP_CHECK(node >= 0);
+  }
+  return Done{};
 }
 
 }  // namespace mixcmp::model

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <initializer_list>
+#include <optional>
 
 #include "model/common/quote.hpp"
 #include "model/data/sphere_family.hpp"
@@ -13,7 +15,6 @@
 namespace mixcmp::model {
 namespace {
 
-constexpr std::int64_t max_items = 1 << 24;
 constexpr double largest_number = 1e30;
 
 void read_data_file(Section& section, const std::string& key, const std::filesystem::path& scene,
@@ -29,19 +30,28 @@ void read_data_file(Section& section, const std::string& key, const std::filesys
   }
 }
 
-/// A name for one column, or for a list of them. No names: neither.
-ColumnNames read_column_names(const std::string& field, const Setting& entry) {
+std::optional<ColumnKey> column_key(const Setting& setting) {
+  const auto* name = std::get_if<std::string>(&setting.value);
+  if (name != nullptr) return *name;
+  const auto* number = std::get_if<std::int64_t>(&setting.value);
+  if (number == nullptr || *number < 0) return std::nullopt;
+  return static_cast<std::uint64_t>(*number);
+}
+
+/// One column, or a list of them. On a mistake there are no columns, and `wrong` is the entry.
+ColumnNames read_column_names(const std::string& field, const Setting& entry,
+                              const Setting*& wrong) {
   ColumnNames names{.name = name_spelling(entry.key),
                     .columns = {},
                     .field = field,
                     .place = {.file = file_of(entry), .line = entry.line}};
-  if (const auto* column = std::get_if<std::string>(&entry.value)) names.columns = {*column};
   const auto* list = std::get_if<Setting::Array>(&entry.value);
-  if (list == nullptr) return names;
-  names.is_list = true;
-  for (const Setting& item : *list) {
-    const auto* column = std::get_if<std::string>(&item.value);
-    if (column == nullptr) {
+  names.is_list = list != nullptr;
+  wrong = &entry;
+  for (const Setting& item : list == nullptr ? Setting::Array{entry} : *list) {
+    const std::optional<ColumnKey> column = column_key(item);
+    if (!column) {
+      if (list != nullptr) wrong = &item;
       names.columns.clear();
       break;
     }
@@ -65,10 +75,12 @@ void read_columns(Section& section, const std::string& key, std::vector<ColumnNa
       section.fail(mistake_at(entry, field, problem, fmt::format("\"{}\"", entry.key),
                               std::string(accepted_subscripts())));
     }
-    columns.push_back(read_column_names(field, entry));
+    const Setting* wrong = nullptr;
+    columns.push_back(read_column_names(field, entry, wrong));
     if (!columns.back().columns.empty()) continue;
-    section.fail(mistake_at(entry, field, "not a column", entry.shown(),
-                            "the name of a column, or a list of names"));
+    section.fail(mistake_at(entry, field, "not a column", wrong->shown(),
+                            "the name of a column, its number counted from 0, or a list of "
+                            "these"));
   }
 }
 
@@ -115,8 +127,17 @@ std::string later_source(Section& section, const Settings& settings) {
   return file_of(*section.find("file")) == settings.path.string() ? "items" : "file";
 }
 
-void check_data_source(Section& section, const Settings& settings, const DataSpec& spec,
-                       std::vector<std::string>& notes) {
+/// Refuses keys that this source of data does not use.
+void refuse_unused(Section& section, std::initializer_list<const char*> keys,
+                   const std::string& reason, const std::string& accepted) {
+  for (const char* key : keys) {
+    const Setting* setting = section.find(key);
+    if (setting == nullptr) continue;
+    section.fail(key, "not used: " + reason, setting->shown(), "no such key here, or " + accepted);
+  }
+}
+
+void check_data_source(Section& section, const Settings& settings, const DataSpec& spec) {
   const bool items = section.find("items") != nullptr;
   const bool file = section.find("file") != nullptr;
   if (items == file) {
@@ -131,13 +152,12 @@ void check_data_source(Section& section, const Settings& settings, const DataSpe
                  "uniform_spheres, sphere_family");
   }
   check_family(section, spec);
-  for (const char* key : {"count", "side", "radius_max", "seed"}) {
-    if (section.find(key) == nullptr || !file) continue;
-    notes.push_back(fmt::format("data.{} is not used: the data come from a file", key));
-  }
-  for (const char* key : {"side", "radius_max"}) {
-    if (section.find(key) == nullptr || !family) continue;
-    notes.push_back(fmt::format("data.{} is not used: a family has its own sizes", key));
+  if (file) {
+    refuse_unused(section, {"count", "side", "radius_max", "seed"}, "the data come from a file",
+                  "items in place of file beside it");
+  } else if (family) {
+    refuse_unused(section, {"side", "radius_max"}, "a family has its own sizes",
+                  "items = \"uniform_spheres\" beside it");
   }
 }
 
@@ -148,8 +168,7 @@ std::string table_name(const DataSpec& data, std::size_t which) {
   return data.file.empty() ? data.items : data.file.filename().string();
 }
 
-Result<std::optional<DataSpec>> read_data(const Settings& settings,
-                                          std::vector<std::string>& notes) {
+Result<std::optional<DataSpec>> read_data(const Settings& settings) {
   Section section(settings, "data");
   const Setting* data = settings.root.find("data");
   if (data == nullptr) return std::optional<DataSpec>();
@@ -161,14 +180,14 @@ Result<std::optional<DataSpec>> read_data(const Settings& settings,
   section.text("items", spec.items);
   section.text("family", spec.family);
   read_data_file(section, "file", settings.path, spec.file);
-  section.integer("count", spec.count, 1, max_items);
+  section.integer("count", spec.count, limits::items);
   section.number("side", spec.side, 0, largest_number);
   section.number("radius_max", spec.radius_max, 0, largest_number);
   section.integer("seed", spec.seed, 0, std::numeric_limits<std::int64_t>::max());
   section.choice("pairs", spec.pairing, {Pairing::all, Pairing::cross, Pairing::arg_min});
   read_columns(section, "columns", spec.columns);
   read_second_table(section, settings.path, spec);
-  check_data_source(section, settings, spec, notes);
+  check_data_source(section, settings, spec);
   if (const auto error = section.finish()) return *error;
   return std::optional<DataSpec>(spec);
 }

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "model/scene/limits.hpp"
+
 namespace mixcmp::model {
 
 /// What stands around a generated system and makes its comparisons itself, out of items that are
@@ -16,7 +18,7 @@ enum class EngineKind {
 std::string_view to_string(EngineKind kind);
 
 struct EngineSpec {
-  static constexpr int max_capacity = 65'536;
+  static constexpr int max_capacity = limits::engine_capacity.most;
 
   EngineKind kind = EngineKind::none;
   int capacity = 1024;    ///< of pairwise: items that the memory holds, 2..max_capacity

@@ -28,7 +28,7 @@ Result<Done> check_pairwise_system(const Settings& settings, const EngineSpec& e
                   "\"refetched\", or no key: the engine's memory holds the operands");
   }
   int tag_bits = engine.tag_bits();
-  section.integer("tag_bits", tag_bits, 1, 64);
+  section.integer("tag_bits", tag_bits, limits::tag_bits);
   if (tag_bits != engine.tag_bits()) {
     return refuse("tag_bits", fmt::format("{}", tag_bits),
                   fmt::format("{}, the numbers of two of {} items, or no key", engine.tag_bits(),
@@ -56,14 +56,14 @@ Result<Done> check_arg_min_system(const Settings& settings, const EngineSpec& en
     return refuse("order", decided, "\"tagged\"", "\"in_order\", or no key");
   }
   int tag_bits = engine.tag_bits();
-  section.integer("tag_bits", tag_bits, 1, 64);
+  section.integer("tag_bits", tag_bits, limits::tag_bits);
   if (tag_bits != engine.tag_bits()) {
     return refuse(
         "tag_bits", decided, fmt::format("{}", tag_bits),
         fmt::format("{}, or no key: a row's tag is engine.tag_bits wide", engine.tag_bits()));
   }
   std::optional<int> references;
-  section.integer_or_auto("references", references, 0, max_references);
+  section.integer_or_auto("references", references, limits::references);
   if (references && *references == 0) {
     return refuse("references", "the arg-min engine needs every verdict", "0",
                   fmt::format("1..{}", max_references));
@@ -123,7 +123,7 @@ Result<Done> check_arg_min(const Settings& settings, const Section& section,
 }
 
 void read_pairwise_keys(Section& section, EngineSpec& engine) {
-  section.integer("capacity", engine.capacity, 2, EngineSpec::max_capacity);
+  section.integer("capacity", engine.capacity, limits::engine_capacity);
   std::vector<Verdict> report;
   section.choices("report", report,
                   {Verdict::less, Verdict::equal, Verdict::greater, Verdict::unordered});
@@ -181,7 +181,9 @@ Result<EngineSpec> read_engine(const Settings& settings, const std::vector<std::
                  {EngineKind::none, EngineKind::pairwise, EngineKind::arg_min});
   // Keys of the other kind are unknown; with none, whatever is there sleeps.
   if (engine.kind != EngineKind::arg_min) read_pairwise_keys(section, engine);
-  if (engine.kind != EngineKind::pairwise) section.integer("tag_bits", engine.row_tag_bits, 1, 64);
+  if (engine.kind != EngineKind::pairwise) {
+    section.integer("tag_bits", engine.row_tag_bits, limits::tag_bits);
+  }
   if (const auto error = section.finish()) return *error;
   switch (engine.kind) {
     case EngineKind::none: break;

@@ -30,18 +30,8 @@ Result<std::array<std::vector<std::string>, 2>> needed_columns(const Scene& scen
   return columns;
 }
 
-/// A table of a file, in the file's names.
-Result<Table> read_table(const std::filesystem::path& file, FloatFormat format,
-                         std::span<const std::string> columns) {
-  if (file.extension() == ".pdb") return read_pdb(file, format);
-  if (file.extension() == ".csv") return read_csv(file, format, columns);
-  return read_npy(file, format, columns);
-}
-
-Result<Table> first_table(const DataSpec& data, FloatFormat format,
-                          std::span<const std::string> columns) {
+Result<Table> generated_table(const DataSpec& data, FloatFormat format) {
   const auto count = static_cast<std::uint64_t>(data.count);
-  if (!data.file.empty()) return read_table(data.file, format, columns);
   if (data.items == "sphere_family") {
     return sphere_family({.name = data.family, .count = count, .seed = data.seed}, format);
   }
@@ -50,23 +40,27 @@ Result<Table> first_table(const DataSpec& data, FloatFormat format,
       format);
 }
 
-/// Readers of some files give the wanted columns alone, others all that there are; without names of
-/// the scene's own those keep their columns.
-Result<Table> renamed(Table table, const std::vector<ColumnNames>& names,
-                      const std::vector<std::string>& columns,
-                      const std::vector<std::string>& wanted) {
-  if (table.columns == columns) {
-    table.columns = wanted;
-    return table;
-  }
-  if (!names.empty()) return select_columns(table, columns, wanted);
-  for (const std::string& column : wanted) {
-    const auto& known = table.columns;
-    if (std::find(known.begin(), known.end(), column) == known.end()) {
-      return missing_column(column, known);
-    }
+/// Some tables come with columns that the scene does not choose. All of them stay where none is
+/// given a name of the scene's own.
+Result<Table> chosen_columns(Table table, std::span<const ColumnNames> names,
+                             std::span<const WantedColumn> wanted) {
+  MIXCMP_TRY(selected, select_columns(table, wanted));
+  if (!names.empty()) return selected;
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    table.origins.push_back({.number = k, .name = table.columns[k]});
   }
   return table;
+}
+
+/// The table `which` of the scene, in the scene's names.
+Result<Table> read_table(const DataSpec& data, std::size_t which, FloatFormat format,
+                         std::span<const WantedColumn> wanted) {
+  const std::filesystem::path& file = which == 0 ? data.file : data.with;
+  if (file.extension() == ".csv") return read_csv(file, format, wanted);
+  if (file.extension() == ".npy") return read_npy(file, format, wanted);
+  MIXCMP_TRY(table, file.empty() ? generated_table(data, format) : read_pdb(file, format));
+  table.source = table_name(data, which);
+  return chosen_columns(std::move(table), which == 0 ? data.columns : data.with_columns, wanted);
 }
 
 /// What the inputs' names say.
@@ -134,20 +128,31 @@ Error with_input(const Scene& scene, std::size_t which, const std::string& wante
   return error;
 }
 
+/// Numbers of columns are missing in the key that gives them, or beside the file.
+Error with_columns_key(const DataSpec& data, std::size_t which, Error error) {
+  const std::string key = which == 0 ? "columns" : "with_columns";
+  const Place place = place_of(data, data.places.contains(key) ? key : source_key(data, which));
+  error.file = place.file;
+  error.line = place.line;
+  error.field = "data." + key;
+  error.message += ", and " + table_name(data, which) + " is one";
+  return error;
+}
+
 Result<Table> load_table(const Scene& scene, std::size_t which,
                          const std::vector<std::string>& wanted) {
   const DataSpec& data = *scene.data;
-  const FloatFormat format = scene.reference.format;
-  const std::vector<ColumnNames>& names = which == 0 ? data.columns : data.with_columns;
   MIXCMP_TRY(source_checked, check_source(data, which));
-  MIXCMP_TRY(columns, file_columns(names, wanted));
-  Result<Table> table =
-      which == 0 ? first_table(data, format, columns) : read_table(data.with, format, columns);
-  if (table.ok()) table = renamed(std::move(table).value(), names, columns, wanted);
-  if (table.ok() || !is_missing_column(table.error())) return table;
-  const auto missing = std::find(columns.begin(), columns.end(), table.error().field);
-  return with_input(scene, which, wanted[static_cast<std::size_t>(missing - columns.begin())],
-                    table.error());
+  MIXCMP_TRY(columns, file_columns(which == 0 ? data.columns : data.with_columns, wanted));
+  const Result<Table> table = read_table(data, which, scene.reference.format, columns);
+  if (table.ok()) return table;
+  const Error& error = table.error();
+  if (is_unnamed_columns(error)) return with_columns_key(data, which, error);
+  if (!is_missing_column(error)) return error;
+  const auto missing = std::find_if(
+      columns.begin(), columns.end(),
+      [&](const WantedColumn& column) { return column.column == ColumnKey(error.field); });
+  return with_input(scene, which, missing->name, error);
 }
 
 /// Tells how far a contest is.

@@ -16,7 +16,7 @@ const Setting* find_in(const Setting* table, const std::string& key) {
 Error located(Error error, const std::filesystem::path& scene,
               std::span<const std::string> overrides) {
   const std::size_t dot = error.field.find('.');
-  if (error.line > 0 || dot == std::string::npos) return error;
+  if (error.line > 0 || dot == std::string::npos || error.file.starts_with("--set")) return error;
   const Result<SceneSettings> read = read_scene_settings(scene, overrides);
   if (!read.ok()) return error;
   const Setting* section = read->settings.root.find(error.field.substr(0, dot));

@@ -9,8 +9,6 @@
 namespace mixcmp::model {
 namespace {
 
-constexpr int min_reduced_precision = 4, max_reduced_precision = 52;
-
 /// The 17 of "s17".
 std::optional<int> precision_alone(const std::string& word) {
   const bool shaped = word.size() >= 2 && word.size() <= 4 && word[0] == 's' &&
@@ -18,26 +16,29 @@ std::optional<int> precision_alone(const std::string& word) {
   return shaped ? std::optional(std::stoi(word.substr(1))) : std::nullopt;
 }
 
+std::string accepted_lane_formats(Limits precisions) {
+  const bool narrowed = precisions.most < limits::lane_precision.most;
+  return fmt::format("\"auto\", sP or {}{}",
+                     FloatFormat::accepted(precisions.least, precisions.most),
+                     narrowed ? "; P at most the reference's" : "");
+}
+
 void read_reduced_format(Section& section, FloatFormat reference, ReducedSpec& spec) {
   const Setting* setting = section.find("format");
   if (setting == nullptr) return;
   spec.format.reset();
   spec.exponent_bits_from_ranges = false;
+  const Limits allowed = lane_precisions(reference);
+  const std::string accepted = accepted_lane_formats(allowed);
   const auto* word = std::get_if<std::string>(&setting->value);
+  if (word != nullptr && *word == "auto") return;
   const std::optional<int> precision = word == nullptr ? std::nullopt : precision_alone(*word);
-  if (precision && *precision >= min_reduced_precision && *precision <= max_reduced_precision) {
-    spec.format = FloatFormat::make(*precision, reference.exponent_bits()).value();
-    spec.exponent_bits_from_ranges = true;
-  } else if (word == nullptr || *word != "auto") {
-    section.format("format", spec.format);
+  if (!precision) return section.format("format", spec.format, allowed, accepted);
+  if (!allowed.hold(*precision)) {
+    return section.fail("format", "precision out of range", setting->shown(), accepted);
   }
-  if (!spec.format) return;
-  const int highest = std::min(max_reduced_precision, reference.precision());
-  if (spec.format->precision() < min_reduced_precision || spec.format->precision() > highest) {
-    section.fail(
-        "format", "precision out of range", spec.format->name(),
-        fmt::format("precision {}..{}, at most the reference's", min_reduced_precision, highest));
-  }
+  spec.format = FloatFormat::make(*precision, reference.exponent_bits()).value();
+  spec.exponent_bits_from_ranges = true;
 }
 
 void read_error_bound(Section& section, std::optional<ErrorBoundKind>& target) {
@@ -67,7 +68,7 @@ void read_lane_keys(Section& section, FloatFormat reference, ReducedSpec& spec) 
   read_reduced_format(section, reference, spec);
   section.choice("bound", spec.bound, {BoundKind::certified, BoundKind::profiled});
   read_error_bound(section, spec.error_bound);
-  section.integer("bound_digits", spec.bound_digits, 1, 8);
+  section.integer("bound_digits", spec.bound_digits, limits::bound_digits);
   section.choice("inputs", spec.inputs, {LaneInputs::rounded, LaneInputs::exact});
   section.choice("rounding", spec.rounding, {Rounding::nearest_even, Rounding::toward_zero});
   section.choice("subnormals", spec.subnormals, {Subnormals::flush, Subnormals::gradual});
@@ -145,8 +146,9 @@ std::vector<std::string> overridden_keys(const Settings& settings) {
   const Setting* lanes = settings.root.find("lanes");
   if (lanes == nullptr) return {};
   const auto& groups = std::get<Setting::Array>(lanes->value);
+  const Section reduced(settings, "reduced");
   std::vector<std::string> keys;
-  for (const Setting& entry : Section(settings, "reduced").entries()) {
+  for (const Setting& entry : reduced.entries()) {
     const bool everywhere = std::all_of(groups.begin(), groups.end(), [&](const Setting& group) {
       return std::get<Setting::Table>(group.value).find(entry.key) != nullptr;
     });

@@ -11,6 +11,7 @@
 #include "model/expression/name.hpp"
 #include "model/expression/text.hpp"
 #include "model/golden/arithmetic.hpp"
+#include "model/scene/blame.hpp"
 #include "model/scene/input_ranges.hpp"
 #include "model/scene/pairing_notes.hpp"
 #include "model/scene/plan.hpp"
@@ -83,11 +84,10 @@ std::string differences(const std::set<std::string>& named, const std::set<std::
 /// and ports fit all of them.
 Result<ComparisonSpec> read_variant(const Formulation& formulation,
                                     std::span<const LetDefinition> lets, const Settings& given,
-                                    const ComparisonSpec& base, std::vector<std::string>& notes) {
+                                    const ComparisonSpec& base, std::set<std::string>& used_lets) {
   const Settings& settings = formulation.settings;
   MIXCMP_TRY(variant, read_comparison(settings, lets));
-  std::vector<std::string> ignored;
-  MIXCMP_TRY(alone, read_graph(settings, variant, lets, {}, ignored));
+  MIXCMP_TRY(alone, read_graph(settings, variant, lets, {}, used_lets));
   const std::set<std::string> named(alone.inputs().begin(), alone.inputs().end());
   const auto& inputs = base.graph.inputs();
   const std::set<std::string> wanted(inputs.begin(), inputs.end());
@@ -99,7 +99,7 @@ Result<ComparisonSpec> read_variant(const Formulation& formulation,
                            fmt::format("{}", fmt::join(named, ", ")),
                            fmt::format("{}", fmt::join(inputs, ", ")));
   }
-  MIXCMP_TRY(graph, read_graph(settings, variant, lets, inputs, notes));
+  MIXCMP_TRY(graph, read_graph(settings, variant, lets, inputs, used_lets));
   variant.graph = std::move(graph);
   variant.name += "_" + formulation.variant;
   const std::string problem = name_problem(variant.name);
@@ -114,19 +114,20 @@ Result<ComparisonSpec> read_formulation(const Formulations& formulations,
                                         std::vector<std::string>& notes) {
   const Settings& settings = formulations.all.front().settings;
   MIXCMP_TRY(base, read_comparison(settings, lets));
-  MIXCMP_TRY(graph, read_graph(settings, base, lets, {}, notes));
+  std::set<std::string> used_lets;
+  MIXCMP_TRY(graph, read_graph(settings, base, lets, {}, used_lets));
+  MIXCMP_TRY(lets_checked, check_unused_lets(settings, lets, used_lets));
   base.graph = std::move(graph);
   ComparisonSpec chosen = base;
   for (std::size_t k = 1; k < formulations.all.size(); ++k) {
-    std::vector<std::string> variant_notes;
     Result<ComparisonSpec> variant =
-        read_variant(formulations.all[k], lets, settings, base, variant_notes);
+        read_variant(formulations.all[k], lets, settings, base, used_lets);
     if (!variant.ok()) return in_variant(formulations.all[k].variant, variant.error());
-    std::erase_if(notes, [&](const std::string& unused_let) {
-      return std::find(variant_notes.begin(), variant_notes.end(), unused_let) ==
-             variant_notes.end();
-    });
     if (k == formulations.chosen) chosen = std::move(variant).value();
+  }
+  for (const LetDefinition& let : lets) {
+    if (used_lets.contains(let.name)) continue;
+    notes.push_back(fmt::format("let {} is not used by f or g", let.name));
   }
   return chosen;
 }
@@ -237,10 +238,7 @@ void note_missed_ends(const std::vector<std::optional<Range>>& ranges, FloatForm
   }
 }
 
-}  // namespace
-
-Result<Scene> load_scene(const std::filesystem::path& path,
-                         std::span<const std::string> overrides) {
+Result<Scene> load_with(const std::filesystem::path& path, std::span<const std::string> overrides) {
   MIXCMP_TRY(read, read_scene_settings(path, overrides));
   MIXCMP_TRY(names_checked, check_section_names(read.settings));
   MIXCMP_TRY(formulations, read_formulations(read.settings));
@@ -257,7 +255,7 @@ Result<Scene> load_scene(const std::filesystem::path& path,
   MIXCMP_TRY(lanes, read_lanes(settings, graph, format, declared.ranges));
   MIXCMP_TRY(references, read_reference_groups(settings, reference.multipliers));
   MIXCMP_TRY(system, read_system(settings));
-  MIXCMP_TRY(data, read_data(settings, notes));
+  MIXCMP_TRY(data, read_data(settings));
   if (data) {
     for (std::string& note : pairing_notes(graph, data->pairing)) notes.push_back(std::move(note));
   }
@@ -281,6 +279,18 @@ Result<Scene> load_scene(const std::filesystem::path& path,
               .notes = std::move(notes)};
   note_unused_keys(scene, settings, scene.notes);
   return scene;
+}
+
+}  // namespace
+
+Result<Scene> load_scene(const std::filesystem::path& path,
+                         std::span<const std::string> overrides) {
+  Result<Scene> scene = load_with(path, overrides);
+  if (scene.ok()) return scene;
+  return blamed(scene.error(), overrides, [&](std::span<const std::string> some) {
+    const Result<Scene> attempt = load_with(path, some);
+    return attempt.ok() ? std::nullopt : std::optional(attempt.error());
+  });
 }
 
 }  // namespace mixcmp::model

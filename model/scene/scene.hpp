@@ -16,6 +16,7 @@
 #include "model/expression/parser.hpp"
 #include "model/expression/typed_graph.hpp"
 #include "model/scene/engine.hpp"
+#include "model/scene/limits.hpp"
 
 namespace mixcmp::model {
 
@@ -66,8 +67,8 @@ struct ReducedSpec {
   std::optional<mpq_class> relative_error_g;
 };
 
-inline constexpr int max_lanes = 512;      ///< p_L
-inline constexpr int max_references = 16;  ///< p_H
+inline constexpr int max_lanes = limits::lanes.most;
+inline constexpr int max_references = limits::references.most;
 
 /// Lanes of one kind.
 struct LaneGroupSpec {

@@ -132,12 +132,14 @@ void Section::exact(const std::string& key, std::optional<mpq_class>& target) {
   }
 }
 
-void Section::format(const std::string& key, std::optional<FloatFormat>& target) {
+void Section::format(const std::string& key, std::optional<FloatFormat>& target, Limits precisions,
+                     const std::string& accepted) {
   const Setting* setting = find_string(key);
   if (setting == nullptr) return;
   Result<FloatFormat> parsed = FloatFormat::parse(std::get<std::string>(setting->value));
-  if (!parsed.ok()) {
-    return fail(key, parsed.error().message, setting->shown(), parsed.error().accepted);
+  if (!parsed.ok()) return fail(key, parsed.error().message, setting->shown(), accepted);
+  if (!precisions.hold(parsed->precision())) {
+    return fail(key, "precision out of range", setting->shown(), accepted);
   }
   target = *parsed;
 }
@@ -160,15 +162,26 @@ std::optional<std::int64_t> Section::read_integer(const std::string& key, std::i
   return *value;
 }
 
-void Section::integer_or_auto(const std::string& key, std::optional<int>& target, std::int64_t low,
-                              std::int64_t high) {
+void Section::integer_or_zero(const std::string& key, int& target, Limits limits,
+                              const std::string& zero) {
+  const Setting* setting = find(key);
+  const auto* value = setting == nullptr ? nullptr : std::get_if<std::int64_t>(&setting->value);
+  if (value != nullptr && *value == 0) {
+    target = 0;
+    return;
+  }
+  const auto read = read_integer(key, limits.least, limits.most, fmt::format("0 ({}) or ", zero));
+  if (read) target = static_cast<int>(*read);
+}
+
+void Section::integer_or_auto(const std::string& key, std::optional<int>& target, Limits limits) {
   const Setting* setting = find(key);
   const auto* word = setting == nullptr ? nullptr : std::get_if<std::string>(&setting->value);
   if (word != nullptr && *word == "auto") {
     target.reset();
     return;
   }
-  const auto value = read_integer(key, low, high, "\"auto\" or ");
+  const auto value = read_integer(key, limits.least, limits.most, "\"auto\" or ");
   if (value) target = static_cast<int>(*value);
 }
 

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "model/format/float_format.hpp"
+#include "model/scene/limits.hpp"
 #include "model/scene/settings.hpp"
 
 namespace mixcmp::model {
@@ -32,12 +33,17 @@ public:
   void text(const std::string& key, std::string& target);
   void number(const std::string& key, double& target, double low, double high);
   void exact(const std::string& key, std::optional<mpq_class>& target);
-  void format(const std::string& key, std::optional<FloatFormat>& target);
+  /// A format with a precision in `precisions`; `accepted` is how mistakes say so.
+  void format(const std::string& key, std::optional<FloatFormat>& target, Limits precisions,
+              const std::string& accepted);
   template <std::integral Integer>
   void integer(const std::string& key, Integer& target, std::int64_t low, std::int64_t high);
+  template <std::integral Integer>
+  void integer(const std::string& key, Integer& target, Limits limits);
+  /// An integer, or 0, which means `zero`.
+  void integer_or_zero(const std::string& key, int& target, Limits limits, const std::string& zero);
   /// An integer, or "auto" for none.
-  void integer_or_auto(const std::string& key, std::optional<int>& target, std::int64_t low,
-                       std::int64_t high);
+  void integer_or_auto(const std::string& key, std::optional<int>& target, Limits limits);
   /// One of `accepted`, by its to_string.
   template <class Enum>
   void choice(const std::string& key, Enum& target, std::initializer_list<Enum> accepted);
@@ -95,6 +101,11 @@ void Section::integer(const std::string& key, Integer& target, std::int64_t low,
                       std::int64_t high) {
   const auto value = read_integer(key, low, high, {});
   if (value) target = static_cast<Integer>(*value);
+}
+
+template <std::integral Integer>
+void Section::integer(const std::string& key, Integer& target, Limits limits) {
+  integer(key, target, limits.least, limits.most);
 }
 
 template <class Enum>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,11 +35,15 @@ Result<ComparisonSpec> read_comparison(const Settings& settings,
 Result<Done> expand_parts(const Settings& settings, std::span<const LetDefinition> lets,
                           ComparisonSpec& comparison);
 
-/// The parts in one graph whose inputs begin with `inputs`; lets that none needs are parsed too,
-/// for their mistakes, and noted.
+/// The parts in one graph whose inputs begin with `inputs`; the lets that they need are added to
+/// `used_lets`.
 Result<Graph> read_graph(const Settings& settings, const ComparisonSpec& comparison,
                          std::span<const LetDefinition> lets,
-                         const std::vector<std::string>& inputs, std::vector<std::string>& notes);
+                         const std::vector<std::string>& inputs, std::set<std::string>& used_lets);
+
+/// The mistakes of lets that are none of `used`.
+Result<Done> check_unused_lets(const Settings& settings, std::span<const LetDefinition> lets,
+                               const std::set<std::string>& used);
 
 struct ReferenceSpec {
   Arithmetic arithmetic;
@@ -67,7 +72,6 @@ Result<SystemSpec> read_system(const Settings& settings);
 Result<EngineSpec> read_engine(const Settings& settings, const std::vector<std::string>& inputs,
                                const std::optional<DataSpec>& data);
 
-Result<std::optional<DataSpec>> read_data(const Settings& settings,
-                                          std::vector<std::string>& notes);
+Result<std::optional<DataSpec>> read_data(const Settings& settings);
 
 }  // namespace mixcmp::model

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include "model/common/file.hpp"
 #include "model/common/quote.hpp"
@@ -53,7 +55,38 @@ Setting to_setting(std::string key, const toml::node& node, const File& file) {
   return setting;
 }
 
+/// The parser calls itself for each part of a dotted key, and a million parts are more than its
+/// stack holds. Counts dots outside of quotes; none: no key has so many.
+std::optional<Error> too_many_dots(const std::string& text, const std::string& file) {
+  constexpr int most = 1000;
+  int line = 1, dots = 0;
+  char quote = '\0';
+  for (const char c : text) {
+    if (c == '\n') {
+      ++line;
+      quote = '\0';
+    }
+    if (quote != '\0') {
+      if (c == quote) quote = '\0';
+      continue;
+    }
+    if (c == '"' || c == '\'') quote = c;
+    if (std::string_view("\n=,{}").find(c) != std::string_view::npos) dots = 0;
+    dots += c == '.';
+    if (dots > most) {
+      return Error{.file = file,
+                   .line = line,
+                   .field = "TOML syntax",
+                   .message = "a key of too many parts",
+                   .received = fmt::format("more than {} dots", most),
+                   .accepted = "section.key"};
+    }
+  }
+  return std::nullopt;
+}
+
 Result<toml::table> parse_toml(const std::string& text, const std::string& file) {
+  if (const auto error = too_many_dots(text, file)) return *error;
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& problem) {
@@ -65,6 +98,42 @@ Result<toml::table> parse_toml(const std::string& text, const std::string& file)
                  .field = "TOML syntax",
                  .message = message};
   }
+}
+
+/// No scene has larger or deeper tables. Looking a key up takes time in proportion to its table.
+constexpr std::size_t max_keys = 4096, max_depth = 16;
+
+Result<Done> check_sizes(const std::string& name, const toml::node& node, const std::string& file,
+                         std::size_t depth) {
+  const auto wrong = [&](std::string message, std::string received, std::string accepted) {
+    return Error{.file = file,
+                 .line = line_of(node.source().begin),
+                 .field = name,
+                 .message = std::move(message),
+                 .received = std::move(received),
+                 .accepted = std::move(accepted)};
+  };
+  if (depth > max_depth) {
+    return wrong("nested too deeply", fmt::format("{} levels or more", depth),
+                 fmt::format("at most {} levels", max_depth));
+  }
+  if (const toml::array* array = node.as_array()) {
+    for (const toml::node& element : *array) {
+      MIXCMP_TRY(checked, check_sizes(name, element, file, depth + 1));
+    }
+  }
+  const toml::table* table = node.as_table();
+  if (table == nullptr) return Done{};
+  if (table->size() > max_keys) {
+    return wrong("too many keys", fmt::format("{}", table->size()),
+                 fmt::format("at most {} in one table", max_keys));
+  }
+  for (const auto& [key, value] : *table) {
+    const std::string below =
+        name.empty() ? std::string(key.str()) : name + "." + std::string(key.str());
+    MIXCMP_TRY(checked, check_sizes(below, value, file, depth + 1));
+  }
+  return Done{};
 }
 
 /// As if set on the command line: without a line.
@@ -91,8 +160,9 @@ Setting parse_override_value(const std::string& key, const std::string& text) {
 Result<Done> apply_override(Setting::Table& root, const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::size_t dot = text.find('.');
-  if (equals == std::string::npos || dot == std::string::npos || dot > equals || dot == 0 ||
-      text[equals - 1] == '.') {
+  const std::string path = "." + text.substr(0, equals) + ".";
+  if (equals == std::string::npos || dot == std::string::npos || dot > equals ||
+      path.find("..") != std::string::npos) {
     return Error{.file = "--set",
                  .message = "not an override",
                  .received = in_quotes(text),
@@ -104,13 +174,22 @@ Result<Done> apply_override(Setting::Table& root, const std::string& text) {
     Setting& section = find_or_add(*table, text.substr(begin, end - begin));
     if (std::holds_alternative<Setting::Array>(section.value)) {
       return Error{.file = "--set",
-                   .field = section.key,
+                   .field = text.substr(0, end),
                    .message = "a list: its entries have no names of their own",
                    .received = in_quotes(text),
                    .accepted = "the key of a section; lists are changed in the file or by a plan"};
     }
     table = std::get_if<Setting::Table>(&section.value);
-    if (table == nullptr) return Done{};  // the section's own mistake is told when it is read
+    // A section that is none is the scene's own mistake, which is told when it is read.
+    if (table == nullptr && begin == 0 && section.file != nullptr) return Done{};
+    if (table == nullptr) {
+      const std::string name = text.substr(0, end);
+      return Error{.file = "--set",
+                   .field = name,
+                   .message = fmt::format("{}, which has no keys", section.kind()),
+                   .received = in_quotes(text),
+                   .accepted = fmt::format("{}=VALUE", name)};
+    }
     begin = end + 1;
   }
   const std::string key = text.substr(begin, equals - begin);
@@ -164,7 +243,10 @@ std::string Setting::shown() const {
     std::string operator()(const Array& array) const {
       return fmt::format("an array of {}", array.size());
     }
-    std::string operator()(const Table&) const { return setting.kind(); }
+    std::string operator()(const Table& table) const {
+      if (table.entries.empty()) return setting.kind();
+      return fmt::format("a table with the key {}", in_quotes(table.entries.front().key));
+    }
     std::string operator()(const Foreign&) const { return setting.kind(); }
   };
   return std::visit(Texts{*this}, value);
@@ -180,6 +262,7 @@ Setting& find_or_add(Setting::Table& table, const std::string& key) {
 Result<Settings> parse_settings(std::string text, const std::filesystem::path& path) {
   const auto file = std::make_shared<const SettingsFile>(SettingsFile{path, std::move(text)});
   MIXCMP_TRY(table, parse_toml(file->text, path.string()));
+  MIXCMP_TRY(sizes_checked, check_sizes("", table, path.string(), 0));
   return Settings{.path = path, .root = to_table(table, file)};
 }
 

@@ -1,10 +1,12 @@
 target_sources(mixcmp_model PRIVATE
+  scene/blame.cpp
   scene/comparison_graph.cpp
   scene/comparison_section.cpp
   scene/data_section.cpp
   scene/engine_section.cpp
   scene/groups.cpp
   scene/input_ranges.cpp
+  scene/limits.cpp
   scene/load_comparisons.cpp
   scene/locate.cpp
   scene/pairing_notes.cpp

@@ -91,6 +91,10 @@ SideSummary summarise_side(const std::string& name, const std::string& text,
 
 std::string data_source(const DataSpec& data) {
   if (!data.file.empty()) return data.file.filename().string();
+  if (data.items == "sphere_family") {
+    return fmt::format("{} \"{}\" (count {}, seed {})", data.items, data.family, data.count,
+                       data.seed);
+  }
   return fmt::format("{} (count {}, side {}, radius_max {}, seed {})", data.items, data.count,
                      data.side, data.radius_max, data.seed);
 }
@@ -165,11 +169,15 @@ private:
 
   std::string number(std::size_t table_index, std::size_t row, std::size_t column) const {
     const Table& table = data_.tables()[table_index];
+    return fmt::format("{}: {} = {}", place(table, row), table.columns[column],
+                       golden::to_text(table.format, table.at(row, column)));
+  }
+
+  /// "points.csv:7" where rows have lines, else the row's label or its number, counted from 0.
+  std::string place(const Table& table, std::size_t row) const {
+    if (!table.lines.empty()) return fmt::format("{}:{}", table.source, table.lines[row]);
     const std::string label = table.labels.empty() ? fmt::format("row {}", row) : table.labels[row];
-    const bool one_of_two = data_.tables().size() > 1 && scene_.data;
-    return fmt::format("{}{}: {} = {}",
-                       one_of_two ? table_name(*scene_.data, table_index) + " " : "", label,
-                       table.columns[column], golden::to_text(table.format, table.at(row, column)));
+    return data_.tables().size() > 1 ? fmt::format("{} {}", table.source, label) : label;
   }
 
   const std::string& name(std::size_t input) const { return scene_.graph.inputs()[input]; }
@@ -191,7 +199,8 @@ DataSummary summarise_data(const Scene& scene, const Comparisons& data) {
           .out_of_range = check.ranges().count,
           .first_out_of_range = check.ranges().first,
           .off_grid = check.grids().count,
-          .first_off_grid = check.grids().first};
+          .first_off_grid = check.grids().first,
+          .inputs = input_sources(data, scene.graph.inputs())};
 }
 
 Exactness summarise_exactness(const Scene& scene, const TypedGraph& reference) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "model/data/comparisons.hpp"
+#include "model/data/input_sources.hpp"
 #include "model/error/range_analysis.hpp"
 #include "model/scene/scene.hpp"
 
@@ -75,6 +76,7 @@ struct DataSummary {
   std::string first_out_of_range;  ///< in words; empty if there is none
   std::uint64_t off_grid = 0;      ///< numbers of the table that are no multiple of a declared grid
   std::string first_off_grid;
+  std::vector<InputSource> inputs;  ///< which column feeds which input
 };
 
 /// What `mixcmp check` tells.

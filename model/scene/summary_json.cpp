@@ -74,7 +74,18 @@ nlohmann::json json_of_system(const Scene& scene) {
           {"engine", json_of(system.engine)}};
 }
 
+nlohmann::json json_of(const InputSource& input) {
+  const std::string& name = input.column.name;
+  return {{"input", input.input},
+          {"column", input.column.number},
+          {"name", name.empty() ? nlohmann::json() : nlohmann::json(name)},
+          {"source", input.source},
+          {"item", input.item}};
+}
+
 nlohmann::json json_of(const DataSummary& data) {
+  nlohmann::json inputs = nlohmann::json::array();
+  for (const InputSource& input : data.inputs) inputs.push_back(json_of(input));
   return {{"source", data.source},
           {"rows", data.rows},
           {"pairs", to_string(data.pairing)},
@@ -84,7 +95,8 @@ nlohmann::json json_of(const DataSummary& data) {
           {"out_of_range", data.out_of_range},
           {"first_out_of_range", data.first_out_of_range},
           {"off_grid", data.off_grid},
-          {"first_off_grid", data.first_off_grid}};
+          {"first_off_grid", data.first_off_grid},
+          {"inputs", inputs}};
 }
 
 nlohmann::json json_of(const ReducedSpec& reduced) {

@@ -120,9 +120,9 @@ void print_understood(Page& page, const Scene& scene) {
   page.line("counter_bits", fmt::format("{}", system.counter_bits));
   if (system.engine.kind == EngineKind::none) return;
   if (system.engine.kind == EngineKind::arg_min) {
-    return page.line("engine", fmt::format("{}, a candidate more than lanes, row tags of {} bits",
-                                           to_string(system.engine.kind),
-                                           system.engine.row_tag_bits));
+    return page.line("engine",
+                     fmt::format("{}, a candidate more than lanes, row tags of {} bits",
+                                 to_string(system.engine.kind), system.engine.row_tag_bits));
   }
   page.line("engine",
             fmt::format("{}, {} items, reports {}", to_string(system.engine.kind),
@@ -147,6 +147,8 @@ void print_data(Page& page, const DataSummary& data) {
     page.line("off the grid",
               fmt::format("{} numbers, the first: {}", data.off_grid, data.first_off_grid));
   }
+  page.section("columns of the data");
+  for (const InputSource& input : data.inputs) page.line(input.input, "<- " + input.shown());
 }
 
 void print_savings(Page& page, const std::string& lane, const LaneSavings& savings) {

@@ -4,26 +4,17 @@
 #include "model/scene/sections.hpp"
 
 namespace mixcmp::model {
-namespace {
-
-constexpr int min_reference_precision = 11;
-
-}  // namespace
-
 Result<ReferenceSpec> read_reference(const Settings& settings) {
   Section section(settings, "reference");
   std::optional<FloatFormat> format;
   Subnormals subnormals = Subnormals::gradual;
   section.require("format");
-  section.format("format", format);
+  constexpr Limits precisions = limits::reference_precision;
+  section.format("format", format, precisions,
+                 FloatFormat::accepted(precisions.least, precisions.most));
   section.choice("subnormals", subnormals, {Subnormals::flush, Subnormals::gradual});
   Multipliers multipliers = Multipliers::embedded;
   section.choice("multipliers", multipliers, {Multipliers::embedded, Multipliers::logic});
-  if (format && format->precision() < min_reference_precision) {
-    section.fail(
-        "format", "precision out of range", format->name(),
-        fmt::format("precision {}..{}", min_reference_precision, FloatFormat::max_precision));
-  }
   if (const auto error = section.finish()) return *error;
   return ReferenceSpec{{.format = *format, .subnormals = subnormals}, multipliers};
 }
@@ -32,18 +23,14 @@ Result<SystemSpec> read_system(const Settings& settings) {
   SystemSpec spec;
   Section section(settings, "system");
   section.text("device", spec.device);
-  section.integer_or_auto("lanes", spec.lanes, 1, max_lanes);
-  section.integer_or_auto("references", spec.references, 0, max_references);
+  section.integer_or_auto("lanes", spec.lanes, limits::lanes);
+  section.integer_or_auto("references", spec.references, limits::references);
   section.number("slack", spec.slack, 0, 0.95);
   section.number("target_mhz", spec.target_mhz, 1, 2000);
   section.choice("order", spec.order, {ResultOrder::tagged, ResultOrder::in_order});
   section.choice("operands", spec.operands, {OperandStore::carried, OperandStore::refetched});
-  section.integer("tag_bits", spec.tag_bits, 1, 64);
-  section.integer("counter_bits", spec.counter_bits, 0, 64);
-  if (0 < spec.counter_bits && spec.counter_bits < 8) {
-    section.fail("counter_bits", "out of range", fmt::format("{}", spec.counter_bits),
-                 "0 (no counters) or an integer 8..64");
-  }
+  section.integer("tag_bits", spec.tag_bits, limits::tag_bits);
+  section.integer_or_zero("counter_bits", spec.counter_bits, limits::counter_bits, "no counters");
   if (spec.device.empty()) section.fail("device", "empty", "\"\"", "a device's name");
   if (const auto error = section.finish()) return *error;
   return spec;

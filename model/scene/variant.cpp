@@ -103,6 +103,11 @@ Result<Formulations> read_formulations(const Settings& settings) {
   const Settings base = without_variants(settings);
   formulations.all.push_back({.variant = {}, .settings = base});
   MIXCMP_TRY(tables, tables_of(settings, "variant", "one table for each formulation"));
+  constexpr std::size_t max_variants = 64;
+  if (tables.size() > max_variants) {
+    return mistake_at(tables[max_variants], "variant", "too many variants",
+                      fmt::format("{}", tables.size()), fmt::format("at most {}", max_variants));
+  }
   for (const Setting& table : tables) {
     MIXCMP_TRY(name, read_name(table, formulations.all));
     MIXCMP_TRY(formulation, lay_over(table, name, base));

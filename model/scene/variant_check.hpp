@@ -25,8 +25,8 @@ struct VariantCheck {
   /// Of the real numbers f and g. None: they decide alike.
   std::optional<Difference> first_difference;
   std::uint64_t differences = 0;
-  /// Comparisons of which intervals of `checked_bits` digits do not tell the order in both: ties of
-  /// numbers that are not exact, mostly.
+  /// Comparisons whose order `checked_bits` digits do not tell in both: ties of sums of several
+  /// roots, mostly.
   std::uint64_t untold = 0;
   /// Rounded in the reference format the two need not agree; how often they do not.
   std::uint64_t reference_differences = 0;

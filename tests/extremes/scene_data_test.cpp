@@ -51,11 +51,9 @@ TEST(SceneData, FamiliesAreMadeOfPairs) {
 }
 
 TEST(SceneData, OnlyFamiliesHaveAFamily) {
-  EXPECT_EQ(
-      error_of({"data.items=uniform_spheres", "data.pairs=all"}),
-      scene_path +
-          ":24: data.family: only of items = \"sphere_family\": received \"tangent\"; accepted "
-          "no family here");
+  EXPECT_EQ(error_of({"data.items=uniform_spheres", "data.pairs=all"}),
+            "--set data.items: data.family: only of items = \"sphere_family\" (at " + scene_path +
+                ":24): received \"tangent\"; accepted no family here");
 }
 
 TEST(SceneData, FamiliesThatDoNotFitTheReferenceAreAnErrorOfItsData) {
@@ -65,13 +63,10 @@ TEST(SceneData, FamiliesThatDoNotFitTheReferenceAreAnErrorOfItsData) {
       "11; accepted a reference of 17 digits or more");
 }
 
-TEST(SceneData, SizesOfACubeAreNotedAsUnused) {
-  const std::vector<std::string> overrides = {"data.side=5"};
-  const auto scene = model::load_scene(scene_path, overrides);
-  ASSERT_TRUE(scene.ok());
-  EXPECT_EQ(std::count(scene->notes.begin(), scene->notes.end(),
-                       "data.side is not used: a family has its own sizes"),
-            1);
+TEST(SceneData, SizesOfACubeAreRefused) {
+  EXPECT_EQ(error_of({"data.side=5"}),
+            "--set: data.side: not used: a family has its own sizes: received 5; accepted no such "
+            "key here, or items = \"uniform_spheres\" beside it");
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ public:
     for (std::uint64_t row = 0; row < data.size(); ++row) {
       data.fetch(row, operands);
       truth_.push_back(static_cast<Decision>(
-          model::golden::true_verdict(scene.graph, data.table().format, operands)));
+          model::golden::true_verdict(scene.graph, data.table().format, operands).value()));
     }
     reference_ = decisions(model::Emulator(reference_graph(scene.graph, scene.reference)));
   }

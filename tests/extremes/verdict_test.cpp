@@ -55,7 +55,7 @@ Judged judged(const std::string& family, FloatFormat format, std::uint64_t rows)
   Judged result = {family, format, {}, {}};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto& operands = result.rows.emplace_back(row_of(table, row));
-    const Verdict truth = model::golden::true_verdict(graph, format, operands);
+    const Verdict truth = model::golden::true_verdict(graph, format, operands).value();
     const bool finite = std::all_of(operands.begin(), operands.end(), [&](Bits bits) {
       return !format.is_nan(bits) && !format.is_infinite(bits);
     });

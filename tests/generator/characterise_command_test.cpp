@@ -151,6 +151,37 @@ TEST_F(CharacteriseCommand, AnInterruptLosesTheRunningJobsAlone) {
   EXPECT_EQ(read_table().rows.size(), 3u);
 }
 
+TEST_F(CharacteriseCommand, AKilledRunLeavesNoToolsAndTheNextClearsItsFolders) {
+  const Outcome run = signalled("KILL", "FAKE_SLOW_AFTER=1 FAKE_SLEEP=1000");
+  EXPECT_EQ(run.exit_code, 128 + SIGKILL) << run.output;
+  EXPECT_TRUE(has_ended(read("sleeps").substr(0, read("sleeps").find('\n'))));
+  EXPECT_EQ(stored(), 1);
+  EXPECT_TRUE(scratch_is_left());
+  const Outcome resumed = characterise("--precisions 4,5,6 --components lane", fake(""));
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.output;
+  EXPECT_NE(resumed.output.find("2 jobs run"), std::string::npos) << resumed.output;
+  EXPECT_FALSE(scratch_is_left());
+}
+
+TEST_F(CharacteriseCommand, ATmpdirThatDoesNotExistIsNotNeeded) {
+  const Outcome run =
+      characterise("--precisions 4 --components lane", fake("TMPDIR=/no/such/folder"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+}
+
+TEST_F(CharacteriseCommand, TwoAtOnceLoseNoRowOfOneTable) {
+  const std::string arguments =
+      "characterise scene.toml --store s.sqlite --area-only --bounds relative --inputs exact "
+      "--multipliers logic --components lane --jobs 1 --precisions ";
+  write("two.sh", fmt::format("cd '{0}'; export {3}\n'{1}' {2} 4,5 & one=$!\n"
+                              "'{1}' {2} 6,7 && wait $one\n",
+                              directory_.path().string(), MIXCMP_PROGRAM, arguments,
+                              fake("FAKE_SLOW_AFTER=0 FAKE_SLEEP=0.3")));
+  const Outcome run = shell("bash '" + (directory_.path() / "two.sh").string() + "'");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(read_table().rows.size(), 4u);
+}
+
 TEST_F(CharacteriseCommand, ALostTerminalIsIgnoredUnderNohup) {
   const Outcome run = signalled("HUP", "FAKE_SLOW_AFTER=1 FAKE_SLEEP=1", "trap '' HUP;");
   EXPECT_EQ(run.exit_code, 0) << run.output;

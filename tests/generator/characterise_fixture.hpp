@@ -104,15 +104,6 @@ protected:
     return shell("bash '" + (directory_.path() / "run.sh").string() + "'");
   }
 
-  static Outcome shell(const std::string& command) {
-    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-    EXPECT_NE(pipe, nullptr);
-    Outcome run{0, ""};
-    for (int c = 0; (c = fgetc(pipe)) != EOF;) run.output += static_cast<char>(c);
-    run.exit_code = WEXITSTATUS(pclose(pipe));
-    return run;
-  }
-
   int calls() {
     const std::string text = read("calls");
     return static_cast<int>(std::count(text.begin(), text.end(), '\n'));

@@ -57,6 +57,39 @@ TEST_F(CommandLine, AMistakeNamesTheLineOrTheOption) {
   expect_refused("generate undecided.toml", "undecided.toml:4: reduced.format: is not chosen yet");
 }
 
+TEST_F(CommandLine, AnOptionThatBreaksAnotherKeyIsNamed) {
+  expect_refused("check scene.toml --set reference.format=s60e8 --format s53e8",
+                 "mixcmp: --format: reduced.format: precision out of range");
+  expect_refused("check scene.toml --lanes 2 --set data.pairs=all",
+                 "mixcmp: --set: data.pairs: with pairs, inputs are columns of item i or item j");
+  write_scene("pairs.toml", "ai");
+  std::ofstream(directory_.path() / "pairs.toml", std::ios::app) << "pairs = \"all\"\n";
+  expect_refused("check pairs.toml --lanes 2 --set comparison.f=aj --set comparison.g=b",
+                 "mixcmp: --set comparison.g: data.pairs: with pairs, inputs are columns of item i "
+                 "or item j (at pairs.toml:14): received b");
+  write_scene("variant.toml",
+              "a * b\"\n[[variant]]\nname = \"few\"\nf = [\"a\", \"b * c\"]\n"
+              "g = [\"b\", \"a * c\"]\ncombine = \"all");
+  expect_refused("generate variant.toml --variant few --set engine.kind=pairwise",
+                 "mixcmp: --set: engine.kind");
+}
+
+TEST_F(CommandLine, CheckTellsTheColumnOfEveryInput) {
+  EXPECT_NE(mixcmp("check scene.toml")
+                .output.find("\ncolumns of the data\n"
+                             "  a                  <- column 0 \"a\" of "
+                             "data.csv\n"),
+            std::string::npos);
+  const Outcome run = mixcmp("check scene.toml --json --set data.columns.b=2");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto inputs = nlohmann::json::parse(run.output).at("data").at("inputs");
+  ASSERT_EQ(inputs.size(), 3U);
+  EXPECT_EQ(inputs[2].at("input"), "b");
+  EXPECT_EQ(inputs[2].at("column"), 2);
+  EXPECT_EQ(inputs[2].at("name"), "c");
+  EXPECT_EQ(inputs[2].at("source"), "data.csv");
+}
+
 TEST_F(CommandLine, CheckTellsWhatGenerateWillDo) {
   const Outcome run = mixcmp("check scene.toml --json");
   ASSERT_EQ(run.exit_code, 0) << run.output;
@@ -166,6 +199,68 @@ TEST_F(CommandLine, NumbersOutOfRangeAreRefused) {
   expect_refused("verify scene.toml --only 2", "an index below 2");
 }
 
+TEST_F(CommandLine, EveryVerbStatesTheSameLimits) {
+  expect_refused("profile scene.toml --first 3", "--first: received 3; accepted 4..52");
+  expect_refused("optimise scene.toml --last 53", "--last: received 53; accepted 4..52");
+  expect_refused("explore scene.toml --first 3", "--first: received 3; accepted 4..52");
+  expect_refused("check scene.toml --prove --precisions 4,53",
+                 "--precisions: received 53; accepted 4..52");
+  expect_refused("check scene.toml --format s53e8", "P 4..24 and E 2..15");
+  expect_refused("characterise scene.toml --precisions 25", "accepted numbers 4..24");
+  expect_refused("characterise scene.toml --ports 129", "accepted numbers 1..128");
+  expect_refused("verify scene.toml --lanes 513", "accepted \"auto\" or an integer 1..512");
+  expect_refused("generate scene.toml --references 17", "accepted \"auto\" or an integer 0..16");
+  const Outcome help = mixcmp("generate --help");
+  EXPECT_NE(help.output.find("p_L, 1..512 "), std::string::npos) << help.output;
+  EXPECT_NE(help.output.find("p_H, 0..16 "), std::string::npos) << help.output;
+}
+
+class Fit : public CommandLine {
+protected:
+  static constexpr const char* small = "--device ice40-up5k --set reduced.multipliers=logic";
+
+  /// The notes of generate and of check, which are the same.
+  std::string notes(const std::string& arguments) {
+    const Outcome check = mixcmp("check scene.toml --json " + arguments);
+    const Outcome generate = mixcmp("generate scene.toml --no-prove --json " + arguments);
+    EXPECT_EQ(check.exit_code, 0) << check.output;
+    EXPECT_EQ(generate.exit_code, 0) << generate.output;
+    const auto checked = nlohmann::json::parse(check.output)["generate"]["notes"];
+    const auto generated = nlohmann::json::parse(generate.output)["notes"];
+    EXPECT_EQ(checked, generated);
+    return generated.dump();
+  }
+};
+
+TEST_F(Fit, LanesThatPlainlyExceedTheDeviceAreNoted) {
+  const std::string note = "400 lanes and 1 reference do not fit ice40-up5k: about ";
+  const std::string many = notes(fmt::format("{} --lanes 400", small));
+  EXPECT_NE(many.find(note), std::string::npos) << many;
+  EXPECT_NE(many.find("lut of 5280; a rough estimate before synthesis"), std::string::npos) << many;
+  EXPECT_EQ(notes(fmt::format("{} --lanes 1", small)).find("do not fit"), std::string::npos);
+  const std::string wide = notes("--lanes 400");
+  EXPECT_EQ(wide.find("do not fit"), std::string::npos) << wide;
+  const Outcome text = mixcmp(fmt::format("generate scene.toml --no-prove {} --lanes 400", small));
+  EXPECT_NE(text.output.find("\nnote: " + note), std::string::npos) << text.output;
+}
+
+TEST_F(Fit, ATableBesideTheSceneReplacesTheEstimate) {
+  fs::create_directory(directory_.path() / "characterisation");
+  std::ofstream(directory_.path() / "characterisation" / "scene-ice40-up5k.csv")
+      << "# device: ice40-up5k\n# scene: scene\n"
+      << "kind,name,format,inputs,bound,multipliers,ports,latency_cycles,luts,registers,dsps,"
+         "memories,carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,timing_seeds,hash,"
+         "tools\n"
+      << "lane,,s8e8,exact,relative,logic,0,9,500,100,0,0,0,0,,,,,,0,a,t\n"
+      << "reference,,s24e8,,,embedded,0,9,280,100,0,0,0,0,,,,,,0,b,t\n";
+  EXPECT_EQ(notes(fmt::format("{} --lanes 10", small)).find("do not fit"), std::string::npos);
+  const std::string eleven = notes(fmt::format("{} --lanes 11", small));
+  EXPECT_NE(eleven.find("11 lanes and 1 reference do not fit ice40-up5k: at least 5780 lut of "
+                        "5280; areas measured, "),
+            std::string::npos)
+      << eleven;
+}
+
 TEST_F(CommandLine, ChoicesAreNames) {
   expect_refused("verify scene.toml --simulator 1", "{icarus,verilator}");
   expect_refused("verify scene.toml --traffic slow", "{full_rate,stressed}");
@@ -184,7 +279,6 @@ TEST_F(CommandLine, FilesThatCannotBeWrittenAreRefusedBeforeAnythingRuns) {
 TEST_F(CommandLine, NothingIsLeftOfATableThatWasNotFinished) {
   expect_refused("verify scene.toml --csv t.csv --only 2", "an index below 2");
   EXPECT_FALSE(fs::exists(directory_.path() / "t.csv"));
-  EXPECT_FALSE(fs::exists(directory_.path() / "t.csv.part"));
   EXPECT_FALSE(fs::exists(directory_.path() / "scene_s8e8_1x1_simulation"));
 }
 

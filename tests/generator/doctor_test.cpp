@@ -12,10 +12,10 @@ using nlohmann::json;
 
 class Doctor : public ProgramTest {
 protected:
+  /// What was said beside it on stderr is left out.
   json report(const std::string& environment) {
     const Outcome run = mixcmp("doctor --json", environment);
-    EXPECT_EQ(run.exit_code, 0) << run.output;
-    return json::parse(run.output);
+    return json::parse(run.output.substr(0, run.output.rfind(']') + 1));
   }
 
   json entry(const std::string& tool, const std::string& environment) {
@@ -45,6 +45,21 @@ TEST_F(Doctor, WithoutAnyToolSaysOfEachWhatIsMissingAndWhatThatDisables) {
   }
   for (const char* tool : {"yosys", "nextpnr-ice40", "nextpnr-ecp5", "glpsol"}) {
     EXPECT_TRUE(tools.contains(tool)) << tool;
+  }
+}
+
+TEST_F(Doctor, EndsWith3WhereAVerbLacksItsTool) {
+  const Outcome run = mixcmp("doctor", "PATH=/nonexistent");
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_NE(run.output.find("apt-get install verilator"), std::string::npos) << run.output;
+}
+
+TEST_F(Doctor, WhatIsBeyondDebian12IsOptional) {
+  const json all = report("MIXCMP_NEXTPNR_ECP5=/nonexistent/nextpnr-ecp5");
+  for (const json& tool : all) {
+    const bool optional = std::set<std::string>{"nextpnr-ecp5", "ccache", "glpsol", "gtkwave"}
+                              .contains(tool.at("tool").get<std::string>());
+    EXPECT_EQ(tool.at("required"), !optional) << tool;
   }
 }
 

@@ -176,12 +176,12 @@ TEST_F(OptimiseCommand, MistakesAreTold) {
        {"-o scene.toml", "--csv characterisation/scene-virtex6-lx760.csv", "-o x --lp x"}) {
     expect_refused(fmt::format("optimise scene.toml --last 14 {}", out), "would be written over");
   }
-  fs::create_directory(directory_.path() / "plan.toml.part");
-  for (const char* out : {"plan.toml", "/dev/full"}) {
+  fs::create_directory(directory_.path() / "plan.toml");
+  for (const char* out : {"plan.toml", "/dev/full", "nowhere/plan.toml"}) {
     expect_refused(fmt::format("optimise scene.toml --last 14 -o {}", out),
                    fmt::format("mixcmp: {}: cannot be written: ", out));
   }
-  EXPECT_FALSE(fs::exists(directory_.path() / "plan.toml"));
+  EXPECT_TRUE(fs::is_empty(directory_.path() / "plan.toml"));
   expect_refused("optimise scene.toml --first 3", "--first");
   expect_refused("optimise scene.toml --lanes 4", "--lanes");
 }

@@ -102,16 +102,18 @@ TEST_F(ProfileCommand, WeighsSystems) {
 
 TEST_F(ProfileCommand, WithoutGnuplotOnlyThePicturesAreMissing) {
   const Outcome run = profile("scene.toml --last 6 -o out", "PATH=/nowhere");
-  EXPECT_EQ(run.exit_code, 0) << run.output;
-  EXPECT_NE(run.output.find("no pictures: gnuplot does not run"), std::string::npos) << run.output;
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_NE(run.output.find("not done: out/figure5.svg: gnuplot does not run (apt-get install "),
+            std::string::npos)
+      << run.output;
   EXPECT_TRUE(fs::exists(directory_.path() / "out" / "figure5.csv"));
   EXPECT_FALSE(fs::exists(directory_.path() / "out" / "figure5.svg"));
 }
 
 TEST_F(ProfileCommand, RefusesWhatCannotBeProfiled) {
-  expect_profile_refused("scene.toml --first 3", "L = 3..52; accepted 4..52");
+  expect_profile_refused("scene.toml --first 3", "--first: received 3; accepted 4..52");
   expect_profile_refused("scene.toml --first 9 --last 8", "L = 9..8");
-  expect_profile_refused("scene.toml --last 53", "L = 4..53");
+  expect_profile_refused("scene.toml --last 53", "--last: received 53; accepted 4..52");
   expect_profile_refused("scene.toml --samples 0", "--samples");
   expect_profile_refused("scene.toml --threads 0", "--threads");
   write_scene("wide.toml", "binary128", "[data]\nitems = \"uniform_spheres\"\npairs = \"all\"\n");

@@ -51,8 +51,8 @@ TEST_F(BaselineCommand, AsksForWhatItCannotDoWithout) {
                  "reference.format: software computes in double");
   expect_refused("baseline scene.toml --rounds 0", "--rounds");
   const Outcome run = mixcmp("baseline scene.toml", "PATH=/nowhere");
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.output.find("apt install g++"), std::string::npos) << run.output;
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_NE(run.output.find("apt-get install g++"), std::string::npos) << run.output;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "model/profile/operands.hpp"
 #include "tests/generator/software_program.hpp"
 #include "tests/support/float_samples.hpp"
+#include "tests/support/unproven_tie.hpp"
 
 /// Software against the golden model and against the real numbers, comparison by comparison.
 namespace mixcmp::test {
@@ -43,8 +44,9 @@ std::vector<Seen> expect_right(CompiledSoftware& software, const model::Comparis
     data.fetch(k, operands);
     EXPECT_EQ(kernels[0].letters[k], letter(model::golden::evaluate_reference(doubles, operands)))
         << what << ", comparison " << k;
-    const char truth = letter(
-        model::golden::true_verdict(software.scene().graph, gen::software_format(), operands));
+    const char truth =
+        letter(model::golden::true_verdict(software.scene().graph, gen::software_format(), operands)
+                   .value());
     for (std::size_t filter = 1; filter < kernels.size(); ++filter) {
       const char decided = kernels[filter].letters[k];
       ++seen[filter - 1].comparisons;
@@ -311,6 +313,22 @@ TEST(Software, ABaselineIsCheckedMeasuredAndReported) {
     EXPECT_LE(kernel.one_core.median_per_s, kernel.one_core.best_per_s);
     EXPECT_NE(gen::to_text(*baseline).find(kernel_name(kernel)), std::string::npos);
   }
+}
+
+TEST(Software, NobodyIsWrongWhereTheTruthIsUndetermined) {
+  ScratchDirectory work;
+  const auto [f, g] = unproven_tie();
+  CompiledSoftware software({f, g, "\"*\" = { range = [0.25, 16] }\n"});
+  Random random(6);
+  const auto data = software.comparisons(close_rows({"a", "b"}, 50, random, false));
+  const auto baseline = gen::software_baseline(
+      software.scene(), data,
+      {.work = work.path(), .threads = 1, .rounds = 1, .seconds = 0.002, .sample = 50});
+  ASSERT_TRUE(baseline.ok()) << baseline.error().to_string();
+  EXPECT_TRUE(baseline->passed());
+  EXPECT_EQ(baseline->check.undetermined, 50u);
+  EXPECT_EQ(baseline->check.not_true, 0u);
+  EXPECT_NE(gen::to_text(*baseline).find("50 not held against the truth"), std::string::npos);
 }
 
 TEST(Software, AFilterThatCountsOtherwiseFailsTheBaseline) {

@@ -185,9 +185,12 @@ TEST(System, TopNamesTheLatencyFromPortToPort) {
 
 TEST(System, FileListAndSignatureNameTheSameFiles) {
   const GeneratedSystem system = sphere_system();
-  std::string expected;
-  for (const std::string& name : system.signature.files) expected += name + "\n";
-  EXPECT_EQ(find(system, system.signature.top + ".f")->text, expected);
+  std::istringstream list(find(system, system.signature.top + ".f")->text);
+  std::vector<std::string> listed;
+  for (std::string line; std::getline(list, line);) {
+    if (!line.starts_with("//")) listed.push_back(line);
+  }
+  EXPECT_EQ(listed, system.signature.files);
 }
 
 TEST(System, SignatureIsReadBackWhole) {

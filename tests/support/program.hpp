@@ -22,12 +22,8 @@ struct Outcome {
 /// Calls the program MIXCMP_PROGRAM as a user does, in a folder of its own.
 class ProgramTest : public testing::Test {
 protected:
-  /// `environment`: variables that stand before the program.
-  Outcome mixcmp(const std::string& arguments, const std::string& environment = "") {
-    const std::string command =
-        fmt::format("cd '{}' && {} '{}' {} 2>&1", directory_.path().string(), environment,
-                    MIXCMP_PROGRAM, arguments);
-    FILE* pipe = popen(command.c_str(), "r");
+  static Outcome shell(const std::string& command) {
+    FILE* pipe = popen(("{ " + command + "; } 2>&1").c_str(), "r");
     if (pipe == nullptr) throw std::runtime_error("no shell");
     Outcome run{0, ""};
     std::array<char, 4096> block;
@@ -36,6 +32,12 @@ protected:
     }
     run.exit_code = WEXITSTATUS(pclose(pipe));
     return run;
+  }
+
+  /// `environment`: variables that stand before the program.
+  Outcome mixcmp(const std::string& arguments, const std::string& environment = "") {
+    return shell(fmt::format("cd '{}' && {} '{}' {}", directory_.path().string(), environment,
+                             MIXCMP_PROGRAM, arguments));
   }
 
   void expect_refused(const std::string& arguments, const std::string& words) {

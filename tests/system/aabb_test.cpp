@@ -89,8 +89,6 @@ TEST(Boxes, OverlapInHardwareWhereTheirNumbersDo) {
 }
 
 TEST(Boxes, AreThoseOfTheProtein) {
-  const fs::path work = test_work_dir("aabb");
-  fs::create_directories(work);
   const std::string command = "awk -f " + (example / "boxes.awk").string() + " " +
                               (example / "../protein_clash/1A8O.pdb").string() + " | cmp - " +
                               (example / "boxes.csv").string();

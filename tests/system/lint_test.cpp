@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <fstream>
 #include <optional>
 
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
 #include "tests/support/mixed_spheres.hpp"
+#include "tests/support/scratch_directory.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -157,40 +159,66 @@ bool is_installed(const std::string& tool) {
 class Lint : public testing::TestWithParam<Variant> {
 protected:
   void SetUp() override {
-    directory_ = generate_to(GetParam().design, "lint_" + GetParam().name);
+    directory_ = fs::absolute(generate_to(GetParam().design, "lint_" + GetParam().name));
     const auto system = tb::load_system(directory_);
     ASSERT_TRUE(system.ok()) << system.error().to_string();
     list_ = system->signature.top + ".f";
     top_ = system->signature.engine ? system->signature.engine->top : system->signature.top;
   }
 
-  void expect_silent(const std::string& tool, const std::string& arguments) {
+  /// The command for a tool that the head of the list gives, for `directory_`.
+  std::string command_for(const std::string& tool) {
+    std::ifstream list(directory_ / list_);
+    const std::string begin = "//   " + tool + " ";
+    for (std::string line; std::getline(list, line);) {
+      if (!line.starts_with(begin)) continue;
+      std::string command = line.substr(5);
+      for (std::size_t place = 0; (place = command.find("DIR/", place)) != std::string::npos;) {
+        command.replace(place, 3, directory_.string());
+      }
+      const std::size_t folder = command.find(" DIR ");
+      if (folder != std::string::npos) command.replace(folder + 1, 3, directory_.string());
+      return command;
+    }
+    ADD_FAILURE() << list_ << " has no command for " << tool;
+    return "false";
+  }
+
+  /// In another folder than the files'.
+  void expect_silent(const std::string& tool, const std::string& command) {
     if (!is_installed(tool)) GTEST_SKIP() << tool << " is not installed";
+    const ScratchDirectory elsewhere;
     const auto [succeeded, output] =
-        run(fmt::format("cd {} && {} {}", directory_.string(), tool, arguments));
+        run(fmt::format("cd '{}' && {}", elsewhere.path().string(), command));
     EXPECT_TRUE(succeeded) << output;
     EXPECT_EQ(output, "");
   }
 
-  fs::path directory_;
+  fs::path directory_;  ///< absolute
   std::string top_;
   std::string list_;  ///< the files
 };
 
 TEST_P(Lint, Verilator) {
-  expect_silent("verilator", fmt::format("--lint-only -Wall --top-module {} -f {}", top_, list_));
+  expect_silent("verilator", command_for("verilator"));
 }
 
 TEST_P(Lint, Icarus) {
-  expect_silent("iverilog", fmt::format("-g2001 -Wall -s {} -o /dev/null -c {}", top_, list_));
+  expect_silent("iverilog", command_for("iverilog"));
+}
+
+TEST_P(Lint, IcarusTakesTheListInItsOwnFolder) {
+  expect_silent("iverilog", fmt::format("cd {} && iverilog -g2001 -Wall -t null -s {} -c {}",
+                                        directory_.string(), top_, list_));
 }
 
 TEST_P(Lint, Yosys) {
-  const std::string script = fmt::format(
-      "read_verilog *.v; hierarchy -check -top {}; proc; check -assert; "
-      "select -assert-none t:$dlatch t:$_DLATCH_*",
-      top_);
-  expect_silent("yosys", fmt::format("-q -p '{}'", script));
+  std::string command = command_for("yosys");
+  ASSERT_TRUE(command.ends_with('\'')) << command;
+  command.pop_back();
+  expect_silent("yosys", command +
+                             "; proc; check -assert; "
+                             "select -assert-none t:$dlatch t:$_DLATCH_*'");
 }
 
 INSTANTIATE_TEST_SUITE_P(Systems, Lint, testing::ValuesIn(variants()),

@@ -181,10 +181,42 @@ TEST(Verify, CountsVerdictsThatAreNotTheTruth) {
   EXPECT_EQ(report.truth->wrong_by_lane, 1000 - report.recomputations);
   EXPECT_EQ(report.truth->wrong_by_lane + report.truth->wrong_by_reference,
             1000 - report.verdicts[1]);
+  EXPECT_EQ(report.truth->not_checked(), 0u);
+  EXPECT_EQ(report.truth->reference_alone_checked, 1000u);
+  EXPECT_EQ(report.truth->reference_alone_wrong, 1000 - report.verdicts[1]);
   const VerifyReport fewer =
       run({.name = "good"}, 1000,
           {.truth = TruthCheck{.graph = &graph, .scope = TruthScope::recomputed}});
   EXPECT_EQ(fewer.truth->checked, report.recomputations);
+  EXPECT_EQ(fewer.truth->decided_by_lane, 1000 - report.recomputations);
+}
+
+TEST(Verify, CountsWhatNobodyDecidedAsNotChecked) {
+  model::Graph graph;
+  const auto a = graph.input("a");
+  graph.compare(a, graph.input("b"));
+  const VerifyReport report = run({.name = "lanes_only", .tag_bits = 64, .route = FakeRoute::none},
+                                  1000, {.truth = TruthCheck{.graph = &graph}});
+  ASSERT_TRUE(report.passed()) << to_text(report);
+  EXPECT_GT(report.undecided, 0u);
+  EXPECT_EQ(report.truth->undecided, report.undecided);
+  EXPECT_EQ(report.truth->checked + report.truth->not_checked(), report.comparisons);
+}
+
+/// Whatever has left before the run stopped is checked, or counted as not checked.
+TEST(Verify, AccountsForEveryResultOfARunThatStopped) {
+  model::Graph graph;
+  const auto a = graph.input("a");
+  graph.compare(a, graph.input("b"));
+  const VerifyReport report = run({.name = "good"}, 2000,
+                                  {.traffic = TrafficKind::stressed,
+                                   .hang_cycles = 3000,
+                                   .truth = TruthCheck{.graph = &graph},
+                                   .plusargs = {"fault=7"}});
+  EXPECT_FALSE(report.passed());
+  EXPECT_GT(report.comparisons, 0u);
+  EXPECT_LT(report.comparisons, report.requested);
+  EXPECT_EQ(report.truth->checked + report.truth->not_checked(), report.comparisons);
 }
 
 TEST(Verify, RefusesASystemOfAnotherDesign) {
@@ -212,6 +244,35 @@ TEST(Verify, ReportsItselfAsJson) {
   ASSERT_EQ(json["lane_groups"].size(), 1u);
   EXPECT_EQ(json["lane_groups"][0]["comparisons"], 500);
   EXPECT_EQ(json["lane_groups"][0]["recomputations"], json["recomputations"]);
+}
+
+TEST(VerifyReport, TellsTheColumnOfEveryInput) {
+  const auto source = [](const char* input, std::uint64_t number, const char* name,
+                         const char* file, const char* item) {
+    model::InputSource told;
+    told.input = input;
+    told.column.number = number;
+    told.column.name = name;
+    told.source = file;
+    told.item = item;
+    return told;
+  };
+  VerifyReport report;
+  report.inputs.push_back(source("xi", 2, "width", "points.csv", "item i"));
+  report.inputs.push_back(source("y", 0, "", "rows.npy", ""));
+  EXPECT_NE(to_text(report).find(
+                "\n  xi                     <- column 2 \"width\" of points.csv, item i\n"
+                "  y                      <- column 0 of rows.npy\n"),
+            std::string::npos)
+      << to_text(report);
+  const auto inputs = to_json(report).at("inputs");
+  ASSERT_EQ(inputs.size(), 2U);
+  EXPECT_EQ(inputs[0].at("input"), "xi");
+  EXPECT_EQ(inputs[0].at("column"), 2);
+  EXPECT_EQ(inputs[0].at("name"), "width");
+  EXPECT_EQ(inputs[0].at("source"), "points.csv");
+  EXPECT_EQ(inputs[0].at("item"), "item i");
+  EXPECT_TRUE(inputs[1].at("name").is_null());
 }
 
 }  // namespace

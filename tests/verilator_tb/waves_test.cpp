@@ -63,9 +63,18 @@ TEST_P(WavesOf, AreReadableAndTheSaveFileNamesWhatIsInThem) {
   EXPECT_TRUE(report->passed());
 
   const fs::path vcd = fs::path(waves).replace_extension(".vcd");
-  const auto converted = run_tool({"fst2vcd", "-f", waves.string(), "-o", vcd.string()}, "/",
-                                  waves.string() + ".log", {});
+  const auto converted = run_tool({.command = {"fst2vcd", "-f", waves.string(), "-o", vcd.string()},
+                                   .directory = "/",
+                                   .log = waves.string() + ".log"});
   ASSERT_TRUE(converted.ok()) << converted.error().to_string();
+  EXPECT_TRUE(is_whole_fst(waves));
+  const fs::path half = fs::path(waves).replace_extension(".half");
+  const std::string whole = read(waves);
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) {
+    std::ofstream(half, std::ios::binary) << whole.substr(0, size);
+    EXPECT_FALSE(is_whole_fst(half)) << size << " of " << whole.size() << " bytes";
+  }
   const std::set<std::string> names = declared(read(vcd));
   EXPECT_GT(names.size(), 40u) << "waves show the inside";
 
@@ -91,8 +100,9 @@ TEST(Waves, OfHierarchicalBlocksShowTheInsideOfTheFirst) {
   ASSERT_TRUE(report.ok()) << report.error().to_string();
   EXPECT_TRUE(report->passed());
   const fs::path vcd = fs::path(waves).replace_extension(".vcd");
-  const auto converted = run_tool({"fst2vcd", "-f", waves.string(), "-o", vcd.string()}, "/",
-                                  waves.string() + ".log", {});
+  const auto converted = run_tool({.command = {"fst2vcd", "-f", waves.string(), "-o", vcd.string()},
+                                   .directory = "/",
+                                   .log = waves.string() + ".log"});
   ASSERT_TRUE(converted.ok()) << converted.error().to_string();
   bool inside = false;
   for (const std::string& name : declared(read(vcd))) {

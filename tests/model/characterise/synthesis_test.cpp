@@ -147,7 +147,7 @@ TEST_F(Synthesis, AnAbsentTopIsAnError) {
 }
 
 TEST_F(Synthesis, AToolThatTakesTooLongIsEnded) {
-  const auto ran = run_in(directory_.path(), {"sleep", "100"}, "sleep.log", 1);
+  const auto ran = run_in(directory_.path(), {"sleep", "100"}, "sleep.log", {.seconds = 1});
   EXPECT_FALSE(ran.ok());
 }
 
@@ -199,7 +199,7 @@ TEST_F(Synthesis, OurLogicCellsAreThoseThatNextpnrPacks) {
   const Device hx8k = device("ice40-hx8k");
   for (const char* text : {adder, multiplier, delay, memory}) {
     const int ours = area(text, "ice40-hx8k").luts;
-    const auto packed = packed_luts(hx8k, directory_.path(), "map.json", 60);
+    const auto packed = packed_luts(hx8k, directory_.path(), "map.json", {.seconds = 60});
     ASSERT_TRUE(packed.ok()) << packed.error().to_string();
     const int luts = std::get<int>(*packed);
     EXPECT_GE(luts, ours) << text;
@@ -212,10 +212,12 @@ TEST_F(Synthesis, Ecp5CountsAreThoseThatNextpnrPacks) {
   SKIP_WITHOUT_ROUTER("ecp5-85k");
   for (const char* text : {adder, multiplier, small_memory}) {
     const int ours = area(text, "ecp5-85k").luts;
-    const auto packed = packed_luts(device("ecp5-85k"), directory_.path(), "map.json", 60);
+    const auto packed =
+        packed_luts(device("ecp5-85k"), directory_.path(), "map.json", {.seconds = 60});
     ASSERT_TRUE(packed.ok()) << packed.error().to_string();
     EXPECT_GE(std::get<int>(*packed), ours) << text;
-    EXPECT_LE(std::get<int>(*packed), ours + 20) << text;  // constants, and two for the ends of a carry chain
+    EXPECT_LE(std::get<int>(*packed), ours + 20)
+        << text;  // constants, and two for the ends of a carry chain
   }
 }
 
@@ -351,7 +353,7 @@ TEST_F(ScriptedRouter, TheVariablesCommandIsSplitAtBlanks) {
 }
 
 TEST_F(ScriptedRouter, SeedsThatAreRefusedAreLeftOut) {
-  const auto routed = route(device("ecp5-85k"), directory_.path(), "x.json", 5, 10);
+  const auto routed = route(device("ecp5-85k"), directory_.path(), "x.json", 5, {.seconds = 10});
   ASSERT_TRUE(routed.ok()) << routed.error().to_string();
   const Clock& clock = std::get<Clock>(*routed);
   EXPECT_EQ(clock.seeds, 3);
@@ -361,13 +363,13 @@ TEST_F(ScriptedRouter, SeedsThatAreRefusedAreLeftOut) {
 }
 
 TEST_F(ScriptedRouter, PackedLutsAreThoseOfTheUtilisation) {
-  const auto packed = packed_luts(device("ecp5-85k"), directory_.path(), "x.json", 10);
+  const auto packed = packed_luts(device("ecp5-85k"), directory_.path(), "x.json", {.seconds = 10});
   EXPECT_EQ(std::get<int>(packed.value()), 17);
 }
 
 TEST_F(ScriptedRouter, ARefusalIsToldInTheRoutersWords) {
   say("echo 'ERROR: Unable to place cell'\nexit 1\n");
-  const auto routed = route(device("ecp5-85k"), directory_.path(), "x.json", 2, 10);
+  const auto routed = route(device("ecp5-85k"), directory_.path(), "x.json", 2, {.seconds = 10});
   ASSERT_TRUE(routed.ok()) << routed.error().to_string();
   EXPECT_EQ(std::get<Refusal>(*routed).reason, "Unable to place cell");
 }
@@ -377,10 +379,11 @@ TEST_F(ScriptedRouter, ARouterThatBreaksIsAnError) {
   for (const char* script : {"echo 'ERROR: Failed to open JSON file'\nexit 1\n", "kill -SEGV $$\n",
                              "sleep 20\n", "echo '{' > route_1.json\n"}) {
     say(script);
-    EXPECT_FALSE(route(device("ecp5-85k"), directory_.path(), "x.json", 1, 1).ok()) << script;
+    EXPECT_FALSE(route(device("ecp5-85k"), directory_.path(), "x.json", 1, {.seconds = 1}).ok())
+        << script;
   }
   say("kill -SEGV $$\n");
-  EXPECT_FALSE(packed_luts(device("ecp5-85k"), directory_.path(), "x.json", 1).ok());
+  EXPECT_FALSE(packed_luts(device("ecp5-85k"), directory_.path(), "x.json", {.seconds = 1}).ok());
 }
 
 TEST_F(ScriptedRouter, WithoutOneThereIsAnAreaAndAReason) {

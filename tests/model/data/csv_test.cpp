@@ -1,5 +1,7 @@
 #include "model/data/csv.hpp"
 
+#include <fmt/core.h>
+
 #include <random>
 
 #include "tests/model/data/data_file_test.hpp"
@@ -8,7 +10,7 @@ namespace mixcmp::model {
 namespace {
 
 using CsvTest = DataFileTest;
-const std::vector<std::string> xy = {"x", "y"};
+const std::vector<WantedColumn> xy = columns_by_name(std::vector<std::string>{"x", "y"});
 
 TEST_F(CsvTest, ReadsColumnsByNameAndLeavesOthersAlone) {
   const auto table =
@@ -54,7 +56,8 @@ TEST_F(CsvTest, MistakesNameLineAndColumn) {
   EXPECT_EQ(error("yy,x\n1,2\n"),
             ":1: y: no such column: received nothing; accepted yy (the nearest), x");
   EXPECT_EQ(error("\nx,y,x\n1,2,3\n"),
-            ":2: x: two columns of this name: received 2 of them; accepted one");
+            ":2: x: two columns of this name: received 2 of them; accepted one, or the column's "
+            "number in data.columns, such as 0 or 2");
   EXPECT_EQ(error("x,y\n1,2\n1,2,3\n"),
             ":3: wrong number of fields: received 3; accepted 2, as in the first line");
   EXPECT_EQ(error("x,y\n\"1\n\",2\n3,4\n").substr(0, 17), ":2: x: not a numb");
@@ -70,6 +73,75 @@ TEST_F(CsvTest, MistakesNameLineAndColumn) {
   EXPECT_EQ(error("x,y\n1,\"2\"3\n"),
             ":2: text after a quoted field: received '3'; accepted ',' or the end of the line; "
             "quotes inside quotes doubled");
+}
+
+TEST_F(CsvTest, ColumnsGoByNumberToo) {
+  const std::vector<WantedColumn> wanted = {{.name = "p_0",
+                                             .column = std::uint64_t{2},
+                                             .field = "data.columns.p",
+                                             .place = {"s.toml", 9}},
+                                            {.name = "r", .column = "x"}};
+  const auto table = read_csv(write("x,y,x2\n\n1,2,3\n"), binary64_, wanted);
+  ASSERT_TRUE(table.ok()) << table.error().to_string();
+  EXPECT_EQ(table->columns, (std::vector<std::string>{"p_0", "r"}));
+  EXPECT_EQ(text(*table, 0, 0), "3");
+  EXPECT_EQ(text(*table, 0, 1), "1");
+  EXPECT_EQ(table->origins[0].number, 2U);
+  EXPECT_EQ(table->origins[0].name, "x2");
+  EXPECT_EQ(table->lines, std::vector<int>{3});
+  EXPECT_EQ(table->label(0), "of line 3");
+  EXPECT_EQ(read_csv(write("x,y\n1,2\n"), binary64_, wanted).error().to_string(),
+            "s.toml:9: data.columns.p: no column of this number in data: received 2; accepted "
+            "0..1, counted from 0");
+  EXPECT_EQ(told(read_csv(write("x,y,0.5\n1,2,3\n"), binary64_, wanted)),
+            ":1: the first line seems to hold numbers, not names of columns: received \"0.5\" in "
+            "column 2; accepted a first line that names the columns; data.columns with the name "
+            "where a number is one");
+}
+
+TEST_F(CsvTest, OtherSeparatorsAndMissingHeadersAreTold) {
+  const auto error = [&](const std::string& bytes) {
+    return told(read_csv(write(bytes), binary64_, xy));
+  };
+  const auto seems = [](const std::string& what) {
+    return ":1: x: no such column: received a first line that seems to be " + what +
+           "; accepted a first line that names the columns, with ',' between them";
+  };
+  EXPECT_EQ(error("x;y\n1;2\n"), seems("separated by ';'"));
+  EXPECT_EQ(error("x;y\n1,5;2,5\n"), seems("separated by ';'"));
+  EXPECT_EQ(error("x\ty\n1\t2\n"), seems("separated by tabs"));
+  EXPECT_EQ(error("x y\n1 2\n"), seems("separated by blanks"));
+  EXPECT_EQ(error("1,2\n3,4\n"), seems("numbers"));
+  EXPECT_EQ(error(" \n1\n"), seems("blank"));
+  EXPECT_EQ(error("# made by hand\nx,y\n1,2\n"), seems("a comment"));
+  EXPECT_EQ(error("x,y\r1,2\r"),
+            ":1: y: no such column: received a first line that seems to be "
+            "several lines that end in CR alone; accepted a first line that "
+            "names the columns, with ',' between them");
+  EXPECT_EQ(error(std::string("\xff\xfex\0,\0y\0\n\0", 12)), seems("text in UTF-16, or no text"));
+  EXPECT_EQ(error("x,y\n1,2\n# the end\n"),
+            ":3: wrong number of fields: received 1, the line seems to be a comment; accepted 2, "
+            "as in the first line");
+  EXPECT_EQ(error("x,y\n1;2\n"),
+            ":2: wrong number of fields: received 1, the line seems to be separated by ';'; "
+            "accepted 2, as in the first line");
+}
+
+TEST_F(CsvTest, NamesAndMessagesAreUtf8) {
+  const std::vector<WantedColumn> first = {{.name = "x", .column = std::uint64_t{0}}};
+  const auto table = read_csv(write("\xe9\xcf\x80\x1b[31m,y\n1,2\n"), binary64_, first);
+  ASSERT_TRUE(table.ok()) << table.error().to_string();
+  EXPECT_EQ(table->origins[0].name, "?\xcf\x80?[31m");
+  EXPECT_EQ(told(read_csv(path_, binary64_, xy)).substr(0, 71),
+            ":1: x: no such column: received nothing; accepted y (the nearest), ?\xcf\x80?");
+}
+
+TEST_F(CsvTest, AMessageOfAWideFileIsShort) {
+  std::string header;
+  for (int column = 0; column < 200'000; ++column) header += fmt::format("c{},", column);
+  const std::string text = told(read_csv(write(header + "y\n"), binary64_, xy));
+  EXPECT_LT(text.size(), 1000U);
+  EXPECT_NE(text.find(", and 199961 more"), std::string::npos) << text;
 }
 
 TEST_F(CsvTest, MutatedFilesGiveErrorsNotCrashes) {

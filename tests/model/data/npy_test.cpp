@@ -11,7 +11,9 @@ namespace mixcmp::model {
 namespace {
 
 using NpyTest = DataFileTest;
-const std::vector<std::string> xy = {"x", "y"};
+const std::vector<WantedColumn> xy = {{.name = "x", .column = std::uint64_t{0}},
+                                      {.name = "y", .column = std::uint64_t{1}}};
+const std::vector<WantedColumn> fields = columns_by_name(std::vector<std::string>{"x", "y"});
 
 /// As NumPy writes it: magic, version, length, dictionary padded to 64 bytes.
 std::string npy(const std::string& type, const std::string& order, const std::string& shape,
@@ -89,17 +91,71 @@ TEST_F(NpyTest, StructuredArraysAreReadByFieldName) {
   data += bytes_of<float>({0.25F}) + "abcd" + bytes_of<std::int16_t>({-1});
   data += bytes_of<float>({1.25F}) + "efgh" + bytes_of<std::int16_t>({0});
   const std::string type = "[('y', '<f4'), ('name', '|S4'), ('x', '<i2')]";
-  const auto table = read_npy(write(npy(type, "False", "(2,)", data)), binary64_, xy);
+  const auto table = read_npy(write(npy(type, "False", "(2,)", data)), binary64_, fields);
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   EXPECT_EQ(text(*table, 0, 0), "-1");
   EXPECT_EQ(text(*table, 1, 1), "1.25");
-  const std::vector<std::string> name = {"name"};
+  const auto name = columns_by_name(std::vector<std::string>{"name"});
   EXPECT_EQ(told(read_npy(path_, binary64_, name)),
             ": name: not numbers we read: received |S4; accepted floats of 2, 4, 8 bytes or "
             "integers of 1, 2, 4, 8");
-  const std::vector<std::string> other = {"nmae"};
+  const auto other = columns_by_name(std::vector<std::string>{"nmae"});
   EXPECT_EQ(told(read_npy(path_, binary64_, other)),
             ": nmae: no such column: received nothing; accepted name (the nearest), y, x");
+}
+
+TEST_F(NpyTest, PlainColumnsGoByNumberAndMayBeMore) {
+  const std::vector<WantedColumn> swapped = {{.name = "x", .column = std::uint64_t{2}},
+                                             {.name = "y", .column = std::uint64_t{0}}};
+  for (const char* order : {"False", "True"}) {
+    const auto table = read_npy(write(npy("'<f8'", order, "(2, 3)", six)), binary64_, swapped);
+    ASSERT_TRUE(table.ok()) << table.error().to_string();
+    EXPECT_EQ(table->columns, (std::vector<std::string>{"x", "y"}));
+    const bool rows = std::string(order) == "False";
+    EXPECT_EQ(text(*table, 1, 0), "0.1");
+    EXPECT_EQ(text(*table, 0, 0), rows ? "3" : "5");
+    EXPECT_EQ(text(*table, 1, 1), rows ? "4" : "2");
+    EXPECT_EQ(table->origins[0].number, 2U);
+    EXPECT_EQ(table->origins[0].name, "");
+  }
+}
+
+TEST_F(NpyTest, FieldsGoByNumberWithoutTheNamelessOnesOfPadding) {
+  std::string data;
+  data += bytes_of<float>({0.25F}) + "pad!" + bytes_of<double>({2});
+  const std::string type = "[('y', '<f4'), ('', '|V4'), ('x', '<f8')]";
+  const auto table = read_npy(write(npy(type, "False", "(1,)", data)), binary64_, xy);
+  ASSERT_TRUE(table.ok()) << table.error().to_string();
+  EXPECT_EQ(text(*table, 0, 0), "0.25");
+  EXPECT_EQ(text(*table, 0, 1), "2");
+  EXPECT_EQ(table->origins[1].name, "x");
+}
+
+TEST_F(NpyTest, NoOrderOfPlainColumnsIsImplied) {
+  write(npy("'<f8'", "False", "(2, 3)", six));
+  EXPECT_EQ(told(read_npy(path_, binary64_, fields)),
+            ": the columns of a plain array have no names: received no number for x, y; accepted "
+            "the number of each one's column, counted from 0 and below 3, for example { x = 0, "
+            "y = 1 }");
+  const std::vector<WantedColumn> partly = {{.name = "p_0", .column = std::uint64_t{0}},
+                                            {.name = "r", .column = "r"},
+                                            {.name = "p_1", .column = "p_1"},
+                                            {.name = "q", .column = "q"}};
+  EXPECT_EQ(told(read_npy(path_, binary64_, partly)),
+            ": the columns of a plain array have no names: received no number for r, p_1, q; "
+            "accepted the number of each one's column, counted from 0 and below 3, for example "
+            "{ p = [0, 2], r = 1, q = ? }");
+  const Place place = {"s.toml", 9};
+  const std::vector<WantedColumn> named = {
+      {.name = "x", .column = "c0", .field = "data.columns.x", .place = place}};
+  EXPECT_EQ(read_npy(path_, binary64_, named).error().to_string(),
+            "s.toml:9: data.columns.x: the columns of data have no names: received \"c0\"; "
+            "accepted a number below 3, the first column being 0");
+  const std::vector<WantedColumn> beyond = {
+      {.name = "x", .column = std::uint64_t{3}, .field = "data.columns.x", .place = place}};
+  EXPECT_EQ(read_npy(path_, binary64_, beyond).error().to_string(),
+            "s.toml:9: data.columns.x: no such column in data: received 3; accepted a number below "
+            "3, the first column being 0");
 }
 
 TEST_F(NpyTest, MistakesTellWhatWasFoundAndAccepted) {
@@ -111,12 +167,20 @@ TEST_F(NpyTest, MistakesTellWhatWasFoundAndAccepted) {
       ": npy header: not a .npy file: received \"PK?? a\"; accepted the bytes \\x93NUMPY first");
   EXPECT_EQ(error(npy("'<f8'", "False", "(3, 2)", six, 9)),
             ": npy header: unknown version: received 9; accepted 1, 2 or 3");
-  EXPECT_EQ(error(npy("'<f8'", "False", "(2, 3)", six)),
-            ": shape: not the shape of this data: received (2, 3); accepted (rows, 2), the columns "
-            "being x, y");
   EXPECT_EQ(error(npy("'<f8'", "False", "(6,)", six)),
-            ": shape: not the shape of this data: received (6); accepted (rows, 2), the columns "
-            "being x, y");
+            ": shape: not the shape of this data: received (6); accepted (rows, columns), or "
+            "(rows,) for an array of named fields");
+  EXPECT_EQ(error(npy("'<f8'", "False", "(3, 0)", six)),
+            ": shape: not the shape of this data: received (3, 0); accepted at least one column");
+  EXPECT_EQ(error(npy("'<f8', 'descr': '>f8'", "False", "(3, 2)", six)),
+            ": npy header: a key given twice: received \"descr\"; accepted each key once");
+  EXPECT_EQ(error(npy("'<f8'", "False", "(3, 2)} (", six)).substr(0, 31),
+            ": npy header: malformed: receiv");
+  EXPECT_EQ(
+      told(read_npy(write(npy("[('x', '<f8'), ('y', '<f8'), ('x', '<f8')]", "False", "(2,)", six)),
+                    binary16_, fields)),
+      ": descr: two fields of this name: received \"x\"; accepted names that differ, as NumPy "
+      "has them");
   EXPECT_EQ(error(npy("'<f8'", "False", "(4, 2)", six)),
             ": data: the data do not fill the shape: received 48 bytes; accepted 64 bytes");
   EXPECT_EQ(error(npy("'<f8'", "False", "(18446744073709551615, 2)", six)).substr(0, 41),
@@ -130,9 +194,10 @@ TEST_F(NpyTest, MistakesTellWhatWasFoundAndAccepted) {
             ": npy header: malformed: received");
   EXPECT_EQ(error(npy("'<f8'", "False", "(3, 2)", six).substr(0, 40)),
             ": npy header: cut short: received 40 bytes in the file; accepted at least 128");
-  EXPECT_EQ(error(npy("'<f8'", "False", "(1, 2)", bytes_of<double>({1, 1e5}))),
-            ": y, row 0: out of range: received a number beyond the largest of s11e5; accepted a "
-            "smaller one, or a reference format with more exponent bits");
+  EXPECT_EQ(
+      error(npy("'<f8'", "False", "(1, 2)", bytes_of<double>({1, 1e5}))),
+      ": row 0, column 1: out of range: received a number beyond the largest of s11e5; accepted a "
+      "smaller one, or a reference format with more exponent bits");
 }
 
 TEST_F(NpyTest, MutatedFilesGiveErrorsNotCrashes) {
@@ -147,7 +212,7 @@ TEST_F(NpyTest, MutatedFilesGiveErrorsNotCrashes) {
           static_cast<char>(random() % 256);
     }
     if (random() % 4 == 0) bytes.resize(random() % bytes.size());
-    errors += !read_npy(write(bytes), binary64_, xy).ok();
+    errors += !read_npy(write(bytes), binary64_, round % 2 == 0 ? xy : fields).ok();
   }
   EXPECT_GT(errors, 1000);
 }

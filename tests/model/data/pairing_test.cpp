@@ -161,7 +161,13 @@ TEST(ColumnNames, ListsNameSubscriptedColumns) {
   const std::vector<std::string> wanted = {"p_1", "r", "p_0", "q"};
   const auto columns = file_columns(point_names, wanted);
   ASSERT_TRUE(columns.ok()) << columns.error().to_string();
-  EXPECT_EQ(*columns, (std::vector<std::string>{"y", "radius", "x", "q"}));
+  const std::vector<ColumnKey> expected = {"y", "radius", "x", "q"};
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    EXPECT_EQ((*columns)[k].name, wanted[k]);
+    EXPECT_EQ((*columns)[k].column, expected[k]);
+  }
+  EXPECT_EQ((*columns)[0].field, "data.columns.p");
+  EXPECT_EQ((*columns)[3].field, "");
 }
 
 TEST(ColumnNames, MistakesAreTold) {
@@ -180,16 +186,19 @@ TEST(ColumnNames, MistakesAreTold) {
   EXPECT_EQ(file_columns(twice, both).error().to_string(),
             "data.columns.p_1: a second column for p_1: received data.columns.p_1 beside "
             "data.columns.p; accepted one of them");
-  const std::vector<std::string> misspelt = {"radiu"}, name = {"r"};
-  EXPECT_EQ(select_columns(numbered(0, 1, {"x", "radius"}), misspelt, name).error().to_string(),
+  const std::vector<WantedColumn> misspelt = {{.name = "r", .column = "radiu"}};
+  EXPECT_EQ(select_columns(numbered(0, 1, {"x", "radius"}), misspelt).error().to_string(),
             "radiu: no such column: received nothing; accepted radius (the nearest), x");
 }
 
 TEST(ColumnNames, SelectedColumnsAreInTheWantedOrder) {
-  const std::vector<std::string> columns = {"c", "a"}, wanted = {"p_0", "p_1"};
-  const auto table = select_columns(numbered(0, 2, {"a", "b", "c"}), columns, wanted);
+  const std::vector<WantedColumn> wanted = {{.name = "p_0", .column = "c"},
+                                            {.name = "p_1", .column = std::uint64_t{0}}};
+  const auto table = select_columns(numbered(0, 2, {"a", "b", "c"}), wanted);
   ASSERT_TRUE(table.ok());
-  EXPECT_EQ(table->columns, wanted);
+  EXPECT_EQ(table->columns, (std::vector<std::string>{"p_0", "p_1"}));
+  EXPECT_EQ(table->origins[0].number, 2U);
+  EXPECT_EQ(table->origins[1].name, "a");
   EXPECT_EQ(table->at(1, 0), golden::from_rational(binary32, 12));
   EXPECT_EQ(table->at(1, 1), golden::from_rational(binary32, 10));
 }

@@ -122,6 +122,14 @@ TEST_F(PdbTest, CarriageReturnsAndMissingOccupancyAreTolerated) {
   EXPECT_EQ(text(*table, 0, 3), "1.7");
 }
 
+TEST_F(PdbTest, NoAtomIsLostToAByteOrderMarkAndLabelsAreUtf8) {
+  const auto table =
+      read_pdb(write("\xef\xbb\xbf" + with(alpha_carbon, 18, "M\xffT") + alpha_carbon), binary64_);
+  ASSERT_TRUE(table.ok()) << table.error().to_string();
+  ASSERT_EQ(table->rows(), 2U);
+  EXPECT_NE(table->labels[0].find(" M?T "), std::string::npos) << table->labels[0];
+}
+
 TEST_F(PdbTest, BadLinesAreToldByLineAndField) {
   const auto error = [&](const std::string& line) {
     return told(read_pdb(write("HEADER\n" + alpha_carbon + line), binary64_));
@@ -140,6 +148,9 @@ TEST_F(PdbTest, BadLinesAreToldByLineAndField) {
       unknown.substr(0, 83),
       ":3: element (columns 77-78): no van der Waals radius is known: received \"XX\"; accep");
   EXPECT_NE(unknown.find(" SE "), std::string::npos);
+  EXPECT_EQ(told(read_pdb(write(alpha_carbon.substr(0, 54) + "\r" + alpha_carbon), binary64_)),
+            ":1: not a line of a PDB file: received CR within it; accepted lines that end in LF or "
+            "CR LF");
   EXPECT_EQ(told(read_pdb(write("HEADER\n"), binary64_)),
             ": no atoms: received no ATOM or HETATM record; accepted a PDB file with at least one");
 }

@@ -98,7 +98,7 @@ TEST_P(EveryTuple, IsDecidedAsThePartsSayAndAsTheRealNumbersAre) {
       inputs[k] =
           index >> (k * static_cast<std::size_t>(format.width())) & model::low_mask(format.width());
     }
-    const Verdict truth = true_verdict(graph, format, inputs);
+    const Verdict truth = true_verdict(graph, format, inputs).value();
     for (const CombinedLane& lane : lanes) {
       const CombinedResult result = evaluate_lane(lane, inputs);
       const Expected expected = of_parts(lane, inputs);

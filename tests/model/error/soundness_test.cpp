@@ -82,7 +82,7 @@ void judge(const Comparison& comparison, FloatFormat reference) {
   const Bits end = Bits{1} << (count * static_cast<size_t>(reference.width()));
   for (Bits index = 0; index < end && !testing::Test::HasFailure(); ++index) {
     const std::vector<Bits> inputs = unpack(index, reference, count);
-    const Verdict truth = true_verdict(graph, reference, inputs);
+    const Verdict truth = true_verdict(graph, reference, inputs).value();
     for (size_t k = 0; k < lanes.size(); ++k) {
       const LaneResult result = evaluate_lane(lanes[k], inputs);
       decided[k] += result.decided ? 1 : 0;

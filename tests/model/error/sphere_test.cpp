@@ -64,7 +64,7 @@ public:
 
   void judge(const Spheres& spheres) {
     const std::vector<Bits> inputs = encode(reference_, spheres);
-    const Verdict truth = true_verdict(graph_, reference_, inputs);
+    const Verdict truth = true_verdict(graph_, reference_, inputs).value();
     for (const Lane& lane : lanes_) {
       const LaneResult result = evaluate_lane(lane, inputs);
       ++judged_;

@@ -62,7 +62,7 @@ TEST(Combination, OfTruthAndReferenceIsThatOfTheirParts) {
       const std::vector<Bits> inputs = {index % end, index / end % end, index / end / end};
       std::vector<Verdict> truths, references;
       for (std::size_t k = 0; k < 3; ++k) {
-        truths.push_back(true_verdict(graph.part(k), format, inputs));
+        truths.push_back(true_verdict(graph.part(k), format, inputs).value());
         references.push_back(evaluate_reference(reference.parts[k], inputs));
       }
       ASSERT_EQ(true_verdict(graph, format, inputs), of_parts(combination, truths));

@@ -86,8 +86,8 @@ LaneResult decide(const UlpDistanceDecision& decision, Bits a, Bits b,
                   std::vector<model::RangeCheck> checks = {}) {
   const FloatFormat format = format_of(4, 4);
   const Arithmetic arithmetic{format, Rounding::nearest_even, subnormals};
-  const Lane lane{lane_graph(graph_of("a", "b"), format, arithmetic, LaneInputs::rounded),
-                  decision, std::move(checks)};
+  const Lane lane{lane_graph(graph_of("a", "b"), format, arithmetic, LaneInputs::rounded), decision,
+                  std::move(checks)};
   return evaluate_lane(lane, std::vector<Bits>{a, b});
 }
 
@@ -181,7 +181,8 @@ TEST(Reference, OrdersWhatItComputed) {
   EXPECT_EQ(verdict({"inf", "-inf", "1"}), Verdict::unordered);
 }
 
-Verdict truth(const std::string& f, const std::string& g, const std::vector<std::string>& values) {
+std::optional<Verdict> truth(const std::string& f, const std::string& g,
+                             const std::vector<std::string>& values) {
   return true_verdict(graph_of(f, g), binary64, encode(binary64, values));
 }
 

@@ -2,14 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "model/data/sphere_family.hpp"
 #include "model/data/uniform_spheres.hpp"
 #include "model/emulator/reference_contest.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/profile/report.hpp"
 #include "model/profile/systems.hpp"
 #include "tests/model/profile/profile_cases.hpp"
 #include "tests/support/sphere.hpp"
+#include "tests/support/unproven_tie.hpp"
 
 /// The counts of profile_rates against the golden model, comparison by comparison.
 namespace mixcmp::test {
@@ -44,7 +47,7 @@ std::vector<Truth> truths(const Scene& scene, const Comparisons& data) {
   for (std::uint64_t index = 0; index < data.size(); ++index) {
     data.fetch(index, operands);
     result.push_back({evaluate_reference(reference, operands),
-                      true_verdict(scene.graph, scene.reference.format, operands)});
+                      true_verdict(scene.graph, scene.reference.format, operands).value()});
   }
   return result;
 }
@@ -163,6 +166,32 @@ TEST(Rates, OfTwoTablesAreTheGoldenModels) {
   const auto data = Comparisons::arg_min(table(40, 100, 3), table(9, 130, 4),
                                          nearest_centre.graph.inputs(), contest);
   checked_profile(nearest_centre, data.value(), LaneInputs::exact, options_of(4, 30), "arg_min");
+}
+
+TEST(Rates, CallNobodyWrongWhereTheTruthIsUndetermined) {
+  const auto [f, g] = unproven_tie();
+  const Scene scene = scene_of(graph_of(f, g), format_of(53, 8), nearest(format_of(8, 8)));
+  std::vector<Bits> operands;
+  for (int k = 0; k < 10; ++k) {
+    for (const int n : {k + 2, 3 * k + 1}) {
+      operands.push_back(model::golden::from_rational(scene.reference.format, mpq_class(n, 7)));
+    }
+  }
+  const Comparisons data = rows_of(scene.graph, scene.reference.format, operands);
+  const ProfileOptions options = options_of(8, 12);
+  const ErrorProfile errors = profile_errors(scene, data, {LaneInputs::exact}, options).front();
+  const RateProfile profile = profile_rates(scene, data, errors, options);
+  EXPECT_EQ(profile.comparisons, 10u);
+  EXPECT_EQ(profile.true_verdicts, 10u);
+  EXPECT_EQ(profile.undetermined, 10u);
+  EXPECT_EQ(profile.reference_wrong, 0u);
+  for (const auto& system : profile.systems) {
+    for (const SystemCounts& counts : system.counts) EXPECT_EQ(counts.wrong, 0u) << system.name;
+  }
+  const model::ProfileReport report{
+      .scene = "tie", .reference = scene.reference.format, .comparisons = 10, .rates = {profile}};
+  EXPECT_NE(to_text(report).find("the truth is undetermined of 10"), std::string::npos);
+  EXPECT_EQ(to_json(report)["recomputation_rates"][0]["truth_undetermined"], 10);
 }
 
 TEST(Rates, OfHardFamiliesAreTheGoldenModels) {

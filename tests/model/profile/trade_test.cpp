@@ -69,7 +69,7 @@ protected:
 TEST_F(Areas, ReplaceTheModels) {
   const auto areas = read("system,precision,luts\nreference,53,8000\nrelative,9,1000\r\n").value();
   const Trade trade = trade_of(sphere_scene(), areas);
-  const TradePoint& measured = point_of(trade, "relative", 9);
+  const TradePoint measured = point_of(trade, "relative", 9);
   EXPECT_TRUE(measured.measured && trade.reference_measured);
   EXPECT_EQ(trade.reference_luts, 8000);
   EXPECT_EQ(measured.rate, 0.05);

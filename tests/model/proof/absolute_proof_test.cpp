@@ -40,7 +40,7 @@ model::AbsoluteBoundDecision& decision_of(Lane& lane) {
 class AbsoluteProof : public WithGappa {
 protected:
   LaneProof prove(const Lane& lane, const ErrorAnalysis& analysis) {
-    return prove_absolute(lane, analysis, std::ref(prover_));
+    return prove_absolute(lane, analysis, std::ref(prover_), Effort::whole);
   }
   LaneProof prove(const Lane& lane) { return prove(lane, analysis_of(lane)); }
 

@@ -276,6 +276,21 @@ TEST_F(RelativeProof, AGuardOneStepLowerIsRefused) {
   }
 }
 
+/// The same inexact factor on both sides cancels exactly: no interval of binary digits says so, and
+/// the lane is sound all the same.
+TEST_F(RelativeProof, AGuardThatFollowsFromExactBoundsAloneIsByHand) {
+  for (const char* f : {"0.1 * a", "a / 0.1", "0.1 / a"}) {
+    std::string g = f;
+    g[g.find('a')] = 'b';
+    Lane lane = lane_of(graph_of(f, g), {.format = "s8e8"}).value();
+    const LaneProof sound = prove(lane, Effort::operations);
+    EXPECT_FALSE(sound.refused()) << f << ": " << sound.verdict();
+    EXPECT_FALSE(sound.machine_checked()) << f << ": " << sound.verdict();
+    std::get<model::UlpDistanceDecision>(lane.decision).guard_ulp -= 1;
+    EXPECT_TRUE(prove(lane, Effort::operations).refused()) << f;
+  }
+}
+
 /// Hypotheses that contradict one another would prove anything.
 TEST_F(RelativeProof, NoScriptAssumesTheImpossible) {
   int scripts = 0;

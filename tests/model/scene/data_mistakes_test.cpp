@@ -71,7 +71,7 @@ TEST_F(DataMistakes, KeysOfColumnsAreNamesOrSubscripts) {
             "accepted \"p[2]\", the pattern \"p[*]\", or the name p_2");
   EXPECT_EQ(error("p[0]", "y", "file = \"points.csv\"\ncolumns = { p = [] }\n"),
             "scene.toml:8: data.columns.p: not a column: received an array of 0; accepted the "
-            "name of a column, or a list of names");
+            "name of a column, its number counted from 0, or a list of these");
 }
 
 TEST_F(DataMistakes, AMissingColumnIsToldWithItsInputAndTheRule) {
@@ -143,6 +143,63 @@ TEST_F(DataMistakes, TooFewRowsNameTheirFile) {
   EXPECT_EQ(error("x", "y", "file = \"empty.csv\"\n"),
             "scene.toml:7: data.file: nothing to compare: received 0 rows in empty.csv; accepted "
             "1..2147483648 rows");
+}
+
+TEST_F(DataMistakes, KeysThatTheSourceDoesNotUseAreRefused) {
+  const std::string file = "file = \"points.csv\"\n", spheres = "items = \"uniform_spheres\"\n";
+  for (const char* key : {"count", "side", "radius_max", "seed"}) {
+    EXPECT_EQ(
+        error("x", "y", file + key + " = 2\n"),
+        std::string("scene.toml:8: data.") + key +
+            ": not used: the data come from a file: received 2; accepted no such key here, or "
+            "items in place of file beside it");
+  }
+  EXPECT_EQ(
+      error("cxi", "cxj", "items = \"sphere_family\"\nfamily = \"tangent\"\nside = 2\n"),
+      "scene.toml:9: data.side: not used: a family has its own sizes: received 2; accepted no "
+      "such key here, or items = \"uniform_spheres\" beside it");
+  EXPECT_EQ(error("x", "y", file + "family = \"tangent\"\n"),
+            "scene.toml:8: data.family: only of items = \"sphere_family\": received \"tangent\"; "
+            "accepted no family here");
+  EXPECT_EQ(error("cxi", "cxj", spheres + "pairs = \"all\"\nwith = \"one.csv\"\n"),
+            "scene.toml:9: data.with: a second file needs pairs that use it: received \"one.csv\"; "
+            "accepted pairs = \"cross\" or \"arg_min\" beside it");
+  EXPECT_EQ(error("cxi", "cxj", spheres + "pairs = \"all\"\nwith_columns = { x = \"y\" }\n"),
+            "scene.toml:9: data.with_columns: names columns of no file: received no data.with; "
+            "accepted with = \"file.csv\"");
+  EXPECT_EQ(error("cxi", "cxj", spheres + "pairs = \"all\"\ncolumns = { q = \"cx\" }\n"),
+            "scene.toml:9: data.columns.q: no input needs such a column: received q; accepted cx");
+}
+
+TEST_F(DataMistakes, AnArrayWithoutNamesNeedsNumbers) {
+  const std::string dictionary =
+      "{'descr': '<f8', 'fortran_order': False, 'shape': (0, 3), }                             "
+      "                        \n";
+  std::string header = "\x93NUMPY\x01";
+  header += '\0';
+  header += static_cast<char>(dictionary.size());
+  header += '\0';
+  write("plain.npy", header + dictionary);
+  EXPECT_EQ(error("p[0] + r", "p[1]", "file = \"plain.npy\"\n"),
+            "scene.toml:7: data.columns: the columns of a plain array have no names, and plain.npy "
+            "is one: received no number for p_0, r, p_1; accepted the number of each one's column, "
+            "counted from 0 and below 3, for example { p = [0, 2], r = 1 }");
+  EXPECT_EQ(error("p[0] + r", "p[1]", "file = \"plain.npy\"\n\ncolumns = { p = [1, 2] }\n"),
+            "scene.toml:9: data.columns: the columns of a plain array have no names, and plain.npy "
+            "is one: received no number for r; accepted the number of each one's column, counted "
+            "from 0 and below 3, for example { p = [1, 2], r = 0 }");
+  EXPECT_EQ(error("ai", "bj",
+                  "file = \"points.csv\"\ncolumns = { a = \"x\" }\nwith = \"plain.npy\"\n"
+                  "pairs = \"cross\"\nwith_columns = { b = \"b\" }\n"),
+            "scene.toml:11: data.with_columns.b: the columns of plain.npy have no names: received "
+            "\"b\"; accepted a number below 3, the first column being 0");
+  EXPECT_EQ(error("x", "y", "file = \"points.csv\"\n", {"data.columns.x=-1"}),
+            "--set: data.columns.x: not a column: received -1; accepted the name of a column, its "
+            "number counted from 0, or a list of these");
+  EXPECT_EQ(
+      error("x", "y", "file = \"points.csv\"\n", {"data.columns.x=[0, true]"}),
+      "--set: data.columns.x: not a column: received true; accepted the name of a column, its "
+      "number counted from 0, or a list of these");
 }
 
 TEST_F(DataMistakes, OverridesReachIntoTables) {

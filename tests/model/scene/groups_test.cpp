@@ -138,9 +138,10 @@ TEST_F(Groups, MistakesAreToldWithTheLineOfTheirGroup) {
             "1..512");
   EXPECT_EQ(error("[[lanes]]\ncount = 1\nbits = 3\n").substr(0, 31),
             ":18: lanes.bits: unknown key: r");
-  EXPECT_EQ(error("[[lanes]]\ncount = 1\nformat = \"s60e8\"\n"),
-            ":18: lanes.format: precision out of range: received s60e8; accepted precision 4..52, "
-            "at most the reference's");
+  EXPECT_EQ(
+      error("[[lanes]]\ncount = 1\nformat = \"s60e8\"\n"),
+      ":18: lanes.format: precision out of range: received \"s60e8\"; accepted \"auto\", sP or "
+      "sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32");
   EXPECT_EQ(error("[[references]]\ncount = 1\nformat = \"s24e8\"\n"),
             ":18: references.format: unknown key: received format; accepted count, multipliers");
 }
@@ -165,8 +166,8 @@ TEST_F(Groups, CountsStandInOnePlace) {
 
 TEST_F(Groups, OnlyListsOfTablesAreLists) {
   EXPECT_EQ(error("[lanes]\ncount = 1\n"),
-            ":16: lanes: not a list of tables: received a table; accepted [[lanes]], one table for "
-            "each kind");
+            ":16: lanes: not a list of tables: received a table with the key \"count\"; accepted "
+            "[[lanes]], one table for each kind");
   const Result<Scene> numbers = load("lanes = [1, 2]\n" + head);
   ASSERT_FALSE(numbers.ok());
   EXPECT_EQ(numbers.error().field, "lanes");

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <random>
 
+#include "model/data/input_sources.hpp"
 #include "model/emulator/operand.hpp"
 #include "model/golden/evaluate.hpp"
 #include "tests/support/scratch_directory.hpp"
@@ -71,6 +72,39 @@ TEST_F(TwoTables, ColumnsHaveTheScenesNames) {
   ASSERT_TRUE(generated.ok()) << generated.error().to_string();
 }
 
+TEST_F(TwoTables, EveryInputTellsItsColumn) {
+  write("points.csv", "name,width,height,size\na,1,2,3\nb,4,5,6\n");
+  write("centres.csv", "x,y\n7,8\n9,10\n");
+  const auto told = [](const Result<Comparisons>& data, const std::vector<std::string>& inputs) {
+    EXPECT_TRUE(data.ok()) << (data.ok() ? "" : data.error().to_string());
+    std::vector<std::string> lines;
+    for (const InputSource& input : input_sources(*data, inputs)) {
+      lines.push_back(input.input + " <- " + input.shown());
+    }
+    return lines;
+  };
+  const auto arg_min = load("p[0] * ci[0]", "p[0] * cj[0] + p[1]",
+                            "file = \"points.csv\"\nwith = \"centres.csv\"\npairs = \"arg_min\"\n"
+                            "columns = { p = [3, \"width\"] }\nwith_columns = { c = [1] }\n");
+  EXPECT_EQ(told(arg_min, {"p_0", "ci_0", "cj_0", "p_1"}),
+            (std::vector<std::string>{"p_0 <- column 3 \"size\" of points.csv, row",
+                                      "ci_0 <- column 1 \"y\" of centres.csv, candidate i",
+                                      "cj_0 <- column 1 \"y\" of centres.csv, candidate j",
+                                      "p_1 <- column 1 \"width\" of points.csv, row"}));
+  EXPECT_EQ(operands(*arg_min, 0), (std::vector<double>{3, 8, 10, 1}));
+  const auto spheres =
+      load("ri", "cyj", "items = \"uniform_spheres\"\ncount = 3\npairs = \"all\"\n");
+  EXPECT_EQ(told(spheres, {"ri", "cyj"}),
+            (std::vector<std::string>{"ri <- column 3 \"r\" of uniform_spheres, item i",
+                                      "cyj <- column 1 \"cy\" of uniform_spheres, item j"}));
+  const auto family = load("a", "b",
+                           "items = \"sphere_family\"\nfamily = \"tangent\"\ncount = 2\n"
+                           "columns = { a = \"rj\", b = 0 }\n");
+  EXPECT_EQ(told(family, {"a", "b"}),
+            (std::vector<std::string>{"a <- column 7 \"rj\" of sphere_family",
+                                      "b <- column 0 \"cxi\" of sphere_family"}));
+}
+
 TEST_F(TwoTables, MistakesNameFileLineAndKey) {
   write("points.csv", "width,height\n1,2\n");
   write("centres.csv", "x,y\n7,8\n");
@@ -86,9 +120,9 @@ TEST_F(TwoTables, MistakesNameFileLineAndKey) {
       "points.csv:1: with: no such column, which the input wi needs: an input ending in i is of "
       "an item of points.csv, in j of centres.csv: received nothing; accepted width (the "
       "nearest), height");
-  EXPECT_EQ(error("wi", "xj", both + "pairs = \"cross\"\ncolumns = { w = 3 }\n"),
-            "scene.toml:11: data.columns.w: not a column: received 3; accepted the name of a "
-            "column, or a list of names");
+  EXPECT_EQ(error("wi", "xj", both + "pairs = \"cross\"\ncolumns = { w = 3.5 }\n"),
+            "scene.toml:11: data.columns.w: not a column: received 3.5; accepted the name of a "
+            "column, its number counted from 0, or a list of these");
   EXPECT_EQ(error("widthi", "xj", both + "pairs = \"cross\"\nwith_columns = { w = \"x\" }\n"),
             "scene.toml:11: data.with_columns.w: no input needs such a column: received w; "
             "accepted x (the nearest)");

@@ -209,6 +209,118 @@ TEST_F(SceneTest, OverridesMayMakeSections) {
   EXPECT_EQ(scene->data->file, directory_.path() / "atoms.pdb");
 }
 
+/// The error with the scene's path as "scene.toml".
+class OverrideTest : public SceneTest {
+protected:
+  std::string error(const std::vector<std::string>& overrides,
+                    const std::string& text = sphere_scene) {
+    const Result<Scene> scene = load(text, overrides);
+    EXPECT_FALSE(scene.ok());
+    std::string told = scene.ok() ? "" : scene.error().to_string();
+    const std::string path = path_.string();
+    for (std::size_t at = told.find(path); at != std::string::npos; at = told.find(path)) {
+      told.replace(at, path.size(), "scene.toml");
+    }
+    return told;
+  }
+};
+
+TEST_F(OverrideTest, AMistakeThatAnOverrideBringsAboutIsItsOwn) {
+  EXPECT_EQ(error({"system.lanes=3", "comparison.f=[\"cxi\", \"cxj\"]"}),
+            "--set comparison.f: comparison.g: f and g are the sides of the same parts (at "
+            "scene.toml:4): received a string; accepted a list of 2, as f is");
+  EXPECT_EQ(
+      error({"reference.format=binary16"}),
+      "--set reference.format: reduced.format: precision out of range (at scene.toml:14): "
+      "received \"s17e8\"; accepted \"auto\", sP or sPeE with P 4..11 and E 2..15, or binary16, "
+      "bfloat16; P at most the reference's");
+  EXPECT_EQ(error({"comparison.f=cxi", "comparison.g=cxj"}),
+            "--set comparison.g: inputs.r*: matches no input of f and g (at scene.toml:8): "
+            "received \"r*\"; accepted cxi, cxj");
+  EXPECT_EQ(error({"data.file=a.csv"}),
+            "--set: data.file: two sources of data: received items and file; accepted items = "
+            "\"uniform_spheres\", or file = a .pdb, .csv or .npy file");
+}
+
+TEST_F(OverrideTest, AMistakeOfTheSceneStaysTheScenes) {
+  std::string text = sphere_scene;
+  text.replace(text.find("slack = 0.25"), 12, "slack = 2.25");
+  EXPECT_EQ(error({"system.lanes=3", "comparison.name=n"}, text),
+            "scene.toml:23: system.slack: out of range: received 2.25; accepted a number from 0 to "
+            "0.95");
+}
+
+TEST_F(OverrideTest, KeysBelowWhatHasNoneAreRefused) {
+  EXPECT_EQ(error({"reduced.format.x=1"}),
+            "--set: reduced.format: a string, which has no keys: received "
+            "\"reduced.format.x=1\"; accepted reduced.format=VALUE");
+  EXPECT_EQ(error({"comparison.f.g=1"}),
+            "--set: comparison.f: a string, which has no keys: received \"comparison.f.g=1\"; "
+            "accepted comparison.f=VALUE");
+  EXPECT_EQ(error({"inputs.c*.range.x=1"}).substr(0, 50),
+            "--set: inputs.c*.range: a list: its entries have n");
+  EXPECT_EQ(error({"reduced.error_bound.x=1"}),
+            "--set: reduced.error_bound: wrong type: received a table with the key \"x\" (a "
+            "table); accepted a string");
+  EXPECT_EQ(error({"data.columns.p.q=1"}),
+            "--set: data.columns.p: not a column: received a table with the key \"q\"; accepted "
+            "the name of a column, its number counted from 0, or a list of these");
+  EXPECT_EQ(error({"inputs.cxi.rnge=[0, 1]"}),
+            "--set: inputs.cxi.rnge: unknown key: received rnge; accepted range (the nearest), "
+            "grid");
+  for (const char* text : {"reduced..format=s8e8", ".reduced.format=s8e8", "reduced.=1", ".=1"}) {
+    EXPECT_EQ(error({text}), std::string("--set: not an override: received \"") + text +
+                                 "\"; accepted section.key=value");
+  }
+}
+
+TEST_F(SceneTest, EveryPartOfAMessageIsCutAtItsLimit) {
+  const Result<Scene> scene = load_changed("(ri + rj)^2", std::string(1'000'000, 'a'));
+  ASSERT_FALSE(scene.ok());
+  const std::string text = scene.error().to_string();
+  EXPECT_LT(text.size(), 1000U);
+  EXPECT_NE(text.find("aaa...; accepted a letter"), std::string::npos) << text;
+  EXPECT_EQ((Error{.message = "m", .received = "\x1b[2J\xff\xc3\xa9\n"}.to_string()),
+            "m: received ?[2J?\xc3\xa9\n");
+}
+
+TEST_F(SceneTest, MoreThan64VariantsAreRefused) {
+  std::string text = sphere_scene;
+  for (int k = 0; k < 65; ++k) {
+    text += "[[variant]]\nname = \"v" + std::to_string(k) + "\"\ng = \"rj + ri\"\n";
+  }
+  const Result<Scene> scene = load(text);
+  ASSERT_FALSE(scene.ok());
+  EXPECT_EQ(scene.error().to_string(),
+            path_.string() + ":224: variant: too many variants: received 65; accepted at most 64");
+}
+
+TEST_F(SceneTest, TablesOfTooManyKeysAreRefusedAtOnce) {
+  std::string text = sphere_scene + "[let]\n";
+  for (int k = 0; k < 100'000; ++k) text += "l" + std::to_string(k) + " = \"1\"\n";
+  const Result<Scene> scene = load(text);
+  ASSERT_FALSE(scene.ok());
+  EXPECT_EQ(scene.error().to_string(),
+            path_.string() +
+                ":32: let: too many keys: received 100000; accepted at most 4096 in "
+                "one table");
+  std::string deep = "a";
+  for (int k = 0; k < 1000; ++k) deep += ".a";
+  const Result<Scene> levels = load(deep.substr(0, 99) + " = 1\n");
+  ASSERT_FALSE(levels.ok());
+  EXPECT_EQ(levels.error().message, "nested too deeply");
+  for (int k = 0; k < 500'000; ++k) deep += ".a";
+  for (const std::string& hostile :
+       {deep + " = 1\n", "[" + deep + "]\n", "x = { y = 1, " + deep + " = 1 }\n"}) {
+    const Result<Scene> parts = load("\n" + hostile);
+    ASSERT_FALSE(parts.ok());
+    EXPECT_EQ(parts.error().to_string(),
+              path_.string() +
+                  ":2: TOML syntax: a key of too many parts: received more than 1000 "
+                  "dots; accepted section.key");
+  }
+}
+
 TEST_F(SceneTest, NotesTellOfInexactConstantsAndUnusedThings) {
   std::string text = sphere_scene;
   text.replace(text.find("\"(ri + rj)^2\""), 13, "\"(ri + rj)^2 + 0.1\"");
@@ -312,21 +424,28 @@ INSTANTIATE_TEST_SUITE_P(
                 "\"module\"; accepted a letter or '_', then letters, digits and '_', at most 64, "
                 "no Verilog or SystemVerilog keyword"},
         Mistake{"s53e8", "s10e8",
-                ":11: reference.format: precision out of range: received s10e8; accepted precision "
-                "11..113"},
+                ":11: reference.format: precision out of range: received \"s10e8\"; accepted sPeE "
+                "with P 11..113 and E 2..15, or binary16, binary32, binary64, binary128"},
         Mistake{"s53e8", "double",
                 ":11: reference.format: not a floating-point format: received \"double\"; accepted "
-                "sPeE with P 2..113 and E 2..15, or binary16, bfloat16, binary32, binary64, "
-                "binary128"},
-        Mistake{"s17e8", "s3e8",
-                ":14: reduced.format: precision out of range: received s3e8; accepted precision "
-                "4..52, at most the reference's"},
+                "sPeE with P 11..113 and E 2..15, or binary16, binary32, binary64, binary128"},
+        Mistake{
+            "s17e8", "s3e8",
+            ":14: reduced.format: precision out of range: received \"s3e8\"; accepted \"auto\", "
+            "sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32"},
+        Mistake{"s17e8", "s53",
+                ":14: reduced.format: precision out of range: received \"s53\"; accepted \"auto\", "
+                "sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32"},
+        Mistake{"s17e8", "float",
+                ":14: reduced.format: not a floating-point format: received \"float\"; accepted "
+                "\"auto\", sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32"},
         Mistake{"s17e8", "s53e8",
-                ":14: reduced.format: precision out of range: received s53e8; accepted precision "
-                "4..52, at most the reference's"},
+                ":14: reduced.format: precision out of range: received \"s53e8\"; accepted "
+                "\"auto\", sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32"},
         Mistake{"s53e8", "s16e8",
-                ":14: reduced.format: precision out of range: received s17e8; accepted precision "
-                "4..16, at most the reference's"},
+                ":14: reduced.format: precision out of range: received \"s17e8\"; accepted "
+                "\"auto\", sP or sPeE with P 4..16 and E 2..15, or binary16, bfloat16; P at most "
+                "the reference's"},
         Mistake{"\"profiled\"", "\"profield\"",
                 ":15: reduced.bound: not a choice: received \"profield\"; accepted profiled (the "
                 "nearest), certified"},

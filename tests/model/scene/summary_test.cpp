@@ -114,7 +114,7 @@ TEST(Summary, OnlyTheItemsThatAnInputTakesCount) {
   const Comparisons data = load_comparisons(scene).value();
   const Summary summary = summarise(scene, &data);
   EXPECT_EQ(summary.data->out_of_range, 1U);  // 9; 8 is never an xi
-  EXPECT_EQ(summary.data->first_out_of_range, "row 0: x = 9 is outside [0, 5] of xi");
+  EXPECT_EQ(summary.data->first_out_of_range, "data.csv:2: x = 9 is outside [0, 5] of xi");
 }
 
 TEST(Summary, BothTablesAreHeldAgainstTheRanges) {
@@ -133,7 +133,7 @@ TEST(Summary, BothTablesAreHeldAgainstTheRanges) {
   EXPECT_EQ(summary.data->with_rows, 4U);
   EXPECT_EQ(summary.data->comparisons, 9U);
   EXPECT_EQ(summary.data->out_of_range, 2U);  // the point 7, the centre 8; 9 is never a cj
-  EXPECT_EQ(summary.data->first_out_of_range, "points.csv row 2: p = 7 is outside [0, 5] of p");
+  EXPECT_EQ(summary.data->first_out_of_range, "points.csv:4: p = 7 is outside [0, 5] of p");
   const std::string text = to_text(summary);
   EXPECT_NE(text.find("  with               centres.csv\n  candidates         4\n"),
             std::string::npos)

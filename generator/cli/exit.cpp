@@ -1,0 +1,56 @@
+#include "generator/cli/exit.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+
+#include "model/common/output_file.hpp"
+
+namespace mixcmp::cli {
+
+namespace {
+
+ExitCode code_of(model::ErrorKind kind) {
+  switch (kind) {
+    case model::ErrorKind::mistake: return ExitCode::mistake;
+    case model::ErrorKind::missing_tool: return ExitCode::incomplete;
+    case model::ErrorKind::refuted: return ExitCode::refuted;
+  }
+  MIXCMP_CHECK(false);
+}
+
+}  // namespace
+
+void fail(const model::Error& error) {
+  show_progress("");
+  tell(error.to_string());
+  throw Exit(code_of(error.kind));
+}
+
+void print(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (written && std::fflush(stdout) == 0) return;
+  fail(model::cannot_write("standard output", errno));
+}
+
+void end_if_incomplete(const std::vector<std::string>& not_done) {
+  for (const std::string& part : not_done) tell("not done: " + part);
+  if (!not_done.empty()) throw Exit(ExitCode::incomplete);
+}
+
+// What cannot be told is lost: there is nobody left to tell it to.
+void tell(const std::string& line) {
+  const std::string text = "mixcmp: " + line + "\n";
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void show_progress(const std::string& line) {
+  if (isatty(STDERR_FILENO) == 0) return;
+  const std::string text = "\r\x1b[K" + line;
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace mixcmp::cli

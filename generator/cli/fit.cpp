@@ -1,0 +1,34 @@
+#include "generator/cli/fit.hpp"
+
+#include "generator/cli/planning.hpp"
+#include "model/optimise/footprint.hpp"
+
+namespace mixcmp::cli {
+namespace {
+
+/// The table beside the scene. A note needs none: one that is absent, unreadable or of something
+/// else is as good as none here, and `optimise` says what is wrong with it.
+std::optional<model::Characterisation> table_beside(const std::filesystem::path& path,
+                                                    const model::Scene& scene,
+                                                    const model::Device& device) {
+  if (!std::filesystem::exists(path)) return std::nullopt;
+  auto table = model::read_characterisation(path);
+  if (!table.ok() || table->device != device.name || table->scene != scene.name) {
+    return std::nullopt;
+  }
+  return std::move(table).value();
+}
+
+}  // namespace
+
+std::optional<std::string> fit_note(const LoadedScene& loaded, const model::Design& design) {
+  const auto device = model::find_device(loaded.scene.system.device);
+  if (!device.ok()) return std::nullopt;
+  const model::Scene& scene = loaded.scene;
+  const std::filesystem::path path = default_table(scene.path, scene.variant, device->name);
+  const auto table = table_beside(path, scene, *device);
+  const auto footprint = footprint_of(design, table ? &*table : nullptr, *device);
+  return excess_of(footprint, design, *device, path.string());
+}
+
+}  // namespace mixcmp::cli

@@ -1,0 +1,55 @@
+#include "model/common/folder_lock.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <utility>
+
+#include "model/common/output_file.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Waits if it must; 0, or an errno.
+int lock(int descriptor, const std::function<void()>& waiting) {
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return 0;
+  if (errno != EWOULDBLOCK) return errno;
+  if (waiting) waiting();
+  while (flock(descriptor, LOCK_EX) != 0) {
+    if (errno != EINTR) return errno;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Result<Done> make_writable_folder(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) return cannot_write(folder, failed.value());
+  if (access(folder.c_str(), W_OK | X_OK) != 0) return cannot_write(folder, errno);
+  return Done{};
+}
+
+Result<FolderLock> FolderLock::take(const fs::path& folder, const std::function<void()>& waiting) {
+  while (true) {
+    MIXCMP_TRY(made, make_writable_folder(folder));
+    Descriptor opened(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (opened.get() < 0) return cannot_write(folder, errno);
+    if (const int failure = lock(opened.get(), waiting); failure != 0) {
+      return cannot_write(folder, failure);
+    }
+    // Who held it before may have removed or replaced it.
+    struct stat locked = {}, now = {};
+    const bool same = fstat(opened.get(), &locked) == 0 && stat(folder.c_str(), &now) == 0 &&
+                      locked.st_ino == now.st_ino && locked.st_dev == now.st_dev;
+    if (same) return FolderLock(std::move(opened));
+  }
+}
+
+}  // namespace mixcmp::model

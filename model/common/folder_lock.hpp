@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "model/common/descriptor.hpp"
+#include "model/common/result.hpp"
+
+namespace mixcmp::model {
+
+/// Holds a work folder that runs share: a second run that wants it waits until the first ends,
+/// however that ends. The lock is on the folder itself (flock); no file is left behind.
+class FolderLock {
+public:
+  /// Makes the folder where there is none. `waiting` is called once if another run holds it.
+  static Result<FolderLock> take(const std::filesystem::path& folder,
+                                 const std::function<void()>& waiting = {});
+
+private:
+  explicit FolderLock(Descriptor folder) : folder_(std::move(folder)) {}
+
+  Descriptor folder_;
+};
+
+/// Makes the folder and its parents where there are none; an error names the folder and the reason
+/// why nothing can be written into it.
+Result<Done> make_writable_folder(const std::filesystem::path& folder);
+
+}  // namespace mixcmp::model

@@ -1,0 +1,155 @@
+#include "model/common/output_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include "model/common/abandoned.hpp"
+#include "model/common/descriptor.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t buffer_bytes = 1 << 16;
+constexpr std::string_view unfinished_prefix = ".mixcmp-unfinished-";
+
+/// The descriptor that a name such as /dev/stdout or /dev/fd/3 stands for; none: another name.
+std::optional<int> named_descriptor(const fs::path& path) {
+  if (path == "/dev/stdout") return STDOUT_FILENO;
+  if (path == "/dev/stderr") return STDERR_FILENO;
+  const fs::path folder = path.parent_path();
+  if (folder != "/dev/fd" && folder != "/proc/self/fd") return std::nullopt;
+  const std::string name = path.filename().string();
+  int descriptor = -1;
+  const auto [end, status] = std::from_chars(name.data(), name.data() + name.size(), descriptor);
+  if (status != std::errc{} || end != name.data() + name.size()) return std::nullopt;
+  return descriptor;
+}
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// A new file that no other run has, locked as long as it is open: what is not locked was left by a
+/// run that was killed.
+Result<std::pair<fs::path, Descriptor>> create_unfinished(const fs::path& path) {
+  const fs::path folder = folder_of(path);
+  for (int number = 0;; ++number) {
+    const fs::path name = folder / fmt::format("{}{}-{}", unfinished_prefix, getpid(), number);
+    Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.get() < 0 && errno != EEXIST) return cannot_write(path, errno);
+    if (file.get() >= 0 && lock_new(file.get())) return std::pair(name, std::move(file));
+  }
+}
+
+/// A file that is replaced keeps its owner and its permissions.
+void keep_attributes(int descriptor, const struct stat& before) {
+  if (fchown(descriptor, before.st_uid, before.st_gid) != 0 && errno != EPERM) return;
+  fchmod(descriptor, before.st_mode & 07777);
+}
+
+}  // namespace
+
+Error cannot_write(const fs::path& path, int failure) {
+  return {.file = path.string(),
+          .message = fmt::format("cannot be written: {}", std::strerror(failure))};
+}
+
+Result<fs::path> follow_links(fs::path path) {
+  constexpr int most_links = 40;  // as Linux's
+  std::error_code failed;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(path, failed)); ++links) {
+    if (links == most_links) return cannot_write(path, ELOOP);
+    const fs::path target = fs::read_symlink(path, failed);
+    if (failed) return cannot_write(path, failed.value());
+    path = target.is_absolute() ? target : path.parent_path() / target;
+  }
+  return path;
+}
+
+Result<OutputFile> OutputFile::open(const fs::path& requested) {
+  if (const auto named = named_descriptor(requested)) {
+    Descriptor file(fcntl(*named, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+    if (file.get() < 0) return cannot_write(requested, errno);
+    return OutputFile(requested, requested, std::move(file));
+  }
+  MIXCMP_TRY(path, follow_links(requested));
+  struct stat before = {};
+  const bool exists = stat(path.c_str(), &before) == 0;
+  if (!exists && errno != ENOENT) return cannot_write(requested, errno);
+  if (exists && S_ISDIR(before.st_mode)) return cannot_write(requested, EISDIR);
+  if (exists && access(path.c_str(), W_OK) != 0) return cannot_write(requested, errno);
+  if (exists && !S_ISREG(before.st_mode)) {
+    Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+    if (file.get() < 0) return cannot_write(requested, errno);
+    return OutputFile(path, path, std::move(file));
+  }
+  remove_abandoned(folder_of(path), unfinished_prefix);
+  MIXCMP_TRY(created, create_unfinished(path));
+  if (exists) keep_attributes(created.second.get(), before);
+  return OutputFile(path, created.first, std::move(created.second));
+}
+
+OutputFile::~OutputFile() {
+  std::error_code ignored;
+  if (file_.get() >= 0 && unfinished_ != path_) fs::remove(unfinished_, ignored);
+}
+
+void OutputFile::write(std::string_view text) {
+  buffer_ += text;
+  if (buffer_.size() >= buffer_bytes) flush();
+}
+
+void OutputFile::flush() {
+  std::string_view rest = buffer_;
+  while (failure_ == 0 && !rest.empty()) {
+    const ssize_t written = ::write(file_.get(), rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) failure_ = errno;
+    if (written > 0) rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+  buffer_.clear();
+}
+
+Result<Done> OutputFile::commit() {
+  MIXCMP_CHECK(file_.get() >= 0);
+  flush();
+  // The lock on the unfinished file is held until it has its final name.
+  if (failure_ == 0 && unfinished_ != path_ && rename(unfinished_.c_str(), path_.c_str()) != 0) {
+    failure_ = errno;
+  }
+  if (failure_ != 0) return cannot_write(path_, failure_);
+  if (close(file_.release()) != 0) return cannot_write(path_, errno);
+  return Done{};
+}
+
+Result<Done> put_in_place(const fs::path& finished, const fs::path& requested) {
+  MIXCMP_TRY(path, follow_links(requested));
+  struct stat before = {};
+  if (stat(path.c_str(), &before) == 0) {
+    if (access(path.c_str(), W_OK) != 0) return cannot_write(requested, errno);
+    const Descriptor file(::open(finished.c_str(), O_RDONLY | O_CLOEXEC));
+    keep_attributes(file.get(), before);
+  }
+  if (rename(finished.c_str(), path.c_str()) != 0) return cannot_write(requested, errno);
+  return Done{};
+}
+
+Result<Done> write_file(const fs::path& path, std::string_view text) {
+  MIXCMP_TRY(file, OutputFile::open(path));
+  file.write(text);
+  return file.commit();
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "model/common/descriptor.hpp"
+#include "model/common/result.hpp"
+
+namespace mixcmp::model {
+
+/// The one way in which this program writes a file: whole or not at all. The text goes into a file
+/// with a name of its own beside the final path, which `commit` moves there. So a reader, an
+/// interrupt, a full disk and a second run that writes the same path never see half a file. A
+/// symbolic link is followed; a pipe or a device, /dev/stdout too, takes the text as it comes and
+/// stays what it is.
+/// Unfinished files that killed runs left in the folder are removed by the next run that writes
+/// there.
+class OutputFile {
+public:
+  static Result<OutputFile> open(const std::filesystem::path& path);
+  OutputFile(OutputFile&& other) noexcept = default;
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  OutputFile& operator=(OutputFile&&) = delete;
+  /// Without `commit`, the final path is as it was before.
+  ~OutputFile();
+
+  /// A failure is kept and told by `commit`.
+  void write(std::string_view text);
+  Result<Done> commit();
+
+private:
+  OutputFile(std::filesystem::path path, std::filesystem::path unfinished, Descriptor file)
+      : path_(std::move(path)), unfinished_(std::move(unfinished)), file_(std::move(file)) {}
+  void flush();
+
+  std::filesystem::path path_;
+  std::filesystem::path unfinished_;  ///< equal to path_ for pipes and devices
+  Descriptor file_;                   ///< none: committed, or moved from
+  std::string buffer_;
+  int failure_ = 0;  ///< errno of the first write that failed
+};
+
+/// Where a chain of symbolic links leads, whether or not anything is there yet.
+Result<std::filesystem::path> follow_links(std::filesystem::path path);
+
+/// Moves a file that another program has written whole to its final path, on the same file system,
+/// under the rules of OutputFile: links are followed, owner and permissions of what is replaced
+/// stay, and what may not be written is not replaced.
+Result<Done> put_in_place(const std::filesystem::path& finished, const std::filesystem::path& path);
+
+/// A whole text through OutputFile.
+Result<Done> write_file(const std::filesystem::path& path, std::string_view text);
+
+/// "PATH: cannot be written: No space left on device", for an errno.
+Error cannot_write(const std::filesystem::path& path, int failure);
+
+}  // namespace mixcmp::model

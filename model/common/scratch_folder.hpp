@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "model/common/descriptor.hpp"
+#include "model/common/result.hpp"
+
+namespace mixcmp::model {
+
+/// A new, empty folder of this process alone, which goes with this object. Folders that killed runs
+/// left under the same stem are removed by the next run that makes one there.
+class ScratchFolder {
+public:
+  /// In $TMPDIR, or /tmp where that is not set.
+  static Result<ScratchFolder> make();
+  /// "PARENT/.mixcmp-STEM.XXXXXX".
+  static Result<ScratchFolder> make_in(const std::filesystem::path& parent,
+                                       const std::string& stem);
+  ScratchFolder(ScratchFolder&& other) noexcept = default;
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(ScratchFolder&&) = delete;
+  ~ScratchFolder();
+
+  const std::filesystem::path& path() const { return path_; }
+
+  /// Leaves the folder for the user to look into, until the next run removes it.
+  void keep() { kept_ = true; }
+
+private:
+  ScratchFolder(std::filesystem::path path, Descriptor lock)
+      : path_(std::move(path)), lock_(std::move(lock)) {}
+
+  std::filesystem::path path_;
+  Descriptor lock_;  ///< open and locked while the folder is ours; none: moved from
+  bool kept_ = false;
+};
+
+}  // namespace mixcmp::model

@@ -1,0 +1,140 @@
+#include "model/optimise/footprint.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/design/slots.hpp"
+#include "model/performance/performance.hpp"
+#include "model/profile/cost_model.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// By so much the rough cost model has to exceed a device before anything is said.
+constexpr double rough_margin = 1.5;
+
+void add(Amounts& sum, int count, const Area& area) {
+  const Amounts one = amounts_of(area);
+  for (std::size_t r = 0; r < sum.size(); ++r) sum[r] += count * one[r];
+}
+
+/// A row without multipliers is of a datapath without a product.
+const Measurement* find(const Characterisation& table, ComponentKey key, Multipliers multipliers) {
+  const Measurement* plain = table.find(key);
+  if (plain != nullptr) return plain;
+  key.multipliers = to_string(multipliers);
+  return table.find(key);
+}
+
+const Measurement* row_of(const Characterisation& table, const LaneGroup& group) {
+  return find(table,
+              {.kind = ComponentKind::lane,
+               .name = {},
+               .format = group.lane.arithmetic().format.name(),
+               .inputs = std::string(to_string(group.inputs)),
+               .bound = bound_name(group.lane),
+               .multipliers = {},
+               .ports = 0},
+              group.multipliers);
+}
+
+const Measurement* row_of(const Characterisation& table, const ReferenceGroup& group,
+                          FloatFormat format) {
+  return find(table,
+              {.kind = ComponentKind::reference,
+               .name = {},
+               .format = format.name(),
+               .inputs = {},
+               .bound = {},
+               .multipliers = {},
+               .ports = 0},
+              group.multipliers);
+}
+
+/// The row of a kind with the most ports, but at most `ports`.
+const Measurement* largest(const Characterisation& table, ComponentKind kind, int ports) {
+  const Measurement* found = nullptr;
+  for (const Measurement& row : table.rows) {
+    const bool fits = row.key.kind == kind && row.key.ports <= ports;
+    if (fits && (found == nullptr || row.key.ports > found->key.ports)) found = &row;
+  }
+  return found;
+}
+
+std::optional<Amounts> measured_amounts(const Design& design, const Characterisation& table) {
+  Amounts sum{};
+  int slowest = 0;
+  for (const LaneGroup& group : design.lanes) {
+    const Measurement* row = row_of(table, group);
+    if (row == nullptr) return std::nullopt;
+    add(sum, group.count, row->area);
+    slowest = std::max(slowest, row->latency_cycles);
+  }
+  const FloatFormat format = design.reference.arithmetic().format;
+  for (const ReferenceGroup& group : design.references) {
+    const Measurement* row = row_of(table, group, format);
+    if (row == nullptr) return std::nullopt;
+    add(sum, group.count, row->area);
+  }
+  const int references = design.reference_count();
+  const int slots = slots_for(slowest, references > 0);
+  const Measurement* fifo = largest(table, ComponentKind::fifo, slots);
+  if (fifo != nullptr) add(sum, design.lane_count(), fifo->area);
+  for (const int served : lanes_of_references(design.lane_count(), references)) {
+    const Measurement* share = largest(table, ComponentKind::crossbar, served);
+    if (share != nullptr) add(sum, 1, share->area);
+  }
+  return sum;
+}
+
+/// Products are left out where embedded multipliers may take them.
+Products products_of(Multipliers multipliers, const Device& device) {
+  const bool embedded = multipliers == Multipliers::embedded && device.available.dsps > 0;
+  return embedded ? Products::left_out : Products::in_luts;
+}
+
+double rough_luts(const Design& design, const Device& device) {
+  double luts = 0;
+  for (const LaneGroup& group : design.lanes) {
+    luts += group.count * lane_luts(group.lane, products_of(group.multipliers, device));
+  }
+  for (const ReferenceGroup& group : design.references) {
+    luts += group.count * reference_luts(design.reference, products_of(group.multipliers, device));
+  }
+  return luts;
+}
+
+std::string counted(int count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+Footprint footprint_of(const Design& design, const Characterisation* table, const Device& device) {
+  const auto measured = table == nullptr ? std::nullopt : measured_amounts(design, *table);
+  if (measured) return {.amounts = *measured, .measured = true};
+  return {.amounts = {std::llround(rough_luts(design, device))}, .measured = false};
+}
+
+std::optional<std::string> excess_of(const Footprint& footprint, const Design& design,
+                                     const Device& device, const std::string& source) {
+  const Amounts room = amounts_of(device.available);
+  const double margin = footprint.measured ? 1 : rough_margin;
+  std::string excess;
+  for (std::size_t r = 0; r < room.size(); ++r) {
+    const auto needed = footprint.amounts[r];
+    if (static_cast<double>(needed) <= margin * static_cast<double>(room[r])) continue;
+    excess += fmt::format("{}{} {} of {}", excess.empty() ? "" : ", ", needed,
+                          bounded_resources[r].name, room[r]);
+  }
+  if (excess.empty()) return std::nullopt;
+  return fmt::format(
+      "{} and {} do not fit {}: {} {}; {}", counted(design.lane_count(), "lane"),
+      counted(design.reference_count(), "reference"), device.name,
+      footprint.measured ? "at least" : "about", excess,
+      footprint.measured ? "areas measured, " + source : "a rough estimate before synthesis");
+}
+
+}  // namespace mixcmp::model

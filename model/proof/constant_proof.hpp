@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/error/error_analysis.hpp"
+#include "model/proof/lane_proof.hpp"
+
+namespace mixcmp::model::proof {
+
+/// The bound of a lane's decision is a number, with neither guard nor conditions.
+bool is_constant(const AbsoluteBoundDecision& decision);
+
+/// A number that |f - g|, the unrounded difference of the computed f and g, exceeds wherever a lane
+/// with a constant bound decides: the constant as the hardware holds it, times 1 + 2^-(P+2). None
+/// where the constant is infinite, which decides nothing.
+std::optional<mpq_class> decided_beyond(const Lane& lane);
+
+/// Proves that the lane's constant is at least the analysis' bound of f - g wherever every operand
+/// passes its check, and that every condition of the analysis holds there. `analysis`: of the
+/// lane's graph. Ranges of what the bound is made of are proven operation by operation.
+std::vector<Finding> prove_constant(const Lane& lane, const ErrorAnalysis& analysis,
+                                    const Prove& prove);
+
+}  // namespace mixcmp::model::proof

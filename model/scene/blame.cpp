@@ -1,0 +1,25 @@
+#include "model/scene/blame.hpp"
+
+#include <fmt/core.h>
+
+namespace mixcmp::model {
+
+Error blamed(Error error, std::span<const std::string> overrides, const Attempt& attempt) {
+  if (overrides.empty() || error.file.starts_with("--")) return error;
+  const std::string text = error.to_string();
+  const auto comes_up = [&](std::size_t count) {
+    const std::optional<Error> found = attempt(overrides.first(count));
+    return found && found->to_string() == text;
+  };
+  if (!comes_up(overrides.size())) return error;  // not this error, then: nothing can be told
+  std::size_t count = 0;
+  while (!comes_up(count)) ++count;
+  if (count == 0) return error;
+  const std::string& culprit = overrides[count - 1];
+  if (error.line > 0) error.message += fmt::format(" (at {}:{})", error.file, error.line);
+  error.file = fmt::format("--set {}", culprit.substr(0, culprit.find('=')));
+  error.line = error.column = 0;
+  return error;
+}
+
+}  // namespace mixcmp::model

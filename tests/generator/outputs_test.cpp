@@ -1,0 +1,198 @@
+#include <fmt/core.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "tests/support/program.hpp"
+
+/// What every verb writes, where it writes it, and what its exit code says of that.
+namespace mixcmp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Outputs : public ProgramTest {
+protected:
+  Outputs() {
+    std::ofstream(directory_.path() / "data.csv") << "a,b,c\n1,2,3\n4,5,6\n9,8,7\n";
+    write_scene("scene.toml", "a * b");
+  }
+
+  /// a * c against `g`.
+  void write_scene(const std::string& name, const std::string& g) {
+    std::ofstream(directory_.path() / name)
+        << "[comparison]\nname = \"scene\"\nf = \"a * c\"\ng = \"" << g << "\"\n"
+        << "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"s8e8\"\n"
+        << "[system]\nlanes = 1\nreferences = 1\n[data]\nfile = \"data.csv\"\n";
+  }
+
+  std::string read(const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(directory_.path() / name).rdbuf();
+    return text.str();
+  }
+
+  std::string folder() const { return directory_.path().string(); }
+};
+
+TEST_F(Outputs, AFullStandardOutputFails) {
+  for (const char* verb :
+       {"check scene.toml", "check scene.toml --json", "generate scene.toml -o rtl",
+        "generate scene.toml -o rtl --json", "profile scene.toml --last 5",
+        "profile scene.toml --last 5 --json", "verify scene.toml --simulator icarus",
+        "verify scene.toml --simulator icarus --json", "doctor", "doctor --json", "--help",
+        "verify --help", "--version"}) {
+    const Outcome full = shell(fmt::format("cd '{}' && exec 3>&1 && '{}' {} 2>&3 >/dev/full",
+                                           folder(), MIXCMP_PROGRAM, verb));
+    EXPECT_EQ(full.exit_code, 1) << verb << "\n" << full.output;
+    EXPECT_NE(full.output.find("standard output: cannot be written: No space left on device"),
+              std::string::npos)
+        << verb << "\n"
+        << full.output;
+    EXPECT_EQ(
+        shell(fmt::format("cd '{}' && '{}' {} >&-", folder(), MIXCMP_PROGRAM, verb)).exit_code, 1)
+        << verb;
+  }
+}
+
+TEST_F(Outputs, WhatCannotBeToldOnStandardErrorChangesNoExitCode) {
+  const std::string call = fmt::format("cd '{}' && '{}' ", folder(), MIXCMP_PROGRAM);
+  EXPECT_EQ(shell(call + "check scene.toml 2>/dev/full").exit_code, 0);
+  EXPECT_EQ(shell(call + "check nowhere.toml 2>/dev/full").exit_code, 1);
+}
+
+TEST_F(Outputs, ATableGoesThroughDevicesAndLinks) {
+  fs::create_symlink("target.csv", directory_.path() / "link.csv");
+  for (const char* csv : {"/dev/null", "link.csv"}) {
+    const Outcome run = mixcmp(fmt::format("verify scene.toml --simulator icarus --csv {}", csv));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+  }
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_TRUE(fs::is_symlink(directory_.path() / "link.csv"));
+  EXPECT_EQ(read("target.csv").substr(0, 5), "index");
+  const Outcome piped =
+      shell(fmt::format("cd '{}' && '{}' verify scene.toml --simulator icarus "
+                        "--csv /dev/stdout >both.txt",
+                        folder(), MIXCMP_PROGRAM));
+  EXPECT_EQ(piped.exit_code, 0) << piped.output;
+  EXPECT_EQ(read("both.txt").substr(0, 5), "index");
+  EXPECT_NE(read("both.txt").find("passed: "), std::string::npos);
+  EXPECT_EQ(mixcmp("verify scene.toml --simulator icarus --csv /dev/full").exit_code, 1);
+}
+
+/// Of a * c the scene finds two greater than a * b and one less; the other, all three greater.
+TEST_F(Outputs, TwoSystemsThatShareAWorkFolderKeepTheirOwn) {
+  write_scene("other.toml", "2 * a * c - 1000");
+  const auto verify = [&](const char* scene, const char* csv) {
+    return fmt::format("'{}' verify {} --simulator icarus --work work --csv {} >{}.txt 2>&1",
+                       MIXCMP_PROGRAM, scene, csv, csv);
+  };
+  const std::string both = fmt::format(
+      "cd '{}' && for k in 1 2 3 4 5 6; do {} & one=$!; {} & two=$!; wait $one || exit 1; "
+      "wait $two || exit 2; cat a.csv >>all_a.txt; cat b.csv >>all_b.txt; done",
+      folder(), verify("scene.toml", "a.csv"), verify("other.toml", "b.csv"));
+  const Outcome run = shell("bash -c \"" + both + "\"");
+  ASSERT_EQ(run.exit_code, 0) << run.output << read("a.csv.txt") << read("b.csv.txt");
+  EXPECT_NE(read("all_a.txt").find("less,"), std::string::npos) << read("all_a.txt");
+  EXPECT_EQ(read("all_b.txt").find("less,"), std::string::npos) << read("all_b.txt");
+}
+
+TEST_F(Outputs, NoOutputIsAnInputOrAnotherOutput) {
+  const std::string scene = read("scene.toml");
+  fs::copy_file(directory_.path() / "scene.toml", directory_.path() / "scene.fst");
+  for (const char* arguments :
+       {"verify scene.toml --csv scene.toml", "verify scene.toml --csv data.csv",
+        "verify scene.fst --trace scene.fst", "verify scene.toml --csv x.fst --trace x.fst",
+        "verify scene.toml --csv x.gtkw --trace x.fst"}) {
+    expect_refused(std::string(arguments) + " --simulator icarus", "would be written over");
+  }
+  EXPECT_EQ(read("scene.toml"), scene);
+  EXPECT_EQ(read("scene.fst"), scene);
+}
+
+TEST_F(Outputs, AGeneratedSystemGoesThroughALinkAndReplacesNothingOfTheUsers) {
+  fs::create_directory(directory_.path() / "real");
+  fs::create_directory_symlink("real", directory_.path() / "link");
+  ASSERT_EQ(mixcmp("generate scene.toml -o link").exit_code, 0);
+  EXPECT_TRUE(fs::is_symlink(directory_.path() / "link"));
+  const fs::path list = directory_.path() / "real" / "scene_s8e8_1x1.f";
+  ASSERT_TRUE(fs::exists(list));
+  fs::remove(list);
+  fs::create_directory(list);
+  expect_refused("generate scene.toml -o real", "a file that mixcmp did not write");
+  EXPECT_TRUE(fs::is_directory(list));
+  fs::create_directory(directory_.path() / "pipe");
+  ASSERT_EQ(mkfifo((directory_.path() / "pipe" / "x.json").c_str(), 0600), 0);
+  expect_refused("generate scene.toml -o pipe", "a file that mixcmp did not write");
+  fs::create_symlink("loop", directory_.path() / "loop");
+  expect_refused("generate scene.toml -o loop", "loop: cannot be written: Too many levels");
+}
+
+/// A simulator that says nonsense is told, with its file.
+TEST_F(Outputs, ResultsThatCannotBeAreNoVerdicts) {
+  for (const char* results : {"result 0 7 0 1 2", "result 9 0 0 1 2",
+                              "result 0 0 0 1 2\\nresult 0 0 0 1 2", "nonsense"}) {
+    std::ofstream(directory_.path() / "vvp")
+        << "#!/bin/sh\nprintf '" << results << "\\nend 1 1 1 1 1 1\\nstate 1 77\\n' >results.txt\n";
+    fs::permissions(directory_.path() / "vvp", fs::perms::owner_all);
+    const Outcome run =
+        mixcmp("verify scene.toml --simulator icarus", "PATH='" + folder() + "':$PATH");
+    EXPECT_EQ(run.exit_code, 1) << results << "\n" << run.output;
+    EXPECT_NE(run.output.find("results.txt"), std::string::npos) << run.output;
+  }
+}
+
+TEST_F(Outputs, WavesOnAFullDiskAreAnErrorAndLeaveNothing) {
+  const std::string call = fmt::format(
+      "cd '{}' && mkdir disk && unshare --mount sh -c 'mount -t tmpfs -o size=16k none disk && "
+      "{} verify scene.toml --simulator icarus --trace disk/t.fst; code=$?; ls disk; exit $code'",
+      folder(), MIXCMP_PROGRAM);
+  if (shell("unshare --mount true").exit_code != 0) GTEST_SKIP() << "mounting needs root";
+  const Outcome run = shell(call);
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_EQ(run.output.find("t.fst\n"), std::string::npos) << run.output;
+}
+
+TEST_F(Outputs, IcarusKeepsWhatItWasGivenAndWhatItSaid) {
+  ASSERT_EQ(mixcmp("verify scene.toml --simulator icarus --work work").exit_code, 0);
+  int kept = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(directory_.path() / "work")) {
+    for (const char* name : {"testbench.v", "stimulus.hex", "results.txt", "compile.log",
+                             "simulation.log", "scene_s8e8_1x1.json"}) {
+      kept += entry.path().filename() == name ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(kept, 6);
+}
+
+TEST_F(Outputs, ATmpdirThatDoesNotExistIsNamed) {
+  for (const char* verb :
+       {"check scene.toml --costs", "profile scene.toml --last 5 -o out", "baseline scene.toml"}) {
+    const Outcome run = mixcmp(verb, "TMPDIR=/no/such/folder");
+    EXPECT_NE(run.exit_code, 0) << verb << run.output;
+    EXPECT_NE(run.output.find("/no/such/folder: TMPDIR: no folder can be made there"),
+              std::string::npos)
+        << verb << "\n"
+        << run.output;
+  }
+}
+
+TEST_F(Outputs, WhatIsNotDoneForWantOfAToolEndsWith3) {
+  for (const auto& [verb, package] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"check scene.toml --prove", "apt-get install gappa"},
+           {"check scene.toml --costs", "apt-get install yosys"},
+           {"verify scene.toml", "apt-get install verilator"},
+           {"verify scene.toml --simulator icarus", "apt-get install iverilog"},
+           {"characterise scene.toml --store s.sqlite", "apt-get install yosys"},
+           {"route scene.toml", "apt-get install yosys"},
+           {"baseline scene.toml", "apt-get install g++"}}) {
+    const Outcome run = mixcmp(verb, "PATH=/nowhere");
+    EXPECT_EQ(run.exit_code, 3) << verb << "\n" << run.output;
+    EXPECT_NE(run.output.find(package), std::string::npos) << verb << "\n" << run.output;
+  }
+}
+
+}  // namespace
+}  // namespace mixcmp::test

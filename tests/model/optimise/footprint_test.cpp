@@ -1,0 +1,74 @@
+#include "model/optimise/footprint.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/model/optimise/planning_case.hpp"
+
+namespace mixcmp::test {
+namespace {
+
+using model::Footprint;
+
+/// Of spheres in s8e8 lanes, exact inputs and a relative bound, as the table of PlanningTest has
+/// them: 240 LUTs and 2 DSPs each, 20 LUTs of streams; a reference 3000 LUTs and 20 DSPs.
+class FootprintTest : public PlanningTest {
+protected:
+  FootprintTest() {
+    std::sort(table_.rows.begin(), table_.rows.end(),
+              [](const auto& a, const auto& b) { return a.key < b.key; });
+  }
+
+  model::Design design(int lanes, int references = 1) {
+    return sphere_design(format("s8e8"), format("s53e8"), lanes, references);
+  }
+
+  std::string excess(const model::Design& design, const model::Characterisation* table) {
+    return excess_of(footprint_of(design, table, device_), design, device_, "table.csv")
+        .value_or("");
+  }
+};
+
+TEST_F(FootprintTest, AddsUpWhatWasMeasured) {
+  const Footprint footprint = footprint_of(design(10), &table_, device_);
+  EXPECT_TRUE(footprint.measured);
+  const int crossbar = 111;  // of 8 ports, the most that were measured below 10
+  EXPECT_EQ(footprint.amounts[0], 10 * (240 + fifo_64_luts) + 3000 + crossbar);
+  EXPECT_EQ(footprint.amounts[2], 10 * 2 + 20);
+}
+
+TEST_F(FootprintTest, MeasuredAreasAreHeldAgainstWhatTheDeviceHas) {
+  EXPECT_EQ(excess(design(15), &table_), "");  // 50 of 50 DSPs
+  EXPECT_EQ(excess(design(16), &table_),
+            "16 lanes and 1 reference do not fit small: at least 52 dsp of 50; areas measured, "
+            "table.csv");
+  const std::string both = excess(design(400), &table_);
+  EXPECT_NE(both.find("of 10000, 107111 ff of 20000, 820 dsp of 50"), std::string::npos) << both;
+}
+
+TEST_F(FootprintTest, WithoutATableTheRoughCostModelSpeaksOfPlainExcessAlone) {
+  device_.available.luts = 100000;
+  EXPECT_EQ(excess(design(1), nullptr), "");
+  const Footprint one = footprint_of(design(1, 0), nullptr, device_);
+  EXPECT_FALSE(one.measured);
+  const int fitting = static_cast<int>(device_.available.luts / one.amounts[0]);
+  EXPECT_EQ(excess(design(fitting, 0), nullptr), "");
+  const std::string many = excess(design(2 * fitting, 0), nullptr);
+  EXPECT_NE(many.find("lut of 100000; a rough estimate before synthesis"), std::string::npos)
+      << many;
+}
+
+TEST_F(FootprintTest, ATableWithoutTheLaneIsNotUsed) {
+  const model::Design other = sphere_design(format("s9e8"), format("s53e8"), 1, 1);
+  EXPECT_FALSE(footprint_of(other, &table_, device_).measured);
+}
+
+TEST_F(FootprintTest, EmbeddedMultipliersTakeProductsOutOfTheEstimate) {
+  const Footprint embedded = footprint_of(design(1), nullptr, device_);
+  device_.available.dsps = 0;
+  EXPECT_GT(footprint_of(design(1), nullptr, device_).amounts[0], embedded.amounts[0]);
+}
+
+}  // namespace
+}  // namespace mixcmp::test

@@ -1,0 +1,211 @@
+#include "verilator_tb/judgement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "model/golden/arithmetic.hpp"
+#include "tests/support/graphs.hpp"
+#include "tests/support/unproven_tie.hpp"
+#include "tests/verilator_tb/fake_system.hpp"
+
+/// What is held against the truth, what is not and why, and what a report says beside its numbers;
+/// without a simulator.
+namespace mixcmp::tb {
+namespace {
+
+using model::golden::Verdict;
+using test::graph_of;
+
+constexpr std::uint32_t less = 0, equal = 1, greater = 2, unordered = 3;
+
+/// Results of a fake system, whose reference compares a with b, held against another truth.
+class Truths {
+public:
+  explicit Truths(model::Graph truth, TruthScope scope = TruthScope::all, FakeSystem fake = {})
+      : graph_(std::move(truth)), scope_(scope), design_(fake_design(fake)) {}
+
+  Truths& hold(const std::string& a, const std::string& b, std::uint32_t tdata) {
+    const auto format = design_.reference.input_format();
+    const std::vector<model::Bits> operands = {model::golden::from_text(format, a).value(),
+                                               model::golden::from_text(format, b).value()};
+    hold_against_truth({&graph_, scope_}, design_, operands, tdata, count, group);
+    ++comparisons;
+    EXPECT_EQ(count.checked + count.not_checked(), comparisons);
+    return *this;
+  }
+
+  TruthCount count;
+  GroupReport group;
+  std::uint64_t comparisons = 0;
+
+private:
+  model::Graph graph_;
+  TruthScope scope_;
+  model::Design design_;
+};
+
+TEST(HoldAgainstTruth, BlamesNobodyForTheRootOfAHiddenZero) {
+  Truths truths(graph_of("sqrt(a / b - a / b)", "b"));
+  truths.hold("3", "1", recomputed_flag | less).hold("3", "1", less);
+  EXPECT_EQ(truths.count.checked, 2u);
+  EXPECT_EQ(truths.count.wrong_by_lane + truths.count.wrong_by_reference, 0u);
+  truths.hold("3", "1", recomputed_flag | unordered).hold("3", "1", greater);
+  EXPECT_EQ(truths.count.wrong_by_reference, 1u);
+  EXPECT_EQ(truths.count.wrong_by_lane, 1u);
+  EXPECT_EQ(truths.group.wrong_by_lane, 1u);
+}
+
+TEST(HoldAgainstTruth, BlamesNobodyForWhatIsUndetermined) {
+  const auto [f, g] = test::unproven_tie();
+  Truths truths(graph_of(f, g));
+  for (const std::uint32_t verdict : {less, equal, greater, unordered}) {
+    truths.hold("0.3", "0.7", verdict).hold("0.3", "0.7", recomputed_flag | verdict);
+  }
+  EXPECT_EQ(truths.count.undetermined, 8u);
+  EXPECT_EQ(truths.count.checked, 0u);
+  EXPECT_EQ(truths.count.wrong_by_lane + truths.count.wrong_by_reference, 0u);
+  EXPECT_EQ(truths.group.wrong_by_lane, 0u);
+}
+
+TEST(HoldAgainstTruth, HoldsLanesButNoReferenceWhereThereIsNoValue) {
+  for (const char* f : {"a + b", "a / (b - 1)", "a + sqrt(-b)"}) {
+    Truths truths(graph_of(f, "b"));
+    const std::string a = f == std::string("a + b") ? "inf" : "3";
+    truths.hold(a, "1", recomputed_flag | greater).hold(a, "1", recomputed_flag | unordered);
+    EXPECT_EQ(truths.count.undefined, 2u) << f;
+    truths.hold(a, "1", greater);
+    EXPECT_EQ(truths.count.wrong_by_lane, 1u) << f;
+    EXPECT_EQ(truths.count.wrong_by_reference + truths.count.reference_alone_checked, 0u) << f;
+  }
+}
+
+TEST(HoldAgainstTruth, SaysWhatItsScopeLeavesOut) {
+  Truths truths(graph_of("a", "b"), TruthScope::recomputed);
+  truths.hold("1", "2", greater).hold("1", "2", recomputed_flag | less);
+  EXPECT_EQ(truths.count.decided_by_lane, 1u);
+  EXPECT_EQ(truths.count.checked, 1u);
+  EXPECT_EQ(truths.count.wrong_by_lane, 0u);
+}
+
+TEST(HoldAgainstTruth, CountsTheUndecided) {
+  Truths truths(graph_of("a", "b"), TruthScope::all, {.route = FakeRoute::none});
+  truths.hold("1", "2", undecided_flag | greater).hold("1", "2", less);
+  EXPECT_EQ(truths.count.undecided, 1u);
+  EXPECT_EQ(truths.count.checked, 1u);
+  EXPECT_EQ(truths.count.reference_alone_checked, 0u) << "there is no reference";
+}
+
+TEST(HoldAgainstTruth, HoldsTheReferenceWhereALaneDecided) {
+  Truths truths(graph_of("a + 0.0001", "b"));  // the reference compares a with b
+  truths.hold("1", "1", greater).hold("1", "2", less).hold("1", "1", recomputed_flag | equal);
+  EXPECT_EQ(truths.count.reference_alone_checked, 3u);
+  EXPECT_EQ(truths.count.reference_alone_wrong, 2u);
+  EXPECT_EQ(truths.count.wrong_by_lane, 0u);
+  EXPECT_EQ(truths.count.wrong_by_reference, 1u);
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// 100 comparisons, 10 of them recomputed.
+VerifyReport usual_report() {
+  VerifyReport report;
+  report.references = 1;
+  report.requested = report.comparisons = 100;
+  report.verdicts = {60, 10, 30, 0};
+  report.recomputations = 10;
+  report.groups = {
+      {.name = "s8e8", .lanes = 2, .certified = true, .comparisons = 100, .recomputations = 10}};
+  return report;
+}
+
+void expect_note(const VerifyReport& report, const std::string& note) {
+  const auto notes = notes_on(report);
+  EXPECT_EQ(notes, std::vector<std::string>{note});
+  EXPECT_TRUE(contains(to_text(report), note)) << to_text(report);
+  EXPECT_EQ(to_json(report)["notes"][0], note);
+  EXPECT_TRUE(report.passed());
+}
+
+TEST(Report, SaysWhatWasNotCheckedAndWhy) {
+  VerifyReport report = usual_report();
+  report.truth = TruthCount{.checked = 93,
+                            .reference_alone_checked = 93,
+                            .reference_alone_wrong = 4,
+                            .undefined = 2,
+                            .undetermined = 1,
+                            .undecided = 3,
+                            .decided_by_lane = 1};
+  const std::string text = to_text(report);
+  EXPECT_TRUE(contains(text,
+                       "against the truth      93 checked, 0 wrong by a lane, 0 by a reference\n"
+                       "  not checked            7: 1 decided by a lane, 2 where f or g has no "
+                       "value, 1 whose truth is undetermined, 3 undecided\n"
+                       "  reference by itself    wrong on 4 of 93 checked\n"))
+      << text;
+  const auto json = to_json(report)["truth"];
+  EXPECT_EQ(json["not_checked"]["total"], 7);
+  EXPECT_EQ(json["not_checked"]["undefined"], 2);
+  EXPECT_EQ(json["not_checked"]["undetermined"], 1);
+  EXPECT_EQ(json["not_checked"]["undecided"], 3);
+  EXPECT_EQ(json["not_checked"]["decided_by_lane"], 1);
+  EXPECT_EQ(json["reference_alone_checked"], 93);
+  EXPECT_EQ(json["reference_alone_wrong"], 4);
+}
+
+TEST(Report, HasNoNotesOnTheUsual) {
+  EXPECT_TRUE(notes_on(usual_report()).empty());
+  EXPECT_EQ(to_json(usual_report())["notes"], nlohmann::ordered_json::array());
+  EXPECT_FALSE(contains(to_text(usual_report()), "note"));
+}
+
+TEST(Report, NotesLanesThatDecidedNothing) {
+  VerifyReport report = usual_report();
+  report.groups.push_back(report.groups.front());
+  report.groups.back().name = "s4e8";
+  report.groups.back().recomputations = 100;
+  expect_note(report, "the lanes s4e8 decided nothing: all of 100 comparisons were recomputed");
+  report.groups.back().recomputations = 0;
+  report.groups.back().undecided = 100;
+  expect_note(report, "the lanes s4e8 decided nothing: all of 100 comparisons were left undecided");
+  report.groups.back().undecided = 99;
+  EXPECT_TRUE(notes_on(report).empty());
+}
+
+TEST(Report, NotesLanesThatSawNothing) {
+  VerifyReport report = usual_report();
+  report.groups.push_back({.name = "s4e8", .lanes = 1, .certified = true});
+  expect_note(report, "no comparison went through the lanes s4e8");
+}
+
+TEST(Report, NotesARunOfNothing) {
+  VerifyReport report = usual_report();
+  report.requested = report.comparisons = report.recomputations = 0;
+  expect_note(report, "no comparison was made, so nothing was verified");
+}
+
+TEST(Report, NotesWrongVerdictsThatPass) {
+  VerifyReport report = usual_report();
+  report.groups.front().certified = false;
+  report.groups.front().wrong_by_lane = 3;
+  expect_note(report,
+              "the lanes s8e8 decided 3 of 100 comparisons wrongly, which does not fail since they "
+              "are not certified");
+}
+
+TEST(Report, NotesWhatWasNotPutToTheTest) {
+  VerifyReport report = usual_report();
+  report.recomputations = 0;
+  expect_note(report, "no comparison here was recomputed, so none put a reference to the test");
+  report = usual_report();
+  report.verdicts = {0, 0, 0, 100};
+  expect_note(report, "every verdict is unordered");
+  report = usual_report();
+  report.truth = TruthCount{.undefined = 100};
+  expect_note(report, "no verdict was held against the truth");
+}
+
+}  // namespace
+}  // namespace mixcmp::tb
