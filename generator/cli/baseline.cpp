@@ -37,13 +37,7 @@ void add_options(CLI::App& verb, BaselineCommand& command) {
 
 void run(const BaselineCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
-  if (!loaded.data) {
-    fail(model::Error{.file = command.scene.scene.string(),
-                      .field = "data",
-                      .message = "a baseline needs data to run on",
-                      .received = "a scene without [data]",
-                      .accepted = "[data] with items or file"});
-  }
+  value_or_exit(check_has_data(loaded, "a baseline needs data to run on"));
   gen::BaselineOptions options = command.run;
   std::optional<model::ScratchFolder> scratch;
   std::optional<model::FolderLock> held;
@@ -51,7 +45,7 @@ void run(const BaselineCommand& command) {
     scratch.emplace(value_or_exit(model::ScratchFolder::make()));
     options.work = scratch->path();
   } else {
-    held.emplace(hold(options.work));
+    held.emplace(lock_folder(options.work));
   }
   options.progress = show_progress;
   const gen::Baseline baseline =

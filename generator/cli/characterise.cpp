@@ -194,7 +194,7 @@ void adopt_new_rows(model::Characterisation& table, const model::Characterisatio
 void write_table(CharacteriseReport& report, const CharacteriseCommand& command,
                  const model::Scene& scene, const fs::path& path,
                  const std::optional<model::Characterisation>& before) {
-  const model::FolderLock held = hold(fs::absolute(path).parent_path());
+  const model::FolderLock held = lock_folder(fs::absolute(path).parent_path());
   const auto now = value_or_exit(previous_table(path, scene, report.table.device));
   if (now) adopt_new_rows(report.table, *now, before ? &*before : nullptr);
   report.table.command = characterise_command_line(command);

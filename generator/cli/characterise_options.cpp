@@ -99,7 +99,7 @@ Result<std::pair<int, int>> interval(const std::string& option, const std::strin
   const std::optional<int> first = number(std::string_view(word).substr(0, dash));
   const std::optional<int> last =
       dash == word.size() ? first : number(std::string_view(word).substr(dash + 1));
-  if (first && last && allowed.hold(*first) && *first <= *last && allowed.hold(*last)) {
+  if (first && last && allowed.allow(*first) && *first <= *last && allowed.allow(*last)) {
     return std::pair(*first, *last);
   }
   return mistake(

@@ -14,7 +14,9 @@ namespace {
 
 ExitCode code_of(model::ErrorKind kind) {
   switch (kind) {
-    case model::ErrorKind::mistake: return ExitCode::mistake;
+    case model::ErrorKind::mistake:
+    case model::ErrorKind::missing_column:
+    case model::ErrorKind::unnamed_columns: return ExitCode::mistake;
     case model::ErrorKind::missing_tool: return ExitCode::incomplete;
     case model::ErrorKind::refuted: return ExitCode::refuted;
   }

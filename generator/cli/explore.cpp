@@ -89,7 +89,6 @@ model::Rates rates_of(const ExploreCommand& command, const std::string& set) {
   SceneOptions options = command.planning.scene;
   if (!set.empty()) options.settings.push_back(set);
   const LoadedScene loaded = value_or_exit(load(options));
-  value_or_exit(check_has_data(loaded));
   std::string name = set.empty() ? "own" : set.substr(set.find('=') + 1);
   std::replace(name.begin(), name.end(), '/', '_');
   const fs::path kept =
@@ -187,10 +186,10 @@ void write_device(const ExploreCommand& command, const std::string& device,
   write_plan(command, device, first == own_data ? "" : first, folder / "plan_scenario_1.toml",
              ours.example);
   write_plan(command, device, "", folder / "plan_scenario_2.toml", ours.worst);
-  draw(folder, "figure3", figure3_script(ours.example, "figure3.svg"), not_done);
-  draw(folder, "figure7", figure7_script(areas, "figure7.svg"), not_done);
-  draw(folder, "figure8", figure8_script(ours.example, "figure8.svg"), not_done);
-  draw(folder, "figure9", figure9_script(ours.example, "figure9.svg"), not_done);
+  draw(folder / "figure3.svg", figure3_script(ours.example), not_done);
+  draw(folder / "figure7.svg", figure7_script(areas), not_done);
+  draw(folder / "figure8.svg", figure8_script(ours.example), not_done);
+  draw(folder / "figure9.svg", figure9_script(ours.example), not_done);
 }
 
 void print_notes(const model::Exploration& exploration) {
@@ -245,13 +244,13 @@ std::vector<model::DataSet> measure_sets(const ExploreCommand& command,
 /// What may be wrong is found before what takes long; the tables of all devices are written last.
 void run(const ExploreCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.planning.scene));
-  value_or_exit(check_has_data(loaded));
+  value_or_exit(check_has_data(loaded, "recomputation rates are measured on data"));
   const std::vector<std::string> settings = value_or_exit(data_sets(command.over));
   std::vector<Planning> known;
   for (const std::string& device : devices_of(command, loaded.scene)) {
     known.push_back(planning_for(command, device, &*loaded.data));
   }
-  const model::FolderLock held = hold(command.output);
+  const model::FolderLock held = lock_folder(command.output);
   const std::vector<model::DataSet> sets = measure_sets(command, settings);
   std::vector<model::SoftwareThroughput> software;
   if (command.software) software = measure_software(loaded);

@@ -100,7 +100,7 @@ void add_scene_options(CLI::App& verb, SceneOptions& options,
 CLI::Validator within(model::Limits limits) {
   return {[limits](const std::string& text) {
             int value = 0;
-            const bool accepted = CLI::detail::lexical_cast(text, value) && limits.hold(value);
+            const bool accepted = CLI::detail::lexical_cast(text, value) && limits.allow(value);
             return accepted ? std::string()
                             : fmt::format("received {}; accepted {}", text, to_string(limits));
           },
@@ -136,6 +136,15 @@ model::Result<LoadedScene> load(const SceneOptions& options) {
     loaded.data = std::move(data).value();
   }
   return loaded;
+}
+
+model::Result<model::Done> check_has_data(const LoadedScene& loaded, const std::string& why) {
+  if (loaded.data) return model::Done{};
+  return model::Error{.file = loaded.scene.path.string(),
+                      .field = "data",
+                      .message = why,
+                      .received = "a scene without [data]",
+                      .accepted = "[data] with items or file"};
 }
 
 model::Result<model::Design> design_of(const SceneOptions& options, const LoadedScene& loaded) {

@@ -33,6 +33,9 @@ struct LoadedScene {
 };
 model::Result<LoadedScene> load(const SceneOptions& options);
 
+/// `why`: the message of the error where there are none, such as "verify needs data to run on".
+model::Result<model::Done> check_has_data(const LoadedScene& loaded, const std::string& why);
+
 /// The mistake with the place where the user wrote what is at fault: a key's line, or the shortcut
 /// that set it.
 model::Error at_fault(const model::Error& found, const SceneOptions& options);

@@ -6,10 +6,8 @@
 
 #include "generator/cli/exit.hpp"
 #include "model/characterise/tools.hpp"
-#include "model/common/file.hpp"
 #include "model/common/output_file.hpp"
 #include "model/common/process.hpp"
-#include "model/common/scratch_folder.hpp"
 
 namespace mixcmp::cli {
 
@@ -40,26 +38,25 @@ void tell_waiting(const fs::path& folder) {
   tell(fmt::format("{}: waiting for another run", folder.string()));
 }
 
-model::FolderLock hold(const fs::path& folder) {
+model::FolderLock lock_folder(const fs::path& folder) {
   return value_or_exit(model::FolderLock::take(folder, [&] { tell_waiting(folder); }));
 }
 
-void draw(const fs::path& directory, const std::string& name, const std::string& script,
-          std::vector<std::string>& not_done) {
-  const std::string file = name + ".svg";
-  const model::ScratchFolder scratch = value_or_exit(model::ScratchFolder::make());
-  value_or_exit(model::write_file(scratch.path() / "script.gnuplot", script));
-  const auto drawn = model::run_tool({.command = {"gnuplot", "script.gnuplot"},
-                                      .directory = scratch.path(),
-                                      .log = scratch.path() / "gnuplot.log"});
+void draw(const fs::path& svg, const std::string& script, std::vector<std::string>& not_done) {
+  const auto drawn = model::capture({"gnuplot"}, {.input = script, .seconds = 60});
   if (!drawn.ok() && drawn.error().kind == model::ErrorKind::missing_tool) {
-    not_done.push_back(fmt::format("{}: gnuplot does not run (apt-get install gnuplot-nox)",
-                                   (directory / file).string()));
+    not_done.push_back(
+        fmt::format("{}: gnuplot does not run (apt-get install gnuplot-nox)", svg.string()));
     return;
   }
-  value_or_exit(drawn);
-  value_or_exit(
-      model::write_file(directory / file, value_or_exit(model::read_file(scratch.path() / file))));
+  const model::Captured picture = value_or_exit(drawn);
+  if (!picture.succeeded() || picture.output.empty()) {
+    fail(model::Error{.file = svg.string(),
+                      .message = "gnuplot draws no picture",
+                      .received = picture.in_time ? picture.errors : "nothing in a minute",
+                      .accepted = "a gnuplot that runs and knows the terminal svg"});
+  }
+  value_or_exit(model::write_file(svg, picture.output));
 }
 
 void end_if_router_is_missing(const model::Device& device) {

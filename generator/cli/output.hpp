@@ -16,14 +16,13 @@ model::Result<model::Done> check_outputs(const std::vector<std::filesystem::path
 
 /// Locks a work folder, which is made where there is none, for as long as the result lives. The
 /// user is told where another run must end first.
-model::FolderLock hold(const std::filesystem::path& folder);
+model::FolderLock lock_folder(const std::filesystem::path& folder);
 void tell_waiting(const std::filesystem::path& folder);
 
-/// Runs the gnuplot script, which writes NAME.svg, elsewhere, so that no picture is ever half
-/// there. Without gnuplot, adds the picture to `not_done`; ends the program where the picture
-/// cannot be drawn or written.
-void draw(const std::filesystem::path& directory, const std::string& name,
-          const std::string& script, std::vector<std::string>& not_done);
+/// Draws what the gnuplot script says. Without gnuplot, adds the picture to `not_done`; ends the
+/// program where the picture cannot be drawn or written.
+void draw(const std::filesystem::path& svg, const std::string& script,
+          std::vector<std::string>& not_done);
 
 /// Ends the program with ExitCode::incomplete where the device has a router and this machine has
 /// not.

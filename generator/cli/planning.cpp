@@ -217,19 +217,10 @@ Result<Planning> load_planning(const PlanningOptions& options, const model::Scen
   return planning;
 }
 
-Result<model::Done> check_has_data(const LoadedScene& loaded) {
-  if (loaded.data) return model::Done{};
-  return Error{.file = loaded.scene.path.string(),
-               .field = "data",
-               .message = "recomputation rates are measured on data",
-               .received = "a scene without [data]",
-               .accepted = "[data] with items or file"};
-}
-
 Result<std::vector<model::RateProfile>> measure_rates(const LoadedScene& loaded,
                                                       const model::OptimiseOptions& choice) {
   const model::Scene& scene = loaded.scene;
-  MIXCMP_TRY(has_data, check_has_data(loaded));
+  MIXCMP_TRY(has_data, check_has_data(loaded, "recomputation rates are measured on data"));
   model::ProfileOptions options{
       .first_precision = choice.first_precision,
       .last_precision =

@@ -49,8 +49,6 @@ struct Planning {
 model::Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene,
                                       const model::Comparisons* data);
 
-model::Result<model::Done> check_has_data(const LoadedScene& loaded);
-
 /// Recomputation rates of every kind of lane on the scene's data, for exact and for rounded inputs,
 /// at the precisions of `choice`. Errors where the scene has no data.
 model::Result<std::vector<model::RateProfile>> measure_rates(const LoadedScene& loaded,

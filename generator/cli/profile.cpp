@@ -128,19 +128,18 @@ nlohmann::ordered_json json_of(const model::ProfileReport& report, const Trades&
 /// Returns what could not be made.
 std::vector<std::string> write_results(const model::ProfileReport& report, const Trades& weighed,
                                        const fs::path& directory) {
-  const model::FolderLock held = hold(directory);
+  const model::FolderLock held = lock_folder(directory);
   remove_old_results(directory);
   std::vector<std::string> not_done;
   value_or_exit(
       model::write_file(directory / "profile.json", json_of(report, weighed).dump(2) + "\n"));
   value_or_exit(model::write_file(directory / "figure4.csv", figure4_csv(report)));
   value_or_exit(model::write_file(directory / "figure5.csv", figure5_csv(report)));
-  draw(directory, "figure4", figure4_script(report, "figure4.svg"), not_done);
-  draw(directory, "figure5", figure5_script(report, "figure5.svg"), not_done);
+  draw(directory / "figure4.svg", figure4_script(report), not_done);
+  draw(directory / "figure5.svg", figure5_script(report), not_done);
   if (!weighed.trades.empty()) {
     value_or_exit(model::write_file(directory / "trade.csv", trade_csv(weighed.trades)));
-    const std::string script = trade_script(weighed.trades, report.scene, "trade.svg");
-    draw(directory, "trade", script, not_done);
+    draw(directory / "trade.svg", trade_script(weighed.trades, report.scene), not_done);
   }
   return not_done;
 }
@@ -153,13 +152,7 @@ void print_text(const model::ProfileReport& report, const Trades& weighed) {
 
 void run(const ProfileCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
-  if (!loaded.data) {
-    fail(model::Error{.file = command.scene.scene.string(),
-                      .field = "data",
-                      .message = "a profile needs data to measure",
-                      .received = "a scene without [data]",
-                      .accepted = "[data] with items or file"});
-  }
+  value_or_exit(check_has_data(loaded, "a profile needs data to measure"));
   model::ProfileOptions options = command.run;
   options.last_precision =
       command.last.value_or(lane_precisions(loaded.scene.reference.format).most);

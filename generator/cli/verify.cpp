@@ -175,7 +175,7 @@ model::Result<model::Done> check_trace(const fs::path& trace) {
 fs::path write_rtl(const gen::GeneratedSystem& system, const fs::path& work) {
   model::ContentHash hash;
   for (const gen::GeneratedFile& file : system.files) hash.add(file.name).add(file.text);
-  const model::FolderLock held = hold(work / "rtl");
+  const model::FolderLock held = lock_folder(work / "rtl");
   const fs::path folder =
       work / "rtl" / fmt::format("{}-{}", system.signature.top, hash.hex().substr(0, 16));
   value_or_exit(gen::write_system(system, folder));
@@ -189,13 +189,7 @@ fs::path save_file_of(fs::path waves) {
 
 void run(const VerifyCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
-  if (!loaded.data) {
-    fail(model::Error{.file = command.scene.scene.string(),
-                      .field = "data",
-                      .message = "verify needs data to run on",
-                      .received = "a scene without [data]",
-                      .accepted = "[data] with items or file"});
-  }
+  value_or_exit(check_has_data(loaded, "verify needs data to run on"));
   const model::Design design = value_or_exit(design_of(command.scene, loaded));
   const gen::GeneratedSystem system =
       value_or_exit(gen::generate_system(design, command_line("generate", command.scene)));

@@ -180,7 +180,7 @@ Result<Component> ComponentMaker::make_fifo(const ComponentKey& key) {
 }
 
 Result<Component> ComponentMaker::make_crossbar(const ComponentKey& key) {
-  if (!measured_ports.hold(key.ports)) {
+  if (!measured_ports.allow(key.ports)) {
     return out_of_range("ports", key.ports, to_string(measured_ports));
   }
   SystemShape shape = stream_shape();

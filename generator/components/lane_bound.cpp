@@ -17,7 +17,7 @@ model::Result<LaneBound> find_lane_bound(std::string_view name) {
   constexpr model::Limits digits = model::limits::bound_digits;
   static_assert(digits.most <= 9, "one character names the digits");
   if (name.size() == running.size() + 1 && name.starts_with(running) &&
-      digits.hold(name.back() - '0')) {
+      digits.allow(name.back() - '0')) {
     return LaneBound{.kind = ErrorBoundKind::running, .digits = name.back() - '0'};
   }
   return model::Error{

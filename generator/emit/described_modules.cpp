@@ -93,7 +93,7 @@ std::vector<std::string> count_facts(const Design& design, const SystemShape& sh
   }
   std::vector<std::string> facts = {fmt::format("{}: p_L = {}, p_H = {} in {}.", shape.top,
                                                 shape.lanes, shape.references, reference)};
-  const auto tell = [&facts](const char* what, const std::vector<DatapathGroup>& groups) {
+  const auto add_groups = [&facts](const char* what, const std::vector<DatapathGroup>& groups) {
     for (const DatapathGroup& group : groups) {
       const std::string which = group.count == 1 ? fmt::format("{} {}", what, group.first)
                                                  : fmt::format("{}s {} to {}", what, group.first,
@@ -102,8 +102,8 @@ std::vector<std::string> count_facts(const Design& design, const SystemShape& sh
           fmt::format("{}: {}, {} cycles.", which, group.channel, group.latency_cycles));
     }
   };
-  tell("Lane", shape.lane_groups);
-  tell("Reference", shape.reference_groups);
+  add_groups("Lane", shape.lane_groups);
+  add_groups("Reference", shape.reference_groups);
   return facts;
 }
 
@@ -118,22 +118,22 @@ int shortest_latency_cycles(const SystemShape& shape) {
 Described describe_top(const Design& design, const SystemShape& shape) {
   const int tdata_bits = shape.tdata_bytes() * 8;
   std::vector<std::string> facts = count_facts(design, shape);
-  const auto tell = [&facts](std::string fact) { facts.push_back(std::move(fact)); };
-  tell("Every per-lane port is a vector of one field a lane, lane 0 in the lowest bits.");
-  tell(fmt::format("s_axis_tdata, {} bits a lane, operands {} bits each, the first lowest:",
-                   tdata_bits, shape.input_width));
-  tell(fmt::format("  {}.", fmt::join(design.inputs, ", ")));
-  tell(fmt::format("s_axis_tuser, m_axis_tuser, {} bits a lane: the tag.", shape.tag_bits));
-  tell("m_axis_tdata, 8 bits a lane: {4'b0, undecided, recomputed, verdict[1:0]};");
-  tell("  verdict: 0 less, 1 equal, 2 greater, 3 unordered.");
+  const auto add = [&facts](std::string fact) { facts.push_back(std::move(fact)); };
+  add("Every per-lane port is a vector of one field a lane, lane 0 in the lowest bits.");
+  add(fmt::format("s_axis_tdata, {} bits a lane, operands {} bits each, the first lowest:",
+                  tdata_bits, shape.input_width));
+  add(fmt::format("  {}.", fmt::join(design.inputs, ", ")));
+  add(fmt::format("s_axis_tuser, m_axis_tuser, {} bits a lane: the tag.", shape.tag_bits));
+  add("m_axis_tdata, 8 bits a lane: {4'b0, undecided, recomputed, verdict[1:0]};");
+  add("  verdict: 0 less, 1 equal, 2 greater, 3 unordered.");
   if (shape.refetches()) {
-    tell("m_refetch_tdata, s_refetch_tdata, a field a reference: a tag out, in the");
-    tell("  order of the tags the operands of each back in.");
+    add("m_refetch_tdata, s_refetch_tdata, a field a reference: a tag out, in the");
+    add("  order of the tags the operands of each back in.");
   }
   if (shape.counter_bits > 0) {
-    tell("comparisons, recomputations, stalls: counts since reset, they wrap.");
+    add("comparisons, recomputations, stalls: counts since reset, they wrap.");
   }
-  tell(
+  add(
       fmt::format("Initiation interval 1 a lane, latency {} cycles and up. Reset: aresetn, "
                   "synchronous, active low.",
                   shortest_latency_cycles(shape)));

@@ -70,8 +70,8 @@ Signature signature_of(const Design& design, const SystemShape& shape) {
 /// Stages that the delay table cannot bring under the period, each with where it is.
 std::vector<std::string> slow_stages(const SystemPlan& plan) {
   std::vector<std::string> notes;
-  const auto tell = [&notes](const std::string& what, const std::vector<DatapathGroup>& groups,
-                             const std::vector<Schedule>& schedules) {
+  const auto add_notes = [&notes](const std::string& what, const std::vector<DatapathGroup>& groups,
+                                  const std::vector<Schedule>& schedules) {
     for (std::size_t k = 0; k < groups.size(); ++k) {
       const std::string& where = groups.size() == 1 ? what : groups[k].datapath;
       for (const std::string& stage : schedules[k].slow_stages) {
@@ -79,8 +79,8 @@ std::vector<std::string> slow_stages(const SystemPlan& plan) {
       }
     }
   };
-  tell("lane", plan.shape.lane_groups, plan.lanes);
-  tell("reference", plan.shape.reference_groups, plan.references);
+  add_notes("lane", plan.shape.lane_groups, plan.lanes);
+  add_notes("reference", plan.shape.reference_groups, plan.references);
   return notes;
 }
 

@@ -63,7 +63,8 @@ Result<Done> check_replaceable(const fs::path& directory) {
   return Done{};
 }
 
-/// Those of the folder that is replaced, or those that the user's mask leaves a new one.
+/// Gives the staged folder the permissions of the folder that it replaces, or those that the user's
+/// mask leaves a new one.
 Result<Done> set_permissions(const fs::path& staged, const fs::path& directory) {
   std::error_code failed;
   const fs::file_status before = fs::status(directory, failed);

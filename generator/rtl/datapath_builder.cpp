@@ -223,21 +223,21 @@ std::vector<Parameter> DatapathBuilder::unit_parameters(NodeId id) const {
   const TypedNode& node = graph_.nodes[id];
   std::vector<Parameter> parameters = {{"EXPONENT_BITS", node.operand_format.exponent_bits()},
                                        {"PRECISION", node.operand_format.precision()}};
-  const bool selects = node.operation == Operation::minimum || node.operation == Operation::maximum;
-  if (!selects && node.format != node.operand_format) {
+  const bool chooses = is_choice(node.operation);
+  if (!chooses && node.format != node.operand_format) {
     parameters.push_back({"RESULT_EXPONENT_BITS", node.format.exponent_bits()});
     parameters.push_back({"RESULT_PRECISION", node.format.precision()});
   }
   if (node.operation == Operation::add || node.operation == Operation::subtract) {
     parameters.push_back({"SUBTRACT", node.operation == Operation::subtract ? 1 : 0});
   }
-  if (selects) parameters.push_back({"MAXIMUM", node.operation == Operation::maximum ? 1 : 0});
+  if (chooses) parameters.push_back({"MAXIMUM", node.operation == Operation::maximum ? 1 : 0});
   if (const auto scaling = scaling_of(graph_, node)) {
     parameters.push_back({"SCALE", scaling->exponent});
   }
   const model::Arithmetic& arithmetic = graph_.arithmetic;
   parameters.push_back({"GRADUAL", arithmetic.subnormals == model::Subnormals::gradual ? 1 : 0});
-  if (!selects) {
+  if (!chooses) {
     parameters.push_back(
         {"TOWARD_ZERO", arithmetic.rounding == model::Rounding::toward_zero ? 1 : 0});
   }

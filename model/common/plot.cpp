@@ -23,10 +23,10 @@ std::string quoted(const std::string& text) {
 std::string script(const Picture& picture) {
   std::string text = fmt::format(
       "set terminal svg size 900,560 font 'sans,13' noenhanced background '#ffffff'\n"
-      "set output {}\nset title {}\nset xlabel {}\nset ylabel {}\n"
+      "set title {}\nset xlabel {}\nset ylabel {}\n"
       "{}set grid xtics ytics lc rgb '#d8d8d8'\n"
       "set key outside right top\n{}",
-      quoted(picture.path), quoted(picture.title), quoted(picture.x_label), quoted(picture.y_label),
+      quoted(picture.title), quoted(picture.x_label), quoted(picture.y_label),
       picture.y_axis == Axis::linear ? "set yrange [0:*]\n"
                                      : "set logscale y 10\nset format y '%.0e'\n",
       picture.axes);

@@ -19,15 +19,15 @@ enum class Axis {
 };
 
 struct Picture {
-  std::string path;  ///< of the SVG
   std::string title, x_label, y_label;
   std::string axes;  ///< further lines of gnuplot
   std::vector<Curve> curves;
   Axis y_axis = Axis::logarithmic;
 };
 
-/// A gnuplot script. Points are written into it, those that a logarithmic axis has no place for
-/// must have been left out: gnuplot breaks lines at what it cannot draw.
+/// A gnuplot script that writes an SVG to standard output. Points are written into it, those that a
+/// logarithmic axis has no place for must have been left out: gnuplot breaks lines at what it
+/// cannot draw.
 std::string script(const Picture& picture);
 
 /// Styles of what is measured and of what is proven, in one of a few colours.

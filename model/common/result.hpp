@@ -9,9 +9,11 @@
 namespace mixcmp::model {
 
 enum class ErrorKind {
-  mistake,       ///< the user's, or a machine that does not allow what was asked
-  missing_tool,  ///< what was asked for needs a program that is not installed
-  refuted,       ///< what was claimed does not hold
+  mistake,          ///< the user's, or a machine that does not allow what was asked
+  missing_tool,     ///< what was asked for needs a program that is not installed
+  refuted,          ///< what was claimed does not hold
+  missing_column,   ///< a mistake: `field` is no column of a table
+  unnamed_columns,  ///< a mistake: a table's columns have no names, and not all have numbers
 };
 
 /// A user's mistake, told once: where it stands, what was received and what would be accepted.

@@ -24,17 +24,16 @@ std::optional<std::size_t> subscript_in(const std::string& wanted, const std::st
   return subscript;
 }
 
-constexpr std::string_view no_such_column = "no such column";
-
 bool explains(const ColumnNames& names, const std::string& wanted) {
   return names.is_list ? subscript_in(wanted, names.name).has_value() : wanted == names.name;
 }
 
-Error mistake(const ColumnNames& names, std::string message, std::string received,
-              std::string accepted) {
-  return {.file = names.place.file,
-          .line = names.place.line,
-          .field = names.field,
+/// `key`: a ColumnNames or a WantedColumn, whose key of the scene is mistaken.
+template <class Key>
+Error mistake_of(const Key& key, std::string message, std::string received, std::string accepted) {
+  return {.file = key.place.file,
+          .line = key.place.line,
+          .field = key.field,
           .message = std::move(message),
           .received = std::move(received),
           .accepted = std::move(accepted)};
@@ -46,8 +45,8 @@ Result<WantedColumn> file_column(std::span<const ColumnNames> all, const std::st
   if (found == all.end()) return WantedColumn{.name = wanted, .column = wanted};
   const auto again = std::find_if(std::next(found), all.end(), explains_it);
   if (again != all.end()) {
-    return mistake(*again, fmt::format("a second column for {}", wanted),
-                   fmt::format("{} beside {}", again->field, found->field), "one of them");
+    return mistake_of(*again, fmt::format("a second column for {}", wanted),
+                      fmt::format("{} beside {}", again->field, found->field), "one of them");
   }
   const std::size_t subscript = found->is_list ? *subscript_in(wanted, found->name) : 0;
   if (subscript < found->columns.size()) {
@@ -56,12 +55,10 @@ Result<WantedColumn> file_column(std::span<const ColumnNames> all, const std::st
                         .field = found->field,
                         .place = found->place};
   }
-  return mistake(*found, fmt::format("no column for {}", wanted),
-                 fmt::format("a list of {}", found->columns.size()),
-                 fmt::format("{} columns or more", subscript + 1));
+  return mistake_of(*found, fmt::format("no column for {}", wanted),
+                    fmt::format("a list of {}", found->columns.size()),
+                    fmt::format("{} columns or more", subscript + 1));
 }
-
-constexpr std::string_view no_names = "the columns of a plain array have no names";
 
 /// Numbers for all of `wanted`: those that are given, and for the others the first ones left over.
 std::vector<std::string> suggested_numbers(std::span<const WantedColumn> wanted,
@@ -111,9 +108,9 @@ Result<std::vector<WantedColumn>> file_columns(std::span<const ColumnNames> name
   for (const ColumnNames& one : names) {
     const auto is_wanted = [&](const std::string& column) { return explains(one, column); };
     if (std::any_of(wanted.begin(), wanted.end(), is_wanted)) continue;
-    return mistake(one, "no input needs such a column",
-                   one.is_list ? one.name + "_0, ..." : one.name,
-                   list_with_nearest(one.name, wanted));
+    return mistake_of(one, "no input needs such a column",
+                      one.is_list ? one.name + "_0, ..." : one.name,
+                      list_with_nearest(one.name, wanted));
   }
   std::vector<WantedColumn> columns;
   for (const std::string& column : wanted) {
@@ -132,10 +129,7 @@ std::vector<WantedColumn> columns_by_name(std::span<const std::string> names) {
 Result<std::size_t> find_column(const WantedColumn& wanted, std::span<const std::string> known,
                                 const std::string& source) {
   if (const auto* number = std::get_if<std::uint64_t>(&wanted.column)) {
-    if (*number < known.size()) return static_cast<std::size_t>(*number);
-    return column_mistake(wanted, "no column of this number in " + source, std::to_string(*number),
-                          known.empty() ? "nothing: it has no columns"
-                                        : fmt::format("0..{}, counted from 0", known.size() - 1));
+    return numbered_column(wanted, *number, known.size(), source);
   }
   const std::string& name = std::get<std::string>(wanted.column);
   const auto found = std::find(known.begin(), known.end(), name);
@@ -143,25 +137,25 @@ Result<std::size_t> find_column(const WantedColumn& wanted, std::span<const std:
   return static_cast<std::size_t>(found - known.begin());
 }
 
+Result<std::size_t> numbered_column(const WantedColumn& wanted, std::uint64_t number,
+                                    std::uint64_t count, const std::string& source) {
+  if (number < count) return static_cast<std::size_t>(number);
+  return column_mistake(
+      wanted, "no column of this number in " + source, std::to_string(number),
+      count == 0 ? "nothing: it has no columns" : fmt::format("0..{}, counted from 0", count - 1));
+}
+
 Error column_mistake(const WantedColumn& wanted, std::string message, std::string received,
                      std::string accepted) {
-  return {.file = wanted.place.file,
-          .line = wanted.place.line,
-          .field = wanted.field,
-          .message = std::move(message),
-          .received = std::move(received),
-          .accepted = std::move(accepted)};
+  return mistake_of(wanted, std::move(message), std::move(received), std::move(accepted));
 }
 
 Error missing_column(const std::string& column, std::span<const std::string> known) {
   return {.field = column,
-          .message = std::string(no_such_column),
+          .message = "no such column",
           .received = "nothing",
-          .accepted = list_with_nearest(column, known)};
-}
-
-bool is_missing_column(const Error& error) {
-  return error.message == no_such_column;
+          .accepted = list_with_nearest(column, known),
+          .kind = ErrorKind::missing_column};
 }
 
 Error unnamed_columns(std::span<const WantedColumn> wanted, std::uint64_t columns) {
@@ -169,15 +163,12 @@ Error unnamed_columns(std::span<const WantedColumn> wanted, std::uint64_t column
   for (const WantedColumn& column : wanted) {
     if (const auto* name = std::get_if<std::string>(&column.column)) unnumbered.push_back(*name);
   }
-  return {.message = std::string(no_names),
+  return {.message = "the columns of a plain array have no names",
           .received = "no number for " + fmt::format("{}", fmt::join(unnumbered, ", ")),
           .accepted = fmt::format("the number of each one's column, counted from 0 and below {}, "
                                   "for example {}",
-                                  columns, suggested_columns(wanted, columns))};
-}
-
-bool is_unnamed_columns(const Error& error) {
-  return error.message == no_names;
+                                  columns, suggested_columns(wanted, columns)),
+          .kind = ErrorKind::unnamed_columns};
 }
 
 Result<Table> select_columns(const Table& table, std::span<const WantedColumn> wanted) {

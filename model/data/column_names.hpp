@@ -46,18 +46,21 @@ std::vector<WantedColumn> columns_by_name(std::span<const std::string> names);
 Result<std::size_t> find_column(const WantedColumn& wanted, std::span<const std::string> known,
                                 const std::string& source);
 
+/// Where a column of the number `number` stands among the `count` columns of `source`.
+Result<std::size_t> numbered_column(const WantedColumn& wanted, std::uint64_t number,
+                                    std::uint64_t count, const std::string& source);
+
 /// A mistake of the key that says which column `wanted` is.
 Error column_mistake(const WantedColumn& wanted, std::string message, std::string received,
                      std::string accepted);
 
-/// The error for a wanted column that a file lacks; `known` are the columns that it has.
+/// The error, of the kind missing_column, for a wanted column that a file lacks; `known` are the
+/// columns that it has.
 Error missing_column(const std::string& column, std::span<const std::string> known);
-bool is_missing_column(const Error& error);
 
-/// The error for a file of `columns` columns without names where the scene gives no numbers;
-/// load_comparisons adds the key's file and line.
+/// The error, of the kind unnamed_columns, for a file of `columns` columns without names where the
+/// scene gives no numbers; load_comparisons adds the key's file and line.
 Error unnamed_columns(std::span<const WantedColumn> wanted, std::uint64_t columns);
-bool is_unnamed_columns(const Error& error);
 
 /// The wanted columns of `table`, in their order, under the scene's names.
 Result<Table> select_columns(const Table& table, std::span<const WantedColumn> wanted);

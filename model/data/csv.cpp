@@ -142,7 +142,7 @@ Error two_columns(const std::string& name, std::span<const std::string> names) {
   return {.field = name,
           .message = "two columns of this name",
           .received = fmt::format("{} of them", std::count(names.begin(), names.end(), name)),
-          .accepted = fmt::format("one, or the column's number in data.columns, such as {} or {}",
+          .accepted = fmt::format("one, or the column's number in place of its name, here {} or {}",
                                   first - names.begin(), second - names.begin())};
 }
 
@@ -153,7 +153,7 @@ Result<FileColumn> locate_column(const WantedColumn& wanted, std::span<const std
                                  const std::string& source) {
   const Result<std::size_t> place = find_column(wanted, names, source);
   if (!place.ok()) {
-    const bool missing = is_missing_column(place.error());
+    const bool missing = place.error().kind == ErrorKind::missing_column;
     return missing ? without_column(place.error(), header, format) : place.error();
   }
   const std::string& name = names[*place];
@@ -163,8 +163,8 @@ Result<FileColumn> locate_column(const WantedColumn& wanted, std::span<const std
     return Error{.message = "the first line seems to hold numbers, not names of columns",
                  .received = fmt::format("{} in column {}", in_quotes(name), *place),
                  .accepted =
-                     "a first line that names the columns; data.columns with the name "
-                     "where a number is one"};
+                     "a first line that names the columns; in the scene, the name of a "
+                     "column that is called like a number"};
   }
   return FileColumn{.number = *place, .name = printable(name)};
 }

@@ -63,16 +63,15 @@ Result<std::vector<FileColumn>> plain_columns(std::span<const WantedColumn> want
   bool all_numbered = true;
   for (const WantedColumn& column : wanted) {
     const auto* number = std::get_if<std::uint64_t>(&column.column);
-    const bool named = number == nullptr && !column.field.empty();
-    if (named || (number != nullptr && *number >= count)) {
-      return column_mistake(
-          column,
-          named ? "the columns of " + source + " have no names" : "no such column in " + source,
-          named ? in_quotes(std::get<std::string>(column.column)) : std::to_string(*number),
-          fmt::format("a number below {}, the first column being 0", count));
+    if (number == nullptr && !column.field.empty()) {
+      return column_mistake(column, "the columns of " + source + " have no names",
+                            in_quotes(std::get<std::string>(column.column)),
+                            fmt::format("a number below {}, the first column being 0", count));
     }
     all_numbered = all_numbered && number != nullptr;
-    if (number != nullptr) columns.push_back({.number = *number, .name = {}});
+    if (number == nullptr) continue;
+    MIXCMP_TRY(place, numbered_column(column, *number, count, source));
+    columns.push_back({.number = place, .name = {}});
   }
   if (!all_numbered) return unnamed_columns(wanted, count);
   return columns;

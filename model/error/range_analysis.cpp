@@ -82,11 +82,6 @@ Range square(const Range& a) {
   return {magnitude.low * magnitude.low, magnitude.high * magnitude.high};
 }
 
-bool only_moves_bits(Operation operation) {
-  return operation == Operation::negate || operation == Operation::absolute ||
-         operation == Operation::minimum || operation == Operation::maximum;
-}
-
 class Analysis {
 public:
   Analysis(const TypedGraph& graph, const std::vector<std::optional<Range>>& ranges)

@@ -8,8 +8,7 @@ namespace mixcmp::model {
 namespace {
 
 bool is_commutative(Operation operation) {
-  return operation == Operation::add || operation == Operation::multiply ||
-         operation == Operation::minimum || operation == Operation::maximum;
+  return operation == Operation::add || operation == Operation::multiply || is_choice(operation);
 }
 
 bool same(const Node& a, const Node& b) {
@@ -36,6 +35,14 @@ int arity(Operation operation) {
     case Operation::maximum: return 2;
   }
   MIXCMP_CHECK(false);
+}
+
+bool is_choice(Operation operation) {
+  return operation == Operation::minimum || operation == Operation::maximum;
+}
+
+bool only_moves_bits(Operation operation) {
+  return is_choice(operation) || operation == Operation::negate || operation == Operation::absolute;
 }
 
 std::string_view to_string(Operation operation) {

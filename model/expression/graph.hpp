@@ -29,6 +29,12 @@ enum class Operation {
 
 /// Number of operands: 0 for input and constant, 1 or 2 otherwise.
 int arity(Operation operation);
+
+/// Whether the result is one of two operands, unrounded: a minimum or a maximum.
+bool is_choice(Operation operation);
+
+/// Whether the result is an operand but for its sign: a choice, a negation, a magnitude.
+bool only_moves_bits(Operation operation);
 /// "add", "square_root", ...
 std::string_view to_string(Operation operation);
 

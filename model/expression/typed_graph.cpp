@@ -7,17 +7,11 @@
 namespace mixcmp::model {
 namespace {
 
-/// Of exact operands the result is exact, in the operands' own format.
-bool is_selection(Operation operation) {
-  return operation == Operation::negate || operation == Operation::absolute ||
-         operation == Operation::minimum || operation == Operation::maximum;
-}
-
 /// Which nodes are exact in the reference format (constants up to their encoding).
 std::vector<bool> exact_nodes(const Graph& graph) {
   std::vector<bool> exact;
   for (const Node& node : graph.nodes()) {
-    bool value = arity(node.operation) == 0 || is_selection(node.operation);
+    bool value = arity(node.operation) == 0 || only_moves_bits(node.operation);
     for (int k = 0; k < arity(node.operation); ++k) value = value && exact[node.operands[k]];
     exact.push_back(value);
   }
@@ -113,7 +107,7 @@ NodeId Builder::emit_in_lane(NodeId id) {
   TypedNode typed{
       .operation = node.operation, .operand_format = reference_, .format = format, .value = {}};
   const bool exact_operands = takes_exact_operands(node);
-  if (node.operation == Operation::input || (exact_operands && is_selection(node.operation))) {
+  if (node.operation == Operation::input || (exact_operands && only_moves_bits(node.operation))) {
     typed.operation = Operation::convert;
     typed.operands[0] = in_reference(id);
     return emit(std::move(typed));

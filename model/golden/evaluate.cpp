@@ -138,8 +138,8 @@ mpfr_prec_t last_precision(FloatFormat format) {
 }
 
 /// The order of one part, as far as intervals of up to `most` digits tell.
-std::optional<Verdict> tell(const Graph& graph, Sides part, FloatFormat format,
-                            std::span<const Bits> inputs, mpfr_prec_t most) {
+std::optional<Verdict> order_of(const Graph& graph, Sides part, FloatFormat format,
+                                std::span<const Bits> inputs, mpfr_prec_t most) {
   for (mpfr_prec_t precision = std::min(first_precision, most); precision <= most; precision *= 2) {
     Enclosure enclosure(graph, part, precision);
     switch (enclosure.compute(format, inputs)) {
@@ -263,7 +263,7 @@ std::optional<Verdict> verdict_within(const Graph& graph, FloatFormat format,
   const Verdict dominating = dominating_verdict(graph.combination());
   std::optional<Verdict> verdict = opposite(dominating);
   for (const Sides& part : graph.parts()) {
-    const std::optional<Verdict> one = tell(graph, part, format, inputs, bits);
+    const std::optional<Verdict> one = order_of(graph, part, format, inputs, bits);
     if (one == dominating) return dominating;
     verdict =
         verdict && one ? std::optional(combine(graph.combination(), *verdict, *one)) : std::nullopt;

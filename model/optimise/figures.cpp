@@ -117,9 +117,8 @@ private:
 
 }  // namespace
 
-std::string figure3_script(const Optimisation& optimisation, const std::string& path) {
-  Picture picture{path,
-                  where(optimisation) + ": equivalent throughput over p_L / p_H",
+std::string figure3_script(const Optimisation& optimisation) {
+  Picture picture{where(optimisation) + ": equivalent throughput over p_L / p_H",
                   "p_L / p_H",
                   "T(equ), G comparisons/s",
                   "set logscale x 10\n",
@@ -144,10 +143,9 @@ std::string figure3_script(const Optimisation& optimisation, const std::string& 
   return script(picture);
 }
 
-std::string figure7_script(const Optimisation& optimisation, const std::string& path) {
+std::string figure7_script(const Optimisation& optimisation) {
   Picture picture{
-      path,        where(optimisation) + ": area of a lane", x_label, "LUT", "set xtics 4\n", {},
-      Axis::linear};
+      where(optimisation) + ": area of a lane", x_label, "LUT", "set xtics 4\n", {}, Axis::linear};
   picture.curves = curves_by_kind(
       optimisation, [](const Measurement& row) { return static_cast<double>(row.area.luts); });
   int color = 0;
@@ -158,9 +156,8 @@ std::string figure7_script(const Optimisation& optimisation, const std::string& 
   return script(picture);
 }
 
-std::string figure8_script(const Optimisation& optimisation, const std::string& path) {
+std::string figure8_script(const Optimisation& optimisation) {
   Picture picture{
-      path,
       where(optimisation) + ": clock of a lane, " + std::string(to_string(optimisation.basis)),
       x_label,
       "MHz",
@@ -178,9 +175,8 @@ std::string figure8_script(const Optimisation& optimisation, const std::string& 
   return script(picture);
 }
 
-std::string figure9_script(const Optimisation& optimisation, const std::string& path) {
-  Picture picture{path,
-                  where(optimisation) + ": the best plan at each precision",
+std::string figure9_script(const Optimisation& optimisation) {
+  Picture picture{where(optimisation) + ": the best plan at each precision",
                   x_label,
                   "T(equ), G comparisons/s",
                   "set xtics 4\nset ytics nomirror\nset y2tics\nset y2range [0:*]\n"

@@ -37,9 +37,9 @@ std::string figure7_csv(const Optimisation& optimisation);
 
 /// Gnuplot scripts that write SVG to `path`. Figure 3: T(equ) over p_L / p_H of a full device;
 /// 7: LUTs of lanes; 8: their clocks; 9: T(equ) and p_L over L.
-std::string figure3_script(const Optimisation& optimisation, const std::string& path);
-std::string figure7_script(const Optimisation& optimisation, const std::string& path);
-std::string figure8_script(const Optimisation& optimisation, const std::string& path);
-std::string figure9_script(const Optimisation& optimisation, const std::string& path);
+std::string figure3_script(const Optimisation& optimisation);
+std::string figure7_script(const Optimisation& optimisation);
+std::string figure8_script(const Optimisation& optimisation);
+std::string figure9_script(const Optimisation& optimisation);
 
 }  // namespace mixcmp::model

@@ -26,7 +26,7 @@ Result<Done> check_profile(const Scene& scene, const ProfileOptions& options) {
     return unsuitable(scene, "reduced.format", *scene.reduced.format);
   }
   const Limits allowed = lane_precisions(scene.reference.format);
-  if (!allowed.hold(options.first_precision) || !allowed.hold(options.last_precision) ||
+  if (!allowed.allow(options.first_precision) || !allowed.allow(options.last_precision) ||
       options.first_precision > options.last_precision) {
     return Error{
         .file = scene.path.string(),

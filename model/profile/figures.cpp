@@ -18,9 +18,9 @@ void add(Curve& curve, int precision, double value) {
 
 }  // namespace
 
-std::string figure4_script(const ProfileReport& report, const std::string& path) {
+std::string figure4_script(const ProfileReport& report) {
   Picture picture{
-      path, report.scene + ": largest relative error", x_label, "|f_L - f_T| / |f_T|", x_axis, {}};
+      report.scene + ": largest relative error", x_label, "|f_L - f_T| / |f_T|", x_axis, {}};
   int color = 0;
   for (const ErrorProfile& profile : report.errors) {
     const std::string inputs = fmt::format("{} inputs", to_string(profile.inputs));
@@ -40,9 +40,9 @@ std::string figure4_script(const ProfileReport& report, const std::string& path)
   return script(picture);
 }
 
-std::string figure5_script(const ProfileReport& report, const std::string& path) {
+std::string figure5_script(const ProfileReport& report) {
   Picture picture{
-      path, report.scene + ": recomputation rate", x_label, "undecided / comparisons", x_axis, {}};
+      report.scene + ": recomputation rate", x_label, "undecided / comparisons", x_axis, {}};
   for (const RateProfile& profile : report.rates) {
     int color = 0;
     for (const SystemProfile& system : profile.systems) {

@@ -22,12 +22,12 @@ nlohmann::ordered_json to_json(const ProfileReport& report);
 
 /// inputs,precision,f_error,g_error,f_bound,g_bound; a bound that does not exist is empty.
 std::string figure4_csv(const ProfileReport& report);
-/// inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane; the reference alone has precision of
-/// its own and nothing undecided. Systems that do not exist have no rows.
+/// inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane; the reference alone has
+/// precision of its own and nothing undecided. Systems that do not exist have no rows.
 std::string figure5_csv(const ProfileReport& report);
 
 /// Gnuplot scripts that write SVG to `path`.
-std::string figure4_script(const ProfileReport& report, const std::string& path);
-std::string figure5_script(const ProfileReport& report, const std::string& path);
+std::string figure4_script(const ProfileReport& report);
+std::string figure5_script(const ProfileReport& report);
 
 }  // namespace mixcmp::model

@@ -46,7 +46,6 @@ std::string advice(const Trade& trade, double accepted_per_million);
 nlohmann::ordered_json to_json(const Trade& trade);
 /// inputs,system,precision,wrong_per_million,rate,lane_luts,reference_luts,area,comparisons_per_kiloluts
 std::string trade_csv(const std::vector<Trade>& trades);
-std::string trade_script(const std::vector<Trade>& trades, const std::string& scene,
-                         const std::string& path);
+std::string trade_script(const std::vector<Trade>& trades, const std::string& scene);
 
 }  // namespace mixcmp::model

@@ -136,11 +136,9 @@ std::string trade_csv(const std::vector<Trade>& trades) {
   return text;
 }
 
-std::string trade_script(const std::vector<Trade>& trades, const std::string& scene,
-                         const std::string& path) {
+std::string trade_script(const std::vector<Trade>& trades, const std::string& scene) {
   const double floor = floor_of(trades);
-  Picture picture{.path = path,
-                  .title = scene + ": accuracy against area",
+  Picture picture{.title = scene + ": accuracy against area",
                   .x_label = "comparisons a cycle from 1000 LUTs",
                   .y_label = "wrong verdicts per million",
                   .axes = none_band(floor),

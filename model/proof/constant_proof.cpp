@@ -170,7 +170,8 @@ mpq_class ConstantProof::greatest_binade(NodeId id) {
   return most == 0 ? most : binade(most);
 }
 
-/// A number that the bound does not exceed, a little too large: Gappa checks it.
+/// A number that the bound does not exceed, a little too large: Gappa checks it. 0, which Gappa
+/// then refutes, for the reciprocal of what may be zero: there is no such number.
 mpq_class ConstantProof::greatest(BoundId id) {
   const BoundNode& node = analysis_.bounds[id];
   const auto operand = [&](int k) { return greatest(node.operands[k]); };

@@ -30,6 +30,13 @@ GappaVerdict verdict_of(const Captured& outcome) {
 
 Result<std::string> gappa_version() {
   MIXCMP_TRY(line, tool_version({"gappa", "--version"}, "gappa"));
+  constexpr double patience_seconds = 1;
+  if (run_gappa("{ 1 in [2, 3] }", Certificate::none, patience_seconds).verdict ==
+      GappaVerdict::proven) {
+    return Error{.message = "gappa proves what is false",
+                 .received = "a proof of 1 in [2, 3]",
+                 .accepted = "a gappa that refuses that"};
+  }
   const std::size_t number = line.find_first_of("0123456789");
   return number == std::string::npos ? line : line.substr(number);
 }

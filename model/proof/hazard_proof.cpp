@@ -67,23 +67,22 @@ std::vector<Finding> HazardProof::run() && {
 void HazardProof::prove_unbuilt(NodeId id) {
   const Hazards& built = hazards(id);
   std::string left_out, doubtful;
-  const auto hold = [&](const char* name, bool holds) {
+  const auto leave_out = [&](const char* name, bool holds) {
     left_out += (left_out.empty() ? "" : ", ") + std::string(name);
     if (!holds && doubtful.empty()) doubtful = name;
   };
   if (!built.special_operand) {
-    hold("special operands", all_operands(id, [&](NodeId k) { return is_finite(k); }));
+    leave_out("special operands", all_operands(id, [&](NodeId k) { return is_finite(k); }));
   }
-  if (!built.overflow) hold("overflow", never_overflows(id));
+  if (!built.overflow) leave_out("overflow", never_overflows(id));
   if (!built.underflow) {
-    const bool selects =
-        node(id).operation == Operation::minimum || node(id).operation == Operation::maximum;
-    hold("underflow", (selects || is_apart_from_zero(id)) && never_subnormal(id) &&
-                          all_operands(id, [&](NodeId k) { return never_subnormal(k); }));
+    const bool harmless = is_choice(node(id).operation) || is_apart_from_zero(id);
+    leave_out("underflow", harmless && never_subnormal(id) &&
+                               all_operands(id, [&](NodeId k) { return never_subnormal(k); }));
   }
   const bool sums =
       node(id).operation == Operation::add || node(id).operation == Operation::subtract;
-  if (sums && !built.cancellation && adds_one_sign(id)) hold("cancellation", true);
+  if (sums && !built.cancellation && adds_one_sign(id)) leave_out("cancellation", true);
   if (!left_out.empty()) add_unbuilt(id, left_out, doubtful);
   if (!sums || built.cancellation || adds_one_sign(id)) return;
   nodes_.add({fmt::format("{} adds numbers of one sign", nodes_.text(id)),
@@ -123,15 +122,11 @@ bool HazardProof::is_finite(NodeId id) {
 /// The range of a node without the flag lies within its format, and Gappa had no other reason to
 /// believe it. Of two selected numbers neither overflows.
 bool HazardProof::never_overflows(NodeId id) {
-  const bool selects =
-      node(id).operation == Operation::minimum || node(id).operation == Operation::maximum;
-  if (selects) return true;
-  const FloatFormat format = node(id).format;
-  const mpq_class largest =
-      (2 - power_of_two(-format.fraction_bits())) * power_of_two(format.max_exponent());
+  if (is_choice(node(id).operation)) return true;
   const bool divides = node(id).operation == Operation::divide;
   if (divides && least_magnitude(ranges_.prove_range(node(id).operands[1])) == 0) return false;
-  return !flags_overflow(lane_, id) && greatest_magnitude(ranges_.prove_range(id)) <= largest;
+  return !flags_overflow(lane_, id) &&
+         greatest_magnitude(ranges_.prove_range(id)) <= largest_number(node(id).format);
 }
 
 /// Zero always, or never below the smallest normal number.

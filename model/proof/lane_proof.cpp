@@ -84,7 +84,7 @@ std::string LaneProof::verdict() const {
                : fmt::format("machine-checked but for theorems {}, by hand", joined(by_hand));
   }
   if (const Finding* finding = first_with(findings, Outcome::not_proven)) {
-    return "refused: Gappa does not prove " + described(*finding);
+    return "refused: no proof of " + described(*finding);
   }
   if (const Finding* finding = first_with(findings, Outcome::unchecked)) {
     return "not machine-checked: " + finding->detail;
@@ -98,10 +98,10 @@ std::string LaneProof::verdict() const {
 }
 
 ByHand scaling_by_hand() {
-  return {"1 (exponents)",
-          "theorem 1: that a non-exceptional result is the rounding with unbounded exponents, that "
-          "rounding "
-          "and its error scale with powers of two, and that products with these are exact"};
+  return {
+      "1 (exponents)",
+      "theorem 1: that a non-exceptional result is the rounding with unbounded exponents, that "
+      "rounding and its error scale with powers of two, and that products with these are exact"};
 }
 
 LaneProof prove_lane(const Lane& lane, const Prove& prove, Effort effort) {

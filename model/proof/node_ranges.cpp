@@ -25,10 +25,6 @@ mpq_class value_of(FloatFormat format, Bits magnitude) {
   return ((upper << 64) + lower) * power_of_two(exponent - format.fraction_bits());
 }
 
-mpq_class largest_number(FloatFormat format) {
-  return (2 - power_of_two(-format.fraction_bits())) * power_of_two(format.max_exponent());
-}
-
 Range any_finite(FloatFormat format) {
   const mpq_class largest = largest_number(format);
   return {-largest, largest};
@@ -93,6 +89,10 @@ mpq_class smallest_number(FloatFormat format) {
   return power_of_two(format.min_exponent() - format.fraction_bits());
 }
 
+mpq_class largest_number(FloatFormat format) {
+  return (2 - power_of_two(-format.fraction_bits())) * power_of_two(format.max_exponent());
+}
+
 mpq_class least_magnitude(const Range& range) {
   if (holds_zero(range)) return 0;
   return std::min<mpq_class>(abs(range.low), abs(range.high));
@@ -141,10 +141,8 @@ bool NodeRanges::is_any_finite_quotient(NodeId id) const {
 
 void NodeRanges::prove_operation(NodeId id) {
   if (is_any_finite_quotient(id)) return;
-  const Operation operation = graph_.nodes[id].operation;
-  const bool selects = operation == Operation::minimum || operation == Operation::maximum;
   std::vector<ConeCase> cases;
-  if (selects) {
+  if (is_choice(graph_.nodes[id].operation)) {
     for (std::string& text : selection_scripts(id)) cases.push_back({"", std::move(text)});
   } else {
     cases.push_back({"", script(id)});

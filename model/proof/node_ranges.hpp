@@ -21,8 +21,9 @@ std::string result_text(const TypedNode& node, const std::string& a, const std::
 /// Whether a unit of this node raises a flag on overflow and on a division by zero.
 bool flags_overflow(const Lane& lane, NodeId id);
 
-/// The smallest number of a format that is not zero.
+/// The smallest number of a format that is not zero, and its largest finite one.
 mpq_class smallest_number(FloatFormat format);
+mpq_class largest_number(FloatFormat format);
 /// The least and the greatest magnitude of the numbers in a range.
 mpq_class least_magnitude(const Range& range);
 mpq_class greatest_magnitude(const Range& range);

@@ -53,7 +53,7 @@ void RangeWriter::visit(NodeId id) {
   if (!obstacle_.empty()) return;
   if (node.operation == Operation::input) return add_input(id);
   if (node.operation == Operation::constant) return add_constant(id);
-  if (node.operation == Operation::minimum || node.operation == Operation::maximum) {
+  if (is_choice(node.operation)) {
     obstacle_ = fmt::format("{} is no word of Gappa's", to_string(node.operation));
     return;
   }

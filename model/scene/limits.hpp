@@ -11,7 +11,7 @@ struct Limits {
   int least;
   int most;
 
-  constexpr bool hold(int value) const { return least <= value && value <= most; }
+  constexpr bool allow(int value) const { return least <= value && value <= most; }
 };
 
 /// "4..52", as messages, helps and documentation write limits.

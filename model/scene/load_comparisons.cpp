@@ -147,8 +147,8 @@ Result<Table> load_table(const Scene& scene, std::size_t which,
   const Result<Table> table = read_table(data, which, scene.reference.format, columns);
   if (table.ok()) return table;
   const Error& error = table.error();
-  if (is_unnamed_columns(error)) return with_columns_key(data, which, error);
-  if (!is_missing_column(error)) return error;
+  if (error.kind == ErrorKind::unnamed_columns) return with_columns_key(data, which, error);
+  if (error.kind != ErrorKind::missing_column) return error;
   const auto missing = std::find_if(
       columns.begin(), columns.end(),
       [&](const WantedColumn& column) { return column.column == ColumnKey(error.field); });

@@ -34,7 +34,7 @@ void read_reduced_format(Section& section, FloatFormat reference, ReducedSpec& s
   if (word != nullptr && *word == "auto") return;
   const std::optional<int> precision = word == nullptr ? std::nullopt : precision_alone(*word);
   if (!precision) return section.format("format", spec.format, allowed, accepted);
-  if (!allowed.hold(*precision)) {
+  if (!allowed.allow(*precision)) {
     return section.fail("format", "precision out of range", setting->shown(), accepted);
   }
   spec.format = FloatFormat::make(*precision, reference.exponent_bits()).value();

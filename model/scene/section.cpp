@@ -138,7 +138,7 @@ void Section::format(const std::string& key, std::optional<FloatFormat>& target,
   if (setting == nullptr) return;
   Result<FloatFormat> parsed = FloatFormat::parse(std::get<std::string>(setting->value));
   if (!parsed.ok()) return fail(key, parsed.error().message, setting->shown(), accepted);
-  if (!precisions.hold(parsed->precision())) {
+  if (!precisions.allow(parsed->precision())) {
     return fail(key, "precision out of range", setting->shown(), accepted);
   }
   target = *parsed;

@@ -130,7 +130,7 @@ public:
     for (std::size_t table = 0; table < data_.tables().size(); ++table) {
       for (std::size_t row = 0; row < data_.tables()[table].rows(); ++row) {
         for (std::size_t column = 0; column < data_.tables()[table].columns.size(); ++column) {
-          hold(table, row, column);
+          check_number(table, row, column);
         }
       }
     }
@@ -140,7 +140,7 @@ public:
   const Breaches& grids() const { return grids_; }
 
 private:
-  void hold(std::size_t table_index, std::size_t row, std::size_t column) {
+  void check_number(std::size_t table_index, std::size_t row, std::size_t column) {
     const Table& table = data_.tables()[table_index];
     const Bits bits = table.at(row, column);
     bool within = true, on_grid = true;

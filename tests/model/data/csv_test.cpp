@@ -57,7 +57,7 @@ TEST_F(CsvTest, MistakesNameLineAndColumn) {
             ":1: y: no such column: received nothing; accepted yy (the nearest), x");
   EXPECT_EQ(error("\nx,y,x\n1,2,3\n"),
             ":2: x: two columns of this name: received 2 of them; accepted one, or the column's "
-            "number in data.columns, such as 0 or 2");
+            "number in place of its name, here 0 or 2");
   EXPECT_EQ(error("x,y\n1,2\n1,2,3\n"),
             ":3: wrong number of fields: received 3; accepted 2, as in the first line");
   EXPECT_EQ(error("x,y\n\"1\n\",2\n3,4\n").substr(0, 17), ":2: x: not a numb");
@@ -95,8 +95,8 @@ TEST_F(CsvTest, ColumnsGoByNumberToo) {
             "0..1, counted from 0");
   EXPECT_EQ(told(read_csv(write("x,y,0.5\n1,2,3\n"), binary64_, wanted)),
             ":1: the first line seems to hold numbers, not names of columns: received \"0.5\" in "
-            "column 2; accepted a first line that names the columns; data.columns with the name "
-            "where a number is one");
+            "column 2; accepted a first line that names the columns; in the scene, the name of a "
+            "column that is called like a number");
 }
 
 TEST_F(CsvTest, OtherSeparatorsAndMissingHeadersAreTold) {

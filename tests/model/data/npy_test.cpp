@@ -153,9 +153,10 @@ TEST_F(NpyTest, NoOrderOfPlainColumnsIsImplied) {
             "accepted a number below 3, the first column being 0");
   const std::vector<WantedColumn> beyond = {
       {.name = "x", .column = std::uint64_t{3}, .field = "data.columns.x", .place = place}};
-  EXPECT_EQ(read_npy(path_, binary64_, beyond).error().to_string(),
-            "s.toml:9: data.columns.x: no such column in data: received 3; accepted a number below "
-            "3, the first column being 0");
+  EXPECT_EQ(
+      read_npy(path_, binary64_, beyond).error().to_string(),
+      "s.toml:9: data.columns.x: no column of this number in data: received 3; accepted 0..2, "
+      "counted from 0");
 }
 
 TEST_F(NpyTest, MistakesTellWhatWasFoundAndAccepted) {

@@ -225,6 +225,16 @@ TEST(ProversWithAFake, MuchOutputOnBothStreamsPasses) {
   EXPECT_EQ(run.message.size(), 300000U);
 }
 
+TEST(ProversWithAFake, OneThatProvesEverythingIsNotBelieved) {
+  ScratchDirectory scratch;
+  const std::string search = getenv("PATH");
+  const OtherPath path(fake_gappa(scratch, "exit 0\n").string() + ":" + search);
+  ASSERT_FALSE(gappa_version());
+  EXPECT_EQ(gappa_version().error().message, "gappa proves what is false");
+  QuickProver quick(5);
+  EXPECT_EQ(quick(truth).outcome, Outcome::unchecked);
+}
+
 TEST(ProversWithAFake, OneThatCannotReadScriptsRefusesNothing) {
   ScratchDirectory scratch;
   const std::string search = getenv("PATH");
