@@ -9,9 +9,9 @@ namespace mixcmp::tb {
 /// The unit of the testbench's waves.
 inline constexpr std::uint64_t icarus_time_per_cycle = 4;
 
-/// The same regression on an event-driven simulator, so that no result hangs on Verilator alone;
-/// for small systems and thousands of comparisons. The whole run is one block. Sources, stimulus,
-/// results and logs stay in a folder of `work_dir`.
+/// Runs the regression on an event-driven simulator, so that no result hangs on Verilator alone. It
+/// is meant for small systems and thousands of comparisons: the whole run is one block. Sources,
+/// stimulus, results and logs stay in a folder of `work_dir`.
 model::Result<Answer> simulate_in_icarus(const System& system, const Block& block,
                                          const std::filesystem::path& work_dir,
                                          const SimulationOptions& options,

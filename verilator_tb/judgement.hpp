@@ -10,7 +10,7 @@
 /// What every judge asks of the golden model, and how it says what it found.
 namespace mixcmp::tb {
 
-/// Of a result, as on m_axis_tdata.
+/// Flags of a result, at their places in m_axis_tdata.
 inline constexpr std::uint32_t recomputed_flag = 4;
 inline constexpr std::uint32_t undecided_flag = 8;
 
@@ -22,7 +22,7 @@ VerifyReport empty_report(const gen::Signature& signature, const model::Design& 
 std::uint32_t expected_tdata(const model::Design& design, std::size_t group,
                              std::span<const model::Bits> operands);
 
-/// Of the undecided, the verdict bits say nothing.
+/// The bits of m_axis_tdata that mean something: the verdict of an undecided comparison does not.
 std::uint32_t meaningful(std::uint32_t tdata);
 
 /// "less, decided by the lane"

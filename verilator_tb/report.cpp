@@ -122,7 +122,7 @@ std::string latency_range(const Latency& latency) {
   return fmt::format("{} .. {} cycles", latency.minimum_cycles, latency.maximum_cycles);
 }
 
-/// Of several kinds of lanes, what each did.
+/// The lines that say what each kind of lane did; empty where there is one kind.
 std::string group_lines(const VerifyReport& r) {
   if (r.groups.size() < 2) return {};
   std::string text;

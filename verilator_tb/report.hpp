@@ -104,7 +104,7 @@ struct EngineFigures {
   std::uint64_t sets = 0;            ///< in all, small ones and broken ones included
 };
 
-/// The same of an arg-min engine, whose rows meet all of the scene's candidates.
+/// The figures of an arg-min engine, whose rows meet all of the scene's candidates.
 struct ArgMinFigures {
   std::string top;
   std::uint64_t candidates = 0;

@@ -86,7 +86,7 @@ model::Result<model::Done> check_signature(const System& system, const model::De
     return differs("engine.kind", std::string(to_string(kind)),
                    std::string(to_string(engine.kind)));
   }
-  // That of an arg-min engine follows from the lanes.
+  // The capacity of an arg-min engine follows from its lanes.
   const int capacity = s.engine ? s.engine->capacity : 0;
   const int expected = engine.kind == model::EngineKind::pairwise ? engine.capacity : capacity;
   if (capacity != expected) {

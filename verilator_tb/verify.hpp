@@ -48,7 +48,7 @@ struct VerifyOptions {
   std::uint64_t block_size = 16'384;  ///< comparisons exchanged at a time
   /// FST file to write; beside it goes a GTKWave save file, .gtkw.
   std::filesystem::path waves;
-  /// Where the simulator writes the waves until they are whole; `verify` chooses it.
+  /// The file that takes the waves until they are whole; `verify` chooses it.
   std::filesystem::path unfinished_waves;
   std::optional<TruthCheck> truth;
   std::string repeat_command;         ///< to which " --only INDEX" is added in the report

@@ -20,7 +20,7 @@ struct SaveFile {
 };
 
 std::string gtkwave_save_file(const gen::Signature& signature, const SaveFile& options);
-/// Of an engine: all of its ports.
+/// A save file that shows all ports of an engine.
 std::string gtkwave_save_file(const gen::SignatureEngine& engine, const SaveFile& options);
 
 /// Whether a file is an FST that its writer has closed: its blocks follow one another to the end of

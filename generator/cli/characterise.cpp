@@ -163,7 +163,8 @@ model::Result<model::Done> check_target(const model::Characterisation& table, co
   return model::Done{};
 }
 
-/// None where there is no file yet. What was measured for something else is not written over.
+/// The table that the file holds; none where there is no file yet. A table of another scene or
+/// device is an error, so that it is not written over.
 model::Result<std::optional<model::Characterisation>> previous_table(const fs::path& path,
                                                                      const model::Scene& scene,
                                                                      const std::string& device) {

@@ -98,7 +98,7 @@ bool any_refused(const std::vector<ProvenLane>& proven) {
                      [](const ProvenLane& lane) { return lane.proof.refused(); });
 }
 
-/// Of a scene that names no variant, each of them on its data.
+/// Compares each of the scene's variants with the scene on its data, unless it was loaded as one.
 std::vector<model::VariantCheck> check_variants(const SceneOptions& options,
                                                 const LoadedScene& loaded) {
   std::vector<model::VariantCheck> checks;

@@ -34,7 +34,7 @@ Result<Area> lane_area(const Scene& scene, const CombinedLane& lane) {
   return result.area;
 }
 
-/// The same lane with every hazard built and no operand checked, except for signs.
+/// The area of the lane with every hazard built and no operand checked, except for signs.
 std::optional<Area> area_of_all_built(const Scene& scene, const gen::LaneBound& bound,
                                       const CombinedLane& lane) {
   const auto all_built = certified_lanes(

@@ -105,7 +105,7 @@ model::Rates rates_of(const ExploreCommand& command, const std::string& set) {
   return model::Rates::of(rates);
 }
 
-/// In double, and of the kernel that is fastest on all cores.
+/// The throughput of software in double, and that of the kernel which is fastest on all cores.
 std::vector<model::SoftwareThroughput> measure_software(const LoadedScene& loaded) {
   const model::ScratchFolder scratch = value_or_exit(model::ScratchFolder::make());
   gen::BaselineOptions options{.work = scratch.path()};

@@ -20,7 +20,7 @@ struct GenerateOptions {
   bool skip_proof = false;
 };
 
-/// Of one group of lanes.
+/// The proof of one group of lanes.
 struct GroupProof {
   std::string name;
   QuickProof quick;
@@ -98,7 +98,7 @@ void print_json(const gen::GeneratedSystem& system, const std::vector<GroupProof
   print(fmt::format("{}\n", report.dump(2)));
 }
 
-/// Of every kind of lane that claims a proof.
+/// Proves every kind of lane that claims a proof.
 std::vector<GroupProof> prove_groups(const std::filesystem::path& scene,
                                      const model::Design& design) {
   const std::vector<std::string> names = lane_group_names(design);

@@ -70,8 +70,8 @@ model::Result<Candidate> find_plans(const OptimiseCommand& command, const Loaded
   return Candidate{std::move(known), std::move(found)};
 }
 
-/// Of several formulations those that cannot be planned are left out with a note that says why,
-/// unless none can.
+/// The plans of all formulations. One that cannot be planned is left out, with a note that says
+/// why, unless none can.
 std::vector<Candidate> find_candidates(const OptimiseCommand& command,
                                        const std::vector<LoadedScene>& formulations) {
   std::vector<Candidate> candidates;

@@ -10,7 +10,7 @@
 
 namespace mixcmp::cli {
 
-/// No output may be an input, nor the same as another output; empty paths are none.
+/// Checks that no output is an input or another output; empty paths are no outputs.
 model::Result<model::Done> check_outputs(const std::vector<std::filesystem::path>& outputs,
                                          const std::vector<std::filesystem::path>& inputs);
 

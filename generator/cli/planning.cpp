@@ -95,7 +95,7 @@ void use_given_constants(const model::ReducedSpec& reduced, model::ErrorProfile&
   }
 }
 
-/// Of a chain's lanes there is nothing to choose.
+/// Refuses the chain of an arg-min engine: there is nothing to choose.
 Result<model::Done> check_no_chain(const model::Scene& scene) {
   if (scene.system.engine.kind != model::EngineKind::arg_min) return model::Done{};
   return Error{.field = "engine.kind",

@@ -90,7 +90,7 @@ model::ProfileReport measure(const LoadedScene& loaded, const ProfileCommand& co
   return report;
 }
 
-/// Of a run before: what is not written again would tell of other data.
+/// Removes the results of a run before. What is not written again would tell of other data.
 void remove_old_results(const fs::path& directory) {
   for (const char* name : {"figure4.csv", "figure4.svg", "figure5.csv", "figure5.svg", "trade.csv",
                            "trade.svg", "profile.json"}) {

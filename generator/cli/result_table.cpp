@@ -22,7 +22,7 @@ struct NamedItem {
   const model::Table* table;
 };
 
-/// Of comparisons of rows none: their index is the row.
+/// The items that a row of the table names; none for comparisons of rows, whose index is the row.
 std::vector<NamedItem> named_items(const model::Comparisons& data) {
   const auto& tables = data.tables();
   const NamedItem row = {"row", model::Item::row, &tables.front()};

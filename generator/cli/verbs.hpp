@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-/// One function for each verb: it adds the verb's subcommand, whose callback runs it and throws Exit
-/// (exit.hpp) where it does not end well.
+/// One function for each verb: it adds the verb's subcommand, whose callback runs it and throws
+/// Exit (exit.hpp) where it does not end well.
 namespace mixcmp::cli {
 
 void add_check(CLI::App& app);

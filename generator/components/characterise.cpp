@@ -97,7 +97,8 @@ private:
     planned_.erase(std::remove_if(planned_.begin(), planned_.end(), known), planned_.end());
   }
 
-  /// Neither RTL nor tools nor the device's synthesis have changed.
+  /// Whether neither the RTL nor the tools nor the device's synthesis have changed since the row
+  /// was measured.
   bool is_kept(const Measurement& row) {
     const auto tools = tools_here_.find(options_of(row).effort);
     return tools != tools_here_.end() && row.tools == tools->second &&

@@ -10,7 +10,7 @@
 
 namespace mixcmp::gen {
 
-/// Where the exponent bits of lanes come from.
+/// How many exponent bits lanes have.
 enum class LaneExponents {
   reference,  ///< as many as the reference's
   ranges,     ///< the fewest that the declared ranges allow

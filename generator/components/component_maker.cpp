@@ -43,7 +43,7 @@ Result<Choice> choice(const std::string& word, std::initializer_list<Choice> cho
   return Error{.message = "not a choice", .received = model::in_quotes(word), .accepted = accepted};
 }
 
-/// No word means that there is nothing to be multiplied.
+/// The kind of multipliers that a key names; a key without one is of a datapath without products.
 Result<Multipliers> multipliers_of(const ComponentKey& key) {
   if (key.multipliers.empty()) return Multipliers::embedded;
   return choice(key.multipliers, {Multipliers::embedded, Multipliers::logic});

@@ -56,7 +56,8 @@ private:
   model::Result<Component> make_crossbar(const model::ComponentKey& key);
   model::Result<model::Done> give_constants(model::ReducedSpec& lane);
   model::Result<model::Done> measure_constants();
-  /// Of one lane and one reference; streams do not depend on what is computed between them.
+  /// The streams of one lane and one reference, which do not depend on what is computed between
+  /// them.
   SystemShape stream_shape() const;
 
   model::Scene scene_;

@@ -18,7 +18,7 @@ struct LaneBound {
 /// "relative", "running_1" to "running_8", "constant", "profiled".
 model::Result<LaneBound> find_lane_bound(std::string_view name);
 
-/// Those that a profile counts.
+/// The bounds of lanes that a profile counts.
 const std::vector<std::string>& profiled_lane_bounds();
 
 /// `reduced` with this bound.

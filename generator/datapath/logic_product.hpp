@@ -23,7 +23,7 @@ public:
     return longest;
   }
 
-  /// Of a sum's bits those that leave without a carry, the upper addend's place in it.
+  /// How many low bits of a sum are final, for its upper addend begins above them.
   static int shift_bits(int level) { return 2 * rows_below(level); }
 
 private:

@@ -37,8 +37,9 @@ struct Schedule {
   std::vector<std::string> slow_stages;
 };
 
-/// As soon as possible, with as few registers in each unit as the period (before routing, by the
-/// delay table) allows; a unit's output is always registered. `target_mhz` > 0.
+/// Schedules each operation as soon as possible, with as few registers in each unit as the period
+/// (before routing, by the delay table) allows; a unit's output is always registered.
+/// `target_mhz` > 0.
 Schedule schedule_lane(const model::CombinedLane& lane, model::Multipliers multipliers,
                        const DelayTable& delays, double target_mhz);
 Schedule schedule_reference(const model::CombinedGraph& reference, model::Multipliers multipliers,

@@ -99,7 +99,8 @@ Unit convert_unit(FloatFormat operands, FloatFormat result, Subnormals subnormal
   return std::move(stages).unit("fp_convert");
 }
 
-/// Where no digit is dropped the rounding is not there, and an exponent is all that is added.
+/// The unit that multiplies by a power of two. It adds to the exponent; it rounds only where digits
+/// are dropped.
 Unit scale_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals, int scale,
                 const DelayTable& delays) {
   StageList stages(delays);

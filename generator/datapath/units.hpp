@@ -51,7 +51,7 @@ Unit unit_for(const model::TypedNode& node, model::Subnormals subnormals,
 Unit compare_unit(model::FloatFormat format, const DelayTable& delays);
 Unit ulp_distance_unit(model::FloatFormat format, const DelayTable& delays);
 Unit interval_decision_unit(model::FloatFormat format, const DelayTable& delays);
-/// Of several parts' verdicts.
+/// The unit that combines the verdicts of several parts.
 Unit combination_unit(std::size_t parts, const DelayTable& delays);
 
 /// The unit of a node of a lane's error bound (not for a constant: that is a literal).

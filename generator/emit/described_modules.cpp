@@ -19,7 +19,7 @@ std::string arithmetic_fact(const model::Arithmetic& arithmetic) {
                      model::to_string(arithmetic.subnormals));
 }
 
-/// Of one part, of several: what they make together.
+/// What the comparison asks, in words and formulas of its parts.
 std::string what_is_asked(const Design& design) {
   const std::size_t parts = design.reference.parts.size();
   if (parts == 1) return "the sign of f - g";

@@ -71,8 +71,8 @@ struct Signature {
   model::ResultOrder order = model::ResultOrder::tagged;
   model::OperandStore operands = model::OperandStore::carried;
   double target_mhz = 0;
-  /// In the order of the module's header. The clock is aclk; aresetn is synchronous and active low;
-  /// the initiation interval of a lane is one cycle.
+  /// The ports in the order of the module's header. The clock is aclk; aresetn is synchronous and
+  /// active low; the initiation interval of a lane is one cycle.
   std::vector<SignaturePort> ports;
   std::optional<SignatureEngine> engine;
   std::vector<std::string> files;  ///< Verilog, in compile order, relative to the signature

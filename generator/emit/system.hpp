@@ -18,7 +18,7 @@ struct GeneratedFile {
 struct GeneratedSystem {
   Signature signature;
   std::vector<GeneratedFile> files;  ///< Verilog, signature, file list, constraint
-  /// For the user's eye: stages that the delay table cannot bring under the period.
+  /// Remarks for the user: stages that the delay table cannot bring under the period.
   std::vector<std::string> notes;
 };
 

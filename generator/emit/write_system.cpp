@@ -96,7 +96,7 @@ Result<Done> put_in_place(const fs::path& staged, const fs::path& directory) {
 }  // namespace
 
 Result<Done> write_system(const GeneratedSystem& system, const fs::path& requested) {
-  // With a name at its end, whether or not the user wrote a final slash.
+  // The path ends with the folder's name, whether or not the user wrote a final slash.
   fs::path named = fs::absolute(requested).lexically_normal();
   if (!named.has_filename()) named = named.parent_path();
   MIXCMP_TRY(directory, model::follow_links(named));

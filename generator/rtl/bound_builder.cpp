@@ -30,7 +30,8 @@ BoundBuilder::BoundBuilder(DatapathBuilder& datapath, const model::SharedLane& l
   const model::FloatFormat format = lane.graph.arithmetic.format;
   MIXCMP_CHECK(decision.bound.format.exponent_bits == format.exponent_bits());
   MIXCMP_CHECK(decision.bound.format.precision <= format.precision());
-  // With exact inputs some nodes are in the reference format, which no bound can be compared with.
+  // A bound can be compared with nodes of the lane's format only; with exact inputs some nodes are
+  // in the reference format.
   for (const BoundNode& node : decision.bound.nodes) {
     MIXCMP_CHECK(!reads_value(node) || lane.graph.nodes[node.value].format == format);
   }
@@ -91,8 +92,9 @@ std::vector<Parameter> BoundBuilder::parameters(const BoundNode& node, const Ste
   return parameters;
 }
 
-/// Of a value that nothing exceptional led to. What an operation gives, its hazards tell; where
-/// subnormal numbers are flushed, an operand that is one makes its user exceptional.
+/// Whether a value that nothing exceptional led to may be subnormal. The hazards of an operation
+/// tell what it gives; where subnormal numbers are flushed, one as an operand makes its user
+/// exceptional.
 bool BoundBuilder::may_be_subnormal(NodeId value) const {
   if (lane_.graph.arithmetic.subnormals == model::Subnormals::flush) return false;
   const bool is_result = model::arity(lane_.graph.nodes[value].operation) > 0;

@@ -20,7 +20,7 @@ struct Signal {
   bool constant = false;  ///< the same in every cycle: never delayed
 };
 
-/// For each signal, the later cycles in which it is needed.
+/// The later cycles in which each signal is needed.
 using DelayPlan = std::map<std::string, std::set<int>>;
 
 /// What becomes of the units' `exceptional` outputs.

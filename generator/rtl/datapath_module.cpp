@@ -169,7 +169,7 @@ PartDecision build_comparison(DatapathBuilder& builder, const model::SharedGraph
   return made;
 }
 
-/// In `cycle`, part 0 in the lowest bits.
+/// One signal of every part in `cycle`, part 0 in the lowest bits.
 Operand gathered(DatapathBuilder& builder, const std::vector<PartDecision>& parts,
                  Signal PartDecision::*signal, int cycle) {
   std::vector<Operand> fields;

@@ -9,7 +9,7 @@
 namespace mixcmp::gen {
 namespace {
 
-/// Where the engine's items have this input; the column is added where it is new.
+/// The column of the engine's items that holds this input; it is added where it is new.
 EngineShape::Source source_of(const std::string& input, EngineShape& engine) {
   const auto of_item = model::item_column(input);
   const bool pairwise = engine.spec.kind == model::EngineKind::pairwise;

@@ -12,7 +12,7 @@ namespace mixcmp::gen {
 
 /// What an engine and the system inside it agree on.
 struct EngineShape {
-  /// Where an operand of the comparison comes from.
+  /// The place of an operand of the comparison.
   struct Source {
     std::size_t column;  ///< of its item's
     model::Item item;
@@ -34,11 +34,11 @@ struct EngineShape {
   int row_bytes() const { return (row_bits() + 7) / 8; }
   int item_bits() const { return column_width * static_cast<int>(columns.size()); }
   int item_bytes() const { return (item_bits() + 7) / 8; }
-  /// Of an item's number in a report, padded to bytes.
+  /// Width in bits of an item's number in a report, padded to bytes.
   int index_field_bits() const { return (index_bits() + 7) / 8 * 8; }
 };
 
-/// None where the scene asks for no engine. `inputs`: the expression's.
+/// The engine of a scene; none where it asks for none. `inputs`: the expression's.
 std::optional<EngineShape> engine_shape(const SystemShape& system,
                                         const std::vector<std::string>& inputs,
                                         const model::EngineSpec& spec);

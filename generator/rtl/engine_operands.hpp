@@ -26,7 +26,7 @@ std::shared_ptr<const rtl::ForGenerate> loop(const std::string& variable, int co
 void consume_padding(const std::string& port, int bits, int port_bits,
                      std::vector<rtl::Item>& items);
 
-/// Those of each lane, and as ports of an engine.
+/// The counters of each lane, and all counters as ports of an engine.
 const std::vector<std::string>& lane_counters();
 void add_counters(const SystemShape& system, const std::vector<std::string>& engine_counters,
                   std::vector<rtl::Port>& ports);

@@ -5,8 +5,8 @@
 
 namespace mixcmp::gen {
 
-/// For each part one flag, set where an operand fails a check of that part; never, where there is
-/// nothing to check.
+/// Builds a flag for each part, which is set where an operand fails a check of that part. Where
+/// there is nothing to check it is never set.
 std::vector<Signal> build_range_checks(DatapathBuilder& builder, const model::SharedLane& lane,
                                        const Schedule& schedule);
 

@@ -68,7 +68,7 @@ struct Baseline {
   /// The golden model agrees, and every kernel counts the same verdicts.
   bool passed() const;
   const BaselineKernel& exact() const { return kernels.front(); }
-  /// Of all kernels, on all cores: what hardware has to beat.
+  /// The kernel that is fastest on all cores: what hardware has to beat.
   const BaselineKernel& fastest() const;
 };
 

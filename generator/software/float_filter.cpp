@@ -23,8 +23,8 @@ model::FloatFormat float_format() {
   return model::FloatFormat::parse("binary32").value();
 }
 
-/// Of roundings to nearest that follow one another without being exceptional: exact <= computed *
-/// this.
+/// A factor c such that exact <= c * computed after `count` roundings to nearest, none of them
+/// exceptional.
 mpq_class inverse_of_roundings(int count) {
   const mpq_class one_step = 1 - mpq_class(1, mpz_class(1) << float_digits);
   mpq_class product = 1;
@@ -72,7 +72,8 @@ bool all_finite(const ThresholdDecision& decision) {
                      });
 }
 
-/// None where binary32 cannot hold the factors: more steps than it has doublings.
+/// The decision in binary32; none where that cannot hold the factors: more steps than it has
+/// doublings.
 std::optional<ThresholdDecision> threshold_of(const model::AbsoluteBoundDecision& decision) {
   constexpr model::Bits most_steps = model::Bits{1} << (float_digits + 6);
   if (decision.guard_ulp > most_steps) return std::nullopt;

@@ -44,7 +44,7 @@ struct Body {
         pool({"columns", "i", "j", "threshold", "less", "greater", "all_less", "all_greater",
               "any_less", "any_greater", "use"}) {
     std::vector<std::string> ports;
-    // No word of C++ begins so.
+    // No keyword of C++ begins with "in_".
     for (const std::string& input : graph.input_names) ports.push_back(pool.unique("in_" + input));
     names = name_nodes(graph, parts, ports, pool);
   }
@@ -213,7 +213,8 @@ int sign_code(model::RequiredSign sign) {
   MIXCMP_CHECK(false);
 }
 
-/// Of all parts, each once. An operand that fails one is a NaN to every part that reads it.
+/// The range checks of all parts, each once. An operand that fails one is a NaN to every part that
+/// reads it.
 std::string checks(const FloatFilter& filter) {
   std::vector<model::RangeCheck> all;
   for (const PartFilter& part : filter.parts) {
@@ -261,7 +262,7 @@ std::string indented(const std::string& text) {
   return result;
 }
 
-/// Of several parts each has a block of its own: compilers find what they have in common.
+/// The kernel of a comparison of several parts, a block each: compilers find what they share.
 std::string text_of_parts(const model::Comparisons& data, const FloatFilter& filter,
                           model::Combination combination) {
   std::string text =

@@ -8,7 +8,7 @@ namespace {
 constexpr const char* colors[] = {"#1b6ca8", "#c8553d", "#588157", "#7b4b94",
                                   "#b08900", "#444444", "#2a9d8f"};
 
-/// For gnuplot's double quotes; enhanced text is off.
+/// A text in gnuplot's double quotes, for titles without markup (`noenhanced`).
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {

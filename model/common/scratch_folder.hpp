@@ -12,9 +12,9 @@ namespace mixcmp::model {
 /// left under the same stem are removed by the next run that makes one there.
 class ScratchFolder {
 public:
-  /// In $TMPDIR, or /tmp where that is not set.
+  /// Makes the folder in $TMPDIR, or in /tmp where that is not set.
   static Result<ScratchFolder> make();
-  /// "PARENT/.mixcmp-STEM.XXXXXX".
+  /// Makes the folder "PARENT/.mixcmp-STEM.XXXXXX".
   static Result<ScratchFolder> make_in(const std::filesystem::path& parent,
                                        const std::string& stem);
   ScratchFolder(ScratchFolder&& other) noexcept = default;

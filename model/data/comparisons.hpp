@@ -63,7 +63,7 @@ public:
   std::uint64_t size() const;
   /// Writes the operands of comparison `index` in the order of `inputs`.
   void fetch(std::uint64_t index, std::span<Bits> operands) const;
-  /// Likewise of any items.
+  /// Writes the operands of the comparison of any two items, as above.
   void fetch(const Items& items, std::span<Bits> operands) const;
   /// all: i < j in order (0,1), (0,2), ...; cross: (0,0), (0,1), ...; arg_min: row by row, j = 1,
   /// 2,

@@ -12,9 +12,9 @@ mpz_class shifted_left(const mpz_class& value, int count);
 mpz_class power_of_two(int exponent);
 /// The largest multiple of 2^quantum_bits that is not above `value` >= 0.
 mpz_class quantized(const mpz_class& value, int quantum_bits);
-/// Of |value| in base 2; 1 for zero.
+/// The number of binary digits of |value|; 1 for zero.
 int digits_of(const mpz_class& value);
-/// Rounded down, value >= 0.
+/// The square root rounded down; value >= 0.
 mpz_class root_of(const mpz_class& value);
 /// To `precision` digits, ties to even, exponents unbounded.
 mpz_class rounded(const mpz_class& value, int precision, Rounding rounding);

@@ -82,7 +82,7 @@ public:
     return radii;
   }
 
-  /// The same sum, or one up to 10 * 2^-L of it away.
+  /// A sum of radii that differs from `sum` by at most 10 * 2^-L of it.
   mpz_class moved(const mpz_class& sum) {
     const mpz_class step = sum * random_.between(-160, 160) >> (target_.precision + 4);
     return quantized(sum + step, quantum_bits_);
@@ -189,7 +189,7 @@ private:
     return place_with(numbers, x, root_of(z_square), r);
   }
 
-  /// The same with x just above 1, z just above or below sqrt(1/2) and r just below sqrt(2).
+  /// A near tie with x just above 1, z just above or below sqrt(1/2) and r just below sqrt(2).
   bool diagonal_centres(Numbers& numbers) {
     const mpz_class root_of_half = root_of(power_of_two(2 * fraction_bits_ - 1));
     const mpz_class x = one_and(misleading_places(random_.below(3), -wrong_way_));
@@ -199,7 +199,7 @@ private:
                       misread(r, wrong_way_));
   }
 
-  /// With y so that the distance is r.
+  /// Places the centres at (x, y, z), with the y that makes the distance r.
   bool place_with(Numbers& numbers, const mpz_class& x, const mpz_class& z, const mpz_class& r) {
     const mpz_class y_square = r * r - x * x - z * z;
     if (y_square <= 0) return false;

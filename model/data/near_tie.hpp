@@ -9,7 +9,7 @@
 
 namespace mixcmp::model {
 
-/// Where the distance lies.
+/// The direction and the length of the line between the two centres.
 enum class NearTieShape {
   along_axis,  ///< of length 1 and a little: the largest relative errors
   diagonal,    ///< (1, sqrt(1/2), sqrt(1/2)), of length sqrt(2) less a little: the most last places
@@ -55,8 +55,8 @@ struct NearTie {
 /// coordinate sits a hair from the midpoint that makes its difference err the same way.
 NearTie near_tie(const NearTieTarget& target, const NearTieEffort& effort, RowRandom& random);
 
-/// The same construction with the radii moved by up to 10 * 2^-L of their sum: on either side of
-/// what the lane can tell.
+/// Makes a near tie whose radii are then moved by up to 10 * 2^-L of their sum, so that pairs lie
+/// on either side of what a lane can decide.
 DyadicPair near_edge(const NearTieTarget& target, RowRandom& random);
 
 }  // namespace mixcmp::model

@@ -161,7 +161,7 @@ mpq_class integer_of(std::uint64_t bits, const NpyScalar& scalar) {
   return mpq_class(static_cast<long>(bits << unused) >> unused);
 }
 
-/// None where a finite number is beyond the format's largest.
+/// The number in the format, rounded; none where it is finite and beyond the format's largest.
 std::optional<Bits> read_scalar(std::string_view bytes, const NpyScalar& scalar,
                                 FloatFormat format) {
   const std::uint64_t bits = load(bytes, scalar.big_endian);

@@ -52,7 +52,7 @@ SpherePairMaker::Row SpherePairMaker::uniform() {
 SpherePairMaker::Row SpherePairMaker::tangent() {
   constexpr int quadruple_digits = 8;  // a diagonal is at most 144
   const Quadruple pythagorean = quadruple(random_);
-  // With one more for a sum, whole numbers of the format's digits.
+  // The scaled numbers, and their sums with one digit more, are exact in the format.
   const int digits = random_.between(0, std::max(0, format_.precision() - quadruple_digits - 1));
   const mpz_class factor = random_.integer(digits) + 1;
   Row row;

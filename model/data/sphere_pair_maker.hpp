@@ -39,7 +39,8 @@ public:
   /// Numbers around the smallest subnormal or the smallest normal number; or touching spheres whose
   /// squares are there.
   Row smallest();
-  /// The same around the largest finite number.
+  /// Numbers around the largest finite one; or touching spheres of such numbers, or of such
+  /// squares.
   Row largest();
   /// Nearly touching spheres, scaled by any power of two in the format.
   Row scales();
@@ -71,7 +72,7 @@ private:
   mpq_class decode(Bits bits) const;
   /// limit * [0, 1), in the format's digits.
   mpq_class unit(const mpq_class& limit);
-  /// In [0, 100 * 2^exponent).
+  /// A random coordinate in [0, 100 * 2^exponent).
   Bits coordinate(int exponent);
   mpq_class any_exponent();
   /// One encoding further from zero or closer to it; ends stay as they are.
@@ -80,7 +81,7 @@ private:
 
   /// Sets the radii to sum to the distance, exactly as far as the format can, or nearly.
   void touch(Row& row);
-  /// In a cube of side 100 * 2^exponent.
+  /// Touching spheres in a cube of side 100 * 2^exponent.
   Row touching(int exponent);
   Row far_from_origin(int decimal_exponent);
   /// Every number at most `reach` encodings from `middle`, signs at random but of radii.

@@ -119,7 +119,7 @@ Result<CombinedLane> design_certified_lane(const Scene& scene, const ReducedSpec
                .accepted = "more precision"};
 }
 
-/// Where the scene's own text is at fault: the group, by its line.
+/// An error of the scene's own text, placed at the line of the lane group that is at fault.
 Error placed(Error error, const LaneGroupSpec& group) {
   constexpr std::string_view section = "reduced.";
   if (error.file.empty()) {

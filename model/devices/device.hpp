@@ -32,7 +32,7 @@ struct DelayTable {
   MultiplierSize multiplier;
 };
 
-/// Where a device's clocks come from.
+/// The tool that measures a device's clocks.
 enum class TimingTool {
   none,
   yosys_sta,      ///< `sta` after -abc9: an estimate before routing
@@ -56,8 +56,8 @@ struct Device {
   std::vector<std::string> sources;  ///< of the figures, for a report
 };
 
-/// By name, or by the path of a .toml of the same form. Errors name field `system.device` and the
-/// devices known, or the file, line and field of a device file.
+/// Finds a device by its name, or by the path of a .toml of the same form. Errors name field
+/// `system.device` and the devices known, or the file, line and field of a device file.
 Result<Device> find_device(std::string_view name);
 
 /// The names that come with the program.

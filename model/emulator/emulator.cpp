@@ -82,7 +82,7 @@ Emulator::Program::Values Emulator::Program::compute(OperandColumns operands,
 
 namespace {
 
-/// Of each Decision: what outweighs what where parts are combined.
+/// The rank of each Decision: where parts are combined, the highest rank wins.
 constexpr std::array<std::uint8_t, 5> ranks_of_all = {0, 1, 4, 2, 3};
 constexpr std::array<std::uint8_t, 5> ranks_of_any = {4, 1, 0, 2, 3};
 

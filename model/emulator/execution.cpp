@@ -8,8 +8,9 @@
 namespace mixcmp::model::emulator {
 namespace {
 
-/// In doubles. Columns are apart by other than a power of two, so that they do not compete for the
-/// same cache sets; vectors never straddle lines.
+/// The length of a cache line in doubles. Columns are that much further apart than a block is long:
+/// no power of two, so that they do not compete for the same cache sets, and a multiple of it, so
+/// that no vector straddles two lines.
 constexpr std::size_t cache_line = 8;
 
 std::size_t stride(std::size_t block_size) {

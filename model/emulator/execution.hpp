@@ -24,8 +24,8 @@ public:
   /// Computes the next block; false after the last.
   bool next();
 
-  /// Of this block: its first comparison, how many there are, and their columns, which go on to
-  /// whole vectors with copies of the first.
+  /// The block's first comparison, its number of comparisons, and their columns, which are filled
+  /// up to whole vectors with copies of the first.
   std::size_t first() const { return first_; }
   std::size_t size() const { return size_; }
   const Block& block() const { return block_; }

@@ -57,8 +57,8 @@ private:
   IntVec below_guard_, above_minus_guard_;
 };
 
-/// The same with signs. Keys are half as large: so their difference fits, and the last of a
-/// double's bits is 0 here anyway.
+/// The order of signed numbers as integers. These keys are half of the encodings, so that their
+/// difference fits; nothing is lost, because the last bit of such a double is 0.
 class SignedKeys {
 public:
   HWY_INLINE explicit SignedKeys(const Judgement& judgement)

@@ -80,7 +80,8 @@ private:
 #if HWY_TARGET == HWY_SCALAR
 using LowWord = AnyDigit;
 #else
-/// The same at less cost where more than 32 digits are dropped: the lower half is not 0.
+/// A cheaper watch for formats that drop more than 32 digits: a result can lie half way only if the
+/// lower 32 bits of its raised number are all 0. It reports more results than AnyDigit.
 class LowWord {
 public:
   HWY_INLINE LowWord() : smallest_(hn::Set(Word(), ~0u)) {}

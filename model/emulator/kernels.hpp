@@ -93,7 +93,7 @@ struct OperandCheck {
 enum class Rule : std::uint8_t {
   order,           ///< of columns `first` and `second`: always decided
   magnitudes,      ///< by how many encodings `first` and `second`, not negative, differ
-  signed_keys,     ///< the same of either sign
+  signed_keys,     ///< by how many encodings `first` and `second`, of either sign, differ
   absolute_bound,  ///< by how many encodings |`first`| exceeds `second`
   interval,        ///< `first` > 0 or `second` < 0
 };
@@ -105,7 +105,8 @@ struct Judgement {
   /// Ulps of the lane, times 2^(53 - P), or 2^(52 - P) for keys. So many decide, at least 1; an
   /// absolute bound is to be exceeded by more.
   std::int64_t guard = 1;
-  /// Of the three: the number whose encoding in the lane would be 0, were it normal.
+  /// The number whose encoding in the lane would be 0, were it normal; for the rules that count
+  /// encodings.
   double zero = 0;
   /// absolute_bound: columns with bound <= |value|.
   struct Condition {

@@ -21,8 +21,9 @@ bool is_wide(FloatFormat format) {
   return format.exponent_bits() > widest_free_exponent_bits;
 }
 
-/// Of results; operands may be subnormal where lanes read those as they are. Between 2^-500 and
-/// 2^500 nothing that a single operation needs vanishes or overflows in double.
+/// The results that double computes as the format would. Operands may be subnormal where lanes read
+/// those as they are. Between 2^-500 and 2^500 nothing that a single operation needs vanishes or
+/// overflows in double.
 TrustedRange trusted(FloatFormat format) {
   const auto [least, limit] = trusted_exponents(format);
   return {.columns = {}, .least = std::ldexp(1, least), .limit = std::ldexp(1, limit)};
@@ -187,7 +188,8 @@ std::uint64_t power_bits(int exponent) {
   return std::bit_cast<std::uint64_t>(std::ldexp(1, exponent));
 }
 
-/// As many exponents as a power of two, around 1 if they can be.
+/// Adds the widest window of exponents that operands may have; it spans a power of two of them and
+/// contains 1 if it can.
 void add_window(Plan& plan, const TypedGraph& graph) {
   if (plan.inputs.empty()) return;  // no operand would limit the search
   const std::optional<SafeOperands> safe = safe_operands(graph);

@@ -18,7 +18,7 @@ struct Plan {
   std::vector<Instruction> values;
   std::vector<Instruction> bounds;   ///< after the values, for decisions alone
   std::vector<TrustedRange> ranges;  ///< values outside: the golden model answers
-  /// Where all operands are inside, all values are inside `ranges`.
+  /// Operands inside this window have all their values inside `ranges`; none: no window is known.
   std::optional<OperandWindow> window;
   int f = -1, g = -1;
   Judgement decision;

@@ -35,7 +35,7 @@ Extent rounded(Extent x, int digits) {
   return x;
 }
 
-/// Of unknown signs, or of none negative.
+/// The extent of a + b; `cancels` where their signs may differ.
 Extent sum(const Extent& a, const Extent& b, bool cancels) {
   const int grid = std::min(a.grid, b.grid);
   return {.low = cancels ? grid : std::min(a.low, b.low),

@@ -24,7 +24,7 @@ std::vector<bool> nonnegative(const Ranges& ranges, int input_count) {
   return result;
 }
 
-/// Of a constant bound: rounding it up to so many costs nothing that could be measured.
+/// The digits of a constant bound: rounding it up to so many costs nothing that could be measured.
 constexpr int constant_bound_digits = 16;
 
 /// The first node that has no bound although its operands have.
@@ -35,7 +35,7 @@ NodeId first_failure(const ErrorAnalysis& analysis, Missing missing) {
   return static_cast<NodeId>(first - analysis.nodes.begin());
 }
 
-/// With inputs = "exact" this operand would not be rounded.
+/// Whether this operand would not be rounded with inputs = "exact".
 bool would_be_exact(const TypedGraph& graph, NodeId id) {
   const TypedNode& node = graph.nodes[id];
   switch (node.operation) {

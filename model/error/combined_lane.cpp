@@ -42,7 +42,7 @@ std::vector<std::size_t> add_checks(std::vector<RangeCheck>& all, const Lane& pa
   return indices;
 }
 
-/// The same decision in other numbers of its nodes.
+/// Renumbers the nodes that a decision names.
 struct Renumber {
   const std::vector<NodeId>& ids;
 

@@ -343,7 +343,7 @@ AbsolutePart Analysis::deviations(NodeId a, NodeId b, const mpq_class& center) {
   return {builder_.add(builder_.add(constants, rounding), builder_.scale(larger, factor)), fudge};
 }
 
-/// Of one rounding, in units of its result's binade.
+/// The greatest error of one rounding, in units of its result's binade.
 mpq_class Analysis::rounding_error() const {
   const int doubled = graph_.arithmetic.rounding == Rounding::nearest_even ? 0 : 1;
   return mpq_class(1, mpz_class(1) << (graph_.arithmetic.format.precision() - doubled));

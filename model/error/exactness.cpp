@@ -75,7 +75,8 @@ private:
     return mpq_class(*a / abs(divisor.value));
   }
 
-  /// At most 2^P quanta, and neither too large nor too small for the format.
+  /// Whether multiples of `quantum` in the node's range are numbers of the format: at most 2^P
+  /// quanta, and neither too large nor too small.
   bool fits(NodeId id, const mpq_class& quantum) const {
     const NodeRange& range = ranges_[static_cast<std::size_t>(id)];
     const FloatFormat format = graph_.nodes[id].format;

@@ -15,7 +15,7 @@ std::vector<bool> nonnegative(const std::vector<std::optional<Range>>& ranges) {
   return result;
 }
 
-/// Of a sum whose operands are not proven to lie on the same side of zero.
+/// Whether a sum's operands are not proven to lie on the same side of zero.
 bool may_cancel(const TypedGraph& graph, const std::vector<Sign>& signs, NodeId id) {
   const TypedNode& node = graph.nodes[id];
   const bool subtracts = node.operation == Operation::subtract;

@@ -15,7 +15,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// Of `value` >= 0: the smallest number of the arithmetic that is not below it.
+/// The smallest number of the arithmetic that is not below `value` >= 0.
 Bits round_up(const Arithmetic& arithmetic, const mpq_class& value) {
   const FloatFormat format = arithmetic.format;
   Bits bits = golden::from_rational(format, value);
@@ -87,7 +87,7 @@ ProfiledError profile_error(const Graph& graph, const TypedGraph& lane, const Co
 
 Lane profiled_lane(TypedGraph graph, const mpq_class& relative_error_f,
                    const mpq_class& relative_error_g) {
-  // Without ranges: a profiled lane checks no sign bits.
+  // The analysis is given no ranges, for a profiled lane checks no sign bits.
   const std::vector<bool> no_ranges(graph.input_count, false);
   const std::vector<NodeBound> known = analyse_errors(graph, no_ranges).nodes;
   Appender append(graph);

@@ -8,7 +8,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// Of the magnitudes' encodings: 12 % between neighbours, three LUTs a limit.
+/// The fraction bits of a limit: neighbouring limits are 12 % apart, and each costs three LUTs.
 constexpr int checked_fraction_bits = 3;
 
 Bits finite_magnitude(FloatFormat format, const mpq_class& value) {

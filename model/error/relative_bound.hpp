@@ -15,7 +15,7 @@ struct RelativeBound {
 };
 
 bool is_exact(const RelativeBound& bound);
-/// Of one rounding, where it is not exceptional (theorem 1).
+/// The bound of one rounding that is not exceptional (theorem 1).
 RelativeBound rounding_bound(int precision, Rounding rounding);
 RelativeBound product(const RelativeBound& a, const RelativeBound& b);
 RelativeBound quotient(const RelativeBound& a, const RelativeBound& b);
@@ -34,8 +34,8 @@ bool is_useless(const RelativeBound& bound);
 /// Smallest distance in ulps that decides, from the bounds of f and g in precision P (theorem 3).
 Bits guard_ulp(const RelativeBound& f, const RelativeBound& g, int precision);
 
-/// The same where f and g are both rounded last, from the bounds before that: rounding keeps the
-/// order, so that the last one costs both together a single step (theorem 4).
+/// The guard where f and g are both rounded last, from the bounds before that rounding. Rounding
+/// keeps the order, so that the last one costs both together a single step (theorem 4).
 Bits guard_ulp_before_rounding(const RelativeBound& f, const RelativeBound& g, int precision);
 
 /// The smallest number of steps whose every stretch of positive encodings multiplies by more than

@@ -23,7 +23,7 @@ struct Sign {
   Sign negated() const { return {nonpositive, nonnegative}; }
 };
 
-/// Of a sum: known if both operands lie on the same side of zero.
+/// The sign of a sum; it is known if both operands lie on the same side of zero.
 Sign sum_sign(const Sign& a, const Sign& b);
 
 /// One a node. `input_nonnegative[i]`: the range of input i excludes negative values.

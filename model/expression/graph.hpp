@@ -63,16 +63,17 @@ public:
   NodeId apply(Operation operation, NodeId first, NodeId second = -1);
 
   void compare(NodeId f, NodeId g);
-  /// At least one part.
+  /// Compares the two sides of each part; there is at least one.
   void compare(std::vector<Sides> parts, Combination combination);
 
   const std::vector<Node>& nodes() const { return nodes_; }
-  /// In order of first appearance: the order of operands everywhere.
+  /// The names of the inputs in order of first appearance, which is the order of operands
+  /// everywhere.
   const std::vector<std::string>& inputs() const { return inputs_; }
   const std::vector<Sides>& parts() const { return parts_; }
-  /// Of several parts; of one it says nothing.
+  /// Meaningful only where the comparison has several parts.
   Combination combination() const { return combination_; }
-  /// Of the only part.
+  /// The sides of a comparison that has one part.
   NodeId f() const;
   NodeId g() const;
   /// One part alone, over the same nodes and inputs.

@@ -15,7 +15,7 @@ bool is_too_long(const mpq_class& value);
 /// The exact value of an unsigned decimal ("12", "0.1", ".5e-3") or C hex-float ("0x1.8p-3", also
 /// without exponent) that fills `text`; none if it is neither, or longer than max_constant_bits.
 std::optional<mpq_class> parse_literal(std::string_view text);
-/// The same with an optional leading sign.
+/// Reads a literal with an optional leading sign.
 std::optional<mpq_class> parse_signed_literal(std::string_view text);
 
 }  // namespace mixcmp::model

@@ -20,9 +20,10 @@ namespace {
 
 constexpr int max_power = 16;
 constexpr std::size_t max_nodes = 4096;
-// Of all reductions in one text: more would not be more operations, or too many.
+// The most terms of all reductions in one text: more of them are more than max_nodes operations, or
+// were written without being used.
 constexpr long max_terms = max_nodes;
-// Of an index, of a subscript.
+// The greatest value of an index or a subscript.
 constexpr long max_integer = 999'999;
 
 struct Function {
@@ -365,7 +366,7 @@ Value Builder::joined_pairwise(Operation operation, std::vector<Value> values) {
   return values[0];
 }
 
-/// For one operand, `b` is `a`.
+/// The operation on a and b; an operation of one operand gets it twice.
 Value Builder::applied(Operation operation, const Value& a, const Value& b) {
   if (operation == Operation::divide && b.constant && *b.constant == 0) {
     fail(b.column, "division by zero" + index_values(), "0", "a divisor other than zero");

@@ -85,7 +85,7 @@ Rounded apply_unary(const Arithmetic& result, FloatFormat operands, Bits a, Oper
   return rounded;
 }
 
-/// The same for two operands.
+/// `operate` writes y from a and b, as in apply_unary.
 template <class Operate>
 Rounded apply_binary(const Arithmetic& result, FloatFormat operands, Bits a, Bits b,
                      Operate operate) {

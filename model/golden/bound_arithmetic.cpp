@@ -29,7 +29,8 @@ BigFloat decoded(BoundFormat format, Bits bound) {
   return x;
 }
 
-/// Of a number that has been rounded up to the format's digits, with exponents unlimited.
+/// The encoding of a number that has been rounded up to the format's digits with unbounded
+/// exponents.
 Bits encoded(BoundFormat format, const BigFloat& x) {
   if (mpfr_zero_p(x.get()) != 0) return 0;
   if (mpfr_number_p(x.get()) == 0) return format.infinity();
@@ -83,7 +84,8 @@ Bits bound_binade(BoundFormat format, FloatFormat operand, Bits x) {
 }
 
 Bits bound_reciprocal(BoundFormat format, FloatFormat operand, Bits x) {
-  if (operand.biased_exponent(x) == 0 || operand.biased_exponent(x) == operand.max_biased_exponent()) {
+  if (operand.biased_exponent(x) == 0 ||
+      operand.biased_exponent(x) == operand.max_biased_exponent()) {
     return format.infinity();
   }
   return power_of_two(format, -exponent(operand_value(operand, x)));

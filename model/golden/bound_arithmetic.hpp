@@ -12,7 +12,7 @@ Bits bound_reciprocal(BoundFormat format, FloatFormat operand, Bits x);
 Bits bound_add(BoundFormat format, Bits a, Bits b);
 Bits bound_multiply(BoundFormat format, Bits a, Bits b);
 
-/// Of anything but an infinite bound.
+/// The exact value of a finite bound.
 mpq_class bound_value(BoundFormat format, Bits bound);
 
 /// Whether bound <= |x|.

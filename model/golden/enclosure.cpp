@@ -91,7 +91,7 @@ Knowledge square_root(Interval& y, const Interval& x) {
   return Knowledge::enclosed;
 }
 
-/// Both ends by the same operation, which grows with both operands.
+/// Computes both ends by one operation, which grows with both operands.
 void monotone(Interval& y, const Interval& a, const Interval& b, Operate operate) {
   operate(y.low.get(), a.low.get(), b.low.get(), MPFR_RNDD);
   operate(y.high.get(), a.high.get(), b.high.get(), MPFR_RNDU);

@@ -29,7 +29,8 @@ enum class Knowledge {
 /// where the interval is narrower than the value's separation from zero.
 class Enclosure {
 public:
-  /// Of the only part. At least encoding_precision digits. Looks at `graph` as long as it lives.
+  /// Encloses the sides of `graph`'s only part, or of `part`, in intervals of `precision` digits,
+  /// at least encoding_precision. Looks at `graph` as long as it lives.
   Enclosure(const Graph& graph, mpfr_prec_t precision);
   Enclosure(const Graph& graph, Sides part, mpfr_prec_t precision);
 

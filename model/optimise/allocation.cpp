@@ -41,7 +41,8 @@ std::set<double, std::greater<>> candidate_clocks(const AllocationProblem& probl
   return clocks;
 }
 
-/// That a plan runs at: the lowest of what it has, without rounding; 0 stands for each at its own.
+/// The clock that a plan runs at: the lowest of its parts', without rounding. 0 stands for parts
+/// that run at a clock each.
 double clock_of(const AllocationProblem& problem, const Allocation& plan) {
   if (problem.clocks == ClockDomains::separate) return 0;
   double clock = std::numeric_limits<double>::infinity();
@@ -135,8 +136,8 @@ private:
     }
   }
 
-  /// None where nothing is left to be found: the relaxation has no better point, or its best is a
-  /// plan. Else that point.
+  /// The best point of the relaxation where that is better than the best plan so far and no plan
+  /// itself; none where nothing is left to be found.
   std::optional<Counts> try_relaxed(const FixedCounts& fixed) {
     AllocationProgram relaxed = relaxed_program(problem_, fixed);
     ask_for(relaxed, best_per_s_);
@@ -149,8 +150,8 @@ private:
     return std::nullopt;
   }
 
-  /// Where all lanes are equally fast the number of lanes decides: from that of the relaxation down
-  /// to the first that has a plan.
+  /// Tries numbers of lanes from that of the relaxation down to the first that has a plan. Where
+  /// all lanes are equally fast, their number decides.
   void try_below(FixedCounts fixed, const Counts& relaxed) {
     const auto alike = KindsAtClock(problem_, fixed.clock_per_s).common_throughput_per_s();
     if (!alike) {
@@ -203,7 +204,7 @@ private:
     return best;
   }
 
-  /// Of the plans of the best throughput at this clock, the first by the rules of `is_better`.
+  /// The first, by the rules of `is_better`, of the plans with the best throughput at this clock.
   /// Lanes that are not equally fast hardly ever reach the same throughput in two ways: only the
   /// references of such a plan are chosen anew.
   Allocation cheapest(double clock, const Allocation& found) const {

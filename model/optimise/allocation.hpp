@@ -88,12 +88,13 @@ using AllocationResult = std::variant<Allocation, Infeasible>;
 std::vector<int> lane_order(const AllocationProblem& problem);
 std::vector<int> reference_order(const AllocationProblem& problem);
 
-/// By integer linear programming (CBC): maximises equation 12 under 10 and 11. What CBC finds is
-/// checked without its tolerances. Among plans of the same throughput: the fewest references, then
-/// the fewest lanes, LUTs, registers, DSPs and memories, then kinds listed first.
+/// Finds the best plan by integer linear programming (CBC): maximises equation 12 of the paper
+/// under its equations 10 and 11. What CBC finds is checked without its tolerances. Among plans of
+/// the same throughput: the fewest references, then the fewest lanes, LUTs, registers, DSPs and
+/// memories, then kinds listed first.
 AllocationResult allocate(const AllocationProblem& problem);
 
-/// The same by trying everything, for small problems: the oracle of the tests.
+/// Finds the best plan by trying every one, for small problems: the oracle of the tests.
 AllocationResult allocate_exhaustively(const AllocationProblem& problem);
 
 /// The program that `allocate` solves, in the LP format that CBC, GLPK and SCIP read: that of the

@@ -128,7 +128,7 @@ private:
     program().add_row("equation_10", std::move(sum), Relation::at_most, 0);
   }
 
-  /// With ports or with capacity for k lanes, a reference serves at most k.
+  /// Lets a reference serve at most as many lanes as its ports and its capacity allow.
   void add_lanes_per_reference() {
     const std::vector<Area>& crossbar = problem_.communication.crossbar;
     if (!crossbar.empty()) {

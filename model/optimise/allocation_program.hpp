@@ -29,8 +29,9 @@ struct AllocationProgram {
   Counts counts(const AllocationProblem& problem, const std::vector<int>& columns) const;
 };
 
-/// With lines below the crossbar's cost in its place and, unless p_H is fixed, equation 10 in
-/// total: every plan (with one reference or more) is in it, with its own throughput.
+/// A relaxation: linear lower bounds stand for the crossbar's cost and, unless p_H is fixed,
+/// equation 10 holds in total only. It contains every plan that has a reference, with the plan's
+/// throughput.
 AllocationProgram relaxed_program(const AllocationProblem& problem, const FixedCounts& fixed);
 
 /// p_H is fixed. The crossbar costs what n references that serve k + 1 lanes and p_H - n that serve

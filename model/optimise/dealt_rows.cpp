@@ -58,7 +58,7 @@ void subtract_capacities(IntegerProgram& program, const KindsAtClock& kinds, int
 
 void add_dealt_rows(IntegerProgram& program, const KindsAtClock& kinds, int references,
                     int first_reference, int max_lanes) {
-  // Of references alike the first is asked for most.
+  // Where references are alike, the first has the greatest load, and its row implies the others.
   const bool alike = kinds.references_alike();
   std::vector<Sum> loads(alike ? 1 : static_cast<std::size_t>(references));
   add_loads(program, kinds, references, max_lanes, loads);

@@ -19,7 +19,7 @@ int total(const std::vector<int>& counts) {
   return std::accumulate(counts.begin(), counts.end(), 0);
 }
 
-/// Of what is used; each at its own where there are several domains.
+/// The lowest clock limit of the kinds that are used; unlimited where each has a clock of its own.
 double clock_limit(const AllocationProblem& problem, const Counts& counts) {
   double limit = std::numeric_limits<double>::infinity();
   if (problem.clocks == ClockDomains::separate) return limit;
@@ -32,7 +32,7 @@ double clock_limit(const AllocationProblem& problem, const Counts& counts) {
   return limit;
 }
 
-/// In the order in which they are dealt.
+/// The lanes of a plan, in the order in which they are dealt to references.
 std::vector<Datapaths> lanes_of(const AllocationProblem& problem, const Counts& counts,
                                 double limit) {
   std::vector<Datapaths> lanes;

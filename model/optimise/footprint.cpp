@@ -12,7 +12,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// By so much the rough cost model has to exceed a device before anything is said.
+/// The factor by which the rough cost model has to exceed a device before anything is said.
 constexpr double rough_margin = 1.5;
 
 void add(Amounts& sum, int count, const Area& area) {

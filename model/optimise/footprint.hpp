@@ -9,15 +9,15 @@
 
 namespace mixcmp::model {
 
-/// At least what a design takes of a device, as known before it is synthesised.
+/// A lower bound on what a design takes of a device, as known before it is synthesised.
 struct Footprint {
   Amounts amounts{};      ///< of bounded_resources
   bool measured = false;  ///< of every kind of datapath; else a rough estimate of LUTs alone
 };
 
-/// By the rows of `table` (may be null) where it has each kind of lane and reference, with their
-/// streams and crossbar as far as the table has them; otherwise by the rough cost model, which
-/// counts datapaths alone.
+/// Adds up the rows of `table` (may be null) where it has each kind of lane and reference, with
+/// their streams and crossbar as far as the table has them. Otherwise the rough cost model counts,
+/// and datapaths alone.
 Footprint footprint_of(const Design& design, const Characterisation* table, const Device& device);
 
 /// Why the design plainly does not fit the device: more of something than there is, or by the rough

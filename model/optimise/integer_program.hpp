@@ -36,11 +36,11 @@ struct IntegerProgram {
   void add_row(const std::string& name, Sum sum, Relation relation, double bound);
 };
 
-/// By CBC: what each column is where the objective is largest; none if no point satisfies the rows.
-/// Rows hold within CBC's tolerances: whoever needs them exactly checks the point.
+/// Runs CBC: the value of each column where the objective is largest; none if no point satisfies
+/// the rows. Rows hold within CBC's tolerances: whoever needs them exactly checks the point.
 std::optional<std::vector<int>> solve(const IntegerProgram& program);
 
-/// In the LP format that CBC, GLPK and SCIP read.
+/// The program in the LP format, which CBC, GLPK and SCIP read.
 std::string to_lp(const IntegerProgram& program);
 
 }  // namespace mixcmp::model

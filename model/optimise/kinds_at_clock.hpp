@@ -17,7 +17,7 @@ public:
   bool has_lane(int kind) const { return lanes_[kind].useful; }
   bool has_reference(int kind) const { return references_[kind].useful; }
 
-  /// Of all lanes, where it is the same.
+  /// The throughput of a lane, where that is the same for all kinds of lanes.
   std::optional<double> common_throughput_per_s() const;
   double lane_throughput_per_s(int kind) const { return lanes_[kind].throughput_per_s; }
   /// T(L) R_R / T(H); what is too small for a solver's tolerances counts as 0.

@@ -29,7 +29,7 @@ AllocationResult fill_with_references(const Scene& scene, const Device& device,
   return allocate(problem);
 }
 
-/// Of datapaths alone, without streams: the paper compares them so.
+/// The crossover precision of the measured datapaths. As in the paper, streams do not count.
 std::optional<int> crossover_of(const Optimisation& found) {
   std::map<int, std::vector<Area>> lanes;
   for (const PrecisionPlan& plan : found.plans) {

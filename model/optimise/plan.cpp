@@ -19,7 +19,7 @@ std::string bound_keys(const std::string& bound) {
                             bound.substr(running.size()));
 }
 
-/// None without a product.
+/// The scene's key for the kind of multipliers; empty for datapaths without a product.
 std::string multipliers_key(const ComponentKey& key) {
   return key.multipliers.empty() ? "" : fmt::format("multipliers = \"{}\"\n", key.multipliers);
 }
@@ -31,7 +31,7 @@ std::string lanes_table(const ComponentKey& key, int count) {
 
 using Section = std::map<std::string, std::string>;
 
-/// Of "section.key=value", the last of a key; without what the plan chooses itself.
+/// The last setting "section.key=value" of each key, but for the keys that the plan sets itself.
 std::map<std::string, Section> sections_of(const std::vector<std::string>& settings) {
   std::map<std::string, Section> sections;
   for (const std::string& setting : settings) {

@@ -130,8 +130,8 @@ bool ProblemMaker::is_trusted(const Measurement& lane) const {
   return (lane.key.bound == "profiled") == (scene_.reduced.bound == BoundKind::profiled);
 }
 
-/// With fewer exponent bits than the rates were counted with more may be undecided, unless ranges
-/// say that fewer do.
+/// Whether the rates hold for this lane. With fewer exponent bits than they were counted with, more
+/// comparisons may be undecided, unless the inputs' ranges say that fewer bits do.
 bool ProblemMaker::has_enough_exponents(const Measurement& lane) {
   const int counted = profiled_exponent_bits(scene_);
   if (format_of(lane).exponent_bits() >= counted) return true;

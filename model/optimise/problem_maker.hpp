@@ -14,7 +14,7 @@ public:
   ProblemMaker(const Scene& scene, const Characterisation& table, const Rates& rates,
                const OptimiseOptions& options);
 
-  /// That the table has lanes for, with the options at hand.
+  /// The precisions for which the table has lanes, with the options at hand.
   std::vector<int> precisions() const;
   bool has_references() const { return !references_.empty(); }
 

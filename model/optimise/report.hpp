@@ -19,7 +19,7 @@ struct PlanSummary {
   std::string kinds;  ///< "95 x s12e8 exact relative embedded, 12 x s12e8 exact relative logic"
 };
 PlanSummary summary_of(const PrecisionPlan& plan);
-/// Of the best plan.
+/// Summarises the best plan.
 PlanSummary summary_of(const Optimisation& optimisation);
 
 /// References alone: comparisons a second; 0 where none fits.

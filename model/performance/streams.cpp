@@ -87,7 +87,7 @@ double largest(double limit, const std::function<bool(double)>& holds) {
   return low;
 }
 
-/// Without regard to slots.
+/// The throughput that a reference allows if a lane never waits for a slot.
 double unbuffered_throughput(const LaneStreams& streams, double recomputation_rate) {
   if (recomputation_rate == 0 || streams.lanes_served == 0) return 1;
   return std::min(1.0, 1 / (answer_interval_cycles(streams) * recomputation_rate));

@@ -23,7 +23,7 @@ int crossbar_levels(int lanes_served);
 
 /// Cycles for which a decided comparison holds a slot, if nothing waits.
 int decided_slot_cycles(const LaneStreams& streams);
-/// The same of an undecided one that finds the reference free.
+/// The cycles that an undecided comparison keeps its slot, if it finds the reference free.
 int undecided_slot_cycles(const LaneStreams& streams);
 
 /// Cycles between answers to one lane while all lanes of the reference ask: a reference takes one

@@ -72,7 +72,7 @@ private:
   };
 
   void find_truth(std::uint64_t first, std::size_t count);
-  /// Of one sample; false where f or g is no real number.
+  /// Finds the truth of one sample; false where f or g is no real number.
   bool find_truth(PartTruth& part, std::span<const Bits> operands, std::uint64_t first,
                   std::size_t k);
   /// False where double has no such exponents.

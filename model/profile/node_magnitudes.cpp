@@ -39,7 +39,7 @@ NodeMagnitude constant_magnitude(const TypedNode& node, int precision) {
   return {.largest = value * 2, .grid = least - digits, .least = least};
 }
 
-/// Of the exact result on computed operands.
+/// The magnitude of the exact result on computed operands.
 NodeMagnitude exact_magnitude(const TypedNode& node, const NodeMagnitude& a,
                               const NodeMagnitude& b) {
   switch (node.operation) {

@@ -17,11 +17,12 @@ struct NodeMagnitude {
   int least = unknown;  ///< computed values are 0 or at least 2^least in magnitude
 };
 
-/// Of the values an input takes; not finite ones make `largest` infinite.
+/// The magnitudes of the values that an input takes. One that is not finite makes `largest`
+/// infinite.
 NodeMagnitude magnitude_of(const std::vector<double>& values);
 
-/// Of every node of `lane`, if its operations round to `precision` digits with unbounded exponent
-/// (docs/profile.md, "What cannot underflow"). `inputs`: one an input.
+/// The magnitudes of every node of `lane`, if its operations round to `precision` digits with
+/// unbounded exponent (docs/profile.md, "What cannot underflow"). `inputs`: one an input.
 std::vector<NodeMagnitude> node_magnitudes(const TypedGraph& lane, int precision,
                                            const std::vector<NodeMagnitude>& inputs);
 

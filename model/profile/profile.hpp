@@ -87,7 +87,7 @@ struct RateProfile {
   std::uint64_t comparisons = 0;
   std::uint64_t reference_wrong = 0;  ///< verdicts of the reference datapath alone
   std::uint64_t true_verdicts = 0;    ///< how many it took MPFR to decide
-  /// Of these, how many stayed undetermined; nobody is called wrong there.
+  /// The true verdicts that stayed undetermined; nobody is called wrong there.
   std::uint64_t undetermined = 0;
   std::uint64_t emulated = 0;  ///< lane evaluations
   std::vector<SystemProfile> systems;

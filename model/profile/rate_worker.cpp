@@ -160,8 +160,8 @@ void RateWorker::count_open(const Stage& stage, std::size_t system, std::size_t 
   for (int step = steps; step-- > 0;) with[step] += with[step + 1];
 }
 
-/// Those that are open at some precision of the stage, longest open first: what is open at L is
-/// then a beginning of the list.
+/// Picks the comparisons that are open at some precision of the stage, longest open first, so that
+/// the comparisons which are open at L stand at the beginning of the list.
 void RateWorker::pick(const Stage& stage, std::size_t system, const Candidates& candidates) {
   const LastOpen* const last = last_.data() + system * capacity;
   const int anchor = stage.anchor();

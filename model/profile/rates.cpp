@@ -9,7 +9,8 @@
 namespace mixcmp::model {
 namespace {
 
-/// Where envelopes are computed anew: the errors of a few digits are coarse.
+/// The precisions at which envelopes are computed anew. They are closer together where precisions
+/// are low, for the errors of a few digits are coarse.
 constexpr std::array<int, 8> usual_anchors = {7, 11, 16, 22, 29, 36, 42, 48};
 
 std::vector<int> anchors_of(const ErrorProfile& errors) {

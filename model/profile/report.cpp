@@ -27,7 +27,7 @@ double rate_of(const SystemCounts& counts, const RateProfile& profile) {
   return static_cast<double>(counts.undecided) / static_cast<double>(profile.comparisons);
 }
 
-/// Of no comparison there is no error.
+/// The error as text; "none" where nothing was compared.
 std::string measured(const mpq_class& error, const ErrorProfile& profile) {
   return profile.comparisons == 0 ? "none" : fmt::format("{:.3e}", error.get_d());
 }
@@ -76,7 +76,7 @@ std::size_t interesting_rows(const RateProfile& profile) {
   return rows;
 }
 
-/// Where the reference errs, "wrong" says little of the lanes.
+/// Adds how many verdicts that lanes decided were wrong, whatever the reference says.
 void add_wrong_lanes(Page& page, const RateProfile& profile) {
   page.add("wrong verdicts that a lane decided, at all L together:");
   for (const SystemProfile& system : profile.systems) {

@@ -60,7 +60,7 @@ public:
     any_dominating_.fill(0);
   }
 
-  /// Where the next part is to be looked at.
+  /// The arrays that take the findings of the next part.
   BlockFindings part() { return {last_.data(), envelope_width, doubtful_.data(), truth_.data()}; }
 
   void add_part() {

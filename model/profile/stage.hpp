@@ -12,7 +12,7 @@
 
 namespace mixcmp::model {
 
-/// Where the last precision at which a comparison may be open is kept: one byte a comparison.
+/// The last precision at which a comparison may be open, in one byte.
 using LastOpen = std::uint8_t;
 
 /// What a stage finds out of envelope_width comparisons.

@@ -19,8 +19,8 @@ struct SystemLanes {
   bool exists() const;
 };
 
-/// Of all lanes that a profile counts: those of reduced.format, or of the reference where that is
-/// "auto".
+/// The exponent bits of all lanes that a profile counts: those of reduced.format, or of the
+/// reference where reduced.format is "auto".
 int profiled_exponent_bits(const Scene& scene);
 
 /// The lane's graphs at one precision, with `profiled_exponent_bits`.

@@ -15,7 +15,8 @@ namespace mixcmp::model {
 /// the comparison is wild. Proof: docs/profile.md, theorems 2 and 3.
 class Threshold {
 public:
-  /// Of a lane without an error bound: the order of computed f and g is all.
+  /// The threshold of a lane without an error bound, which decides by the order of computed f and
+  /// g.
   static Threshold of_order();
   /// `lanes`: of precisions A, A+1, ... last, whose graphs begin with the envelope's nodes. A kind
   /// of lane or graph that is not known makes every comparison wild.

@@ -49,7 +49,8 @@ std::string cell(const TradePoint& point) {
                      point.wrong_per_million);
 }
 
-/// Where points without a wrong verdict are drawn: below one wrong verdict in all the data.
+/// The height at which points without a wrong verdict are drawn: below one wrong verdict in all the
+/// data.
 double floor_of(const std::vector<Trade>& trades) {
   double least = 1;
   for (const Trade& trade : trades) {

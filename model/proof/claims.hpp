@@ -35,7 +35,7 @@ RelativeBound provable(const RelativeBound& bound, int depth);
 mpq_class rounded_down(const mpq_class& value);
 mpq_class rounded_up(const mpq_class& value);
 
-/// Of the slack at depth 0, as a power of two below one.
+/// The slack at depth 0 is 2^-slack_bits.
 constexpr long slack_bits = 400;
 mpq_class power_of_two(long exponent);
 /// floor(log2) of a positive value, or one more.

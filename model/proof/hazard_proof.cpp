@@ -97,7 +97,7 @@ void HazardProof::add_unbuilt(NodeId id, const std::string& left_out, const std:
        doubtful.empty() ? "by exact arithmetic, from these ranges" : doubtful + " may occur"});
 }
 
-/// Neither a NaN nor an infinity, and no flag is needed to say so.
+/// Whether a node is neither a NaN nor an infinity, without a flag that says so.
 bool HazardProof::is_finite(NodeId id) {
   switch (node(id).operation) {
     case Operation::input: return checked_[static_cast<std::size_t>(node(id).input)].has_value();
@@ -168,8 +168,8 @@ bool HazardProof::adds_one_sign(NodeId id) {
          (lies(a, Side::below) && lies(b, subtracts ? Side::above : Side::below));
 }
 
-/// By its range; of a quotient, whose range has no end where its divisor may be zero, by those of
-/// its operands, too. Zero lies on both sides.
+/// Whether a node lies on this side of zero by its range. A quotient's range has no end where its
+/// divisor may be zero; there the ranges of its operands tell, too. Zero lies on both sides.
 bool HazardProof::lies(NodeId id, Side side) {
   const Range& range = ranges_.prove_range(id);
   if (side == Side::above ? range.low >= 0 : range.high <= 0) return true;

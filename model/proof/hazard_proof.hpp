@@ -6,9 +6,10 @@
 
 namespace mixcmp::model::proof {
 
-/// That what the lane's operations leave unbuilt cannot occur where every operand passes its check
-/// and nothing before was exceptional: the ranges by Gappa, operation by operation, what follows
-/// from them by comparing their ends. Nothing for a lane that leaves nothing unbuilt.
+/// Proves that what the lane's operations leave unbuilt cannot occur where every operand passes its
+/// check and nothing before was exceptional. Gappa proves the ranges, operation by operation; what
+/// follows from them is found by comparing their ends. A lane that leaves nothing unbuilt has no
+/// findings.
 std::vector<Finding> prove_hazards(const Lane& lane, const Prove& prove);
 
 }  // namespace mixcmp::model::proof

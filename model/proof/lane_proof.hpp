@@ -74,7 +74,7 @@ LaneProof prove_lane(const Lane& lane, const Prove& prove, Effort effort);
 /// Part by part; that the parts' decisions make one is theorem 11, by hand.
 LaneProof prove_lane(const CombinedLane& lane, const Prove& prove, Effort effort);
 
-/// The same with the analysis' claims given: one a node, all of them relative.
+/// Proves a lane from the claims of the analysis: one for each node, all of them relative.
 LaneProof prove_relative(const Lane& lane, const std::vector<NodeClaim>& claims, const Prove& prove,
                          Effort effort);
 

@@ -135,8 +135,9 @@ Bits RelativeProof::guard_from(Width width) const {
                                             before_rounding(graph_.g, width), format.precision()));
 }
 
-/// Where f and g have the same constant factor its error cancels exactly, and any slack, however
-/// small, takes that away: the guard is then the analysis' alone.
+/// Checks the guard against the proven bounds. Where f and g have the same constant factor, its
+/// error cancels exactly, and any slack, however small, takes that away: there the guard is the
+/// analysis' alone.
 void RelativeProof::check_guard() {
   const auto& decision = std::get<UlpDistanceDecision>(lane_.decision);
   const NodeClaim &f = claims_[graph_.f], &g = claims_[graph_.g];

@@ -267,8 +267,8 @@ void RuleWriter::square() {
                     "(2 * a * c) * (s * p) + (c * c) * (p * p)"};
 }
 
-/// With z = D q / (b t), |z| <= 1/32, and r: a / b over the computed quotient. 1 / |b| is `o` times
-/// the bound's power of two.
+/// Writes the rule of a quotient. z = D q / (b t), |z| <= 1/32; r is a / b over the computed
+/// quotient; 1 / |b| is `o` times the bound's power of two.
 void RuleWriter::divide() {
   const Weight reciprocal = [id = b_](const BoundSample& sample) { return sample.reciprocal(id); };
   const RelativeBound& divisor = mixed(b_).factor;
@@ -291,7 +291,8 @@ void RuleWriter::divide() {
       "c * p / (b * t * (1 + z)) - (a / b) * (s / t) * (z * b * t) / (b * t * (1 + z))"};
 }
 
-/// With h = sqrt(a s), k = sqrt(a s + C p), and r: sqrt(a) over the computed root.
+/// Writes the rule of a root. h = sqrt(a s), k = sqrt(a s + C p); r is sqrt(a) over the computed
+/// root.
 void RuleWriter::square_root() {
   if (!has_error(a_)) return;
   rule_.variables = {factor("s", a_), error_factor("p", a_), own_rounding_factor("r"), any_share};

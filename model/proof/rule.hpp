@@ -48,7 +48,7 @@ struct RuleCondition {
 struct NodeRules {
   std::vector<Rule> rules;
   std::vector<RuleCondition> conditions;
-  /// Where a sum's operands may cancel: the factor before the sum's own rounding.
+  /// The factor before a sum's own rounding, where its operands may cancel.
   std::optional<mpq_class> center;
 };
 NodeRules rules_of(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id);
@@ -56,8 +56,9 @@ NodeRules rules_of(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeI
 /// A fudge as it is proven: a little more than claimed, see `provable`.
 mpq_class provable_fudge(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id);
 
-/// That no factor exceeds `fudge` in magnitude: then the sum of terms does not exceed `fudge` times
-/// the sum of weights. And the identity, which Gappa checks by normalising both sides.
+/// A script that proves that no factor exceeds `fudge` in magnitude, so that the sum of terms does
+/// not exceed `fudge` times the sum of weights. It also states the rule's identity, which Gappa
+/// checks by normalising both sides.
 std::string rule_script(const Rule& rule, const mpq_class& fudge);
 
 }  // namespace mixcmp::model::proof

@@ -155,7 +155,7 @@ void RuleProof::check_condition(const RuleCondition& condition) {
               found ? Outcome::proven : Outcome::not_proven, "by exact arithmetic"});
 }
 
-/// Where the lane's bound graph stands for the analysis' bound, in every sample.
+/// Whether a node of the lane's bound graph equals the analysis' bound in every sample.
 bool stands_for(const Lane& lane, int lane_bound, const ErrorAnalysis& analysis, BoundId bound) {
   const auto& nodes = std::get<AbsoluteBoundDecision>(lane.decision).bound.nodes;
   const std::vector<BoundSample> samples = samples_of(lane.graph);

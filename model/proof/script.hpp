@@ -32,7 +32,7 @@ public:
   void conclude(const std::string& fact);
   void conclude_relative(const std::string& truth, const std::string& computed,
                          const RelativeBound& bound);
-  /// Both sides are equal numbers, and bounding the second bounds the first.
+  /// Tells Gappa that both sides are equal numbers, so that a bound of the second bounds the first.
   void hint(const std::string& from, const std::string& to);
 
   /// What Gappa reads, its options included: enough digits, no search by splitting intervals (what
@@ -50,13 +50,15 @@ private:
 /// other one is the same times a power of two.
 std::vector<std::string> rounding_scripts(int precision, Rounding rounding);
 
-/// The same error as a part of the power of two at or below the rounded value.
+/// Scripts that bound the error of a rounding as a part of the power of two at or below the rounded
+/// value.
 std::vector<std::string> binade_scripts(int precision, Rounding rounding);
 
 enum class ExactOperation { convert, multiply, square };
 std::string_view to_string(ExactOperation operation);
 
-/// That rounding to `precision` digits changes no result on operands of `operand_precision` digits.
+/// A script that proves that rounding to `precision` digits changes no result on operands of
+/// `operand_precision` digits.
 std::string exactness_script(ExactOperation operation, int operand_precision, int precision,
                              Rounding rounding);
 

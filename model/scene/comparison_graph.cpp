@@ -27,7 +27,7 @@ Error locate(const Setting& setting, Error error) {
   const std::size_t value = setting.key.empty() ? line_start : source.find('=', line_start);
   const std::size_t quote = source.find_first_of("\"'", value);
   std::size_t begin = quote == std::string::npos ? quote : source.find(text, quote + 1);
-  // Of a list's elements one may stand within another: the one that a quote opens is meant.
+  // One element of a list may stand within another: the one that a quote opens is meant.
   while (setting.key.empty() && begin != std::string::npos && source[begin - 1] != '"' &&
          source[begin - 1] != '\'') {
     begin = source.find(text, begin + 1);

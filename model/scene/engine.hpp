@@ -22,13 +22,13 @@ struct EngineSpec {
 
   EngineKind kind = EngineKind::none;
   int capacity = 1024;    ///< of pairwise: items that the memory holds, 2..max_capacity
-  int row_tag_bits = 16;  ///< of arg_min: of the tag that goes with a row, 1..64
-  /// Of pairwise, by golden::Verdict: which ones leave. All but `greater`: whatever is not
-  /// certainly apart.
+  int row_tag_bits = 16;  ///< width of the tag that goes with an arg_min engine's row, 1..64
+  /// Which verdicts leave a pairwise engine, indexed by golden::Verdict. By default all but
+  /// `greater`: whatever is not certainly apart.
   std::array<bool, 4> report = {true, true, false, true};
 
-  /// Of the tag that goes with a comparison: {j, i} of a pair; one bit that says nothing where an
-  /// arg_min engine keeps the row's own.
+  /// Width in bits of the tag that goes with a comparison: {j, i} of a pair. An arg_min engine,
+  /// which keeps the row's own tag, does not use its one bit.
   int tag_bits() const;
 };
 

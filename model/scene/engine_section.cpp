@@ -37,7 +37,8 @@ Result<Done> check_pairwise_system(const Settings& settings, const EngineSpec& e
   return Done{};
 }
 
-/// The same of the arg-min engine. Its chain cannot go on from a comparison that stays undecided.
+/// Checks the system around an arg-min engine. Its chain cannot go on from a comparison that stays
+/// undecided.
 Result<Done> check_arg_min_system(const Settings& settings, const EngineSpec& engine) {
   Section section(settings, "system");
   const auto refuse = [&](const char* key, const std::string& message, const std::string& received,

@@ -11,8 +11,8 @@ struct InputDeclarations {
   std::vector<std::optional<mpq_class>> grids;  ///< powers of two; only with a range
 };
 
-/// In a pattern, '*' stands for any characters; an exact key beats patterns; a key that matches
-/// nothing, and two patterns that match the same input, are errors.
+/// Reads [inputs]. In a pattern, '*' stands for any characters; an exact key beats patterns. A key
+/// that matches nothing, and two patterns that match the same input, are errors.
 Result<InputDeclarations> read_inputs(const Settings& settings,
                                       const std::vector<std::string>& inputs);
 

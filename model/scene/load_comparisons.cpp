@@ -100,7 +100,7 @@ std::string source_key(const DataSpec& data, std::size_t which) {
   return data.file.empty() ? "items" : "file";
 }
 
-/// That a file cannot be read is a mistake of the key that names it.
+/// Checks that the file can be read; else the key that names it is mistaken.
 Result<Done> check_source(const DataSpec& data, std::size_t which) {
   const std::filesystem::path& path = which == 0 ? data.file : data.with;
   if (path.empty()) return Done{};

@@ -31,7 +31,7 @@ enum class ResultOrder {
   in_order,  ///< a reorder buffer per lane
 };
 
-/// Where the operands of a recomputation come from.
+/// The place that a recomputation takes its operands from.
 enum class OperandStore {
   carried,    ///< kept in a memory by slot
   refetched,  ///< only the tag leaves; the user's memory answers
@@ -98,7 +98,7 @@ struct SystemSpec {
   EngineSpec engine;
 };
 
-/// The same with an engine around it. A pairwise engine's memory holds the operands of a
+/// The system with an engine around it. A pairwise engine's memory holds the operands of a
 /// recomputation, and a tag names two items in it; an arg_min engine wants verdicts in order.
 SystemSpec with_engine(SystemSpec system, const EngineSpec& engine);
 
@@ -114,7 +114,8 @@ struct DataSpec {
   std::filesystem::path with;        ///< the second table's file, where the pairing has one
   std::vector<ColumnNames> columns;  ///< the scene's names of columns
   std::vector<ColumnNames> with_columns;
-  /// Of each key that is given, and of [data] itself under "": for errors found when data are read.
+  /// The place of each key that is given, and of [data] itself under "", for errors that are found
+  /// when data are read.
   std::map<std::string, Place> places;
 };
 
@@ -153,7 +154,7 @@ struct Scene {
   SystemSpec system;
   std::optional<DataSpec> data;
   std::optional<PlanReport> plan;  ///< where the scene was read through one
-  /// For the user's eye: inexact constants, unused ranges, ...
+  /// Remarks for the user: inexact constants, unused ranges, ...
   std::vector<std::string> notes;
 
   /// f (g) of every part, in a line.

@@ -57,7 +57,7 @@ public:
   void fail(const std::string& key, std::string message, std::string received,
             std::string accepted);
   void fail(Error error);
-  /// The same without keeping it.
+  /// Makes the error of a key without keeping it.
   Error mistake(const std::string& key, std::string message, std::string received,
                 std::string accepted) const;
 

@@ -12,7 +12,7 @@
 /// together. Errors name file, line and key.
 namespace mixcmp::model {
 
-/// Where the two expressions of one part stand; they live as long as the settings.
+/// The settings of one part's two expressions; they live as long as the settings they are from.
 struct PartSettings {
   const Setting* f;
   const Setting* g;

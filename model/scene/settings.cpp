@@ -100,7 +100,8 @@ Result<toml::table> parse_toml(const std::string& text, const std::string& file)
   }
 }
 
-/// No scene has larger or deeper tables. Looking a key up takes time in proportion to its table.
+/// The largest and the deepest table of a scene; looking a key up takes time in proportion to its
+/// table.
 constexpr std::size_t max_keys = 4096, max_depth = 16;
 
 Result<Done> check_sizes(const std::string& name, const toml::node& node, const std::string& file,
@@ -136,7 +137,7 @@ Result<Done> check_sizes(const std::string& name, const toml::node& node, const 
   return Done{};
 }
 
-/// As if set on the command line: without a line.
+/// Removes the lines of a setting, as if it was set on the command line.
 void forget_lines(Setting& setting) {
   setting.line = setting.end_line = 0;
   if (auto* table = std::get_if<Setting::Table>(&setting.value)) {

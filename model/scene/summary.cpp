@@ -253,7 +253,7 @@ DatapathSummary summarise_lane(const std::string& name, const Scene& scene,
   return summary;
 }
 
-/// Of one part they are f and g, of several f[0], g[0], f[1], ...
+/// The sides of the comparison: f and g of a single part, f[0], g[0], f[1], ... of several.
 std::vector<SideSummary> summarise_sides(const Scene& scene, const SharedGraph& reference) {
   const std::vector<NodeRange> ranges = analyse_ranges(reference.graph, scene.ranges);
   std::vector<SideSummary> sides;

@@ -22,7 +22,8 @@ struct VariantCheck {
 
   std::string variant;
   std::uint64_t comparisons = 0;
-  /// Of the real numbers f and g. None: they decide alike.
+  /// The first comparison on which the variant decides otherwise, by the real numbers f and g;
+  /// none: they decide alike.
   std::optional<Difference> first_difference;
   std::uint64_t differences = 0;
   /// Comparisons whose order `checked_bits` digits do not tell in both: ties of sums of several

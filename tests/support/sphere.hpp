@@ -1,8 +1,8 @@
 #pragma once
 
 #include "model/design/design.hpp"
-#include "tests/support/graphs.hpp"
 #include "model/expression/graph.hpp"
+#include "tests/support/graphs.hpp"
 
 /// The paper's comparison, built without the parser.
 namespace mixcmp::test {
@@ -39,7 +39,7 @@ inline model::Design sphere_design(model::FloatFormat lane, model::FloatFormat r
   const std::vector<bool> any_sign(graph.inputs().size(), false);
   model::Lane certified =
       relative_lane(model::lane_graph(graph, reference, reduced, model::LaneInputs::exact),
-                            any_sign)
+                    any_sign)
           .value();
   return {.name = "sphere",
           .inputs = graph.inputs(),

@@ -13,7 +13,7 @@
 
 namespace mixcmp::tb {
 
-/// Both ends of one lane's streams: offers comparisons, takes results, keeps the books.
+/// The testbench of one lane's two streams: it offers comparisons, takes results and records both.
 class Lane {
 public:
   Lane(int index, Ports& ports, Recorder& recorder)

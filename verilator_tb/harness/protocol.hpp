@@ -30,7 +30,7 @@ struct Response {
   State state;
 };
 
-/// In one run.
+/// The most violations that one run reports.
 inline constexpr std::uint64_t max_violations = 64;
 
 struct Result {

@@ -22,7 +22,7 @@ public:
     ++violation_count_;
   }
 
-  /// So much went wrong that going on would add nothing.
+  /// Whether so much went wrong that going on would add nothing.
   bool full() const { return violation_count_ >= wire::max_violations; }
 
   std::uint64_t last_result_cycle() const { return last_result_cycle_; }

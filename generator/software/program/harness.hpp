@@ -1,6 +1,6 @@
 namespace {
 
-/// For whole cache lines: vectors of a run then begin at one.
+/// An allocator of whole cache lines, so that the vectors of a run begin at one.
 template <class Real>
 struct CacheLines {
   using value_type = Real;
@@ -114,7 +114,7 @@ struct Run {
   std::size_t i, first, end;
   std::size_t size() const { return end - first; }
 };
-/// Of four columns of doubles so many fit the first-level cache.
+/// The longest run of which four columns of doubles fit the first-level cache.
 constexpr std::size_t longest_run = 1024;
 
 template <class Kernel>
