@@ -6,7 +6,7 @@ namespace mixcmp::model {
 namespace {
 
 /// Cycles a comparison spends in a channel beside the lane itself, at full rate
-/// (docs/architecture.md): with this many slots more than the lane's latency nothing waits.
+/// (docs/rtl.md): with this many slots more than the lane's latency nothing waits.
 constexpr int channel_overhead_cycles = 6;
 /// Slots that recomputations may hold while the lane goes on at full rate.
 constexpr int recomputation_slots = 16;

@@ -49,7 +49,7 @@ struct IntervalDecision {
 };
 
 /// What neither the range checks nor the expression itself can rule out of one operation; what they
-/// rule out is not built (docs/architecture.md says what each promises to the hardware).
+/// rule out is not built (docs/rtl.md says what each promises to the hardware).
 struct Hazards {
   bool special_operand = true;  ///< a NaN or an infinity among the operands
   bool overflow = true;         ///< or a division by zero

@@ -9,7 +9,7 @@
 /// comparison is always offered, a result always taken. docs/performance.md derives each.
 namespace mixcmp::model {
 
-/// One lane and the reference that it shares (docs/architecture.md, contract of the streams).
+/// One lane and the reference that it shares (docs/rtl.md, contract of the streams).
 struct LaneStreams {
   ResultOrder order = ResultOrder::tagged;
   int lane_latency_cycles = 0;
