@@ -233,6 +233,10 @@ model::Result<Executable> build_simulator(const System& system, const BuildOptio
                             .directory = folder,
                             .log = folder / "build.log",
                             .progress = options.progress}));
+  if (!fs::exists(executable.path)) {
+    return model::Error{.file = (folder / "build.log").string(),
+                        .message = "verilator ended well and wrote no simulator"};
+  }
   MIXCMP_TRY(stamped, model::write_file(stamp, ""));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return Executable{executable.path, taken.count()};

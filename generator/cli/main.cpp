@@ -4,8 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/usage.hpp"
@@ -48,6 +50,23 @@ void run(CLI::App& app, int argc, char** argv) {
   }
 }
 
+/// No option and no argument is ever an empty text: what seems to be none would not be written.
+void check_arguments(int argc, char** argv) {
+  for (int k = 1; k < argc; ++k) {
+    const std::string_view word = argv[k];
+    if (!word.empty() && !(word.starts_with("--") && word.ends_with('='))) continue;
+    const std::string before = word.empty() ? (k > 1 ? argv[k - 1] : "") : std::string(word);
+    mixcmp::cli::fail({.field = before, .message = "an empty argument", .accepted = "a text"});
+  }
+}
+
+void check_working_directory() {
+  std::error_code failed;
+  if (!std::filesystem::current_path(failed).empty()) return;
+  mixcmp::cli::fail({.message = "there is no working directory: " + failed.message(),
+                     .accepted = "one that exists"});
+}
+
 /// What no verb expects: no memory, a file system that fails in an unusual place.
 int end_unexpectedly(const char* why) {
   mixcmp::cli::tell(std::string("ended before its time: ") + why);
@@ -74,6 +93,8 @@ int main(int argc, char** argv) {
   mixcmp::cli::add_baseline(app);
   mixcmp::cli::add_route(app);
   try {
+    check_working_directory();
+    check_arguments(argc, argv);
     run(app, argc, argv);
   } catch (const Exit& exit) {
     return exit.code;

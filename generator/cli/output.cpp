@@ -50,7 +50,9 @@ void draw(const fs::path& svg, const std::string& script, std::vector<std::strin
     return;
   }
   const model::Captured picture = value_or_exit(drawn);
-  if (!picture.succeeded() || picture.output.empty()) {
+  const bool is_svg = picture.output.find("<svg") != std::string::npos &&
+                      picture.output.find("</svg>") != std::string::npos;
+  if (!picture.succeeded() || !is_svg) {
     fail(model::Error{.file = svg.string(),
                       .message = "gnuplot draws no picture",
                       .received = picture.in_time ? picture.errors : "nothing in a minute",

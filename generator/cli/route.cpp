@@ -79,6 +79,18 @@ void print_json(const model::SynthesisJob& job, const model::Device& device,
   print(fmt::format("{}\n", report.dump(2)));
 }
 
+/// The job's message, which names files in a scratch folder: they are in `work`, or gone.
+std::string with_kept_logs(const model::FailedJob& job, const fs::path& work) {
+  const std::string scratch = job.directory.string();
+  const std::string kept = work.empty() ? "(kept with --work)" : fs::absolute(work).string();
+  std::string message = job.message;
+  for (std::size_t place = 0; (place = message.find(scratch, place)) != std::string::npos;
+       place += kept.size()) {
+    message.replace(place, scratch.size(), kept);
+  }
+  return message;
+}
+
 /// Runs the one job; an interrupt ends its tools.
 model::SynthesisResult result_of(const RouteCommand& command, const model::SynthesisJob& job,
                                  const model::Device& device, const std::string& tools) {
@@ -93,7 +105,7 @@ model::SynthesisResult result_of(const RouteCommand& command, const model::Synth
                              device, tools, store, options));
   show_progress("");
   if (run.interrupted_by != 0) throw Exit::interrupted(run.interrupted_by);
-  if (!run.failed.empty()) fail({.message = run.failed.front().message});
+  if (!run.failed.empty()) fail({.message = with_kept_logs(run.failed.front(), command.work)});
   auto opened = value_or_exit(model::ResultStore::open(store));
   return value_or_exit(opened.find(job.top)).value();
 }

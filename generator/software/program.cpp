@@ -81,17 +81,36 @@ bool read_line(const std::string& line, std::vector<KernelOutput>& kernels) {
   return !words.fail();
 }
 
+model::Error unusable(const fs::path& log, const char* what, std::string received) {
+  return {.file = log.string(),
+          .message = fmt::format("the program that g++ made of the comparison {}", what),
+          .received = std::move(received)};
+}
+
+/// The lines of a log, whose last is "end".
 model::Result<std::vector<KernelOutput>> parse(const fs::path& log) {
   MIXCMP_TRY(text, model::read_file(log));
   std::istringstream lines(text);
   std::vector<KernelOutput> kernels;
+  bool ended = false;
   for (std::string line; std::getline(lines, line);) {
-    if (read_line(line, kernels)) continue;
-    return model::Error{.file = log.string(),
-                        .message = "the comparison printed what it should not",
-                        .received = line.substr(0, 200)};
+    if (!ended && line == "end") {
+      ended = true;
+    } else if (ended || !read_line(line, kernels)) {
+      return unusable(log, "printed what it should not", line.substr(0, 200));
+    }
   }
-  return kernels;
+  if (ended && !kernels.empty()) return kernels;
+  return unusable(log, "did not print all", fmt::format("{} kernels", kernels.size()));
+}
+
+/// Whether each kernel was measured as often as it was asked to.
+bool has_all_rates(const KernelOutput& kernel, unsigned threads, int rounds) {
+  const auto measured = [&](unsigned with) {
+    return std::count_if(kernel.rates.begin(), kernel.rates.end(),
+                         [&](const MeasuredRate& rate) { return rate.threads == with; });
+  };
+  return measured(1) == rounds && measured(threads) == rounds;
 }
 
 }  // namespace
@@ -106,12 +125,18 @@ model::Result<SoftwareProgram> SoftwareProgram::compile(const model::Scene& scen
                                                         const BaselineOptions& options) {
   MIXCMP_TRY(compiler, model::tool_version({"g++", "--version"}, "g++"));
   const fs::path& work = options.work;
+  std::error_code absent;
+  fs::remove(work / "comparison", absent);  // what is run is what this scene makes
   MIXCMP_TRY(written,
              model::write_file(work / "comparison.cpp", software_source(scene, data, filters)));
   MIXCMP_TRY(compiled, model::run_tool({.command = compile_command,
                                         .directory = work,
                                         .log = work / "compile.log",
                                         .progress = options.progress}));
+  if (!fs::exists(work / "comparison")) {
+    return model::Error{.file = (work / "compile.log").string(),
+                        .message = "g++ ended well and wrote no program"};
+  }
   return SoftwareProgram(options, compiler);
 }
 
@@ -130,13 +155,26 @@ model::Result<std::vector<KernelOutput>> SoftwareProgram::run(
 
 model::Result<std::vector<KernelOutput>> SoftwareProgram::verdicts(
     const model::Comparisons& data) const {
-  return run(data, {"verdicts"});
+  MIXCMP_TRY(kernels, run(data, {"verdicts"}));
+  for (const KernelOutput& kernel : kernels) {
+    if (kernel.letters.size() == data.size()) continue;
+    return unusable(options_.work / "run.log", "did not print all",
+                    fmt::format("{} verdicts of {}", kernel.letters.size(), data.size()));
+  }
+  return kernels;
 }
 
 model::Result<std::vector<KernelOutput>> SoftwareProgram::measure(const model::Comparisons& data,
                                                                   unsigned threads) const {
-  return run(data, {"measure", std::to_string(threads), std::to_string(options_.rounds),
-                    fmt::format("{}", options_.seconds)});
+  MIXCMP_TRY(kernels,
+             run(data, {"measure", std::to_string(threads), std::to_string(options_.rounds),
+                        fmt::format("{}", options_.seconds)}));
+  for (const KernelOutput& kernel : kernels) {
+    if (has_all_rates(kernel, threads, options_.rounds)) continue;
+    return unusable(options_.work / "run.log", "did not print all",
+                    fmt::format("{} rates of {}", kernel.rates.size(), kernel.name));
+  }
+  return kernels;
 }
 
 }  // namespace mixcmp::gen

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <atomic>
+#include <exception>
 #include <mutex>
 #include <thread>
 
@@ -89,7 +90,7 @@ private:
     const fs::path kept = work_ / ("failed." + job.hash);
     std::error_code ignored;
     fs::remove_all(kept, ignored);
-    const Result<Done> done = synthesise_into_store(job, folder->path());
+    const Result<Done> done = guarded(job, folder->path());
     if (done.ok() || cancelled_) return finish(job, done, {});
     fs::rename(folder->path(), kept, ignored);
     Error error = done.error();
@@ -98,17 +99,28 @@ private:
     finish(job, error, kept);
   }
 
+  /// No exception leaves a thread: a tool's JSON of another shape ends its job alone.
+  Result<Done> guarded(const PendingJob& job, const fs::path& folder) {
+    try {
+      return synthesise_into_store(job, folder);
+    } catch (const std::exception& failure) {
+      return Error{.file = folder.string(),
+                   .message = fmt::format("a tool left what cannot be read: {}", failure.what())};
+    }
+  }
+
   Result<Done> synthesise_into_store(const PendingJob& job, const fs::path& folder) {
     MIXCMP_TRY(store, ResultStore::open(store_));
     MIXCMP_TRY(known, store.find(job.hash));
     if (known) return Done{};  // another process was faster
     SynthesisOptions synthesis = options_.synthesis;
     synthesis.each_tool.cancelled = &cancelled_;
-    MIXCMP_TRY(result, synthesise(make(job), device_, synthesis, folder));
+    const auto result = synthesise(make(job), device_, synthesis, folder);
     if (!options_.keep.empty()) {
       MIXCMP_TRY(copied, copy_into(folder, options_.keep));
     }
-    return store.add(job.hash, result, tools_);
+    if (!result.ok()) return result.error();
+    return store.add(job.hash, *result, tools_);
   }
 
   /// One job is made at a time: their maker keeps what they share.

@@ -6,6 +6,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "model/characterise/tools.hpp"
+
 namespace mixcmp::model {
 namespace {
 
@@ -86,6 +88,15 @@ constexpr std::array prefixes = std::to_array<CellArea>({
     {"RAMB36", {.memories = 2}},  // a block of 36 Kb is two of 18 Kb
 });
 
+constexpr int most_cells = 10'000'000;  ///< of a kind; no device has as many
+
+Error no_cell_count(const std::string& field, const nlohmann::json& received) {
+  return {.field = field,
+          .message = "Yosys' statistics have no number of cells",
+          .received = received.dump(),
+          .accepted = fmt::format("a whole number from 0 to {}", most_cells)};
+}
+
 }  // namespace
 
 Result<Area> area_of_cell(std::string_view cell) {
@@ -102,8 +113,12 @@ Result<Area> area_of_cell(std::string_view cell) {
 }
 
 Result<Area> area_of_statistics(const nlohmann::json& statistics) {
+  const nlohmann::json counts = member_of(member_of(statistics, "design"), "num_cells_by_type");
+  if (!counts.is_object()) return no_cell_count("design.num_cells_by_type", counts);
   Area sum;
-  for (const auto& [cell, count] : statistics.at("design").at("num_cells_by_type").items()) {
+  for (const auto& [cell, count] : counts.items()) {
+    const bool whole = count.is_number_integer() && count >= 0 && count <= most_cells;
+    if (!whole) return no_cell_count(cell, count);
     MIXCMP_TRY(area, area_of_cell(cell));
     sum += count.get<int>() * area;
   }

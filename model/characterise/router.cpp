@@ -76,7 +76,8 @@ Result<Attempt> route_once(const Device& device, const std::filesystem::path& di
     return Attempt(std::move(refusal));
   }
   MIXCMP_TRY(parsed, read_json(directory / report));
-  if (const std::optional<double> mhz = routed_mhz(parsed)) return Attempt(*mhz);
+  MIXCMP_TRY(mhz, routed_mhz(parsed));
+  if (mhz) return Attempt(*mhz);
   return Attempt(Refusal{"there is no path between registers"});
 }
 
@@ -90,18 +91,28 @@ Result<Packed> packed_luts(const Device& device, const std::filesystem::path& di
     return Packed(std::move(refusal));
   }
   MIXCMP_TRY(log, read_file(directory / "pack.log"));
-  const std::regex used(fmt::format("{}: *(\\d+)/", architecture_of(device).lut));
+  const std::regex used(fmt::format("{}: *(\\d{{1,9}})/", architecture_of(device).lut));
   std::smatch found;
   if (std::regex_search(log, found, used)) return Packed(std::stoi(found[1]));
   return Error{.file = (directory / "pack.log").string(),
                .message = "nextpnr did not say what it packed"};
 }
 
-std::optional<double> routed_mhz(const nlohmann::json& report) {
+Result<std::optional<double>> routed_mhz(const nlohmann::json& report) {
+  const auto unreadable = [](const std::string& field, const nlohmann::json& received) {
+    return Error{.field = field,
+                 .message = "nextpnr's report has no clock here",
+                 .received = received.dump(),
+                 .accepted = "a number of MHz above 0"};
+  };
+  constexpr double most_mhz = 1e5;
+  const nlohmann::json clocks = member_of(report, "fmax");
+  if (!clocks.is_object()) return unreadable("fmax", clocks);
   std::optional<double> slowest;
-  const nlohmann::json clocks = report.value("fmax", nlohmann::json::object());
   for (const auto& [name, clock] : clocks.items()) {
-    const double mhz = clock.at("achieved").get<double>();
+    const nlohmann::json achieved = member_of(clock, "achieved");
+    const double mhz = achieved.is_number() ? achieved.get<double>() : 0;
+    if (!(mhz > 0 && mhz <= most_mhz)) return unreadable("fmax." + name, achieved);
     slowest = std::min(mhz, slowest.value_or(mhz));
   }
   return slowest;

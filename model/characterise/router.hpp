@@ -30,8 +30,9 @@ Result<Packed> packed_luts(const Device& device, const std::filesystem::path& di
 Result<Routed> route(const Device& device, const std::filesystem::path& directory,
                      const std::string& netlist, int seeds, const ToolLimits& limits);
 
-/// The slowest clock of a nextpnr report, in MHz; none where no path joins registers.
-std::optional<double> routed_mhz(const nlohmann::json& report);
+/// The slowest clock of a nextpnr report, in MHz; none where no path joins registers. An error
+/// where the report is not of nextpnr's form.
+Result<std::optional<double>> routed_mhz(const nlohmann::json& report);
 
 /// Median (of an even number the lower of both in the middle) and extremes.
 Clock clock_over_seeds(std::vector<double> mhz);

@@ -24,7 +24,7 @@ Result<int> longest_path_ps(std::string_view sta_text) {
   if (const auto cell = untimed_cell(text)) {
     return Error{.message = fmt::format("Yosys knows no delays of the cell {}", *cell)};
   }
-  static const std::regex latest("Latest arrival time in '[^']*' is (\\d+):");
+  static const std::regex latest("Latest arrival time in '[^']*' is (\\d{1,9}):");
   std::smatch found;
   int picoseconds = 0;
   if (std::regex_search(text, found, latest)) picoseconds = std::stoi(found[1]);

@@ -65,6 +65,9 @@ Result<Area> map_alone(const Run& run) {
   return area;
 }
 
+/// The last line of Yosys' report: a full disk cuts files short without an error of Yosys'.
+constexpr const char* end_of_timing = "end of the timing report";
+
 /// After -abc9 the carry cells in memory have lost their delays (Yosys 0.23 and 0.52): the netlist
 /// is read again, beside the library of cells.
 std::string timing_script(const Run& run) {
@@ -72,8 +75,8 @@ std::string timing_script(const Run& run) {
   return fmt::format(
       "{}{} -top {}\nselect {}\nwrite_rtlil -selected timing.il\ndesign -reset\n"
       "read_rtlil timing.il\nread_verilog -lib -specify +/xilinx/cells_sim.v\n"
-      "hierarchy -top {}\ntee -q -o timing.txt sta\n",
-      read_sources(run.job), run.device.timing_synthesis, top, top, top);
+      "hierarchy -top {}\ntee -q -o timing.txt sta\ntee -q -a timing.txt log {}\n",
+      read_sources(run.job), run.device.timing_synthesis, top, top, top, end_of_timing);
 }
 
 /// A clock, or why there is none. What is no property of the design, a tool that breaks, is an
@@ -86,6 +89,10 @@ struct Timing {
 Result<Timing> estimate_clock(const Run& run) {
   MIXCMP_TRY(ran, run_yosys(run, "timing", timing_script(run)));
   MIXCMP_TRY(log, read_file(run.directory / "timing.txt"));
+  if (!log.ends_with(std::string(end_of_timing) + "\n")) {
+    return Error{.file = (run.directory / "timing.txt").string(),
+                 .message = "Yosys' report of the timing is cut short"};
+  }
   const Result<int> picoseconds = longest_path_ps(log);
   if (!picoseconds.ok()) return Timing{std::nullopt, picoseconds.error().message};
   const double mhz = 1e6 / *picoseconds;

@@ -69,9 +69,11 @@ Result<Done> run_in(const std::filesystem::path& directory, const Command& comma
   return run_tool({.command = command,
                    .directory = directory,
                    .log = std::filesystem::absolute(directory / log),
-                   // What tools leave behind goes with the folder.
-                   .environment = {"TMPDIR=" + std::filesystem::absolute(directory).string()},
                    .limits = limits});
+}
+
+nlohmann::json member_of(const nlohmann::json& object, const char* key) {
+  return object.is_object() && object.contains(key) ? object.at(key) : nlohmann::json();
 }
 
 Result<nlohmann::json> read_json(const std::filesystem::path& path) {

@@ -33,4 +33,7 @@ Result<Done> run_in(const std::filesystem::path& directory, const Command& comma
 /// What a tool left; an error names the file.
 Result<nlohmann::json> read_json(const std::filesystem::path& path);
 
+/// A member of what a tool left; null where there is none, or `object` is no object.
+nlohmann::json member_of(const nlohmann::json& object, const char* key);
+
 }  // namespace mixcmp::model

@@ -110,6 +110,12 @@ Error no_descriptor(const char* what) {
   return {.message = fmt::format("no {}: {}", what, std::strerror(errno))};
 }
 
+std::string whole_name(const fs::path& path) {
+  std::error_code failed;
+  const fs::path whole = fs::absolute(path, failed);
+  return (failed ? path : whole).string();
+}
+
 }  // namespace
 
 Result<Done> run_tool(const ToolRun& run) {
@@ -117,7 +123,7 @@ Result<Done> run_tool(const ToolRun& run) {
   if (log.get() < 0) return cannot_write(run.log, errno);
   MIXCMP_TRY(group, ProcessGroup::start({.command = run.command,
                                          .directory = run.directory,
-                                         .environment = run.environment,
+                                         .environment = {"TMPDIR=" + whole_name(run.directory)},
                                          .output = log.get(),
                                          .errors = log.get()}));
   std::optional<std::string> failure = wait_within(group, run);
@@ -164,8 +170,12 @@ Result<std::string> tool_version(const Command& command, const std::string& pack
                  .kind = ErrorKind::missing_tool};
   }
   if (!run.ok()) return run.error();
-  if (run->succeeded()) return first_line(run->output.empty() ? run->errors : run->output);
-  const std::string how = run->in_time ? how_it_ended(run->status) : "does not end";
+  const std::string line = first_line(run->output.empty() ? run->errors : run->output);
+  const bool has_number = line.find_first_of("0123456789") != std::string::npos;
+  if (run->succeeded() && has_number) return line;
+  const std::string how = !run->in_time      ? "does not end"
+                          : run->succeeded() ? "prints no version"
+                                             : how_it_ended(run->status);
   return Error{.message = fmt::format("{} {}", to_shell(command), how),
                .received = first_line(run->errors.empty() ? run->output : run->errors),
                .accepted = fmt::format("a {} that runs", tool.back())};

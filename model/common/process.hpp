@@ -24,14 +24,14 @@ struct ToolLimits {
 /// One run of a tool.
 struct ToolRun {
   Command command;
-  std::filesystem::path directory;            ///< that it runs in
-  std::filesystem::path log;                  ///< takes its standard output and standard error
-  std::vector<std::string> environment = {};  ///< "NAME=value" each, over our own
+  std::filesystem::path directory;  ///< that it runs in
+  std::filesystem::path log;        ///< takes its standard output and standard error
   ToolLimits limits = {};
   Progress progress = {};  ///< told every second how long it has been
 };
 
-/// Runs a tool to its end. If it fails, the error names the log and shows its end.
+/// Runs a tool to its end. Its temporary files go to its directory (TMPDIR): who clears that clears
+/// what a killed compiler left. If it fails, the error names the log and shows its end.
 Result<Done> run_tool(const ToolRun& run);
 
 struct Captured {

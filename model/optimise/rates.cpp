@@ -98,7 +98,14 @@ Result<Rates> Rates::read(const std::filesystem::path& path) {
                    .received = in_quotes(line),
                    .accepted = header};
     }
-    rates.rates_[row.key] = row.rate;
+    if (!rates.rates_.emplace(row.key, row.rate).second) {
+      return Error{.file = path.string(),
+                   .line = number,
+                   .field = {},
+                   .message = "a second row for the same inputs, bound and precision",
+                   .received = in_quotes(line),
+                   .accepted = "one row for each"};
+    }
   }
   return rates;
 }

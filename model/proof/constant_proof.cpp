@@ -18,12 +18,6 @@
 namespace mixcmp::model::proof {
 namespace {
 
-/// The power of two at or below a positive value.
-mpq_class binade(const mpq_class& value) {
-  const mpq_class power = power_of_two(binade_of(value));
-  return power > value ? mpq_class(power / 2) : power;
-}
-
 std::string quotient(const mpq_class& value) {
   const std::string numerator = value.get_num().get_str();
   return value.get_den() == 1 ? numerator

@@ -49,6 +49,9 @@ GappaRun run_gappa(const std::string& script, Certificate certificate, double se
   if (!run.ok()) return {GappaVerdict::broken, run.error().to_string(), ""};
   Captured outcome = std::move(run).value();
   const GappaVerdict verdict = verdict_of(outcome);
+  if (verdict == GappaVerdict::proven && coq && outcome.output.empty()) {
+    return {GappaVerdict::broken, "gappa ended well and wrote no certificate", ""};
+  }
   return {.verdict = verdict,
           .message = std::move(outcome.errors),
           .certificate = verdict == GappaVerdict::proven ? std::move(outcome.output) : ""};

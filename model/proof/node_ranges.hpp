@@ -24,6 +24,8 @@ bool flags_overflow(const Lane& lane, NodeId id);
 /// The smallest number of a format that is not zero, and its largest finite one.
 mpq_class smallest_number(FloatFormat format);
 mpq_class largest_number(FloatFormat format);
+/// The power of two at or below a positive value.
+mpq_class binade(const mpq_class& value);
 /// The least and the greatest magnitude of the numbers in a range.
 mpq_class least_magnitude(const Range& range);
 mpq_class greatest_magnitude(const Range& range);

@@ -261,6 +261,21 @@ TEST_F(Fit, ATableBesideTheSceneReplacesTheEstimate) {
       << eleven;
 }
 
+TEST_F(CommandLine, AnEmptyArgumentIsNone) {
+  expect_refused("generate scene.toml -o ''", "-o: an empty argument");
+  expect_refused("verify scene.toml --csv=", "--csv=: an empty argument");
+  expect_refused("''", "an empty argument");
+}
+
+TEST_F(CommandLine, AWorkingDirectoryThatIsGoneIsNamed) {
+  const Outcome run =
+      shell(fmt::format("mkdir '{0}/gone' && cd '{0}/gone' && rmdir '{0}/gone' && "
+                        "'{1}' check '{0}/scene.toml'",
+                        directory_.path().string(), MIXCMP_PROGRAM));
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_NE(run.output.find("there is no working directory"), std::string::npos) << run.output;
+}
+
 TEST_F(CommandLine, ChoicesAreNames) {
   expect_refused("verify scene.toml --simulator 1", "{icarus,verilator}");
   expect_refused("verify scene.toml --traffic slow", "{full_rate,stressed}");

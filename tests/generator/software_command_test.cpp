@@ -46,6 +46,33 @@ TEST_F(BaselineCommand, PrintsCsvAndKeepsTheSource) {
   EXPECT_TRUE(std::filesystem::exists(directory_.path() / "kept" / "comparison.cpp"));
 }
 
+TEST_F(BaselineCommand, WhatTheProgramDidNotPrintIsMissed) {
+  const auto run_with = [&](const std::string& program) {
+    std::filesystem::create_directories(directory_.path() / "fake");
+    std::ofstream(directory_.path() / "fake" / "g++")
+        << "#!/bin/sh\n[ \"$1\" = --version ] && { echo g++ 1; exit; }\n"
+        << (program.empty() ? "" : "printf '#!/bin/sh\\n" + program + "' >comparison\n")
+        << "chmod +x comparison 2>/dev/null; exit 0\n";
+    std::filesystem::permissions(directory_.path() / "fake" / "g++",
+                                 std::filesystem::perms::owner_all);
+    return mixcmp("baseline scene.toml" + quick, "PATH=\"$PWD/fake:$PATH\"");
+  };
+  const std::pair<std::string, std::string> programs[] = {
+      {"", "g++ ended well and wrote no program"},
+      {"exit 0", "did not print all"},
+      {"echo end", "did not print all: received 0 kernels"},
+      {"echo tally double 1 2 3 4 5", "did not print all"},
+      {"echo tally double 1 2 3 4 5; echo end", "received 0 verdicts of 780"},
+      {"echo verdicts double u; echo end", "received 1 verdicts of 780"},
+      {"echo nonsense; echo end", "printed what it should not"},
+      {"echo tally double 1 2; echo end", "printed what it should not"}};
+  for (const auto& [program, words] : programs) {
+    const Outcome run = run_with(program);
+    EXPECT_EQ(run.exit_code, 1) << program << "\n" << run.output;
+    EXPECT_NE(run.output.find(words), std::string::npos) << program << "\n" << run.output;
+  }
+}
+
 TEST_F(BaselineCommand, AsksForWhatItCannotDoWithout) {
   expect_refused("baseline scene.toml --set reference.format=binary128",
                  "reference.format: software computes in double");

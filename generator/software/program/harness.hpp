@@ -396,6 +396,13 @@ private:
   decltype(filtered(std::declval<const Columns&>(), Filters())) filtered_;
 };
 
+/// The last line says that nothing is missing.
+int end() {
+  const bool printed = std::printf("end\n") > 0 && std::fflush(stdout) == 0;
+  if (!printed || std::ferror(stdout) != 0) fail("the results cannot be written");
+  return 0;
+}
+
 }  // namespace
 
 /// program DATA verdicts: every comparison's, for small data.
@@ -414,7 +421,7 @@ int main(int argc, char** argv) {
   if (!measures) {
     kernels.for_each(
         [&](const char* name, const auto& kernel) { print_verdicts(name, kernel, data); });
-    return 0;
+    return end();
   }
   for (int round = 0; round < std::atoi(argv[4]); ++round) {
     kernels.for_each([&](const char* name, const auto& kernel) {
@@ -422,5 +429,5 @@ int main(int argc, char** argv) {
       if (threads > 1) measure(name, kernel, work, threads, std::atof(argv[5]));
     });
   }
-  return 0;
+  return end();
 }

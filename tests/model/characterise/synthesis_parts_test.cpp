@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -171,8 +172,30 @@ TEST(Router, TheSlowestClockOfAReportCounts) {
 }
 
 TEST(Router, AReportWithoutClocksIsNoClock) {
-  EXPECT_FALSE(routed_mhz(json::parse(R"({"fmax": {}})")).has_value());
-  EXPECT_FALSE(routed_mhz(json::object()).has_value());
+  EXPECT_FALSE(routed_mhz(json::parse(R"({"fmax": {}})")).value().has_value());
+}
+
+TEST(Router, AReportOfAnotherFormIsAnError) {
+  for (const char* text :
+       {"{}", "[]", "\"fmax\"", R"({"fmax": null})", R"({"fmax": {"aclk": {}}})",
+        R"({"fmax": {"aclk": {"achieved": 0}}})", R"({"fmax": {"aclk": {"achieved": -100}}})",
+        R"({"fmax": {"aclk": {"achieved": 1e300}}})", R"({"fmax": {"aclk": {"achieved": "9"}}})"}) {
+    EXPECT_FALSE(routed_mhz(json::parse(text)).ok()) << text;
+  }
+}
+
+TEST(MappedArea, NumbersOfCellsAreWholeAndWithinReason) {
+  const auto area = [](const char* counts) {
+    return area_of_statistics(
+        json::parse(fmt::format(R"({{"design": {{"num_cells_by_type": {}}}}})", counts)));
+  };
+  EXPECT_EQ(area(R"({"LUT1": 7})").value().luts, 7);
+  EXPECT_TRUE(area("{}").ok());
+  for (const char* counts : {R"({"LUT1": -5})", R"({"LUT1": 99999999999})", R"({"LUT1": 1.5})",
+                             R"({"LUT1": "7"})", "null", "[]"}) {
+    EXPECT_FALSE(area(counts).ok()) << counts;
+  }
+  EXPECT_FALSE(area_of_statistics(json::array()).ok());
 }
 
 TEST(Router, SeedsGiveMedianAndExtremes) {

@@ -148,7 +148,7 @@ TEST_F(Processes, CapturesNoMoreThanItMay) {
   const auto run = capture({"sh", "-c", "head -c 80000000 /dev/zero"});
   ASSERT_FALSE(run.ok());
   EXPECT_NE(run.error().message.find("prints too much"), std::string::npos);
-  const auto version = tool_version({"sh", "-c", "head -c 5000 /dev/zero"}, "dash");
+  const auto version = tool_version({"sh", "-c", "printf %05000d 7"}, "dash");
   ASSERT_TRUE(version.ok());
   EXPECT_EQ(version->size(), 200u);
 }
@@ -160,14 +160,26 @@ TEST_F(Processes, AToolThatIsThereAndFailsIsNotMissing) {
   EXPECT_EQ(version.error().received, "no memory");
 }
 
-TEST_F(Processes, AVariableOfOursIsReplaced) {
-  setenv("MIXCMP_TEST", "before", 1);
-  ASSERT_TRUE(run_tool({.command = {"sh", "-c", "echo $MIXCMP_TEST"},
-                        .directory = directory_.path(),
-                        .log = directory_.path() / "log",
-                        .environment = {"MIXCMP_TEST=after"}})
-                  .ok());
-  EXPECT_EQ(read_file(directory_.path() / "log").value(), "after\n");
+TEST_F(Processes, TemporaryFilesOfAToolGoToItsFolder) {
+  const char* before = getenv("TMPDIR");
+  const std::string kept = before == nullptr ? "" : before;
+  setenv("TMPDIR", "/nowhere", 1);
+  const auto run = run_tool({.command = {"sh", "-c", "echo $TMPDIR; touch \"$(mktemp)\""},
+                             .directory = directory_.path(),
+                             .log = directory_.path() / "log"});
+  before == nullptr ? unsetenv("TMPDIR") : setenv("TMPDIR", kept.c_str(), 1);
+  ASSERT_TRUE(run.ok()) << run.error().to_string();
+  EXPECT_EQ(read_file(directory_.path() / "log").value(), directory_.path().string() + "\n");
+  const std::filesystem::directory_iterator files(directory_.path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 2) << "the log and the temporary file";
+}
+
+TEST_F(Processes, AToolThatPrintsNoVersionIsNone) {
+  for (const char* said : {"true", "echo I am a tool", "printf '\\377\\n'"}) {
+    const auto version = tool_version({"sh", "-c", said}, "dash");
+    ASSERT_FALSE(version.ok()) << said;
+    EXPECT_NE(version.error().message.find("prints no version"), std::string::npos);
+  }
 }
 
 TEST_F(Processes, ALogThatCannotBeWrittenIsAnError) {

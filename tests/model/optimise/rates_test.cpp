@@ -58,6 +58,12 @@ TEST_F(RatesFile, OtherFilesAreRefused) {
   expect_refused("a,b,c\n1,2,3\n", "not a table of recomputation rates");
 }
 
+TEST_F(RatesFile, TwoRowsForTheSameAreRefused) {
+  const std::string row = "exact,8,relative,1000,5,5e-3,0,0\n";
+  expect_refused(std::string(header) + row + "exact,9,relative,1000,0,0,0,0\n" + row,
+                 ":4: a second row for the same");
+}
+
 TEST_F(RatesFile, AMistakeIsNamedByLineAndColumn) {
   expect_refused(std::string(header) + "exact,8,relative,1000,5,5e-3,0,0\nexact,x,relative,1,1\n",
                  ":3: precision");

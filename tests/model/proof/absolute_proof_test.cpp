@@ -115,6 +115,19 @@ TEST_F(AbsoluteProof, QuotientsOfManyExponentBitsAreProven) {
   EXPECT_TRUE(proof.machine_checked()) << to_text(proof, "");
 }
 
+/// Gappa 1.4 narrows no interval whose ends are 2^1024 or more.
+TEST_F(AbsoluteProof, ChoicesAmongNumbersBeyondDoubleAreProven) {
+  for (const char* f : {"max(d, 2 * d)", "min(abs(d), d + d)"}) {
+    const auto lane = lane_of(graph_of(f, "c"), {.format = "s12e12",
+                                                 .inputs = LaneInputs::rounded,
+                                                 .kind = ErrorBoundKind::running,
+                                                 .reference = "s53e11"});
+    ASSERT_TRUE(lane.ok()) << lane.error().to_string();
+    const LaneProof proof = prove_lane(*lane, std::ref(prover_), Effort::operations);
+    EXPECT_TRUE(proof.machine_checked()) << f << "\n" << to_text(proof, "");
+  }
+}
+
 TEST_F(AbsoluteProof, RandomLanesAreProven) {
   int lanes = 0;
   for (std::uint64_t seed = 5000; seed < 5025; ++seed) {

@@ -27,12 +27,13 @@ struct LaneOptions {
   model::ErrorBoundKind kind = model::ErrorBoundKind::relative;
   int bound_digits = 4;
   std::vector<std::optional<model::Range>> ranges = {};
+  const char* reference = "s53e8";
 };
 
 inline model::TypedGraph typed_graph(const model::Graph& graph, const LaneOptions& options) {
   const model::Arithmetic arithmetic = {format(options.format), options.rounding,
                                         model::Subnormals::flush};
-  return model::lane_graph(graph, format("s53e8"), arithmetic, options.inputs);
+  return model::lane_graph(graph, format(options.reference), arithmetic, options.inputs);
 }
 
 inline model::Result<model::Lane> lane_of(const model::Graph& graph, const LaneOptions& options) {

@@ -225,6 +225,17 @@ TEST(ProversWithAFake, MuchOutputOnBothStreamsPasses) {
   EXPECT_EQ(run.message.size(), 300000U);
 }
 
+TEST(ProversWithAFake, AProofWithoutItsCertificateIsNone) {
+  ScratchDirectory scratch;
+  const std::string search = getenv("PATH");
+  const std::string commands = "grep -q '1 in' && exit 1\nexit 0\n";
+  const OtherPath path(fake_gappa(scratch, commands).string() + ":" + search);
+  ASSERT_TRUE(gappa_version());
+  EXPECT_EQ(run_gappa(truth, Certificate::coq, 30).verdict, GappaVerdict::broken);
+  ProofDirectory directory = opened(scratch.path() / "proof");
+  EXPECT_NE(directory(truth).outcome, Outcome::proven);
+}
+
 TEST(ProversWithAFake, OneThatProvesEverythingIsNotBelieved) {
   ScratchDirectory scratch;
   const std::string search = getenv("PATH");
