@@ -15,12 +15,36 @@ missing_packages() {
   done
 }
 
-# Runs a command with its output in a log; shows the log's end where it fails.
+# Ends with the status of a command that failed, and shows the end of its log.
+failed() {
+  tail -n 40 "$1" >&2
+  say "failed, see $1" >&2
+  exit "$2"
+}
+
+# Runs a command with its output in a log.
 logged() {
   log=$1
   shift
   mkdir -p "$(dirname "$log")"
-  "$@" >"$log" 2>&1 || { status=$?; tail -n 40 "$log" >&2; say "failed, see $log" >&2; exit $status; }
+  "$@" >"$log" 2>&1 || failed "$log" $?
+}
+
+# Runs a build with its output in a log, and says every half minute which step ninja is at.
+logged_build() {
+  log=$1
+  shift
+  mkdir -p "$(dirname "$log")"
+  "$@" >"$log" 2>&1 &
+  build=$!
+  seconds=0
+  while kill -0 "$build" 2>/dev/null; do
+    sleep 1
+    seconds=$((seconds + 1))
+    [ $((seconds % 30)) -ne 0 ] ||
+      say "step $(sed -n 's,^\[\([0-9]*\)/\([0-9]*\)\].*,\1 of \2,p' "$log" | tail -n 1)"
+  done
+  wait "$build" || failed "$log" $?
 }
 
 install_packages() {
@@ -40,5 +64,5 @@ build_release() {
   [ "${CI:-}" = true ] && warnings=ON || warnings=OFF
   logged build/log/configure.txt \
     cmake --preset release -DMIXCMP_WARNINGS_AS_ERRORS=$warnings ${2:+"$2"}
-  logged build/log/build.txt cmake --build --preset release --target "$1"
+  logged_build build/log/build.txt cmake --build --preset release --target "$1"
 }
