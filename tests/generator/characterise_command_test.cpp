@@ -77,6 +77,20 @@ TEST_F(CharacteriseCommand, AnAreaAloneDoesNotReplaceAClock) {
   EXPECT_TRUE(read_table().rows[0].clock);
 }
 
+/// As a full disk leaves it, with an exit code of 0: no report is not a design without paths.
+TEST_F(CharacteriseCommand, AReportOfTheTimingThatIsCutShortIsNoResult) {
+  const std::string timed =
+      "characterise scene.toml --store s.sqlite --bounds relative --inputs exact "
+      "--multipliers logic --components lane --precisions 4";
+  const Outcome cut = mixcmp(timed, fake("FAKE_CUT=1"));
+  EXPECT_EQ(cut.exit_code, 1) << cut.output;
+  EXPECT_NE(cut.output.find("Yosys' report of the timing is cut short"), std::string::npos)
+      << cut.output;
+  EXPECT_EQ(stored(), 0);
+  ASSERT_EQ(mixcmp(timed, fake("")).exit_code, 0);
+  EXPECT_EQ(read_table().rows[0].clock->mhz, 250);
+}
+
 TEST_F(CharacteriseCommand, OldResultsAreNotServedForNewTools) {
   ASSERT_EQ(characterise("--components lane --precisions 4", fake("")).exit_code, 0);
   const Outcome newer =
