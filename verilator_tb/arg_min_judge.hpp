@@ -14,9 +14,9 @@ struct LoadRange {
   std::uint64_t rows = 0;
 };
 
-/// Holds what an arg-min engine answers against the golden model, which makes every comparison of
-/// the chain as its lane must; and where the design is certified, against the arg-min by the
-/// reference alone.
+/// Compares what an arg-min engine answers with the golden model, which computes every comparison
+/// of the chain as the lane that makes it must. Where the design is certified, it compares the
+/// answers with the arg-min that the reference alone finds, too.
 class ArgMinJudge : public EngineJudge {
 public:
   ArgMinJudge(const gen::Signature& signature, const model::Design& design,

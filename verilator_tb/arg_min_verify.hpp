@@ -5,9 +5,10 @@
 
 namespace mixcmp::tb {
 
-/// `verify` for a system with an arg-min engine: short loads and one too long, then the scene's
-/// candidates and all its rows, loaded once more midway, and before them as many such runs as there
-/// are resets, each broken off.
+/// Verifies a system with an arg-min engine in a series of loads. First come options.resets loads
+/// of all candidates and rows, each broken off by a reset. Then come short loads and one of a
+/// candidate too many, with at most 8 rows each; then all candidates and rows, whose figures are
+/// reported; and last the same once more, with the candidates loaded again after half of the rows.
 model::Result<VerifyReport> verify_arg_min(const System& system, const model::Design& design,
                                            const model::Comparisons& comparisons,
                                            const VerifyOptions& options);

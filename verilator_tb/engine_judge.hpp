@@ -29,7 +29,8 @@ protected:
   std::vector<CounterTotal> check_lanes(const std::vector<wire::LaneEnd>& counted);
   void check_counter(const std::string& name, std::uint64_t counted, std::uint64_t observed,
                      CounterTotal& total);
-  /// What a counter has gained since the last call, though it may have wrapped.
+  /// How much the engine's counter of stalled cycles, which may wrap, has grown since the last
+  /// call; `counted` is its value now.
   std::uint64_t stalls_gained(std::uint64_t counted);
   void add_violation(std::string fault, std::uint64_t cycle, std::string details);
 

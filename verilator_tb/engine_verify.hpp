@@ -16,8 +16,9 @@ namespace mixcmp::tb {
 model::Result<model::Done> check_engine_options(const VerifyOptions& options,
                                                 const std::string& compares);
 
-/// Rows of a table as they stand on a tdata of so many bytes; beyond its last from the first on
-/// again. Padding is zeros and ones by turns.
+/// The bytes of `count` rows of a table from row `first` on, each as a tdata of `bytes_of_one`
+/// bytes; after the table's last row its first follows. Padding is zeros and ones in turn, row by
+/// row.
 std::vector<std::uint8_t> row_bytes(const model::Table& table,
                                     const std::vector<std::string>& columns, int bytes_of_one,
                                     std::uint64_t first, std::uint64_t count);

@@ -6,7 +6,7 @@
 
 namespace mixcmp::tb {
 
-/// The unit of the testbench's waves.
+/// How many time units of the testbench's waves one clock cycle takes.
 inline constexpr std::uint64_t icarus_time_per_cycle = 4;
 
 /// Runs the regression on an event-driven simulator, so that no result hangs on Verilator alone. It

@@ -18,7 +18,8 @@ inline constexpr std::uint32_t undecided_flag = 8;
 VerifyReport empty_report(const gen::Signature& signature, const model::Design& design,
                           const VerifyOptions& options);
 
-/// What a lane of the design's group must make of the operands.
+/// The m_axis_tdata with which a lane of the design's group number `group` must answer to these
+/// operands, by the golden model.
 std::uint32_t expected_tdata(const model::Design& design, std::size_t group,
                              std::span<const model::Bits> operands);
 

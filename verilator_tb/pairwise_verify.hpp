@@ -5,9 +5,9 @@
 
 namespace mixcmp::tb {
 
-/// `verify` for a system with a pairwise engine: a few small sets and the scene's items, one set
-/// after the other, and before them as many runs of the scene's items as there are resets, each
-/// broken off.
+/// Verifies a system with a pairwise engine in a series of sets. First come options.resets sets of
+/// all of the scene's items, each broken off by a reset. Then come a few small sets, then all
+/// items, whose figures are reported, and last a set of two items.
 model::Result<VerifyReport> verify_pairwise(const System& system, const model::Design& design,
                                             const model::Comparisons& comparisons,
                                             const VerifyOptions& options);

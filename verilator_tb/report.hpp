@@ -152,7 +152,7 @@ struct VerifyReport {
   bool passed() const;
   double recomputation_rate() const;
   double comparisons_per_cycle() const;
-  /// Into an engine, of its items; into the system inside it, of pairs.
+  /// Bytes of items that a pairwise engine was sent for each pair compared; 0 without one.
   double item_bytes_per_pair() const;
 };
 

@@ -57,7 +57,7 @@ struct VerifyOptions {
   Progress progress;
 };
 
-/// What of them the simulator is told.
+/// Those of the options that the simulator is given.
 SimulationOptions simulation_options(const VerifyOptions& options);
 
 /// Refuses what cannot be run, before anything is written: a selection of nothing, a simulator or a

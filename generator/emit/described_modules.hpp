@@ -13,8 +13,8 @@ struct Described {
   std::vector<std::string> facts;
 };
 
-/// Every module of a system once, the top last, its engine
-/// behind it; groups of the same hardware share theirs.
+/// Every module of a system once: lanes, references and their channels, then the top module, then
+/// the engine, if there is one. Groups of the same hardware share their modules.
 std::vector<Described> describe_modules(const model::Design& design, const SystemPlan& plan);
 
 }  // namespace mixcmp::gen

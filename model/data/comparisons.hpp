@@ -22,7 +22,8 @@ std::uint64_t pair_index(std::uint64_t i, std::uint64_t j, std::uint64_t count);
 /// Comparisons of arg_min, whose first items are kept in memory.
 constexpr std::uint64_t max_arg_min_comparisons = std::uint64_t{1} << 28;
 
-/// The rows that one comparison is about; only those that its pairing knows mean something.
+/// The numbers of the rows that one comparison is about. Pairing::all and Pairing::cross use
+/// `first` and `second`, Pairing::arg_min and Pairing::rows all three.
 struct Items {
   std::uint64_t row = 0;
   std::uint64_t first = 0;   ///< i
@@ -63,14 +64,15 @@ public:
   std::uint64_t size() const;
   /// Writes the operands of comparison `index` in the order of `inputs`.
   void fetch(std::uint64_t index, std::span<Bits> operands) const;
-  /// Writes the operands of the comparison of any two items, as above.
+  /// Writes the operands of the comparison of these items in the order of `inputs`. The items need
+  /// not be those of any index.
   void fetch(const Items& items, std::span<Bits> operands) const;
-  /// all: i < j in order (0,1), (0,2), ...; cross: (0,0), (0,1), ...; arg_min: row by row, j = 1,
-  /// 2,
-  /// ...; rows: (index, index, index).
+  /// The items of comparison `index`. (first, second) is (0,1), (0,2), ..., (1,2), ... with
+  /// Pairing::all, and (0,0), (0,1), ... with Pairing::cross. With Pairing::arg_min rows come one
+  /// after the other, each with second = 1, 2, ...; with Pairing::rows all three are `index`.
   Items items(std::uint64_t index) const;
-  /// How many comparisons from `index` on, at least one, differ in moving_item() alone, which
-  /// counts up.
+  /// The length, at least 1, of the run of comparisons that begins at `index`: from one to the next
+  /// moving_item() grows by 1 and the other items stay the same.
   std::uint64_t run_length(std::uint64_t index) const;
   Item moving_item() const { return pairing_ == Pairing::rows ? Item::row : Item::second; }
 

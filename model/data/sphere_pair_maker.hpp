@@ -24,10 +24,12 @@ public:
 
   /// Centres in [0, 100)^3, radii in [0, 25).
   Row uniform();
-  /// Distance and radii are whole numbers of a power of two with x^2 + y^2 + z^2 = d^2, exactly if
-  /// the format has 11 digits; every third one place off in one number.
+  /// Touching spheres: x^2 + y^2 + z^2 = (ri + rj)^2, where all distances and radii are integers
+  /// times one power of two. That is exact if the format has 11 digits or more. In a third of the
+  /// rows one number is moved to the next encoding.
   Row tangent();
-  /// f = 0; a quarter with radii of zero (a tie), a quarter with radii whose square underflows.
+  /// Equal centres: f = 0. A quarter of the rows have radii of zero (a tie), a quarter radii whose
+  /// square underflows or nearly does, the others any radii.
   Row coincident();
   /// The second sphere lies deep inside the first, its centre nearby.
   Row nested();
@@ -44,8 +46,9 @@ public:
   Row largest();
   /// Nearly touching spheres, scaled by any power of two in the format.
   Row scales();
-  /// Every number of its own scale; or one huge difference with radii that equal it, and two so
-  /// small that they vanish beside it although they decide.
+  /// Half of the rows: every number has a random exponent of its own. The others: the radii sum to
+  /// exactly one huge difference, beside which the other two differences are so small that they
+  /// vanish, although they decide.
   Row mixed_scales();
   /// Points: g = 0, of either sign; they coincide, are one place apart, or anywhere.
   Row zero_radii();
@@ -55,11 +58,14 @@ public:
   Row grid();
   /// One to three numbers are not finite or at the ends of the format; one at least is not finite.
   Row infinities_and_nans();
-  /// Aimed at the lane of 11 + row mod 22 digits that takes exact inputs; its error is near the
-  /// proven bound, far beyond what samples show.
+  /// Makes a near tie for a lane with exact inputs that rounds to nearest, of 11 + row mod 22
+  /// digits (mod fewer where the format has less than 32 digits). The lane's error on it is near
+  /// the proven bound, far beyond what random samples show.
   Row counterexample();
-  /// Aimed at the lane of this precision that rounds to nearest, odd rows at one with rounded
-  /// inputs; half of the rows at the wrong order, half around the edge of what it can tell.
+  /// Makes a row that misleads a lane of this precision. Odd rows take aim at a lane with rounded
+  /// inputs; rows 0 and 1 of four at one that rounds to nearest, rows 2 and 3 at one that rounds
+  /// toward zero. A random half of the rows are near ties (model::near_tie), the others lie around
+  /// the edge of what the lane can decide (near_edge).
   Row near_tie(int precision);
 
   /// A finite number did not fit the format.

@@ -37,7 +37,8 @@ struct CandidateLanes {
   int bound_digits;  ///< of a running bound; else 0
   Result<CombinedLane> lane;
 };
-/// Relative; running with 4 digits and with exponents alone; constant.
+/// Tries four ways to certify the lane: the relative bound, the running bound with 4 digits, the
+/// running bound with exponents alone (1 digit), and the constant bound, in this order.
 std::vector<CandidateLanes> candidate_lanes(const CombinedGraph& graph,
                                             const std::vector<std::optional<Range>>& ranges);
 

@@ -4,14 +4,15 @@
 
 namespace mixcmp::model {
 
-/// An error names a divisor that may be zero: its quotient ends only where the format does, and a
-/// constant that bounds its error would be worth nothing.
+/// Checks that no divisor may be zero where every operand passes its check; an error names one that
+/// may. Its quotient could be as large as the format allows, so that a constant that bounds the
+/// quotient's error would be worth nothing.
 Result<Done> check_divisors(const TypedGraph& graph, const std::vector<RangeCheck>& checks);
 
-/// The largest value that a bound can take where every operand passes its check: interval analysis
-/// of the computed values puts numbers in the place of magnitudes. An error names the operation
-/// whose range stands in the way (a divisor that may be zero, an input without a range), and what
-/// helps.
+/// The largest value that `bound` can take where every operand passes its check. Each computed
+/// value in it is replaced by an end of the range that interval analysis finds for that value. An
+/// error names the operation for whose range there is no constant (a divisor that may be zero, an
+/// input without a range), and what the user can do.
 Result<mpq_class> constant_bound(const TypedGraph& graph, const ErrorAnalysis& analysis,
                                  const AbsolutePart& bound, const std::vector<RangeCheck>& checks);
 

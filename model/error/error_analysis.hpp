@@ -10,8 +10,9 @@
 
 namespace mixcmp::model {
 
-/// |a| <= fudge * the bound node `bound`; fudge >= 1, near 1, is kept out of the hardware's few
-/// digits and ends up in the decision's guard.
+/// Bounds the absolute part a of a node's error (MixedBound): |a| <= fudge * B, where B is the
+/// value of bound node `bound`. The hardware computes B alone, in few digits; `fudge`, which is 1
+/// or a little more, is covered by the decision's guard.
 struct AbsolutePart {
   BoundId bound = no_bound_node;  ///< none: a = 0
   mpq_class fudge = 1;
@@ -31,11 +32,12 @@ struct NodeBound {
   std::optional<MixedBound> mixed;
   /// The mixed bound's factor where it has no absolute part.
   std::optional<RelativeBound> relative;
-  /// Relative, where the node rounds: true value = (the operation's exact result, before its own
-  /// rounding) * t.
+  /// The relative bound before the node's own rounding, of a node that rounds: true value = x * t,
+  /// where x is the operation's exact result on the computed operands.
   std::optional<RelativeBound> unrounded;
-  /// Relative, of a node in the lane's format: it holds fl(x) of some real number x (its exact
-  /// result, or what is chosen among those of its operands), and true value = x * t. Theorem 4.
+  /// The relative bound that theorem 4 uses, of a node in the lane's format. The node holds some
+  /// real number x, rounded: x is its exact result or, of a choice, that of the operand chosen. The
+  /// bound says: true value = x * t.
   std::optional<RelativeBound> before_rounding;
   bool nonnegative = false;
   bool nonpositive = false;

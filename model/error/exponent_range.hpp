@@ -8,12 +8,12 @@
 
 namespace mixcmp::model {
 
-/// The fewest exponent bits with which a lane of this arithmetic's precision (its exponent bits are
-/// not looked at) does its work on operands that pass the ranges' checks:
-/// - no operation overflows;
-/// - 2^(-2P) times the largest number that any operation computes is still normal. What is smaller
+/// The fewest exponent bits, 4 or more, that a lane of this arithmetic's precision P needs (the
+/// arithmetic's own exponent bits are not looked at). On operands that pass the ranges' checks:
+/// - no operation may overflow or divide by zero;
+/// - 2^(-2P) times the largest number that any operation computes must be normal. What is smaller
 ///   underflows and is recomputed; it is about as rare as what P digits leave undecided.
-/// The reference's where an input has no range, or where fewer do not serve.
+/// Where an input has no range, or no smaller number does, these are the reference's exponent bits.
 int lane_exponent_bits(const Graph& graph, FloatFormat reference, const Arithmetic& arithmetic,
                        LaneInputs inputs, const std::vector<std::optional<Range>>& ranges);
 

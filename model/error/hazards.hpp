@@ -7,7 +7,8 @@
 
 namespace mixcmp::model {
 
-/// Whether hardware computes it: inputs and constants are given, negate and absolute are wires.
+/// Whether the operation has a hardware unit: all have but inputs and constants, which are given,
+/// and negate and absolute, which are wires.
 bool has_unit(Operation operation);
 
 /// A check of sign and magnitude for every input of the graph that has a declared range.

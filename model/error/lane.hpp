@@ -20,7 +20,8 @@ struct UlpDistanceDecision {
   bool nonnegative;
 };
 
-/// A bound holds only where bound node `bound` <= |value|, a node of the lane's format.
+/// A condition under which alone a bound holds: the bound node `bound` is at most the magnitude of
+/// the lane's node `value`, which is in the lane's format.
 struct BoundCondition {
   int bound;
   NodeId value;

@@ -24,11 +24,11 @@ RelativeBound square_root(const RelativeBound& a);
 /// A rational just below the root, off by less than 2^-256 of it.
 mpq_class root_below(const mpq_class& value);
 
-/// `bound`, and `value` rounded up, with some 512 digits at most: powers of powers need not be
-/// exact.
+/// `bound` rounded outward, and `value` rounded up, to some 512 binary digits where there are more
+/// than 1024: powers of powers need not be exact.
 RelativeBound widened(const RelativeBound& bound);
 mpq_class widened_up(const mpq_class& value);
-/// Allows more than the ratio of any two numbers of any format.
+/// Whether a bound says nothing: it allows more than the ratio of any two numbers of any format.
 bool is_useless(const RelativeBound& bound);
 
 /// Smallest distance in ulps that decides, from the bounds of f and g in precision P (theorem 3).
@@ -38,8 +38,8 @@ Bits guard_ulp(const RelativeBound& f, const RelativeBound& g, int precision);
 /// keeps the order, so that the last one costs both together a single step (theorem 4).
 Bits guard_ulp_before_rounding(const RelativeBound& f, const RelativeBound& g, int precision);
 
-/// The smallest number of steps whose every stretch of positive encodings multiplies by more than
-/// `ratio` >= 1 (theorem 2); all ones where no format has so many.
+/// The smallest n such that going n encodings up from any positive number of this precision
+/// multiplies it by more than `ratio` >= 1 (theorem 2); all ones where no format has so many.
 Bits steps_beyond(const mpq_class& ratio, int precision);
 
 }  // namespace mixcmp::model

@@ -10,7 +10,8 @@ namespace mixcmp::model {
 /// The inputs whose ranges prove a sign; none where nothing proves it.
 using SignProof = std::optional<std::set<int>>;
 
-/// What asks for both; for the one that asks for less.
+/// `both` returns a proof that needs the inputs of both proofs, none where one of them is missing;
+/// `either` returns the one of the two proofs that needs fewer inputs.
 SignProof both(const SignProof& a, const SignProof& b);
 SignProof either(const SignProof& a, const SignProof& b);
 

@@ -8,8 +8,8 @@ namespace mixcmp::model::golden {
 /// Holds every finite encoding of every format: the widest significand, in whole limbs.
 inline constexpr mpfr_prec_t encoding_precision = 128;
 
-/// x = the exact value of a finite encoding, or the infinity or NaN. x has at least
-/// encoding_precision digits.
+/// Sets x to the number, infinity or NaN that `bits` encodes, exactly. The caller must have given x
+/// a precision of encoding_precision or more.
 void decode(BigFloat& x, FloatFormat format, Bits bits);
 
 /// The encoding of a finite value that the format holds exactly, in a BigFloat of the format's

@@ -42,7 +42,8 @@ CombinedResult evaluate_lane(const CombinedLane& lane, std::span<const Bits> inp
 Verdict evaluate_reference(const TypedGraph& reference, std::span<const Bits> inputs);
 Verdict evaluate_reference(const CombinedGraph& reference, std::span<const Bits> inputs);
 
-/// The verdict that says all, whatever the other parts' are: greater of `all`, less of `any`.
+/// The verdict of one part that decides the whole comparison, whatever the other parts' verdicts
+/// are: `greater` for Combination::all, `less` for Combination::any.
 Verdict dominating_verdict(Combination combination);
 /// One verdict of two parts' verdicts; associative and commutative.
 Verdict combine(Combination combination, Verdict a, Verdict b);

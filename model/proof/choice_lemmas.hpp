@@ -7,11 +7,12 @@
 
 namespace mixcmp::model::proof {
 
-/// The lemmas of what Gappa has no word for. Minimum and maximum: computed operands a and b, the
-/// true ones a s and b t. Where the computed choice is a but the true one b t, with q = b / a
-/// either q >= 1 and q t <= s, or 0 <= q <= 1 and q t >= s (docs/error_bounds.md, theorem 5); to
-/// show is that q t is within the node's bound, and that s is. Absolute: a and its truth have one
-/// sign.
+/// Scripts that prove the claim of a minimum, a maximum or an absolute value, for which Gappa has
+/// no operation. Let a and b be the computed operands of a minimum or maximum, a s and b t the true
+/// ones, and q = b / a. Where the computed choice is a but the true one is b t, either q >= 1 and q
+/// t <= s, or 0 <= q <= 1 and q t >= s (docs/error_bounds.md, theorem 5). The scripts show that
+/// both q t and s are within the node's bound. The scripts of an absolute value use that its
+/// operand and the operand's true value have the same sign.
 std::vector<std::string> choice_scripts(const TypedGraph& graph,
                                         const std::vector<NodeClaim>& claims, NodeId id);
 

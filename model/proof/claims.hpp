@@ -8,9 +8,9 @@
 
 namespace mixcmp::model::proof {
 
-/// What the error analysis asserts of one node, and what is to be proven. Words and meaning as in
-/// docs/error_bounds.md: true value = computed value * t, low <= t <= high, and the same from the
-/// operation's exact result, before its own rounding.
+/// What the error analysis asserts of one node, and what is to be proven (docs/error_bounds.md).
+/// `relative` says that true value = computed value * t, low <= t <= high; `unrounded` says that
+/// true value = x * t, where x is the operation's exact result, before its own rounding.
 struct NodeClaim {
   std::optional<RelativeBound> relative;
   std::optional<RelativeBound> unrounded;
@@ -38,7 +38,7 @@ mpq_class rounded_up(const mpq_class& value);
 /// The slack at depth 0 is 2^-slack_bits.
 constexpr long slack_bits = 400;
 mpq_class power_of_two(long exponent);
-/// floor(log2) of a positive value, or one more.
+/// An estimate of floor(log2(value)), for a positive value: that number, or one more.
 long binade_of(const mpq_class& value);
 
 /// The deepest graph for which `provable` moves ends by less than one part in 2^300.

@@ -18,8 +18,9 @@ struct Cone {
   std::vector<bool> is_leaf;  ///< one a node: taken as its claim says, not as its expression
 };
 
-/// Gappa has no word for it: minima, maxima, and absolutes of inexact operands. They are leaves of
-/// every cone, and have lemmas of their own.
+/// Whether Gappa has no operation for this node: a minimum, a maximum, or the absolute value of an
+/// inexact operand. Such a node is a leaf of every cone and is proven by lemmas of its own
+/// (choice_scripts).
 bool is_inexpressible(const TypedGraph& graph, const std::vector<NodeClaim>& claims, NodeId id);
 
 /// The root's whole expression down to inputs, constants and what is not expressible.
@@ -35,9 +36,10 @@ std::vector<NodeId> nodes_of(const Cone& cone);
 /// Longest path from an input.
 int depth_of(const TypedGraph& graph, NodeId id);
 
-/// Whether a node rounds. Multiplying by, or dividing by, a constant power of two does not, by hand
-/// (theorem 1): Gappa counts the digits of a product as those of both factors. Of conversions,
-/// products and squares of few digits it is proven: exactness_script.
+/// Whether a node's operation rounds its result. Conversions, products and squares of few digits do
+/// not, which Gappa proves (exactness_script). Multiplying or dividing by a constant power of two
+/// does not, either, which is proven by hand (theorem 1): Gappa counts the digits of a product as
+/// those of both factors.
 enum class OwnRounding { rounds, exact_by_digits, exact_by_hand, not_an_operation };
 OwnRounding own_rounding(const TypedGraph& graph, const TypedNode& node);
 

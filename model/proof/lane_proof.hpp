@@ -23,7 +23,7 @@ struct ScriptResult {
   std::string detail;  ///< Gappa's words where it is not proven
   std::string file;    ///< of the kept script, if any
 };
-/// Runs one script, or knows its result.
+/// Has Gappa prove one script, or returns the result that is known from before.
 using Prove = std::function<ScriptResult(const std::string& script)>;
 
 /// One statement and what became of it.
@@ -32,7 +32,8 @@ struct Finding {
   Outcome outcome;
   std::string detail;
   std::vector<std::string> files = {};  ///< kept scripts
-  /// Another way has been taken where this one is not proven: nothing depends on it.
+  /// Nothing depends on this finding: it is not proven, and another way to prove the bound has been
+  /// taken. The verdict leaves it out.
   bool optional = false;
 };
 
@@ -56,7 +57,7 @@ struct LaneProof {
   std::vector<Finding> findings;
   std::vector<ByHand> by_hand;
 
-  /// Everything that is not by hand.
+  /// Whether every finding but the optional ones is proven; the steps `by_hand` do not count.
   bool machine_checked() const;
   /// Something within Gappa's theory is not proven: the bound must not be called certified.
   bool refused() const;

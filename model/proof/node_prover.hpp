@@ -13,7 +13,8 @@ namespace mixcmp::model::proof {
 /// "s17e8, nearest_even".
 std::string describe_arithmetic(const Arithmetic& arithmetic);
 
-/// The worse one for the claim.
+/// The outcome that is worse for a claim; from the best to the worst: proven, not_expressible,
+/// unchecked, out_of_time, not_proven.
 Outcome worse(Outcome a, Outcome b);
 
 /// Proves claims one by one and gathers findings, one a node at most.
@@ -22,7 +23,8 @@ public:
   NodeProver(const Lane& lane, const std::vector<NodeClaim>& claims, const Prove& prove)
       : lane_(lane), graph_(lane.graph), claims_(claims), prove_(prove) {}
 
-  /// Theorem 1 for every precision, and that what few digits allow rounds nothing.
+  /// Proves theorem 1 for every precision that the graph rounds to, and that the operations whose
+  /// operands have few enough digits round nothing.
   void prove_arithmetic();
   /// The node's claim from those of its operands. Inputs and constants by exact arithmetic.
   void prove_node(NodeId id);

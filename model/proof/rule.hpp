@@ -37,7 +37,8 @@ struct Rule {
   std::optional<Identity> identity;  ///< why the error is this sum; none: by hand
 };
 
-/// What must hold of a bound for a rule to apply: `bound` <= |value| in every sample.
+/// A condition that a rule needs: `bound` <= |value|. It is met where the analysis has a condition
+/// on the same node whose bound is at least `bound` in every sample.
 struct RuleCondition {
   NodeId value;
   std::function<mpq_class(const BoundSample&)> bound;

@@ -46,8 +46,8 @@ private:
   std::string hints_;
 };
 
-/// Theorem 1 in the binades from 1 to 2 and from -2 to -1; exponents are unbounded, so that every
-/// other one is the same times a power of two.
+/// Scripts that prove theorem 1 in the binades from 1 to 2 and from -2 to -1. Exponents are
+/// unbounded, so that every other binade is one of these times a power of two.
 std::vector<std::string> rounding_scripts(int precision, Rounding rounding);
 
 /// Scripts that bound the error of a rounding as a part of the power of two at or below the rounded

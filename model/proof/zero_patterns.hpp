@@ -9,8 +9,10 @@ namespace mixcmp::model::proof {
 /// Which nodes of a graph are zero in one case; meaningful for the cone's nodes.
 using Zeros = std::vector<bool>;
 
-/// The nodes whose being zero decides which operands of sums and roots are zero. A sum of operands
-/// of one sign is zero where both are, a product where a factor is: atoms are what remains.
+/// The nodes whose zeros decide which operands of sums and square roots are zero. A sum of operands
+/// of one sign, a conversion, a change of sign, a square and a root are zero only where their
+/// operands are, so that these are looked at instead. All other nodes (leaves, products, quotients,
+/// sums that may cancel) are atoms themselves.
 std::vector<NodeId> zero_atoms(const Cone& cone);
 
 /// What is zero if these nodes are and the other atoms are not; empty where that cannot be, or

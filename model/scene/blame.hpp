@@ -9,7 +9,7 @@
 
 namespace mixcmp::model {
 
-/// Reads a scene with the overrides given, and tells what is wrong then; none: nothing is.
+/// Reads a scene with these overrides and returns the error that this gives; none: it succeeds.
 using Attempt = std::function<std::optional<Error>(std::span<const std::string> overrides)>;
 
 /// If an override caused the error, returns it with "--set section.key" as its place and the line

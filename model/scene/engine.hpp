@@ -27,12 +27,13 @@ struct EngineSpec {
   /// `greater`: whatever is not certainly apart.
   std::array<bool, 4> report = {true, true, false, true};
 
-  /// Width in bits of the tag that goes with a comparison: {j, i} of a pair. An arg_min engine,
-  /// which keeps the row's own tag, does not use its one bit.
+  /// Width in bits of a comparison's tag inside the system. The tag of a pair is {j, i}. An arg_min
+  /// engine keeps the row's tag (row_tag_bits) to itself: its comparisons have a tag of one bit,
+  /// which it does not use.
   int tag_bits() const;
 };
 
-/// To number so many items.
+/// How many bits it takes to number `count` items from 0.
 int index_bits_for(int count);
 
 /// The words for what an engine reports.

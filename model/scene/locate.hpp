@@ -8,9 +8,10 @@
 
 namespace mixcmp::model {
 
-/// A mistake that was found after the scene was read, in something that the key `error.field` says:
-/// the same with the file and the line of that key, or of the section where it is missing. One that
-/// has a line already, or whose key is none of the scene's, stays as it is.
+/// Adds a place to an error that was found after the scene had been read: the file and line of the
+/// key that `error.field` names or, where the scene does not have the key, of its section. An error
+/// that names a line or "--set" already, or a section that the scene does not have, is returned as
+/// it is.
 Error located(Error error, const std::filesystem::path& scene,
               std::span<const std::string> overrides);
 

@@ -8,9 +8,9 @@
 
 namespace mixcmp::model {
 
-/// What looks like a slip in how f and g name items i and j, in words for the user's eye: an input
-/// of one item without its fellow of the other where both are rows of one table; of arg_min, f and
-/// g that are not one cost of two candidates.
+/// Notes for the user about what looks like a slip in how f and g name items i and j. Where both
+/// items are rows of one table, a note names each input of one item whose column is no input of the
+/// other ("cxi" without "cxj"). With arg_min, a note says if g is not f with j in the place of i.
 std::vector<std::string> pairing_notes(const Graph& graph, Pairing pairing);
 
 }  // namespace mixcmp::model

@@ -15,10 +15,10 @@ struct SceneSettings {
   std::optional<PlanReport> plan;
 };
 
-/// Reads a scene, or a plan: a file with the top-level key `scene`, whose sections are laid over
-/// that scene's, or that plan's, key by key. [[lanes]] and [[references]] replace the scene's, and
-/// what they or system.lanes and system.references say replaces the scene's other way to say it.
-/// Overrides come last.
+/// Reads a scene, or a plan and the scene below it. A plan is a file with the top-level key
+/// `scene`, which names a scene or another plan; the plan's keys replace that file's, section by
+/// section. A plan that says how many lanes there are, by [[lanes]] or by system.lanes, replaces
+/// both of these; so does one that says how many references there are. Overrides are applied last.
 Result<SceneSettings> read_scene_settings(const std::filesystem::path& path,
                                           std::span<const std::string> overrides);
 

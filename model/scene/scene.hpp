@@ -94,7 +94,8 @@ struct SystemSpec {
   OperandStore operands = OperandStore::carried;
   int tag_bits = 32;      ///< 1..64
   int counter_bits = 32;  ///< 0 (no counters) or 8..64
-  /// Around the system; it decides `operands` and `tag_bits`, an arg_min engine `order`, too.
+  /// The engine around the system. An engine sets `operands` and `tag_bits`, and an arg_min engine
+  /// sets `order`, too: see with_engine.
   EngineSpec engine;
 };
 
@@ -161,12 +162,13 @@ struct Scene {
   std::string f_text() const;
   std::string g_text() const;
 
-  /// Excludes negative values by its declared range.
+  /// Tells for each input whether its declared range excludes negative values.
   std::vector<bool> nonnegative_inputs() const;
 
   /// Groups as [[lanes]] has them, or the one that [reduced] and system.lanes stand for.
   std::vector<LaneGroupSpec> lane_groups() const;
-  /// Likewise; one of 0 references where p_H = 0.
+  /// Groups as [[references]] has them, or the one that [reference] and system.references stand
+  /// for; where p_H = 0 that is one group of 0 references.
   std::vector<ReferenceGroupSpec> reference_groups() const;
   std::optional<int> lane_count() const;       ///< p_L; none: "auto"
   std::optional<int> reference_count() const;  ///< p_H; none: "auto"

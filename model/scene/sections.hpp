@@ -31,7 +31,8 @@ struct ComparisonSpec {
 Result<ComparisonSpec> read_comparison(const Settings& settings,
                                        std::span<const LetDefinition> lets);
 
-/// One part for each value of `for`, where it stands.
+/// Replaces comparison.parts by a copy of them for each value of the index of `for`; does nothing
+/// where the comparison has no `for`.
 Result<Done> expand_parts(const Settings& settings, std::span<const LetDefinition> lets,
                           ComparisonSpec& comparison);
 
@@ -55,7 +56,8 @@ Result<ReferenceSpec> read_reference(const Settings& settings);
 /// [reduced]; exponent bits that depend on ranges are not chosen yet, here and in [[lanes]].
 Result<ReducedSpec> read_reduced(const Settings& settings, FloatFormat reference);
 
-/// [[lanes]]: each over `defaults`. Empty where there is none.
+/// Reads [[lanes]]; a key that a table leaves out has its value in `defaults`. Empty where there is
+/// no [[lanes]].
 Result<std::vector<LaneGroupSpec>> read_lane_groups(const Settings& settings, FloatFormat reference,
                                                     const ReducedSpec& defaults);
 
@@ -68,7 +70,8 @@ std::vector<std::string> overridden_keys(const Settings& settings);
 
 Result<SystemSpec> read_system(const Settings& settings);
 
-/// [engine], held against the inputs, [data] and what [system] says; an absent one is none.
+/// Reads [engine] and checks that it fits the inputs, [data] and [system]. Where the section is
+/// absent, the kind is EngineKind::none.
 Result<EngineSpec> read_engine(const Settings& settings, const std::vector<std::string>& inputs,
                                const std::optional<DataSpec>& data);
 

@@ -26,10 +26,10 @@ struct VariantCheck {
   /// none: they decide alike.
   std::optional<Difference> first_difference;
   std::uint64_t differences = 0;
-  /// Comparisons whose order `checked_bits` digits do not tell in both: ties of sums of several
-  /// roots, mostly.
+  /// Comparisons whose order `checked_bits` digits do not tell in [comparison], in the variant or
+  /// in both: mostly ties of sums of several roots. They do not count as differences.
   std::uint64_t untold = 0;
-  /// Rounded in the reference format the two need not agree; how often they do not.
+  /// Comparisons that the two references decide differently. They may, since they round.
   std::uint64_t reference_differences = 0;
 };
 
