@@ -4,9 +4,10 @@
 
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+
+#include "model/common/file.hpp"
 
 namespace mixcmp::gen {
 
@@ -273,11 +274,8 @@ std::string to_json(const Signature& s) {
 }
 
 model::Result<Signature> read_signature(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  if (!stream) {
-    return model::Error{.file = path.string(), .message = "cannot read the system's signature"};
-  }
-  const Json json = Json::parse(stream, nullptr, false);
+  MIXCMP_TRY(text, model::read_file(path));
+  const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) {
     return model::Error{.file = path.string(), .message = "not JSON"};
   }

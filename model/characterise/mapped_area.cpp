@@ -115,6 +115,12 @@ Result<Area> area_of_cell(std::string_view cell) {
 Result<Area> area_of_statistics(const nlohmann::json& statistics) {
   const nlohmann::json counts = member_of(member_of(statistics, "design"), "num_cells_by_type");
   if (!counts.is_object()) return no_cell_count("design.num_cells_by_type", counts);
+  if (counts.empty()) {
+    return Error{.field = "design.num_cells_by_type",
+                 .message = "the mapped netlist has no cells",
+                 .received = counts.dump(),
+                 .accepted = "at least one: what computes nothing has no area to measure"};
+  }
   Area sum;
   for (const auto& [cell, count] : counts.items()) {
     const bool whole = count.is_number_integer() && count >= 0 && count <= most_cells;

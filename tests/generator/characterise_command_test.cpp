@@ -51,7 +51,7 @@ TEST_F(CharacteriseCommand, MeasuresWithTheRealYosys) {
   const Outcome run = characterise(two_lanes + " --device ice40-hx8k -o table.csv");
   ASSERT_EQ(run.exit_code, 0) << run.output;
   EXPECT_EQ(stored(), 2);
-  const auto table = model::read_characterisation(directory_.path() / "table.csv");
+  const auto table = model::read_characterisation(path("table.csv"));
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   const model::Measurement* narrow = table->find(lane("s4e5"));
   const model::Measurement* wide = table->find(lane("s6e5"));
@@ -150,7 +150,7 @@ TEST_F(CharacteriseCommand, AJobThatFailsIsNamedAndTheOthersGoOn) {
 TEST_F(CharacteriseCommand, AnInterruptLosesTheRunningJobsAlone) {
   for (const auto& [signal, number] :
        std::map<std::string, int>{{"INT", SIGINT}, {"TERM", SIGTERM}, {"HUP", SIGHUP}}) {
-    for (const char* name : {"calls", "sleeps", "s.sqlite"}) fs::remove(directory_.path() / name);
+    for (const char* name : {"calls", "sleeps", "s.sqlite"}) fs::remove(path(name));
     const Outcome run = signalled(signal, "FAKE_SLOW_AFTER=1");
     EXPECT_EQ(run.exit_code, 128 + number) << signal << "\n" << run.output;
     EXPECT_NE(run.output.find("interrupted"), std::string::npos) << run.output;
@@ -191,7 +191,7 @@ TEST_F(CharacteriseCommand, TwoAtOnceLoseNoRowOfOneTable) {
                               "'{1}' {2} 6,7 && wait $one\n",
                               directory_.path().string(), MIXCMP_PROGRAM, arguments,
                               fake("FAKE_SLOW_AFTER=0 FAKE_SLEEP=0.3")));
-  const Outcome run = shell("bash '" + (directory_.path() / "two.sh").string() + "'");
+  const Outcome run = shell("bash '" + path("two.sh").string() + "'");
   ASSERT_EQ(run.exit_code, 0) << run.output;
   EXPECT_EQ(read_table().rows.size(), 4u);
 }
@@ -210,7 +210,7 @@ TEST_F(CharacteriseCommand, TwoAtOnceShareAStore) {
                               "'{1}' {2} 6,5,4 -o two.csv && wait $one\n",
                               directory_.path().string(), MIXCMP_PROGRAM, arguments,
                               fake("FAKE_SLOW_AFTER=0 FAKE_SLEEP=0.3")));
-  const Outcome run = shell("bash '" + (directory_.path() / "two.sh").string() + "'");
+  const Outcome run = shell("bash '" + path("two.sh").string() + "'");
   ASSERT_EQ(run.exit_code, 0) << run.output;
   EXPECT_EQ(stored(), 3);
   EXPECT_FALSE(scratch_is_left());
@@ -243,7 +243,7 @@ TEST_F(CharacteriseCommand, RefusesWhatItCannotDo) {
   write("s.sqlite", std::string(3000, 'x'));
   refused("--components crossbar --ports 1 --area-only", "no SQLite file");
   EXPECT_EQ(read("s.sqlite").size(), 3000u);
-  fs::create_directory(directory_.path() / "characterisation");
+  fs::create_directory(path("characterisation"));
   std::ofstream(table()) << "not,a,table\n";
   refused("--components crossbar --ports 1 --area-only", "not the columns");
   EXPECT_EQ(read("characterisation/scene-virtex6-lx760.csv"), "not,a,table\n");

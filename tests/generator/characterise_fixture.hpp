@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 /// Stands in for Yosys: takes no time, finds as many LUTs as the sources have bytes, and is told by
 /// variables what else to do.
-inline constexpr const char* yosys_script = R"sh(#!/bin/sh
+inline constexpr const char* yosys_script = R"sh(
 case "$*" in *-V*) echo "${FAKE_VERSION:-Yosys 9.9 (fake)}"; exit 0;; esac
 echo called >> "$FAKE/calls"
 if [ -n "$FAKE_FAILS" ] && cat *.v | grep -q "$FAKE_FAILS"; then
@@ -64,18 +64,7 @@ protected:
         "[comparison]\nname = \"sums\"\nf = \"a * b\"\ng = \"c\"\n"
         "[reference]\nformat = \"s11e5\"\n[reduced]\nformat = \"auto\"\n"
         "[system]\ndevice = \"virtex6-lx760\"\ntarget_mhz = 40\ntag_bits = 4\ncounter_bits = 0\n");
-    write("yosys", yosys_script);
-    fs::permissions(directory_.path() / "yosys", fs::perms::owner_all);
-  }
-
-  void write(const std::string& name, const std::string& text) {
-    std::ofstream(directory_.path() / name) << text;
-  }
-
-  std::string read(const std::string& name) {
-    std::ostringstream text;
-    text << std::ifstream(directory_.path() / name).rdbuf();
-    return text.str();
+    write_script("yosys", yosys_script);
   }
 
   /// Two lanes and a crossbar, unless the arguments say otherwise.
@@ -105,7 +94,7 @@ protected:
                       "kill -{} $program; wait $program\n",
                       directory_.path().string(), before, "exec env " + fake(settings),
                       MIXCMP_PROGRAM, directory_.path().string(), signal));
-    return shell("bash '" + (directory_.path() / "run.sh").string() + "'");
+    return shell("bash '" + path("run.sh").string() + "'");
   }
 
   int calls() {
@@ -114,10 +103,8 @@ protected:
   }
 
   int stored() { return model::ResultStore::open(store()).value().size().value(); }
-  fs::path store() const { return directory_.path() / "s.sqlite"; }
-  fs::path table() const {
-    return directory_.path() / "characterisation" / "scene-virtex6-lx760.csv";
-  }
+  fs::path store() const { return path("s.sqlite"); }
+  fs::path table() const { return path("characterisation") / "scene-virtex6-lx760.csv"; }
   model::Characterisation read_table() {
     const auto read_back = model::read_characterisation(table());
     EXPECT_TRUE(read_back.ok()) << read_back.error().to_string();

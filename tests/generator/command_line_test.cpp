@@ -16,12 +16,12 @@ namespace fs = std::filesystem;
 class CommandLine : public ProgramTest {
 protected:
   CommandLine() {
-    std::ofstream(directory_.path() / "data.csv") << "a,b,c\n1,2,3\n4,5,6\n";
+    write("data.csv", "a,b,c\n1,2,3\n4,5,6\n");
     write_scene("scene.toml", "a * b");
   }
 
   void write_scene(const std::string& name, const std::string& g) {
-    std::ofstream(directory_.path() / name)
+    std::ofstream(path(name))
         << "[comparison]\nname = \"scene\"\nf = \"a * c\"\ng = \"" << g << "\"\n"
         << "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"s8e8\"\n"
         << "[system]\nlanes = 1\nreferences = 1\n[data]\nfile = \"data.csv\"\n";
@@ -44,7 +44,7 @@ TEST_F(CommandLine, NamesAnOptionThatTheVerbDoesNotHave) {
 }
 
 TEST_F(CommandLine, AMistakeNamesTheLineOrTheOption) {
-  std::ofstream(directory_.path() / "device.toml")
+  std::ofstream(path("device.toml"))
       << "scene = \"scene.toml\"\n\n[system]\ndevice = \"virtex7\"\n";
   expect_refused("check device.toml", "device.toml:4: system.device: unknown device");
   expect_refused("generate scene.toml --set system.lanes=auto", "mixcmp: --set: system.lanes: ");
@@ -52,7 +52,7 @@ TEST_F(CommandLine, AMistakeNamesTheLineOrTheOption) {
   expect_refused("check scene.toml --variant none", "mixcmp: --variant: comparison.variant: ");
   expect_refused("generate scene.toml --format s8e8 --set reduced.bound=certain",
                  "mixcmp: --set: reduced.bound: ");
-  std::ofstream(directory_.path() / "undecided.toml")
+  std::ofstream(path("undecided.toml"))
       << "scene = \"scene.toml\"\n[reduced]\n\nformat = \"auto\"\n";
   expect_refused("generate undecided.toml", "undecided.toml:4: reduced.format: is not chosen yet");
 }
@@ -63,7 +63,7 @@ TEST_F(CommandLine, AnOptionThatBreaksAnotherKeyIsNamed) {
   expect_refused("check scene.toml --lanes 2 --set data.pairs=all",
                  "mixcmp: --set: data.pairs: with pairs, inputs are columns of item i or item j");
   write_scene("pairs.toml", "ai");
-  std::ofstream(directory_.path() / "pairs.toml", std::ios::app) << "pairs = \"all\"\n";
+  std::ofstream(path("pairs.toml"), std::ios::app) << "pairs = \"all\"\n";
   expect_refused("check pairs.toml --lanes 2 --set comparison.f=aj --set comparison.g=b",
                  "mixcmp: --set comparison.g: data.pairs: with pairs, inputs are columns of item i "
                  "or item j (at pairs.toml:14): received b");
@@ -96,7 +96,7 @@ TEST_F(CommandLine, CheckTellsWhatGenerateWillDo) {
   const auto report = nlohmann::json::parse(run.output).at("generate");
   EXPECT_EQ(report.at("top"), "scene_s8e8_1x1");
   EXPECT_EQ(mixcmp("generate scene.toml -o rtl").exit_code, 0);
-  EXPECT_TRUE(fs::exists(directory_.path() / "rtl" / "scene_s8e8_1x1.v"));
+  EXPECT_TRUE(fs::exists(path("rtl") / "scene_s8e8_1x1.v"));
 }
 
 TEST_F(CommandLine, CheckHoldsVariantsAgainstTheComparison) {
@@ -125,7 +125,7 @@ TEST_F(CommandLine, CheckTellsWhichOperationHasNoBound) {
 }
 
 TEST_F(CommandLine, EveryVerbTakesAPlanInPlaceOfAScene) {
-  std::ofstream(directory_.path() / "plan.toml")
+  std::ofstream(path("plan.toml"))
       << "scene = \"scene.toml\"\n[plan]\nclock_mhz = 200\n"
       << "[[lanes]]\ncount = 2\n[[lanes]]\ncount = 1\ninputs = \"rounded\"\n"
       << "[[references]]\ncount = 1\n";
@@ -138,7 +138,7 @@ TEST_F(CommandLine, EveryVerbTakesAPlanInPlaceOfAScene) {
   ASSERT_EQ(generate.exit_code, 0) << generate.output;
   EXPECT_NE(generate.output.find("\n  2 lanes in s8e8: "), std::string::npos) << generate.output;
   EXPECT_NE(generate.output.find("\nerror bound of s8e8_rounded"), std::string::npos);
-  std::ifstream top(directory_.path() / "rtl" / "scene_s8e8_3x1.v");
+  std::ifstream top(path("rtl") / "scene_s8e8_3x1.v");
   const std::string text{std::istreambuf_iterator<char>(top), {}};
   EXPECT_NE(text.find("mixcmp generate plan.toml\n"), std::string::npos) << text;
   const Outcome verify = mixcmp("verify plan.toml --simulator icarus --json");
@@ -158,9 +158,9 @@ TEST_F(CommandLine, WhatIsNotChosenNamesWhoChooses) {
 
 /// A chain of lanes; its candidates decide how many.
 TEST_F(CommandLine, NothingIsPlannedForAChain) {
-  std::ofstream(directory_.path() / "points.csv") << "p\n1\n2\n";
-  std::ofstream(directory_.path() / "centres.csv") << "c\n1\n2\n5\n";
-  std::ofstream(directory_.path() / "chain.toml")
+  write("points.csv", "p\n1\n2\n");
+  write("centres.csv", "c\n1\n2\n5\n");
+  std::ofstream(path("chain.toml"))
       << "[comparison]\nname = \"chain\"\nf = \"(p - ci)^2\"\ng = \"(p - cj)^2\"\n"
       << "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"s8e8\"\n"
       << "[system]\nreferences = 1\n[engine]\nkind = \"arg_min\"\n"
@@ -177,11 +177,11 @@ TEST_F(CommandLine, NothingIsPlannedForAChain) {
                    "--lanes: system.lanes: the data have more candidates than the engine: received "
                    "3 candidates, 1 lanes");
   }
-  EXPECT_FALSE(fs::exists(directory_.path() / "chain_s8e8_1x1_simulation"));
+  EXPECT_FALSE(fs::exists(path("chain_s8e8_1x1_simulation")));
   EXPECT_NE(mixcmp("check chain.toml --lanes 1").output.find("more candidates than the engine"),
             std::string::npos);
   expect_refused("verify chain.toml --simulator icarus", "engines are simulated with Verilator");
-  EXPECT_FALSE(fs::exists(directory_.path() / "chain_s8e8_2x1_simulation"));
+  EXPECT_FALSE(fs::exists(path("chain_s8e8_2x1_simulation")));
 }
 
 TEST_F(CommandLine, EveryVerbRefusesAnUnknownDevice) {
@@ -245,8 +245,8 @@ TEST_F(Fit, LanesThatPlainlyExceedTheDeviceAreNoted) {
 }
 
 TEST_F(Fit, ATableBesideTheSceneReplacesTheEstimate) {
-  fs::create_directory(directory_.path() / "characterisation");
-  std::ofstream(directory_.path() / "characterisation" / "scene-ice40-up5k.csv")
+  fs::create_directory(path("characterisation"));
+  std::ofstream(path("characterisation") / "scene-ice40-up5k.csv")
       << "# device: ice40-up5k\n# scene: scene\n"
       << "kind,name,format,inputs,bound,multipliers,ports,latency_cycles,luts,registers,dsps,"
          "memories,carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,timing_seeds,hash,"
@@ -293,8 +293,8 @@ TEST_F(CommandLine, FilesThatCannotBeWrittenAreRefusedBeforeAnythingRuns) {
 
 TEST_F(CommandLine, NothingIsLeftOfATableThatWasNotFinished) {
   expect_refused("verify scene.toml --csv t.csv --only 2", "an index below 2");
-  EXPECT_FALSE(fs::exists(directory_.path() / "t.csv"));
-  EXPECT_FALSE(fs::exists(directory_.path() / "scene_s8e8_1x1_simulation"));
+  EXPECT_FALSE(fs::exists(path("t.csv")));
+  EXPECT_FALSE(fs::exists(path("scene_s8e8_1x1_simulation")));
 }
 
 }  // namespace

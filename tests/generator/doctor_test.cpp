@@ -25,14 +25,6 @@ protected:
     ADD_FAILURE() << tool << " is not listed";
     return json::object();
   }
-
-  /// An executable of that name in our folder.
-  std::string script(const std::string& name, const std::string& text) {
-    const auto path = directory_.path() / name;
-    std::ofstream(path) << "#!/bin/sh\n" << text << "\n";
-    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
-    return path.string();
-  }
 };
 
 TEST_F(Doctor, WithoutAnyToolSaysOfEachWhatIsMissingAndWhatThatDisables) {
@@ -65,16 +57,17 @@ TEST_F(Doctor, WhatIsBeyondDebian12IsOptional) {
 }
 
 TEST_F(Doctor, FindsARouterThatSpeaksOnStandardError) {
-  const std::string path = script("nextpnr-ice40", "echo 'nextpnr-ice40 (Version 9.9)' >&2");
   const json router =
-      entry("nextpnr-ice40", "PATH=" + directory_.path().string() + ":/usr/bin:/bin");
-  EXPECT_TRUE(router.at("found")) << path;
+      entry("nextpnr-ice40", instead_of("nextpnr-ice40", "echo 'nextpnr-ice40 (Version 9.9)' >&2"));
+  EXPECT_TRUE(router.at("found")) << router;
   EXPECT_EQ(router.at("version"), "nextpnr-ice40 (Version 9.9)");
 }
 
 TEST_F(Doctor, FindsTheRouterForEcp5ThroughItsVariable) {
-  const std::string path = script("chroot", R"([ "$1" = "/a/b" ] && echo "Version 9.9" >&2)");
-  const json router = entry("nextpnr-ecp5", "MIXCMP_NEXTPNR_ECP5='" + path + " /a/b nextpnr-ecp5'");
+  write_script("chroot", R"([ "$1" = "/a/b" ] && echo "Version 9.9" >&2)");
+  const json router =
+      entry("nextpnr-ecp5",
+            fmt::format("MIXCMP_NEXTPNR_ECP5='{} /a/b nextpnr-ecp5'", path("chroot").string()));
   EXPECT_TRUE(router.at("found"));
   EXPECT_EQ(router.at("version"), "Version 9.9");
 }

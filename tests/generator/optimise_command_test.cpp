@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 class OptimiseCommand : public ProgramTest {
 protected:
   OptimiseCommand() {
-    std::ofstream(directory_.path() / "scene.toml")
+    std::ofstream(path("scene.toml"))
         << "[comparison]\nname = \"spheres\"\n"
         << "f = \"(cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2\"\ng = \"(ri + rj)^2\"\n"
         << "[inputs]\n\"c*\" = { range = [0, 100] }\n\"r*\" = { range = [0, 100] }\n"
@@ -30,8 +30,8 @@ protected:
   /// Lanes of 8 and 12 digits with exact inputs, one reference, streams.
   void write_table(const std::string& name, const std::string& device,
                    const std::string& scene = "spheres", int lane_luts = 2000) {
-    fs::create_directories(directory_.path() / "characterisation");
-    std::ofstream table(directory_.path() / "characterisation" / name);
+    fs::create_directories(path("characterisation"));
+    std::ofstream table(path("characterisation") / name);
     table << "# device: " << device << "\n# scene: " << scene << "\n# command: made up\n"
           << "# target_mhz: 250\n"
           << "kind,name,format,inputs,bound,multipliers,ports,latency_cycles,luts,registers,dsps,"
@@ -60,12 +60,6 @@ protected:
   static nlohmann::json json_of(const std::string& text) {
     const auto json = nlohmann::json::parse(text);
     return json.is_array() ? json.at(0) : json;
-  }
-
-  std::string read(const std::string& name) {
-    std::ostringstream text;
-    text << std::ifstream(directory_.path() / name).rdbuf();
-    return text.str();
   }
 };
 
@@ -102,7 +96,7 @@ TEST_F(OptimiseCommand, GlpkWouldReadItsProgram) {
 }
 
 TEST_F(OptimiseCommand, RatesMayComeFromAProfile) {
-  std::ofstream(directory_.path() / "rates.csv")
+  std::ofstream(path("rates.csv"))
       << "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\n"
       << "exact,12,relative,1000000,100,1e-4,0,0\n";
   const Outcome found = mixcmp("optimise scene.toml --rates rates.csv --json");
@@ -117,11 +111,11 @@ TEST_F(OptimiseCommand, ADeviceTooSmallIsToldWithWhatIsShort) {
   const Outcome found = mixcmp("optimise scene.toml --device ice40-up5k --last 14 -o plan.toml");
   EXPECT_EQ(found.exit_code, 2) << found.output;
   EXPECT_NE(found.output.find("lut"), std::string::npos) << found.output;
-  EXPECT_FALSE(fs::exists(directory_.path() / "plan.toml"));
+  EXPECT_FALSE(fs::exists(path("plan.toml")));
 }
 
 TEST_F(OptimiseCommand, TheBestVariantIsChosenAndThePlanNamesIt) {
-  std::ofstream(directory_.path() / "scene.toml", std::ios::app)
+  std::ofstream(path("scene.toml"), std::ios::app)
       << "[[variant]]\nname = \"root\"\ng = \"ri + rj\"\n"
       << "f = \"sqrt((cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2)\"\n";
   const Outcome without = mixcmp("optimise scene.toml --last 8 --json");
@@ -145,7 +139,7 @@ TEST_F(OptimiseCommand, TheBestVariantIsChosenAndThePlanNamesIt) {
 }
 
 TEST_F(OptimiseCommand, AVariantThatCannotBePlannedIsLeftOutUnlessItIsAsked) {
-  std::ofstream(directory_.path() / "scene.toml", std::ios::app)
+  std::ofstream(path("scene.toml"), std::ios::app)
       << "[[variant]]\nname = \"root\"\ng = \"ri + rj\"\n"
       << "f = \"sqrt((cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2)\"\n";
   expect_refused("optimise scene.toml --variant root", "characterise scene.toml --variant root");
@@ -153,7 +147,7 @@ TEST_F(OptimiseCommand, AVariantThatCannotBePlannedIsLeftOutUnlessItIsAsked) {
   write_table("scene-root-virtex6-lx760.csv", "virtex6-lx760", "spheres_root");
   expect_refused("optimise scene.toml --variant root --first 20 --last 30", "no lane");
   // Only the variant has a table.
-  fs::remove(directory_.path() / "characterisation" / "scene-virtex6-lx760.csv");
+  fs::remove(path("characterisation") / "scene-virtex6-lx760.csv");
   const Outcome found = mixcmp("optimise scene.toml --last 8");
   EXPECT_EQ(found.exit_code, 0) << found.output;
   EXPECT_NE(found.output.find("[comparison] left out"), std::string::npos) << found.output;
@@ -176,12 +170,12 @@ TEST_F(OptimiseCommand, MistakesAreTold) {
        {"-o scene.toml", "--csv characterisation/scene-virtex6-lx760.csv", "-o x --lp x"}) {
     expect_refused(fmt::format("optimise scene.toml --last 14 {}", out), "would be written over");
   }
-  fs::create_directory(directory_.path() / "plan.toml");
+  fs::create_directory(path("plan.toml"));
   for (const char* out : {"plan.toml", "/dev/full", "nowhere/plan.toml"}) {
     expect_refused(fmt::format("optimise scene.toml --last 14 -o {}", out),
                    fmt::format("mixcmp: {}: cannot be written: ", out));
   }
-  EXPECT_TRUE(fs::is_empty(directory_.path() / "plan.toml"));
+  EXPECT_TRUE(fs::is_empty(path("plan.toml")));
   expect_refused("optimise scene.toml --first 3", "--first");
   expect_refused("optimise scene.toml --lanes 4", "--lanes");
 }
@@ -214,7 +208,7 @@ TEST_F(OptimiseCommand, ThePlanKeepsTheCommandsSettings) {
 }
 
 TEST_F(OptimiseCommand, APlanForADeviceFileNamesTheFile) {
-  std::ofstream(directory_.path() / "mine.toml")
+  std::ofstream(path("mine.toml"))
       << "[device]\nname = \"mine\"\nluts = 90000\nregisters = 90000\ndsps = 200\nmemories = 10\n"
       << "multiplier_a_bits = 24\nmultiplier_b_bits = 17\n[synthesis]\ncommand = \"synth_xilinx\"\n"
       << "[timing]\ntool = \"none\"\n[delays]\nlut_ns = 1\ncarry_start_ns = 1\n"
@@ -229,7 +223,7 @@ TEST_F(OptimiseCommand, APlanForADeviceFileNamesTheFile) {
 TEST_F(OptimiseCommand, ATableOfAnotherSceneIsRefused) {
   std::string table = read("characterisation/scene-virtex6-lx760.csv");
   table.replace(table.find("spheres"), 7, "circles");
-  std::ofstream(directory_.path() / "other.csv") << table;
+  std::ofstream(path("other.csv")) << table;
   expect_refused("optimise scene.toml --table other.csv", "of another scene");
 }
 
@@ -243,8 +237,7 @@ TEST_F(OptimiseCommand, RatesOfOtherPrecisionsAreNotUsedAgain) {
 /// What the rates depend on may be in a plan as well as in its scene.
 TEST_F(OptimiseCommand, RatesOfAnotherPlanAreNotUsedAgain) {
   const auto rates_with = [&](const std::string& side) {
-    std::ofstream(directory_.path() / "plan.toml")
-        << "scene = \"scene.toml\"\n[data]\nside = " << side << "\n";
+    std::ofstream(path("plan.toml")) << "scene = \"scene.toml\"\n[data]\nside = " << side << "\n";
     const Outcome run = mixcmp(
         "explore plan.toml --table "
         "characterisation/scene-virtex6-lx760.csv --last 12 -o out");
@@ -255,8 +248,7 @@ TEST_F(OptimiseCommand, RatesOfAnotherPlanAreNotUsedAgain) {
 }
 
 TEST_F(OptimiseCommand, RatesOfProfiledLanesAreThoseOfTheScenesConstants) {
-  std::ofstream table(directory_.path() / "characterisation" / "scene-virtex6-lx760.csv",
-                      std::ios::app);
+  std::ofstream table(path("characterisation") / "scene-virtex6-lx760.csv", std::ios::app);
   row(table, "lane,,s8e8,exact,profiled,embedded,0", 20, 1500, 4);
   table.close();
   const auto rate_with = [&](const char* constant) {
@@ -284,7 +276,7 @@ TEST_F(OptimiseCommand, ExplorePlansForTheSetThatItNames) {
 /// Before minutes of counting, and without leaving new tables beside old ones.
 TEST_F(OptimiseCommand, ExploreMissesATableBeforeItCounts) {
   expect_refused("explore scene.toml --on virtex6-lx760 --on artix7-200t -o out", "no such file");
-  EXPECT_FALSE(fs::exists(directory_.path() / "out"));
+  EXPECT_FALSE(fs::exists(path("out")));
 }
 
 TEST_F(OptimiseCommand, ExploreWhereNothingFitsFails) {
@@ -303,10 +295,10 @@ TEST_F(OptimiseCommand, CharacteriseDoesNotDropATableOfAnotherTarget) {
 }
 
 TEST_F(OptimiseCommand, ALinksTargetIsWritten) {
-  std::ofstream(directory_.path() / "real.csv") << "old";
-  fs::create_symlink("real.csv", directory_.path() / "link.csv");
+  write("real.csv", "old");
+  fs::create_symlink("real.csv", path("link.csv"));
   ASSERT_EQ(mixcmp("optimise scene.toml --last 14 --csv link.csv").exit_code, 0);
-  EXPECT_TRUE(fs::is_symlink(directory_.path() / "link.csv"));
+  EXPECT_TRUE(fs::is_symlink(path("link.csv")));
   EXPECT_NE(read("real.csv").find("precision,"), std::string::npos);
 }
 
@@ -315,7 +307,7 @@ TEST_F(OptimiseCommand, ExploreGoesOnWhereItWas) {
   ASSERT_EQ(mixcmp(command).exit_code, 0);
   const std::string before = read("out/report.md");
   // Rates that are found are used: made up ones show.
-  for (const auto& entry : fs::directory_iterator(directory_.path() / "out")) {
+  for (const auto& entry : fs::directory_iterator(path("out"))) {
     if (entry.path().filename().string().find("rates-10-") != 0) continue;
     std::ofstream(entry.path())
         << "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\n"

@@ -16,22 +16,16 @@ namespace fs = std::filesystem;
 class Outputs : public ProgramTest {
 protected:
   Outputs() {
-    std::ofstream(directory_.path() / "data.csv") << "a,b,c\n1,2,3\n4,5,6\n9,8,7\n";
+    write("data.csv", "a,b,c\n1,2,3\n4,5,6\n9,8,7\n");
     write_scene("scene.toml", "a * b");
   }
 
   /// a * c against `g`.
   void write_scene(const std::string& name, const std::string& g) {
-    std::ofstream(directory_.path() / name)
+    std::ofstream(path(name))
         << "[comparison]\nname = \"scene\"\nf = \"a * c\"\ng = \"" << g << "\"\n"
         << "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"s8e8\"\n"
         << "[system]\nlanes = 1\nreferences = 1\n[data]\nfile = \"data.csv\"\n";
-  }
-
-  std::string read(const std::string& name) {
-    std::ostringstream text;
-    text << std::ifstream(directory_.path() / name).rdbuf();
-    return text.str();
   }
 
   std::string folder() const { return directory_.path().string(); }
@@ -64,13 +58,13 @@ TEST_F(Outputs, WhatCannotBeToldOnStandardErrorChangesNoExitCode) {
 }
 
 TEST_F(Outputs, ATableGoesThroughDevicesAndLinks) {
-  fs::create_symlink("target.csv", directory_.path() / "link.csv");
+  fs::create_symlink("target.csv", path("link.csv"));
   for (const char* csv : {"/dev/null", "link.csv"}) {
     const Outcome run = mixcmp(fmt::format("verify scene.toml --simulator icarus --csv {}", csv));
     EXPECT_EQ(run.exit_code, 0) << run.output;
   }
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
-  EXPECT_TRUE(fs::is_symlink(directory_.path() / "link.csv"));
+  EXPECT_TRUE(fs::is_symlink(path("link.csv")));
   EXPECT_EQ(read("target.csv").substr(0, 5), "index");
   const Outcome piped =
       shell(fmt::format("cd '{}' && '{}' verify scene.toml --simulator icarus "
@@ -101,7 +95,7 @@ TEST_F(Outputs, TwoSystemsThatShareAWorkFolderKeepTheirOwn) {
 
 TEST_F(Outputs, NoOutputIsAnInputOrAnotherOutput) {
   const std::string scene = read("scene.toml");
-  fs::copy_file(directory_.path() / "scene.toml", directory_.path() / "scene.fst");
+  fs::copy_file(path("scene.toml"), path("scene.fst"));
   for (const char* arguments :
        {"verify scene.toml --csv scene.toml", "verify scene.toml --csv data.csv",
         "verify scene.fst --trace scene.fst", "verify scene.toml --csv x.fst --trace x.fst",
@@ -113,32 +107,40 @@ TEST_F(Outputs, NoOutputIsAnInputOrAnotherOutput) {
 }
 
 TEST_F(Outputs, AGeneratedSystemGoesThroughALinkAndReplacesNothingOfTheUsers) {
-  fs::create_directory(directory_.path() / "real");
-  fs::create_directory_symlink("real", directory_.path() / "link");
+  fs::create_directory(path("real"));
+  fs::create_directory_symlink("real", path("link"));
   ASSERT_EQ(mixcmp("generate scene.toml -o link").exit_code, 0);
-  EXPECT_TRUE(fs::is_symlink(directory_.path() / "link"));
-  const fs::path list = directory_.path() / "real" / "scene_s8e8_1x1.f";
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  const fs::path list = path("real") / "scene_s8e8_1x1.f";
   ASSERT_TRUE(fs::exists(list));
   fs::remove(list);
   fs::create_directory(list);
   expect_refused("generate scene.toml -o real", "a file that mixcmp did not write");
   EXPECT_TRUE(fs::is_directory(list));
-  fs::create_directory(directory_.path() / "pipe");
-  ASSERT_EQ(mkfifo((directory_.path() / "pipe" / "x.json").c_str(), 0600), 0);
+  fs::create_directory(path("pipe"));
+  ASSERT_EQ(mkfifo((path("pipe") / "x.json").c_str(), 0600), 0);
   expect_refused("generate scene.toml -o pipe", "a file that mixcmp did not write");
-  fs::create_symlink("loop", directory_.path() / "loop");
+  fs::create_symlink("loop", path("loop"));
   expect_refused("generate scene.toml -o loop", "loop: cannot be written: Too many levels");
+}
+
+TEST_F(Outputs, AVerilatorThatWritesNoProgramIsAnError) {
+  const Outcome run =
+      mixcmp("verify scene.toml", instead_of("verilator", "echo Verilator 5.006; exit 0"));
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_NE(run.output.find("build.log: verilator ended well and wrote no simulator"),
+            std::string::npos)
+      << run.output;
 }
 
 /// A simulator that says nonsense is told, with its file.
 TEST_F(Outputs, ResultsThatCannotBeAreNoVerdicts) {
   for (const char* results : {"result 0 7 0 1 2", "result 9 0 0 1 2",
                               "result 0 0 0 1 2\\nresult 0 0 0 1 2", "nonsense"}) {
-    std::ofstream(directory_.path() / "vvp")
-        << "#!/bin/sh\nprintf '" << results << "\\nend 1 1 1 1 1 1\\nstate 1 77\\n' >results.txt\n";
-    fs::permissions(directory_.path() / "vvp", fs::perms::owner_all);
-    const Outcome run =
-        mixcmp("verify scene.toml --simulator icarus", "PATH='" + folder() + "':$PATH");
+    const Outcome run = mixcmp(
+        "verify scene.toml --simulator icarus",
+        instead_of("vvp", fmt::format("printf '{}\\nend 1 1 1 1 1 1\\nstate 1 77\\n' >results.txt",
+                                      results)));
     EXPECT_EQ(run.exit_code, 1) << results << "\n" << run.output;
     EXPECT_NE(run.output.find("results.txt"), std::string::npos) << run.output;
   }
@@ -158,7 +160,7 @@ TEST_F(Outputs, WavesOnAFullDiskAreAnErrorAndLeaveNothing) {
 TEST_F(Outputs, IcarusKeepsWhatItWasGivenAndWhatItSaid) {
   ASSERT_EQ(mixcmp("verify scene.toml --simulator icarus --work work").exit_code, 0);
   int kept = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(directory_.path() / "work")) {
+  for (const auto& entry : fs::recursive_directory_iterator(path("work"))) {
     for (const char* name : {"testbench.v", "stimulus.hex", "results.txt", "compile.log",
                              "simulation.log", "scene_s8e8_1x1.json"}) {
       kept += entry.path().filename() == name ? 1 : 0;

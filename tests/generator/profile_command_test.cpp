@@ -23,7 +23,7 @@ protected:
   }
 
   void write_scene(const std::string& name, const std::string& reference, const std::string& data) {
-    std::ofstream(directory_.path() / name)
+    std::ofstream(path(name))
         << "[comparison]\nname = \"spheres\"\n"
         << "f = \"(cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2\"\ng = \"(ri + rj)^2\"\n"
         << "[inputs]\n\"c*\" = { range = [0, 100] }\n\"r*\" = { range = [0, 100] }\n"
@@ -38,12 +38,6 @@ protected:
 
   void expect_profile_refused(const std::string& arguments, const std::string& words) {
     expect_refused("profile " + arguments, words);
-  }
-
-  std::string read(const std::string& name) {
-    std::ostringstream text;
-    text << std::ifstream(directory_.path() / name).rdbuf();
-    return text.str();
   }
 };
 
@@ -83,7 +77,7 @@ TEST_F(ProfileCommand, WritesFigures) {
   EXPECT_EQ(std::count(figure5.begin(), figure5.end(), '\n'), 1 + 1 + 6 * 9);
   EXPECT_NE(figure4.find("\nrounded,12,"), std::string::npos);
   EXPECT_NE(figure5.find("\nexact,12,relative,19900,"), std::string::npos);
-  EXPECT_FALSE(fs::exists(directory_.path() / "out" / "figure4.gnuplot"));
+  EXPECT_FALSE(fs::exists(path("out") / "figure4.gnuplot"));
 }
 
 TEST_F(ProfileCommand, WeighsSystems) {
@@ -106,8 +100,18 @@ TEST_F(ProfileCommand, WithoutGnuplotOnlyThePicturesAreMissing) {
   EXPECT_NE(run.output.find("not done: out/figure5.svg: gnuplot does not run (apt-get install "),
             std::string::npos)
       << run.output;
-  EXPECT_TRUE(fs::exists(directory_.path() / "out" / "figure5.csv"));
-  EXPECT_FALSE(fs::exists(directory_.path() / "out" / "figure5.svg"));
+  EXPECT_TRUE(fs::exists(path("out") / "figure5.csv"));
+  EXPECT_FALSE(fs::exists(path("out") / "figure5.svg"));
+}
+
+TEST_F(ProfileCommand, WhatGnuplotLeavesIsAPictureOrAnError) {
+  for (const char* left : {"exit 0", "echo '<svg>'; exit 0", "echo '<svg></svg>'; exit 1"}) {
+    const Outcome run = profile("scene.toml --last 6 -o out", instead_of("gnuplot", left));
+    EXPECT_EQ(run.exit_code, 1) << left << "\n" << run.output;
+    EXPECT_NE(run.output.find("out/figure4.svg: gnuplot draws no picture"), std::string::npos)
+        << run.output;
+    EXPECT_FALSE(fs::exists(path("out") / "figure4.svg")) << left;
+  }
 }
 
 TEST_F(ProfileCommand, RefusesWhatCannotBeProfiled) {
@@ -125,7 +129,7 @@ TEST_F(ProfileCommand, RefusesWhatCannotBeProfiled) {
 }
 
 TEST_F(ProfileCommand, WritesNothingWhereItCannot) {
-  std::ofstream(directory_.path() / "file") << "";
+  write("file", "");
   expect_profile_refused("scene.toml -o file/out", "file/out: cannot be written");
 }
 

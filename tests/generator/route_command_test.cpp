@@ -12,7 +12,7 @@ namespace {
 class RouteCommand : public ProgramTest {
 protected:
   RouteCommand() {
-    std::ofstream(directory_.path() / "scene.toml")
+    std::ofstream(path("scene.toml"))
         << "[comparison]\nname = \"order\"\nf = \"a\"\ng = \"b\"\n"
         << "[reference]\nformat = \"s11e5\"\n[reduced]\nformat = \"s4e5\"\n"
         << "[system]\ndevice = \"ice40-hx8k\"\nlanes = 1\nreferences = 1\ntag_bits = 2\n"
@@ -36,6 +36,19 @@ TEST_F(RouteCommand, ReferencesAloneAreSmallerThanTheSystemAroundOne) {
     EXPECT_EQ(report.at("clock").at("source"), "routed") << report;
     EXPECT_GT(report.at("clock").at("mhz"), 10) << report;
   }
+}
+
+TEST_F(RouteCommand, AFailureSaysWhereTheToolsLogIs) {
+  const std::string broken = instead_of(
+      "yosys", "case \"$*\" in *-V*) echo Yosys 9.9; exit;; esac\necho something broke; exit 1");
+  const Outcome gone = mixcmp("route scene.toml", broken);
+  EXPECT_EQ(gone.exit_code, 1) << gone.output;
+  EXPECT_NE(gone.output.find("(kept with --work)/map.log"), std::string::npos) << gone.output;
+  const Outcome kept = mixcmp("route scene.toml --work kept", broken);
+  EXPECT_EQ(kept.exit_code, 1) << kept.output;
+  EXPECT_NE(kept.output.find((path("kept") / "map.log").string()), std::string::npos)
+      << kept.output;
+  EXPECT_EQ(read("kept/map.log"), "something broke\n");
 }
 
 TEST_F(RouteCommand, ANumberOfReferencesIsAskedFor) {

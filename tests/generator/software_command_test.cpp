@@ -12,10 +12,10 @@ namespace {
 class BaselineCommand : public ProgramTest {
 protected:
   BaselineCommand() {
-    std::ofstream data(directory_.path() / "data.csv");
+    std::ofstream data(path("data.csv"));
     data << "x,r\n";
     for (int k = 0; k < 40; ++k) data << k * 0.37 << ',' << 0.1 * (k % 7) << '\n';
-    std::ofstream(directory_.path() / "scene.toml")
+    std::ofstream(path("scene.toml"))
         << "[comparison]\nname = \"line\"\nf = \"(xi - xj)^2\"\ng = \"(ri + rj)^2\"\n"
         << "[inputs]\n\"x*\" = { range = [0, 16] }\n\"r*\" = { range = [0, 1] }\n"
         << "[reference]\nformat = \"s53e8\"\n[data]\nfile = \"data.csv\"\npairs = \"all\"\n";
@@ -43,19 +43,16 @@ TEST_F(BaselineCommand, PrintsCsvAndKeepsTheSource) {
   const Outcome run = mixcmp("baseline scene.toml --csv --work kept" + quick);
   ASSERT_EQ(run.exit_code, 0) << run.output;
   EXPECT_EQ(run.output.rfind("filter,threads,best_per_s", 0), 0u) << run.output;
-  EXPECT_TRUE(std::filesystem::exists(directory_.path() / "kept" / "comparison.cpp"));
+  EXPECT_TRUE(std::filesystem::exists(path("kept") / "comparison.cpp"));
 }
 
 TEST_F(BaselineCommand, WhatTheProgramDidNotPrintIsMissed) {
   const auto run_with = [&](const std::string& program) {
-    std::filesystem::create_directories(directory_.path() / "fake");
-    std::ofstream(directory_.path() / "fake" / "g++")
-        << "#!/bin/sh\n[ \"$1\" = --version ] && { echo g++ 1; exit; }\n"
-        << (program.empty() ? "" : "printf '#!/bin/sh\\n" + program + "' >comparison\n")
-        << "chmod +x comparison 2>/dev/null; exit 0\n";
-    std::filesystem::permissions(directory_.path() / "fake" / "g++",
-                                 std::filesystem::perms::owner_all);
-    return mixcmp("baseline scene.toml" + quick, "PATH=\"$PWD/fake:$PATH\"");
+    const std::string written =
+        program.empty() ? "" : "printf '#!/bin/sh\\n" + program + "' >comparison; ";
+    return mixcmp("baseline scene.toml" + quick,
+                  instead_of("g++", "[ \"$1\" = --version ] && { echo g++ 1; exit; }\n" + written +
+                                        "chmod +x comparison 2>/dev/null; exit 0"));
   };
   const std::pair<std::string, std::string> programs[] = {
       {"", "g++ ended well and wrote no program"},

@@ -6,6 +6,9 @@
 #include <sys/wait.h>
 
 #include <array>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -38,6 +41,31 @@ protected:
   Outcome mixcmp(const std::string& arguments, const std::string& environment = "") {
     return shell(fmt::format("cd '{}' && {} '{}' {}", directory_.path().string(), environment,
                              MIXCMP_PROGRAM, arguments));
+  }
+
+  std::filesystem::path path(const std::string& name) const { return directory_.path() / name; }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name)) << text;
+  }
+
+  std::string read(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(path(name)).rdbuf();
+    return text.str();
+  }
+
+  /// Writes an executable shell script.
+  void write_script(const std::string& name, const std::string& commands) const {
+    write(name, "#!/bin/sh\n" + commands + "\n");
+    std::filesystem::permissions(path(name), std::filesystem::perms::owner_all);
+  }
+
+  /// A variable for `mixcmp`: the shell commands run in the place of the tool of that name.
+  std::string instead_of(const std::string& tool, const std::string& commands) const {
+    std::filesystem::create_directories(path("fake"));
+    write_script("fake/" + tool, commands);
+    return fmt::format("PATH='{}':\"$PATH\"", path("fake").string());
   }
 
   void expect_refused(const std::string& arguments, const std::string& words) {

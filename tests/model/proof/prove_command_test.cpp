@@ -19,15 +19,9 @@ const std::string examples = MIXCMP_EXAMPLES;
 
 class ProveCommand : public ProgramTest {
 protected:
-  /// PATH with nothing but this in the place of gappa.
-  std::string with_gappa(const std::string& commands) {
-    const fs::path folder = directory_.path() / "fake";
-    fs::create_directories(folder);
-    std::ofstream(folder / "gappa")
-        << "#!/bin/sh\nif [ \"$1\" = --version ]; then echo Gappa 9.9; exit 0; fi\n"
-        << commands << "\n";
-    fs::permissions(folder / "gappa", fs::perms::owner_all);
-    return fmt::format("PATH='{}:/usr/bin:/bin'", folder.string());
+  std::string with_gappa(const std::string& commands) const {
+    return instead_of("gappa",
+                      "if [ \"$1\" = --version ]; then echo Gappa 9.9; exit 0; fi\n" + commands);
   }
 
   std::string without_gappa() const { return fmt::format("PATH='{}'", directory_.path().string()); }
