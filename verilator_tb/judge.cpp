@@ -54,10 +54,14 @@ void Judge::take_result(const wire::Result& result) {
   GroupReport& group = group_of(result.lane);
   ++group.comparisons;
   const bool decided = (result.tdata & (recomputed_flag | undecided_flag)) == 0;
+  const bool undecided = (result.tdata & undecided_flag) != 0;
   if (!decided && !first_undecided_) first_undecided_ = result;
   const std::uint64_t cycles = result.cycle_left - result.cycle_accepted;
-  (decided ? report_.decided_latency : report_.recomputed_latency).add(cycles);
-  (decided ? group.decided_latency : group.recomputed_latency).add(cycles);
+  const auto latency = decided     ? &Latencies::decided
+                       : undecided ? &Latencies::undecided
+                                   : &Latencies::recomputed;
+  (report_.latencies.*latency).add(cycles);
+  (group.latencies.*latency).add(cycles);
 
   std::vector<model::Bits> operands(comparisons_.input_count());
   comparisons_.fetch(selection_.index(result.position), operands);

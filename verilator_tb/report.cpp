@@ -80,8 +80,9 @@ std::string totals(const VerifyReport& r) {
       line("recomputations", fmt::format("{} ({:.3e})", r.recomputations, r.recomputation_rate()));
   text += line("cycles", fmt::format("{} ({:.3f} comparisons per cycle)", r.cycles,
                                      r.comparisons_per_cycle()));
-  text += latency_line("latency, decided", r.decided_latency);
-  text += latency_line("latency, recomputed", r.recomputed_latency);
+  text += latency_line("latency, decided", r.latencies.decided);
+  text += r.references == 0 ? latency_line("latency, undecided", r.latencies.undecided)
+                            : latency_line("latency, recomputed", r.latencies.recomputed);
   if (r.resets > 0) text += line("resets in mid-stream", std::to_string(r.resets));
   for (const CounterTotal& counter : r.counters) {
     text += line(("counter " + counter.name).c_str(),
@@ -136,8 +137,9 @@ std::string group_lines(const VerifyReport& r) {
     if (r.references == 0) add("undecided", std::to_string(group.undecided));
     add("recomputations", fmt::format("{} ({:.3e})", group.recomputations,
                                       ratio(group.recomputations, group.comparisons)));
-    add("latency, decided", latency_range(group.decided_latency));
-    add("latency, recomputed", latency_range(group.recomputed_latency));
+    add("latency, decided", latency_range(group.latencies.decided));
+    if (r.references == 0) add("latency, undecided", latency_range(group.latencies.undecided));
+    if (r.references > 0) add("latency, recomputed", latency_range(group.latencies.recomputed));
     if (r.truth) add("wrong by a lane", std::to_string(group.wrong_by_lane));
     add("mismatches", std::to_string(group.mismatches));
   }
@@ -215,8 +217,9 @@ Json to_json(const GroupReport& group) {
           {"undecided", group.undecided},
           {"recomputations", group.recomputations},
           {"recomputation_rate", ratio(group.recomputations, group.comparisons)},
-          {"decided_latency", to_json(group.decided_latency)},
-          {"recomputed_latency", to_json(group.recomputed_latency)},
+          {"decided_latency", to_json(group.latencies.decided)},
+          {"recomputed_latency", to_json(group.latencies.recomputed)},
+          {"undecided_latency", to_json(group.latencies.undecided)},
           {"mismatches", group.mismatches},
           {"wrong_by_lane", group.wrong_by_lane}};
 }
@@ -333,8 +336,9 @@ Json to_json(const VerifyReport& r) {
   json["resets"] = r.resets;
   json["cycles"] = r.cycles;
   json["comparisons_per_cycle"] = r.comparisons_per_cycle();
-  json["decided_latency"] = to_json(r.decided_latency);
-  json["recomputed_latency"] = to_json(r.recomputed_latency);
+  json["decided_latency"] = to_json(r.latencies.decided);
+  json["recomputed_latency"] = to_json(r.latencies.recomputed);
+  json["undecided_latency"] = to_json(r.latencies.undecided);
   for (const GroupReport& group : r.groups) json["lane_groups"].push_back(to_json(group));
   for (const CounterTotal& counter : r.counters) {
     json["counters"][counter.name] = {{"counted", counter.counted}, {"observed", counter.observed}};

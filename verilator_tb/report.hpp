@@ -49,6 +49,13 @@ struct Latency {
   double mean_cycles() const;
 };
 
+/// Latencies by what became of the comparisons.
+struct Latencies {
+  Latency decided;
+  Latency recomputed;
+  Latency undecided;  ///< without references: left as they were
+};
+
 /// One of the hardware's counters, summed over the lanes, since the last reset.
 struct CounterTotal {
   std::string name;
@@ -89,8 +96,7 @@ struct GroupReport {
   std::uint64_t undecided = 0;
   std::uint64_t mismatches = 0;
   std::uint64_t wrong_by_lane = 0;  ///< where the truth was asked for
-  Latency decided_latency;
-  Latency recomputed_latency;
+  Latencies latencies;
 };
 
 /// What an engine adds: of the scene's items as one set.
@@ -134,8 +140,7 @@ struct VerifyReport {
   std::uint64_t undecided = 0;
   std::uint64_t resets = 0;
   std::uint64_t cycles = 0;
-  Latency decided_latency;
-  Latency recomputed_latency;
+  Latencies latencies;
   std::vector<CounterTotal> counters;
   std::uint64_t mismatch_count = 0;
   std::vector<Mismatch> mismatches;  ///< the first ones

@@ -27,7 +27,7 @@ void add_options(CLI::App& verb, BaselineCommand& command) {
   verb.add_option("--rounds", command.run.rounds, "measurements of each kernel (default: 5)")
       ->check(within({1, 1000}));
   verb.add_option("--seconds", command.run.seconds, "that one measurement takes (default: 0.5)")
-      ->check(CLI::Range(0.001, 600.0));
+      ->check(between(0.001, 600, "S"));
   verb.add_option("--sample", command.run.sample,
                   "comparisons held against the golden model, about (default: 4096)")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 24));

@@ -181,12 +181,27 @@ model::Result<std::optional<model::Characterisation>> previous_table(const fs::p
       .accepted = fmt::format("{} on {}, or another path by -o", scene.name, device)};
 }
 
-/// Rows that another run has put into the table while this one measured stay there.
+bool is_same_measurement(const model::Measurement* one, const model::Measurement* other) {
+  if (one == nullptr || other == nullptr) return one == other;
+  return one->hash == other->hash && one->tools == other->tools &&
+         one->timing_seeds == other->timing_seeds;
+}
+
+/// Rows that another run has put into the table while this one measured stay there, unless this run
+/// has measured the same components anew.
 void adopt_new_rows(model::Characterisation& table, const model::Characterisation& now,
-                    const model::Characterisation* before) {
+                    const model::Characterisation& before) {
+  std::vector<model::Measurement> others;
   for (const model::Measurement& row : now.rows) {
-    const bool is_new = before == nullptr || before->find(row.key) == nullptr;
-    if (is_new && table.find(row.key) == nullptr) table.rows.push_back(row);
+    const model::Measurement* old = before.find(row.key);
+    const model::Measurement* own = table.find(row.key);
+    const bool is_new = !is_same_measurement(old, &row);
+    const bool measured_here = own != nullptr && !is_same_measurement(old, own);
+    if (is_new && !measured_here) others.push_back(row);
+  }
+  for (model::Measurement& row : others) {
+    std::erase_if(table.rows, [&](const model::Measurement& own) { return own.key == row.key; });
+    table.rows.push_back(std::move(row));
   }
   std::sort(table.rows.begin(), table.rows.end(),
             [](const model::Measurement& a, const model::Measurement& b) { return a.key < b.key; });
@@ -197,7 +212,7 @@ void write_table(CharacteriseReport& report, const CharacteriseCommand& command,
                  const std::optional<model::Characterisation>& before) {
   const model::FolderLock held = lock_folder(fs::absolute(path).parent_path());
   const auto now = value_or_exit(previous_table(path, scene, report.table.device));
-  if (now) adopt_new_rows(report.table, *now, before ? &*before : nullptr);
+  if (now) adopt_new_rows(report.table, *now, before.value_or(model::Characterisation()));
   report.table.command = characterise_command_line(command);
   std::set<std::string> tools;
   for (const model::Measurement& row : report.table.rows) tools.insert(row.tools);

@@ -68,6 +68,13 @@ std::vector<Tool> tools() {
   };
 }
 
+std::string fault(const Tool& tool, const model::Error& error) {
+  if (error.kind == model::ErrorKind::missing_tool) {
+    return fmt::format("missing: apt-get install {}; disables {}", tool.package, tool.disables);
+  }
+  return fmt::format("{}; disables {}", error.to_string(), tool.disables);
+}
+
 void run(bool json) {
   nlohmann::ordered_json report = nlohmann::ordered_json::array();
   std::string text;
@@ -81,14 +88,13 @@ void run(bool json) {
                       {"version", version.ok() ? *version : ""},
                       {"package", tool.package},
                       {"disables", tool.disables}});
-    const std::string missing =
-        fmt::format("missing: apt-get install {}; disables {}", tool.package, tool.disables);
-    text += fmt::format("{:<13} {}\n", tool.name, version.ok() ? *version : missing);
+    text += fmt::format("{:<13} {}\n", tool.name,
+                        version.ok() ? *version : fault(tool, version.error()));
     complete = complete && (version.ok() || !required);
   }
   print(json ? report.dump(2) + "\n" : text);
   if (complete) return;
-  tell("tools are missing that verbs need");
+  tell("tools that verbs need are missing or do not work");
   throw Exit(ExitCode::incomplete);
 }
 

@@ -37,8 +37,12 @@ void print(const std::string& text) {
   fail(model::cannot_write("standard output", errno));
 }
 
+void tell_not_done(const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) tell("not done: " + part);
+}
+
 void end_if_incomplete(const std::vector<std::string>& not_done) {
-  for (const std::string& part : not_done) tell("not done: " + part);
+  tell_not_done(not_done);
   if (!not_done.empty()) throw Exit(ExitCode::incomplete);
 }
 

@@ -46,6 +46,8 @@ void print(const std::string& text);
 /// Writes "mixcmp: " and a line to stderr.
 void tell(const std::string& line);
 
+/// Tells what was asked for and not done.
+void tell_not_done(const std::vector<std::string>& parts);
 /// Tells what was asked for and not done, and ends the program with ExitCode::incomplete; nothing
 /// happens where the list is empty.
 void end_if_incomplete(const std::vector<std::string>& not_done);

@@ -58,13 +58,11 @@ Result<std::vector<std::string>> data_sets(const std::string& over) {
                .accepted = "a key of [data] with values, such as data.radius_max=5,10,25"};
 }
 
-void add_to(model::ContentHash& hash, const model::Setting& setting) {
-  hash.add(setting.key);
-  if (const auto* table = std::get_if<model::Setting::Table>(&setting.value)) {
-    for (const model::Setting& entry : table->entries) add_to(hash, entry);
-  } else {
-    hash.add(setting.shown());
-  }
+/// The numbers of a table and where they belong.
+void add_to(model::ContentHash& hash, const model::Table& table) {
+  hash.add(table.format.name());
+  for (const std::string& column : table.columns) hash.add(column);
+  for (const model::Bits value : table.values) hash.add(model::to_hex(value, table.format.width()));
 }
 
 /// Names all that rates depend on: the scene as it is read through its plans, without what says how
@@ -76,10 +74,9 @@ std::string rates_hash(const LoadedScene& loaded, const SceneOptions& options,
   const auto read = value_or_exit(model::read_scene_settings(options.scene, options.settings));
   for (const model::Setting& section : read.settings.root.entries) {
     const std::set<std::string> others = {"name", "system", "lanes", "references"};
-    if (!others.contains(section.key)) add_to(hash, section);
+    if (!others.contains(section.key)) hash.add(section.key).add(toml_value(section));
   }
-  const model::DataSpec& data = *loaded.scene.data;
-  if (!data.file.empty()) hash.add(value_or_exit(model::read_file(data.file)));
+  for (const model::Table& table : loaded.data->tables()) add_to(hash, table);
   hash.add(fmt::format("{}-{}", choice.first_precision, choice.last_precision));
   return hash.hex().substr(0, 8);
 }
@@ -152,44 +149,40 @@ std::string command_of(const ExploreCommand& command) {
 }
 
 /// `set` is the data that the plan is for; empty: for all.
-void write_plan(const ExploreCommand& command, const std::string& device, const std::string& set,
-                const fs::path& path, const model::Optimisation& found) {
+void add_plan(ResultFiles& results, const ExploreCommand& command, const std::string& device,
+              const std::string& set, const fs::path& path, const model::Optimisation& found) {
   const model::PrecisionPlan* best = found.best();
-  if (best == nullptr) return;
-  model::PlanSource source = plan_source(command.planning, device, path, command_of(command));
-  if (!set.empty()) source.settings.push_back(set);
-  value_or_exit(model::write_file(path, plan_toml(found, *best, source)));
+  const std::string name = path.filename().string();
+  if (best == nullptr) return results.leave_out(name);
+  PlanningOptions planning = command.planning;
+  if (!set.empty()) planning.scene.settings.push_back(set);
+  const model::PlanSource source = plan_source(planning, device, path, command_of(command));
+  results.add(name, plan_toml(found, *best, source));
 }
 
-/// A run before may have found a plan where this one finds none.
-void remove_old_plans(const fs::path& folder) {
-  for (const char* name : {"plan_scenario_1.toml", "plan_scenario_2.toml"}) {
-    std::error_code ignored;
-    fs::remove(folder / name, ignored);
-  }
-}
-
-void write_device(const ExploreCommand& command, const std::string& device,
-                  const model::Exploration& exploration, const std::string& tables,
-                  std::vector<std::string>& not_done) {
+/// Returns what could not be made.
+std::vector<std::string> write_device(const ExploreCommand& command, const std::string& device,
+                                      const model::Exploration& exploration,
+                                      const std::string& tables) {
   const fs::path folder = command.output / exploration.device.name;
   value_or_exit(model::make_writable_folder(folder));
-  remove_old_plans(folder);
   const model::Column& ours = exploration.columns.back();
   // With given clocks every lane counts, timed or not.
   const model::Optimisation& areas = exploration.columns.front().example;
-  value_or_exit(model::write_file(folder / "figure7.csv", figure7_csv(areas)));
-  value_or_exit(model::write_file(folder / "figure9.csv", figure9_csv(ours.example)));
-  value_or_exit(model::write_file(folder / "scenarios.csv", scenarios_csv(exploration)));
-  value_or_exit(model::write_file(folder / "tables.md", tables));
   const std::string& first = exploration.data_sets.front();
-  write_plan(command, device, first == own_data ? "" : first, folder / "plan_scenario_1.toml",
-             ours.example);
-  write_plan(command, device, "", folder / "plan_scenario_2.toml", ours.worst);
-  draw(folder / "figure3.svg", figure3_script(ours.example), not_done);
-  draw(folder / "figure7.svg", figure7_script(areas), not_done);
-  draw(folder / "figure8.svg", figure8_script(ours.example), not_done);
-  draw(folder / "figure9.svg", figure9_script(ours.example), not_done);
+  ResultFiles results(folder);
+  results.add("figure7.csv", figure7_csv(areas));
+  results.add("figure9.csv", figure9_csv(ours.example));
+  results.add("scenarios.csv", scenarios_csv(exploration));
+  results.add("tables.md", tables);
+  add_plan(results, command, device, first == own_data ? "" : first,
+           folder / "plan_scenario_1.toml", ours.example);
+  add_plan(results, command, device, "", folder / "plan_scenario_2.toml", ours.worst);
+  results.add_picture("figure3.svg", figure3_script(ours.example));
+  results.add_picture("figure7.svg", figure7_script(areas));
+  results.add_picture("figure8.svg", figure8_script(ours.example));
+  results.add_picture("figure9.svg", figure9_script(ours.example));
+  return results.write();
 }
 
 void print_notes(const model::Exploration& exploration) {
@@ -260,12 +253,16 @@ void run(const ExploreCommand& command) {
   std::vector<std::string> not_done;
   for (const Planning& each : known) {
     const auto published = command.beside_paper ? model::published(each.device.name) : std::nullopt;
+    if (command.beside_paper && !published) {
+      not_done.push_back("--beside-paper: the paper has no figures of " + each.device.name);
+    }
     const model::Exploration exploration =
         value_or_exit(explore(each.scene, each.device, each.table, sets, columns_for(published),
                               command.planning.choice));
     const std::string tables = tables_of(exploration, published, software);
     print_notes(exploration);
-    write_device(command, each.scene.system.device, exploration, tables, not_done);
+    const auto missing = write_device(command, each.scene.system.device, exploration, tables);
+    not_done.insert(not_done.end(), missing.begin(), missing.end());
     report += "\n" + tables;
     json.push_back(to_json(exploration));
     for (const model::Column& column : exploration.columns) {
@@ -278,7 +275,10 @@ void run(const ExploreCommand& command) {
   } else {
     print(fmt::format("{}\n{}\n", report, (command.output / "report.md").string()));
   }
-  if (!feasible) throw Exit(ExitCode::refuted);
+  if (!feasible) {
+    tell_not_done(not_done);
+    throw Exit(ExitCode::refuted);
+  }
   end_if_incomplete(not_done);
 }
 

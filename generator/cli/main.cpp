@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -13,6 +14,7 @@
 #include "generator/cli/usage.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/version.hpp"
+#include "model/common/quote.hpp"
 
 namespace {
 
@@ -50,10 +52,18 @@ void run(CLI::App& app, int argc, char** argv) {
   }
 }
 
-/// No option and no argument is ever an empty text: what seems to be none would not be written.
+/// Arguments stand in comments of the generated files, in plans and in JSON: each is one line of
+/// UTF-8. No option and no argument is ever an empty text: what seems to be none would not be
+/// written.
 void check_arguments(int argc, char** argv) {
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
+    if (!mixcmp::model::is_one_line(word)) {
+      mixcmp::cli::fail({.field = fmt::format("argument {}", k),
+                         .message = "cannot be written into files",
+                         .received = mixcmp::model::in_quotes(word),
+                         .accepted = "UTF-8 without control characters"});
+    }
     if (!word.empty() && !(word.starts_with("--") && word.ends_with('='))) continue;
     const std::string before = word.empty() ? (k > 1 ? argv[k - 1] : "") : std::string(word);
     mixcmp::cli::fail({.field = before, .message = "an empty argument", .accepted = "a text"});

@@ -12,6 +12,7 @@
 #include "model/scene/blame.hpp"
 #include "model/scene/load_comparisons.hpp"
 #include "model/scene/locate.hpp"
+#include "model/scene/plan.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -107,6 +108,17 @@ CLI::Validator within(model::Limits limits) {
           to_string(limits)};
 }
 
+CLI::Validator between(double least, double most, const std::string& unit) {
+  return {[=](const std::string& text) {
+            double value = 0;
+            const bool accepted =
+                CLI::detail::lexical_cast(text, value) && least <= value && value <= most;
+            return accepted ? std::string()
+                            : fmt::format("received {}; accepted {}..{}", text, least, most);
+          },
+          unit};
+}
+
 model::Error at_fault(const model::Error& found, const SceneOptions& options) {
   model::Error error = located(found, options.scene, options.settings);
   // "--set" alone is about the key that the error names, "--set key" about another.
@@ -184,7 +196,9 @@ model::Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& op
 
 std::vector<std::filesystem::path> inputs_of(const SceneOptions& options,
                                              const model::Scene& scene) {
-  std::vector<std::filesystem::path> inputs = {options.scene, scene.path};
+  std::vector<std::filesystem::path> inputs =
+      value_or_exit(model::read_scene_settings(options.scene, options.settings)).files;
+  if (scene.system.device.ends_with(".toml")) inputs.emplace_back(scene.system.device);
   if (scene.data) inputs.insert(inputs.end(), {scene.data->file, scene.data->with});
   return inputs;
 }

@@ -43,6 +43,9 @@ model::Error at_fault(const model::Error& found, const SceneOptions& options);
 /// Accepts a whole number in these limits, which help and errors then state.
 CLI::Validator within(model::Limits limits);
 
+/// Accepts a number in these limits; CLI::Range lets NaN pass.
+CLI::Validator between(double least, double most, const std::string& unit);
+
 /// What the scene's system is made of. Errors, of both, name the file and line of the key at fault.
 model::Result<model::Design> design_of(const SceneOptions& options, const LoadedScene& loaded);
 
@@ -51,7 +54,7 @@ model::Result<model::Design> design_of(const SceneOptions& options, const Loaded
 model::Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& options,
                                                           const LoadedScene& loaded);
 
-/// The files that the scene is read from: its own, its plan's, its data.
+/// The files that the scene is read from: its own, its plans, its device, its data.
 std::vector<std::filesystem::path> inputs_of(const SceneOptions& options,
                                              const model::Scene& scene);
 

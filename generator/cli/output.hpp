@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/common/folder_lock.hpp"
@@ -19,10 +21,32 @@ model::Result<model::Done> check_outputs(const std::vector<std::filesystem::path
 model::FolderLock lock_folder(const std::filesystem::path& folder);
 void tell_waiting(const std::filesystem::path& folder);
 
-/// Draws what the gnuplot script says. Without gnuplot, adds the picture to `not_done`; ends the
-/// program where the picture cannot be drawn or written.
-void draw(const std::filesystem::path& svg, const std::string& script,
-          std::vector<std::string>& not_done);
+/// Files of one folder that tell of the same data. They are written when all of them are made, so
+/// that none stands beside those of a run before.
+class ResultFiles {
+public:
+  explicit ResultFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  void add(const std::string& name, std::string text);
+  /// Draws what the gnuplot script says. Ends the program where gnuplot fails; where there is none,
+  /// `write` says so.
+  void add_picture(const std::string& name, const std::string& script);
+  /// A file that a run before may have made, and this one does not.
+  void leave_out(const std::string& name);
+
+  /// Ends the program where a file cannot be written. Returns what was not done.
+  std::vector<std::string> write();
+
+private:
+  struct File {
+    std::string name;
+    std::optional<std::string> text;  ///< none: what stands there is removed
+  };
+
+  std::filesystem::path folder_;
+  std::vector<File> files_;
+  std::vector<std::string> not_done_;
+};
 
 /// Ends the program with ExitCode::incomplete where the device has a router and this machine has
 /// not.

@@ -8,6 +8,8 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/components/characterise.hpp"
+#include "generator/components/lane_bound.hpp"
+#include "model/scene/plan.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -23,16 +25,6 @@ void add_list(CLI::App& verb, const std::string& name, std::vector<std::string>&
     option->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())));
 }
 
-/// Not a number is refused, too, which CLI::Range lets pass.
-CLI::Validator a_clock() {
-  return {[](const std::string& text) {
-            double mhz = 0;
-            const bool read = CLI::detail::lexical_cast(text, mhz);
-            return read && mhz >= 0.001 && mhz <= 1e6 ? "" : "not a clock in MHz: " + text;
-          },
-          "MHZ"};
-}
-
 Result<model::Done> check_table_exists(const std::filesystem::path& path,
                                        const PlanningOptions& options, const std::string& variant,
                                        const model::Device& device) {
@@ -44,7 +36,8 @@ Result<model::Done> check_table_exists(const std::filesystem::path& path,
       .message = "no areas and clocks of this scene's lanes and references",
       .received = "no such file",
       .accepted = fmt::format("what this makes: mixcmp characterise {}{} --device {} -o {}",
-                              options.scene.scene.string(), chosen, device.name, path.string())};
+                              quoted(options.scene.scene.string()), chosen, device.name,
+                              quoted(path.string()))};
 }
 
 bool is_set(const SceneOptions& options, const std::string& key) {
@@ -95,6 +88,23 @@ void use_given_constants(const model::ReducedSpec& reduced, model::ErrorProfile&
   }
 }
 
+/// Refuses a bound that no lane has. The lanes of several parts may have bounds with names of their
+/// own, which the table knows.
+Result<model::Done> check_bounds(const std::vector<std::string>& bounds,
+                                 const model::Characterisation& table) {
+  for (const std::string& bound : bounds) {
+    const auto known = gen::find_lane_bound(bound);
+    const bool in_table =
+        std::any_of(table.rows.begin(), table.rows.end(),
+                    [&](const model::Measurement& row) { return row.key.bound == bound; });
+    if (known.ok() || in_table) continue;
+    Error error = known.error();
+    error.field = "--use-bounds";
+    return error;
+  }
+  return model::Done{};
+}
+
 /// Refuses the chain of an arg-min engine: there is nothing to choose.
 Result<model::Done> check_no_chain(const model::Scene& scene) {
   if (scene.system.engine.kind != model::EngineKind::arg_min) return model::Done{};
@@ -126,10 +136,10 @@ void add_planning_options(CLI::App& verb, PlanningOptions& options) {
            "multipliers to choose from: embedded,logic (default: both)", {"embedded", "logic"});
   verb.add_option("--lane-mhz", choice.clocks.lane_mhz,
                   "clock of the lanes, in place of the table's")
-      ->check(a_clock());
+      ->check(between(0.001, 1e6, "MHZ"));
   verb.add_option("--reference-mhz", choice.clocks.reference_mhz,
                   "clock of the references, in place of the table's")
-      ->check(a_clock());
+      ->check(between(0.001, 1e6, "MHZ"));
   verb.add_flag(
       "--separate-clocks", options.separate_clocks,
       "count lanes and references at clocks of their own, as the paper does; what generate "
@@ -169,8 +179,10 @@ model::PlanSource plan_source(const PlanningOptions& options, const std::string&
   const fs::path folder = fs::absolute(plan).lexically_normal().parent_path();
   const fs::path scene = fs::absolute(options.scene.scene).lexically_normal();
   const bool is_file = device.ends_with(".toml");
+  const model::SceneSettings read =
+      value_or_exit(model::read_scene_settings(options.scene.scene, options.scene.settings));
   return {.scene_file = scene.lexically_relative(folder).generic_string(),
-          .settings = options.scene.settings,
+          .overrides = overridden_entries(read.settings.root, options.scene.settings),
           .device = is_file ? fs::absolute(device).lexically_normal().string() : device,
           .command = std::move(command)};
 }
@@ -211,6 +223,7 @@ Result<Planning> load_planning(const PlanningOptions& options, const model::Scen
                  .received = table.scene,
                  .accepted = scene.name};
   }
+  MIXCMP_TRY(bounds_known, check_bounds(options.choice.bounds, table));
   Planning planning{scene, std::move(device), std::move(table)};
   MIXCMP_TRY(adopted, adopt_target(planning, path, options.scene));
   warn_of_outdated(planning, data);
@@ -221,10 +234,13 @@ Result<std::vector<model::RateProfile>> measure_rates(const LoadedScene& loaded,
                                                       const model::OptimiseOptions& choice) {
   const model::Scene& scene = loaded.scene;
   MIXCMP_TRY(has_data, check_has_data(loaded, "recomputation rates are measured on data"));
-  model::ProfileOptions options{
-      .first_precision = choice.first_precision,
-      .last_precision =
-          std::min(choice.last_precision, lane_precisions(scene.reference.format).most)};
+  model::ProfileOptions options{.first_precision = choice.first_precision,
+                                .last_precision = choice.last_precision};
+  // What is left is what the reference has lanes for, unless that is nothing.
+  const int most = lane_precisions(scene.reference.format).most;
+  if (options.first_precision <= most) {
+    options.last_precision = std::min(options.last_precision, most);
+  }
   options.progress = [](const std::string& what, double share) {
     show_progress(fmt::format("{}: {:.0f} %", what, share * 100));
   };

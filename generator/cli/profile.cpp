@@ -51,14 +51,7 @@ void add_options(CLI::App& verb, ProfileCommand& command) {
                   "say which system is cheapest with at most N wrong verdicts per million; 0: "
                   "certified; may be repeated (includes --trade)")
       ->allow_extra_args(false)
-      ->check(CLI::Validator(
-          [](const std::string& text) {
-            double value = 0;
-            const bool is_number = CLI::detail::lexical_cast(text, value) && value >= 0;
-            return is_number ? std::string()
-                             : fmt::format("received {}; accepted a number of at least 0", text);
-          },
-          "N"));
+      ->check(between(0, 1e6, "N"));
   verb.add_option("--areas", command.areas,
                   "measured areas instead of the cost model: CSV of system,precision,luts "
                   "(includes --trade)");
@@ -90,12 +83,15 @@ model::ProfileReport measure(const LoadedScene& loaded, const ProfileCommand& co
   return report;
 }
 
-/// Removes the results of a run before. What is not written again would tell of other data.
-void remove_old_results(const fs::path& directory) {
+/// The files of -o.
+std::vector<fs::path> result_paths(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  if (folder.empty()) return paths;
   for (const char* name : {"figure4.csv", "figure4.svg", "figure5.csv", "figure5.svg", "trade.csv",
                            "trade.svg", "profile.json"}) {
-    fs::remove(directory / name);
+    paths.push_back(folder / name);
   }
+  return paths;
 }
 
 struct Trades {
@@ -127,21 +123,22 @@ nlohmann::ordered_json json_of(const model::ProfileReport& report, const Trades&
 
 /// Returns what could not be made.
 std::vector<std::string> write_results(const model::ProfileReport& report, const Trades& weighed,
-                                       const fs::path& directory) {
-  const model::FolderLock held = lock_folder(directory);
-  remove_old_results(directory);
-  std::vector<std::string> not_done;
-  value_or_exit(
-      model::write_file(directory / "profile.json", json_of(report, weighed).dump(2) + "\n"));
-  value_or_exit(model::write_file(directory / "figure4.csv", figure4_csv(report)));
-  value_or_exit(model::write_file(directory / "figure5.csv", figure5_csv(report)));
-  draw(directory / "figure4.svg", figure4_script(report), not_done);
-  draw(directory / "figure5.svg", figure5_script(report), not_done);
-  if (!weighed.trades.empty()) {
-    value_or_exit(model::write_file(directory / "trade.csv", trade_csv(weighed.trades)));
-    draw(directory / "trade.svg", trade_script(weighed.trades, report.scene), not_done);
+                                       const fs::path& folder) {
+  const model::FolderLock held = lock_folder(folder);
+  ResultFiles results(folder);
+  results.add("profile.json", json_of(report, weighed).dump(2) + "\n");
+  results.add("figure4.csv", figure4_csv(report));
+  results.add("figure5.csv", figure5_csv(report));
+  results.add_picture("figure4.svg", figure4_script(report));
+  results.add_picture("figure5.svg", figure5_script(report));
+  if (weighed.trades.empty()) {
+    results.leave_out("trade.csv");
+    results.leave_out("trade.svg");
+  } else {
+    results.add("trade.csv", trade_csv(weighed.trades));
+    results.add_picture("trade.svg", trade_script(weighed.trades, report.scene));
   }
-  return not_done;
+  return results.write();
 }
 
 void print_text(const model::ProfileReport& report, const Trades& weighed) {
@@ -162,6 +159,9 @@ void run(const ProfileCommand& command) {
   const model::MeasuredAreas areas = command.areas.empty()
                                          ? model::MeasuredAreas()
                                          : value_or_exit(model::MeasuredAreas::read(command.areas));
+  std::vector<fs::path> inputs = inputs_of(command.scene, loaded.scene);
+  inputs.push_back(command.areas);
+  value_or_exit(check_outputs(result_paths(command.output), inputs));
   // A folder that cannot be written should not cost a long run first.
   if (!command.output.empty()) value_or_exit(model::make_writable_folder(command.output));
   const model::ProfileReport report = measure(loaded, command, options);

@@ -96,7 +96,7 @@ void add_prove_options(CLI::App& verb, ProveOptions& options) {
       ->check(within(model::limits::lane_precision))
       ->needs(prove);
   verb.add_option("--proof-seconds", options.seconds_a_script, "for each script, 10 if not given")
-      ->check(CLI::PositiveNumber)
+      ->check(between(1e-6, 1e6, "S"))
       ->needs(prove);
 }
 

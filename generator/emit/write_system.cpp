@@ -51,6 +51,11 @@ Result<Done> check_replaceable(const fs::path& directory) {
                  .received = "a file",
                  .accepted = "a new or empty directory, or a previous output of generate"};
   }
+  if (fs::equivalent(directory, ".", failed)) {
+    return Error{.file = directory.string(),
+                 .message = "is the working directory, which cannot be replaced",
+                 .accepted = "another directory"};
+  }
   const std::set<std::string> ours = files_of_previous_output(directory);
   for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
     const bool known = ours.count(entry.path().filename().string()) > 0;

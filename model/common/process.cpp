@@ -87,14 +87,19 @@ bool take(int descriptor, std::string& text) {
 
 constexpr std::size_t most_captured_bytes = std::size_t{64} << 20;
 
+/// At least no time.
+std::chrono::milliseconds time_until(Clock::time_point deadline) {
+  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
+  return std::max(left, std::chrono::milliseconds{0});
+}
+
 /// Reads both streams until they end; false if time or room runs out first.
 bool take_all(int output, int errors, Clock::time_point deadline, Captured& captured) {
   std::array<pollfd, 2> open = {{{output, POLLIN, 0}, {errors, POLLIN, 0}}};
   const std::array<std::string*, 2> texts = {&captured.output, &captured.errors};
   while (open[0].fd >= 0 || open[1].fd >= 0) {
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0 || captured.output.size() + captured.errors.size() > most_captured_bytes) {
+    const auto left = time_until(deadline).count();
+    if (left == 0 || captured.output.size() + captured.errors.size() > most_captured_bytes) {
       return false;
     }
     if (poll(open.data(), open.size(), static_cast<int>(left)) < 0 && errno != EINTR) return false;
@@ -154,7 +159,8 @@ Result<Captured> capture(const Command& command, const CaptureOptions& options) 
                                          .memory_bytes = options.memory_bytes}));
   output.write_end.reset();
   errors.write_end.reset();
-  captured.in_time = take_all(output.read_end.get(), errors.read_end.get(), deadline, captured);
+  captured.in_time = take_all(output.read_end.get(), errors.read_end.get(), deadline, captured) &&
+                     group.wait_for(time_until(deadline));
   if (captured.in_time) captured.status = group.wait();
   if (captured.output.size() + captured.errors.size() <= most_captured_bytes) return captured;
   return Error{.message = fmt::format("{} prints too much", to_shell(command)),

@@ -57,6 +57,9 @@ Preparation prepare(const Launch& launch, int null) {
   return made;
 }
 
+/// What a program that writes without end may fill of the disk, per file.
+constexpr rlim_t most_file_bytes = rlim_t{16} << 30;
+
 enum class FailedStep { machine, directory, program };
 
 /// What a child tells through a pipe where it does not become the program.
@@ -73,6 +76,8 @@ struct StartFailure {
   sigprocmask(SIG_SETMASK, &none, nullptr);
   signal(SIGXFSZ, SIG_DFL);
   for (int stream = 0; stream < 3; ++stream) dup2(made.streams[stream], stream);
+  const rlimit largest_file = {most_file_bytes, most_file_bytes};
+  setrlimit(RLIMIT_FSIZE, &largest_file);  // fails where the limit is lower already
   if (made.memory_bytes > 0) {
     const rlimit memory = {made.memory_bytes, made.memory_bytes};
     setrlimit(RLIMIT_AS, &memory);
@@ -116,8 +121,12 @@ Error cannot_start(const Launch& launch, StartFailure failure) {
 
 Result<ProcessGroup> ProcessGroup::start(const Launch& launch) {
   const Descriptor null(open("/dev/null", O_RDWR | O_CLOEXEC));
+  if (null.get() < 0) {
+    return Error{.file = "/dev/null",
+                 .message = fmt::format("cannot be opened: {}", std::strerror(errno))};
+  }
   Pipe report, lifeline;
-  if (null.get() < 0 || !report.open() || !lifeline.open()) return cannot_start(launch, {errno});
+  if (!report.open() || !lifeline.open()) return cannot_start(launch, {errno});
   const Preparation made = prepare(launch, null.get());
   const pid_t program = fork();
   if (program < 0) return cannot_start(launch, {errno});

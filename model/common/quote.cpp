@@ -31,6 +31,17 @@ std::string in_quotes(std::string_view text) {
   return shown;
 }
 
+bool is_one_line(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t bytes = character_bytes(text);
+    const bool control =
+        bytes == 1 && (static_cast<unsigned char>(text[0]) < ' ' || text[0] == 0x7F);
+    if (bytes == 0 || control) return false;
+    text.remove_prefix(bytes);
+  }
+  return true;
+}
+
 std::string printable(std::string_view text) {
   std::string shown;
   while (!text.empty()) {

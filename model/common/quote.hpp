@@ -9,6 +9,9 @@ namespace mixcmp::model {
 /// ASCII's become '?', and what is too long ends in "...".
 std::string in_quotes(std::string_view text);
 
+/// Whether `text` is valid UTF-8 without control characters.
+bool is_one_line(std::string_view text);
+
 /// `text` with '?' in place of every control character but line ends, and of every byte that is not
 /// valid UTF-8, which the JSON writer refuses.
 std::string printable(std::string_view text);

@@ -9,8 +9,8 @@
 #include "model/error/hazards.hpp"
 #include "model/error/largest_relative_error.hpp"
 #include "model/golden/arithmetic.hpp"
-#include "model/golden/enclosure.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/golden/true_values.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -68,16 +68,16 @@ ProfiledError profile_error(const Graph& graph, const TypedGraph& lane, const Co
                             std::uint64_t sample_count, std::uint64_t seed) {
   const Permutation permutation(data.size(), seed);
   const std::uint64_t count = std::min(sample_count, data.size());
-  golden::Enclosure truth(graph, error_truth_precision);
+  golden::TrueValues truth(graph, {graph.f(), graph.g()});
   LargestRelativeError f(lane.arithmetic.format), g(lane.arithmetic.format);
   std::vector<Bits> operands(data.input_count());
   ProfiledError profiled;
   for (std::uint64_t index = 0; index < count; ++index) {
     data.fetch(permutation(index), operands);
-    if (truth.compute(lane.input_format, operands) != golden::Knowledge::enclosed) continue;
+    if (!truth.compute(lane.input_format, operands)) continue;
     const std::vector<golden::Rounded> computed = golden::evaluate(lane, operands);
-    f.measure(computed[lane.f].bits, truth.f().low);
-    g.measure(computed[lane.g].bits, truth.g().low);
+    f.measure(computed[lane.f].bits, truth.f());
+    g.measure(computed[lane.g].bits, truth.g());
     ++profiled.comparisons;
   }
   profiled.f = f.value();

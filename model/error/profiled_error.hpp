@@ -8,8 +8,8 @@
 namespace mixcmp::model {
 
 /// Maximum of |f_L - f_T| / |f_T| (the paper's equation 4) over comparisons of the data, f_T with
-/// 500-bit MPFR. A statistic, not a bound. Comparisons whose f_T is zero or whose f_T or f_L is not
-/// finite are skipped.
+/// MPFR, right to 128 digits (golden::TrueValues). A statistic, not a bound. Comparisons whose f_T
+/// is zero, has no value or cannot be told, or whose f_L is not finite, are skipped.
 struct ProfiledError {
   mpq_class f;
   mpq_class g;

@@ -1,5 +1,7 @@
 #include "model/golden/enclosure.hpp"
 
+#include <algorithm>
+
 #include "model/golden/encoding.hpp"
 
 namespace mixcmp::model::golden {
@@ -98,6 +100,10 @@ void monotone(Interval& y, const Interval& a, const Interval& b, Operate operate
 }
 
 }  // namespace
+
+mpfr_prec_t last_precision(FloatFormat format) {
+  return std::max(1 << 14, 4 << format.exponent_bits());
+}
 
 Enclosure::Enclosure(const Graph& graph, mpfr_prec_t precision)
     : Enclosure(graph, {graph.f(), graph.g()}, precision) {}

@@ -24,6 +24,10 @@ enum class Knowledge {
   undefined,  ///< a divisor is zero, a radicand negative, or an input not finite
 };
 
+/// The digits after which a value counts as undetermined: four times as many as the exponents of
+/// the format span, for products of sums, and at least 2^14.
+mpfr_prec_t last_precision(FloatFormat format);
+
 /// Interval arithmetic over the nodes that f and g need, every end rounded outward. A value that
 /// its interval does not tell from zero is taken for an exact zero where it is proven to be one:
 /// where the interval is narrower than the value's separation from zero.

@@ -132,11 +132,6 @@ Decision decide(const IntervalDecision& decision, const TypedGraph& graph,
 
 constexpr mpfr_prec_t first_precision = 128;
 
-/// Four times as many digits as the exponents of the format span, for products of sums.
-mpfr_prec_t last_precision(FloatFormat format) {
-  return std::max(1 << 14, 4 << format.exponent_bits());
-}
-
 /// The order of one part, as far as intervals of up to `most` digits tell.
 std::optional<Verdict> order_of(const Graph& graph, Sides part, FloatFormat format,
                                 std::span<const Bits> inputs, mpfr_prec_t most) {

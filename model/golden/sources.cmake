@@ -6,4 +6,5 @@ target_sources(mixcmp_model PRIVATE
   golden/encoding.cpp
   golden/evaluate.cpp
   golden/separation.cpp
+  golden/true_values.cpp
 )

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <map>
+#include <variant>
 
 #include "model/scene/settings.hpp"
 
@@ -29,26 +29,29 @@ std::string lanes_table(const ComponentKey& key, int count) {
                      key.format, key.inputs, bound_keys(key.bound), multipliers_key(key));
 }
 
-using Section = std::map<std::string, std::string>;
-
-/// The last setting "section.key=value" of each key, but for the keys that the plan sets itself.
-std::map<std::string, Section> sections_of(const std::vector<std::string>& settings) {
-  std::map<std::string, Section> sections;
-  for (const std::string& setting : settings) {
-    const std::size_t dot = setting.find('.'), equals = setting.find('=');
-    const std::string key = setting.substr(dot + 1, equals - dot - 1);
-    sections[setting.substr(0, dot)][key] = toml_value(setting.substr(equals + 1));
+/// Without the keys of [system] that the plan sets itself.
+Setting::Table without_chosen_keys(Setting::Table overrides) {
+  for (Setting& section : overrides.entries) {
+    if (section.key != "system") continue;
+    std::erase_if(std::get<Setting::Table>(section.value).entries, [](const Setting& entry) {
+      return entry.key == "device" || entry.key == "target_mhz" || entry.key == "lanes" ||
+             entry.key == "references";
+    });
   }
-  for (const char* chosen : {"device", "target_mhz", "lanes", "references"}) {
-    sections["system"].erase(chosen);
-  }
-  return sections;
+  return overrides;
 }
 
-std::string lines_of(const Section& section) {
+std::string lines_of(const Setting::Table& section) {
   std::string text;
-  for (const auto& [key, value] : section) text += fmt::format("{} = {}\n", key, value);
+  for (const Setting& entry : section.entries) {
+    text += fmt::format("{} = {}\n", toml_key(entry.key), toml_value(entry));
+  }
   return text;
+}
+
+std::string section_text(const Setting& section) {
+  const std::string heading = section.key == "system" ? "" : "\n[" + toml_key(section.key) + "]\n";
+  return heading + lines_of(std::get<Setting::Table>(section.value));
 }
 
 }  // namespace
@@ -68,13 +71,13 @@ std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& pla
   for (const Resource& resource : bounded_resources) {
     text += fmt::format("{} = {}\n", resource.name, chosen.used.*resource.amount);
   }
-  auto sections = sections_of(source.settings);
+  const Setting::Table overrides = without_chosen_keys(source.overrides);
   text += fmt::format("\n[system]\ndevice = {}\ntarget_mhz = {:g}\n", toml_string(source.device),
                       optimisation.target_mhz);
   if (chosen.reference_count() == 0) text += "references = 0\n";
-  text += lines_of(sections.extract("system").mapped());
-  for (const auto& [name, section] : sections) {
-    text += fmt::format("\n[{}]\n{}", name, lines_of(section));
+  if (const Setting* system = overrides.find("system")) text += section_text(*system);
+  for (const Setting& section : overrides.entries) {
+    if (section.key != "system") text += section_text(section);
   }
   for (const int k : lane_order(plan.problem)) {
     if (chosen.lanes[k] > 0) text += lanes_table(plan.lanes[k].measured.key, chosen.lanes[k]);

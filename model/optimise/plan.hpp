@@ -1,18 +1,18 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "model/optimise/optimise.hpp"
+#include "model/scene/settings.hpp"
 
 namespace mixcmp::model {
 
 /// What a plan was found from.
 struct PlanSource {
-  std::string scene_file;             ///< as seen from the plan
-  std::vector<std::string> settings;  ///< of --set: they become the plan's
-  std::string device;                 ///< as system.device names it
-  std::string command;                ///< what makes the plan again
+  std::string scene_file;    ///< as seen from the plan
+  Setting::Table overrides;  ///< sections with what --set gave them: they become the plan's
+  std::string device;        ///< as system.device names it
+  std::string command;       ///< what makes the plan again
 };
 
 /// A plan file (docs/scene_file.md) that `generate` and `verify` take in place of the scene.

@@ -205,6 +205,7 @@ Result<MeasuredAreas> MeasuredAreas::read(const std::filesystem::path& path) {
       return bad_area(path, line, "system, precision", text, "one line each");
     }
   }
+  if (areas.luts_.empty()) return bad_area(path, 1, "lines", "the header alone", "an area or more");
   return areas;
 }
 

@@ -33,12 +33,12 @@ JudgedError judge_error(const ErrorJob& job, const ErrorLane& lane, std::uint64_
   JudgedError largest;
   for (std::size_t k = 0; k < lane.size(); ++k) {
     const TypedGraph& graph = lane[k].graph;
-    golden::Enclosure truth(job.scene.graph, job.scene.graph.parts()[k], error_truth_precision);
-    if (truth.compute(graph.input_format, operands) != golden::Knowledge::enclosed) continue;
+    golden::TrueValues truth(job.scene.graph, job.scene.graph.parts()[k]);
+    if (!truth.compute(graph.input_format, operands)) continue;
     const std::vector<golden::Rounded> computed = golden::evaluate(graph, operands);
     LargestRelativeError f(graph.arithmetic.format), g(graph.arithmetic.format);
-    f.measure(computed[graph.f].bits, truth.f().low);
-    g.measure(computed[graph.g].bits, truth.g().low);
+    f.measure(computed[graph.f].bits, truth.f());
+    g.measure(computed[graph.g].bits, truth.g());
     largest = {std::max(largest.f, f.value()), std::max(largest.g, g.value())};
   }
   return largest;
@@ -54,8 +54,7 @@ ErrorWorker::ErrorWorker(const ErrorJob& job)
   tally_.f.resize(job.lanes.size());
   tally_.g.resize(job.lanes.size());
   for (const Sides& part : job.scene.graph.parts()) {
-    truths_.push_back(
-        {golden::Enclosure(job.scene.graph, part, error_truth_precision), {}, {}, {}});
+    truths_.push_back({golden::TrueValues(job.scene.graph, part), {}, {}, {}});
     for (Truth* truth : {&truths_.back().f, &truths_.back().g}) {
       for (auto* values : {&truth->high, &truth->low, &truth->scale}) values->resize(block);
     }
@@ -101,9 +100,9 @@ bool ErrorWorker::find_truth(PartTruth& part, std::span<const Bits> operands, st
                              std::size_t k) {
   part.f.scale[k] = part.g.scale[k] = 0;
   const FloatFormat format = job_.source.data().format();
-  if (part.enclosure.compute(format, operands) != golden::Knowledge::enclosed) return false;
-  const bool f_kept = keep(part.f, scratch_, part.enclosure.f().low, k);
-  const bool g_kept = keep(part.g, scratch_, part.enclosure.g().low, k);
+  if (!part.values.compute(format, operands)) return false;
+  const bool f_kept = keep(part.f, scratch_, part.values.f(), k);
+  const bool g_kept = keep(part.g, scratch_, part.values.g(), k);
   if (!f_kept || !g_kept) part.extreme.push_back(first + k);
   return true;
 }

@@ -5,7 +5,7 @@
 
 #include "model/data/permutation.hpp"
 #include "model/emulator/emulator.hpp"
-#include "model/golden/enclosure.hpp"
+#include "model/golden/true_values.hpp"
 #include "model/profile/operands.hpp"
 #include "model/profile/profile.hpp"
 #include "model/profile/workers.hpp"
@@ -49,7 +49,7 @@ struct JudgedError {
 };
 JudgedError judge_error(const ErrorJob& job, const ErrorLane& lane, std::uint64_t sample);
 
-/// One thread's share of figure 4. Errors are measured in double, from 500-bit true values kept as
+/// One thread's share of figure 4. Errors are measured in double, from true values kept as
 /// sums of two doubles: right to 2^-48 of themselves, enough to find the largest.
 class ErrorWorker {
 public:
@@ -66,7 +66,7 @@ private:
   };
   /// What is known of one part on a block of samples.
   struct PartTruth {
-    golden::Enclosure enclosure;
+    golden::TrueValues values;
     Truth f, g;
     std::vector<std::uint64_t> extreme;  ///< samples of the block left to MPFR
   };

@@ -37,7 +37,7 @@ Result<Done> check_profile(const Scene& scene, const ProfileOptions& options);
 /// Figure 4: the relative error of f and g at one precision; of several parts the largest.
 struct ErrorAtPrecision {
   int precision = 0;
-  /// Measured: maximum of |f_L - f_T| / |f_T|, upward to 64 bits, f_T of 500 bits.
+  /// Measured: maximum of |f_L - f_T| / |f_T|, upward to 64 bits, f_T right to 128 digits.
   mpq_class f = 0, g = 0;
   /// Proven for every comparison; none where no relative bound exists.
   std::optional<double> f_bound, g_bound;
@@ -50,7 +50,7 @@ struct ErrorProfile {
   std::string no_f_bound, no_g_bound;  ///< why, where there is none at the last precision
 };
 
-/// One profile for each of `inputs`; the 500-bit values are computed once for all.
+/// One profile for each of `inputs`; the true values are computed once for all.
 std::vector<ErrorProfile> profile_errors(const Scene& scene, const Comparisons& data,
                                          const std::vector<LaneInputs>& inputs,
                                          const ProfileOptions& options);

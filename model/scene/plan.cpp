@@ -103,13 +103,16 @@ void lay_over(Setting::Table& root, Setting::Table& plan) {
 Result<SceneSettings> read_layers(std::vector<fs::path> from) {
   MIXCMP_TRY(file, read_settings(from.back(), {}));
   const Setting* named = file.root.find("scene");
-  if (named == nullptr) return SceneSettings{.settings = std::move(file), .plan = {}};
+  if (named == nullptr) {
+    return SceneSettings{.settings = std::move(file), .plan = {}, .files = std::move(from)};
+  }
   MIXCMP_TRY(scene, scene_of(*named, from));
   from.push_back(scene);
   MIXCMP_TRY(below, read_layers(std::move(from)));
   MIXCMP_TRY(report, read_report(file));
   lay_over(below.settings.root, file.root);
-  return SceneSettings{.settings = std::move(below.settings), .plan = std::move(report)};
+  below.plan = std::move(report);
+  return below;
 }
 
 }  // namespace

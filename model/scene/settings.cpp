@@ -1,6 +1,7 @@
 #include "model/scene/settings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -200,19 +201,49 @@ Result<Done> apply_override(Setting::Table& root, const std::string& text) {
 
 }  // namespace
 
-std::string toml_value(const std::string& text) {
-  if (!std::holds_alternative<std::string>(parse_override_value({}, text).value)) return text;
-  if (text.starts_with('"') || text.starts_with('\'')) return text;
-  return toml_string(text);
-}
-
 std::string toml_string(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) {
+      quoted += fmt::format("\\u{:04x}", byte);
+      continue;
+    }
     if (c == '"' || c == '\\') quoted += '\\';
     quoted += c;
   }
   return quoted + "\"";
+}
+
+std::string toml_key(const std::string& key) {
+  const auto is_bare = [](char c) {
+    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_' ||
+           c == '-';
+  };
+  return !key.empty() && std::all_of(key.begin(), key.end(), is_bare) ? key : toml_string(key);
+}
+
+std::string toml_value(const Setting& value) {
+  struct Texts {
+    std::string operator()(bool truth) const { return truth ? "true" : "false"; }
+    std::string operator()(std::int64_t integer) const { return fmt::format("{}", integer); }
+    std::string operator()(double real) const { return fmt::format("{}", real); }
+    std::string operator()(const std::string& text) const { return toml_string(text); }
+    std::string operator()(const Setting::Array& array) const {
+      std::vector<std::string> items;
+      for (const Setting& item : array) items.push_back(toml_value(item));
+      return fmt::format("[{}]", fmt::join(items, ", "));
+    }
+    std::string operator()(const Setting::Table& table) const {
+      std::vector<std::string> items;
+      for (const Setting& entry : table.entries) {
+        items.push_back(fmt::format("{} = {}", toml_key(entry.key), toml_value(entry)));
+      }
+      return fmt::format("{{ {} }}", fmt::join(items, ", "));
+    }
+    std::string operator()(const Setting::Foreign&) const { MIXCMP_CHECK(false); }
+  };
+  return std::visit(Texts{}, value.value);
 }
 
 const Setting* Setting::Table::find(const std::string& key) const {
@@ -273,6 +304,23 @@ Result<Done> apply_overrides(Settings& settings, std::span<const std::string> ov
     if (!applied.ok()) return applied.error();
   }
   return Done{};
+}
+
+Setting::Table overridden_entries(const Setting::Table& root,
+                                  std::span<const std::string> overrides) {
+  Setting::Table touched;
+  for (const std::string& override_text : overrides) {
+    const std::size_t dot = override_text.find('.');
+    const std::string section = override_text.substr(0, dot);
+    const std::size_t end = override_text.find_first_of(".=", dot + 1);
+    const std::string key = override_text.substr(dot + 1, end - dot - 1);
+    const Setting* now = root.find(section);
+    const auto* entries = now == nullptr ? nullptr : std::get_if<Setting::Table>(&now->value);
+    const Setting* entry = entries == nullptr ? nullptr : entries->find(key);
+    MIXCMP_CHECK(entry != nullptr);
+    find_or_add(std::get<Setting::Table>(find_or_add(touched, section).value), key) = *entry;
+  }
+  return touched;
 }
 
 Result<Settings> read_settings(const std::filesystem::path& path,

@@ -56,13 +56,19 @@ Result<Settings> parse_settings(std::string text, const std::filesystem::path& p
 Result<Settings> read_settings(const std::filesystem::path& path,
                                std::span<const std::string> overrides);
 
-/// A basic string of TOML.
+/// A basic string of TOML; `text` is UTF-8.
 std::string toml_string(const std::string& text);
-
-/// An override's value as a scene file would have it: the same text, or a string in quotes.
-std::string toml_value(const std::string& text);
+/// A key of TOML, in quotes where it needs them.
+std::string toml_key(const std::string& key);
+/// A value of TOML on one line, all of it; `value` is not foreign.
+std::string toml_value(const Setting& value);
 
 Result<Done> apply_overrides(Settings& settings, std::span<const std::string> overrides);
+
+/// The entries of `root`'s sections that the overrides, already applied, have touched: whole ones,
+/// where an override changed a part.
+Setting::Table overridden_entries(const Setting::Table& root,
+                                  std::span<const std::string> overrides);
 
 /// The entry of that key, added as an empty table where there is none.
 Setting& find_or_add(Setting::Table& table, const std::string& key);

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <string>
 
 #include "tests/generator/characterise_fixture.hpp"
@@ -194,6 +195,26 @@ TEST_F(CharacteriseCommand, TwoAtOnceLoseNoRowOfOneTable) {
   const Outcome run = shell("bash '" + path("two.sh").string() + "'");
   ASSERT_EQ(run.exit_code, 0) << run.output;
   EXPECT_EQ(read_table().rows.size(), 4u);
+}
+
+/// The second run adds a row and measures an outdated one anew while the first is at work.
+TEST_F(CharacteriseCommand, RowsThatAnotherRunMeasuredMeanwhileStay) {
+  ASSERT_EQ(characterise("--components crossbar --ports 1", fake("")).exit_code, 0);
+  const model::Measurement sound = read_table().rows.at(0);
+  const std::string file = "characterisation/scene-virtex6-lx760.csv";
+  write(file, std::regex_replace(read(file), std::regex(sound.hash), "00"));
+  const std::string arguments =
+      "characterise scene.toml --area-only --components crossbar --jobs 1 --ports ";
+  write("two.sh", fmt::format("cd '{0}'\n{3} {4} '{1}' {2} 2 --store a.sqlite & one=$!\n"
+                              "for k in $(seq 1200); do [ -e sleeps ] && break; sleep 0.05; done\n"
+                              "{3} '{1}' {2} 1,2,3 --store b.sqlite && wait $one\n",
+                              directory_.path().string(), MIXCMP_PROGRAM, arguments, fake(""),
+                              "FAKE_SLOW_AFTER=0 FAKE_SLEEP=3"));
+  const Outcome run = shell("bash '" + path("two.sh").string() + "'");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto now = read_table();
+  ASSERT_EQ(now.rows.size(), 3u) << run.output;
+  EXPECT_EQ(now.rows[0].hash, sound.hash);
 }
 
 TEST_F(CharacteriseCommand, ALostTerminalIsIgnoredUnderNohup) {

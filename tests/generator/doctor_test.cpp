@@ -46,6 +46,13 @@ TEST_F(Doctor, EndsWith3WhereAVerbLacksItsTool) {
   EXPECT_NE(run.output.find("apt-get install verilator"), std::string::npos) << run.output;
 }
 
+TEST_F(Doctor, AToolThatIsThereAndFailsIsNotMissing) {
+  const Outcome run = mixcmp("doctor", instead_of("gappa", "echo broken; exit 1"));
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_NE(run.output.find("gappa --version failed"), std::string::npos) << run.output;
+  EXPECT_EQ(run.output.find("apt-get install gappa"), std::string::npos) << run.output;
+}
+
 TEST_F(Doctor, WhatIsBeyondDebian12IsOptional) {
   const json all = report("MIXCMP_NEXTPNR_ECP5=/nonexistent/nextpnr-ecp5");
   for (const json& tool : all) {

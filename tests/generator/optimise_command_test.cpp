@@ -302,6 +302,42 @@ TEST_F(OptimiseCommand, ALinksTargetIsWritten) {
   EXPECT_NE(read("real.csv").find("precision,"), std::string::npos);
 }
 
+/// The plan has whole lists and tables of the command's settings, and keys in quotes.
+TEST_F(OptimiseCommand, APlanHasTheSettingsOfItsCommand) {
+  const std::string ranges = "--set 'inputs.r*={ range = [0, 200] }'";
+  const Outcome found = mixcmp("optimise scene.toml --last 14 -o plan.toml " + ranges);
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  EXPECT_NE(read("plan.toml").find("\n[inputs]\n\"r*\" = { range = [0, 200] }\n"), std::string::npos)
+      << read("plan.toml");
+  EXPECT_EQ(mixcmp("check plan.toml").exit_code, 0);
+  expect_refused("optimise scene.toml --last 14 --use-bounds bogus", "--use-bounds: not a bound");
+  write("second.toml", "scene = \"plan.toml\"\n");
+  const std::string table = " --table characterisation/scene-virtex6-lx760.csv";
+  expect_refused("optimise second.toml --last 14 -o plan.toml" + table, "would be written over");
+}
+
+/// Whatever rates depend on is in the name of the file that keeps them.
+TEST_F(OptimiseCommand, ExploreCountsAnewWhereTheSceneIsAnother) {
+  const auto kept_rates = [&] {
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator(path("out"))) {
+      count += entry.path().filename().string().starts_with("rates-") ? 1 : 0;
+    }
+    return count;
+  };
+  const std::string command = "explore scene.toml --first 8 --last 8 -o out ";
+  ASSERT_EQ(mixcmp(command).exit_code, 0);
+  EXPECT_EQ(kept_rates(), 1);
+  ASSERT_EQ(mixcmp(command + "--set 'inputs.r*={ range = [0, 150] }'").exit_code, 0);
+  EXPECT_EQ(kept_rates(), 2);
+  std::string sum = "(ri + rj)^2";
+  for (int k = 0; k < 10; ++k) sum += " + 0 * ri";
+  for (const char* rest : {"", " + 1"}) {
+    ASSERT_EQ(mixcmp(command + "--set 'comparison.g=" + sum + rest + "'").exit_code, 0);
+  }
+  EXPECT_EQ(kept_rates(), 4);
+}
+
 TEST_F(OptimiseCommand, ExploreGoesOnWhereItWas) {
   const std::string command = "explore scene.toml --last 14 --over data.radius_max=10,25 -o out";
   ASSERT_EQ(mixcmp(command).exit_code, 0);

@@ -124,6 +124,37 @@ TEST_F(Outputs, AGeneratedSystemGoesThroughALinkAndReplacesNothingOfTheUsers) {
   expect_refused("generate scene.toml -o loop", "loop: cannot be written: Too many levels");
 }
 
+TEST_F(Outputs, ATableGoesThroughAPipe) {
+  const Outcome piped = shell(
+      fmt::format("cd '{}' && {{ '{}' verify scene.toml --simulator icarus --csv /dev/stdout; "
+                  "echo code $?; }} | cat",
+                  folder(), MIXCMP_PROGRAM));
+  EXPECT_EQ(piped.output.substr(0, 5), "index") << piped.output;
+  EXPECT_NE(piped.output.find("\ncode 0\n"), std::string::npos) << piped.output;
+}
+
+/// They would stand in comments of Verilog and plans.
+TEST_F(Outputs, AnArgumentIsOneLineOfUtf8) {
+  for (const char* text : {"a\nb", "a\tb", "\xff", "a\x7f"}) {
+    expect_refused(fmt::format("check 'scene{}.toml'", text), "cannot be written into files");
+    expect_refused(fmt::format("check scene.toml --set 'comparison.name={}'", text),
+                   "cannot be written into files");
+  }
+}
+
+TEST_F(Outputs, TheWorkingDirectoryIsNotReplaced) {
+  fs::create_directory(path("empty"));
+  const Outcome run = shell(fmt::format("cd '{}' && '{}' generate ../scene.toml -o .",
+                                        path("empty").string(), MIXCMP_PROGRAM));
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_NE(run.output.find("is the working directory"), std::string::npos) << run.output;
+}
+
+TEST_F(Outputs, ANumberOfSecondsIsANumber) {
+  expect_refused("baseline scene.toml --seconds nan", "--seconds");
+  expect_refused("check scene.toml --prove --proof-seconds nan", "--proof-seconds");
+}
+
 TEST_F(Outputs, AVerilatorThatWritesNoProgramIsAnError) {
   const Outcome run =
       mixcmp("verify scene.toml", instead_of("verilator", "echo Verilator 5.006; exit 0"));

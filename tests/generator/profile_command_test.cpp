@@ -95,6 +95,8 @@ TEST_F(ProfileCommand, WeighsSystems) {
 }
 
 TEST_F(ProfileCommand, WithoutGnuplotOnlyThePicturesAreMissing) {
+  fs::create_directory(path("out"));
+  write("out/figure5.svg", "of other data");
   const Outcome run = profile("scene.toml --last 6 -o out", "PATH=/nowhere");
   EXPECT_EQ(run.exit_code, 3) << run.output;
   EXPECT_NE(run.output.find("not done: out/figure5.svg: gnuplot does not run (apt-get install "),
@@ -112,6 +114,27 @@ TEST_F(ProfileCommand, WhatGnuplotLeavesIsAPictureOrAnError) {
         << run.output;
     EXPECT_FALSE(fs::exists(path("out") / "figure4.svg")) << left;
   }
+}
+
+TEST_F(ProfileCommand, ResultsThatAreReplacedKeepPermissionsAndLinks) {
+  fs::create_directory(path("out"));
+  write("out/figure4.csv", "old");
+  fs::permissions(path("out/figure4.csv"), fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("../elsewhere.csv", path("out/figure5.csv"));
+  ASSERT_EQ(profile("scene.toml --last 5 -o out").exit_code, 0);
+  EXPECT_EQ(fs::status(path("out/figure4.csv")).permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_TRUE(fs::is_symlink(path("out/figure5.csv")));
+  EXPECT_EQ(read("elsewhere.csv"), read("out/figure5.csv"));
+}
+
+TEST_F(ProfileCommand, ResultsReplaceNoInput) {
+  fs::create_directory(path("out"));
+  write("out/trade.csv", "system,precision,luts\nreference,0,9000\nrelative,8,500\n");
+  expect_profile_refused("scene.toml --areas out/trade.csv -o out", "would be written over");
+  EXPECT_EQ(read("out/trade.csv").substr(0, 7), "system,");
+  write("empty.csv", "system,precision,luts\n");
+  expect_profile_refused("scene.toml --areas empty.csv", "the header alone");
 }
 
 TEST_F(ProfileCommand, RefusesWhatCannotBeProfiled) {

@@ -90,7 +90,7 @@ TEST_P(MixedInVerilator, EachKindHasItsLatencyAndItsRate) {
   for (std::size_t k = 0; k < report.groups.size(); ++k) {
     const auto expected =
         static_cast<std::uint64_t>(signature.lane_groups[k].latency_cycles + channel);
-    const tb::Latency& decided = report.groups[k].decided_latency;
+    const tb::Latency& decided = report.groups[k].latencies.decided;
     ASSERT_GT(decided.count, 0u) << report.groups[k].name;
     EXPECT_GE(decided.minimum_cycles, expected) << report.groups[k].name;
     // In order, a decided one may always have to wait for one that is recomputed.

@@ -144,6 +144,15 @@ TEST_F(Processes, CapturesNoLongerThanItMay) {
   EXPECT_EQ(run->output, "begun\n");
 }
 
+/// The streams have ended, the program has not.
+TEST_F(Processes, CapturesNoLongerThanItMayWhereStreamsAreClosed) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto run = capture({"sh", "-c", "exec >&- 2>&-; exec sleep 1000"}, {.seconds = 0.3});
+  ASSERT_TRUE(run.ok());
+  EXPECT_FALSE(run->in_time);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(100));
+}
+
 TEST_F(Processes, CapturesNoMoreThanItMay) {
   const auto run = capture({"sh", "-c", "head -c 80000000 /dev/zero"});
   ASSERT_FALSE(run.ok());

@@ -19,12 +19,19 @@ using model::PrecisionPlan;
 
 class Optimise : public PlanningTest {
 protected:
-  const model::PlanSource source_ = {
-      .scene_file = "../scene.toml",
-      .settings = {"system.order=in_order", "data.count=12", "reduced.rounding=nearest_even",
-                   "reduced.rounding=toward_zero", "system.target_mhz=7"},
-      .device = "small",
-      .command = "mixcmp optimise"};
+  static model::Setting::Table overrides() {
+    const std::vector<std::string> settings = {
+        "system.order=in_order",        "data.count=12",       "reduced.rounding=nearest_even",
+        "reduced.rounding=toward_zero", "system.target_mhz=7", "inputs.*={ range = [-1, 2.5] }"};
+    model::Settings scene;
+    EXPECT_TRUE(apply_overrides(scene, settings).ok());
+    return overridden_entries(scene.root, settings);
+  }
+
+  const model::PlanSource source_ = {.scene_file = "../scene.toml",
+                                     .overrides = overrides(),
+                                     .device = "small",
+                                     .command = "mixcmp optimise"};
 };
 
 bool notes_say(const Optimisation& found, const std::string& text) {
@@ -224,6 +231,7 @@ TEST_F(Optimise, ThePlanFileSaysWhatTheBestPlanIs) {
   EXPECT_NE(text.find("order = \"in_order\"\n"), std::string::npos);
   EXPECT_NE(text.find("\n[data]\ncount = 12\n"), std::string::npos);
   EXPECT_NE(text.find("\n[reduced]\nrounding = \"toward_zero\"\n"), std::string::npos);
+  EXPECT_NE(text.find("\n[inputs]\n\"*\" = { range = [-1, 2.5] }\n"), std::string::npos) << text;
   EXPECT_EQ(text.find("target_mhz = 7"), std::string::npos);
 }
 

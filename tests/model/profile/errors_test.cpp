@@ -109,6 +109,31 @@ TEST(Errors, SayWhereNoBoundExists) {
   EXPECT_EQ(profiles.front().no_g_bound, "");
 }
 
+/// f_T needs 700 digits in the first, and is zero in the others: with fewer digits, what is left of
+/// a rounding would be taken for it.
+TEST(Errors, AreMeasuredThroughAnyCancellation) {
+  const model::FloatFormat wide = format_of(53, 11);
+  const auto number = [&](const char* text) {
+    return model::golden::from_text(wide, text).value();
+  };
+  struct Case {
+    const char* f;
+    std::vector<model::Bits> row;
+    int error;
+  };
+  const std::vector<model::Bits> thirds = {number("1.1"), number("2.3"), number("3.7")};
+  for (const Case& each : {Case{"(a + b) - a + c - c", {number("1e100"), number("1e-100"), 0}, 1},
+                           Case{"a^16 - b^16 + c - c", {thirds[0], thirds[0], 0}, 0},
+                           Case{"sqrt(a) * sqrt(b) * sqrt(c) - sqrt(a * b * c)", thirds, 0}}) {
+    const Scene scene = scene_of(graph_of(each.f, "1"), wide, {format_of(9, 11)});
+    const Comparisons data = rows_of(scene.graph, wide, each.row);
+    const ProfileOptions options{.first_precision = 9, .last_precision = 9, .threads = 1};
+    const auto profiles = profile_errors(scene, data, {LaneInputs::exact}, options);
+    EXPECT_EQ(profiles.front().precisions.front().f, each.error) << each.f;
+    expect_slow_profile(scene, data, options);
+  }
+}
+
 TEST(Errors, DoNotDependOnThreads) {
   const Scene scene = sphere_scene();
   const Comparisons data = spheres(scene, 200);
