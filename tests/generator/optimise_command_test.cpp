@@ -307,7 +307,8 @@ TEST_F(OptimiseCommand, APlanHasTheSettingsOfItsCommand) {
   const std::string ranges = "--set 'inputs.r*={ range = [0, 200] }'";
   const Outcome found = mixcmp("optimise scene.toml --last 14 -o plan.toml " + ranges);
   ASSERT_EQ(found.exit_code, 0) << found.output;
-  EXPECT_NE(read("plan.toml").find("\n[inputs]\n\"r*\" = { range = [0, 200] }\n"), std::string::npos)
+  EXPECT_NE(read("plan.toml").find("\n[inputs]\n\"r*\" = { range = [0, 200] }\n"),
+            std::string::npos)
       << read("plan.toml");
   EXPECT_EQ(mixcmp("check plan.toml").exit_code, 0);
   expect_refused("optimise scene.toml --last 14 --use-bounds bogus", "--use-bounds: not a bound");

@@ -190,8 +190,8 @@ TEST(MappedArea, NumbersOfCellsAreWholeAndWithinReason) {
         json::parse(fmt::format(R"({{"design": {{"num_cells_by_type": {}}}}})", counts)));
   };
   EXPECT_EQ(area(R"({"LUT1": 7})").value().luts, 7);
-  for (const char* counts : {"{}", R"({"LUT1": -5})", R"({"LUT1": 99999999999})", R"({"LUT1": 1.5})",
-                             R"({"LUT1": "7"})", "null", "[]"}) {
+  for (const char* counts : {"{}", R"({"LUT1": -5})", R"({"LUT1": 99999999999})",
+                             R"({"LUT1": 1.5})", R"({"LUT1": "7"})", "null", "[]"}) {
     EXPECT_FALSE(area(counts).ok()) << counts;
   }
   EXPECT_FALSE(area_of_statistics(json::array()).ok());
