@@ -4,11 +4,12 @@
 
 #include <algorithm>
 
+#include "model/number/verdict.hpp"
 #include "verilator_tb/judgement.hpp"
 
 namespace mixcmp::tb {
 
-using model::golden::Verdict;
+using model::Verdict;
 
 ArgMinJudge::ArgMinJudge(const gen::Signature& signature, const model::Design& design,
                          const model::Comparisons& comparisons, const VerifyOptions& options)
@@ -47,7 +48,7 @@ void ArgMinJudge::count(std::uint64_t row, std::uint64_t best, std::uint64_t own
   if (recomputed) ++report_.recomputations, ++group.recomputations;
   ++report_.verdicts[static_cast<std::size_t>(verdict)];
   if (options_.truth) {
-    hold_against_truth(*options_.truth, design_, operands_, tdata, *report_.truth, group);
+    check_against_truth(*options_.truth, design_, operands_, tdata, *report_.truth, group);
   }
   if (!options_.on_result) return;
   // A lane that errs, as profiled ones may, has the chain go on with another candidate than the

@@ -202,7 +202,7 @@ model::Result<SourceFiles> system_sources(const System& system) {
 fs::path work_folder(const fs::path& work, const std::string& name, const std::string& version,
                      const Command& command, const SourceFiles& inputs) {
   model::ContentHash hash;
-  hash.add(version).add(to_shell(command));
+  hash.add(version).add(shell_line(command));
   for (const auto& [file, text] : inputs) hash.add(file).add(text);
   return fs::absolute(work) / fmt::format("{}-{}", name, hash.hex().substr(0, 16));
 }

@@ -13,7 +13,7 @@ using model::Command;
 using model::last_lines;
 using model::Progress;
 using model::run_tool;
-using model::to_shell;
+using model::shell_line;
 using model::tool_version;
 
 /// A generated system in its folder.

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "model/number/verdict.hpp"
 #include "verilator_tb/judgement.hpp"
 
 namespace mixcmp::tb {
 
 namespace {
 
-using model::golden::Verdict;
+using model::Verdict;
 
 }  // namespace
 
@@ -66,10 +67,10 @@ void Judge::take_result(const wire::Result& result) {
   std::vector<model::Bits> operands(comparisons_.input_count());
   comparisons_.fetch(selection_.index(result.position), operands);
   if (options_.truth) {
-    hold_against_truth(*options_.truth, design_, operands, result.tdata, *report_.truth, group);
+    check_against_truth(*options_.truth, design_, operands, result.tdata, *report_.truth, group);
   }
   const std::uint32_t expected = expected_tdata(design_, group_of_lane_[result.lane], operands);
-  if (meaningful(result.tdata) == expected) return;
+  if (verdict_bits(result.tdata) == expected) return;
   ++report_.mismatch_count;
   ++group.mismatches;
   if (report_.mismatches.size() < VerifyReport::kept) {

@@ -5,12 +5,14 @@
 #include <algorithm>
 
 #include "model/golden/evaluate.hpp"
+#include "model/number/decimal.hpp"
+#include "model/number/verdict.hpp"
 
 namespace mixcmp::tb {
 
 namespace {
 
-using model::golden::Verdict;
+using model::Verdict;
 
 }  // namespace
 
@@ -41,7 +43,7 @@ std::uint32_t expected_tdata(const model::Design& design, std::size_t group,
          static_cast<std::uint32_t>(model::golden::evaluate_reference(design.reference, operands));
 }
 
-std::uint32_t meaningful(std::uint32_t tdata) {
+std::uint32_t verdict_bits(std::uint32_t tdata) {
   return (tdata & undecided_flag) != 0 ? tdata & ~3u : tdata;
 }
 
@@ -84,14 +86,14 @@ Mismatch describe_comparison(const model::Design& design, const model::Compariso
   const model::FloatFormat format = design.reference.input_format();
   for (std::size_t k = 0; k < operands.size(); ++k) {
     mismatch.operands.push_back({design.inputs[k], model::to_hex(operands[k], format.width()),
-                                 model::golden::to_text(format, operands[k])});
+                                 model::to_text(format, operands[k])});
   }
   return mismatch;
 }
 
-void hold_against_truth(const TruthCheck& check, const model::Design& design,
-                        std::span<const model::Bits> operands, std::uint32_t tdata,
-                        TruthCount& truth, GroupReport& group) {
+void check_against_truth(const TruthCheck& check, const model::Design& design,
+                         std::span<const model::Bits> operands, std::uint32_t tdata,
+                         TruthCount& truth, GroupReport& group) {
   if ((tdata & undecided_flag) != 0) {
     ++truth.undecided;
     return;
@@ -108,7 +110,7 @@ void hold_against_truth(const TruthCheck& check, const model::Design& design,
     return;
   }
   const bool has_order = *verdict != Verdict::unordered;
-  // What a reference says of no real numbers is a matter of its arithmetic: it is not blamed.
+  // What a reference says of no real numbers is a matter of its arithmetic: it is not with_setting.
   if (recomputed && !has_order) {
     ++truth.undefined;
     return;

@@ -24,7 +24,7 @@ std::uint32_t expected_tdata(const model::Design& design, std::size_t group,
                              std::span<const model::Bits> operands);
 
 /// The bits of m_axis_tdata that mean something: the verdict of an undecided comparison does not.
-std::uint32_t meaningful(std::uint32_t tdata);
+std::uint32_t verdict_bits(std::uint32_t tdata);
 
 /// "less, decided by the lane"
 std::string describe_tdata(std::uint32_t tdata);
@@ -36,8 +36,8 @@ Mismatch describe_comparison(const model::Design& design, const model::Compariso
 
 /// Holds a result against the order of the real numbers f and g: counts it in `truth`, as checked
 /// or by the reason why it is not, and a wrong verdict of a lane in `group`, too.
-void hold_against_truth(const TruthCheck& check, const model::Design& design,
-                        std::span<const model::Bits> operands, std::uint32_t tdata,
-                        TruthCount& truth, GroupReport& group);
+void check_against_truth(const TruthCheck& check, const model::Design& design,
+                         std::span<const model::Bits> operands, std::uint32_t tdata,
+                         TruthCount& truth, GroupReport& group);
 
 }  // namespace mixcmp::tb

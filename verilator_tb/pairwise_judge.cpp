@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <tuple>
 
+#include "model/number/verdict.hpp"
 #include "verilator_tb/judgement.hpp"
 
 namespace mixcmp::tb {
 
-using model::golden::Verdict;
+using model::Verdict;
 
 /// Walks with the pairs: what it holds is in their order.
 class PairwiseJudge::Reports {
@@ -60,10 +61,10 @@ PairwiseJudge::PairwiseJudge(const gen::Signature& signature, const model::Desig
                              const model::Comparisons& comparisons, const VerifyOptions& options)
     : EngineJudge(signature, design, comparisons, options) {
   report_.engine =
-      EngineFigures{.top = signature.engine->top,
-                    .items = comparisons.table().rows(),
-                    .item_bytes = static_cast<std::uint64_t>(signature.engine->item_bytes),
-                    .pair_bytes = static_cast<std::uint64_t>(signature.tdata_bytes)};
+      PairwiseFigures{.top = signature.engine->top,
+                      .items = comparisons.table().rows(),
+                      .item_bytes = static_cast<std::uint64_t>(signature.engine->item_bytes),
+                      .pair_bytes = static_cast<std::uint64_t>(signature.tdata_bytes)};
 }
 
 std::uint64_t PairwiseJudge::pair_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const {
@@ -120,7 +121,7 @@ void PairwiseJudge::judge_pair(const SetRange& set, std::uint64_t i, std::uint64
   if ((tdata & (recomputed_flag | undecided_flag)) != 0) ++lane.observed[1];
   const bool due = is_reported(tdata);
   const bool as_due =
-      got == nullptr ? !due : due && meaningful(static_cast<std::uint32_t>(got->tuser)) == tdata;
+      got == nullptr ? !due : due && verdict_bits(static_cast<std::uint32_t>(got->tuser)) == tdata;
   if (!as_due) return add_mismatch(set, i, j, tdata, got);
   if (use == Use::figures) count(set, i, j, tdata);
 }
@@ -139,7 +140,7 @@ void PairwiseJudge::judge_interrupted(const SetRange& set, const SetAnswer& answ
     }
     before = &report;
     const std::uint32_t tdata = expected(set, report.i, report.j);
-    if (!is_reported(tdata) || meaningful(static_cast<std::uint32_t>(report.tuser)) != tdata) {
+    if (!is_reported(tdata) || verdict_bits(static_cast<std::uint32_t>(report.tuser)) != tdata) {
       add_mismatch(set, report.i, report.j, tdata, &report);
     }
   }
@@ -185,7 +186,7 @@ void PairwiseJudge::count(const SetRange& set, std::uint64_t i, std::uint64_t j,
     ++report_.verdicts[static_cast<std::size_t>(verdict)];
   }
   if (options_.truth) {
-    hold_against_truth(*options_.truth, design_, operands_, tdata, *report_.truth, group);
+    check_against_truth(*options_.truth, design_, operands_, tdata, *report_.truth, group);
   }
   if (options_.on_result && is_reported(tdata)) {
     options_.on_result({pair_of(set, i, j), verdict, recomputed, undecided});

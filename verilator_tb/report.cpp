@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "model/number/verdict.hpp"
+
 namespace mixcmp::tb {
 
 namespace {
@@ -72,7 +74,7 @@ std::string totals(const VerifyReport& r) {
   std::string text;
   text += line("comparisons", fmt::format("{} of {}", r.comparisons, r.requested));
   for (std::size_t k = 0; k < r.verdicts.size(); ++k) {
-    const auto name = model::golden::to_string(static_cast<model::golden::Verdict>(k));
+    const auto name = to_string(static_cast<model::Verdict>(k));
     text += line(std::string(name).c_str(), std::to_string(r.verdicts[k]));
   }
   if (r.references == 0) text += line("undecided", std::to_string(r.undecided));
@@ -94,7 +96,7 @@ std::string totals(const VerifyReport& r) {
 
 std::string engine_lines(const VerifyReport& r) {
   if (!r.engine) return {};
-  const EngineFigures& engine = *r.engine;
+  const PairwiseFigures& engine = *r.engine;
   std::string text = line("engine", fmt::format("{}, {} sets, one of all {} items", engine.top,
                                                 engine.sets, engine.items));
   text += line("reported pairs", std::to_string(engine.reported));
@@ -289,7 +291,7 @@ std::vector<std::string> notes_on(const VerifyReport& r) {
   if (r.references > 0 && r.recomputations == 0) {
     notes.push_back("no comparison here was recomputed, so none put a reference to the test");
   }
-  if (r.verdicts[static_cast<std::size_t>(model::golden::Verdict::unordered)] == r.comparisons) {
+  if (r.verdicts[static_cast<std::size_t>(model::Verdict::unordered)] == r.comparisons) {
     notes.push_back("every verdict is unordered");
   }
   if (r.truth && r.truth->checked == 0) {
@@ -327,7 +329,7 @@ Json to_json(const VerifyReport& r) {
   json["inputs"] = Json::array();
   for (const model::InputSource& input : r.inputs) json["inputs"].push_back(to_json(input));
   for (std::size_t k = 0; k < r.verdicts.size(); ++k) {
-    const auto name = model::golden::to_string(static_cast<model::golden::Verdict>(k));
+    const auto name = to_string(static_cast<model::Verdict>(k));
     json["verdicts"][std::string(name)] = r.verdicts[k];
   }
   json["undecided"] = r.undecided;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/data/input_sources.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/verdict.hpp"
 
 namespace mixcmp::tb {
 
@@ -100,7 +100,7 @@ struct GroupReport {
 };
 
 /// What an engine adds: of the scene's items as one set.
-struct EngineFigures {
+struct PairwiseFigures {
   std::string top;
   std::uint64_t items = 0;
   std::uint64_t item_bytes = 0;      ///< of an item on its stream
@@ -135,7 +135,7 @@ struct VerifyReport {
   std::vector<GroupReport> groups;             ///< lanes are numbered through them, in order
   std::uint64_t requested = 0;                 ///< comparisons to be made
   std::uint64_t comparisons = 0;               ///< results judged
-  std::array<std::uint64_t, 4> verdicts = {};  ///< by golden::Verdict; without undecided ones
+  std::array<std::uint64_t, 4> verdicts = {};  ///< by Verdict; without undecided ones
   std::uint64_t recomputations = 0;
   std::uint64_t undecided = 0;
   std::uint64_t resets = 0;
@@ -147,7 +147,7 @@ struct VerifyReport {
   std::uint64_t violation_count = 0;
   std::vector<ProtocolViolation> violations;  ///< the first ones
   std::optional<TruthCount> truth;
-  std::optional<EngineFigures> engine;
+  std::optional<PairwiseFigures> engine;
   std::optional<ArgMinFigures> arg_min;
   double build_seconds = 0;
   double run_seconds = 0;

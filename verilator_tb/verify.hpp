@@ -7,6 +7,7 @@
 
 #include "model/data/comparisons.hpp"
 #include "model/design/design.hpp"
+#include "model/number/verdict.hpp"
 #include "verilator_tb/report.hpp"
 #include "verilator_tb/selection.hpp"
 #include "verilator_tb/system_simulation.hpp"
@@ -32,7 +33,7 @@ struct TruthCheck {
 /// What the hardware said of one comparison.
 struct VerifiedResult {
   std::uint64_t index;
-  model::golden::Verdict verdict;
+  model::Verdict verdict;
   bool recomputed;
   bool undecided;
 };

@@ -30,7 +30,7 @@ void add_options(CLI::App& verb, BaselineCommand& command) {
       ->check(between(0.001, 600, "S"));
   verb.add_option("--sample", command.run.sample,
                   "comparisons held against the golden model, about (default: 4096)")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 24));
+      ->check(whole(1, std::uint64_t{1} << 24));
   verb.add_option("--work", command.run.work,
                   "folder that keeps source, program and logs (default: none are kept)");
 }
@@ -45,6 +45,9 @@ void run(const BaselineCommand& command) {
     scratch.emplace(value_or_exit(model::ScratchFolder::make()));
     options.work = scratch->path();
   } else {
+    const std::vector<std::filesystem::path> outputs = {options.work / "comparison.cpp",
+                                                        options.work / "data.bin"};
+    value_or_exit(check_outputs(outputs, inputs_of(command.scene, loaded.scene)));
     held.emplace(lock_folder(options.work));
   }
   options.progress = show_progress;

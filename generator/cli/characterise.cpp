@@ -40,7 +40,7 @@ std::vector<std::pair<std::string, std::string>> spec_of(const model::Scene& sce
       {"reference",
        fmt::format("{}, {}", scene.reference.format.name(), to_string(scene.reference.subnormals))},
       {"lanes", fmt::format("{}, {}", to_string(reduced.rounding), to_string(reduced.subnormals))},
-      {"target_mhz", fmt::format("{:g}", system.target_mhz)},
+      {"target_mhz", fmt::format("{}", system.target_mhz)},
       {"order", std::string(to_string(system.order))},
       {"operands", std::string(to_string(system.operands))},
       {"tag_bits", std::to_string(system.tag_bits)},
@@ -150,7 +150,7 @@ void print_json(const CharacteriseReport& report, const fs::path& table) {
 /// All RTL depends on where registers go.
 model::Result<model::Done> check_target(const model::Characterisation& table, const fs::path& path,
                                         const model::Scene& scene) {
-  const std::string wanted = fmt::format("{:g}", scene.system.target_mhz);
+  const std::string wanted = fmt::format("{}", scene.system.target_mhz);
   for (const auto& [name, text] : table.spec) {
     if (name != "target_mhz" || text == wanted) continue;
     return model::Error{

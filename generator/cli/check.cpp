@@ -11,8 +11,8 @@
 #include "generator/cli/prove.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/system.hpp"
+#include "model/profile/variant_check.hpp"
 #include "model/scene/summary.hpp"
-#include "model/scene/variant_check.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -117,10 +117,10 @@ std::vector<model::VariantCheck> check_variants(const SceneOptions& options,
 void print_text(const std::vector<model::VariantCheck>& checks) {
   if (!checks.empty()) print("variants\n");
   for (const model::VariantCheck& check : checks) {
-    std::string verdict = check.untold == 0
+    std::string verdict = check.undetermined == 0
                               ? "decides all of them alike"
                               : fmt::format("decides alike all but {} that {} bits do not tell",
-                                            check.untold, model::checked_bits);
+                                            check.undetermined, model::checked_bits);
     if (const auto& first = check.first_difference) {
       verdict = fmt::format("decides {} of them differently, the first number {}: {}, not {}",
                             check.differences, first->index, to_string(first->variant),
@@ -139,7 +139,7 @@ nlohmann::json to_json(const std::vector<model::VariantCheck>& checks) {
     report.push_back({{"name", check.variant},
                       {"comparisons", check.comparisons},
                       {"differences", check.differences},
-                      {"untold", check.untold},
+                      {"untold", check.undetermined},
                       {"reference_differences", check.reference_differences}});
     if (const auto& first = check.first_difference) {
       report.back()["first_difference"] = {{"index", first->index},
@@ -187,10 +187,11 @@ std::vector<std::string> not_done(const CheckOptions& options,
     if (!why.empty()) parts.push_back(fmt::format("--prove, {}: {}", lane.format, why));
   }
   if (options.prove.prove && proven.empty()) parts.emplace_back("--prove: the scene has no lane");
-  if (costs && costs->no_area) {
-    parts.push_back("--costs, areas: " + costs->no_area->to_string());
+  if (costs && costs->why_no_area) {
+    parts.push_back("--costs, areas: " + costs->why_no_area->to_string());
   }
-  if (costs && !costs->no_rate.empty()) parts.push_back("--costs, rates: " + costs->no_rate);
+  if (costs && !costs->why_no_rate.empty())
+    parts.push_back("--costs, rates: " + costs->why_no_rate);
   return parts;
 }
 
@@ -205,7 +206,7 @@ void run(const CheckOptions& options) {
   std::optional<BoundCosts> costs;
   if (options.costs) {
     auto measured = measure_costs(loaded);
-    if (!measured.ok()) fail(at_fault(measured.error(), options.scene));
+    if (!measured.ok()) fail(as_user_error(measured.error(), options.scene));
     costs = std::move(measured).value();
   }
   if (options.scene.json) {
@@ -227,8 +228,9 @@ void run(const CheckOptions& options) {
     print_text(proven);
   }
   end_without_lanes(proven);
-  const bool broken = costs && costs->no_area && costs->no_area->kind == model::ErrorKind::mistake;
-  if (broken) fail(*costs->no_area);
+  const bool broken =
+      costs && costs->why_no_area && costs->why_no_area->kind == model::ErrorKind::mistake;
+  if (broken) fail(*costs->why_no_area);
   if (any_refused(proven) || any_differs(variants)) throw Exit(ExitCode::refuted);
   end_if_incomplete(not_done(options, proven, costs));
 }

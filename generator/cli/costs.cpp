@@ -59,7 +59,7 @@ bool is_chosen(const LoadedScene& loaded, const gen::LaneBound& bound,
 }
 
 BoundCost cost_of(const LoadedScene& loaded, const std::string& name,
-                  std::optional<model::Error>& no_area) {
+                  std::optional<model::Error>& why_no_area) {
   const Scene& scene = loaded.scene;
   const gen::LaneBound bound = gen::find_lane_bound(name).value();
   BoundCost cost{.name = name};
@@ -74,7 +74,7 @@ BoundCost cost_of(const LoadedScene& loaded, const std::string& name,
   show_progress(fmt::format("Yosys maps the lane with the {} bound", name));
   const auto area = lane_area(scene, *lane);
   if (!area.ok()) {
-    no_area = area.error();
+    why_no_area = area.error();
     return cost;
   }
   cost.area = *area;
@@ -85,13 +85,13 @@ BoundCost cost_of(const LoadedScene& loaded, const std::string& name,
 void add_rates(const LoadedScene& loaded, BoundCosts& costs) {
   const Scene& scene = loaded.scene;
   if (!loaded.data) {
-    costs.no_rate = "the scene has no data";
+    costs.why_no_rate = "the scene has no data";
     return;
   }
   const int precision = scene.reduced.format->precision();
   model::ProfileOptions options{.first_precision = precision, .last_precision = precision};
   if (const auto possible = check_profile(scene, options); !possible.ok()) {
-    costs.no_rate = possible.error().to_string();
+    costs.why_no_rate = possible.error().to_string();
     return;
   }
   show_progress("measuring recomputation rates");
@@ -126,7 +126,7 @@ Result<BoundCosts> measure_costs(const LoadedScene& loaded) {
   }
   BoundCosts costs;
   for (const std::string& name : gen::profiled_lane_bounds()) {
-    costs.bounds.push_back(cost_of(loaded, name, costs.no_area));
+    costs.bounds.push_back(cost_of(loaded, name, costs.why_no_area));
   }
   add_rates(loaded, costs);
   show_progress("");
@@ -148,8 +148,8 @@ std::string to_text(const BoundCosts& costs) {
     if (cost.all_built) text += fmt::format("; all built: {}", shown(cost.all_built));
     text += "\n";
   }
-  if (costs.no_area) text += fmt::format("  no areas: {}\n", costs.no_area->to_string());
-  if (!costs.no_rate.empty()) text += fmt::format("  no rates: {}\n", costs.no_rate);
+  if (costs.why_no_area) text += fmt::format("  no areas: {}\n", costs.why_no_area->to_string());
+  if (!costs.why_no_rate.empty()) text += fmt::format("  no rates: {}\n", costs.why_no_rate);
   return text;
 }
 

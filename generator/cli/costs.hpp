@@ -19,8 +19,8 @@ struct BoundCost {
 
 struct BoundCosts {
   std::vector<BoundCost> bounds;
-  std::optional<model::Error> no_area;  ///< why there are no areas, if there are none
-  std::string no_rate;
+  std::optional<model::Error> why_no_area;  ///< why there are no areas, if there are none
+  std::string why_no_rate;
 };
 
 /// Every certified bound of the scene's lane, and the profiled one where its constants are known or

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -81,10 +82,18 @@ std::string rates_hash(const LoadedScene& loaded, const SceneOptions& options,
   return hash.hex().substr(0, 8);
 }
 
+/// The scene of one data set. Its mistakes are those of --over.
+SceneOptions with_set(const ExploreCommand& command, const std::string& set) {
+  SceneOptions options = command.planning.scene;
+  if (set.empty()) return options;
+  options.settings.push_back(set);
+  options.shortcuts[set.substr(0, set.find('='))] = "--over";
+  return options;
+}
+
 /// Rates are kept in the output folder, so that a run that was interrupted goes on where it was.
 model::Rates rates_of(const ExploreCommand& command, const std::string& set) {
-  SceneOptions options = command.planning.scene;
-  if (!set.empty()) options.settings.push_back(set);
+  const SceneOptions options = with_set(command, set);
   const LoadedScene loaded = value_or_exit(load(options));
   std::string name = set.empty() ? "own" : set.substr(set.find('=') + 1);
   std::replace(name.begin(), name.end(), '/', '_');
@@ -160,13 +169,25 @@ void add_plan(ResultFiles& results, const ExploreCommand& command, const std::st
   results.add(name, plan_toml(found, *best, source));
 }
 
-/// Returns what could not be made.
-std::vector<std::string> write_device(const ExploreCommand& command, const std::string& device,
-                                      const model::Exploration& exploration,
-                                      const std::string& tables) {
+constexpr std::array result_names = {
+    "figure3.svg", "figure7.csv", "figure7.svg",          "figure8.svg",          "figure9.csv",
+    "figure9.svg", "tables.md",   "plan_scenario_1.toml", "plan_scenario_2.toml", "scenarios.csv"};
+
+/// All that is written for the devices, but for kept rates, which no scene and no table is named
+/// like.
+std::vector<fs::path> output_paths(const ExploreCommand& command,
+                                   const std::vector<Planning>& known) {
+  std::vector<fs::path> paths = {command.output / "report.md"};
+  for (const Planning& each : known) {
+    for (const char* name : result_names) paths.push_back(command.output / each.device.name / name);
+  }
+  return paths;
+}
+
+ResultFiles results_for(const ExploreCommand& command, const std::string& device,
+                        const model::Exploration& exploration, const std::string& tables) {
   const fs::path folder = command.output / exploration.device.name;
-  value_or_exit(model::make_writable_folder(folder));
-  const model::Column& ours = exploration.columns.back();
+  const model::ResultsAtClocks& ours = exploration.columns.back();
   // With given clocks every lane counts, timed or not.
   const model::Optimisation& areas = exploration.columns.front().example;
   const std::string& first = exploration.data_sets.front();
@@ -182,12 +203,12 @@ std::vector<std::string> write_device(const ExploreCommand& command, const std::
   results.add_picture("figure7.svg", figure7_script(areas));
   results.add_picture("figure8.svg", figure8_script(ours.example));
   results.add_picture("figure9.svg", figure9_script(ours.example));
-  return results.write();
+  return results;
 }
 
 void print_notes(const model::Exploration& exploration) {
   std::set<std::string> notes;
-  for (const model::Column& column : exploration.columns) {
+  for (const model::ResultsAtClocks& column : exploration.columns) {
     notes.insert(column.worst.notes.begin(), column.worst.notes.end());
     if (column.worst.best() == nullptr) notes.insert(column.title + ": no plan fits");
   }
@@ -234,15 +255,42 @@ std::vector<model::DataSet> measure_sets(const ExploreCommand& command,
   return sets;
 }
 
-/// What may be wrong is found before what takes long; the tables of all devices are written last.
+/// Each device has a folder with its name.
+void check_names(const std::vector<Planning>& known) {
+  std::set<std::string> names;
+  for (const Planning& each : known) {
+    if (names.insert(each.device.name).second) continue;
+    fail({.field = "--on",
+          .message = "two devices have one name, and their results would have one folder",
+          .received = each.device.name,
+          .accepted = "devices with names of their own"});
+  }
+}
+
+/// The scenes of the data sets, before any of them is measured.
+void check_sets(const ExploreCommand& command, const std::vector<std::string>& settings) {
+  for (const std::string& set : settings) {
+    const SceneOptions options = with_set(command, set);
+    const auto scene = model::load_scene(options.scene, options.settings);
+    if (!scene.ok()) fail(as_user_error(scene.error(), options));
+  }
+}
+
+/// What may be wrong is found before what takes long, and all that tells of the devices is written
+/// last.
 void run(const ExploreCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.planning.scene));
   value_or_exit(check_has_data(loaded, "recomputation rates are measured on data"));
   const std::vector<std::string> settings = value_or_exit(data_sets(command.over));
+  check_sets(command, settings);
   std::vector<Planning> known;
   for (const std::string& device : devices_of(command, loaded.scene)) {
     known.push_back(planning_for(command, device, &*loaded.data));
   }
+  check_names(known);
+  std::vector<fs::path> inputs = inputs_of(command.planning.scene, loaded.scene);
+  for (const Planning& each : known) inputs.push_back(each.table_path);
+  value_or_exit(check_outputs(output_paths(command, known), inputs));
   const model::FolderLock held = lock_folder(command.output);
   const std::vector<model::DataSet> sets = measure_sets(command, settings);
   std::vector<model::SoftwareThroughput> software;
@@ -250,6 +298,7 @@ void run(const ExploreCommand& command) {
   std::string report = fmt::format("# {}: plans\n", loaded.scene.name);
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   bool feasible = true;
+  std::vector<ResultFiles> results;
   std::vector<std::string> not_done;
   for (const Planning& each : known) {
     const auto published = command.beside_paper ? model::published(each.device.name) : std::nullopt;
@@ -261,13 +310,16 @@ void run(const ExploreCommand& command) {
                               command.planning.choice));
     const std::string tables = tables_of(exploration, published, software);
     print_notes(exploration);
-    const auto missing = write_device(command, each.scene.system.device, exploration, tables);
-    not_done.insert(not_done.end(), missing.begin(), missing.end());
+    results.push_back(results_for(command, each.scene.system.device, exploration, tables));
     report += "\n" + tables;
     json.push_back(to_json(exploration));
-    for (const model::Column& column : exploration.columns) {
+    for (const model::ResultsAtClocks& column : exploration.columns) {
       feasible = feasible && column.worst.best() != nullptr;
     }
+  }
+  for (ResultFiles& files : results) {
+    const std::vector<std::string> missing = files.write();
+    not_done.insert(not_done.end(), missing.begin(), missing.end());
   }
   value_or_exit(model::write_file(command.output / "report.md", report));
   if (command.planning.scene.json) {

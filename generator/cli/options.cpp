@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <climits>
 #include <cstdint>
+#include <optional>
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/datapath/delays.hpp"
+#include "model/profile/profiled_error.hpp"
 #include "model/scene/blame.hpp"
-#include "model/scene/load_comparisons.hpp"
 #include "model/scene/locate.hpp"
 #include "model/scene/plan.hpp"
+#include "model/workload/load_comparisons.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -37,8 +41,8 @@ constexpr std::array<Shortcut, 8> shortcuts = {{
 }};
 
 /// Mistakes in a data file are the file's own; others may come from an override.
-model::Error at_fault_in_data(const model::Error& error, const model::DataSpec& data,
-                              const SceneOptions& options) {
+model::Error as_user_data_error(const model::Error& error, const model::DataSpec& data,
+                                const SceneOptions& options) {
   if (error.file == data.file.string() || error.file == data.with.string()) return error;
   const auto attempt = [&](std::span<const std::string> settings) -> std::optional<model::Error> {
     const model::Result<model::Scene> scene = model::load_scene(options.scene, settings);
@@ -47,7 +51,7 @@ model::Error at_fault_in_data(const model::Error& error, const model::DataSpec& 
     const model::Result<model::Comparisons> comparisons = model::load_comparisons(*scene);
     return comparisons.ok() ? std::nullopt : std::optional(comparisons.error());
   };
-  return at_fault(blamed(error, options.settings, attempt), options);
+  return as_user_error(with_setting(error, options.settings, attempt), options);
 }
 
 /// A search of many contests takes long enough to be asked about.
@@ -68,6 +72,16 @@ std::string help_of(const Shortcut& shortcut) {
 
 bool needs_quotes(const std::string& text) {
   return text.find_first_of(" \t\"'$&|;<>()[]{}*?!#~`\\") != std::string::npos;
+}
+
+/// A number without sign, and without zeros in front.
+std::optional<std::uint64_t> decimal_integer(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, status] = std::from_chars(text.data(), last, value);
+  const bool zeros_in_front = text.size() > 1 && text[0] == '0';
+  if (status != std::errc{} || end != last || zeros_in_front) return std::nullopt;
+  return value;
 }
 
 }  // namespace
@@ -100,12 +114,25 @@ void add_scene_options(CLI::App& verb, SceneOptions& options,
 
 CLI::Validator within(model::Limits limits) {
   return {[limits](const std::string& text) {
-            int value = 0;
-            const bool accepted = CLI::detail::lexical_cast(text, value) && limits.allow(value);
+            const auto value = decimal_integer(text);
+            const bool accepted =
+                value && *value <= INT_MAX && limits.allow(static_cast<int>(*value));
             return accepted ? std::string()
                             : fmt::format("received {}; accepted {}", text, to_string(limits));
           },
           to_string(limits)};
+}
+
+CLI::Validator whole(std::uint64_t least, std::uint64_t most) {
+  const bool bounded = most < std::numeric_limits<std::uint64_t>::max();
+  const std::string range = bounded ? fmt::format("an integer from {} to {}", least, most)
+                                    : fmt::format("an integer of at least {}", least);
+  return {[=](const std::string& text) {
+            const auto value = decimal_integer(text);
+            const bool accepted = value && least <= *value && *value <= most;
+            return accepted ? std::string() : fmt::format("received {}; accepted {}", text, range);
+          },
+          ""};
 }
 
 CLI::Validator between(double least, double most, const std::string& unit) {
@@ -119,8 +146,8 @@ CLI::Validator between(double least, double most, const std::string& unit) {
           unit};
 }
 
-model::Error at_fault(const model::Error& found, const SceneOptions& options) {
-  model::Error error = located(found, options.scene, options.settings);
+model::Error as_user_error(const model::Error& found, const SceneOptions& options) {
+  model::Error error = with_location(found, options.scene, options.settings);
   // "--set" alone is about the key that the error names, "--set key" about another.
   const std::string set = "--set";
   const std::string key = error.file == set                   ? error.field
@@ -133,18 +160,18 @@ model::Error at_fault(const model::Error& found, const SceneOptions& options) {
 
 model::Result<LoadedScene> load(const SceneOptions& options) {
   model::Result<model::Scene> loaded_scene = model::load_scene(options.scene, options.settings);
-  if (!loaded_scene.ok()) return at_fault(loaded_scene.error(), options);
+  if (!loaded_scene.ok()) return as_user_error(loaded_scene.error(), options);
   model::Scene scene = std::move(loaded_scene).value();
   if (const auto delays = gen::delays_of(scene.system.device); !delays.ok()) {
     model::Error error = delays.error();
     if (!error.file.empty()) return error;  // the device file's own
     error.file = options.scene.string();
-    return at_fault(error, options);
+    return as_user_error(error, options);
   }
   LoadedScene loaded = {std::move(scene), std::nullopt};
   if (loaded.scene.data) {
     auto data = model::load_comparisons(loaded.scene, contest_progress());
-    if (!data.ok()) return at_fault_in_data(data.error(), *loaded.scene.data, options);
+    if (!data.ok()) return as_user_data_error(data.error(), *loaded.scene.data, options);
     loaded.data = std::move(data).value();
   }
   return loaded;
@@ -160,24 +187,26 @@ model::Result<model::Done> check_has_data(const LoadedScene& loaded, const std::
 }
 
 model::Result<model::Design> design_of(const SceneOptions& options, const LoadedScene& loaded) {
-  auto design = make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr);
+  auto design =
+      make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr, model::profile_error);
   if (design.ok()) return design;
-  const model::Error error = at_fault(design.error(), options);
+  const model::Error error = as_user_error(design.error(), options);
   // The errors of a profiled bound are measured on the data: too long to be found again.
   const std::vector<model::LaneGroupSpec> groups = loaded.scene.lane_groups();
   const bool certified = std::all_of(groups.begin(), groups.end(), [](const auto& group) {
     return group.reduced.bound == model::BoundKind::certified;
   });
   if (!certified) return error;
-  return at_fault(
-      blamed(error, options.settings,
-             [&](std::span<const std::string> settings) -> std::optional<model::Error> {
-               const model::Result<model::Scene> scene = model::load_scene(options.scene, settings);
-               if (!scene.ok()) return scene.error();
-               const model::Result<model::Design> attempt = make_design(*scene, nullptr);
-               if (attempt.ok()) return std::nullopt;
-               return located(attempt.error(), options.scene, settings);
-             }),
+  return as_user_error(
+      with_setting(error, options.settings,
+                   [&](std::span<const std::string> settings) -> std::optional<model::Error> {
+                     const model::Result<model::Scene> scene =
+                         model::load_scene(options.scene, settings);
+                     if (!scene.ok()) return scene.error();
+                     const model::Result<model::Design> attempt = make_design(*scene, nullptr);
+                     if (attempt.ok()) return std::nullopt;
+                     return with_location(attempt.error(), options.scene, settings);
+                   }),
       options);
 }
 

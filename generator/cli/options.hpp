@@ -1,7 +1,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -38,10 +40,13 @@ model::Result<model::Done> check_has_data(const LoadedScene& loaded, const std::
 
 /// The mistake with the place where the user wrote what is at fault: a key's line, or the shortcut
 /// that set it.
-model::Error at_fault(const model::Error& found, const SceneOptions& options);
+model::Error as_user_error(const model::Error& found, const SceneOptions& options);
 
-/// Accepts a whole number in these limits, which help and errors then state.
+/// Accepts a whole number in these limits, which help and errors then state. It is decimal, without
+/// zeros in front: CLI11 would take "010" for eight.
 CLI::Validator within(model::Limits limits);
+CLI::Validator whole(std::uint64_t least,
+                     std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
 /// Accepts a number in these limits; CLI::Range lets NaN pass.
 CLI::Validator between(double least, double most, const std::string& unit);

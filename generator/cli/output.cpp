@@ -86,6 +86,7 @@ void ResultFiles::add_picture(const std::string& name, const std::string& script
 }
 
 std::vector<std::string> ResultFiles::write() {
+  value_or_exit(model::make_writable_folder(folder_));
   for (const File& file : files_) {
     const fs::path path = folder_ / file.name;
     if (file.text) {

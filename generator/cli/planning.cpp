@@ -55,7 +55,7 @@ Result<model::Done> adopt_target(Planning& planning, const std::filesystem::path
     if (CLI::detail::lexical_cast(text, measured) && measured > 0) {
       double& target = planning.scene.system.target_mhz;
       if (target != measured && is_set(options, "system.target_mhz")) {
-        tell(fmt::format("note: registers are placed for {:g} MHz, which {} was measured for",
+        tell(fmt::format("note: registers are placed for {} MHz, which {} was measured for",
                          measured, path.filename().string()));
       }
       target = measured;
@@ -166,9 +166,9 @@ std::string planning_command_line(const std::string& verb, const PlanningOptions
   add_words("--use-inputs", choice.inputs);
   add_words("--use-bounds", choice.bounds);
   add_words("--use-multipliers", choice.multipliers);
-  if (choice.clocks.lane_mhz) add("--lane-mhz", fmt::format("{:g}", *choice.clocks.lane_mhz));
+  if (choice.clocks.lane_mhz) add("--lane-mhz", fmt::format("{}", *choice.clocks.lane_mhz));
   if (choice.clocks.reference_mhz) {
-    add("--reference-mhz", fmt::format("{:g}", *choice.clocks.reference_mhz));
+    add("--reference-mhz", fmt::format("{}", *choice.clocks.reference_mhz));
   }
   return options.separate_clocks ? line + " --separate-clocks" : line;
 }
@@ -176,14 +176,15 @@ std::string planning_command_line(const std::string& verb, const PlanningOptions
 model::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
                               const std::filesystem::path& plan, std::string command) {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::absolute(plan).lexically_normal().parent_path();
-  const fs::path scene = fs::absolute(options.scene.scene).lexically_normal();
+  // Where links lead: the plan is read again from the place that it is written to.
+  const fs::path folder = fs::weakly_canonical(fs::absolute(plan)).parent_path();
+  const fs::path scene = fs::canonical(options.scene.scene);
   const bool is_file = device.ends_with(".toml");
   const model::SceneSettings read =
       value_or_exit(model::read_scene_settings(options.scene.scene, options.scene.settings));
   return {.scene_file = scene.lexically_relative(folder).generic_string(),
           .overrides = overridden_entries(read.settings.root, options.scene.settings),
-          .device = is_file ? fs::absolute(device).lexically_normal().string() : device,
+          .device = is_file ? fs::canonical(device).string() : device,
           .command = std::move(command)};
 }
 
@@ -204,7 +205,7 @@ std::filesystem::path table_of(const PlanningOptions& options, const model::Scen
 Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene,
                                const model::Comparisons* data) {
   const Result<model::Done> possible = check_no_chain(scene);
-  if (!possible.ok()) return at_fault(possible.error(), options.scene);
+  if (!possible.ok()) return as_user_error(possible.error(), options.scene);
   MIXCMP_TRY(device, model::find_device(scene.system.device));
   const std::filesystem::path path = table_of(options, scene);
   MIXCMP_TRY(exists, check_table_exists(path, options, scene.variant, device));
@@ -224,7 +225,7 @@ Result<Planning> load_planning(const PlanningOptions& options, const model::Scen
                  .accepted = scene.name};
   }
   MIXCMP_TRY(bounds_known, check_bounds(options.choice.bounds, table));
-  Planning planning{scene, std::move(device), std::move(table)};
+  Planning planning{scene, std::move(device), std::move(table), path};
   MIXCMP_TRY(adopted, adopt_target(planning, path, options.scene));
   warn_of_outdated(planning, data);
   return planning;

@@ -42,6 +42,7 @@ struct Planning {
   model::Scene scene;  ///< with the target_mhz that the table was measured for
   model::Device device;
   model::Characterisation table;
+  std::filesystem::path table_path;
 };
 /// Notes on stderr how many rows were measured on other RTL than today's, and a target_mhz that is
 /// set and not the table's. `data` may be null. Errors where the table is of another device or

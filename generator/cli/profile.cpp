@@ -38,7 +38,7 @@ void add_options(CLI::App& verb, ProfileCommand& command) {
       ->check(within(model::limits::lane_precision));
   verb.add_option("--samples", command.run.error_samples,
                   "comparisons that relative errors are measured on (default: 1000000)")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
+      ->check(whole(1, std::uint64_t{1} << 40));
   verb.add_option("--threads", command.run.threads,
                   "threads; results do not depend on them (default: one a processor)")
       ->check(within(model::limits::threads));

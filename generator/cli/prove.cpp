@@ -7,6 +7,7 @@
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
+#include "model/profile/profiled_error.hpp"
 #include "model/proof/gappa.hpp"
 #include "model/proof/provers.hpp"
 #include "model/proof/report.hpp"
@@ -43,11 +44,12 @@ std::vector<Candidate> candidates(model::Scene scene, const model::Comparisons* 
   scene.system.lanes = scene.system.lanes.value_or(1);
   scene.system.references = scene.system.references.value_or(1);
   scene.system.engine = {};
-  const auto design = model::make_design(scene, data);
+  const auto design = model::make_design(scene, data, model::profile_error);
   std::vector<Candidate> found;
   if (!design.ok()) {
     for (const model::LaneGroupSpec& group : scene.lane_groups()) {
-      found.push_back({format_name(group.reduced), design_lane(scene, group.reduced, data)});
+      found.push_back({format_name(group.reduced),
+                       design_lane(scene, group.reduced, data, model::profile_error)});
     }
     return found;
   }
@@ -65,12 +67,13 @@ std::string version_text(const model::Result<std::string>& version) {
   return version.ok() ? *version : "";
 }
 
-ProvenLane prove_lane(const std::string& scene, const std::string& name,
+ProvenLane prove_lane(const model::Scene& scene, const std::string& name,
                       const model::CombinedLane& lane, const ProveOptions& options) {
   ProvenLane result{.format = lane.arithmetic().format.name()};
-  const std::string stem = fmt::format("{}_{}", scene, name);
+  const std::string stem = fmt::format("{}_{}", scene.name, name);
   result.directory =
       options.directory.empty() ? std::filesystem::path(stem + "_proof") : options.directory;
+  value_or_exit(check_outputs({result.directory / (stem + ".json")}, {scene.path}));
   proof::ProofDirectory directory = value_or_exit(proof::ProofDirectory::open(
       result.directory, options.seconds_a_script, [&] { tell_waiting(result.directory); }));
   result.proof = proof::prove_lane(lane, std::ref(directory), proof::Effort::whole);
@@ -103,6 +106,13 @@ void add_prove_options(CLI::App& verb, ProveOptions& options) {
 std::vector<ProvenLane> prove(const LoadedScene& loaded, const ProveOptions& options) {
   std::vector<model::Scene> scenes;
   for (const int precision : options.precisions) {
+    const int most = loaded.scene.reference.format.precision();
+    if (precision > most) {
+      fail({.field = "--precisions",
+            .message = "a lane has no more digits than the reference",
+            .received = std::to_string(precision),
+            .accepted = fmt::format("at most {}", most)});
+    }
     scenes.push_back(value_or_exit(with_precision(loaded.scene, precision)));
   }
   if (scenes.empty()) scenes.push_back(loaded.scene);
@@ -110,7 +120,7 @@ std::vector<ProvenLane> prove(const LoadedScene& loaded, const ProveOptions& opt
   for (const model::Scene& scene : scenes) {
     for (const auto& [name, lane] : candidates(scene, loaded.data ? &*loaded.data : nullptr)) {
       if (lane.ok()) {
-        proven.push_back(prove_lane(scene.name, name, *lane, options));
+        proven.push_back(prove_lane(scene, name, *lane, options));
       } else {
         proven.push_back({.format = name, .error = lane.error().to_string()});
       }

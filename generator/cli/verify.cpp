@@ -49,17 +49,6 @@ void add_choice(CLI::App& verb, const std::string& flag, Value& value,
       ->check(CLI::IsMember(names));
 }
 
-/// An integer of at least `low`, in decimal; CLI11 itself wraps negative ones.
-CLI::Validator at_least(int low) {
-  return CLI::Validator(
-      [low](const std::string& text) -> std::string {
-        const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
-        if (digits && (low == 0 || text.find_first_not_of('0') != std::string::npos)) return "";
-        return fmt::format("received {}; accepted an integer of at least {}", text, low);
-      },
-      "");
-}
-
 /// Both simulators write FST, and the save file takes the same name with another ending.
 std::string fst_path(const std::string& text) {
   if (fs::path(text).extension() == ".fst") return "";
@@ -71,13 +60,12 @@ void add_options(CLI::App& verb, VerifyCommand& command) {
   verb.add_option("--work", command.work,
                   "directory for the Verilog, the builds and the logs (default: TOP_simulation)");
   auto* first =
-      verb.add_option("--first", command.first, "only the first N comparisons")->check(at_least(1));
+      verb.add_option("--first", command.first, "only the first N comparisons")->check(whole(1));
   auto* sample = verb.add_option("--sample", command.sample, "only N comparisons, spread over all")
-                     ->check(at_least(1));
+                     ->check(whole(1));
   verb.add_option("--seed", command.run.selection.seed, "of --sample and of --traffic stressed")
-      ->check(at_least(0));
-  auto* only =
-      verb.add_option("--only", command.only, "only comparison number N")->check(at_least(0));
+      ->check(whole(0));
+  auto* only = verb.add_option("--only", command.only, "only comparison number N")->check(whole(0));
   first->excludes(sample)->excludes(only);
   sample->excludes(only);
   add_choice<tb::SimulatorKind>(
@@ -88,7 +76,8 @@ void add_options(CLI::App& verb, VerifyCommand& command) {
       verb, "--traffic", command.run.traffic,
       {{"full_rate", tb::TrafficKind::full_rate}, {"stressed", tb::TrafficKind::stressed}},
       "full_rate, or stressed: random gaps and backpressure");
-  verb.add_option("--resets", command.run.resets, "resets in mid-stream")->check(at_least(0));
+  verb.add_option("--resets", command.run.resets, "resets in mid-stream")
+      ->check(whole(0, 1'000'000));
   verb.add_option("--trace", command.run.waves,
                   "write waves to this .fst file, beside it a GTKWave save file")
       ->check(CLI::Validator(fst_path, ""));

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "generator/rtl/bound_builder.hpp"
+#include "generator/rtl/bound_unit_builder.hpp"
 #include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/range_checks.hpp"
 #include "model/common/check.hpp"
@@ -92,8 +92,8 @@ private:
   PartDecision build(std::size_t part, const model::AbsoluteBoundDecision& decision,
                      const Signal& out_of_range) {
     const Step& step = schedule_.parts[part].decision;
-    BoundBuilder bounds(builder_, lane_, decision, schedule_.parts[part],
-                        part_suffix(part, lane_.parts.size()));
+    BoundUnitBuilder bounds(builder_, lane_, decision, schedule_.parts[part],
+                            part_suffix(part, lane_.parts.size()));
     bounds.build();
     std::vector<Signal> doubts = bounds.failures();
     doubts.push_back(builder_.flag(decision.difference));

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "model/format/bits.hpp"
+#include "model/common/bits.hpp"
 
 /// A structural RTL tree without syntax; emit/verilog.hpp prints it.
 namespace mixcmp::gen::rtl {

@@ -8,13 +8,14 @@
 #include "generator/software/program.hpp"
 #include "generator/software/source.hpp"
 #include "model/golden/evaluate.hpp"
-#include "model/profile/operands.hpp"
+#include "model/number/double.hpp"
+#include "model/number/verdict.hpp"
 
 namespace mixcmp::gen {
 namespace {
 
 using model::Bits;
-using model::golden::Verdict;
+using model::Verdict;
 
 // Their operands fill memory.
 constexpr std::uint64_t most_written_out = std::uint64_t{1} << 22;
@@ -100,7 +101,7 @@ VerdictCounts count_letters(const std::string& letters) {
 }
 
 /// What every judge says of one comparison.
-struct Judgement {
+struct ExpectedLetters {
   char golden, reference, truth;
 };
 
@@ -111,7 +112,7 @@ public:
         doubles_(reference_graphs(scene.graph, {software_format()})),
         reference_(reference_graphs(scene.graph, scene.reference)) {}
 
-  Judgement judge(const std::vector<Bits>& operands) const {
+  ExpectedLetters judge(const std::vector<Bits>& operands) const {
     std::vector<Bits> doubles;
     for (const Bits operand : operands) {
       const auto exact =
@@ -129,7 +130,7 @@ private:
 };
 
 void count(BaselineCheck& check, const std::vector<KernelOutput>& kernels, std::size_t index,
-           const Judgement& judgement) {
+           const ExpectedLetters& judgement) {
   const char exact = kernels.front().letters[index];
   const bool known = judgement.truth != undetermined;
   const bool defined = known && judgement.truth != letter(Verdict::unordered);
@@ -210,7 +211,7 @@ const BaselineKernel& Baseline::fastest() const {
 
 model::Result<Baseline> software_baseline(const model::Scene& scene, const model::Comparisons& data,
                                           const BaselineOptions& options) {
-  if (!model::double_holds(scene.reference.format)) return no_doubles(scene);
+  if (!model::fits_double(scene.reference.format)) return no_doubles(scene);
   if (!has_software_loops(data.pairing())) {
     MIXCMP_TRY(rows, written_out(scene, data, most_written_out));
     return software_baseline(scene, rows, options);
@@ -224,7 +225,7 @@ model::Result<Baseline> software_baseline(const model::Scene& scene, const model
   Baseline baseline{.scene = scene.name,
                     .processor = processor_name(),
                     .compiler = program.compiler(),
-                    .compile_command = model::to_shell(program.command()),
+                    .compile_command = model::shell_line(program.command()),
                     .comparisons = data.size(),
                     .threads = threads,
                     .seconds = options.seconds,

@@ -1,14 +1,16 @@
 #include "generator/software/float_filter.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <set>
 
 #include "model/error/error_analysis.hpp"
 #include "model/error/sign.hpp"
-#include "model/golden/big_float.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::gen {
 namespace {
@@ -155,10 +157,9 @@ model::Result<FloatFilter> filter_of(ErrorBoundKind kind, const model::CombinedG
 }  // namespace
 
 float float_at_least(const mpq_class& value) {
-  model::golden::BigFloat rounded(float_digits);
-  mpfr_set_q(rounded.get(), value.get_mpq_t(), MPFR_RNDU);
-  const float nearest = mpfr_get_flt(rounded.get(), MPFR_RNDU);
-  return value == 0 ? 0 : std::max(nearest, std::numeric_limits<float>::min());
+  const auto bits = static_cast<std::uint32_t>(from_rational_up(float_format(), value));
+  const auto rounded = std::bit_cast<float>(bits);
+  return value == 0 ? 0 : std::max(rounded, std::numeric_limits<float>::min());
 }
 
 model::FloatFormat software_format() {

@@ -9,9 +9,7 @@
 #include "generator/software/source.hpp"
 #include "model/common/file.hpp"
 #include "model/common/output_file.hpp"
-#include "model/golden/big_float.hpp"
-#include "model/golden/encoding.hpp"
-#include "model/profile/operands.hpp"
+#include "model/data/operand_source.hpp"
 
 namespace mixcmp::gen {
 namespace {

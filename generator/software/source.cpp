@@ -7,8 +7,7 @@
 #include "embedded/software_program.hpp"
 #include "generator/emit/version.hpp"
 #include "generator/rtl/net_names.hpp"
-#include "model/golden/arithmetic.hpp"
-#include "model/golden/big_float.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::gen {
 namespace {
@@ -20,7 +19,7 @@ using model::TypedGraph;
 
 /// A finite number of the graph's format, exactly.
 std::string literal(model::FloatFormat format, model::Bits bits) {
-  const double value = model::golden::to_rational(format, bits).get_d();
+  const double value = model::to_rational(format, bits).get_d();
   return fmt::format("{:a}{}", value, format == software_format() ? "" : "f");
 }
 

@@ -7,7 +7,7 @@
 #include "model/characterise/table_columns.hpp"
 #include "model/common/file.hpp"
 #include "model/common/quote.hpp"
-#include "model/format/float_format.hpp"
+#include "model/number/float_format.hpp"
 
 namespace mixcmp::model {
 namespace {

@@ -26,7 +26,7 @@ void remove_if_abandoned(const fs::path& path) {
 
 }  // namespace
 
-bool lock_new(int descriptor) {
+bool try_lock_new(int descriptor) {
   // Where a file system has no locks, nobody takes anything for abandoned.
   const bool taken = flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   struct stat status = {};

@@ -7,7 +7,7 @@ namespace mixcmp::model {
 
 /// Locks (flock) a file or folder with a temporary name that was just made, for as long as the
 /// descriptor is open. False if another run took it for abandoned in the meantime.
-bool lock_new(int descriptor);
+bool try_lock_new(int descriptor);
 
 /// Removes from `folder` our user's files and folders whose names begin with `prefix` and that are
 /// not locked: they were left by a process that was killed. What cannot be removed stays without a

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/format/bits.hpp"
+#include "model/common/bits.hpp"
 
 namespace mixcmp::model {
 

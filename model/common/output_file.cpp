@@ -49,7 +49,7 @@ Result<std::pair<fs::path, Descriptor>> create_unfinished(const fs::path& path) 
     const fs::path name = folder / fmt::format("{}{}-{}", unfinished_prefix, getpid(), number);
     Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (file.get() < 0 && errno != EEXIST) return cannot_write(path, errno);
-    if (file.get() >= 0 && lock_new(file.get())) return std::pair(name, std::move(file));
+    if (file.get() >= 0 && try_lock_new(file.get())) return std::pair(name, std::move(file));
   }
 }
 

@@ -141,7 +141,7 @@ Result<Done> run_tool(const ToolRun& run) {
       .file = run.log.string(),
       .message = fmt::format("{} {}; the command was\n  cd {} && {}\nand the log ends with\n{}",
                              run.command[0], *failure, run.directory.string(),
-                             to_shell(run.command), last_lines(run.log, 20))};
+                             shell_line(run.command), last_lines(run.log, 20))};
 }
 
 Result<Captured> capture(const Command& command, const CaptureOptions& options) {
@@ -163,7 +163,7 @@ Result<Captured> capture(const Command& command, const CaptureOptions& options) 
                      group.wait_for(time_until(deadline));
   if (captured.in_time) captured.status = group.wait();
   if (captured.output.size() + captured.errors.size() <= most_captured_bytes) return captured;
-  return Error{.message = fmt::format("{} prints too much", to_shell(command)),
+  return Error{.message = fmt::format("{} prints too much", shell_line(command)),
                .received = "more than 64 MiB"};
 }
 
@@ -171,7 +171,7 @@ Result<std::string> tool_version(const Command& command, const std::string& pack
   const Command tool(command.begin(), command.end() - 1);
   const Result<Captured> run = capture(command);
   if (!run.ok() && run.error().kind == ErrorKind::missing_tool) {
-    return Error{.message = fmt::format("{} does not run", to_shell(tool)),
+    return Error{.message = fmt::format("{} does not run", shell_line(tool)),
                  .accepted = fmt::format("{}, on Debian: apt-get install {}", tool.back(), package),
                  .kind = ErrorKind::missing_tool};
   }
@@ -182,7 +182,7 @@ Result<std::string> tool_version(const Command& command, const std::string& pack
   const std::string how = !run->in_time      ? "does not end"
                           : run->succeeded() ? "prints no version"
                                              : how_it_ended(run->status);
-  return Error{.message = fmt::format("{} {}", to_shell(command), how),
+  return Error{.message = fmt::format("{} {}", shell_line(command), how),
                .received = first_line(run->errors.empty() ? run->output : run->errors),
                .accepted = fmt::format("a {} that runs", tool.back())};
 }
@@ -237,7 +237,7 @@ std::string last_lines(const fs::path& file, std::size_t count) {
   return text;
 }
 
-std::string to_shell(const Command& command) {
+std::string shell_line(const Command& command) {
   std::string text;
   for (const std::string& word : command) {
     if (!text.empty()) text += ' ';

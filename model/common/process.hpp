@@ -83,6 +83,6 @@ private:
 std::string last_lines(const std::filesystem::path& file, std::size_t count);
 
 /// A command as a shell would take it.
-std::string to_shell(const Command& command);
+std::string shell_line(const Command& command);
 
 }  // namespace mixcmp::model

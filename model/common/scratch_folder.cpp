@@ -41,7 +41,7 @@ Result<ScratchFolder> ScratchFolder::make_in(const fs::path& parent, const std::
     if (mkdtemp(name.data()) == nullptr) return cannot_make(parent);
     Descriptor lock(open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (lock.get() < 0 && errno != ENOENT) return cannot_make(parent);
-    if (lock.get() >= 0 && lock_new(lock.get())) return ScratchFolder(name, std::move(lock));
+    if (lock.get() >= 0 && try_lock_new(lock.get())) return ScratchFolder(name, std::move(lock));
   }
 }
 

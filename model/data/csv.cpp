@@ -7,7 +7,7 @@
 #include "model/common/file.hpp"
 #include "model/common/quote.hpp"
 #include "model/data/number.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/decimal.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -120,7 +120,7 @@ std::string likely_form(const Record& record) {
 }
 
 bool is_number(FloatFormat format, std::string_view text) {
-  return golden::from_text(format, trimmed(text)).ok();
+  return from_text(format, trimmed(text)).ok();
 }
 
 /// Where a column is missing, the first line may be no header at all.

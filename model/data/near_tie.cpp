@@ -6,10 +6,15 @@
 #include <utility>
 
 #include "model/common/check.hpp"
-#include "model/data/dyadic.hpp"
+#include "model/number/dyadic.hpp"
 
 namespace mixcmp::model {
 namespace {
+
+/// 2^exponent; zero for a negative exponent.
+mpz_class whole_power_of_two(int exponent) {
+  return exponent < 0 ? mpz_class(0) : shifted_left(1, exponent);
+}
 
 struct Sides {
   mpz_class f;
@@ -77,8 +82,8 @@ public:
   mpz_class closest_radii(const Numbers& numbers) const {
     const mpz_class square = exact_sides(numbers).f;
     mpz_class radii = quantized(root_of(square), quantum_bits_);
-    if (wrong_way_ > 0) return radii + power_of_two(quantum_bits_);
-    if (radii * radii == square) radii -= power_of_two(quantum_bits_);
+    if (wrong_way_ > 0) return radii + whole_power_of_two(quantum_bits_);
+    if (radii * radii == square) radii -= whole_power_of_two(quantum_bits_);
     return radii;
   }
 
@@ -104,7 +109,7 @@ public:
 
   /// How far, in units of 2^-L, the lane's order contradicts the order that the radii were made
   /// for.
-  double deceit_ulp(const Numbers& numbers) const {
+  double contradiction_ulp(const Numbers& numbers) const {
     const Sides lane = lane_sides(numbers, target_);
     const mpz_class difference = shifted_left(lane.f - lane.g, target_.precision);
     const mpz_class& larger = std::max(lane.f, lane.g);
@@ -116,9 +121,9 @@ private:
 
   /// How far the lane's roundings reach around `value`: half a last place, or a whole one.
   mpz_class reach(const mpz_class& value) const {
-    return power_of_two(digits_of(value) - 1 - target_.precision + (to_nearest() ? 0 : 1));
+    return whole_power_of_two(digits_of(value) - 1 - target_.precision + (to_nearest() ? 0 : 1));
   }
-  mpz_class one() const { return power_of_two(fraction_bits_); }
+  mpz_class one() const { return whole_power_of_two(fraction_bits_); }
   mpz_class one_and(const mpz_class& last_places) const {
     return one() + shifted_left(last_places, std::max(0, fraction_bits_ - target_.precision + 1));
   }
@@ -128,7 +133,8 @@ private:
     const int least = quantum_bits_ + (to_nearest() ? -1 : 2);
     const int end = fraction_bits_ - target_.precision - 1;
     const int exponent = random_.between(least, std::max(least, end));
-    return exponent < quantum_bits_ || exponent >= end ? mpz_class(0) : power_of_two(exponent);
+    return exponent < quantum_bits_ || exponent >= end ? mpz_class(0)
+                                                       : whole_power_of_two(exponent);
   }
 
   /// A number that the lane rounds to `value`, a number of its own, although it is much larger
@@ -191,7 +197,7 @@ private:
 
   /// A near tie with x just above 1, z just above or below sqrt(1/2) and r just below sqrt(2).
   bool diagonal_centres(Numbers& numbers) {
-    const mpz_class root_of_half = root_of(power_of_two(2 * fraction_bits_ - 1));
+    const mpz_class root_of_half = root_of(whole_power_of_two(2 * fraction_bits_ - 1));
     const mpz_class x = one_and(misleading_places(random_.below(3), -wrong_way_));
     const mpz_class z = near_misleading_square(root_of_half, -wrong_way_);
     const mpz_class r = near_misleading_square(2 * root_of_half, wrong_way_);
@@ -251,13 +257,13 @@ private:
 NearTie near_tie(const NearTieTarget& target, const NearTieEffort& effort, RowRandom& random) {
   Builder builder(target, random);
   NearTie best = {{{}, -builder.fraction_bits()}, -std::numeric_limits<double>::infinity()};
-  for (int attempt = 0; attempt < effort.attempts && best.deceit_ulp < effort.enough_ulp;
+  for (int attempt = 0; attempt < effort.attempts && best.contradiction_ulp < effort.enough_ulp;
        ++attempt) {
     Builder::Numbers numbers = builder.centres();
     builder.share_radii(numbers, builder.closest_radii(numbers));
-    const double deceit_ulp = builder.deceit_ulp(numbers);
-    if (deceit_ulp <= best.deceit_ulp) continue;
-    best.deceit_ulp = deceit_ulp;
+    const double contradiction_ulp = builder.contradiction_ulp(numbers);
+    if (contradiction_ulp <= best.contradiction_ulp) continue;
+    best.contradiction_ulp = contradiction_ulp;
     best.pair.numbers = std::move(numbers);
   }
   return best;

@@ -5,7 +5,8 @@
 #include <array>
 
 #include "model/data/row_random.hpp"
-#include "model/expression/typed_graph.hpp"
+#include "model/number/float_format.hpp"
+#include "model/number/lane_inputs.hpp"
 
 namespace mixcmp::model {
 
@@ -41,7 +42,7 @@ struct NearTie {
   /// (f_L - g_L) / max(f_L, g_L) in units of 2^-L, taken as positive where the lane's order
   /// contradicts the truth. With exact inputs below 8 to nearest and below 10 toward zero:
   /// the sum of all roundings.
-  double deceit_ulp;
+  double contradiction_ulp;
 };
 
 /// The most misleading of several constructed pairs whose exact f and g differ by about the last

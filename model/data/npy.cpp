@@ -10,7 +10,7 @@
 #include "model/common/file.hpp"
 #include "model/common/quote.hpp"
 #include "model/data/npy_header.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -148,7 +148,7 @@ Bits into(FloatFormat target, FloatFormat source, Bits bits) {
   if (source.is_nan(bits)) return target.quiet_nan();
   if (source.is_infinite(bits)) return target.infinity(negative);
   if (source.is_zero(bits)) return target.zero(negative);
-  return golden::from_rational(target, golden::to_rational(source, bits)) | target.zero(negative);
+  return from_rational(target, to_rational(source, bits)) | target.zero(negative);
 }
 
 FloatFormat float_of(int bytes) {
@@ -167,7 +167,7 @@ std::optional<Bits> read_scalar(std::string_view bytes, const NpyScalar& scalar,
   const std::uint64_t bits = load(bytes, scalar.big_endian);
   const bool is_float = scalar.kind == 'f';
   const Bits value = is_float ? into(format, float_of(scalar.bytes), bits)
-                              : golden::from_rational(format, integer_of(bits, scalar));
+                              : from_rational(format, integer_of(bits, scalar));
   const bool infinite_before = is_float && float_of(scalar.bytes).is_infinite(bits);
   if (format.is_infinite(value) && !infinite_before) return std::nullopt;
   return value;

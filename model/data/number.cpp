@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "model/common/quote.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/decimal.hpp"
 
 namespace mixcmp::model {
 
@@ -16,7 +16,7 @@ std::string_view trimmed(std::string_view text) {
 
 Result<Bits> read_number(FloatFormat format, std::string_view text) {
   const std::string_view number = trimmed(text);
-  Result<Bits> bits = golden::from_text(format, number);
+  Result<Bits> bits = from_text(format, number);
   if (!bits.ok()) {
     Error error = bits.error();
     error.received = in_quotes(text);

@@ -10,7 +10,7 @@
 #include "model/common/quote.hpp"
 #include "model/data/number.hpp"
 #include "model/data/van_der_waals.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -80,7 +80,7 @@ Result<mpq_class> read_occupancy(std::string_view line) {
   if (text.empty()) return mpq_class(1);
   const FloatFormat format = FloatFormat::parse("binary64").value();
   MIXCMP_TRY(bits, read_coordinate(line, occupancy_columns, "occupancy", format));
-  return golden::to_rational(format, bits);
+  return to_rational(format, bits);
 }
 
 Result<Atom> read_atom(std::string_view line, FloatFormat format) {

@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "model/data/dyadic.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/dyadic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -231,13 +231,13 @@ SpherePairMaker::Row SpherePairMaker::near_tie(int precision) {
 }
 
 Bits SpherePairMaker::encode(const mpq_class& value) {
-  const Bits bits = golden::from_rational(format_, value);
+  const Bits bits = from_rational(format_, value);
   overflowed_ = overflowed_ || format_.is_infinite(bits);
   return bits;
 }
 
 mpq_class SpherePairMaker::decode(Bits bits) const {
-  return format_.is_infinite(bits) ? mpq_class(0) : golden::to_rational(format_, bits);
+  return format_.is_infinite(bits) ? mpq_class(0) : to_rational(format_, bits);
 }
 
 SpherePairMaker::Row SpherePairMaker::encode(const DyadicPair& pair) {

@@ -7,7 +7,7 @@
 
 #include "model/data/near_tie.hpp"
 #include "model/data/row_random.hpp"
-#include "model/format/float_format.hpp"
+#include "model/number/float_format.hpp"
 
 namespace mixcmp::model {
 

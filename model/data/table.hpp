@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/format/float_format.hpp"
+#include "model/number/float_format.hpp"
 
 namespace mixcmp::model {
 

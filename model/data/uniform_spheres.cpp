@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "model/data/philox.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -35,7 +35,7 @@ Table uniform_spheres(const UniformSpheres& spheres, FloatFormat format) {
     for (const mpq_class& value :
          {fraction_of(spheres.side, xy[0], xy[1]), fraction_of(spheres.side, xy[2], xy[3]),
           fraction_of(spheres.side, zr[0], zr[1]), fraction_of(spheres.radius_max, zr[2], zr[3])}) {
-      table.values.push_back(golden::from_rational(format, value));
+      table.values.push_back(from_rational(format, value));
     }
   }
   return table;

@@ -7,7 +7,6 @@
 
 #include "model/design/engine_data.hpp"
 #include "model/error/hazards.hpp"
-#include "model/error/profiled_error.hpp"
 #include "model/error/range_analysis.hpp"
 
 namespace mixcmp::model {
@@ -42,13 +41,13 @@ Result<int> lane_count(const Scene& scene, const LaneGroupSpec& group, const Com
 }
 
 /// The largest errors of any part: RE_f and RE_g serve all of them.
-ProfiledError profile_parts(const Scene& scene, const CombinedGraph& graph,
-                            const Comparisons& data) {
+ProfiledError profile_parts(const Scene& scene, const CombinedGraph& graph, const Comparisons& data,
+                            MeasureErrors measure) {
   const std::uint64_t seed = scene.data ? scene.data->seed : 1;
   ProfiledError largest;
   for (std::size_t k = 0; k < graph.parts.size(); ++k) {
     const ProfiledError part =
-        profile_error(scene.graph.part(k), graph.parts[k], data, profile_samples, seed);
+        measure(scene.graph.part(k), graph.parts[k], data, profile_samples, seed);
     largest.f = std::max(largest.f, part.f);
     largest.g = std::max(largest.g, part.g);
     largest.comparisons += part.comparisons;
@@ -57,17 +56,18 @@ ProfiledError profile_parts(const Scene& scene, const CombinedGraph& graph,
 }
 
 Result<CombinedLane> design_profiled_lane(const Scene& scene, const ReducedSpec& reduced,
-                                          const CombinedGraph& graph, const Comparisons* data) {
+                                          const CombinedGraph& graph, const Comparisons* data,
+                                          MeasureErrors measure) {
   if (reduced.relative_error_f && reduced.relative_error_g) {
     return profiled_lanes(graph, *reduced.relative_error_f, *reduced.relative_error_g);
   }
-  if (data == nullptr) {
+  if (data == nullptr || measure == nullptr) {
     return Error{.field = "reduced.relative_error_f, reduced.relative_error_g",
                  .message = "a profiled bound needs its constants, or data to measure them on",
                  .received = "neither",
                  .accepted = "both constants, or a [data] section"};
   }
-  const ProfiledError profiled = profile_parts(scene, graph, *data);
+  const ProfiledError profiled = profile_parts(scene, graph, *data, measure);
   if (profiled.comparisons == 0) {
     return Error{.field = "reduced.bound",
                  .message = "no comparison of the data could be measured for the profile",
@@ -134,8 +134,8 @@ Error placed(Error error, const LaneGroupSpec& group) {
 }
 
 Result<LaneGroup> design_group(const Scene& scene, const LaneGroupSpec& group,
-                               const Comparisons* data) {
-  const Result<CombinedLane> lane = design_lane(scene, group.reduced, data);
+                               const Comparisons* data, MeasureErrors measure) {
+  const Result<CombinedLane> lane = design_lane(scene, group.reduced, data, measure);
   if (!lane.ok()) return placed(lane.error(), group);
   MIXCMP_TRY(count, lane_count(scene, group, data));
   return LaneGroup{.lane = *lane,
@@ -144,7 +144,7 @@ Result<LaneGroup> design_group(const Scene& scene, const LaneGroupSpec& group,
                    .count = count};
 }
 
-Result<Design> choose(const Scene& scene, const Comparisons* data) {
+Result<Design> choose(const Scene& scene, const Comparisons* data, MeasureErrors measure) {
   Design design{.name = scene.name,
                 .inputs = scene.graph.inputs(),
                 .lanes = {},
@@ -152,7 +152,7 @@ Result<Design> choose(const Scene& scene, const Comparisons* data) {
                 .references = {},
                 .system = scene.system};
   for (const LaneGroupSpec& spec : scene.lane_groups()) {
-    MIXCMP_TRY(group, design_group(scene, spec, data));
+    MIXCMP_TRY(group, design_group(scene, spec, data, measure));
     design.lanes.push_back(std::move(group));
   }
   for (const ReferenceGroupSpec& spec : scene.reference_groups()) {
@@ -199,7 +199,7 @@ bool Design::certified() const {
 }
 
 Result<CombinedLane> design_lane(const Scene& scene, const ReducedSpec& reduced,
-                                 const Comparisons* data) {
+                                 const Comparisons* data, MeasureErrors measure) {
   if (!reduced.format) {
     return unresolved(scene, "reduced.format", "--format s17e8", "sPeE, such as s17e8");
   }
@@ -208,13 +208,13 @@ Result<CombinedLane> design_lane(const Scene& scene, const ReducedSpec& reduced,
       lane_graphs(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
   switch (reduced.bound) {
     case BoundKind::certified: return design_certified_lane(scene, reduced, graph);
-    case BoundKind::profiled: return design_profiled_lane(scene, reduced, graph, data);
+    case BoundKind::profiled: return design_profiled_lane(scene, reduced, graph, data, measure);
   }
   MIXCMP_CHECK(false);
 }
 
-Result<Design> make_design(const Scene& scene, const Comparisons* data) {
-  Result<Design> design = choose(scene, data);
+Result<Design> make_design(const Scene& scene, const Comparisons* data, MeasureErrors measure) {
+  Result<Design> design = choose(scene, data, measure);
   if (design.ok()) return design;
   Error error = design.error();
   if (error.file.empty()) error.file = scene.path.string();

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
+
 #include "model/data/comparisons.hpp"
 #include "model/error/combined_lane.hpp"
+#include "model/error/profiled_lane.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::model {
@@ -37,13 +40,21 @@ struct Design {
   bool certified() const;  ///< every lane's decision is
 };
 
-/// Resolves the scene's choices. `data` is needed only where profiled constants must be measured;
-/// an "auto" that nothing has resolved is an error that names the option to give.
-Result<Design> make_design(const Scene& scene, const Comparisons* data);
+/// Measures the relative errors of a lane on `sample_count` comparisons: profile_error
+/// (model/profile), which a design does not link.
+using MeasureErrors = ProfiledError (*)(const Graph& graph, const TypedGraph& lane,
+                                        const Comparisons& data, std::uint64_t sample_count,
+                                        std::uint64_t seed);
 
-/// One lane of a scene, as `reduced` wants it.
+/// Resolves the scene's choices; an "auto" that nothing has resolved is an error that names the
+/// option to give. The constants of a profiled bound that the scene does not give are measured on
+/// `data`: without data, or without `measure`, their absence is an error.
+Result<Design> make_design(const Scene& scene, const Comparisons* data,
+                           MeasureErrors measure = nullptr);
+
+/// Makes one lane of a scene, as `reduced` wants it; `data` and `measure` as in make_design.
 Result<CombinedLane> design_lane(const Scene& scene, const ReducedSpec& reduced,
-                                 const Comparisons* data);
+                                 const Comparisons* data, MeasureErrors measure = nullptr);
 
 /// How a lane bounds its errors, as tables and profiles name it: "relative", "running_4"; of parts
 /// whose bounds differ each once, "relative_constant".

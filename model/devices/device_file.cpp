@@ -9,8 +9,8 @@
 #include "model/common/check.hpp"
 #include "model/common/nearest.hpp"
 #include "model/common/quote.hpp"
-#include "model/scene/section.hpp"
-#include "model/scene/settings.hpp"
+#include "model/settings/section.hpp"
+#include "model/settings/settings.hpp"
 
 namespace mixcmp::model {
 namespace {

@@ -7,25 +7,25 @@
 #include <optional>
 
 #include "model/common/check.hpp"
+#include "model/emulator/code.hpp"
 #include "model/emulator/execution.hpp"
-#include "model/emulator/operand.hpp"
-#include "model/emulator/plan.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/number/double.hpp"
 
 namespace mixcmp::model {
 
+using emulator::Code;
 using emulator::Execution;
-using emulator::Plan;
 
 /// What to run, and the golden model of the same.
 class Emulator::Program {
 public:
   explicit Program(const Lane& lane)
-      : graph_(lane.graph), lane_(lane), plan_(emulator::make_plan(graph_, &lane)) {}
+      : graph_(lane.graph), lane_(lane), code_(emulator::make_code(graph_, &lane)) {}
   explicit Program(const TypedGraph& reference)
-      : graph_(reference), plan_(emulator::make_plan(graph_, nullptr)) {}
+      : graph_(reference), code_(emulator::make_code(graph_, nullptr)) {}
 
-  const std::optional<Plan>& plan() const { return plan_; }
+  const std::optional<Code>& code() const { return code_; }
   int input_count() const { return graph_.input_count; }
 
   void decide(OperandColumns operands, std::span<Decision> decisions) const;
@@ -45,7 +45,7 @@ private:
 
   TypedGraph graph_;
   std::optional<Lane> lane_;
-  std::optional<Plan> plan_;
+  std::optional<Code> code_;
   mutable std::atomic<std::uint64_t> fallbacks_ = 0;
 };
 
@@ -54,7 +54,7 @@ std::vector<Bits> Emulator::Program::encoded(OperandColumns operands, std::size_
   std::vector<Bits> inputs;
   inputs.reserve(operands.size());
   for (const double* column : operands) {
-    inputs.push_back(emulator::encode(graph_.input_format, column[index]));
+    inputs.push_back(from_double(graph_.input_format, column[index]));
   }
   return inputs;
 }
@@ -73,9 +73,7 @@ Decision Emulator::Program::golden_order(OperandColumns operands, std::size_t in
 Emulator::Program::Values Emulator::Program::compute(OperandColumns operands,
                                                      std::size_t index) const {
   const std::vector<golden::Rounded> values = golden::evaluate(graph_, encoded(operands, index));
-  const auto value = [&](NodeId id) {
-    return emulator::decode(graph_.nodes[id].format, values[id].bits);
-  };
+  const auto value = [&](NodeId id) { return to_double(graph_.nodes[id].format, values[id].bits); };
   const auto exceptional = [](const golden::Rounded& node) { return node.exceptional; };
   return {value(graph_.f), value(graph_.g), std::any_of(values.begin(), values.end(), exceptional)};
 }
@@ -86,19 +84,19 @@ namespace {
 constexpr std::array<std::uint8_t, 5> ranks_of_all = {0, 1, 4, 2, 3};
 constexpr std::array<std::uint8_t, 5> ranks_of_any = {4, 1, 0, 2, 3};
 
-/// Decisions of a plan; `doubtful` answers where double cannot be trusted.
+/// Decisions of a code; `doubtful` answers where double cannot be trusted.
 template <class Doubtful>
-void run(const Plan& plan, const emulator::Judgement& judgement, Execution::Scope scope,
+void run(const Code& code, const emulator::DecisionRule& decision, Execution::Scope scope,
          OperandColumns operands, std::span<Decision> decisions, Doubtful doubtful) {
   static_assert(sizeof(Decision) == sizeof(std::uint8_t));
   std::array<std::uint8_t, emulator::max_block_size> last_codes;
-  Execution execution(plan, operands, decisions.size(), scope);
+  Execution execution(code, operands, decisions.size(), scope);
   while (execution.next()) {
     Decision* const results = decisions.data() + execution.first();
     if (execution.size() == execution.block().size) {
-      emulator::judge(judgement, execution.block(), reinterpret_cast<std::uint8_t*>(results));
+      emulator::judge(decision, execution.block(), reinterpret_cast<std::uint8_t*>(results));
     } else {
-      emulator::judge(judgement, execution.block(), last_codes.data());
+      emulator::judge(decision, execution.block(), last_codes.data());
       std::memcpy(results, last_codes.data(), execution.size());
     }
     for (std::size_t k = 0; execution.any_doubt() && k < execution.size(); ++k) {
@@ -111,24 +109,24 @@ void run(const Plan& plan, const emulator::Judgement& judgement, Execution::Scop
 
 void Emulator::Program::decide(OperandColumns operands, std::span<Decision> decisions) const {
   const auto golden = [&](std::size_t k) { return golden_decision(operands, k); };
-  if (!plan_) {
+  if (!code_) {
     for (std::size_t k = 0; k < decisions.size(); ++k) decisions[k] = golden(k);
     return;
   }
-  run(*plan_, plan_->decision, Execution::Scope::decision, operands, decisions, [&](std::size_t k) {
-    return plan_->doubtful_is_undecided ? Decision::undecided : golden(k);
+  run(*code_, code_->decision, Execution::Scope::decision, operands, decisions, [&](std::size_t k) {
+    return code_->doubtful_is_undecided ? Decision::undecided : golden(k);
   });
 }
 
 void Emulator::Program::compare(OperandColumns operands, std::span<Decision> decisions) const {
   const auto golden = [&](std::size_t k) { return golden_order(operands, k); };
-  if (!plan_) {
+  if (!code_) {
     for (std::size_t k = 0; k < decisions.size(); ++k) decisions[k] = golden(k);
     return;
   }
-  const emulator::Judgement order = {
-      .rule = emulator::Rule::order, .first = plan_->f, .second = plan_->g};
-  run(*plan_, order, Execution::Scope::values, operands, decisions, golden);
+  const emulator::DecisionRule order = {
+      .rule = emulator::Rule::order, .first = code_->f, .second = code_->g};
+  run(*code_, order, Execution::Scope::values, operands, decisions, golden);
 }
 
 Emulator::Emulator(const Lane& lane) : Emulator(CombinedLane(lane)) {}
@@ -193,16 +191,16 @@ void Emulator::compute(OperandColumns operands, std::size_t count, std::span<dou
     g[k] = values.g;
     exceptional[k] = values.exceptional ? 1 : 0;
   };
-  const auto& plan = program.plan();
-  if (!plan) {
+  const auto& code = program.code();
+  if (!code) {
     for (std::size_t k = 0; k < count; ++k) golden(k);
     return;
   }
-  Execution execution(*plan, operands, count, Execution::Scope::values);
+  Execution execution(*code, operands, count, Execution::Scope::values);
   while (execution.next()) {
     const std::size_t first = execution.first(), size = execution.size();
-    std::copy_n(execution.block().columns[plan->f], size, f.data() + first);
-    std::copy_n(execution.block().columns[plan->g], size, g.data() + first);
+    std::copy_n(execution.block().columns[code->f], size, f.data() + first);
+    std::copy_n(execution.block().columns[code->g], size, g.data() + first);
     std::fill_n(exceptional.data() + first, size, std::uint8_t{0});
     for (std::size_t k = 0; execution.any_doubt() && k < size; ++k) {
       if (execution.doubtful(k)) golden(first + k);

@@ -10,7 +10,7 @@
 
 namespace mixcmp::model {
 
-/// What a lane or a reference says of one comparison: golden::Verdict, or that it is open.
+/// What a lane or a reference says of one comparison: Verdict, or that it is open.
 enum class Decision : std::uint8_t {
   less = 0,
   equal = 1,

@@ -42,21 +42,21 @@ std::size_t whole_vectors(std::size_t count) {
 
 }  // namespace
 
-Execution::Execution(const Plan& plan, std::span<const double* const> operands, std::size_t count,
+Execution::Execution(const Code& code, std::span<const double* const> operands, std::size_t count,
                      Scope scope)
-    : plan_(plan),
+    : code_(code),
       operands_(operands),
       count_(count),
       scope_(scope),
-      block_size_(std::min(fitting_block_size(plan.columns), whole_vectors(count))),
-      memory_(new double[numbers(plan.columns, block_size_) + cache_line]),
+      block_size_(std::min(fitting_block_size(code.columns), whole_vectors(count))),
+      memory_(new double[numbers(code.columns, block_size_) + cache_line]),
       scratch_(aligned(memory_.get())),
-      columns_(static_cast<std::size_t>(plan.columns)),
-      results_(static_cast<std::size_t>(plan.columns)) {
-  for (int column = 0; column < plan.columns; ++column) {
+      columns_(static_cast<std::size_t>(code.columns)),
+      results_(static_cast<std::size_t>(code.columns)) {
+  for (int column = 0; column < code.columns; ++column) {
     columns_[column] = results_[column] = scratch_column(column);
   }
-  for (const auto& [column, value] : plan.constants) {
+  for (const auto& [column, value] : code.constants) {
     std::fill_n(results_[column], block_size_, value);
   }
 }
@@ -67,7 +67,7 @@ double* Execution::scratch_column(int index) {
 
 void Execution::point_to_operands() {
   const std::size_t whole = whole_vectors(size_);
-  for (const auto& [column, operand] : plan_.inputs) {
+  for (const auto& [column, operand] : code_.inputs) {
     const double* values = operands_[operand] + first_;
     columns_[column] = values;
     if (whole == size_) continue;
@@ -83,10 +83,10 @@ bool Execution::next() {
   if (size_ == 0) return false;
   point_to_operands();
   block_ = {.columns = columns_.data(), .results = results_.data(), .size = whole_vectors(size_)};
-  execute(plan_.values, block_);
-  if (scope_ == Scope::decision) execute(plan_.bounds, block_);
-  const bool safe = plan_.window && all_inside(*plan_.window, block_);
-  any_doubt_ = !safe && find_doubts(plan_.ranges, block_, doubts_.data());
+  execute(code_.values, block_);
+  if (scope_ == Scope::decision) execute(code_.bounds, block_);
+  const bool safe = code_.window && all_inside(*code_.window, block_);
+  any_doubt_ = !safe && find_doubts(code_.ranges, block_, doubts_.data());
   return true;
 }
 

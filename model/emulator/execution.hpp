@@ -6,11 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "model/emulator/plan.hpp"
+#include "model/emulator/code.hpp"
 
 namespace mixcmp::model::emulator {
 
-/// One pass of a plan over `count` comparisons, a block at a time, with the scratch memory for it.
+/// One pass of the code over `count` comparisons, a block at a time, with the scratch memory for
+/// it.
 class Execution {
 public:
   enum class Scope {
@@ -18,7 +19,7 @@ public:
     decision,  ///< bounds, too
   };
   /// `operands`: one array of `count` doubles an input.
-  Execution(const Plan& plan, std::span<const double* const> operands, std::size_t count,
+  Execution(const Code& code, std::span<const double* const> operands, std::size_t count,
             Scope scope);
 
   /// Computes the next block; false after the last.
@@ -37,7 +38,7 @@ private:
   void point_to_operands();
   double* scratch_column(int index);
 
-  const Plan& plan_;
+  const Code& code_;
   std::span<const double* const> operands_;
   std::size_t count_;
   Scope scope_;

@@ -25,10 +25,10 @@ HWY_INLINE IntVec greater_or_less(hn::Mask<Int> greater, hn::Mask<Int> less) {
 
 /// 1, one more where f > g, one less where f < g.
 struct Order {
-  const Judgement& judgement;
+  const DecisionRule& decision_rule;
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
-    const Vec f = hn::LoadU(Tag(), block.columns[judgement.first] + i);
-    const Vec g = hn::LoadU(Tag(), block.columns[judgement.second] + i);
+    const Vec f = hn::LoadU(Tag(), block.columns[decision_rule.first] + i);
+    const Vec g = hn::LoadU(Tag(), block.columns[decision_rule.second] + i);
     return hn::Add(hn::Sub(code(1), as_int(hn::Gt(f, g))), as_int(hn::Lt(f, g)));
   }
 };
@@ -37,12 +37,12 @@ struct Order {
 /// those in the lane. `zero` stands for 0: one binade below the smallest normal number.
 class Magnitudes {
 public:
-  HWY_INLINE explicit Magnitudes(const Judgement& judgement)
-      : first_(judgement.first),
-        second_(judgement.second),
-        zero_(hn::Set(Tag(), judgement.zero)),
-        below_guard_(hn::Set(Int(), judgement.guard - 1)),
-        above_minus_guard_(hn::Set(Int(), 1 - judgement.guard)) {}
+  HWY_INLINE explicit Magnitudes(const DecisionRule& decision_rule)
+      : first_(decision_rule.first),
+        second_(decision_rule.second),
+        zero_(hn::Set(Tag(), decision_rule.zero)),
+        below_guard_(hn::Set(Int(), decision_rule.guard - 1)),
+        above_minus_guard_(hn::Set(Int(), 1 - decision_rule.guard)) {}
 
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
     const IntVec f = bits_of(hn::Max(hn::LoadU(Tag(), block.columns[first_] + i), zero_));
@@ -61,12 +61,12 @@ private:
 /// difference fits; nothing is lost, because the last bit of such a double is 0.
 class SignedKeys {
 public:
-  HWY_INLINE explicit SignedKeys(const Judgement& judgement)
-      : first_(judgement.first),
-        second_(judgement.second),
-        zero_(hn::Set(Tag(), judgement.zero)),
-        below_guard_(hn::Set(Int(), judgement.guard - 1)),
-        above_minus_guard_(hn::Set(Int(), 1 - judgement.guard)) {}
+  HWY_INLINE explicit SignedKeys(const DecisionRule& decision_rule)
+      : first_(decision_rule.first),
+        second_(decision_rule.second),
+        zero_(hn::Set(Tag(), decision_rule.zero)),
+        below_guard_(hn::Set(Int(), decision_rule.guard - 1)),
+        above_minus_guard_(hn::Set(Int(), 1 - decision_rule.guard)) {}
 
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
     const IntVec f = key(hn::LoadU(Tag(), block.columns[first_] + i));
@@ -92,18 +92,18 @@ private:
 /// every condition holds. An infinite bound exceeds every difference.
 class AbsoluteBound {
 public:
-  HWY_INLINE explicit AbsoluteBound(const Judgement& judgement)
-      : judgement_(judgement),
-        zero_(hn::Set(Tag(), judgement.zero)),
-        guard_(hn::Set(Int(), judgement.guard)) {}
+  HWY_INLINE explicit AbsoluteBound(const DecisionRule& decision_rule)
+      : decision_rule_(decision_rule),
+        zero_(hn::Set(Tag(), decision_rule.zero)),
+        guard_(hn::Set(Int(), decision_rule.guard)) {}
 
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
-    const Vec difference = hn::LoadU(Tag(), block.columns[judgement_.first] + i);
-    const Vec bound = hn::LoadU(Tag(), block.columns[judgement_.second] + i);
+    const Vec difference = hn::LoadU(Tag(), block.columns[decision_rule_.first] + i);
+    const Vec bound = hn::LoadU(Tag(), block.columns[decision_rule_.second] + i);
     const IntVec excess =
         hn::Sub(bits_of(hn::Max(hn::Abs(difference), zero_)), bits_of(hn::Max(bound, zero_)));
     IntVec holds = hn::VecFromMask(Int(), hn::Gt(excess, guard_));
-    for (const Judgement::Condition& condition : judgement_.conditions) {
+    for (const DecisionRule::Condition& condition : decision_rule_.conditions) {
       const Vec limit = hn::LoadU(Tag(), block.columns[condition.bound] + i);
       const Vec value = hn::LoadU(Tag(), block.columns[condition.value] + i);
       holds = hn::And(holds, as_int(hn::Le(limit, hn::Abs(value))));
@@ -114,16 +114,16 @@ public:
   }
 
 private:
-  const Judgement& judgement_;
+  const DecisionRule& decision_rule_;
   Vec zero_;
   IntVec guard_;
 };
 
 struct Interval {
-  const Judgement& judgement;
+  const DecisionRule& decision_rule;
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
-    const Vec minimum = hn::LoadU(Tag(), block.columns[judgement.first] + i);
-    const Vec maximum = hn::LoadU(Tag(), block.columns[judgement.second] + i);
+    const Vec minimum = hn::LoadU(Tag(), block.columns[decision_rule.first] + i);
+    const Vec maximum = hn::LoadU(Tag(), block.columns[decision_rule.second] + i);
     return greater_or_less(hn::RebindMask(Int(), hn::Gt(minimum, hn::Zero(Tag()))),
                            hn::RebindMask(Int(), hn::Lt(maximum, hn::Zero(Tag()))));
   }
@@ -142,26 +142,27 @@ HWY_INLINE IntVec failing(const OperandCheck& check, const Block& block, std::si
 }
 
 template <class RuleOf>
-void judge_by(const RuleOf& rule, const Judgement& judgement, const Block& block,
+void judge_by(const RuleOf& rule, const DecisionRule& decision_rule, const Block& block,
               std::uint8_t* codes) {
   const hn::Rebind<std::uint64_t, Tag> words;
   const hn::Rebind<std::uint8_t, Tag> bytes;
   for (std::size_t i = 0; i < block.size; i += hn::Lanes(Tag())) {
     IntVec decision = rule(block, i);
-    for (const OperandCheck& check : judgement.checks) {
+    for (const OperandCheck& check : decision_rule.checks) {
       decision = hn::IfThenElse(hn::MaskFromVec(failing(check, block, i)), code(4), decision);
     }
     hn::StoreU(hn::TruncateTo(bytes, hn::BitCast(words, decision)), bytes, codes + i);
   }
 }
 
-void judge(const Judgement& judgement, const Block& block, std::uint8_t* codes) {
-  switch (judgement.rule) {
-    case Rule::order: return judge_by(Order{judgement}, judgement, block, codes);
-    case Rule::magnitudes: return judge_by(Magnitudes(judgement), judgement, block, codes);
-    case Rule::signed_keys: return judge_by(SignedKeys(judgement), judgement, block, codes);
-    case Rule::absolute_bound: return judge_by(AbsoluteBound(judgement), judgement, block, codes);
-    case Rule::interval: return judge_by(Interval{judgement}, judgement, block, codes);
+void judge(const DecisionRule& decision_rule, const Block& block, std::uint8_t* codes) {
+  switch (decision_rule.rule) {
+    case Rule::order: return judge_by(Order{decision_rule}, decision_rule, block, codes);
+    case Rule::magnitudes: return judge_by(Magnitudes(decision_rule), decision_rule, block, codes);
+    case Rule::signed_keys: return judge_by(SignedKeys(decision_rule), decision_rule, block, codes);
+    case Rule::absolute_bound:
+      return judge_by(AbsoluteBound(decision_rule), decision_rule, block, codes);
+    case Rule::interval: return judge_by(Interval{decision_rule}, decision_rule, block, codes);
   }
 }
 

@@ -252,8 +252,8 @@ bool all_inside(const OperandWindow& window, const Block& block) {
   return HWY_DYNAMIC_DISPATCH(all_inside)(window, block);
 }
 
-void judge(const Judgement& judgement, const Block& block, std::uint8_t* codes) {
-  HWY_DYNAMIC_DISPATCH(judge)(judgement, block, codes);
+void judge(const DecisionRule& decision_rule, const Block& block, std::uint8_t* codes) {
+  HWY_DYNAMIC_DISPATCH(judge)(decision_rule, block, codes);
 }
 
 const char* instruction_set() {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-/// The part of the emulator that is compiled once per instruction set. A plan is executed block by
-/// block: every node of a graph is a column of doubles, every instruction one loop over columns.
+/// The part of the emulator that is compiled once per instruction set. The code is executed block
+/// by block: every node of a graph is a column of doubles, every instruction one loop over columns.
 namespace mixcmp::model::emulator {
 
 /// Blocks hold a multiple of so many comparisons: four of the widest vectors.
@@ -98,7 +98,7 @@ enum class Rule : std::uint8_t {
   interval,        ///< `first` > 0 or `second` < 0
 };
 
-struct Judgement {
+struct DecisionRule {
   Rule rule = Rule::order;
   int first = -1;
   int second = -1;
@@ -134,7 +134,7 @@ bool find_doubts(const std::vector<TrustedRange>& ranges, const Block& block,
 bool all_inside(const OperandWindow& window, const Block& block);
 
 /// Codes of model::Decision.
-void judge(const Judgement& judgement, const Block& block, std::uint8_t* codes);
+void judge(const DecisionRule& decision_rule, const Block& block, std::uint8_t* codes);
 
 /// The instruction set that run-time dispatch chose.
 const char* instruction_set();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/common/check.hpp"
-#include "model/emulator/operand.hpp"
+#include "model/number/double.hpp"
 
 namespace mixcmp::model::emulator {
 namespace {
@@ -74,7 +74,7 @@ std::optional<Extent> result(const TypedNode& node, const SafeOperands& operands
     case Operation::input:
       return Extent{operands.low, operands.high, operands.low - node.format.precision() + 1};
     case Operation::constant:
-      return of_constant(decode(node.format, node.constant), node.format.precision());
+      return of_constant(to_double(node.format, node.constant), node.format.precision());
     case Operation::convert: return a;
     case Operation::negate: return Extent{a.low, a.high, a.grid, false, a.nonzero};
     case Operation::absolute: return Extent{a.low, a.high, a.grid, true, a.nonzero};

@@ -9,7 +9,7 @@
 #include "model/error/error_analysis.hpp"
 #include "model/error/hazards.hpp"
 #include "model/expression/text.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -41,8 +41,7 @@ bool would_be_exact(const TypedGraph& graph, NodeId id) {
   switch (node.operation) {
     case Operation::input: return true;
     case Operation::constant:
-      return golden::to_rational(graph.input_format,
-                                 golden::from_rational(graph.input_format, node.value)) ==
+      return to_rational(graph.input_format, from_rational(graph.input_format, node.value)) ==
              node.value;
     case Operation::convert:
     case Operation::negate:
@@ -180,7 +179,7 @@ Result<DifferenceBound> bound_difference(TypedGraph& graph, ErrorBoundKind kind,
   const RelativeBound own =
       rounding_bound(graph.arithmetic.format.precision(), graph.arithmetic.rounding);
   const mpq_class low = bound.mixed->factor.low / own.low;
-  if (low < 1) result.bound.fudge = widened_up(result.bound.fudge / low);
+  if (low < 1) result.bound.slack_factor = widened_up(result.bound.slack_factor / low);
   return result;
 }
 
@@ -196,9 +195,9 @@ Result<Lane> running_lane(TypedGraph graph, const CertifiedOptions& options) {
   decision.bound = {.format = {.precision = std::min(options.bound_digits, format.precision()),
                                .exponent_bits = format.exponent_bits()},
                     .nodes = pruner.take(found.bound.bound)};
-  if (found.bound.fudge > 1) {
+  if (found.bound.slack_factor > 1) {
     decision.guard_ulp =
-        std::min(steps_beyond(found.bound.fudge, format.precision()), never(format));
+        std::min(steps_beyond(found.bound.slack_factor, format.precision()), never(format));
   }
   return Lane{std::move(graph), std::move(decision), sign_checks(found.analysis)};
 }

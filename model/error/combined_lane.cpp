@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "model/common/check.hpp"
-#include "model/error/profiled_error.hpp"
+#include "model/error/profiled_lane.hpp"
 
 namespace mixcmp::model {
 namespace {

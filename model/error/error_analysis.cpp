@@ -6,10 +6,10 @@
 #include <set>
 #include <utility>
 
-#include "model/common/power_of_two.hpp"
 #include "model/error/sign.hpp"
 #include "model/expression/text.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/dyadic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -47,8 +47,8 @@ mpq_class farthest(const RelativeBound& factor, const mpq_class& center) {
   return std::max<mpq_class>(factor.high - center, center - factor.low);
 }
 
-/// value = few digits * fudge, if so few come near it: a bound of few digits need not round them
-/// up.
+/// value = few digits * slack_factor, if so few come near it: a bound of few digits need not round
+/// them up.
 std::pair<mpq_class, mpq_class> few_digits(const mpq_class& value) {
   constexpr long digits = 3;
   if (value == 0) return {value, 1};
@@ -63,9 +63,9 @@ std::pair<mpq_class, mpq_class> few_digits(const mpq_class& value) {
     unit *= mpz_class(1) << -shift;
   }
   const mpq_class rounded = mpz_class(scaled.get_num() / scaled.get_den()) * unit;
-  const mpq_class fudge = value / rounded;
-  if (fudge > mpq_class(33, 32)) return {value, 1};
-  return {rounded, fudge};
+  const mpq_class slack_factor = value / rounded;
+  if (slack_factor > mpq_class(33, 32)) return {value, 1};
+  return {rounded, slack_factor};
 }
 
 class Analysis {
@@ -108,7 +108,7 @@ private:
   std::vector<Sign> signs_;
   std::set<int> used_;
   std::vector<NodeBound> bounds_;
-  BoundBuilder builder_;
+  BoundGraphBuilder builder_;
   std::vector<BoundCondition> conditions_;
 };
 
@@ -178,7 +178,7 @@ Exact Analysis::exact_constant(NodeId id) {
     return without_bound(fmt::format("{} is subnormal in {}, and subnormals are flushed to zero",
                                      name, format.name()));
   }
-  const mpq_class ratio = value / golden::to_rational(format, node(id).constant);
+  const mpq_class ratio = value / to_rational(format, node(id).constant);
   return {MixedBound{.factor = {ratio, ratio}, .absolute = {}}, ""};
 }
 
@@ -218,8 +218,8 @@ MixedBound Analysis::exact_product(NodeId a, NodeId b) {
   const BoundId second = c.bound < 0 ? no_bound_node : magnitude(b);
   result.absolute = {
       builder_.add(builder_.multiply(first, d.bound), builder_.multiply(second, c.bound)),
-      widened_up(
-          std::max<mpq_class>(std::max<mpq_class>(s.high, c.fudge) * d.fudge, t.high * c.fudge))};
+      widened_up(std::max<mpq_class>(std::max<mpq_class>(s.high, c.slack_factor) * d.slack_factor,
+                                     t.high * c.slack_factor))};
   return result;
 }
 
@@ -230,7 +230,7 @@ MixedBound Analysis::exact_square(NodeId a) {
   if (mixed(a).is_relative()) return result;
   const BoundId twice = builder_.scale(magnitude(a), 2);
   result.absolute = {builder_.multiply(builder_.add(twice, c.bound), c.bound),
-                     widened_up(c.fudge * std::max<mpq_class>(s.high, c.fudge))};
+                     widened_up(c.slack_factor * std::max<mpq_class>(s.high, c.slack_factor))};
   return result;
 }
 
@@ -240,17 +240,18 @@ MixedBound Analysis::exact_quotient(NodeId id, NodeId a, NodeId b) {
   const auto& [t, d] = mixed(b);
   MixedBound result{.factor = quotient(s, t), .absolute = {}};
   if (mixed(a).is_relative() && mixed(b).is_relative()) return result;
-  mpq_class fudge = c.fudge;
+  mpq_class slack_factor = c.slack_factor;
   BoundId numerator = c.bound;
   if (d.bound != no_bound_node) {
-    conditions_.push_back({builder_.scale(d.bound, d.fudge * divisor_margin / t.low), b});
+    conditions_.push_back({builder_.scale(d.bound, d.slack_factor * divisor_margin / t.low), b});
     numerator = builder_.add(numerator, builder_.multiply(magnitude(id), d.bound));
     const RelativeBound own =
         rounding_bound(node(id).format.precision(), graph_.arithmetic.rounding);
-    fudge = std::max<mpq_class>(fudge, own.high * result.factor.high * d.fudge);
-    fudge *= mpq_class(divisor_margin, divisor_margin - 1);
+    slack_factor =
+        std::max<mpq_class>(slack_factor, own.high * result.factor.high * d.slack_factor);
+    slack_factor *= mpq_class(divisor_margin, divisor_margin - 1);
   }
-  result.absolute = {builder_.multiply(numerator, reciprocal(b)), widened_up(fudge / t.low)};
+  result.absolute = {builder_.multiply(numerator, reciprocal(b)), widened_up(slack_factor / t.low)};
   return result;
 }
 
@@ -260,13 +261,13 @@ MixedBound Analysis::exact_root(NodeId id, NodeId a) {
   MixedBound result{.factor = square_root(s), .absolute = {}};
   if (mixed(a).is_relative()) return result;
   if (!signs_[a].nonnegative) {
-    conditions_.push_back({builder_.scale(c.bound, c.fudge / s.low), a});
+    conditions_.push_back({builder_.scale(c.bound, c.slack_factor / s.low), a});
   } else {
     used_.insert(signs_[a].nonnegative->begin(), signs_[a].nonnegative->end());
   }
   const RelativeBound own = rounding_bound(node(id).format.precision(), graph_.arithmetic.rounding);
   result.absolute = {builder_.multiply(c.bound, reciprocal(id)),
-                     widened_up(c.fudge / (root_below(s.low) * own.low))};
+                     widened_up(c.slack_factor / (root_below(s.low) * own.low))};
   return result;
 }
 
@@ -274,7 +275,8 @@ MixedBound Analysis::exact_root(NodeId id, NodeId a) {
 MixedBound Analysis::exact_selection(NodeId a, NodeId b) {
   const auto& [s, c] = mixed(a);
   const auto& [t, d] = mixed(b);
-  return {hull(s, t), {builder_.maximum(c.bound, d.bound), std::max(c.fudge, d.fudge)}};
+  return {hull(s, t),
+          {builder_.maximum(c.bound, d.bound), std::max(c.slack_factor, d.slack_factor)}};
 }
 
 bool Analysis::rounds_nothing(const TypedNode& node) const {
@@ -338,9 +340,10 @@ AbsolutePart Analysis::deviations(NodeId a, NodeId b, const mpq_class& center) {
       deviation += farthest(factor, center);
     }
   }
-  const auto [factor, fudge] = few_digits(widened_up(deviation));
+  const auto [factor, slack_factor] = few_digits(widened_up(deviation));
   const BoundId rounding = builder_.scale(binades, rounding_error());
-  return {builder_.add(builder_.add(constants, rounding), builder_.scale(larger, factor)), fudge};
+  return {builder_.add(builder_.add(constants, rounding), builder_.scale(larger, factor)),
+          slack_factor};
 }
 
 /// The greatest error of one rounding, in units of its result's binade.
@@ -354,8 +357,7 @@ BoundId Analysis::selection_error(NodeId id) {
   const TypedNode& selected = node(id);
   if (selected.operation == Operation::input) return no_bound_node;
   if (selected.operation == Operation::constant) {
-    return builder_.constant(
-        abs(selected.value - golden::to_rational(selected.format, selected.constant)));
+    return builder_.constant(abs(selected.value - to_rational(selected.format, selected.constant)));
   }
   BoundId error = no_bound_node;
   for (int k = 0; k < arity(selected.operation); ++k) {
@@ -366,7 +368,7 @@ BoundId Analysis::selection_error(NodeId id) {
 
 BoundId Analysis::magnitude(NodeId id) {
   if (node(id).operation == Operation::constant) {
-    return builder_.constant(abs(golden::to_rational(node(id).format, node(id).constant)));
+    return builder_.constant(abs(to_rational(node(id).format, node(id).constant)));
   }
   MIXCMP_CHECK(node(id).format == graph_.arithmetic.format);
   return builder_.of_value(BoundOperation::magnitude, id);
@@ -378,7 +380,7 @@ BoundId Analysis::reciprocal(NodeId id) {
 }
 
 AbsolutePart Analysis::sum(const AbsolutePart& a, const AbsolutePart& b) {
-  return {builder_.add(a.bound, b.bound), std::max(a.fudge, b.fudge)};
+  return {builder_.add(a.bound, b.bound), std::max(a.slack_factor, b.slack_factor)};
 }
 
 /// The exact result's bound, after the operation's own rounding.
@@ -392,7 +394,7 @@ NodeBound Analysis::rounded(NodeId id, Exact exact) const {
     if (mixed.is_relative()) bound.unrounded = mixed.factor;
     mixed.factor = widened(product(mixed.factor, own));
   }
-  if (is_useless(mixed.factor) || is_useless({1, mixed.absolute.fudge})) {
+  if (is_useless(mixed.factor) || is_useless({1, mixed.absolute.slack_factor})) {
     return {.reason = "so many operations round that the error is out of bounds"};
   }
   if (mixed.is_relative()) {

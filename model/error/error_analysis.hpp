@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "model/error/bound_builder.hpp"
+#include "model/error/bound_graph_builder.hpp"
 #include "model/error/lane.hpp"
 #include "model/error/relative_bound.hpp"
 
 namespace mixcmp::model {
 
-/// Bounds the absolute part a of a node's error (MixedBound): |a| <= fudge * B, where B is the
-/// value of bound node `bound`. The hardware computes B alone, in few digits; `fudge`, which is 1
-/// or a little more, is covered by the decision's guard.
+/// Bounds the absolute part a of a node's error (MixedBound): |a| <= slack_factor * B, where B is
+/// the value of bound node `bound`. The hardware computes B alone, in few digits; `slack_factor`,
+/// which is 1 or a little more, is covered by the decision's guard.
 struct AbsolutePart {
   BoundId bound = no_bound_node;  ///< none: a = 0
-  mpq_class fudge = 1;
+  mpq_class slack_factor = 1;
 };
 
 /// true value = computed value * t + a, t within `factor`, a within `absolute`, wherever nothing

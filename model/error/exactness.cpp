@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "model/common/check.hpp"
-#include "model/common/power_of_two.hpp"
 #include "model/error/range_analysis.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/dyadic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -64,7 +64,7 @@ private:
   /// Zero is a multiple of everything; as one it costs no digits.
   static Quantum constant(const TypedNode& node) {
     if (node.format.is_infinite(node.constant)) return std::nullopt;
-    if (golden::to_rational(node.format, node.constant) != node.value) return std::nullopt;
+    if (to_rational(node.format, node.constant) != node.value) return std::nullopt;
     return node.value == 0 ? Quantum(1) : quantum_of(node.value);
   }
 
@@ -84,8 +84,7 @@ private:
         std::max<mpq_class>(abs(range.value.low), abs(range.value.high)) / quantum;
     if (range.may(Event::overflow) || most > mpz_class(1) << format.precision()) return false;
     const bool gradual = graph_.arithmetic.subnormals == Subnormals::gradual;
-    return quantum >=
-           golden::to_rational(format, gradual ? Bits{1} : format.smallest_normal(false));
+    return quantum >= to_rational(format, gradual ? Bits{1} : format.smallest_normal(false));
   }
 
   const TypedGraph& graph_;

@@ -6,7 +6,7 @@
 #include "model/error/hazards.hpp"
 #include "model/error/range_analysis.hpp"
 #include "model/expression/combined_graph.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 bool reaches_below(FloatFormat format, mpq_class value) {
   mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(),
                2UL * static_cast<unsigned long>(format.precision()));
-  return value >= golden::to_rational(format, format.smallest_normal(false));
+  return value >= to_rational(format, format.smallest_normal(false));
 }
 
 bool serves(const TypedGraph& lane, const std::vector<std::optional<Range>>& ranges) {

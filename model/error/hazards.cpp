@@ -4,7 +4,7 @@
 
 #include "model/error/range_analysis.hpp"
 #include "model/error/sign.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -81,8 +81,7 @@ private:
 
   bool may_be_subnormal(NodeId id) const {
     if (graph_.arithmetic.subnormals == Subnormals::flush && is_computed(id)) return false;
-    const mpq_class normal =
-        golden::to_rational(node(id).format, node(id).format.smallest_normal(false));
+    const mpq_class normal = to_rational(node(id).format, node(id).format.smallest_normal(false));
     const Range& value = range(id).value;
     const bool only_zero = value.low == 0 && value.high == 0;
     return !only_zero && value.low < normal && value.high > -normal;

@@ -2,38 +2,17 @@
 
 #include <algorithm>
 
-#include "model/golden/arithmetic.hpp"
+#include "model/number/dyadic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
-
-mpq_class power_of_two(long exponent) {
-  mpq_class power = 1;
-  if (exponent >= 0) mpq_mul_2exp(power.get_mpq_t(), power.get_mpq_t(), exponent);
-  if (exponent < 0) mpq_div_2exp(power.get_mpq_t(), power.get_mpq_t(), -exponent);
-  return power;
-}
-
-/// floor(log2(value)), value > 0.
-long exponent_of(const mpq_class& value) {
-  const auto bits = [](mpz_srcptr integer) {
-    return static_cast<long>(mpz_sizeinbase(integer, 2));
-  };
-  const long estimate = bits(value.get_num_mpz_t()) - bits(value.get_den_mpz_t());
-  return value < power_of_two(estimate) ? estimate - 1 : estimate;
-}
-
-mpz_class floor_of(const mpq_class& value) {
-  mpz_class result;
-  mpz_fdiv_q(result.get_mpz_t(), value.get_num_mpz_t(), value.get_den_mpz_t());
-  return result;
-}
 
 /// The largest number of `format`, subnormals included and exponents unlimited above, that is not
 /// above `value`.
 mpq_class round_down(FloatFormat format, const mpq_class& value) {
   if (value == 0) return value;
-  const long exponent = std::max<long>(exponent_of(abs(value)), format.min_exponent());
+  const long exponent = std::max<long>(floor_log2(abs(value)), format.min_exponent());
   const mpq_class unit = power_of_two(exponent - format.fraction_bits());
   return floor_of(value / unit) * unit;
 }
@@ -46,7 +25,7 @@ mpq_class round_up(FloatFormat format, const mpq_class& value) {
 mpq_class root_down(const mpq_class& value) {
   if (value <= 0) return 0;
   constexpr long spare_bits = 2 * FloatFormat::max_precision;
-  const long scale = spare_bits - exponent_of(value) / 2;
+  const long scale = spare_bits - floor_log2(value) / 2;
   mpz_class root = floor_of(value * power_of_two(2 * scale));
   mpz_sqrt(root.get_mpz_t(), root.get_mpz_t());
   return root * power_of_two(-scale);
@@ -193,7 +172,7 @@ private:
   }
 
   static mpq_class largest_of(FloatFormat format) {
-    return golden::to_rational(format, format.largest_finite(false));
+    return to_rational(format, format.largest_finite(false));
   }
 
   static bool overflows(const TypedNode& node, const Range& exact) {

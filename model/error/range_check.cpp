@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "model/common/check.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 constexpr int checked_fraction_bits = 3;
 
 Bits finite_magnitude(FloatFormat format, const mpq_class& value) {
-  const Bits magnitude = format.magnitude(golden::from_rational(format, value));
+  const Bits magnitude = format.magnitude(from_rational(format, value));
   return std::min(magnitude, format.largest_finite(false));
 }
 
@@ -52,8 +52,8 @@ Range checked_range(const RangeCheck& check, FloatFormat format) {
     least = check.least << rest;
     greatest = std::min(greatest, ((check.greatest + 1) << rest) - 1);
   }
-  const mpq_class low = golden::to_rational(format, least);
-  const mpq_class high = golden::to_rational(format, greatest);
+  const mpq_class low = to_rational(format, least);
+  const mpq_class high = to_rational(format, greatest);
   switch (check.sign) {
     case RequiredSign::any: return {-high, high};
     case RequiredSign::nonnegative: return {low, high};

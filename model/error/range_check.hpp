@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/expression/range.hpp"
-#include "model/format/float_format.hpp"
+#include "model/number/float_format.hpp"
 
 namespace mixcmp::model {
 

@@ -2,7 +2,7 @@
 
 #include <gmpxx.h>
 
-#include "model/format/float_format.hpp"
+#include "model/number/float_format.hpp"
 
 namespace mixcmp::model {
 

@@ -9,11 +9,11 @@
 #include <optional>
 
 #include "model/common/nearest.hpp"
-#include "model/common/power_of_two.hpp"
-#include "model/expression/literal.hpp"
 #include "model/expression/name.hpp"
 #include "model/expression/syntax.hpp"
 #include "model/expression/text.hpp"
+#include "model/number/dyadic.hpp"
+#include "model/number/literal.hpp"
 
 namespace mixcmp::model {
 namespace {

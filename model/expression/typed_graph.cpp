@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -83,7 +83,7 @@ NodeId Builder::emit_constant(const Node& node, FloatFormat format) {
   return emit({.operation = Operation::constant,
                .operand_format = format,
                .format = format,
-               .constant = golden::from_rational(format, node.value),
+               .constant = from_rational(format, node.value),
                .value = node.value});
 }
 

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "model/expression/graph.hpp"
-#include "model/format/float_format.hpp"
+#include "model/number/float_format.hpp"
+#include "model/number/lane_inputs.hpp"
 
 namespace mixcmp::model {
 
@@ -29,14 +30,6 @@ struct TypedGraph {
   Arithmetic arithmetic;  ///< rounding and subnormals of every operation; format of f and g
   NodeId f = -1;
   NodeId g = -1;
-};
-
-/// How a reduced lane takes the operands that arrive in reference format.
-enum class LaneInputs {
-  rounded,  ///< each is converted to the lane's format first
-  exact,    ///< operations on inputs and constants alone take them unrounded; others as `rounded`.
-            ///< Negate, absolute, minimum and maximum of such operands are exact themselves: they
-            ///< stay in the reference format and count as inputs for what follows
 };
 
 /// The graph in the reference format alone: no conversion anywhere.

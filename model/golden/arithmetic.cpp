@@ -1,9 +1,6 @@
 #include "model/golden/arithmetic.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <memory>
 
 #include "model/golden/encoding.hpp"
 
@@ -112,101 +109,7 @@ Rounded choose(const Arithmetic& result, Bits a, Bits b, Operate operate) {
                       });
 }
 
-constexpr std::string_view accepted_text =
-    "a decimal number (12.5, -1e-7), a hexadecimal one (0x1.8p3), inf or nan";
-
-bool is_digit(char c, int base) {
-  const char lower = static_cast<char>(c | 0x20);
-  return ('0' <= c && c <= '9') || (base == 16 && 'a' <= lower && lower <= 'f');
-}
-
-/// Drops the digits that `text` begins with; returns how many there were.
-size_t skip_digits(std::string_view& text, int base) {
-  const auto end =
-      std::find_if_not(text.begin(), text.end(), [base](char c) { return is_digit(c, base); });
-  const auto count = static_cast<size_t>(end - text.begin());
-  text.remove_prefix(count);
-  return count;
-}
-
-bool skip_any_of(std::string_view& text, std::string_view characters) {
-  if (text.empty() || characters.find(text.front()) == std::string_view::npos) return false;
-  text.remove_prefix(1);
-  return true;
-}
-
-/// Digits with at most one point and an optional exponent, without sign or prefix; MPFR alone
-/// would also take bases, "@" and blanks.
-bool is_unsigned_number(std::string_view text, int base) {
-  size_t digits = skip_digits(text, base);
-  if (skip_any_of(text, ".")) digits += skip_digits(text, base);
-  if (digits == 0) return false;
-  if (!skip_any_of(text, base == 16 ? "pP" : "eE")) return text.empty();
-  skip_any_of(text, "+-");
-  return skip_digits(text, 10) > 0 && text.empty();
-}
-
-Bits round_text(FloatFormat format, const std::string& digits, int base) {
-  BigFloat& y = scratch().y;
-  y.reset(format.precision());
-  const int ternary = mpfr_strtofr(y.get(), digits.c_str(), nullptr, base, MPFR_RNDN);
-  return fit({.format = format}, y, ternary).bits;
-}
-
-/// Significant decimal digits d1 d2 d3 ... of the number 0.d1d2d3... * 10^exponent.
-struct Decimal {
-  std::string digits;
-  mpfr_exp_t exponent;
-};
-
-Decimal to_decimal(const BigFloat& magnitude, size_t digit_count, mpfr_rnd_t rounding) {
-  Decimal decimal;
-  const std::unique_ptr<char, void (*)(char*)> digits(
-      mpfr_get_str(nullptr, &decimal.exponent, 10, digit_count, magnitude.get(), rounding),
-      mpfr_free_str);
-  decimal.digits = digits.get();
-  return decimal;
-}
-
-/// Below a power of two the encodings lie twice as dense, so that the decimal nearest to it may
-/// read back as its lower neighbour where one above reads back well: both are tried.
-Decimal shortest_decimal(FloatFormat format, Bits magnitude) {
-  BigFloat value(encoding_precision);
-  decode(value, format, magnitude);
-  for (size_t digit_count = 1;; ++digit_count) {
-    for (const mpfr_rnd_t rounding : {MPFR_RNDN, MPFR_RNDU}) {
-      Decimal decimal = to_decimal(value, digit_count, rounding);
-      const std::string text = fmt::format("0.{}e{}", decimal.digits, decimal.exponent);
-      if (round_text(format, text, 10) == magnitude) return decimal;
-    }
-  }
-}
-
-/// Plain for exponents that read well, scientific beyond.
-std::string print(const Decimal& decimal) {
-  constexpr mpfr_exp_t plain_low = -4, plain_high = 17;
-  std::string digits = decimal.digits.substr(0, decimal.digits.find_last_not_of('0') + 1);
-  if (decimal.exponent < plain_low || decimal.exponent > plain_high) {
-    const std::string_view point = digits.size() > 1 ? "." : "";
-    return fmt::format("{}{}{}e{}", digits[0], point, digits.substr(1), decimal.exponent - 1);
-  }
-  if (decimal.exponent <= 0) return fmt::format("0.{:0<{}}{}", "", -decimal.exponent, digits);
-  const auto whole = static_cast<size_t>(decimal.exponent);
-  if (digits.size() <= whole) return fmt::format("{:0<{}}", digits, whole);
-  return fmt::format("{}.{}", digits.substr(0, whole), digits.substr(whole));
-}
-
 }  // namespace
-
-std::string_view to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::less: return "less";
-    case Verdict::equal: return "equal";
-    case Verdict::greater: return "greater";
-    case Verdict::unordered: return "unordered";
-  }
-  MIXCMP_CHECK(false);
-}
 
 Rounded add(const Arithmetic& result, FloatFormat operands, Bits a, Bits b) {
   return apply_binary(result, operands, a, b, mpfr_add);
@@ -270,31 +173,6 @@ mpq_class to_rational(FloatFormat format, Bits bits) {
   mpq_class value;
   mpfr_get_q(value.get_mpq_t(), x.get());
   return value;
-}
-
-Result<Bits> from_text(FloatFormat format, std::string_view text) {
-  std::string_view rest = text;
-  const bool negative = rest.starts_with('-');
-  skip_any_of(rest, "+-");
-  const Bits sign = format.zero(negative);
-  if (rest == "inf") return sign | format.infinity(false);
-  if (rest == "nan") return format.quiet_nan();
-  const int base = rest.starts_with("0x") || rest.starts_with("0X") ? 16 : 10;
-  if (base == 16) rest.remove_prefix(2);
-  if (!is_unsigned_number(rest, base)) {
-    return Error{.message = "not a number",
-                 .received = fmt::format("\"{}\"", text),
-                 .accepted = std::string(accepted_text)};
-  }
-  return sign | round_text(format, std::string(rest), base);
-}
-
-std::string to_text(FloatFormat format, Bits bits) {
-  if (format.is_nan(bits)) return "nan";
-  const std::string sign = format.sign(bits) ? "-" : "";
-  if (format.is_infinite(bits)) return sign + "inf";
-  if (format.is_zero(bits)) return sign + "0";
-  return sign + print(shortest_decimal(format, format.magnitude(bits)));
 }
 
 }  // namespace mixcmp::model::golden

@@ -2,7 +2,8 @@
 
 #include <gmpxx.h>
 
-#include "model/format/float_format.hpp"
+#include "model/number/float_format.hpp"
+#include "model/number/verdict.hpp"
 
 /// The golden model's arithmetic: packed operands in, correctly rounded packed results out, by
 /// MPFR. Rules shared with rtl_templates/fp (and nothing else shared with it):
@@ -24,14 +25,6 @@ struct Rounded {
   friend bool operator==(const Rounded&, const Rounded&) = default;
 };
 
-enum class Verdict {
-  less = 0,
-  equal = 1,
-  greater = 2,
-  unordered = 3,
-};
-std::string_view to_string(Verdict verdict);
-
 /// Two-operand functions take both operands in `operands` and round once to `result`.
 Rounded add(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
 Rounded subtract(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
@@ -52,10 +45,5 @@ Verdict compare(FloatFormat format, Subnormals subnormals, Bits a, Bits b);
 Bits from_rational(FloatFormat format, const mpq_class& value);
 /// The exact value of a finite encoding.
 mpq_class to_rational(FloatFormat format, Bits bits);
-
-/// A decimal literal ("12.345", "-1e-7", "inf", "nan") or C hex-float, rounded once to nearest.
-Result<Bits> from_text(FloatFormat format, std::string_view text);
-/// Shortest decimal that reads back as the same number, or "inf", "-inf", "nan".
-std::string to_text(FloatFormat format, Bits bits);
 
 }  // namespace mixcmp::model::golden

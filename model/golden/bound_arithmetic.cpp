@@ -103,13 +103,6 @@ Bits bound_multiply(BoundFormat format, Bits a, Bits b) {
   return encoded(format, product);
 }
 
-mpq_class bound_value(BoundFormat format, Bits bound) {
-  MIXCMP_CHECK(bound != format.infinity());
-  mpq_class value;
-  mpfr_get_q(value.get_mpq_t(), decoded(format, bound).get());
-  return value;
-}
-
 bool bound_is_at_most(BoundFormat format, Bits bound, FloatFormat operand, Bits x) {
   return mpfr_cmpabs(decoded(format, bound).get(), operand_value(operand, x).get()) <= 0;
 }

@@ -12,9 +12,6 @@ Bits bound_reciprocal(BoundFormat format, FloatFormat operand, Bits x);
 Bits bound_add(BoundFormat format, Bits a, Bits b);
 Bits bound_multiply(BoundFormat format, Bits a, Bits b);
 
-/// The exact value of a finite bound.
-mpq_class bound_value(BoundFormat format, Bits bound);
-
 /// Whether bound <= |x|.
 bool bound_is_at_most(BoundFormat format, Bits bound, FloatFormat operand, Bits x);
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "model/expression/graph.hpp"
-#include "model/format/float_format.hpp"
 #include "model/golden/big_float.hpp"
 #include "model/golden/separation.hpp"
+#include "model/number/float_format.hpp"
 
 namespace mixcmp::model::golden {
 

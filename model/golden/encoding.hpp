@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/format/float_format.hpp"
 #include "model/golden/big_float.hpp"
+#include "model/number/float_format.hpp"
 
 namespace mixcmp::model::golden {
 

@@ -266,8 +266,4 @@ std::optional<Verdict> verdict_within(const Graph& graph, FloatFormat format,
   return verdict;
 }
 
-std::string_view to_string(const std::optional<Verdict>& truth) {
-  return truth ? to_string(*truth) : "undetermined";
-}
-
 }  // namespace mixcmp::model::golden

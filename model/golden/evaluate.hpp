@@ -64,7 +64,4 @@ std::optional<Verdict> true_verdict(const Graph& graph, FloatFormat format,
 std::optional<Verdict> verdict_within(const Graph& graph, FloatFormat format,
                                       std::span<const Bits> inputs, long bits);
 
-/// "less", or "undetermined" where there is none.
-std::string_view to_string(const std::optional<Verdict>& truth);
-
 }  // namespace mixcmp::model::golden

@@ -8,7 +8,7 @@
 
 #include "model/common/result.hpp"
 #include "model/devices/area.hpp"
-#include "model/scene/limits.hpp"
+#include "model/settings/limits.hpp"
 
 /// Step 3 of the paper's Algorithm 1: how many datapaths of each kind fill a device best.
 namespace mixcmp::model {

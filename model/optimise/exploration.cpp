@@ -34,7 +34,7 @@ Result<Exploration> explore(const Scene& scene, const Device& device, const Char
     MIXCMP_TRY(example, optimise(scene, device, table, sets.front().rates, counted));
     MIXCMP_TRY(for_worst, optimise(scene, device, table, worst, counted));
     const bool given = example.basis == ClockBasis::given;
-    Column column{
+    ResultsAtClocks column{
         .title = given ? title : fmt::format("{}, clocks: {}", title, to_string(example.basis)),
         .clocks = clocks,
         .example = std::move(example),
@@ -63,7 +63,7 @@ nlohmann::ordered_json to_json(const Exploration& exploration) {
                 {"kinds", s.kinds}};
   };
   Json columns = Json::array();
-  for (const Column& column : exploration.columns) {
+  for (const ResultsAtClocks& column : exploration.columns) {
     Json scenario_1 = Json::object();
     for (std::size_t k = 0; k < exploration.data_sets.size(); ++k) {
       scenario_1[exploration.data_sets[k]] = json_of(column.scenario_1[k]);
@@ -84,14 +84,14 @@ std::string scenarios_csv(const Exploration& exploration) {
   std::string text =
       "data_set,clocks,scenario,precision,lanes,references,clock_mhz,recomputation_rate,"
       "throughput_per_s,gain\n";
-  const auto add = [&](const std::string& set, const Column& column, const char* scenario,
+  const auto add = [&](const std::string& set, const ResultsAtClocks& column, const char* scenario,
                        const PlanSummary& s) {
     const double gain = column.baseline_per_s > 0 ? s.throughput_per_s / column.baseline_per_s : 0;
     text += fmt::format("{},\"{}\",{},{},{},{},{:.6g},{:.6g},{:.6g},{:.4g}\n", set, column.title,
                         scenario, s.precision, s.lanes, s.references, s.clock_mhz,
                         s.recomputation_rate, s.throughput_per_s, gain);
   };
-  for (const Column& column : exploration.columns) {
+  for (const ResultsAtClocks& column : exploration.columns) {
     for (std::size_t k = 0; k < exploration.data_sets.size(); ++k) {
       add(exploration.data_sets[k], column, "I", column.scenario_1[k]);
     }

@@ -18,7 +18,7 @@ struct DataSet {
 };
 
 /// One way to count clocks, and what comes out of it: a column of Table IV.
-struct Column {
+struct ResultsAtClocks {
   std::string title;  ///< with what the clocks are worth, unless they are given
   ClockChoice clocks;
   Optimisation example;                 ///< of the first data set: figures 3 and 9
@@ -32,7 +32,7 @@ struct Exploration {
   std::string scene;
   Device device;
   std::vector<std::string> data_sets;
-  std::vector<Column> columns;
+  std::vector<ResultsAtClocks> columns;
 };
 
 /// `sets` is not empty; the first is the one that figures are drawn of.

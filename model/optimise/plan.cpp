@@ -4,7 +4,7 @@
 
 #include <variant>
 
-#include "model/scene/settings.hpp"
+#include "model/settings/settings.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -72,7 +72,7 @@ std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& pla
     text += fmt::format("{} = {}\n", resource.name, chosen.used.*resource.amount);
   }
   const Setting::Table overrides = without_chosen_keys(source.overrides);
-  text += fmt::format("\n[system]\ndevice = {}\ntarget_mhz = {:g}\n", toml_string(source.device),
+  text += fmt::format("\n[system]\ndevice = {}\ntarget_mhz = {}\n", toml_string(source.device),
                       optimisation.target_mhz);
   if (chosen.reference_count() == 0) text += "references = 0\n";
   if (const Setting* system = overrides.find("system")) text += section_text(*system);

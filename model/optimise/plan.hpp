@@ -3,7 +3,7 @@
 #include <string>
 
 #include "model/optimise/optimise.hpp"
-#include "model/scene/settings.hpp"
+#include "model/settings/settings.hpp"
 
 namespace mixcmp::model {
 

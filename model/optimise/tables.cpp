@@ -51,17 +51,17 @@ std::string range_text(double low, double high, const char* format) {
 }
 
 /// One line of Table IV: what the paper has, and what a column of ours has.
-struct Line {
+struct TableLine {
   std::string name;
   std::function<std::string(const PublishedDevice&)> of_paper;
-  std::function<std::string(const Column&)> of_column;
+  std::function<std::string(const ResultsAtClocks&)> of_column;
 };
 
 void add_line(MarkdownTable& table, const Exploration& exploration,
-              const std::optional<PublishedDevice>& published, const Line& line) {
+              const std::optional<PublishedDevice>& published, const TableLine& line) {
   std::vector<std::string> cells = {line.name};
   if (published) cells.push_back(line.of_paper(*published));
-  for (const Column& column : exploration.columns) cells.push_back(line.of_column(column));
+  for (const ResultsAtClocks& column : exploration.columns) cells.push_back(line.of_column(column));
   table.add(std::move(cells));
 }
 
@@ -77,8 +77,8 @@ std::string speedups(double low, double high, double worst, double baseline) {
 using OfPaper = std::function<std::string(const PublishedDevice&)>;
 
 /// Throughputs of scenarios I and II and of the baseline, each divided by `unit`.
-Line ratio_line(std::string name, double unit, OfPaper of_paper) {
-  return {std::move(name), std::move(of_paper), [=](const Column& c) {
+TableLine ratio_line(std::string name, double unit, OfPaper of_paper) {
+  return {std::move(name), std::move(of_paper), [=](const ResultsAtClocks& c) {
             double low = c.scenario_1.front().throughput_per_s, high = low;
             for (const PlanSummary& plan : c.scenario_1) {
               low = std::min(low, plan.throughput_per_s);
@@ -89,19 +89,19 @@ Line ratio_line(std::string name, double unit, OfPaper of_paper) {
           }};
 }
 
-std::vector<Line> baseline_lines() {
+std::vector<TableLine> baseline_lines() {
   return {
       {"references alone: p_H",
        [](const PublishedDevice& p) { return fmt::format("{}", p.baseline_references); },
-       [](const Column& c) { return fmt::format("{}", c.baseline_references); }},
+       [](const ResultsAtClocks& c) { return fmt::format("{}", c.baseline_references); }},
       {"references alone, G/s",
        [](const PublishedDevice& p) { return giga_text(p.baseline_per_s); },
-       [](const Column& c) { return giga_text(c.baseline_per_s); }},
+       [](const ResultsAtClocks& c) { return giga_text(c.baseline_per_s); }},
   };
 }
 
 /// A plan for each data set.
-std::vector<Line> scenario_1_lines() {
+std::vector<TableLine> scenario_1_lines() {
   const auto throughput = [](const PlanSummary& s) { return s.throughput_per_s / giga; };
   const auto lanes = [](const PlanSummary& s) { return static_cast<double>(s.lanes); };
   const auto references = [](const PlanSummary& s) { return static_cast<double>(s.references); };
@@ -109,30 +109,30 @@ std::vector<Line> scenario_1_lines() {
   const auto clock = [](const PlanSummary& s) { return s.clock_mhz; };
   return {
       {"scenario I: L", [](const PublishedDevice&) { return nothing; },
-       [=](const Column& c) { return range_of(c.scenario_1, precision, "{:.0f}"); }},
+       [=](const ResultsAtClocks& c) { return range_of(c.scenario_1, precision, "{:.0f}"); }},
       {"scenario I: p_L",
        [](const PublishedDevice& p) { return range_text(p.lanes_worst, p.lanes_best, "{:.0f}"); },
-       [=](const Column& c) { return range_of(c.scenario_1, lanes, "{:.0f}"); }},
+       [=](const ResultsAtClocks& c) { return range_of(c.scenario_1, lanes, "{:.0f}"); }},
       {"scenario I: p_H",
        [](const PublishedDevice& p) {
          return range_text(p.references_best, p.references_worst, "{:.0f}");
        },
-       [=](const Column& c) { return range_of(c.scenario_1, references, "{:.0f}"); }},
+       [=](const ResultsAtClocks& c) { return range_of(c.scenario_1, references, "{:.0f}"); }},
       {"clock, MHz (ours: of lanes, scenario I)",
        [](const PublishedDevice& p) {
          return range_text(p.lane_mhz_low, p.lane_mhz_high, "{:.0f}");
        },
-       [=](const Column& c) { return range_of(c.scenario_1, clock, "{:.0f}"); }},
+       [=](const ResultsAtClocks& c) { return range_of(c.scenario_1, clock, "{:.0f}"); }},
       {"scenario I: T(equ), G/s",
        [](const PublishedDevice& p) {
          return range_text(p.worst_per_s / giga, p.best_per_s / giga, "{:.3g}");
        },
-       [=](const Column& c) { return range_of(c.scenario_1, throughput, "{:.3g}"); }},
+       [=](const ResultsAtClocks& c) { return range_of(c.scenario_1, throughput, "{:.3g}"); }},
       {"scenario I: gain over references alone",
        [](const PublishedDevice& p) {
          return range_text(p.gain_worst, p.gain_best, "{:.3g}") + "x";
        },
-       [=](const Column& c) {
+       [=](const ResultsAtClocks& c) {
          return range_of(
              c.scenario_1,
              [&c](const PlanSummary& s) {
@@ -144,24 +144,24 @@ std::vector<Line> scenario_1_lines() {
 }
 
 /// One plan for the worst of all.
-std::vector<Line> scenario_2_lines() {
+std::vector<TableLine> scenario_2_lines() {
   return {
       {"scenario II: L", [](const PublishedDevice&) { return nothing; },
-       [](const Column& c) { return fmt::format("{}", summary_of(c.worst).precision); }},
+       [](const ResultsAtClocks& c) { return fmt::format("{}", summary_of(c.worst).precision); }},
       {"scenario II: p_L x p_H",
        [](const PublishedDevice& p) {
          return fmt::format("{} x {}", p.lanes_worst, p.references_worst);
        },
-       [](const Column& c) {
+       [](const ResultsAtClocks& c) {
          const PlanSummary s = summary_of(c.worst);
          return fmt::format("{} x {}", s.lanes, s.references);
        }},
       {"scenario II: T(equ), G/s",
        [](const PublishedDevice& p) { return giga_text(p.worst_per_s); },
-       [](const Column& c) { return giga_text(summary_of(c.worst).throughput_per_s); }},
+       [](const ResultsAtClocks& c) { return giga_text(summary_of(c.worst).throughput_per_s); }},
       {"scenario II: gain over references alone",
        [](const PublishedDevice& p) { return fmt::format("{:.3g}x", p.gain_worst); },
-       [](const Column& c) {
+       [](const ResultsAtClocks& c) {
          if (c.baseline_per_s == 0) return std::string("no reference fits");
          return fmt::format("{:.3g}x", summary_of(c.worst).throughput_per_s / c.baseline_per_s);
        }},
@@ -171,7 +171,7 @@ std::vector<Line> scenario_2_lines() {
 std::vector<std::string> headers(const Exploration& exploration, bool with_paper) {
   std::vector<std::string> cells = {exploration.device.name};
   if (with_paper) cells.push_back("the paper");
-  for (const Column& column : exploration.columns) cells.push_back(column.title);
+  for (const ResultsAtClocks& column : exploration.columns) cells.push_back(column.title);
   return cells;
 }
 
@@ -203,7 +203,7 @@ std::string table4_markdown(const Exploration& exploration,
   MarkdownTable table;
   table.add(headers(exploration, published.has_value()));
   for (const auto& lines : {baseline_lines(), scenario_1_lines(), scenario_2_lines()}) {
-    for (const Line& line : lines) add_line(table, exploration, published, line);
+    for (const TableLine& line : lines) add_line(table, exploration, published, line);
   }
   if (published) {
     add_line(table, exploration, published,

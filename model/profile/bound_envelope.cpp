@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "model/common/check.hpp"
-#include "model/golden/bound_arithmetic.hpp"
+#include "model/number/bound_format.hpp"
 #include "model/profile/envelope_kernels.hpp"
 
 namespace mixcmp::model {
@@ -27,9 +27,9 @@ bool is_constant(const AbsoluteBoundDecision& decision) {
 
 /// The constant as the hardware has it; infinite where its format has no such number.
 double encoded(BoundFormat format, const mpq_class& value) {
-  const Bits bound = golden::bound_constant(format, value);
+  const Bits bound = encode_bound(format, value);
   if (bound == format.infinity()) return infinity;
-  return golden::bound_value(format, bound).get_d();
+  return bound_value(format, bound).get_d();
 }
 
 /// 2^floor(log2 value) of a positive normal double.

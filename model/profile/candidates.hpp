@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/data/operand_source.hpp"
 #include "model/emulator/emulator.hpp"
-#include "model/profile/operands.hpp"
 
 namespace mixcmp::model {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/profile/operands.hpp"
+#include "model/number/double.hpp"
 #include "model/profile/profile.hpp"
 
 namespace mixcmp::model {
@@ -19,10 +19,10 @@ Error unsuitable(const Scene& scene, const std::string& field, FloatFormat forma
 }  // namespace
 
 Result<Done> check_profile(const Scene& scene, const ProfileOptions& options) {
-  if (!double_holds(scene.reference.format)) {
+  if (!fits_double(scene.reference.format)) {
     return unsuitable(scene, "reference.format", scene.reference.format);
   }
-  if (scene.reduced.format && !double_holds(*scene.reduced.format)) {
+  if (scene.reduced.format && !fits_double(*scene.reduced.format)) {
     return unsuitable(scene, "reduced.format", *scene.reduced.format);
   }
   const Limits allowed = lane_precisions(scene.reference.format);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/common/check.hpp"
-#include "model/common/power_of_two.hpp"
+#include "model/number/dyadic.hpp"
 
 namespace mixcmp::model {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "model/common/check.hpp"
-#include "model/golden/arithmetic.hpp"
-#include "model/golden/big_float.hpp"
+#include "model/number/double.hpp"
+#include "model/number/exact.hpp"
 #include "model/profile/envelope_kernels.hpp"
 
 namespace mixcmp::model {
@@ -15,12 +15,6 @@ namespace kernels = envelope_kernels;
 
 /// Double's own exponents, minus room for the errors of the smallest values.
 constexpr int lowest_in_double = -900, highest_in_double = 900;
-
-double nearest_double(const mpq_class& value) {
-  golden::BigFloat nearest(53);
-  mpfr_set_q(nearest.get(), value.get_mpq_t(), MPFR_RNDN);
-  return mpfr_get_d(nearest.get(), MPFR_RNDN);
-}
 
 /// Whether the node's values are 0 or at least 2^lowest in magnitude, in every comparison.
 bool is_never_tiny(const NodeMagnitude& magnitude, int lowest) {
@@ -57,7 +51,7 @@ Envelope::Step Envelope::step(const TypedNode& node) const {
                             : size >= std::ldexp(1.0, lowest_) && size < std::ldexp(1.0, highest_);
   if (!in_range) {
     step.constant_error = kernels::infinity;
-  } else if (golden::to_rational(node.format, node.constant) != node.value) {
+  } else if (to_rational(node.format, node.constant) != node.value) {
     step.constant_error = std::ldexp(size, -anchor()) * kernels::outward;
   }
   return step;

@@ -6,7 +6,7 @@
 
 #include "model/expression/typed_graph.hpp"
 #include "model/profile/node_magnitudes.hpp"
-#include "model/scene/limits.hpp"
+#include "model/settings/limits.hpp"
 
 namespace mixcmp::model {
 

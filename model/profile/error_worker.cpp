@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "model/error/largest_relative_error.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/profile/largest_relative_error.hpp"
 
 namespace mixcmp::model {
 namespace {

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/data/operand_source.hpp"
 #include "model/data/permutation.hpp"
 #include "model/emulator/emulator.hpp"
 #include "model/golden/true_values.hpp"
-#include "model/profile/operands.hpp"
 #include "model/profile/profile.hpp"
 #include "model/profile/workers.hpp"
 

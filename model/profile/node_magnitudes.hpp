@@ -3,8 +3,8 @@
 #include <limits>
 #include <vector>
 
+#include "model/data/operand_source.hpp"
 #include "model/expression/typed_graph.hpp"
-#include "model/profile/operands.hpp"
 
 namespace mixcmp::model {
 

@@ -39,7 +39,7 @@ void RateTally::add(const RateTally& other) {
 RateWorker::RateWorker(const RateJob& job)
     : job_(job),
       tally_(job),
-      pending_(job.stages.size(), Candidates(job.source.data().input_count(), capacity)),
+      pending_(job.bands.size(), Candidates(job.source.data().input_count(), capacity)),
       last_(job.systems.size() * capacity),
       doubtful_(capacity),
       order_(capacity),
@@ -49,10 +49,10 @@ RateWorker::RateWorker(const RateJob& job)
 void RateWorker::run(const BlockSource& next) {
   std::uint64_t first = 0, count = 0;
   while (next(first, count)) start(first, count);
-  for (std::size_t stage = 1; stage < pending_.size(); ++stage) process(stage);
+  for (std::size_t band = 1; band < pending_.size(); ++band) process(band);
 }
 
-/// Everything about new comparisons, up to the first stage's last precision.
+/// Everything about new comparisons, up to the first band's last precision.
 void RateWorker::start(std::uint64_t first, std::size_t count) {
   Candidates& candidates = pending_.front();
   job_.source.fetch(first, count, candidates.operands());
@@ -66,20 +66,20 @@ void RateWorker::start(std::uint64_t first, std::size_t count) {
       candidates.failing[k] |= failing.of_row[items.of(failing.item)];
     }
   }
-  look(job_.stages.front(), candidates, true);
+  look(job_.bands.front(), candidates, true);
   find_true_verdicts(first, candidates);
   process(0);
 }
 
 /// Envelopes of all candidates; for new ones the verdicts, too.
-void RateWorker::look(const Stage& stage, Candidates& candidates, bool is_first) {
+void RateWorker::look(const PrecisionBand& band, Candidates& candidates, bool is_first) {
   for (std::size_t at = 0; at < candidates.size(); at += envelope_width) {
     const BlockFindings findings{last_.data() + at, capacity, doubtful_.data() + at,
                                  (is_first ? candidates.truth : decisions_).data() + at};
-    stage.look(candidates.operands().columns(at), envelope_, findings);
+    band.look(candidates.operands().columns(at), envelope_, findings);
   }
   if (job_.method == ProfileMethod::brute_force) {
-    std::fill(last_.begin(), last_.end(), static_cast<LastOpen>(stage.next()));
+    std::fill(last_.begin(), last_.end(), static_cast<LastOpen>(band.next()));
     std::fill(doubtful_.begin(), doubtful_.end(), 1);
   }
 }
@@ -107,26 +107,26 @@ void RateWorker::find_true_verdicts(std::uint64_t first, Candidates& candidates)
 }
 
 void RateWorker::process(std::size_t index) {
-  const Stage& stage = job_.stages[index];
+  const PrecisionBand& band = job_.bands[index];
   Candidates& candidates = pending_[index];
-  if (index > 0) look(stage, candidates, false);
-  settle_finished(stage, candidates);
-  for (std::size_t system = 0; system < stage.system_count(); ++system) {
-    run_system(stage, system, candidates);
+  if (index > 0) look(band, candidates, false);
+  settle_finished(band, candidates);
+  for (std::size_t system = 0; system < band.system_count(); ++system) {
+    run_system(band, system, candidates);
   }
-  if (index + 1 < pending_.size()) pass_on(stage, candidates, pending_[index + 1]);
+  if (index + 1 < pending_.size()) pass_on(band, candidates, pending_[index + 1]);
   candidates.operands().resize(0);
   if (index + 1 < pending_.size() && pending_[index + 1].size() >= block) process(index + 1);
 }
 
-/// What an earlier stage settled stays so; a failing check can leave a lane undecided forever.
-void RateWorker::settle_finished(const Stage& stage, const Candidates& candidates) {
-  for (std::size_t system = 0; system < stage.system_count(); ++system) {
+/// What an earlier band settled stays so; a failing check can leave a lane undecided forever.
+void RateWorker::settle_finished(const PrecisionBand& band, const Candidates& candidates) {
+  for (std::size_t system = 0; system < band.system_count(); ++system) {
     LastOpen* const last = last_.data() + system * capacity;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
-      if ((candidates.failing[k] >> system & 1) != 0) last[k] = static_cast<LastOpen>(stage.next());
+      if ((candidates.failing[k] >> system & 1) != 0) last[k] = static_cast<LastOpen>(band.next());
       if ((candidates.systems[k] >> system & 1) == 0) {
-        last[k] = static_cast<LastOpen>(stage.anchor() - 1);
+        last[k] = static_cast<LastOpen>(band.anchor() - 1);
       }
     }
   }
@@ -134,25 +134,26 @@ void RateWorker::settle_finished(const Stage& stage, const Candidates& candidate
 
 /// Counting a comparison that is not open changes nothing: it is decided, and rightly. So where
 /// most are open all are run, and only where few are it pays to pick them.
-void RateWorker::run_system(const Stage& stage, std::size_t system, const Candidates& candidates) {
-  count_open(stage, system, candidates.size());
+void RateWorker::run_system(const PrecisionBand& band, std::size_t system,
+                            const Candidates& candidates) {
+  count_open(band, system, candidates.size());
   bool picked = false;
-  for (int precision = stage.anchor(); precision < stage.next(); ++precision) {
-    const std::size_t open = open_at_[precision - stage.anchor()];
+  for (int precision = band.anchor(); precision < band.next(); ++precision) {
+    const std::size_t open = open_at_[precision - band.anchor()];
     if (open == 0) break;
-    const Stage::Runner& runner = stage.runner(system, precision);
+    const PrecisionBand::Runner& runner = band.runner(system, precision);
     if (!runner.emulator) continue;
     const bool most = open > candidates.size() / 4;
-    if (!most && !picked) pick(stage, system, candidates);
+    if (!most && !picked) pick(band, system, candidates);
     picked = picked || !most;
     run_lane(runner, system, precision, most ? candidates : picked_,
              most ? candidates.size() : open);
   }
 }
 
-void RateWorker::count_open(const Stage& stage, std::size_t system, std::size_t count) {
+void RateWorker::count_open(const PrecisionBand& band, std::size_t system, std::size_t count) {
   const LastOpen* const last = last_.data() + system * capacity;
-  const int before = stage.anchor() - 1, steps = stage.next() - before;
+  const int before = band.anchor() - 1, steps = band.next() - before;
   std::vector<std::size_t>& with = open_at_;
   with.assign(steps + 2, 0);
   for (std::size_t k = 0; k < count; ++k) ++with[last[k] - before];
@@ -160,11 +161,11 @@ void RateWorker::count_open(const Stage& stage, std::size_t system, std::size_t 
   for (int step = steps; step-- > 0;) with[step] += with[step + 1];
 }
 
-/// Picks the comparisons that are open at some precision of the stage, longest open first, so that
+/// Picks the comparisons that are open at some precision of the band, longest open first, so that
 /// the comparisons which are open at L stand at the beginning of the list.
-void RateWorker::pick(const Stage& stage, std::size_t system, const Candidates& candidates) {
+void RateWorker::pick(const PrecisionBand& band, std::size_t system, const Candidates& candidates) {
   const LastOpen* const last = last_.data() + system * capacity;
-  const int anchor = stage.anchor();
+  const int anchor = band.anchor();
   std::vector<std::size_t> place(open_at_.begin() + 1, open_at_.end());
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     if (last[k] >= anchor) order_[place[last[k] - anchor]++] = static_cast<std::uint32_t>(k);
@@ -182,7 +183,7 @@ void RateWorker::pick(const Stage& stage, std::size_t system, const Candidates& 
   }
 }
 
-void RateWorker::run_lane(const Stage::Runner& runner, std::size_t system, int precision,
+void RateWorker::run_lane(const PrecisionBand::Runner& runner, std::size_t system, int precision,
                           const Candidates& candidates, std::size_t count) {
   const std::vector<const double*> columns = candidates.operands().columns();
   if (runner.kind == SystemKind::lanes_alone) {
@@ -200,17 +201,17 @@ void RateWorker::run_lane(const Stage::Runner& runner, std::size_t system, int p
     wrong += blamed ? 1 : 0;
     wrong_by_lane += blamed && !open ? 1 : 0;
   }
-  SystemCounts& counts = tally_.counts[system][precision - job_.stages.front().anchor()];
+  SystemCounts& counts = tally_.counts[system][precision - job_.bands.front().anchor()];
   counts.undecided += undecided;
   counts.wrong += wrong;
   counts.wrong_by_lane += wrong_by_lane;
 }
 
-void RateWorker::pass_on(const Stage& stage, const Candidates& from, Candidates& to) {
+void RateWorker::pass_on(const PrecisionBand& band, const Candidates& from, Candidates& to) {
   for (std::size_t k = 0; k < from.size(); ++k) {
     std::uint32_t left = 0;
-    for (std::size_t system = 0; system < stage.system_count(); ++system) {
-      if (last_[system * capacity + k] >= stage.next()) left |= std::uint32_t{1} << system;
+    for (std::size_t system = 0; system < band.system_count(); ++system) {
+      if (last_[system * capacity + k] >= band.next()) left |= std::uint32_t{1} << system;
     }
     if (left != 0) to.append(from, k, left);
   }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/profile/candidates.hpp"
-#include "model/profile/stage.hpp"
+#include "model/profile/precision_band.hpp"
 #include "model/profile/workers.hpp"
 
 namespace mixcmp::model {
@@ -15,7 +15,7 @@ struct RateJob {
   const OperandSource& source;
   ProfileMethod method;
   std::vector<SystemLanes> systems;
-  std::vector<Stage> stages;  ///< neighbours: the next of one is the anchor of the following
+  std::vector<PrecisionBand> bands;  ///< neighbours: the next of one is the anchor of the following
   Emulator reference;
   /// Bit k of what an input reads from a row of its table: it fails a range check of system k.
   /// Inputs that never fail are left out.
@@ -36,7 +36,7 @@ struct RateTally {
   void add(const RateTally& other);
 };
 
-/// One thread's share: comparisons go through the stages and are dropped as soon as every system is
+/// One thread's share: comparisons go through the bands and are dropped as soon as every system is
 /// settled on them.
 class RateWorker {
 public:
@@ -47,25 +47,25 @@ public:
   const RateTally& tally() const { return tally_; }
 
 private:
-  /// A stage's queue is emptied when it holds `block`, and one more block may have been added.
+  /// A band's queue is emptied when it holds `block`, and one more block may have been added.
   static constexpr std::size_t capacity = 2 * block;
 
   void start(std::uint64_t first, std::size_t count);
-  void process(std::size_t stage);
-  void look(const Stage& stage, Candidates& candidates, bool is_first);
+  void process(std::size_t band);
+  void look(const PrecisionBand& band, Candidates& candidates, bool is_first);
   void find_true_verdicts(std::uint64_t first, Candidates& candidates);
-  void settle_finished(const Stage& stage, const Candidates& candidates);
-  void run_system(const Stage& stage, std::size_t system, const Candidates& candidates);
-  void count_open(const Stage& stage, std::size_t system, std::size_t count);
-  void pick(const Stage& stage, std::size_t system, const Candidates& candidates);
-  void run_lane(const Stage::Runner& runner, std::size_t system, int precision,
+  void settle_finished(const PrecisionBand& band, const Candidates& candidates);
+  void run_system(const PrecisionBand& band, std::size_t system, const Candidates& candidates);
+  void count_open(const PrecisionBand& band, std::size_t system, std::size_t count);
+  void pick(const PrecisionBand& band, std::size_t system, const Candidates& candidates);
+  void run_lane(const PrecisionBand::Runner& runner, std::size_t system, int precision,
                 const Candidates& candidates, std::size_t count);
-  void pass_on(const Stage& stage, const Candidates& from, Candidates& to);
+  void pass_on(const PrecisionBand& band, const Candidates& from, Candidates& to);
 
   const RateJob& job_;
   RateTally tally_;
   EnvelopeBlock envelope_;
-  std::vector<Candidates> pending_;  ///< one a stage
+  std::vector<Candidates> pending_;  ///< one a band
   std::vector<LastOpen> last_;       ///< `capacity` of one system, of the next, ...
   std::vector<std::uint8_t> doubtful_;
   std::vector<std::uint32_t> order_;  ///< rows of the candidates, longest open first

@@ -87,8 +87,8 @@ void add_stages(RateJob& job, const ErrorProfile& errors) {
                                     .last = anchors.back() - 1,
                                     .reference = job.scene.reference.format,
                                     .inputs = inputs};
-    job.stages.emplace_back(options, anchors[k + 1], anchors.front(),
-                            graphs_at(job.scene, anchors[k], errors.inputs), job.systems);
+    job.bands.emplace_back(options, anchors[k + 1], anchors.front(),
+                           graphs_at(job.scene, anchors[k], errors.inputs), job.systems);
   }
 }
 
@@ -119,7 +119,7 @@ RateProfile profile_rates(const Scene& scene, const Comparisons& data, const Err
               .source = source,
               .method = options.method,
               .systems = existing_systems(systems),
-              .stages = {},
+              .bands = {},
               .reference = Emulator(reference_graphs(scene.graph, scene.reference)),
               .failing = {}};
   find_failing(job);

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "model/common/check.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 #include "model/profile/envelope_kernels.hpp"
 
 namespace mixcmp::model {
@@ -31,7 +31,7 @@ double encoded_error(const TypedGraph& graph, NodeId product) {
   const TypedNode& node = graph.nodes[graph.nodes[product].operands[1]];
   MIXCMP_CHECK(node.operation == Operation::constant);
   if (node.format.is_infinite(node.constant)) return envelope_kernels::infinity;
-  return golden::to_rational(node.format, node.constant).get_d() * outward;
+  return to_rational(node.format, node.constant).get_d() * outward;
 }
 
 bool same_node(const TypedNode& a, const TypedNode& b) {

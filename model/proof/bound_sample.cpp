@@ -5,7 +5,7 @@
 #include <random>
 
 #include "model/common/check.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model::proof {
 namespace {
@@ -26,7 +26,7 @@ BoundSample::BoundSample(const TypedGraph& graph, std::uint64_t seed) {
   for (const TypedNode& node : graph.nodes) {
     const bool constant =
         node.operation == Operation::constant && !node.format.is_infinite(node.constant);
-    magnitudes_.push_back(constant ? mpq_class(abs(golden::to_rational(node.format, node.constant)))
+    magnitudes_.push_back(constant ? mpq_class(abs(to_rational(node.format, node.constant)))
                                    : random_number(random));
     binades_.push_back(random_number(random));
     reciprocals_.push_back(random_number(random));

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/error/bound_builder.hpp"
+#include "model/error/bound_graph_builder.hpp"
 #include "model/expression/typed_graph.hpp"
 
 namespace mixcmp::model::proof {

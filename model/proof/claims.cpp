@@ -56,17 +56,6 @@ mpq_class rounded_up(const mpq_class& value) {
   return shortened(value, Direction::up);
 }
 
-mpq_class power_of_two(long exponent) {
-  const mpq_class one(1);
-  mpq_class result;
-  if (exponent < 0) {
-    mpq_div_2exp(result.get_mpq_t(), one.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  } else {
-    mpq_mul_2exp(result.get_mpq_t(), one.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  }
-  return result;
-}
-
 long binade_of(const mpq_class& value) {
   const auto bits = [](const mpz_class& number) {
     return static_cast<long>(mpz_sizeinbase(number.get_mpz_t(), 2));

@@ -5,6 +5,7 @@
 
 #include "model/error/error_analysis.hpp"
 #include "model/error/lane.hpp"
+#include "model/number/dyadic.hpp"
 
 namespace mixcmp::model::proof {
 
@@ -37,7 +38,6 @@ mpq_class rounded_up(const mpq_class& value);
 
 /// The slack at depth 0 is 2^-slack_bits.
 constexpr long slack_bits = 400;
-mpq_class power_of_two(long exponent);
 /// An estimate of floor(log2(value)), for a positive value: that number, or one more.
 long binade_of(const mpq_class& value);
 

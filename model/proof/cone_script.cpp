@@ -4,7 +4,7 @@
 
 #include "model/common/check.hpp"
 #include "model/expression/text.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 #include "model/proof/cone.hpp"
 #include "model/proof/script.hpp"
 #include "model/proof/zero_patterns.hpp"
@@ -138,7 +138,7 @@ void CaseScript::add_magnitude(NodeId id) {
 
 void CaseScript::add_constant(NodeId id, int number) {
   const TypedNode& node = graph_.nodes[id];
-  const mpq_class value = golden::to_rational(node.format, node.constant);
+  const mpq_class value = to_rational(node.format, node.constant);
   const std::string name = fmt::format("c{}", number);
   names_[id] = {name, name, name};
   script_.assume_within(name, dyadic(value), dyadic(value));

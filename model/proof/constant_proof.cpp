@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "model/common/check.hpp"
-#include "model/golden/bound_arithmetic.hpp"
+#include "model/number/bound_format.hpp"
 #include "model/proof/cone.hpp"
 #include "model/proof/node_prover.hpp"
 #include "model/proof/node_ranges.hpp"
@@ -201,10 +201,10 @@ std::optional<mpq_class> decided_beyond(const Lane& lane) {
   const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
   MIXCMP_CHECK(is_constant(decision));
   const BoundFormat format = decision.bound.format;
-  const Bits encoded = golden::bound_constant(format, decision.bound.nodes.front().constant);
+  const Bits encoded = encode_bound(format, decision.bound.nodes.front().constant);
   if (encoded == format.infinity()) return std::nullopt;
   const int precision = lane.graph.arithmetic.format.precision();
-  return mpq_class(golden::bound_value(format, encoded) * (1 + power_of_two(-precision - 2)));
+  return mpq_class(bound_value(format, encoded) * (1 + power_of_two(-precision - 2)));
 }
 
 std::vector<Finding> prove_constant(const Lane& lane, const ErrorAnalysis& analysis,

@@ -7,7 +7,7 @@
 
 #include "model/common/check.hpp"
 #include "model/expression/text.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 #include "model/proof/choice_lemmas.hpp"
 #include "model/proof/script.hpp"
 
@@ -133,7 +133,7 @@ void NodeProver::check_exact_input(NodeId id) {
 void NodeProver::check_constant(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
   const NodeClaim& claim = claims_[id];
-  const mpq_class computed = golden::to_rational(node.format, node.constant);
+  const mpq_class computed = to_rational(node.format, node.constant);
   const bool within = claim.relative && claim.relative->low * abs(computed) <= abs(node.value) &&
                       abs(node.value) <= claim.relative->high * abs(computed);
   const bool sign =

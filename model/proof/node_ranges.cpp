@@ -8,7 +8,7 @@
 #include "model/common/check.hpp"
 #include "model/error/hazards.hpp"
 #include "model/error/range_analysis.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 #include "model/proof/script.hpp"
 
 namespace mixcmp::model::proof {
@@ -131,7 +131,7 @@ Range NodeRanges::given(NodeId id) const {
     return checked.value_or(any_finite(node.format));
   }
   if (node.format.is_infinite(node.constant)) return any_finite(node.format);
-  const mpq_class value = golden::to_rational(node.format, node.constant);
+  const mpq_class value = to_rational(node.format, node.constant);
   return {value, value};
 }
 

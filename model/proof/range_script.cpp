@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include "model/common/check.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 #include "model/proof/absolute_proof.hpp"
 #include "model/proof/cone.hpp"
 #include "model/proof/node_ranges.hpp"
@@ -79,7 +79,7 @@ void RangeWriter::add_input(NodeId id) {
 
 void RangeWriter::add_constant(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
-  script_.define(name('c', id), dyadic(golden::to_rational(node.format, node.constant)));
+  script_.define(name('c', id), dyadic(to_rational(node.format, node.constant)));
   const mpq_class& v = node.value;
   script_.define(name('t', id), v.get_den() == 1 ? v.get_num().get_str()
                                                  : fmt::format("({} / {})", v.get_num().get_str(),

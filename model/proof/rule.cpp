@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "model/common/check.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 #include "model/proof/claims.hpp"
 #include "model/proof/cone.hpp"
 #include "model/proof/script.hpp"
@@ -134,8 +134,8 @@ RuleVariable RuleWriter::factor(const char* name, NodeId id) const {
 }
 
 RuleVariable RuleWriter::error_factor(const char* name, NodeId id) const {
-  const mpq_class fudge = provable_fudge(graph_, analysis_, id);
-  return {name, -fudge, fudge};
+  const mpq_class slack_factor = provable_fudge(graph_, analysis_, id);
+  return {name, -slack_factor, slack_factor};
 }
 
 RuleVariable RuleWriter::own_rounding_factor(const char* name) const {
@@ -238,7 +238,7 @@ void RuleWriter::add_largest(const Weight& largest, const std::string& deviation
 mpq_class RuleWriter::constant_error(NodeId id) const {
   const TypedNode& node = graph_.nodes[id];
   if (node.operation == Operation::constant) {
-    return abs(node.value - golden::to_rational(node.format, node.constant));
+    return abs(node.value - to_rational(node.format, node.constant));
   }
   mpq_class error = 0;
   for (int k = 0; k < arity(node.operation); ++k) {
@@ -277,7 +277,7 @@ void RuleWriter::divide() {
   mpq_class share = 0;
   if (has_error(b_)) {
     const RelativeBound proven = provable(divisor, depth_of(graph_, b_));
-    const mpq_class& claimed = mixed(b_).absolute.fudge;
+    const mpq_class& claimed = mixed(b_).absolute.slack_factor;
     const mpq_class excess = provable_fudge(graph_, analysis_, b_) / claimed;
     share = rounded_up(divisor_share * excess * divisor.low / proven.low);
     const mpq_class limit = claimed / divisor_share / divisor.low;
@@ -300,7 +300,7 @@ void RuleWriter::square_root() {
   add(times(error(a_), reciprocal), "o * p / (r * sqrt(s))");
   rule_.identity = {"k - h", "(k * k - h * h) / (k + h)"};
   if (analysis_.nodes[a_].nonnegative) return;
-  const mpq_class limit = mixed(a_).absolute.fudge / mixed(a_).factor.low;
+  const mpq_class limit = mixed(a_).absolute.slack_factor / mixed(a_).factor.low;
   result_.conditions.push_back({a_, scaled(error(a_), limit)});
 }
 
@@ -313,19 +313,19 @@ NodeRules rules_of(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeI
 /// Factors enter relative to their distance from one, so that this slack outgrows theirs by as much
 /// as an ulp is small.
 mpq_class provable_fudge(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id) {
-  const mpq_class& fudge = analysis.nodes[id].mixed->absolute.fudge;
+  const mpq_class& slack_factor = analysis.nodes[id].mixed->absolute.slack_factor;
   const long slack =
       2L * depth_of(graph, id) + graph.arithmetic.format.precision() + 4 - slack_bits;
-  return rounded_up(fudge * (1 + power_of_two(slack)));
+  return rounded_up(slack_factor * (1 + power_of_two(slack)));
 }
 
-std::string rule_script(const Rule& rule, const mpq_class& fudge) {
+std::string rule_script(const Rule& rule, const mpq_class& slack_factor) {
   Script script;
   script.comment("An operation's absolute error is a sum of these factors, each times its weight.");
   for (const RuleVariable& variable : rule.variables) {
     script.assume_within(variable.name, dyadic(variable.low), dyadic(variable.high));
   }
-  const std::string most = dyadic(fudge);
+  const std::string most = dyadic(slack_factor);
   for (const RuleTerm& term : rule.terms) {
     script.conclude(fmt::format("{} in [-{}, {}]", term.factor, most, most));
   }

@@ -54,12 +54,12 @@ struct NodeRules {
 };
 NodeRules rules_of(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id);
 
-/// A fudge as it is proven: a little more than claimed, see `provable`.
+/// A slack_factor as it is proven: a little more than claimed, see `provable`.
 mpq_class provable_fudge(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id);
 
-/// A script that proves that no factor exceeds `fudge` in magnitude, so that the sum of terms does
-/// not exceed `fudge` times the sum of weights. It also states the rule's identity, which Gappa
-/// checks by normalising both sides.
-std::string rule_script(const Rule& rule, const mpq_class& fudge);
+/// A script that proves that no factor exceeds `slack_factor` in magnitude, so that the sum of
+/// terms does not exceed `slack_factor` times the sum of weights. It also states the rule's
+/// identity, which Gappa checks by normalising both sides.
+std::string rule_script(const Rule& rule, const mpq_class& slack_factor);
 
 }  // namespace mixcmp::model::proof

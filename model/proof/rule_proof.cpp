@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "model/common/check.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 #include "model/proof/cone.hpp"
 #include "model/proof/node_prover.hpp"
 #include "model/proof/rule.hpp"
@@ -103,9 +103,9 @@ void RuleProof::prove_factor(NodeId id, const NodeRules& rules) {
 }
 
 void RuleProof::prove_absolute_part(NodeId id, const NodeRules& rules) {
-  const mpq_class fudge = provable_fudge(graph_, analysis_, id);
+  const mpq_class slack_factor = provable_fudge(graph_, analysis_, id);
   std::vector<ConeCase> cases;
-  for (const Rule& rule : rules.rules) cases.push_back({"", rule_script(rule, fudge)});
+  for (const Rule& rule : rules.rules) cases.push_back({"", rule_script(rule, slack_factor)});
   Finding finding = nodes_.run_scripts(
       fmt::format("{} {}, absolute error", to_string(graph_.nodes[id].operation), nodes_.text(id)),
       cases);
@@ -130,11 +130,11 @@ bool RuleProof::is_the_bound(NodeId id, const Rule& rule) const {
 /// One that its format rounds to zero: its bound is a number.
 void RuleProof::check_lost_constant(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
-  const mpq_class computed = golden::to_rational(node.format, node.constant);
+  const mpq_class computed = to_rational(node.format, node.constant);
   const MixedBound& bound = mixed(id);
   const mpq_class error = samples_.front().value(analysis_.bounds, bound.absolute.bound);
   const auto within = [&](const mpq_class& factor) {
-    return abs(node.value - computed * factor) <= bound.absolute.fudge * error;
+    return abs(node.value - computed * factor) <= bound.absolute.slack_factor * error;
   };
   nodes_.add({"constant " + nodes_.text(id),
               within(bound.factor.low) && within(bound.factor.high) ? Outcome::proven
@@ -164,11 +164,11 @@ bool stands_for(const Lane& lane, int lane_bound, const ErrorAnalysis& analysis,
   });
 }
 
-/// A guard of 0 serves a fudge that is no more than the proof's slack, too: numbers of P digits are
-/// further apart.
-bool guards(Bits guard, const mpq_class& fudge, int precision) {
-  if (fudge <= 1 + power_of_two(-precision - 2)) return true;
-  return guard >= steps_beyond(fudge, precision);
+/// A guard of 0 serves a slack_factor that is no more than the proof's slack, too: numbers of P
+/// digits are further apart.
+bool guards(Bits guard, const mpq_class& slack_factor, int precision) {
+  if (slack_factor <= 1 + power_of_two(-precision - 2)) return true;
+  return guard >= steps_beyond(slack_factor, precision);
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ std::vector<Finding> check_running_decision(const Lane& lane, const ErrorAnalysi
   const MixedBound& bound = *analysis.nodes[decision.difference].mixed;
   const auto last = static_cast<int>(decision.bound.nodes.size()) - 1;
   const mpq_class low = bound.factor.low / rounding_interval(precision, arithmetic.rounding).low;
-  const mpq_class fudge =
+  const mpq_class slack_factor =
       provable_fudge(lane.graph, analysis, decision.difference) / std::min<mpq_class>(1, low);
   const bool conditions = std::all_of(
       analysis.conditions.begin(), analysis.conditions.end(), [&](const BoundCondition& needed) {
@@ -210,7 +210,7 @@ std::vector<Finding> check_running_decision(const Lane& lane, const ErrorAnalysi
   return {finding("the lane computes the bound of f - g",
                   stands_for(lane, last, analysis, bound.absolute.bound)),
           finding("its guard covers the factors left out",
-                  guards(decision.guard_ulp, fudge, precision) ||
+                  guards(decision.guard_ulp, slack_factor, precision) ||
                       decision.guard_ulp == low_mask(arithmetic.format.width())),
           finding("it asks for every condition", conditions)};
 }

@@ -15,8 +15,8 @@ ErrorAnalysis analysis_of(const Lane& lane);
 std::vector<Finding> prove_rules(const Lane& lane, const ErrorAnalysis& analysis,
                                  const Prove& prove);
 
-/// Checks that a lane with a running bound computes the analysis' bound of f - g, guards the fudge,
-/// and asks for every condition.
+/// Checks that a lane with a running bound computes the analysis' bound of f - g, guards the
+/// slack_factor, and asks for every condition.
 std::vector<Finding> check_running_decision(const Lane& lane, const ErrorAnalysis& analysis);
 
 }  // namespace mixcmp::model::proof

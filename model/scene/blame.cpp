@@ -4,7 +4,7 @@
 
 namespace mixcmp::model {
 
-Error blamed(Error error, std::span<const std::string> overrides, const Attempt& attempt) {
+Error with_setting(Error error, std::span<const std::string> overrides, const Attempt& attempt) {
   if (overrides.empty() || error.file.starts_with("--")) return error;
   const std::string text = error.to_string();
   const auto comes_up = [&](std::size_t count) {

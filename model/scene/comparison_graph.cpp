@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "model/common/check.hpp"
-#include "model/scene/section.hpp"
 #include "model/scene/sections.hpp"
+#include "model/settings/section.hpp"
 
 namespace mixcmp::model {
 namespace {

@@ -9,8 +9,8 @@
 #include "model/common/quote.hpp"
 #include "model/data/sphere_family.hpp"
 #include "model/expression/name.hpp"
-#include "model/scene/section.hpp"
 #include "model/scene/sections.hpp"
+#include "model/settings/section.hpp"
 
 namespace mixcmp::model {
 namespace {

@@ -4,7 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "model/scene/limits.hpp"
+#include "model/number/verdict.hpp"
+#include "model/settings/limits.hpp"
 
 namespace mixcmp::model {
 
@@ -23,7 +24,7 @@ struct EngineSpec {
   EngineKind kind = EngineKind::none;
   int capacity = 1024;    ///< of pairwise: items that the memory holds, 2..max_capacity
   int row_tag_bits = 16;  ///< width of the tag that goes with an arg_min engine's row, 1..64
-  /// Which verdicts leave a pairwise engine, indexed by golden::Verdict. By default all but
+  /// Which verdicts leave a pairwise engine, indexed by Verdict. By default all but
   /// `greater`: whatever is not certainly apart.
   std::array<bool, 4> report = {true, true, false, true};
 

@@ -5,14 +5,12 @@
 #include <bit>
 
 #include "model/data/pairing.hpp"
-#include "model/golden/arithmetic.hpp"
-#include "model/scene/section.hpp"
+#include "model/number/verdict.hpp"
 #include "model/scene/sections.hpp"
+#include "model/settings/section.hpp"
 
 namespace mixcmp::model {
 namespace {
-
-using golden::Verdict;
 
 /// Keys of [system] that the pairwise engine decides: one may repeat them, not contradict.
 Result<Done> check_pairwise_system(const Settings& settings, const EngineSpec& engine) {

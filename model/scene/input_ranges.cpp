@@ -6,10 +6,10 @@
 #include <map>
 
 #include "model/common/nearest.hpp"
-#include "model/common/power_of_two.hpp"
 #include "model/expression/name.hpp"
 #include "model/expression/text.hpp"
-#include "model/scene/section.hpp"
+#include "model/number/dyadic.hpp"
+#include "model/settings/section.hpp"
 
 namespace mixcmp::model {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/scene/scene.hpp"
-#include "model/scene/settings.hpp"
+#include "model/settings/settings.hpp"
 
 namespace mixcmp::model {
 

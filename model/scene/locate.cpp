@@ -1,7 +1,7 @@
 #include "model/scene/locate.hpp"
 
 #include "model/scene/plan.hpp"
-#include "model/scene/section.hpp"
+#include "model/settings/section.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -13,8 +13,8 @@ const Setting* find_in(const Setting* table, const std::string& key) {
 
 }  // namespace
 
-Error located(Error error, const std::filesystem::path& scene,
-              std::span<const std::string> overrides) {
+Error with_location(Error error, const std::filesystem::path& scene,
+                    std::span<const std::string> overrides) {
   const std::size_t dot = error.field.find('.');
   if (error.line > 0 || dot == std::string::npos || error.file.starts_with("--set")) return error;
   const Result<SceneSettings> read = read_scene_settings(scene, overrides);

@@ -12,7 +12,7 @@ namespace mixcmp::model {
 /// key that `error.field` names or, where the scene does not have the key, of its section. An error
 /// that names a line or "--set" already, or a section that the scene does not have, is returned as
 /// it is.
-Error located(Error error, const std::filesystem::path& scene,
-              std::span<const std::string> overrides);
+Error with_location(Error error, const std::filesystem::path& scene,
+                    std::span<const std::string> overrides);
 
 }  // namespace mixcmp::model

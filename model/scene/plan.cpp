@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "model/scene/section.hpp"
+#include "model/settings/section.hpp"
 
 namespace mixcmp::model {
 namespace {

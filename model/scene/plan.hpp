@@ -6,7 +6,7 @@
 #include <string>
 
 #include "model/scene/scene.hpp"
-#include "model/scene/settings.hpp"
+#include "model/settings/settings.hpp"
 
 namespace mixcmp::model {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "model/expression/text.hpp"
-#include "model/scene/section.hpp"
 #include "model/scene/sections.hpp"
+#include "model/settings/section.hpp"
 
 namespace mixcmp::model {
 namespace {

@@ -10,14 +10,14 @@
 #include "model/error/exponent_range.hpp"
 #include "model/expression/name.hpp"
 #include "model/expression/text.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 #include "model/scene/blame.hpp"
 #include "model/scene/input_ranges.hpp"
 #include "model/scene/pairing_notes.hpp"
 #include "model/scene/plan.hpp"
-#include "model/scene/section.hpp"
 #include "model/scene/sections.hpp"
 #include "model/scene/variant.hpp"
+#include "model/settings/section.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -202,7 +202,7 @@ Result<Done> check_constants(const Settings& settings, const Graph& graph,
   const FloatFormat format = reference.format;
   for (const Node& node : graph.nodes()) {
     if (node.operation != Operation::constant) continue;
-    const Bits bits = golden::from_rational(format, node.value);
+    const Bits bits = from_rational(format, node.value);
     const bool vanishes = format.is_zero(bits) ||
                           (reference.subnormals == Subnormals::flush && format.is_subnormal(bits));
     if (format.is_infinite(bits) || (vanishes && node.value != 0)) {
@@ -211,7 +211,7 @@ Result<Done> check_constants(const Settings& settings, const Graph& graph,
                              fmt::format("it cannot hold the constant {}", to_text(node.value)),
                              format.name(), "a format with more exponent bits");
     }
-    const mpq_class off = golden::to_rational(format, bits) - node.value;
+    const mpq_class off = to_rational(format, bits) - node.value;
     if (off == 0) continue;
     notes.push_back(fmt::format("constant {} is inexact in {}: rounded, off by {}",
                                 to_text(node.value), format.name(), to_text(off)));
@@ -225,9 +225,9 @@ void note_missed_ends(const std::vector<std::optional<Range>>& ranges, FloatForm
   for (const std::optional<Range>& range : ranges) {
     if (!range) continue;
     for (const mpq_class& end : {range->low, range->high}) {
-      const Bits bits = golden::from_rational(format, end);
+      const Bits bits = from_rational(format, end);
       if (format.is_infinite(bits)) continue;
-      const mpq_class rounded = golden::to_rational(format, bits);
+      const mpq_class rounded = to_rational(format, bits);
       if (range->low <= rounded && rounded <= range->high) continue;
       const std::string note = fmt::format(
           "the range end {} rounds out of its range in {}: data of just that value are out of "
@@ -287,7 +287,7 @@ Result<Scene> load_scene(const std::filesystem::path& path,
                          std::span<const std::string> overrides) {
   Result<Scene> scene = load_with(path, overrides);
   if (scene.ok()) return scene;
-  return blamed(scene.error(), overrides, [&](std::span<const std::string> some) {
+  return with_setting(scene.error(), overrides, [&](std::span<const std::string> some) {
     const Result<Scene> attempt = load_with(path, some);
     return attempt.ok() ? std::nullopt : std::optional(attempt.error());
   });

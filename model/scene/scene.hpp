@@ -16,7 +16,7 @@
 #include "model/expression/parser.hpp"
 #include "model/expression/typed_graph.hpp"
 #include "model/scene/engine.hpp"
-#include "model/scene/limits.hpp"
+#include "model/settings/limits.hpp"
 
 namespace mixcmp::model {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/scene/scene.hpp"
-#include "model/scene/settings.hpp"
+#include "model/settings/settings.hpp"
 
 /// The parts of a scene whose keys stand for themselves, one function each: what load_scene puts
 /// together. Errors name file, line and key.

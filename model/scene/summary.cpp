@@ -8,7 +8,8 @@
 #include "model/error/exactness.hpp"
 #include "model/error/hazards.hpp"
 #include "model/expression/text.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/decimal.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -48,7 +49,7 @@ bool knows(const TypedGraph& graph, Event event) {
 }
 
 /// Adds one more way in which what is asked may happen: certain ways outweigh those left open.
-void add_way(Finding& finding, const TypedGraph& graph, NodeId node, const NodeRange& range) {
+void add_way(RangeQuestion& finding, const TypedGraph& graph, NodeId node, const NodeRange& range) {
   finding.operations.push_back(
       to_text(graph.nodes, graph.input_names, node, max_expression_length));
   for (const int input : range.rangeless_inputs) {
@@ -68,7 +69,7 @@ DatapathSummary summarise_datapath(const std::string& name, const TypedGraph& gr
   const std::vector<NodeRange> nodes = analyse_ranges(graph, ranges);
   for (const Event event : all_events) {
     if (!knows(graph, event)) continue;
-    Finding& finding = summary.events.emplace_back();
+    RangeQuestion& finding = summary.events.emplace_back();
     finding.question = to_string(event);
     for (std::size_t node = 0; node < nodes.size(); ++node) {
       if (nodes[node].may(event)) add_way(finding, graph, static_cast<NodeId>(node), nodes[node]);
@@ -101,12 +102,12 @@ std::string data_source(const DataSpec& data) {
 
 bool is_multiple(const mpq_class& grid, FloatFormat format, Bits bits) {
   if (format.is_nan(bits) || format.is_infinite(bits)) return false;
-  return mpq_class(golden::to_rational(format, bits) / grid).get_den() == 1;
+  return mpq_class(to_rational(format, bits) / grid).get_den() == 1;
 }
 
 bool is_within(const Range& range, FloatFormat format, Bits bits) {
   if (format.is_nan(bits) || format.is_infinite(bits)) return false;
-  const mpq_class value = golden::to_rational(format, bits);
+  const mpq_class value = to_rational(format, bits);
   return range.low <= value && value <= range.high;
 }
 
@@ -170,7 +171,7 @@ private:
   std::string number(std::size_t table_index, std::size_t row, std::size_t column) const {
     const Table& table = data_.tables()[table_index];
     return fmt::format("{}: {} = {}", place(table, row), table.columns[column],
-                       golden::to_text(table.format, table.at(row, column)));
+                       to_text(table.format, table.at(row, column)));
   }
 
   /// "points.csv:7" where rows have lines, else the row's label or its number, counted from 0.

@@ -25,7 +25,7 @@ enum class Possibility {
 std::string_view to_string(Possibility possibility);
 
 /// One question that the ranges answer.
-struct Finding {
+struct RangeQuestion {
   std::string question;
   Possibility answer = Possibility::ruled_out;
   std::vector<std::string> operations;  ///< where it may happen, as expressions
@@ -37,8 +37,8 @@ struct SideSummary {
   std::string name;
   std::string text;
   Range value;
-  Finding negative;
-  Finding zero;
+  RangeQuestion negative;
+  RangeQuestion zero;
 };
 
 /// What a certified lane does not build because its range checks, or signs, rule it out.
@@ -55,7 +55,7 @@ struct DatapathSummary {
   std::string name;
   Arithmetic arithmetic;
   std::vector<OperatorCount> operators;  ///< in order of first use
-  std::vector<Finding> events;           ///< one per event that its operations know
+  std::vector<RangeQuestion> events;     ///< one per event that its operations know
   std::optional<LaneSavings> savings;    ///< of a lane that checks ranges
 };
 

@@ -11,7 +11,7 @@ nlohmann::json json_of(const std::optional<Range>& range) {
   return {to_text(range->low), to_text(range->high)};
 }
 
-nlohmann::json json_of(const Finding& finding) {
+nlohmann::json json_of(const RangeQuestion& finding) {
   return {{"answer", to_string(finding.answer)},
           {"operations", finding.operations},
           {"inputs_without_range", finding.rangeless}};
@@ -36,7 +36,7 @@ nlohmann::json json_of(const DatapathSummary& datapath) {
                          {"count", count.count}});
   }
   nlohmann::json events = nlohmann::json::object();
-  for (const Finding& finding : datapath.events) events[finding.question] = json_of(finding);
+  for (const RangeQuestion& finding : datapath.events) events[finding.question] = json_of(finding);
   return {{"format", datapath.arithmetic.format.name()},
           {"rounding", to_string(datapath.arithmetic.rounding)},
           {"subnormals", to_string(datapath.arithmetic.subnormals)},

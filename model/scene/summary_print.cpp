@@ -41,7 +41,7 @@ private:
   std::string text_;
 };
 
-std::string answer(const Finding& finding, bool with_operations) {
+std::string answer(const RangeQuestion& finding, bool with_operations) {
   std::string text(to_string(finding.answer));
   if (finding.answer == Possibility::ruled_out) return text;
   if (!finding.rangeless.empty()) {
@@ -203,7 +203,7 @@ std::string to_text(const Summary& summary) {
     page.line(side.zero.question, answer(side.zero, false));
   }
   for (const DatapathSummary& datapath : summary.datapaths) {
-    for (const Finding& event : datapath.events) {
+    for (const RangeQuestion& event : datapath.events) {
       page.line(fmt::format("{} {}", datapath.name, event.question), answer(event, true));
     }
   }

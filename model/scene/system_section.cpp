@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "model/scene/section.hpp"
 #include "model/scene/sections.hpp"
+#include "model/settings/section.hpp"
 
 namespace mixcmp::model {
 Result<ReferenceSpec> read_reference(const Settings& settings) {

@@ -7,7 +7,7 @@
 #include "model/common/nearest.hpp"
 #include "model/common/quote.hpp"
 #include "model/expression/name.hpp"
-#include "model/scene/section.hpp"
+#include "model/settings/section.hpp"
 
 namespace mixcmp::model {
 namespace {

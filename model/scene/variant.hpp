@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "model/scene/settings.hpp"
+#include "model/settings/settings.hpp"
 
 namespace mixcmp::model {
 

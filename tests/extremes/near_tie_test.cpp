@@ -7,6 +7,8 @@
 #include <cstdint>
 
 #include "model/golden/evaluate.hpp"
+#include "model/number/exact.hpp"
+#include "model/number/verdict.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -21,13 +23,13 @@ using model::NearTie;
 using model::NearTieShape;
 using model::NearTieTarget;
 using model::Rounding;
-using model::golden::Verdict;
+using model::Verdict;
 
 struct Case {
   int precision;
   LaneInputs inputs;
   Rounding rounding;
-  double least_deceit_ulp;  ///< of the best in 200 rows
+  double least_contradiction_ulp;  ///< of the best in 200 rows
   NearTieShape shape = NearTieShape::along_axis;
 };
 
@@ -59,8 +61,8 @@ protected:
     for (const mpz_class& number : pair.numbers) {
       mpq_class value = number;
       mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-pair.exponent));
-      operands.push_back(model::golden::from_rational(reference_, value));
-      EXPECT_EQ(model::golden::to_rational(reference_, operands.back()), value);
+      operands.push_back(model::from_rational(reference_, value));
+      EXPECT_EQ(model::to_rational(reference_, operands.back()), value);
     }
     return operands;
   }
@@ -73,22 +75,23 @@ TEST_P(NearTies, DeceiveTheGoldenModelAsFarAsTheyClaim) {
     const NearTie tie = tie_of_row(target(), row);
     const std::vector<Bits> operands = encode(tie.pair);
     const auto values = model::golden::evaluate(typed, operands);
-    const mpq_class f = model::golden::to_rational(reduced, values[typed.f].bits);
-    const mpq_class g = model::golden::to_rational(reduced, values[typed.g].bits);
+    const mpq_class f = model::to_rational(reduced, values[typed.f].bits);
+    const mpq_class g = model::to_rational(reduced, values[typed.g].bits);
     const mpq_class difference = (f - g) / std::max(f, g);
     const double computed_ulp = std::ldexp(difference.get_d(), GetParam().precision);
     const Verdict truth = model::golden::true_verdict(graph_, reference_, operands).value();
     ASSERT_NE(truth, Verdict::equal);
-    EXPECT_NEAR(truth == Verdict::less ? computed_ulp : -computed_ulp, tie.deceit_ulp, 1e-9) << row;
+    EXPECT_NEAR(truth == Verdict::less ? computed_ulp : -computed_ulp, tie.contradiction_ulp, 1e-9)
+        << row;
   }
 }
 
 TEST_P(NearTies, ComeCloseToWhatIsProven) {
   double most = 0;
   for (std::uint64_t row = 0; row < 200; ++row) {
-    most = std::max(most, tie_of_row(target(), row).deceit_ulp);
+    most = std::max(most, tie_of_row(target(), row).contradiction_ulp);
   }
-  EXPECT_GT(most, GetParam().least_deceit_ulp);
+  EXPECT_GT(most, GetParam().least_contradiction_ulp);
   if (GetParam().inputs == LaneInputs::exact) {
     EXPECT_LT(most, GetParam().rounding == Rounding::nearest_even ? 8 : 10);
   }

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "model/data/sphere_family.hpp"
-#include "model/scene/load_comparisons.hpp"
+#include "model/workload/load_comparisons.hpp"
 
 /// A scene names a family; mistakes are told with their place.
 namespace mixcmp::test {

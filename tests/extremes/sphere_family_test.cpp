@@ -10,6 +10,7 @@
 #include <functional>
 #include <set>
 
+#include "model/number/exact.hpp"
 #include "tests/extremes/sphere_families_under_test.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/sphere.hpp"
@@ -46,7 +47,7 @@ std::vector<Pair> pairs_of(const Table& table) {
   std::vector<Pair> pairs(table.rows());
   for (std::size_t row = 0; row < pairs.size(); ++row) {
     for (std::size_t k = 0; k < 8; ++k) {
-      pairs[row].numbers[k] = model::golden::to_rational(table.format, table.at(row, k));
+      pairs[row].numbers[k] = model::to_rational(table.format, table.at(row, k));
     }
   }
   return pairs;
@@ -228,7 +229,7 @@ TEST(SphereFamily, LargestReachesTheLargestFiniteNumber) {
           table, [&](Bits bits) { return wide.magnitude(bits) == wide.largest_finite(false); }),
       0.01);
   const auto pairs = pairs_of(table);
-  const mpq_class end = model::golden::to_rational(wide, wide.largest_finite(false));
+  const mpq_class end = model::to_rational(wide, wide.largest_finite(false));
   EXPECT_GT(share_of(pairs, [&](const Pair& pair) { return pair.f() > end; }), 0.3);
   EXPECT_GT(
       share_of(pairs, [&](const Pair& pair) { return pair.f() > end / 4096 && pair.f() < end; }),

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "model/data/operand_source.hpp"
 #include "model/data/sphere_family.hpp"
 #include "model/emulator/emulator.hpp"
 #include "model/golden/evaluate.hpp"
-#include "model/profile/operands.hpp"
 #include "model/profile/systems.hpp"
-#include "model/scene/load_comparisons.hpp"
+#include "model/workload/load_comparisons.hpp"
 
 /// extremes_table SCENE CSV: every family of sphere pairs through every lane at some precisions.
 /// Prints the tables of examples/extremes/README.md, writes the numbers to CSV; an error where a

@@ -1,3 +1,5 @@
+#include "model/number/verdict.hpp"
+
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -7,9 +9,12 @@
 
 #include "model/data/uniform_spheres.hpp"
 #include "model/error/combined_lane.hpp"
-#include "model/error/profiled_error.hpp"
+#include "model/error/profiled_lane.hpp"
 #include "model/golden/bound_arithmetic.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/number/bound_format.hpp"
+#include "model/number/exact.hpp"
+#include "model/profile/profiled_error.hpp"
 #include "tests/extremes/sphere_families_under_test.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/sphere.hpp"
@@ -25,7 +30,7 @@ using model::FloatFormat;
 using model::Graph;
 using model::Lane;
 using model::LaneInputs;
-using model::golden::Verdict;
+using model::Verdict;
 
 constexpr std::uint64_t family_rows = MIXCMP_FAMILY_ROWS;
 constexpr std::uint64_t profile_samples = MIXCMP_PROFILE_SAMPLES;
@@ -41,7 +46,7 @@ struct Judged {
 /// By exact rationals: another judge than golden::true_verdict, that it must agree with.
 Verdict rational_verdict(FloatFormat format, const std::vector<Bits>& row) {
   std::vector<mpq_class> numbers;
-  for (const Bits bits : row) numbers.push_back(model::golden::to_rational(format, bits));
+  for (const Bits bits : row) numbers.push_back(model::to_rational(format, bits));
   const auto square = [](const mpq_class& value) { return mpq_class(value * value); };
   const mpq_class f = square(numbers[0] - numbers[1]) + square(numbers[2] - numbers[3]) +
                       square(numbers[4] - numbers[5]);
@@ -211,10 +216,10 @@ double attained(int precision, int bound_digits) {
     const auto values = model::golden::evaluate(lane.graph, data.rows[row]);
     const auto bounds = model::golden::evaluate_bound(decision.bound, lane.graph, values);
     const mpq_class difference =
-        model::golden::to_rational(reduced.format, values[decision.difference].bits);
+        model::to_rational(reduced.format, values[decision.difference].bits);
     const Verdict verdict = difference < 0 ? Verdict::less : Verdict::greater;
     if (difference == 0 || verdict == data.truths[row]) continue;
-    const mpq_class bound = model::golden::bound_value(decision.bound.format, bounds.back());
+    const mpq_class bound = model::bound_value(decision.bound.format, bounds.back());
     most = std::max<mpq_class>(most, abs(difference) / bound);
   }
   return most.get_d();

@@ -11,7 +11,8 @@
 #include "generator/emit/system.hpp"
 #include "model/characterise/job_hash.hpp"
 #include "model/design/slots.hpp"
-#include "model/scene/load_comparisons.hpp"
+#include "model/profile/profiled_error.hpp"
+#include "model/workload/load_comparisons.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 namespace mixcmp::test {
@@ -181,7 +182,7 @@ TEST_F(Components, ProfiledLanesTakeTheirConstantsFromTheSceneOrItsData) {
   // The lane that `generate` makes measures the same two comparisons.
   ReducedSpec reduced = with_bound(with_data.reduced, find_lane_bound("profiled").value());
   reduced.format = FloatFormat::parse("s12e8").value();
-  const auto lane = design_lane(with_data, reduced, &*data);
+  const auto lane = design_lane(with_data, reduced, &*data, model::profile_error);
   ASSERT_TRUE(lane.ok()) << lane.error().to_string();
   const auto rtl = lane_rtl(with_data.graph.inputs(), *lane, reduced.multipliers, with_data.system);
   EXPECT_EQ(source(*measured, "lane.v"), module_job(rtl->module).sources.back().text);

@@ -339,6 +339,38 @@ TEST_F(OptimiseCommand, ExploreCountsAnewWhereTheSceneIsAnother) {
   EXPECT_EQ(kept_rates(), 4);
 }
 
+TEST_F(OptimiseCommand, ExploreReplacesNoInput) {
+  const std::string table = " --table characterisation/scene-virtex6-lx760.csv";
+  ASSERT_EQ(mixcmp("explore scene.toml --first 8 --last 8 -o out").exit_code, 0);
+  const std::string plan = read("out/virtex6-lx760/plan_scenario_2.toml");
+  expect_refused("explore out/virtex6-lx760/plan_scenario_2.toml -o out" + table,
+                 "would be written over");
+  EXPECT_EQ(read("out/virtex6-lx760/plan_scenario_2.toml"), plan);
+}
+
+TEST_F(OptimiseCommand, ExploreHasAFolderForEachDevice) {
+  fs::copy_file(fs::path(MIXCMP_DEVICES) / "virtex6-lx760.toml", path("same.toml"));
+  expect_refused("explore scene.toml --on virtex6-lx760 --on same.toml -o out",
+                 "two devices have one name");
+  EXPECT_FALSE(fs::exists(path("out")));
+}
+
+/// The first data set is not measured before the second is found to be wrong.
+TEST_F(OptimiseCommand, AMistakeInAnyDataSetIsThatOfOver) {
+  const Outcome run = mixcmp("explore scene.toml --over data.radius_max=10,nonsense -o out");
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_NE(run.output.find("--over"), std::string::npos) << run.output;
+  EXPECT_FALSE(fs::exists(path("out")));
+}
+
+TEST_F(OptimiseCommand, APlanNamesItsSceneFromWhereALinkLeads) {
+  fs::create_directories(path("far/away"));
+  fs::create_directory_symlink("far/away", path("link"));
+  ASSERT_EQ(mixcmp("optimise scene.toml --last 14 -o link/plan.toml").exit_code, 0);
+  EXPECT_NE(read("far/away/plan.toml").find("scene = \"../../scene.toml\"\n"), std::string::npos);
+  EXPECT_EQ(mixcmp("check far/away/plan.toml").exit_code, 0);
+}
+
 TEST_F(OptimiseCommand, ExploreGoesOnWhereItWas) {
   const std::string command = "explore scene.toml --last 14 --over data.radius_max=10,25 -o out";
   ASSERT_EQ(mixcmp(command).exit_code, 0);

@@ -150,6 +150,19 @@ TEST_F(Outputs, TheWorkingDirectoryIsNotReplaced) {
   EXPECT_NE(run.output.find("is the working directory"), std::string::npos) << run.output;
 }
 
+/// "010" is eight to some and ten to others.
+TEST_F(Outputs, AWholeNumberHasNoZerosInFront) {
+  for (const char* arguments :
+       {"verify scene.toml --simulator icarus --first 010", "profile scene.toml --samples 010",
+        "verify scene.toml --simulator icarus --seed 18446744073709551617",
+        "profile scene.toml --first 08", "baseline scene.toml --rounds 0x10",
+        "verify scene.toml --simulator icarus --only -1"}) {
+    const Outcome run = mixcmp(arguments);
+    EXPECT_EQ(run.exit_code, 1) << arguments << "\n" << run.output;
+    EXPECT_NE(run.output.find("received"), std::string::npos) << arguments << "\n" << run.output;
+  }
+}
+
 TEST_F(Outputs, ANumberOfSecondsIsANumber) {
   expect_refused("baseline scene.toml --seconds nan", "--seconds");
   expect_refused("check scene.toml --prove --proof-seconds nan", "--proof-seconds");

@@ -5,10 +5,11 @@
 #include <random>
 
 #include "generator/software/source.hpp"
+#include "model/data/operand_source.hpp"
 #include "model/data/sphere_family.hpp"
 #include "model/emulator/emulator.hpp"
-#include "model/emulator/reference_contest.hpp"
-#include "model/profile/operands.hpp"
+#include "model/number/verdict.hpp"
+#include "model/workload/reference_contest.hpp"
 #include "tests/generator/software_program.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/unproven_tie.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 using model::Bits;
 using model::ErrorBoundKind;
-using model::golden::Verdict;
+using model::Verdict;
 
 constexpr std::string_view letters_of_verdicts = "<=>u";
 

@@ -3,7 +3,7 @@
 #include <random>
 #include <vector>
 
-#include "model/format/float_format.hpp"
+#include "model/number/float_format.hpp"
 
 namespace mixcmp::test {
 

@@ -3,6 +3,7 @@
 #include <gmpxx.h>
 
 #include "model/golden/arithmetic.hpp"
+#include "model/number/verdict.hpp"
 
 /// The second judge of model/golden/arithmetic.hpp: the same rules on exact integers, rounded by
 /// hand. It shares the result type with the golden model and no arithmetic.
@@ -12,8 +13,8 @@ using model::Arithmetic;
 using model::Bits;
 using model::FloatFormat;
 using model::Subnormals;
+using model::Verdict;
 using model::golden::Rounded;
-using model::golden::Verdict;
 
 Rounded add(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
 Rounded subtract(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);

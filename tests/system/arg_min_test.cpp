@@ -4,10 +4,11 @@
 #include <fstream>
 #include <iterator>
 
-#include "model/emulator/reference_contest.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
+#include "model/number/verdict.hpp"
+#include "model/workload/reference_contest.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -53,7 +54,7 @@ model::Table points(model::FloatFormat format, const std::vector<std::string>& c
     const std::uint64_t random = tb::counter_random(seed, special == Special::twins ? twice : k);
     const bool is_nan = special == Special::nans && (random >> 32) % 16 == 0;
     table.values.push_back(is_nan ? format.quiet_nan()
-                                  : model::golden::from_rational(format, random % steps));
+                                  : model::from_rational(format, random % steps));
   }
   return table;
 }
@@ -95,7 +96,7 @@ TEST_P(ArgMinSystem, AndUnderStallsAndResetsWithTiesAndNans) {
     expect_passed(report, 200, candidates);
     EXPECT_GT(report.recomputations, 10u);
     const auto seen = report.verdicts[static_cast<std::size_t>(
-        seed == 1 ? model::golden::Verdict::equal : model::golden::Verdict::unordered)];
+        seed == 1 ? model::Verdict::equal : model::Verdict::unordered)];
     EXPECT_GT(seen, 10u) << to_text(report);
   }
 }

@@ -2,7 +2,8 @@
 
 #include <cstdint>
 
-#include "model/error/profiled_error.hpp"
+#include "model/error/profiled_lane.hpp"
+#include "model/profile/profiled_error.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 #include "tests/support/sphere_families.hpp"

@@ -7,7 +7,8 @@
 #include <iterator>
 
 #include "model/data/uniform_spheres.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
+#include "model/number/verdict.hpp"
 #include "tests/support/mixed_spheres.hpp"
 #include "tests/support/simulated_system.hpp"
 
@@ -40,7 +41,7 @@ model::Comparisons grid_spheres(const model::Design& design, std::size_t count) 
   model::Table table{design.reference.input_format(), {"cx", "cy", "cz", "r"}, {}, {}};
   for (std::size_t k = 0; k < 4 * count; ++k) {
     const auto number = tb::counter_random(7, k) % (k % 4 == 3 ? 2 : 4);
-    table.values.push_back(model::golden::from_rational(table.format, number));
+    table.values.push_back(model::from_rational(table.format, number));
   }
   return model::Comparisons::all_pairs(table, design.inputs).value();
 }
@@ -86,7 +87,7 @@ TEST_P(PairwiseSystem, TiesAndEqualItemsAreReported) {
   const tb::VerifyReport report = simulate(design, grid_spheres(design, capacity), {});
   expect_passed(report, capacity);
   if (GetParam().references == 0) return;
-  EXPECT_GT(report.verdicts[static_cast<std::size_t>(model::golden::Verdict::equal)], 50u);
+  EXPECT_GT(report.verdicts[static_cast<std::size_t>(model::Verdict::equal)], 50u);
 }
 
 std::string name_of(const testing::TestParamInfo<Size>& info) {

@@ -5,8 +5,9 @@
 #include <set>
 
 #include "model/golden/evaluate.hpp"
-#include "model/scene/load_comparisons.hpp"
+#include "model/number/verdict.hpp"
 #include "model/scene/scene.hpp"
+#include "model/workload/load_comparisons.hpp"
 #include "tests/support/simulated_system.hpp"
 
 /// The main job, as a user runs it: the clashes of 1A8O through the program itself.
@@ -30,7 +31,7 @@ Pairs truly_colliding(const fs::path& scene_file) {
     data->fetch(index, operands);
     const auto verdict =
         model::golden::true_verdict(scene->graph, scene->reference.format, operands);
-    if (verdict != model::golden::Verdict::less) continue;
+    if (verdict != model::Verdict::less) continue;
     const model::Items items = data->items(index);
     pairs.emplace(items.first, items.second);
   }

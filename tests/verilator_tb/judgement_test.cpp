@@ -4,7 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/golden/arithmetic.hpp"
+#include "model/number/decimal.hpp"
+#include "model/number/verdict.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/unproven_tie.hpp"
 #include "tests/verilator_tb/fake_system.hpp"
@@ -14,7 +15,7 @@
 namespace mixcmp::tb {
 namespace {
 
-using model::golden::Verdict;
+using model::Verdict;
 using test::graph_of;
 
 constexpr std::uint32_t less = 0, equal = 1, greater = 2, unordered = 3;
@@ -27,9 +28,9 @@ public:
 
   Truths& hold(const std::string& a, const std::string& b, std::uint32_t tdata) {
     const auto format = design_.reference.input_format();
-    const std::vector<model::Bits> operands = {model::golden::from_text(format, a).value(),
-                                               model::golden::from_text(format, b).value()};
-    hold_against_truth({&graph_, scope_}, design_, operands, tdata, count, group);
+    const std::vector<model::Bits> operands = {model::from_text(format, a).value(),
+                                               model::from_text(format, b).value()};
+    check_against_truth({&graph_, scope_}, design_, operands, tdata, count, group);
     ++comparisons;
     EXPECT_EQ(count.checked + count.not_checked(), comparisons);
     return *this;

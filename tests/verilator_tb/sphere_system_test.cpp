@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "generator/emit/system.hpp"
+#include "model/number/decimal.hpp"
+#include "model/number/exact.hpp"
 #include "tests/support/sphere.hpp"
 #include "tests/verilator_tb/fake_system.hpp"
 
@@ -19,7 +21,7 @@ model::Comparisons sphere_pairs(std::size_t random_spheres) {
     mpq_class value(random, mpz_class(1) << 53);
     value *= k % 4 == 3 ? 25 : 100;
     value.canonicalize();
-    table.values.push_back(model::golden::from_rational(s53e8, value));
+    table.values.push_back(model::from_rational(s53e8, value));
   }
   const char* const special[][4] = {{"0", "0", "0", "2"},
                                     {"3", "4", "0", "3"},
@@ -39,7 +41,7 @@ model::Comparisons sphere_pairs(std::size_t random_spheres) {
                                     {"1e-45", "0", "0", "1e-45"}};
   for (const auto& sphere : special) {
     for (const char* text : sphere) {
-      table.values.push_back(model::golden::from_text(s53e8, text).value());
+      table.values.push_back(model::from_text(s53e8, text).value());
     }
   }
   return model::Comparisons::all_pairs(table, test::sphere_graph().inputs()).value();
@@ -89,7 +91,7 @@ model::Comparisons half_tangent(std::size_t rows) {
     const long gap = k % 2 == 0 ? 0 : scale;
     const long values[] = {3 * scale + gap, 0, 4 * scale, 0, gap, 0, 2 * scale, 3 * scale};
     for (const long value : values) {
-      table.values.push_back(model::golden::from_rational(s53e8, value));
+      table.values.push_back(model::from_rational(s53e8, value));
     }
   }
   return model::Comparisons::rows(table, inputs).value();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "model/number/verdict.hpp"
 #include "tests/verilator_tb/fake_system.hpp"
 
 namespace mixcmp::tb {
@@ -153,7 +154,7 @@ TEST(Verify, TellsResultsInOrderOfIndex) {
   for (const VerifiedResult& result : results) {
     model::Bits operands[2];
     comparisons.fetch(result.index, operands);
-    EXPECT_EQ(result.verdict == model::golden::Verdict::less, operands[0] < operands[1]);
+    EXPECT_EQ(result.verdict == model::Verdict::less, operands[0] < operands[1]);
   }
 }
 

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "model/golden/arithmetic.hpp"
-#include "model/scene/load_comparisons.hpp"
+#include "model/number/exact.hpp"
+#include "model/workload/load_comparisons.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -17,7 +17,7 @@ Table counting_table(int rows, std::vector<std::string> columns) {
   Table table{.format = binary32, .columns = std::move(columns)};
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < static_cast<int>(table.columns.size()); ++column) {
-      table.values.push_back(golden::from_rational(binary32, 10 * row + column));
+      table.values.push_back(from_rational(binary32, 10 * row + column));
     }
   }
   return table;
@@ -28,7 +28,7 @@ std::vector<int> fetch(const Comparisons& comparisons, std::uint64_t index) {
   comparisons.fetch(index, operands);
   std::vector<int> numbers;
   for (const Bits bits : operands) {
-    numbers.push_back(static_cast<int>(golden::to_rational(binary32, bits).get_d()));
+    numbers.push_back(static_cast<int>(to_rational(binary32, bits).get_d()));
   }
   return numbers;
 }

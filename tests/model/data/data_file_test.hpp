@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "model/data/comparisons.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/decimal.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 namespace mixcmp::model {
@@ -20,7 +20,7 @@ protected:
   }
 
   static std::string text(const Table& table, std::size_t row, std::size_t column) {
-    return golden::to_text(table.format, table.at(row, column));
+    return to_text(table.format, table.at(row, column));
   }
 
   /// The error without the file's name, which it must have.

@@ -5,7 +5,7 @@
 
 #include "model/data/column_names.hpp"
 #include "model/data/comparisons.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -17,8 +17,7 @@ Table numbered(int table_number, int rows, std::vector<std::string> columns) {
   Table table{.format = binary32, .columns = std::move(columns)};
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < static_cast<int>(table.columns.size()); ++column) {
-      table.values.push_back(
-          golden::from_rational(binary32, 100 * table_number + 10 * row + column));
+      table.values.push_back(from_rational(binary32, 100 * table_number + 10 * row + column));
     }
   }
   return table;
@@ -29,7 +28,7 @@ std::vector<int> fetch(const Comparisons& comparisons, std::uint64_t index) {
   comparisons.fetch(index, operands);
   std::vector<int> numbers;
   for (const Bits bits : operands) {
-    numbers.push_back(static_cast<int>(golden::to_rational(binary32, bits).get_d()));
+    numbers.push_back(static_cast<int>(to_rational(binary32, bits).get_d()));
   }
   return numbers;
 }
@@ -199,8 +198,8 @@ TEST(ColumnNames, SelectedColumnsAreInTheWantedOrder) {
   EXPECT_EQ(table->columns, (std::vector<std::string>{"p_0", "p_1"}));
   EXPECT_EQ(table->origins[0].number, 2U);
   EXPECT_EQ(table->origins[1].name, "a");
-  EXPECT_EQ(table->at(1, 0), golden::from_rational(binary32, 12));
-  EXPECT_EQ(table->at(1, 1), golden::from_rational(binary32, 10));
+  EXPECT_EQ(table->at(1, 0), from_rational(binary32, 12));
+  EXPECT_EQ(table->at(1, 1), from_rational(binary32, 10));
 }
 
 }  // namespace

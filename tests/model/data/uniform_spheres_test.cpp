@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "model/data/philox.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 const FloatFormat binary64 = FloatFormat::parse("binary64").value();
 
 double value(const Table& table, std::size_t row, std::size_t column) {
-  return golden::to_rational(table.format, table.at(row, column)).get_d();
+  return to_rational(table.format, table.at(row, column)).get_d();
 }
 
 // The known answers of the authors' Random123 distribution, kat_vectors.

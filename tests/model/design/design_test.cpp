@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "model/emulator/reference_contest.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/decimal.hpp"
+#include "model/number/exact.hpp"
+#include "model/profile/profiled_error.hpp"
+#include "model/workload/reference_contest.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -189,7 +191,7 @@ TEST(MakeDesign, RefusesAProfileOfNothing) {
   model::Table table{.format = format_of(53, 8), .columns = {"a", "b"}};
   table.values = {table.format.quiet_nan(), table.format.infinity(false)};
   const Comparisons data = Comparisons::rows(std::move(table), {"a", "b"}).value();
-  const auto design = make_design(scene, &data);
+  const auto design = make_design(scene, &data, model::profile_error);
   ASSERT_FALSE(design.ok());
   EXPECT_EQ(design.error().field, "reduced.bound");
   EXPECT_NE(design.error().received.find("1 comparisons"), std::string::npos);
@@ -201,10 +203,10 @@ TEST(MakeDesign, MeasuresMissingConstantsOnData) {
   scene.reduced.relative_error_g = mpq_class(1, 2000);
   model::Table table{.format = format_of(53, 8), .columns = {"a", "b"}};
   for (const char* value : {"0.1", "0.3"}) {
-    table.values.push_back(model::golden::from_text(table.format, value).value());
+    table.values.push_back(model::from_text(table.format, value).value());
   }
   const Comparisons data = Comparisons::rows(std::move(table), {"a", "b"}).value();
-  const Design design = make_design(scene, &data).value();
+  const Design design = make_design(scene, &data, model::profile_error).value();
   const auto& decision =
       std::get<IntervalDecision>(design.lanes.front().lane.parts.front().decision);
   EXPECT_GT(decision.relative_error_f, 0);
@@ -216,7 +218,7 @@ TEST(MakeDesign, MeasuresMissingConstantsOnData) {
 model::Table line(const char* column, std::uint64_t count) {
   model::Table table{.format = format_of(53, 8), .columns = {column}};
   for (std::uint64_t k = 0; k < count; ++k) {
-    table.values.push_back(model::golden::from_rational(table.format, k));
+    table.values.push_back(model::from_rational(table.format, k));
   }
   return table;
 }

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "model/emulator/operand.hpp"
 #include "model/expression/text.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/number/double.hpp"
 
 namespace mixcmp::test {
 namespace {
@@ -50,7 +50,7 @@ std::vector<Bits> row(const Operands& operands, std::size_t index) {
 Answer golden_values(const TypedGraph& graph, const std::vector<Bits>& inputs) {
   const auto values = model::golden::evaluate(graph, inputs);
   const auto value = [&](model::NodeId id) {
-    return bits_of(model::emulator::decode(graph.nodes[id].format, values[id].bits));
+    return bits_of(model::to_double(graph.nodes[id].format, values[id].bits));
   };
   Answer answer{.f = value(graph.f), .g = value(graph.g)};
   for (const auto& node : values) answer.exceptional |= node.exceptional;
@@ -85,7 +85,7 @@ std::string describe(const TypedGraph& graph, const std::vector<Bits>& inputs) {
                   to_string(graph.arithmetic.rounding), to_string(graph.arithmetic.subnormals));
   for (const Bits bits : inputs) {
     description += fmt::format(" {} ({:a})", model::to_hex(bits, graph.input_format.width()),
-                               model::emulator::decode(graph.input_format, bits));
+                               model::to_double(graph.input_format, bits));
   }
   return description;
 }
@@ -133,7 +133,7 @@ void expect_decisions(const Emulator& emulator, FloatFormat format, const Operan
 OperandBatch::OperandBatch(FloatFormat format, const Operands& operands) {
   for (const std::vector<Bits>& column : operands) {
     std::vector<double>& values = columns_.emplace_back();
-    for (const Bits bits : column) values.push_back(model::emulator::decode(format, bits));
+    for (const Bits bits : column) values.push_back(model::to_double(format, bits));
   }
   for (const std::vector<double>& column : columns_) pointers_.push_back(column.data());
 }

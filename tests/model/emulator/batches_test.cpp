@@ -3,7 +3,7 @@
 #include <set>
 #include <string>
 
-#include "model/emulator/operand.hpp"
+#include "model/number/double.hpp"
 #include "tests/model/emulator/against_golden.hpp"
 #include "tests/model/emulator/random_lanes.hpp"
 #include "tests/support/float_samples.hpp"
@@ -148,9 +148,9 @@ TEST(Operands, SurviveTheWayToDoublesAndBack) {
   for (const char* name : {"s4e4", "s24e8", "s53e8", "s53e11", "s2e2", "s17e5"}) {
     const FloatFormat number_format = format(name);
     for (const model::Bits bits : special_encodings(number_format)) {
-      const double value = model::emulator::decode(number_format, bits);
+      const double value = model::to_double(number_format, bits);
       const model::Bits expected = number_format.is_nan(bits) ? number_format.quiet_nan() : bits;
-      EXPECT_EQ(model::to_hex(model::emulator::encode(number_format, value), 64),
+      EXPECT_EQ(model::to_hex(model::from_double(number_format, value), 64),
                 model::to_hex(expected, 64))
           << name;
     }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::test {
 namespace {
@@ -34,7 +34,7 @@ double tiny(int digits, Random& random) {
 }
 
 Bits rounded(FloatFormat format, double value) {
-  return value == 0 ? Bits{0} : model::golden::from_rational(format, mpq_class(value));
+  return value == 0 ? Bits{0} : model::from_rational(format, mpq_class(value));
 }
 
 /// x + y lies half way, or off it by less than what 53 digits show.

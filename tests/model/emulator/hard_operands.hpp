@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "model/expression/graph.hpp"
-#include "model/format/float_format.hpp"
+#include "model/number/float_format.hpp"
 
 namespace mixcmp::test {
 

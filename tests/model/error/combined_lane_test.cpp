@@ -7,6 +7,8 @@
 #include <tuple>
 
 #include "model/golden/evaluate.hpp"
+#include "model/number/exact.hpp"
+#include "model/number/verdict.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -23,11 +25,11 @@ using model::Graph;
 using model::Lane;
 using model::LaneInputs;
 using model::Range;
+using model::Verdict;
 using model::golden::CombinedResult;
 using model::golden::evaluate_lane;
 using model::golden::LaneResult;
 using model::golden::true_verdict;
-using model::golden::Verdict;
 
 using Parts = std::vector<std::pair<std::string, std::string>>;
 
@@ -149,9 +151,7 @@ TEST(CombinedLane, APartIsHarmedOnlyByWhatItDependsOn) {
   EXPECT_EQ(part_of(lane, 0).checks.size(), 2u);
   EXPECT_EQ(part_of(lane, 1).checks.size(), 2u);
   const FloatFormat format = format_of(24, 8);
-  const auto number = [&](int value) {
-    return model::golden::from_rational(format, mpq_class(value));
-  };
+  const auto number = [&](int value) { return model::from_rational(format, mpq_class(value)); };
   const Bits nan = format.quiet_nan(), far = number(1000);
   // 2 + 2 > 1 * ... : part 0 is greater where a = b = 1, part 1 says nothing.
   for (const Bits bad : {nan, far, format.infinity(true)}) {

@@ -13,6 +13,9 @@
 #include "model/error/certified_lane.hpp"
 #include "model/golden/bound_arithmetic.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/number/decimal.hpp"
+#include "model/number/exact.hpp"
+#include "model/number/verdict.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -24,13 +27,13 @@ namespace {
 
 using model::Bits;
 using model::FloatFormat;
+using model::from_rational;
 using model::Lane;
 using model::Range;
+using model::to_rational;
+using model::to_text;
+using model::Verdict;
 using model::golden::evaluate_lane;
-using model::golden::from_rational;
-using model::golden::to_rational;
-using model::golden::to_text;
-using model::golden::Verdict;
 
 using Rationals = std::vector<mpq_class>;
 
@@ -149,8 +152,8 @@ private:
     const Verdict truth = order(aimed_, operands, to_rational(reference, inputs.back()));
     if (result.verdict == truth) return;
     decisions_.wrong += 1;
-    decisions_.example = fmt::format("{} for {}:", model::golden::to_string(result.verdict),
-                                     model::golden::to_string(truth));
+    decisions_.example = fmt::format("{} for {}:", to_string(result.verdict),
+                                     to_string(truth));
     for (const Bits input : inputs) decisions_.example += " " + to_text(reference, input);
   }
 

@@ -8,6 +8,8 @@
 #include "model/error/error_analysis.hpp"
 #include "model/expression/text.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/number/exact.hpp"
+#include "model/number/verdict.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/hazard_judge.hpp"
@@ -29,10 +31,10 @@ using model::Node;
 using model::NodeId;
 using model::Operation;
 using model::Range;
+using model::Verdict;
 using model::golden::evaluate_lane;
 using model::golden::LaneResult;
 using model::golden::true_verdict;
-using model::golden::Verdict;
 
 using Random = std::mt19937_64;
 
@@ -111,7 +113,7 @@ FloatFormat random_reference(Random& random) {
 bool holds_constants(const Graph& graph, FloatFormat format) {
   for (const Node& node : graph.nodes()) {
     if (node.operation != Operation::constant) continue;
-    const Bits bits = model::golden::from_rational(format, node.value);
+    const Bits bits = model::from_rational(format, node.value);
     if (format.is_infinite(bits) || (format.is_zero(bits) && node.value != 0)) return false;
   }
   return true;
@@ -151,7 +153,7 @@ private:
     if (node.operation == Operation::input) {
       const Bits input = inputs[static_cast<size_t>(node.input)];
       if (format.is_nan(input) || format.is_infinite(input)) return std::nullopt;
-      return model::golden::to_rational(format, input);
+      return model::to_rational(format, input);
     }
     for (int k = 0; k < arity(node.operation); ++k) {
       if (!values_[static_cast<size_t>(node.operands[static_cast<size_t>(k)])]) return std::nullopt;

@@ -1,4 +1,4 @@
-#include "model/error/profiled_error.hpp"
+#include "model/profile/profiled_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <set>
 
-#include "model/golden/arithmetic.hpp"
+#include "model/error/profiled_lane.hpp"
+#include "model/number/exact.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -17,6 +18,7 @@ using model::Arithmetic;
 using model::Bits;
 using model::Comparisons;
 using model::FloatFormat;
+using model::from_rational;
 using model::IntervalDecision;
 using model::Lane;
 using model::LaneInputs;
@@ -24,9 +26,8 @@ using model::Operation;
 using model::ProfiledError;
 using model::Rounding;
 using model::Subnormals;
+using model::to_rational;
 using model::TypedGraph;
-using model::golden::from_rational;
-using model::golden::to_rational;
 
 const FloatFormat wide = format_of(53, 11);
 const FloatFormat narrow = format_of(5, 6);

@@ -7,6 +7,7 @@
 
 #include "model/expression/parser.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -111,9 +112,9 @@ Bits draw(FloatFormat format, const std::optional<Range>& range, std::mt19937_64
     if (format.is_nan(bits) || format.is_infinite(bits)) continue;
     if (!range) return bits;
     if (random() % 2 == 0) {  // near an end of the range or at it
-      bits = golden::from_rational(format, random() % 2 == 0 ? range->low : range->high);
+      bits = from_rational(format, random() % 2 == 0 ? range->low : range->high);
     }
-    const mpq_class value = golden::to_rational(format, bits);
+    const mpq_class value = to_rational(format, bits);
     if (range->low <= value && value <= range->high) return bits;
   }
 }
@@ -150,7 +151,7 @@ void check_evaluation(const TypedGraph& graph, const std::vector<NodeRange>& ran
       ASSERT_TRUE(may_be_exceptional) << text << ", node " << k;
       continue;
     }
-    const mpq_class value = golden::to_rational(node.format, results[k].bits);
+    const mpq_class value = to_rational(node.format, results[k].bits);
     ASSERT_TRUE(ranges[k].value.low <= value && value <= ranges[k].value.high)
         << text << ", node " << k << ": " << value << " not in [" << ranges[k].value.low << ", "
         << ranges[k].value.high << "]";

@@ -7,6 +7,7 @@
 #include "model/error/exponent_range.hpp"
 #include "model/error/hazards.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/number/exact.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/hazard_judge.hpp"
@@ -27,9 +28,9 @@ using model::Range;
 using model::RangeCheck;
 using model::Rounding;
 using model::Subnormals;
+using model::to_rational;
 using model::golden::evaluate_reference;
 using model::golden::passes;
-using model::golden::to_rational;
 using model::golden::true_verdict;
 
 using Ranges = std::vector<std::optional<Range>>;
@@ -190,8 +191,8 @@ TEST(ExactOnGrid, NodesAreExact) {
     ++exact_functions;
     for (mpq_class a = range.low; a <= range.high; a += grid) {
       for (mpq_class b = range.low; b <= range.high; b += grid) {
-        const std::vector<Bits> operands = {model::golden::from_rational(reference, a),
-                                            model::golden::from_rational(reference, b)};
+        const std::vector<Bits> operands = {model::from_rational(reference, a),
+                                            model::from_rational(reference, b)};
         EXPECT_EQ(to_string(evaluate_reference(typed, operands)),
                   to_string(true_verdict(graph, reference, operands)))
             << f << " " << a << " " << b;

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "model/error/error_analysis.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"
@@ -109,8 +109,8 @@ TEST(RelativeBound, IsExactWhereNothingIsRounded) {
 TEST(RelativeBound, ReplacesAConstantByItsEncoding) {
   const mpq_class u = unit(17);
   const mpq_class written(1, 10);
-  const mpq_class encoded = model::golden::to_rational(
-      format_of(17, 8), model::golden::from_rational(format_of(17, 8), written));
+  const mpq_class encoded =
+      model::to_rational(format_of(17, 8), model::from_rational(format_of(17, 8), written));
   ASSERT_NE(encoded, written);
   const mpq_class ratio = written / encoded;
   expect_bound("0.1 * (a - b)", {}, ratio * power(1 - u, 2), ratio * power(1 + u, 2));
@@ -188,7 +188,7 @@ TEST(CertifiedLane, RefusesConstantsThatItsFormatLoses) {
 
 /// value(key) of a positive encoding, for any key.
 mpq_class value_of(FloatFormat format, Bits key) {
-  return model::golden::to_rational(format, key);
+  return model::to_rational(format, key);
 }
 
 /// Theorem 2 and its converse, over all encodings: `steps` multiply by more than `ratio`, one fewer

@@ -6,6 +6,8 @@
 
 #include "model/error/combined_lane.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/number/decimal.hpp"
+#include "model/number/verdict.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -19,10 +21,10 @@ using model::Graph;
 using model::Lane;
 using model::LaneInputs;
 using model::Range;
+using model::Verdict;
 using model::golden::evaluate_lane;
 using model::golden::LaneResult;
 using model::golden::true_verdict;
-using model::golden::Verdict;
 
 struct Comparison {
   const char* name;
@@ -41,7 +43,7 @@ std::string describe(const Comparison& comparison, const Lane& lane, FloatFormat
   std::string text = fmt::format("{} against {} in {} {} {}, {}:", comparison.f, comparison.g,
                                  arithmetic.format.name(), to_string(arithmetic.rounding),
                                  to_string(arithmetic.subnormals), describe_decision(lane));
-  for (const Bits input : inputs) text += " " + model::golden::to_text(format, input);
+  for (const Bits input : inputs) text += " " + model::to_text(format, input);
   return text;
 }
 

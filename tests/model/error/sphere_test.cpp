@@ -6,8 +6,11 @@
 #include <cmath>
 #include <cstdint>
 
-#include "model/error/profiled_error.hpp"
+#include "model/error/profiled_lane.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/number/decimal.hpp"
+#include "model/number/exact.hpp"
+#include "model/number/verdict.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -18,16 +21,16 @@ namespace {
 using model::Arithmetic;
 using model::Bits;
 using model::FloatFormat;
+using model::from_rational;
 using model::Graph;
 using model::Lane;
 using model::LaneInputs;
 using model::Rounding;
 using model::Subnormals;
+using model::Verdict;
 using model::golden::evaluate_lane;
-using model::golden::from_rational;
 using model::golden::LaneResult;
 using model::golden::true_verdict;
-using model::golden::Verdict;
 
 /// cxi, cxj, cyi, cyj, czi, czj, ri, rj.
 using Spheres = std::array<double, 8>;
@@ -88,7 +91,7 @@ private:
     for (size_t k = 0; k < inputs.size(); ++k) {
       text += fmt::format(" {}={} ({})", graph_.inputs()[k],
                           model::to_hex(inputs[k], reference_.width()),
-                          model::golden::to_text(reference_, inputs[k]));
+                          model::to_text(reference_, inputs[k]));
     }
     return text;
   }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/golden/arithmetic.hpp"
+#include "model/number/decimal.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -135,8 +135,8 @@ TEST(LaneGraph, EncodesAConstantWhereItIsUsed) {
             "square 0: s53e8 > s17e8\n"
             "multiply 3 4: s17e8\n"
             "f 2, g 5\n");
-  EXPECT_EQ(graph.nodes[1].constant, *model::golden::from_text(wide, "0.1"));
-  EXPECT_EQ(graph.nodes[3].constant, *model::golden::from_text(narrow.format, "0.1"));
+  EXPECT_EQ(graph.nodes[1].constant, *model::from_text(wide, "0.1"));
+  EXPECT_EQ(graph.nodes[3].constant, *model::from_text(narrow.format, "0.1"));
 }
 
 TEST(LaneGraph, LeavesOutWhatIsNotUsed) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "model/number/decimal.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/integer_float.hpp"
 
@@ -51,16 +52,15 @@ constexpr Judged<Choice> choices[] = {
 
 std::string show(FloatFormat format, Rounded rounded) {
   return fmt::format("{} ({}){}", to_hex(rounded.bits, format.width()),
-                     golden::to_text(format, rounded.bits),
-                     rounded.exceptional ? " exceptional" : "");
+                     to_text(format, rounded.bits), rounded.exceptional ? " exceptional" : "");
 }
 
 std::string describe(const char* name, const Arithmetic& result, FloatFormat operands, Bits a,
                      Bits b) {
   return fmt::format("{} {} {} {}: a = {} ({}), b = {} ({}) in {}", name, result.format.name(),
                      to_string(result.rounding), to_string(result.subnormals),
-                     to_hex(a, operands.width()), golden::to_text(operands, a),
-                     to_hex(b, operands.width()), golden::to_text(operands, b), operands.name());
+                     to_hex(a, operands.width()), to_text(operands, a), to_hex(b, operands.width()),
+                     to_text(operands, b), operands.name());
 }
 
 /// A plain comparison, because a million passing EXPECT_EQ with messages would take a minute.

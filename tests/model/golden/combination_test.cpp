@@ -4,6 +4,7 @@
 #include <array>
 
 #include "model/golden/evaluate.hpp"
+#include "model/number/verdict.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -14,10 +15,10 @@ namespace {
 
 using model::Bits;
 using model::Combination;
+using model::Verdict;
 using model::golden::combine;
 using model::golden::evaluate_reference;
 using model::golden::true_verdict;
-using model::golden::Verdict;
 
 constexpr std::array order_of_all = {Verdict::less, Verdict::equal, Verdict::unordered,
                                      Verdict::greater};

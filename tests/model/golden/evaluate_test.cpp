@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <cstring>
 
-#include "model/error/profiled_error.hpp"
+#include "model/error/profiled_lane.hpp"
 #include "model/golden/enclosure.hpp"
+#include "model/number/decimal.hpp"
+#include "model/number/verdict.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -17,6 +19,7 @@ namespace {
 using model::Arithmetic;
 using model::Bits;
 using model::FloatFormat;
+using model::from_text;
 using model::Graph;
 using model::Lane;
 using model::LaneInputs;
@@ -24,14 +27,13 @@ using model::Rounding;
 using model::Subnormals;
 using model::TypedGraph;
 using model::UlpDistanceDecision;
+using model::Verdict;
 using model::golden::evaluate;
 using model::golden::evaluate_lane;
 using model::golden::evaluate_reference;
-using model::golden::from_text;
 using model::golden::LaneResult;
 using model::golden::Rounded;
 using model::golden::true_verdict;
-using model::golden::Verdict;
 
 const FloatFormat binary64 = format_of(53, 11);
 

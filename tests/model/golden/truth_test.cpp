@@ -6,6 +6,8 @@
 #include "model/golden/big_float.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/golden/separation.hpp"
+#include "model/number/decimal.hpp"
+#include "model/number/verdict.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -20,8 +22,8 @@ using model::FloatFormat;
 using model::Graph;
 using model::NodeId;
 using model::Operation;
+using model::Verdict;
 using model::golden::true_verdict;
-using model::golden::Verdict;
 using model::golden::verdict_within;
 
 const FloatFormat binary64 = format_of(53, 11);
@@ -30,7 +32,7 @@ const std::optional<Verdict> undetermined;
 std::vector<Bits> encode(const std::vector<std::string>& values) {
   std::vector<Bits> inputs;
   for (const std::string& value : values) {
-    inputs.push_back(model::golden::from_text(binary64, value).value());
+    inputs.push_back(model::from_text(binary64, value).value());
   }
   return inputs;
 }

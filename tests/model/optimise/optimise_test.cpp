@@ -255,7 +255,7 @@ TEST_F(Optimise, ScenarioTwoPlansForTheWorstRateOfEachKind) {
   const auto found = explore(scene_, device_, table_, {{"easy", rates_}, {"hard", bad}},
                              {{"ours", options_.clocks}}, options_);
   ASSERT_TRUE(found.ok()) << found.error().to_string();
-  const model::Column& column = found->columns.front();
+  const model::ResultsAtClocks& column = found->columns.front();
   ASSERT_EQ(column.scenario_1.size(), 2u);
   const double worst = summary_of(column.worst).throughput_per_s;
   for (const auto& own : column.scenario_1) EXPECT_LE(worst, own.throughput_per_s);

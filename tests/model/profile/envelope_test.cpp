@@ -10,6 +10,8 @@
 #include "model/golden/bound_arithmetic.hpp"
 #include "model/golden/enclosure.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/number/bound_format.hpp"
+#include "model/number/exact.hpp"
 #include "model/profile/bound_envelope.hpp"
 #include "model/profile/threshold.hpp"
 #include "tests/model/profile/profile_cases.hpp"
@@ -32,11 +34,11 @@ using model::Lane;
 using model::LaneInputs;
 using model::NodeMagnitude;
 using model::Scene;
+using model::to_rational;
 using model::TypedGraph;
 using model::golden::bound_is_at_most;
 using model::golden::evaluate;
 using model::golden::Rounded;
-using model::golden::to_rational;
 
 mpq_class power_of_two(int exponent) {
   const mpq_class power(mpz_class(1) << std::abs(exponent));
@@ -241,7 +243,7 @@ void expect_bound_within(const Case& test, std::size_t k, const Lane& lane, doub
   ASSERT_NE(bounds.back(), format.infinity());
   const int steps = lane.graph.arithmetic.format.precision() - test.envelope.anchor();
   const mpq_class allowed = mpq_class(scaled) * power_of_two(-steps) + mpq_class(fixed);
-  EXPECT_LE(model::golden::bound_value(format, bounds.back()), allowed);
+  EXPECT_LE(model::bound_value(format, bounds.back()), allowed);
   for (const model::BoundCondition& condition : decision.conditions) {
     EXPECT_TRUE(bound_is_at_most(format, bounds[condition.bound], lane.graph.arithmetic.format,
                                  values[condition.value].bits));

@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "model/data/uniform_spheres.hpp"
-#include "model/error/profiled_error.hpp"
+#include "model/number/decimal.hpp"
+#include "model/profile/profiled_error.hpp"
 #include "model/profile/systems.hpp"
 #include "tests/model/profile/profile_cases.hpp"
 #include "tests/support/sphere.hpp"
@@ -113,9 +114,7 @@ TEST(Errors, SayWhereNoBoundExists) {
 /// a rounding would be taken for it.
 TEST(Errors, AreMeasuredThroughAnyCancellation) {
   const model::FloatFormat wide = format_of(53, 11);
-  const auto number = [&](const char* text) {
-    return model::golden::from_text(wide, text).value();
-  };
+  const auto number = [&](const char* text) { return model::from_text(wide, text).value(); };
   struct Case {
     const char* f;
     std::vector<model::Bits> row;

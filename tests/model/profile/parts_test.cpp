@@ -4,10 +4,11 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "model/data/operand_source.hpp"
 #include "model/data/uniform_spheres.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/number/exact.hpp"
 #include "model/profile/node_magnitudes.hpp"
-#include "model/profile/operands.hpp"
 #include "model/profile/workers.hpp"
 #include "tests/model/profile/profile_cases.hpp"
 #include "tests/support/sphere.hpp"
@@ -33,7 +34,7 @@ void expect_operands(const Comparisons& data, const OperandBlock& block,
     data.fetch(indices[k], operands);
     for (std::size_t input = 0; input < operands.size(); ++input) {
       EXPECT_EQ(mpq_class(block.column(input)[k]),
-                model::golden::to_rational(data.table().format, operands[input]))
+                model::to_rational(data.table().format, operands[input]))
           << "comparison " << indices[k] << ", input " << input;
     }
   }
@@ -102,7 +103,7 @@ int expect_all_known(const model::TypedGraph& lane, int precision, const Compari
     for (std::size_t id = 0; id < values.size(); ++id) {
       const FloatFormat format = lane.nodes[id].format;
       if (format.is_nan(values[id].bits) || format.is_infinite(values[id].bits)) continue;
-      const mpq_class value = abs(model::golden::to_rational(format, values[id].bits));
+      const mpq_class value = abs(model::to_rational(format, values[id].bits));
       grids += expect_known(magnitudes[id], value) ? 1 : 0;
     }
   }

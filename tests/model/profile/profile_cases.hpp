@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/golden/arithmetic.hpp"
+#include "model/number/exact.hpp"
 #include "model/profile/profile.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
@@ -55,8 +55,7 @@ inline model::Bits random_operand(Family family, model::FloatFormat format, mode
   const model::Bits one = format.pack(false, format.bias(), 0);
   switch (family) {
     case Family::uniform: return one | fraction;
-    case Family::small_grid:
-      return model::golden::from_rational(format, mpq_class(below(9) - 2, 4));
+    case Family::small_grid: return model::from_rational(format, mpq_class(below(9) - 2, 4));
     case Family::neighbours: return one + model::Bits(below(40)) * (below(4) == 0 ? 1 : 1000);
     case Family::cancelling: {
       const model::Bits three_quarters =

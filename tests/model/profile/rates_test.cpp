@@ -6,10 +6,12 @@
 
 #include "model/data/sphere_family.hpp"
 #include "model/data/uniform_spheres.hpp"
-#include "model/emulator/reference_contest.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/number/exact.hpp"
+#include "model/number/verdict.hpp"
 #include "model/profile/report.hpp"
 #include "model/profile/systems.hpp"
+#include "model/workload/reference_contest.hpp"
 #include "tests/model/profile/profile_cases.hpp"
 #include "tests/support/sphere.hpp"
 #include "tests/support/unproven_tie.hpp"
@@ -31,10 +33,10 @@ using model::Scene;
 using model::SystemCounts;
 using model::SystemKind;
 using model::SystemLanes;
+using model::Verdict;
 using model::golden::evaluate_lane;
 using model::golden::evaluate_reference;
 using model::golden::true_verdict;
-using model::golden::Verdict;
 
 struct Truth {
   Verdict reference, real;
@@ -174,7 +176,7 @@ TEST(Rates, CallNobodyWrongWhereTheTruthIsUndetermined) {
   std::vector<Bits> operands;
   for (int k = 0; k < 10; ++k) {
     for (const int n : {k + 2, 3 * k + 1}) {
-      operands.push_back(model::golden::from_rational(scene.reference.format, mpq_class(n, 7)));
+      operands.push_back(model::from_rational(scene.reference.format, mpq_class(n, 7)));
     }
   }
   const Comparisons data = rows_of(scene.graph, scene.reference.format, operands);

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "model/error/profiled_error.hpp"
+#include "model/error/profiled_lane.hpp"
 #include "model/profile/systems.hpp"
 #include "tests/model/profile/profile_cases.hpp"
 #include "tests/support/scratch_directory.hpp"

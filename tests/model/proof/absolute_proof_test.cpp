@@ -145,8 +145,8 @@ TEST_F(AbsoluteProof, RandomLanesAreProven) {
 }
 
 /// What the lane claims beyond 1 less one part in 1024.
-mpq_class shrunken(const mpq_class& fudge) {
-  return 1 + (fudge - 1) * (1 - mpq_class(1, 1 << 10));
+mpq_class shrunken(const mpq_class& slack_factor) {
+  return 1 + (slack_factor - 1) * (1 - mpq_class(1, 1 << 10));
 }
 
 TEST_F(AbsoluteProof, AFudgeShrunkenByOneInAThousandIsRefused) {
@@ -157,8 +157,8 @@ TEST_F(AbsoluteProof, AFudgeShrunkenByOneInAThousandIsRefused) {
     for (std::size_t id = 0; id < analysis.nodes.size(); ++id) {
       ErrorAnalysis wrong = analysis;
       auto& mixed = *wrong.nodes[id].mixed;
-      if (mixed.is_relative() || mixed.absolute.fudge == 1) continue;
-      mixed.absolute.fudge = shrunken(mixed.absolute.fudge);
+      if (mixed.is_relative() || mixed.absolute.slack_factor == 1) continue;
+      mixed.absolute.slack_factor = shrunken(mixed.absolute.slack_factor);
       EXPECT_TRUE(prove(lane, wrong).refused()) << "node " << id;
       ++shrunk;
     }

@@ -9,6 +9,7 @@
 
 #include "model/error/hazards.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/number/exact.hpp"
 #include "model/proof/absolute_proof.hpp"
 #include "model/proof/hazard_proof.hpp"
 #include "model/proof/node_ranges.hpp"
@@ -244,7 +245,7 @@ TEST(EnforcedRange, EnclosesWhatPassesTightly) {
     std::optional<Range> passing;
     for (Bits bits = 0; bits < Bits{1} << format.width(); ++bits) {
       if (!model::golden::passes(check, format, bits)) continue;
-      const mpq_class value = model::golden::to_rational(format, bits);
+      const mpq_class value = model::to_rational(format, bits);
       if (!passing) passing = Range{value, value};
       passing = Range{std::min(passing->low, value), std::max(passing->high, value)};
     }

@@ -130,7 +130,7 @@ TEST_F(ProveCommand, OptionsOfTheProofNeedIt) {
     EXPECT_EQ(run.exit_code, 1) << run.output;
     EXPECT_NE(run.output.find("--prove"), std::string::npos) << run.output;
   }
-  for (const char* wrong : {"1", "114", "8,x"}) {
+  for (const char* wrong : {"1", "114", "8,x", "8,30 --set reference.format=binary32"}) {
     const Outcome run =
         mixcmp(fmt::format("check {} --prove --precisions {}", scene("sphere_collision"), wrong));
     EXPECT_EQ(run.exit_code, 1) << run.output;

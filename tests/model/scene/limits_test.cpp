@@ -1,4 +1,4 @@
-#include "model/scene/limits.hpp"
+#include "model/settings/limits.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,8 @@
 #include <fstream>
 
 #include "model/golden/evaluate.hpp"
+#include "model/number/exact.hpp"
+#include "model/number/verdict.hpp"
 #include "model/scene/summary.hpp"
 #include "tests/support/scratch_directory.hpp"
 
@@ -76,15 +78,15 @@ TEST_F(PartsTest, AsManyPartsAsTheLimitAreTaken) {
 TEST_F(PartsTest, AllTakesTheLastVerdictAndAnyTheFirst) {
   const auto scene = load("f = [\"a\", \"b\"]\ng = [\"1\", \"1\"]\ncombine = \"all\"\n");
   const auto bits = [&](int value) {
-    return golden::from_rational(scene->reference.format, mpq_class(value));
+    return from_rational(scene->reference.format, mpq_class(value));
   };
   const auto verdict = [&](Bits a, Bits b) {
     return golden::true_verdict(scene->graph, scene->reference.format, std::vector{a, b});
   };
-  EXPECT_EQ(verdict(bits(0), bits(0)), golden::Verdict::less);
-  EXPECT_EQ(verdict(bits(0), bits(1)), golden::Verdict::equal);
-  EXPECT_EQ(verdict(bits(2), scene->reference.format.quiet_nan()), golden::Verdict::greater);
-  EXPECT_EQ(verdict(bits(1), scene->reference.format.quiet_nan()), golden::Verdict::unordered);
+  EXPECT_EQ(verdict(bits(0), bits(0)), Verdict::less);
+  EXPECT_EQ(verdict(bits(0), bits(1)), Verdict::equal);
+  EXPECT_EQ(verdict(bits(2), scene->reference.format.quiet_nan()), Verdict::greater);
+  EXPECT_EQ(verdict(bits(1), scene->reference.format.quiet_nan()), Verdict::unordered);
 }
 
 TEST_F(PartsTest, MistakesNameTheirPlace) {

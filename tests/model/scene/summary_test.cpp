@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "model/scene/load_comparisons.hpp"
+#include "model/workload/load_comparisons.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 namespace mixcmp::model {
@@ -23,8 +23,8 @@ Scene load(const std::filesystem::path& path, const std::vector<std::string>& ov
   return std::move(scene).value();
 }
 
-const Finding& event(const DatapathSummary& datapath, const std::string& question) {
-  for (const Finding& finding : datapath.events) {
+const RangeQuestion& event(const DatapathSummary& datapath, const std::string& question) {
+  for (const RangeQuestion& finding : datapath.events) {
     if (finding.question == question) return finding;
   }
   ADD_FAILURE() << "no " << question;
@@ -79,7 +79,7 @@ TEST(Summary, MissingRangesLeaveItUnknown) {
   const Scene scene = load(path);
   const Summary summary = summarise(scene, nullptr);
   ASSERT_EQ(summary.datapaths.size(), 1U);
-  const Finding root = event(summary.datapaths[0], "root of a negative number");
+  const RangeQuestion root = event(summary.datapaths[0], "root of a negative number");
   EXPECT_EQ(root.answer, Possibility::unknown);
   EXPECT_EQ(root.rangeless, std::vector<std::string>{"x"});
   EXPECT_EQ(root.operations, std::vector<std::string>{"sqrt(x)"});

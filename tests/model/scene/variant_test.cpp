@@ -3,8 +3,9 @@
 #include <bit>
 #include <fstream>
 
+#include "model/number/verdict.hpp"
+#include "model/profile/variant_check.hpp"
 #include "model/scene/scene.hpp"
-#include "model/scene/variant_check.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 namespace mixcmp::model {
@@ -139,7 +140,7 @@ TEST_F(Variants, ATieOfRootsIsTold) {
   const auto data = Comparisons::rows(points({3, 4, 5, 1, 0, 2}), given.graph.inputs()).value();
   const VariantCheck check = check_variant(given, roots, data);
   EXPECT_EQ(check.differences, 0u);
-  EXPECT_EQ(check.untold, 0u);
+  EXPECT_EQ(check.undetermined, 0u);
 }
 
 TEST_F(Variants, ATieOfManyRootsIsNotTold) {
@@ -150,7 +151,7 @@ TEST_F(Variants, ATieOfManyRootsIsNotTold) {
   const auto data = Comparisons::rows(points({3, 4, 5, 1, 0, 2}), given.graph.inputs()).value();
   const VariantCheck check = check_variant(given, variant, data);
   EXPECT_EQ(check.differences, 0u);
-  EXPECT_EQ(check.untold, 1u);
+  EXPECT_EQ(check.undetermined, 1u);
 }
 
 TEST_F(Variants, ANegativeRadiusConvictsTheRoot) {
@@ -161,8 +162,8 @@ TEST_F(Variants, ANegativeRadiusConvictsTheRoot) {
   EXPECT_EQ(check.differences, 1u);
   ASSERT_TRUE(check.first_difference);
   EXPECT_EQ(check.first_difference->index, 1u);
-  EXPECT_EQ(check.first_difference->given, golden::Verdict::less);
-  EXPECT_EQ(check.first_difference->variant, golden::Verdict::greater);
+  EXPECT_EQ(check.first_difference->given, Verdict::less);
+  EXPECT_EQ(check.first_difference->variant, Verdict::greater);
 }
 
 TEST_F(Variants, ASampleIsSpreadOverAll) {

@@ -6,7 +6,7 @@
 
 #include "model/error/bound_graph.hpp"
 #include "model/error/range_check.hpp"
-#include "model/format/float_format.hpp"
+#include "model/number/float_format.hpp"
 
 namespace mixcmp::test {
 

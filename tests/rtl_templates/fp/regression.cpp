@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "model/golden/arithmetic.hpp"
+#include "model/number/decimal.hpp"
 
 namespace mixcmp::test {
 namespace {
@@ -13,7 +13,7 @@ constexpr uint64_t max_reports = 10;
 
 std::string text(FloatFormat format, Bits bits) {
   return fmt::format("0x{} ({})", model::to_hex(bits, format.width()),
-                     model::golden::to_text(format, bits));
+                     model::to_text(format, bits));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "model/golden/arithmetic.hpp"
+#include "model/number/verdict.hpp"
 
 namespace mixcmp::test {
 namespace {
@@ -206,7 +207,7 @@ Answer UnitsUnderTest::answer(int behaviour, const Stimulus& stimulus) const {
   }
   if (which.unit == comparison && which.toward_zero) return interval_answer(operands_, stimulus);
   if (which.unit == comparison) {
-    const golden::Verdict verdict = golden::compare(operands_, subnormals, stimulus.a, stimulus.b);
+    const model::Verdict verdict = golden::compare(operands_, subnormals, stimulus.a, stimulus.b);
     return {.y = static_cast<Bits>(verdict), .flag_matters = false};
   }
   const Arithmetic result{

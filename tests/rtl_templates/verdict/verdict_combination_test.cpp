@@ -9,12 +9,13 @@
 #include "VCombination3_0.h"
 #include "VCombination3_1.h"
 #include "model/golden/evaluate.hpp"
+#include "model/number/verdict.hpp"
 
 namespace mixcmp::test {
 namespace {
 
 using model::Combination;
-using model::golden::Verdict;
+using model::Verdict;
 
 struct Expected {
   bool decided;
@@ -30,7 +31,7 @@ Expected expected_of(Combination combination, const std::vector<Verdict>& verdic
     const bool is_known = (known >> part & 1) != 0;
     if (is_known && verdicts[part] == decides) return {true, decides};
     every &= is_known;
-    all = combine(combination, all, verdicts[part]);
+    all = model::golden::combine(combination, all, verdicts[part]);
   }
   return {every, all};
 }

@@ -1,0 +1,30 @@
+# mixcmp_library(NAME [USES name...] [LINKS target...] SOURCES file...)
+# The library mixcmp_NAME, made of one folder. USES names the libraries of this project whose
+# headers the folder includes; LINKS names what is not ours.
+function(mixcmp_library name)
+  cmake_parse_arguments(LIBRARY "" "" "USES;LINKS;SOURCES" ${ARGN})
+  add_library(mixcmp_${name} STATIC ${LIBRARY_SOURCES})
+  mixcmp_uses(mixcmp_${name} ${LIBRARY_USES})
+  target_link_libraries(mixcmp_${name} PUBLIC mixcmp_options fmt::fmt ${LIBRARY_LINKS})
+endfunction()
+
+# mixcmp_uses(TARGET name...)
+# Links TARGET, which is made of the current folder, against mixcmp_NAME of each name. tests/includes
+# fails on an include of a folder that is not named here.
+function(mixcmp_uses target)
+  foreach(name IN LISTS ARGN)
+    target_link_libraries(${target} PUBLIC mixcmp_${name})
+  endforeach()
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR}
+             OUTPUT_VARIABLE folder)
+  list(TRANSFORM ARGN PREPEND mixcmp_ OUTPUT_VARIABLE used)
+  string(JOIN " " line ${target} ${folder} ${used})
+  set_property(GLOBAL APPEND PROPERTY MIXCMP_LIBRARIES ${line})
+endfunction()
+
+# Writes what was said to mixcmp_uses, one target a line: "TARGET FOLDER USED...".
+function(mixcmp_list_libraries file)
+  get_property(libraries GLOBAL PROPERTY MIXCMP_LIBRARIES)
+  list(JOIN libraries "\n" text)
+  file(CONFIGURE OUTPUT ${file} CONTENT "${text}\n")
+endfunction()

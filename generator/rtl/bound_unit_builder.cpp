@@ -1,0 +1,141 @@
+#include "generator/rtl/bound_unit_builder.hpp"
+
+#include <fmt/core.h>
+
+#include "model/common/check.hpp"
+
+namespace mixcmp::gen {
+namespace {
+
+using namespace rtl;
+using model::BoundNode;
+using model::BoundOperation;
+using model::NodeId;
+
+bool reads_value(const BoundNode& node) {
+  return node.value >= 0;
+}
+
+}  // namespace
+
+BoundUnitBuilder::BoundUnitBuilder(DatapathBuilder& datapath, const model::SharedLane& lane,
+                                   const model::AbsoluteBoundDecision& decision,
+                                   const PartSchedule& schedule, const std::string& suffix)
+    : datapath_(datapath),
+      lane_(lane),
+      decision_(decision),
+      schedule_(schedule),
+      names_(name_bounds(decision.bound, suffix, datapath.names(), datapath.pool())) {
+  const model::FloatFormat format = lane.graph.arithmetic.format;
+  MIXCMP_CHECK(decision.bound.format.exponent_bits == format.exponent_bits());
+  MIXCMP_CHECK(decision.bound.format.precision <= format.precision());
+  // A bound can be compared with nodes of the lane's format only; with exact inputs some nodes are
+  // in the reference format.
+  for (const BoundNode& node : decision.bound.nodes) {
+    MIXCMP_CHECK(!reads_value(node) || lane.graph.nodes[node.value].format == format);
+  }
+  for (const model::BoundCondition& condition : decision.conditions) {
+    MIXCMP_CHECK(lane.graph.nodes[condition.value].format == format);
+  }
+}
+
+void BoundUnitBuilder::build() {
+  for (std::size_t id = 0; id < decision_.bound.nodes.size(); ++id) {
+    build_node(static_cast<int>(id));
+  }
+  for (std::size_t k = 0; k < decision_.conditions.size(); ++k) {
+    build_condition(decision_.conditions[k], schedule_.conditions[k]);
+  }
+}
+
+void BoundUnitBuilder::build_node(int id) {
+  const BoundNode& node = decision_.bound.nodes[id];
+  const int width = decision_.bound.format.width();
+  if (node.operation == BoundOperation::constant) {
+    const model::Bits value = encode_bound(decision_.bound.format, node.constant);
+    bounds_.push_back({literal(width, value), names_[id], width, 0, true});
+    return;
+  }
+  const Step& step = schedule_.bounds[id];
+  std::vector<Connection> connections = operands(node, step.start_cycle);
+  connections.push_back({"y", net(names_[id])});
+  datapath_.add(Comment{describe(id)});
+  datapath_.add(Wire{width, names_[id], nullptr});
+  datapath_.add(Instance{step.unit.module, datapath_.pool().unique("unit_" + names_[id]),
+                         parameters(node, step), std::move(connections)});
+  bounds_.push_back({net(names_[id]), names_[id], width, step.ready_cycle});
+}
+
+std::vector<Connection> BoundUnitBuilder::operands(const BoundNode& node, int cycle) {
+  std::vector<Connection> connections = {{"aclk", net("aclk")}};
+  if (reads_value(node)) {
+    connections.push_back({"x", datapath_.at(datapath_.value(node.value), cycle)});
+    return connections;
+  }
+  connections.push_back({"a", datapath_.at(bounds_[node.operands[0]], cycle)});
+  connections.push_back({"b", datapath_.at(bounds_[node.operands[1]], cycle)});
+  return connections;
+}
+
+std::vector<Parameter> BoundUnitBuilder::parameters(const BoundNode& node, const Step& step) const {
+  const model::BoundFormat format = decision_.bound.format;
+  std::vector<Parameter> parameters = {{"EXPONENT_BITS", format.exponent_bits}};
+  if (reads_value(node)) {
+    parameters.push_back({"PRECISION", lane_.graph.arithmetic.format.precision()});
+  }
+  parameters.push_back({"BOUND_PRECISION", format.precision});
+  const bool reads_subnormals =
+      node.operation == BoundOperation::magnitude || node.operation == BoundOperation::binade;
+  if (reads_subnormals) parameters.push_back({"GRADUAL", may_be_subnormal(node.value) ? 1 : 0});
+  parameters.push_back({"CUTS", cut_mask(step)});
+  return parameters;
+}
+
+/// Whether a value that nothing exceptional led to may be subnormal. The hazards of an operation
+/// tell what it gives; where subnormal numbers are flushed, one as an operand makes its user
+/// exceptional.
+bool BoundUnitBuilder::may_be_subnormal(NodeId value) const {
+  if (lane_.graph.arithmetic.subnormals == model::Subnormals::flush) return false;
+  const bool is_result = model::arity(lane_.graph.nodes[value].operation) > 0;
+  return lane_.hazards.empty() || !is_result || lane_.hazards[value].underflow;
+}
+
+void BoundUnitBuilder::build_condition(const model::BoundCondition& condition, const Step& step) {
+  const Signal& bound = bounds_[condition.bound];
+  const Signal& value = datapath_.value(condition.value);
+  const model::FloatFormat format = lane_.graph.arithmetic.format;
+  const std::string holds = datapath_.pool().unique(value.name + "_exceeds_error");
+  const std::string fails = datapath_.pool().unique(value.name + "_too_small");
+  std::vector<Connection> connections = {{"aclk", net("aclk")},
+                                         {"bound", datapath_.at(bound, step.start_cycle)},
+                                         {"x", datapath_.at(value, step.start_cycle)},
+                                         {"holds", net(holds)}};
+  datapath_.add(Comment{fmt::format("Cycles {} to {}: the bound holds where {} <= |{}|.",
+                                    step.start_cycle, step.ready_cycle, bound.name, value.name)});
+  datapath_.add(Wire{1, holds, nullptr});
+  datapath_.add(Wire{1, fails, inverted(net(holds))});
+  datapath_.add(Instance{step.unit.module,
+                         datapath_.pool().unique("unit_" + holds),
+                         {{"EXPONENT_BITS", format.exponent_bits()},
+                          {"PRECISION", format.precision()},
+                          {"BOUND_PRECISION", decision_.bound.format.precision},
+                          {"CUTS", cut_mask(step)}},
+                         std::move(connections)});
+  failures_.push_back({net(fails), fails, 1, step.ready_cycle});
+}
+
+std::string BoundUnitBuilder::describe(int id) const {
+  const Step& step = schedule_.bounds[id];
+  const BoundNode& node = decision_.bound.nodes[id];
+  const int digits = decision_.bound.format.precision;
+  const bool exact =
+      node.operation == BoundOperation::binade || node.operation == BoundOperation::maximum;
+  const std::string rounding = digits == 1 ? ", rounded up to a power of two"
+                                           : fmt::format(", rounded up to {} digits", digits);
+  const bool rounds = !exact && node.operation != BoundOperation::reciprocal;
+  return fmt::format("Cycles {} to {}: {}{}.", step.start_cycle, step.ready_cycle,
+                     bound_formula(decision_.bound, id, names_, datapath_.names()),
+                     rounds ? rounding : "");
+}
+
+}  // namespace mixcmp::gen

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/rtl/datapath_builder.hpp"
+#include "model/error/combined_lane.hpp"
+
+namespace mixcmp::gen {
+
+/// Adds a part's absolute error bound to its datapath, once the nodes are built: a unit an
+/// operation of the bound graph, its operands balanced by the datapath's shared delays.
+class BoundUnitBuilder {
+public:
+  BoundUnitBuilder(DatapathBuilder& datapath, const model::SharedLane& lane,
+                   const model::AbsoluteBoundDecision& decision, const PartSchedule& schedule,
+                   const std::string& suffix);
+
+  void build();
+
+  /// What the difference must exceed.
+  const Signal& bound() const { return bounds_.back(); }
+  /// Flags, one a condition, set where it does not hold.
+  const std::vector<Signal>& failures() const { return failures_; }
+
+private:
+  void build_node(int id);
+  void build_condition(const model::BoundCondition& condition, const Step& step);
+  std::vector<rtl::Connection> operands(const model::BoundNode& node, int cycle);
+  std::vector<rtl::Parameter> parameters(const model::BoundNode& node, const Step& step) const;
+  bool may_be_subnormal(model::NodeId value) const;
+  std::string describe(int id) const;
+
+  DatapathBuilder& datapath_;
+  const model::SharedLane& lane_;
+  const model::AbsoluteBoundDecision& decision_;
+  const PartSchedule& schedule_;
+  std::vector<std::string> names_;
+  std::vector<Signal> bounds_;
+  std::vector<Signal> failures_;
+};
+
+}  // namespace mixcmp::gen

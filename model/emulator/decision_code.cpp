@@ -1,0 +1,162 @@
+#include "model/emulator/decision_code.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <variant>
+
+#include "model/common/check.hpp"
+#include "model/number/bound_format.hpp"
+#include "model/number/double.hpp"
+
+namespace mixcmp::model::emulator {
+namespace {
+
+constexpr int double_digits = 53;
+constexpr int double_bias = 1023;
+
+double bound_as_double(BoundFormat format, Bits bound) {
+  if (bound == format.infinity()) return std::numeric_limits<double>::infinity();
+  return bound_value(format, bound).get_d();
+}
+
+Kernel kernel_of(BoundOperation operation) {
+  switch (operation) {
+    case BoundOperation::magnitude: return Kernel::bound_magnitude;
+    case BoundOperation::binade: return Kernel::bound_binade;
+    case BoundOperation::reciprocal: return Kernel::bound_reciprocal;
+    case BoundOperation::add: return Kernel::bound_add;
+    case BoundOperation::multiply: return Kernel::bound_multiply;
+    case BoundOperation::maximum: return Kernel::bound_maximum;
+    case BoundOperation::constant: break;
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// Errors of products are lost where they are below 2^-1074: those of short bounds are 0, and the
+/// others must stay above.
+bool is_safe(BoundFormat format) {
+  constexpr int error_free_digits = 26, free_exponent_bits = 9;
+  return format.precision <= error_free_digits || format.exponent_bits <= free_exponent_bits;
+}
+
+void add_bound_node(Code& code, const BoundNode& node, BoundFormat format, int first_column) {
+  const int column = code.columns++;
+  if (node.operation == BoundOperation::constant) {
+    const Bits bound = encode_bound(format, node.constant);
+    code.constants.emplace_back(column, bound_as_double(format, bound));
+    return;
+  }
+  const auto operand = [&](int k) { return node.operands[k] + first_column; };
+  const bool of_value = arity(node.operation) == 0;
+  const double above_one = 2 - std::ldexp(1, 1 - format.precision);
+  code.bounds.push_back({.kernel = kernel_of(node.operation),
+                         .result = column,
+                         .a = of_value ? node.value : operand(0),
+                         .b = of_value ? node.value : operand(1),
+                         .dropped_digits = double_digits - format.precision,
+                         .smallest = std::ldexp(1, 1 - format.bias()),
+                         .largest = std::ldexp(above_one, format.bias())});
+}
+
+/// `guard` ulps are so many times a power of two of steps; more than there are differences is none.
+void set_guard(DecisionRule& decision, FloatFormat format, Bits guard, int power) {
+  constexpr Bits never = std::numeric_limits<std::int64_t>::max();
+  const auto zero_exponent = static_cast<std::uint64_t>(double_bias - format.bias());
+  decision.guard = static_cast<std::int64_t>(guard <= never >> power ? guard << power : never);
+  decision.zero = std::bit_cast<double>(zero_exponent << (double_digits - 1));
+}
+
+bool add(Code& code, const Lane& lane, const AbsoluteBoundDecision& decision) {
+  if (!is_safe(decision.bound.format)) return false;
+  const int first_column = code.columns;
+  for (const BoundNode& node : decision.bound.nodes) {
+    add_bound_node(code, node, decision.bound.format, first_column);
+  }
+  code.decision.rule = Rule::absolute_bound;
+  code.decision.first = decision.difference;
+  code.decision.second = code.columns - 1;
+  const FloatFormat format = lane.graph.arithmetic.format;
+  set_guard(code.decision, format, decision.guard_ulp, double_digits - format.precision());
+  for (const BoundCondition& condition : decision.conditions) {
+    code.decision.conditions.push_back({first_column + condition.bound, condition.value});
+  }
+  return true;
+}
+
+bool add(Code& code, const Lane& lane, const UlpDistanceDecision& decision) {
+  const FloatFormat format = lane.graph.arithmetic.format;
+  if (format.precision() == double_digits) return false;  // keys need the last bit
+  if (decision.guard_ulp == 0) return true;               // the order of exact f and g
+  code.decision.rule = decision.nonnegative ? Rule::magnitudes : Rule::signed_keys;
+  const int halved = decision.nonnegative ? 0 : 1;
+  set_guard(code.decision, format, decision.guard_ulp, double_digits - format.precision() - halved);
+  return true;
+}
+
+bool add(Code& code, const Lane&, const IntervalDecision& decision) {
+  code.decision.rule = Rule::interval;
+  code.decision.first = decision.minimum;
+  code.decision.second = decision.maximum;
+  return true;
+}
+
+Sign sign_of(RequiredSign sign) {
+  switch (sign) {
+    case RequiredSign::any: return Sign::any;
+    case RequiredSign::nonnegative: return Sign::nonnegative;
+    case RequiredSign::nonpositive: return Sign::nonpositive;
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// Encodings order magnitudes, so that limits on leading bits are limits on magnitudes: those of
+/// the encodings that end in zeros and in ones. One that is NaN lies above every number.
+double magnitude_limit(FloatFormat format, Bits encoding) {
+  const Bits magnitude = std::min(encoding, format.infinity(false));
+  return to_double(format, magnitude);
+}
+
+OperandCheck operand_check(const RangeCheck& check, int column, FloatFormat format) {
+  OperandCheck result{.column = column, .sign = sign_of(check.sign)};
+  if (check.leading_bits == 0) return result;
+  const int rest = format.width() - 1 - check.leading_bits;
+  result.least = magnitude_limit(format, check.least << rest);
+  result.greatest = magnitude_limit(format, ((check.greatest + 1) << rest) - 1);
+  return result;
+}
+
+/// False where a check reads an operand that the graph does not.
+bool add_checks(Code& code, const Lane& lane) {
+  for (const RangeCheck& check : lane.checks) {
+    const auto reads = [&](const auto& input) { return input.second == check.input; };
+    const auto input = std::find_if(code.inputs.begin(), code.inputs.end(), reads);
+    if (input == code.inputs.end()) return false;
+    code.decision.checks.push_back(operand_check(check, input->first, lane.graph.input_format));
+  }
+  return true;
+}
+
+}  // namespace
+
+bool add_decision(Code& code, const Lane& lane) {
+  if (!add_checks(code, lane)) return false;
+  return std::visit([&](const auto& decision) { return add(code, lane, decision); }, lane.decision);
+}
+
+std::vector<NodeId> values_as_encodings(const Lane& lane) {
+  if (std::holds_alternative<UlpDistanceDecision>(lane.decision)) {
+    return {lane.graph.f, lane.graph.g};
+  }
+  std::vector<NodeId> values;
+  const auto* decision = std::get_if<AbsoluteBoundDecision>(&lane.decision);
+  if (decision == nullptr) return values;
+  for (const BoundNode& node : decision->bound.nodes) {
+    if (node.value >= 0) values.push_back(node.value);
+  }
+  return values;
+}
+
+}  // namespace mixcmp::model::emulator

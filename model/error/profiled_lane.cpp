@@ -1,0 +1,79 @@
+#include "model/error/profiled_lane.hpp"
+
+#include <utility>
+
+#include "model/error/error_analysis.hpp"
+#include "model/error/hazards.hpp"
+#include "model/number/exact.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// The smallest number of the arithmetic that is not below `value` >= 0.
+Bits round_up(const Arithmetic& arithmetic, const mpq_class& value) {
+  const FloatFormat format = arithmetic.format;
+  const Bits bits = from_rational_up(format, value);
+  const bool flushed = arithmetic.subnormals == Subnormals::flush && format.is_subnormal(bits);
+  return flushed ? format.smallest_normal(false) : bits;
+}
+
+/// Appends nodes in the lane's format.
+class Appender {
+public:
+  explicit Appender(TypedGraph& graph) : graph_(graph) {}
+
+  NodeId operation(Operation operation, NodeId first, NodeId second = -1) {
+    const FloatFormat format = graph_.arithmetic.format;
+    return append({.operation = operation,
+                   .operands = {first, second},
+                   .operand_format = format,
+                   .format = format,
+                   .value = {}});
+  }
+
+  NodeId constant(const mpq_class& value) {
+    const FloatFormat format = graph_.arithmetic.format;
+    return append({.operation = Operation::constant,
+                   .operand_format = format,
+                   .format = format,
+                   .constant = round_up(graph_.arithmetic, value),
+                   .value = value});
+  }
+
+  /// |computed| * relative_error.
+  NodeId error(NodeId computed, bool nonnegative, const mpq_class& relative_error) {
+    const NodeId magnitude = nonnegative ? computed : operation(Operation::absolute, computed);
+    return operation(Operation::multiply, magnitude, constant(relative_error));
+  }
+
+private:
+  NodeId append(TypedNode node) {
+    graph_.nodes.push_back(std::move(node));
+    return static_cast<NodeId>(graph_.nodes.size()) - 1;
+  }
+
+  TypedGraph& graph_;
+};
+
+}  // namespace
+
+Lane profiled_lane(TypedGraph graph, const mpq_class& relative_error_f,
+                   const mpq_class& relative_error_g) {
+  // The analysis is given no ranges, for a profiled lane checks no sign bits.
+  const std::vector<bool> no_ranges(graph.input_count, false);
+  const std::vector<NodeBound> known = analyse_errors(graph, no_ranges).nodes;
+  Appender append(graph);
+  const NodeId difference = append.operation(Operation::subtract, graph.f, graph.g);
+  const NodeId error_f = append.error(graph.f, known[graph.f].nonnegative, relative_error_f);
+  const NodeId error_g = append.error(graph.g, known[graph.g].nonnegative, relative_error_g);
+  const NodeId error = append.operation(Operation::add, error_f, error_g);
+  const IntervalDecision decision{
+      .minimum = append.operation(Operation::subtract, difference, error),
+      .maximum = append.operation(Operation::add, difference, error),
+      .relative_error_f = relative_error_f,
+      .relative_error_g = relative_error_g};
+  std::vector<Hazards> hazards = structural_hazards(graph);
+  return {.graph = std::move(graph), .decision = decision, .hazards = std::move(hazards)};
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+#include "model/error/lane.hpp"
+
+namespace mixcmp::model {
+
+/// The largest relative errors of f and g that were seen (the paper's RE_f and RE_g, equation 4):
+/// a statistic, not a bound.
+struct ProfiledError {
+  mpq_class f;
+  mpq_class g;
+  std::uint64_t comparisons = 0;  ///< how many were measured
+};
+
+/// The lane with the paper's decision; the constants are rounded up to the lane's format.
+Lane profiled_lane(TypedGraph graph, const mpq_class& relative_error_f,
+                   const mpq_class& relative_error_g);
+
+}  // namespace mixcmp::model

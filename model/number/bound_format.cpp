@@ -1,0 +1,30 @@
+#include "model/number/bound_format.hpp"
+
+#include "model/common/check.hpp"
+#include "model/number/dyadic.hpp"
+#include "model/number/exact.hpp"
+
+namespace mixcmp::model {
+
+Bits encode_bound(BoundFormat format, const mpq_class& value) {
+  MIXCMP_CHECK(value >= 0);
+  if (value == 0) return 0;
+  const long exponent = floor_log2(value);
+  const long field = exponent + format.bias();
+  if (field < 1) return format.smallest();
+  if (field >= (1L << format.exponent_bits) - 1) return format.infinity();
+  // From 1 to all ones, or one more: that is the next power of two, at last infinity.
+  const mpz_class significand = ceiling_of(scaled(value, format.precision - 1 - exponent));
+  return (Bits(field - 1) << (format.precision - 1)) + to_bits(significand);
+}
+
+mpq_class bound_value(BoundFormat format, Bits bound) {
+  MIXCMP_CHECK(bound < format.infinity());
+  if (bound == 0) return 0;
+  const int fraction_bits = format.precision - 1;
+  const auto field = static_cast<int>(bound >> fraction_bits);
+  const Bits significand = Bits{1} << fraction_bits | (bound & low_mask(fraction_bits));
+  return scaled(to_integer(significand), field - format.bias() - fraction_bits);
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include "model/common/bits.hpp"
+
+namespace mixcmp::model {
+
+/// Upper bounds in hardware: non-negative numbers of `precision` digits (1: powers of two,
+/// exponents alone). Packed without a sign: biased exponent, then precision - 1 fraction bits.
+/// Exponent field 0 is zero, with fraction 0; all ones is infinite, with fraction 0: no bound at
+/// all. No subnormals. The bias is that of a FloatFormat of as many exponent bits, so a bound
+/// followed by zeros compares as an integer with a magnitude of that format.
+struct BoundFormat {
+  int precision;      ///< 1..52, at most the lane's
+  int exponent_bits;  ///< the lane's
+
+  int width() const { return exponent_bits + precision - 1; }
+  int bias() const { return (1 << (exponent_bits - 1)) - 1; }
+  Bits infinity() const { return low_mask(exponent_bits) << (precision - 1); }
+  Bits smallest() const { return Bits{1} << (precision - 1); }
+
+  friend bool operator==(const BoundFormat&, const BoundFormat&) = default;
+};
+
+/// The encoding of the smallest bound that is not below `value` >= 0: the smallest number for a
+/// value below it, infinity above the largest.
+Bits encode_bound(BoundFormat format, const mpq_class& value);
+
+/// The exact value of a finite bound.
+mpq_class bound_value(BoundFormat format, Bits bound);
+
+}  // namespace mixcmp::model

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include "model/number/float_format.hpp"
+
+/// Conversions to and from the processor's double, which is binary64.
+namespace mixcmp::model {
+
+/// Whether double holds every number of the format: at most 53 digits and 11 exponent bits.
+constexpr bool fits_double(FloatFormat format) {
+  return format.precision() <= 53 && format.exponent_bits() <= 11;
+}
+
+/// The encoding of a double that is a number of the format (a broken invariant if it is not). Every
+/// NaN becomes the format's quiet NaN.
+Bits from_double(FloatFormat format, double value);
+
+/// The double nearest to an encoding: its very value if fits_double(format). Every NaN becomes a
+/// quiet NaN.
+double to_double(FloatFormat format, Bits bits);
+
+/// The double nearest to a number, infinite beyond the largest.
+double nearest_double(const mpq_class& value);
+
+}  // namespace mixcmp::model

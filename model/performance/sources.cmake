@@ -1,4 +1,0 @@
-target_sources(mixcmp_model PRIVATE
-  performance/performance.cpp
-  performance/streams.cpp
-)

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include "model/golden/big_float.hpp"
+#include "model/golden/encoding.hpp"
+#include "model/number/float_format.hpp"
+
+namespace mixcmp::model {
+
+/// Digits of the true values that errors are measured against.
+inline constexpr mpfr_prec_t error_truth_precision = 500;
+
+/// The maximum of |computed - truth| / |truth| seen of one function, rounded up to 64 bits. What is
+/// not finite, and a truth of zero, is passed over.
+class LargestRelativeError {
+public:
+  explicit LargestRelativeError(FloatFormat format) : format_(format) {
+    mpfr_set_zero(largest_.get(), 1);
+  }
+
+  void measure(Bits computed, const golden::BigFloat& truth) {
+    golden::decode(computed_, format_, computed);
+    if (!mpfr_number_p(computed_.get()) || !mpfr_regular_p(truth.get())) return;
+    mpfr_sub(difference_.get(), computed_.get(), truth.get(), MPFR_RNDA);
+    mpfr_div(error_.get(), difference_.get(), truth.get(), MPFR_RNDA);
+    mpfr_abs(error_.get(), error_.get(), MPFR_RNDU);
+    mpfr_max(largest_.get(), largest_.get(), error_.get(), MPFR_RNDU);
+  }
+
+  mpq_class value() const {
+    mpq_class value;
+    mpfr_get_q(value.get_mpq_t(), largest_.get());
+    return value;
+  }
+
+private:
+  static constexpr mpfr_prec_t error_precision = 64;
+
+  FloatFormat format_;
+  golden::BigFloat computed_{golden::encoding_precision};
+  golden::BigFloat difference_{error_truth_precision};
+  golden::BigFloat error_{error_precision};
+  golden::BigFloat largest_{error_precision};
+};
+
+}  // namespace mixcmp::model

@@ -1,0 +1,178 @@
+#include "model/profile/precision_band.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "model/profile/envelope_kernels.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+using envelope_kernels::for_each_lane;
+using envelope_kernels::outward;
+
+/// Below |f - g|, from its double evaluation.
+struct Gap {
+  const NodeEnvelope &f, &g, &difference;
+  double error_of_double;  ///< in units of the errors at A
+
+  double error(std::size_t k) const { return f.error[k] + g.error[k]; }
+  double least(std::size_t k) const {
+    return std::fabs(difference.value[k]) / outward - error(k) * error_of_double;
+  }
+};
+
+Gap gap_of(const Envelope& envelope, const EnvelopeBlock& block) {
+  const TypedGraph& graph = envelope.graph();
+  return {block.nodes[graph.f], block.nodes[graph.g], block.nodes.back(),
+          std::ldexp(outward, envelope.anchor() - 53)};
+}
+
+std::vector<const Lane*> lanes_from(const SystemLanes& system, std::size_t part,
+                                    std::size_t index) {
+  std::vector<const Lane*> lanes;
+  for (; index < system.lanes.size(); ++index) {
+    lanes.push_back(system.lanes[index] ? &system.lanes[index]->parts[part] : nullptr);
+  }
+  return lanes;
+}
+
+Threshold threshold_of(const SystemLanes& system, std::size_t part, int index,
+                       const Envelope& envelope) {
+  if (system.kind == SystemKind::lanes_alone) return Threshold::of_order();
+  const std::vector<const Lane*> lanes = lanes_from(system, part, static_cast<std::size_t>(index));
+  return Threshold::of_lanes(lanes, envelope);
+}
+
+/// The findings of several parts as those of the whole comparison. A system is settled on it once
+/// it is settled on every part, or on one whose true verdict outweighs all others.
+class PartsMerger {
+public:
+  PartsMerger(Combination combination, std::size_t systems, LastOpen never)
+      : dominating_(combination == Combination::all ? Decision::greater : Decision::less),
+        all_(systems * envelope_width, 0),
+        dominated_(systems * envelope_width, never),
+        last_(systems * envelope_width) {
+    any_doubt_.fill(0);
+    any_dominating_.fill(0);
+  }
+
+  /// The arrays that take the findings of the next part.
+  BlockFindings part() { return {last_.data(), envelope_width, doubtful_.data(), truth_.data()}; }
+
+  void add_part() {
+    for (std::size_t k = 0; k < envelope_width; ++k) {
+      const bool dominating = doubtful_[k] == 0 && truth_[k] == dominating_;
+      any_doubt_[k] |= doubtful_[k];
+      any_dominating_[k] |= dominating ? 1 : 0;
+      for (std::size_t at = k; at < last_.size(); at += envelope_width) {
+        all_[at] = std::max(all_[at], last_[at]);
+        if (dominating) dominated_[at] = std::min(dominated_[at], last_[at]);
+      }
+    }
+  }
+
+  /// Parts whose verdicts are in doubt matter only where none outweighs them. Those that are not in
+  /// doubt are less or greater: where none dominates, all are the other.
+  void finish(const BlockFindings& findings) const {
+    const Decision other = dominating_ == Decision::greater ? Decision::less : Decision::greater;
+    for (std::size_t k = 0; k < envelope_width; ++k) {
+      const bool dominating = any_dominating_[k] != 0;
+      findings.doubtful[k] = dominating ? 0 : any_doubt_[k];
+      findings.truth[k] = dominating ? dominating_ : other;
+      for (std::size_t at = k; at < last_.size(); at += envelope_width) {
+        findings.last[at / envelope_width * findings.stride + k] =
+            std::min(all_[at], dominated_[at]);
+      }
+    }
+  }
+
+private:
+  Decision dominating_;
+  std::vector<LastOpen> all_, dominated_, last_;  ///< [system * envelope_width + k]
+  std::array<std::uint8_t, envelope_width> doubtful_, any_doubt_, any_dominating_;
+  std::array<Decision, envelope_width> truth_;
+};
+
+}  // namespace
+
+PrecisionBand::PrecisionBand(const Envelope::Options& options, int next, int first,
+                             const CombinedGraph& graph, const std::vector<SystemLanes>& systems)
+    : combination_(graph.combination),
+      reference_precision_(options.reference.precision()),
+      next_(next) {
+  for (std::size_t k = 0; k < graph.parts.size(); ++k) {
+    Part& part = parts_.emplace_back(Part{Envelope(graph.parts[k], options), {}});
+    for (const SystemLanes& system : systems) {
+      part.thresholds.push_back(threshold_of(system, k, options.anchor - first, part.envelope));
+    }
+  }
+  for (const SystemLanes& system : systems) {
+    std::vector<Runner>& runners = runners_.emplace_back();
+    for (int precision = anchor(); precision < next; ++precision) {
+      const std::optional<CombinedLane>& lane = system.lanes[precision - first];
+      Runner& runner = runners.emplace_back(Runner{system.kind, std::nullopt});
+      if (lane) runner.emulator.emplace(*lane);
+    }
+  }
+}
+
+void PrecisionBand::look(std::span<const double* const> columns, EnvelopeBlock& block,
+                         const BlockFindings& findings) const {
+  if (parts_.size() == 1) return look(parts_.front(), columns, block, findings);
+  PartsMerger merger(combination_, system_count(), static_cast<LastOpen>(next_));
+  for (const Part& part : parts_) {
+    look(part, columns, block, merger.part());
+    merger.add_part();
+  }
+  merger.finish(findings);
+}
+
+void PrecisionBand::look(const Part& part, std::span<const double* const> columns,
+                         EnvelopeBlock& block, const BlockFindings& findings) const {
+  part.envelope.evaluate(columns, block);
+  last_open(part, block, findings);
+  find_verdicts(part, block, findings);
+}
+
+void PrecisionBand::last_open(const Part& part, const EnvelopeBlock& block,
+                              const BlockFindings& findings) const {
+  alignas(64) EnvelopeRow scaled, fixed, wild;
+  const Gap gap = gap_of(part.envelope, block);
+  // Steps from anchor - 1: none below a ratio of 1, all of them from `enough` on.
+  const double enough = std::ldexp(1.0, next_ - anchor());
+  const auto bias = static_cast<std::uint64_t>(1022 - (anchor() - 1));
+  for (std::size_t system = 0; system < part.thresholds.size(); ++system) {
+    wild = block.wild;
+    part.thresholds[system].evaluate(block, scaled, fixed, wild);
+    LastOpen* const open = findings.last + system * findings.stride;
+    for_each_lane([&](std::size_t k) {
+      // Open at L only if (|f - g| - fixed) 2^(L-A) <= errors + scaled.
+      const double apart = gap.least(k) - fixed[k];
+      const double ratio = (gap.error(k) + scaled[k]) / apart * outward;
+      const bool known = (wild[k] == 0) & (apart > 0) & (ratio < enough);
+      const double within = known ? ratio : enough;
+      const double clamped = within < 0.5 ? 0.5 : within;
+      open[k] = static_cast<LastOpen>((std::bit_cast<std::uint64_t>(clamped) >> 52) - bias);
+    });
+  }
+}
+
+void PrecisionBand::find_verdicts(const Part& part, const EnvelopeBlock& block,
+                                  const BlockFindings& findings) const {
+  const Gap gap = gap_of(part.envelope, block);
+  const double in_reference = std::ldexp(outward, part.envelope.anchor() - reference_precision_);
+  for_each_lane([&](std::size_t k) {
+    const bool clear = (block.wild[k] == 0) & (gap.least(k) > gap.error(k) * in_reference);
+    findings.doubtful[k] = clear ? 0 : 1;
+  });
+  for (std::size_t k = 0; k < envelope_width; ++k) {
+    const bool greater = block.nodes.back().value[k] > 0;
+    findings.truth[k] = greater ? Decision::greater : Decision::less;
+  }
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/emulator/emulator.hpp"
+#include "model/profile/envelope.hpp"
+#include "model/profile/systems.hpp"
+#include "model/profile/threshold.hpp"
+
+namespace mixcmp::model {
+
+/// The last precision at which a comparison may be open, in one byte.
+using LastOpen = std::uint8_t;
+
+/// What a band finds out of envelope_width comparisons.
+struct BlockFindings {
+  /// last[system * stride + k]: the last precision at which the system may be undecided or wrong on
+  /// comparison k; anchor() - 1 if at none, next() if at next() or later.
+  LastOpen* last;
+  std::size_t stride;
+  /// 1 where `truth` might not be the true verdict, or the reference's might differ from it.
+  std::uint8_t* doubtful;
+  Decision* truth;
+};
+
+/// What all systems do at precisions anchor .. next - 1, for comparisons not yet settled there.
+class PrecisionBand {
+public:
+  /// A lane of one system at one precision, ready to run; none where it does not exist.
+  struct Runner {
+    SystemKind kind;
+    std::optional<Emulator> emulator;
+  };
+
+  /// `systems` have lanes from precision `first` on.
+  PrecisionBand(const Envelope::Options& options, int next, int first, const CombinedGraph& graph,
+                const std::vector<SystemLanes>& systems);
+
+  int anchor() const { return parts_.front().envelope.anchor(); }
+  int next() const { return next_; }
+  std::size_t system_count() const { return runners_.size(); }
+  const Runner& runner(std::size_t system, int precision) const {
+    return runners_[system][precision - anchor()];
+  }
+
+  /// `columns` as for Envelope::evaluate; `block` is room to work in.
+  void look(std::span<const double* const> columns, EnvelopeBlock& block,
+            const BlockFindings& findings) const;
+
+private:
+  /// One part of the comparison.
+  struct Part {
+    Envelope envelope;
+    std::vector<Threshold> thresholds;  ///< one a system
+  };
+
+  void look(const Part& part, std::span<const double* const> columns, EnvelopeBlock& block,
+            const BlockFindings& findings) const;
+  void last_open(const Part& part, const EnvelopeBlock& block, const BlockFindings& findings) const;
+  void find_verdicts(const Part& part, const EnvelopeBlock& block,
+                     const BlockFindings& findings) const;
+
+  std::vector<Part> parts_;
+  Combination combination_;
+  int reference_precision_;
+  int next_;
+  std::vector<std::vector<Runner>> runners_;  ///< [system][precision - anchor()]
+};
+
+}  // namespace mixcmp::model

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "model/data/comparisons.hpp"
+#include "model/number/verdict.hpp"
+#include "model/scene/scene.hpp"
+
+namespace mixcmp::model {
+
+/// Whether a variant decides as [comparison] does, on data.
+struct VariantCheck {
+  /// A comparison that the two decide differently.
+  struct Difference {
+    std::uint64_t index;
+    Verdict given;  ///< [comparison]'s
+    Verdict variant;
+  };
+
+  std::string variant;
+  std::uint64_t comparisons = 0;
+  /// The first comparison on which the variant decides otherwise, by the real numbers f and g;
+  /// none: they decide alike.
+  std::optional<Difference> first_difference;
+  std::uint64_t differences = 0;
+  /// Comparisons whose order `checked_bits` digits do not tell in [comparison], in the variant or
+  /// in both: mostly ties of sums of several roots. They do not count as differences.
+  std::uint64_t undetermined = 0;
+  /// Comparisons that the two references decide differently. They may, since they round.
+  std::uint64_t reference_differences = 0;
+};
+
+constexpr int checked_bits = 512;
+constexpr std::uint64_t checked_comparisons = 250'000;
+
+/// On all comparisons, or on `most` spread over all. Both scenes have the same inputs in the same
+/// order. `progress` is told the share that is done.
+VariantCheck check_variant(const Scene& given, const Scene& variant, const Comparisons& data,
+                           std::uint64_t most = checked_comparisons,
+                           const std::function<void(double)>& progress = {});
+
+}  // namespace mixcmp::model

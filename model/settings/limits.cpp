@@ -1,0 +1,18 @@
+#include "model/settings/limits.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mixcmp::model {
+
+std::string to_string(Limits limits) {
+  return fmt::format("{}..{}", limits.least, limits.most);
+}
+
+Limits lane_precisions(FloatFormat reference) {
+  return {limits::lane_precision.least,
+          std::min(limits::lane_precision.most, reference.precision())};
+}
+
+}  // namespace mixcmp::model

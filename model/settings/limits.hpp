@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+
+#include "model/number/float_format.hpp"
+
+namespace mixcmp::model {
+
+/// The whole numbers `least`..`most`, both included, that a user may give for something.
+struct Limits {
+  int least;
+  int most;
+
+  constexpr bool allow(int value) const { return least <= value && value <= most; }
+};
+
+/// "4..52", as messages, helps and documentation write limits.
+std::string to_string(Limits limits);
+
+/// Limits of a scene's numbers. Whoever checks or states one takes it from here;
+/// docs/scene_file.md is held against them by a test.
+namespace limits {
+
+inline constexpr Limits lane_precision{4, 52};  ///< L; and at most the reference's precision
+inline constexpr Limits reference_precision{11, FloatFormat::max_precision};
+inline constexpr Limits exponent_bits{FloatFormat::min_exponent_bits,
+                                      FloatFormat::max_exponent_bits};
+inline constexpr Limits bound_digits{1, 8};  ///< of a running bound; 1: exponents alone
+inline constexpr Limits lanes{1, 512};       ///< p_L, in all groups together
+inline constexpr Limits references{0, 16};   ///< p_H, likewise; a group has at least 1
+inline constexpr Limits tag_bits{1, 64};
+inline constexpr Limits counter_bits{8, 64};  ///< or 0: no counters
+inline constexpr Limits engine_capacity{2, 65'536};
+inline constexpr Limits items{1, 1 << 24};  ///< of generated data
+inline constexpr Limits threads{1, 1024};   ///< of this program, and jobs at a time
+inline constexpr Limits seeds{1, 1000};     ///< of a router
+
+}  // namespace limits
+
+/// The precisions that a lane beside a reference of this format can have.
+Limits lane_precisions(FloatFormat reference);
+
+}  // namespace mixcmp::model

@@ -1,0 +1,224 @@
+#include "model/workload/load_comparisons.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "model/common/file.hpp"
+#include "model/data/csv.hpp"
+#include "model/data/npy.hpp"
+#include "model/data/pdb.hpp"
+#include "model/data/sphere_family.hpp"
+#include "model/data/uniform_spheres.hpp"
+#include "model/workload/reference_contest.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// The columns that the inputs need of each table, in order of first need.
+Result<std::array<std::vector<std::string>, 2>> needed_columns(const Scene& scene) {
+  std::array<std::vector<std::string>, 2> columns;
+  for (const std::string& input : scene.graph.inputs()) {
+    MIXCMP_TRY(place, input_column(scene.data->pairing, input));
+    std::vector<std::string>& known = columns[place.table];
+    if (std::find(known.begin(), known.end(), place.name) == known.end()) {
+      known.push_back(place.name);
+    }
+  }
+  return columns;
+}
+
+Result<Table> generated_table(const DataSpec& data, FloatFormat format) {
+  const auto count = static_cast<std::uint64_t>(data.count);
+  if (data.items == "sphere_family") {
+    return sphere_family({.name = data.family, .count = count, .seed = data.seed}, format);
+  }
+  return uniform_spheres(
+      {.count = count, .side = data.side, .radius_max = data.radius_max, .seed = data.seed},
+      format);
+}
+
+/// Some tables come with columns that the scene does not choose. All of them stay where none is
+/// given a name of the scene's own.
+Result<Table> chosen_columns(Table table, std::span<const ColumnNames> names,
+                             std::span<const WantedColumn> wanted) {
+  MIXCMP_TRY(selected, select_columns(table, wanted));
+  if (!names.empty()) return selected;
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    table.origins.push_back({.number = k, .name = table.columns[k]});
+  }
+  return table;
+}
+
+/// The table `which` of the scene, in the scene's names.
+Result<Table> read_table(const DataSpec& data, std::size_t which, FloatFormat format,
+                         std::span<const WantedColumn> wanted) {
+  const std::filesystem::path& file = which == 0 ? data.file : data.with;
+  if (file.extension() == ".csv") return read_csv(file, format, wanted);
+  if (file.extension() == ".npy") return read_npy(file, format, wanted);
+  MIXCMP_TRY(table, file.empty() ? generated_table(data, format) : read_pdb(file, format));
+  table.source = table_name(data, which);
+  return chosen_columns(std::move(table), which == 0 ? data.columns : data.with_columns, wanted);
+}
+
+/// What the inputs' names say.
+std::string input_rule(const DataSpec& data) {
+  const std::string first = table_name(data, 0), second = table_name(data, 1);
+  switch (data.pairing) {
+    case Pairing::rows: return "";
+    case Pairing::all: return fmt::format(": an input ending in i or j is of an item of {}", first);
+    case Pairing::cross:
+      return fmt::format(": an input ending in i is of an item of {}, in j of {}", first, second);
+    case Pairing::arg_min:
+      return fmt::format(
+          ": an input ending in i or j is of a candidate of {}, any other of a row of {}", second,
+          first);
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// Who needs the column that the scene calls `column`.
+std::string needing_input(const Scene& scene, std::size_t which, const std::string& column) {
+  for (const std::string& input : scene.graph.inputs()) {
+    const Result<InputColumn> place = input_column(scene.data->pairing, input);
+    if (place.ok() && place->table == which && place->name == column) return input;
+  }
+  MIXCMP_CHECK(false);
+}
+
+Place place_of(const DataSpec& data, const std::string& key) {
+  const auto found = data.places.find(key);
+  if (found != data.places.end()) return found->second;
+  const auto section = data.places.find("");
+  return section == data.places.end() ? Place{} : section->second;
+}
+
+std::string source_key(const DataSpec& data, std::size_t which) {
+  if (which == 1) return "with";
+  return data.file.empty() ? "items" : "file";
+}
+
+/// Checks that the file can be read; else the key that names it is mistaken.
+Result<Done> check_source(const DataSpec& data, std::size_t which) {
+  const std::filesystem::path& path = which == 0 ? data.file : data.with;
+  if (path.empty()) return Done{};
+  const Result<Done> readable = check_readable(path);
+  if (readable.ok()) return Done{};
+  const Place place = place_of(data, source_key(data, which));
+  Error error = readable.error();
+  error.message += " " + path.string();
+  error.file = place.file;
+  error.line = place.line;
+  error.field = "data." + source_key(data, which);
+  return error;
+}
+
+/// A missing column is told with the input that needs it and the rule that makes it that table's.
+Error with_input(const Scene& scene, std::size_t which, const std::string& wanted, Error error) {
+  const std::string need = fmt::format(
+      ", which the input {} needs{}", needing_input(scene, which, wanted), input_rule(*scene.data));
+  if (!error.file.empty()) {
+    error.message += need;
+    return error;
+  }
+  error.message = fmt::format("no column {}{}", error.field, need);
+  error.field = which == 0 ? "data.file" : "data.with";
+  return error;
+}
+
+/// Numbers of columns are missing in the key that gives them, or beside the file.
+Error with_columns_key(const DataSpec& data, std::size_t which, Error error) {
+  const std::string key = which == 0 ? "columns" : "with_columns";
+  const Place place = place_of(data, data.places.contains(key) ? key : source_key(data, which));
+  error.file = place.file;
+  error.line = place.line;
+  error.field = "data." + key;
+  error.message += ", and " + table_name(data, which) + " is one";
+  return error;
+}
+
+Result<Table> load_table(const Scene& scene, std::size_t which,
+                         const std::vector<std::string>& wanted) {
+  const DataSpec& data = *scene.data;
+  MIXCMP_TRY(source_checked, check_source(data, which));
+  MIXCMP_TRY(columns, file_columns(which == 0 ? data.columns : data.with_columns, wanted));
+  const Result<Table> table = read_table(data, which, scene.reference.format, columns);
+  if (table.ok()) return table;
+  const Error& error = table.error();
+  if (error.kind == ErrorKind::unnamed_columns) return with_columns_key(data, which, error);
+  if (error.kind != ErrorKind::missing_column) return error;
+  const auto missing = std::find_if(
+      columns.begin(), columns.end(),
+      [&](const WantedColumn& column) { return column.column == ColumnKey(error.field); });
+  return with_input(scene, which, missing->name, error);
+}
+
+/// Tells how far a contest is.
+Contest with_progress(Contest contest, const ContestProgress& progress) {
+  if (!progress) return contest;
+  return [contest = std::move(contest), progress, done = std::uint64_t{0}](
+             const Comparisons& data, std::span<const Items> items,
+             std::span<std::uint8_t> greater) mutable {
+    contest(data, items, greater);
+    done += items.size();
+    progress(done, data.size());
+  };
+}
+
+Result<Comparisons> arrange(const Scene& scene, const ContestProgress& progress) {
+  const std::vector<std::string>& inputs = scene.graph.inputs();
+  MIXCMP_TRY(needed, needed_columns(scene));
+  MIXCMP_TRY(first, load_table(scene, 0, needed[0]));
+  switch (scene.data->pairing) {
+    case Pairing::rows: return Comparisons::rows(std::move(first), inputs);
+    case Pairing::all: return Comparisons::all_pairs(std::move(first), inputs);
+    case Pairing::cross:
+    case Pairing::arg_min: break;
+  }
+  MIXCMP_TRY(second, load_table(scene, 1, needed[1]));
+  if (scene.data->pairing == Pairing::cross) {
+    return Comparisons::cross(std::move(first), std::move(second), inputs);
+  }
+  const Contest contest = reference_contest(reference_graphs(scene.graph, scene.reference));
+  return Comparisons::arg_min(std::move(first), std::move(second), inputs,
+                              with_progress(contest, progress));
+}
+
+/// A mistake that stands in no file yet is one of the key that it names, or of [data]; one of a
+/// table's names the table.
+Error in_scene(const Scene& scene, Error error) {
+  if (!error.file.empty()) return error;
+  error.file = scene.path.string();
+  if (error.field.empty()) error.field = "data";
+  if (!scene.data) return error;
+  const DataSpec& data = *scene.data;
+  for (const std::size_t which : {std::size_t{0}, std::size_t{1}}) {
+    if (error.field != (which == 0 ? "data.file" : "data.with")) continue;
+    error.field = "data." + source_key(data, which);
+    error.received += " in " + table_name(data, which);
+    break;
+  }
+  const std::string_view section = "data.";
+  const Place place = place_of(
+      data, error.field.starts_with(section) ? error.field.substr(section.size()) : std::string());
+  if (!place.file.empty()) error.file = place.file;
+  error.line = place.line;
+  return error;
+}
+
+}  // namespace
+
+Result<Comparisons> load_comparisons(const Scene& scene, const ContestProgress& progress) {
+  if (!scene.data) {
+    return in_scene(scene, {.message = "the scene has no data",
+                            .received = "nothing",
+                            .accepted = "a section [data]"});
+  }
+  Result<Comparisons> comparisons = arrange(scene, progress);
+  if (!comparisons.ok()) return in_scene(scene, comparisons.error());
+  return comparisons;
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,58 @@
+#include "model/workload/reference_contest.hpp"
+
+#include <memory>
+
+#include "model/emulator/emulator.hpp"
+#include "model/golden/evaluate.hpp"
+#include "model/number/double.hpp"
+#include "model/number/verdict.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+/// One operand after the other: for formats that double does not hold.
+void evaluate_contests(const CombinedGraph& reference, const Comparisons& data,
+                       std::span<const Items> items, std::span<std::uint8_t> greater) {
+  std::vector<Bits> operands(data.input_count());
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    data.fetch(items[k], operands);
+    greater[k] = golden::evaluate_reference(reference, operands) == Verdict::greater ? 1 : 0;
+  }
+}
+
+void emulate_contests(const Emulator& emulator, const Comparisons& data,
+                      std::span<const Items> items, std::span<std::uint8_t> greater) {
+  std::vector<std::vector<double>> columns(data.input_count(), std::vector<double>(items.size()));
+  std::vector<const double*> pointers;
+  for (const std::vector<double>& column : columns) pointers.push_back(column.data());
+  std::vector<Bits> operands(data.input_count());
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    data.fetch(items[k], operands);
+    for (std::size_t input = 0; input < operands.size(); ++input) {
+      columns[input][k] = to_double(data.format(), operands[input]);
+    }
+  }
+  std::vector<Decision> decisions(items.size());
+  emulator.decide(pointers, items.size(), decisions);
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    greater[k] = decisions[k] == Decision::greater ? 1 : 0;
+  }
+}
+
+}  // namespace
+
+Contest reference_contest(const CombinedGraph& reference) {
+  if (!fits_double(reference.input_format())) {
+    return [reference](const Comparisons& data, std::span<const Items> items,
+                       std::span<std::uint8_t> greater) {
+      evaluate_contests(reference, data, items, greater);
+    };
+  }
+  return
+      [emulator = std::make_shared<const Emulator>(reference)](
+          const Comparisons& data, std::span<const Items> items, std::span<std::uint8_t> greater) {
+        emulate_contests(*emulator, data, items, greater);
+      };
+}
+
+}  // namespace mixcmp::model
