@@ -110,7 +110,7 @@ void check_against_truth(const TruthCheck& check, const model::Design& design,
     return;
   }
   const bool has_order = *verdict != Verdict::unordered;
-  // What a reference says of no real numbers is a matter of its arithmetic: it is not with_setting.
+  // Without real values of f and g no answer is true: a reference is not counted as wrong there.
   if (recomputed && !has_order) {
     ++truth.undefined;
     return;

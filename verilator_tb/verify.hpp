@@ -58,7 +58,7 @@ struct VerifyOptions {
   Progress progress;
 };
 
-/// Those of the options that the simulator is given.
+/// The part of the options that the simulator is given.
 SimulationOptions simulation_options(const VerifyOptions& options);
 
 /// Refuses what cannot be run, before anything is written: a selection of nothing, a simulator or a

@@ -179,7 +179,8 @@ std::vector<fs::path> output_paths(const ExploreCommand& command,
                                    const std::vector<Planning>& known) {
   std::vector<fs::path> paths = {command.output / "report.md"};
   for (const Planning& each : known) {
-    for (const char* name : result_names) paths.push_back(command.output / each.device.name / name);
+    const auto own = ResultFiles::paths(command.output / each.device.name, result_names);
+    paths.insert(paths.end(), own.begin(), own.end());
   }
   return paths;
 }
@@ -191,7 +192,7 @@ ResultFiles results_for(const ExploreCommand& command, const std::string& device
   // With given clocks every lane counts, timed or not.
   const model::Optimisation& areas = exploration.columns.front().example;
   const std::string& first = exploration.data_sets.front();
-  ResultFiles results(folder);
+  ResultFiles results(folder, result_names);
   results.add("figure7.csv", figure7_csv(areas));
   results.add("figure9.csv", figure9_csv(ours.example));
   results.add("scenarios.csv", scenarios_csv(exploration));
@@ -256,7 +257,7 @@ std::vector<model::DataSet> measure_sets(const ExploreCommand& command,
 }
 
 /// Each device has a folder with its name.
-void check_names(const std::vector<Planning>& known) {
+void check_device_names(const std::vector<Planning>& known) {
   std::set<std::string> names;
   for (const Planning& each : known) {
     if (names.insert(each.device.name).second) continue;
@@ -276,8 +277,8 @@ void check_sets(const ExploreCommand& command, const std::vector<std::string>& s
   }
 }
 
-/// What may be wrong is found before what takes long, and all that tells of the devices is written
-/// last.
+/// Finds mistakes before the long measurements, and writes the results of all devices at the end,
+/// so that report.md and the folders always tell of the same run.
 void run(const ExploreCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.planning.scene));
   value_or_exit(check_has_data(loaded, "recomputation rates are measured on data"));
@@ -287,7 +288,7 @@ void run(const ExploreCommand& command) {
   for (const std::string& device : devices_of(command, loaded.scene)) {
     known.push_back(planning_for(command, device, &*loaded.data));
   }
-  check_names(known);
+  check_device_names(known);
   std::vector<fs::path> inputs = inputs_of(command.planning.scene, loaded.scene);
   for (const Planning& each : known) inputs.push_back(each.table_path);
   value_or_exit(check_outputs(output_paths(command, known), inputs));

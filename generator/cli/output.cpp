@@ -57,12 +57,23 @@ model::FolderLock lock_folder(const fs::path& folder) {
   return value_or_exit(model::FolderLock::take(folder, [&] { tell_waiting(folder); }));
 }
 
-void ResultFiles::add(const std::string& name, std::string text) {
+std::vector<fs::path> ResultFiles::paths(const fs::path& folder, Names names) {
+  std::vector<fs::path> paths;
+  for (const char* name : names) paths.push_back(folder / name);
+  return paths;
+}
+
+void ResultFiles::put(const std::string& name, std::optional<std::string> text) {
+  MIXCMP_CHECK(std::find(names_.begin(), names_.end(), name) != names_.end());
   files_.push_back({name, std::move(text)});
 }
 
+void ResultFiles::add(const std::string& name, std::string text) {
+  put(name, std::move(text));
+}
+
 void ResultFiles::leave_out(const std::string& name) {
-  files_.push_back({name, std::nullopt});
+  put(name, std::nullopt);
 }
 
 void ResultFiles::add_picture(const std::string& name, const std::string& script) {
@@ -86,6 +97,7 @@ void ResultFiles::add_picture(const std::string& name, const std::string& script
 }
 
 std::vector<std::string> ResultFiles::write() {
+  MIXCMP_CHECK(files_.size() == names_.size());
   value_or_exit(model::make_writable_folder(folder_));
   for (const File& file : files_) {
     const fs::path path = folder_ / file.name;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,7 +26,14 @@ void tell_waiting(const std::filesystem::path& folder);
 /// that none stands beside those of a run before.
 class ResultFiles {
 public:
-  explicit ResultFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  using Names = std::span<const char* const>;
+
+  /// `names`: all files of the folder. Each is added or left out once.
+  ResultFiles(std::filesystem::path folder, Names names)
+      : folder_(std::move(folder)), names_(names) {}
+
+  /// Where the files of a folder come to lie: outputs for `check_outputs`.
+  static std::vector<std::filesystem::path> paths(const std::filesystem::path& folder, Names names);
 
   void add(const std::string& name, std::string text);
   /// Draws what the gnuplot script says. Ends the program where gnuplot fails; where there is none,
@@ -43,7 +51,10 @@ private:
     std::optional<std::string> text;  ///< none: what stands there is removed
   };
 
+  void put(const std::string& name, std::optional<std::string> text);
+
   std::filesystem::path folder_;
+  Names names_;
   std::vector<File> files_;
   std::vector<std::string> not_done_;
 };

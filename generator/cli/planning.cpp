@@ -176,7 +176,7 @@ std::string planning_command_line(const std::string& verb, const PlanningOptions
 model::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
                               const std::filesystem::path& plan, std::string command) {
   namespace fs = std::filesystem;
-  // Where links lead: the plan is read again from the place that it is written to.
+  // Symbolic links are followed, since the plan is read again from the folder that it lies in.
   const fs::path folder = fs::weakly_canonical(fs::absolute(plan)).parent_path();
   const fs::path scene = fs::canonical(options.scene.scene);
   const bool is_file = device.ends_with(".toml");
@@ -237,7 +237,7 @@ Result<std::vector<model::RateProfile>> measure_rates(const LoadedScene& loaded,
   MIXCMP_TRY(has_data, check_has_data(loaded, "recomputation rates are measured on data"));
   model::ProfileOptions options{.first_precision = choice.first_precision,
                                 .last_precision = choice.last_precision};
-  // What is left is what the reference has lanes for, unless that is nothing.
+  // Precisions that the reference has no lanes for are left out; check_profile refuses a first one.
   const int most = lane_precisions(scene.reference.format).most;
   if (options.first_precision <= most) {
     options.last_precision = std::min(options.last_precision, most);

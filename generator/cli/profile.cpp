@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/exit.hpp"
@@ -84,15 +85,8 @@ model::ProfileReport measure(const LoadedScene& loaded, const ProfileCommand& co
 }
 
 /// The files of -o.
-std::vector<fs::path> result_paths(const fs::path& folder) {
-  std::vector<fs::path> paths;
-  if (folder.empty()) return paths;
-  for (const char* name : {"figure4.csv", "figure4.svg", "figure5.csv", "figure5.svg", "trade.csv",
-                           "trade.svg", "profile.json"}) {
-    paths.push_back(folder / name);
-  }
-  return paths;
-}
+constexpr std::array result_names = {"profile.json", "figure4.csv", "figure4.svg", "figure5.csv",
+                                     "figure5.svg",  "trade.csv",   "trade.svg"};
 
 struct Trades {
   std::vector<model::Trade> trades;
@@ -125,7 +119,7 @@ nlohmann::ordered_json json_of(const model::ProfileReport& report, const Trades&
 std::vector<std::string> write_results(const model::ProfileReport& report, const Trades& weighed,
                                        const fs::path& folder) {
   const model::FolderLock held = lock_folder(folder);
-  ResultFiles results(folder);
+  ResultFiles results(folder, result_names);
   results.add("profile.json", json_of(report, weighed).dump(2) + "\n");
   results.add("figure4.csv", figure4_csv(report));
   results.add("figure5.csv", figure5_csv(report));
@@ -161,7 +155,9 @@ void run(const ProfileCommand& command) {
                                          : value_or_exit(model::MeasuredAreas::read(command.areas));
   std::vector<fs::path> inputs = inputs_of(command.scene, loaded.scene);
   inputs.push_back(command.areas);
-  value_or_exit(check_outputs(result_paths(command.output), inputs));
+  if (!command.output.empty()) {
+    value_or_exit(check_outputs(ResultFiles::paths(command.output, result_names), inputs));
+  }
   // A folder that cannot be written should not cost a long run first.
   if (!command.output.empty()) value_or_exit(model::make_writable_folder(command.output));
   const model::ProfileReport report = measure(loaded, command, options);

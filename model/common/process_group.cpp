@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <thread>
@@ -57,7 +58,7 @@ Preparation prepare(const Launch& launch, int null) {
   return made;
 }
 
-/// What a program that writes without end may fill of the disk, per file.
+/// The largest file that a program may write: one that writes without end must not fill the disk.
 constexpr rlim_t most_file_bytes = rlim_t{16} << 30;
 
 enum class FailedStep { machine, directory, program };
@@ -76,8 +77,11 @@ struct StartFailure {
   sigprocmask(SIG_SETMASK, &none, nullptr);
   signal(SIGXFSZ, SIG_DFL);
   for (int stream = 0; stream < 3; ++stream) dup2(made.streams[stream], stream);
-  const rlimit largest_file = {most_file_bytes, most_file_bytes};
-  setrlimit(RLIMIT_FSIZE, &largest_file);  // fails where the limit is lower already
+  rlimit file = {};
+  if (getrlimit(RLIMIT_FSIZE, &file) == 0) {
+    file.rlim_cur = std::min(file.rlim_cur, most_file_bytes);
+    setrlimit(RLIMIT_FSIZE, &file);
+  }
   if (made.memory_bytes > 0) {
     const rlimit memory = {made.memory_bytes, made.memory_bytes};
     setrlimit(RLIMIT_AS, &memory);

@@ -34,7 +34,7 @@ struct DyadicPair {
 
 struct NearTieEffort {
   int attempts;       ///< 1 or more
-  double enough_ulp;  ///< stop where a deceit reaches this
+  double enough_ulp;  ///< stop where a contradiction reaches this
 };
 
 struct NearTie {

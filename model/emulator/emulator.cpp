@@ -84,7 +84,7 @@ namespace {
 constexpr std::array<std::uint8_t, 5> ranks_of_all = {0, 1, 4, 2, 3};
 constexpr std::array<std::uint8_t, 5> ranks_of_any = {4, 1, 0, 2, 3};
 
-/// Decisions of a code; `doubtful` answers where double cannot be trusted.
+/// Runs the code and decides; `doubtful` answers where double cannot be trusted.
 template <class Doubtful>
 void run(const Code& code, const emulator::DecisionRule& decision, Execution::Scope scope,
          OperandColumns operands, std::span<Decision> decisions, Doubtful doubtful) {

@@ -10,7 +10,7 @@
 
 namespace mixcmp::model {
 
-/// What a lane or a reference says of one comparison: Verdict, or that it is open.
+/// The answer of a lane or a reference to one comparison: a Verdict, or that it stays undecided.
 enum class Decision : std::uint8_t {
   less = 0,
   equal = 1,

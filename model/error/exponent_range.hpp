@@ -13,7 +13,8 @@ namespace mixcmp::model {
 /// - no operation may overflow or divide by zero;
 /// - 2^(-2P) times the largest number that any operation computes must be normal. What is smaller
 ///   underflows and is recomputed; it is about as rare as what P digits leave undecided.
-/// Where an input has no range, or no smaller number does, these are the reference's exponent bits.
+/// The result is the reference's exponent bits if an input has no range, or if fewer do not
+/// suffice.
 int lane_exponent_bits(const Graph& graph, FloatFormat reference, const Arithmetic& arithmetic,
                        LaneInputs inputs, const std::vector<std::optional<Range>>& ranges);
 

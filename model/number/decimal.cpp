@@ -74,12 +74,14 @@ Bits round_decimal(FloatFormat format, const Decimal& decimal) {
 Decimal shortest_decimal(FloatFormat format, Bits magnitude) {
   const mpq_class value = to_rational(format, magnitude);
   const long exponent = decimal_exponent(value);
-  for (int digit_count = 1;; ++digit_count) {
+  constexpr int enough = 36;  // ceil(1 + 113 log10(2)): any number of 113 digits reads back
+  for (int digit_count = 1; digit_count <= enough; ++digit_count) {
     for (const DecimalRounding rounding : {DecimalRounding::nearest_even, DecimalRounding::up}) {
       Decimal decimal = to_decimal(value, exponent, digit_count, rounding);
       if (round_decimal(format, decimal) == magnitude) return decimal;
     }
   }
+  MIXCMP_CHECK(!"a decimal of 36 digits reads back");
 }
 
 /// Plain for exponents that read well, scientific beyond.

@@ -15,7 +15,7 @@ namespace mixcmp::model {
 /// The last precision at which a comparison may be open, in one byte.
 using LastOpen = std::uint8_t;
 
-/// What a band finds out of envelope_width comparisons.
+/// The findings of one band on envelope_width comparisons.
 struct BlockFindings {
   /// last[system * stride + k]: the last precision at which the system may be undecided or wrong on
   /// comparison k; anchor() - 1 if at none, next() if at next() or later.

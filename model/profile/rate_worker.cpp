@@ -119,7 +119,8 @@ void RateWorker::process(std::size_t index) {
   if (index + 1 < pending_.size() && pending_[index + 1].size() >= block) process(index + 1);
 }
 
-/// What an earlier band settled stays so; a failing check can leave a lane undecided forever.
+/// Corrects the findings on comparisons that this band has no say in: a failing range check leaves
+/// a lane undecided at every precision, and what an earlier band settled stays settled.
 void RateWorker::settle_finished(const PrecisionBand& band, const Candidates& candidates) {
   for (std::size_t system = 0; system < band.system_count(); ++system) {
     LastOpen* const last = last_.data() + system * capacity;

@@ -15,7 +15,7 @@ struct RateJob {
   const OperandSource& source;
   ProfileMethod method;
   std::vector<SystemLanes> systems;
-  std::vector<PrecisionBand> bands;  ///< neighbours: the next of one is the anchor of the following
+  std::vector<PrecisionBand> bands;  ///< the next() of each is the anchor() of the one after it
   Emulator reference;
   /// Bit k of what an input reads from a row of its table: it fails a range check of system k.
   /// Inputs that never fail are left out.
@@ -65,7 +65,7 @@ private:
   const RateJob& job_;
   RateTally tally_;
   EnvelopeBlock envelope_;
-  std::vector<Candidates> pending_;  ///< one a band
+  std::vector<Candidates> pending_;  ///< one per band
   std::vector<LastOpen> last_;       ///< `capacity` of one system, of the next, ...
   std::vector<std::uint8_t> doubtful_;
   std::vector<std::uint32_t> order_;  ///< rows of the candidates, longest open first

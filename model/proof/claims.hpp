@@ -9,7 +9,8 @@
 
 namespace mixcmp::model::proof {
 
-/// What the error analysis asserts of one node, and what is to be proven (docs/error_bounds.md).
+/// The statement of the error analysis about one node, which Gappa is to prove
+/// (docs/error_bounds.md).
 /// `relative` says that true value = computed value * t, low <= t <= high; `unrounded` says that
 /// true value = x * t, where x is the operation's exact result, before its own rounding.
 struct NodeClaim {

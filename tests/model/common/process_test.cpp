@@ -153,6 +153,12 @@ TEST_F(Processes, CapturesNoLongerThanItMayWhereStreamsAreClosed) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(100));
 }
 
+TEST_F(Processes, AProgramFillsNoDisk) {
+  const auto run = capture({"sh", "-c", "ulimit -S -f"});
+  ASSERT_TRUE(run.ok() && run->succeeded());
+  EXPECT_GT(std::stol(run->output), 0) << "a number of blocks, not \"unlimited\"";
+}
+
 TEST_F(Processes, CapturesNoMoreThanItMay) {
   const auto run = capture({"sh", "-c", "head -c 80000000 /dev/zero"});
   ASSERT_FALSE(run.ok());
