@@ -289,7 +289,7 @@ std::vector<std::string> notes_on(const VerifyReport& r) {
   std::vector<std::string> notes;
   for (const GroupReport& group : r.groups) add_notes(notes, group);
   if (r.references > 0 && r.recomputations == 0) {
-    notes.push_back("no comparison here was recomputed, so none put a reference to the test");
+    notes.push_back("none of these comparisons was recomputed: they put no reference to the test");
   }
   if (r.verdicts[static_cast<std::size_t>(model::Verdict::unordered)] == r.comparisons) {
     notes.push_back("every verdict is unordered");

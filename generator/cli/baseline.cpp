@@ -51,8 +51,9 @@ void run(const BaselineCommand& command) {
     held.emplace(lock_folder(options.work));
   }
   options.progress = show_progress;
-  const gen::Baseline baseline =
-      value_or_exit(software_baseline(loaded.scene, *loaded.data, options));
+  const auto measured = software_baseline(loaded.scene, *loaded.data, options);
+  if (!measured.ok() && scratch) scratch->keep();  // the message names its files
+  const gen::Baseline& baseline = value_or_exit(measured);
   show_progress("");
   if (command.scene.json) {
     print(fmt::format("{}\n", to_json(baseline).dump(2)));

@@ -241,6 +241,9 @@ void run(const CharacteriseCommand& command) {
   const fs::path path = command.output.empty()
                             ? default_table(command.scene.scene, loaded.scene.variant, device.name)
                             : command.output;
+  std::vector<fs::path> inputs = inputs_of(command.scene, loaded.scene);
+  inputs.push_back(options.store);
+  value_or_exit(check_outputs({path}, inputs));
   value_or_exit(model::make_writable_folder(fs::absolute(path).parent_path()));
   const auto previous = value_or_exit(previous_table(path, loaded.scene, device.name));
   CharacteriseReport report =

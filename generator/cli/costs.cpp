@@ -29,9 +29,13 @@ Result<Area> lane_area(const Scene& scene, const CombinedLane& lane) {
   MIXCMP_TRY(built,
              gen::lane_rtl(scene.graph.inputs(), lane, scene.reduced.multipliers, scene.system));
   MIXCMP_TRY(scratch, model::ScratchFolder::make());
-  MIXCMP_TRY(result, synthesise(gen::module_job(built.module), device,
-                                {.effort = model::TimingEffort::area_only}, scratch.path()));
-  return result.area;
+  const auto result = synthesise(gen::module_job(built.module), device,
+                                 {.effort = model::TimingEffort::area_only}, scratch.path());
+  if (!result.ok()) {
+    scratch.keep();  // the message names its files
+    return result.error();
+  }
+  return result->area;
 }
 
 /// The area of the lane with every hazard built and no operand checked, except for signs.

@@ -113,11 +113,12 @@ model::Rates rates_of(const ExploreCommand& command, const std::string& set) {
 
 /// The throughput of software in double, and that of the kernel which is fastest on all cores.
 std::vector<model::SoftwareThroughput> measure_software(const LoadedScene& loaded) {
-  const model::ScratchFolder scratch = value_or_exit(model::ScratchFolder::make());
+  model::ScratchFolder scratch = value_or_exit(model::ScratchFolder::make());
   gen::BaselineOptions options{.work = scratch.path()};
   options.progress = show_progress;
-  const gen::Baseline baseline =
-      value_or_exit(software_baseline(loaded.scene, *loaded.data, options));
+  const auto measured = software_baseline(loaded.scene, *loaded.data, options);
+  if (!measured.ok()) scratch.keep();  // the message names its files
+  const gen::Baseline& baseline = value_or_exit(measured);
   show_progress("");
   if (!baseline.passed()) {
     tell("software and golden model disagree: see mixcmp baseline");

@@ -7,6 +7,7 @@
 #include "generator/cli/output.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/components/whole_job.hpp"
+#include "model/characterise/job_hash.hpp"
 #include "model/characterise/job_runner.hpp"
 #include "model/common/scratch_folder.hpp"
 
@@ -29,7 +30,9 @@ void add_options(CLI::App& verb, RouteCommand& command) {
       ->check(within({1, 1024}));
   verb.add_option("--seeds", command.synthesis.seeds, "of the router (default: 3)")
       ->check(within(model::limits::seeds));
-  verb.add_option("--work", command.work, "folder that keeps netlists and logs (default: none)");
+  verb.add_option("--work", command.work,
+                  "folder that keeps netlists and logs, those of each job in a folder of its own "
+                  "(default: none)");
 }
 
 model::SynthesisJob job_of(const RouteCommand& command, const LoadedScene& loaded) {
@@ -79,10 +82,18 @@ void print_json(const model::SynthesisJob& job, const model::Device& device,
   print(fmt::format("{}\n", report.dump(2)));
 }
 
-/// The job's message, which names files in a scratch folder: they are in `work`, or gone.
-std::string with_kept_logs(const model::FailedJob& job, const fs::path& work) {
+/// Where --work keeps a job's files: runs of other jobs keep theirs beside it. Empty without
+/// --work.
+fs::path kept_folder(const RouteCommand& command, const model::SynthesisJob& job,
+                     const model::Device& device, const std::string& tools) {
+  if (command.work.empty()) return {};
+  const std::string hash = job_hash(job, device, command.synthesis, tools);
+  return fs::absolute(command.work) / fmt::format("{}-{}", job.top, hash.substr(0, 12));
+}
+
+/// The job's message, with the names of its files in the folder that keeps them.
+std::string with_kept_names(const model::FailedJob& job, const std::string& kept) {
   const std::string scratch = job.directory.string();
-  const std::string kept = work.empty() ? "(kept with --work)" : fs::absolute(work).string();
   std::string message = job.message;
   for (std::size_t place = 0; (place = message.find(scratch, place)) != std::string::npos;
        place += kept.size()) {
@@ -91,13 +102,15 @@ std::string with_kept_logs(const model::FailedJob& job, const fs::path& work) {
   return message;
 }
 
-/// Runs the one job; an interrupt ends its tools.
+/// Runs the one job; an interrupt ends its tools. What a failure leaves stays in `kept`, or else in
+/// a scratch folder until the next run.
 model::SynthesisResult result_of(const RouteCommand& command, const model::SynthesisJob& job,
-                                 const model::Device& device, const std::string& tools) {
-  const model::ScratchFolder scratch = value_or_exit(model::ScratchFolder::make());
+                                 const model::Device& device, const std::string& tools,
+                                 const fs::path& kept) {
+  model::ScratchFolder scratch = value_or_exit(model::ScratchFolder::make());
   const fs::path store = scratch.path() / "result.sqlite";
   const model::JobRunOptions options = {
-      .synthesis = command.synthesis, .keep = command.work, .progress = [&](int, double seconds) {
+      .synthesis = command.synthesis, .keep = kept, .progress = [&](int, double seconds) {
         show_progress(fmt::format("{} on {}: {:.0f} s", job.top, device.name, seconds));
       }};
   const model::JobRun run =
@@ -105,7 +118,11 @@ model::SynthesisResult result_of(const RouteCommand& command, const model::Synth
                              device, tools, store, options));
   show_progress("");
   if (run.interrupted_by != 0) throw Exit::interrupted(run.interrupted_by);
-  if (!run.failed.empty()) fail({.message = with_kept_logs(run.failed.front(), command.work)});
+  if (!run.failed.empty()) {
+    const model::FailedJob& failed = run.failed.front();
+    if (kept.empty()) scratch.keep();
+    fail({.message = kept.empty() ? failed.message : with_kept_names(failed, kept.string())});
+  }
   auto opened = value_or_exit(model::ResultStore::open(store));
   return value_or_exit(opened.find(job.top)).value();
 }
@@ -116,8 +133,10 @@ void run(const RouteCommand& command) {
   const model::SynthesisJob job = job_of(command, loaded);
   if (!command.work.empty()) value_or_exit(model::make_writable_folder(command.work));
   const std::string tools = value_or_exit(tool_versions(device, command.synthesis.effort));
-  const model::SynthesisResult result = result_of(command, job, device, tools);
+  const fs::path kept = kept_folder(command, job, device, tools);
+  const model::SynthesisResult result = result_of(command, job, device, tools, kept);
   command.scene.json ? print_json(job, device, result, tools) : print_text(job, device, result);
+  if (!kept.empty()) tell(fmt::format("netlists and logs are in {}", kept.string()));
   end_if_router_is_missing(device);
 }
 

@@ -28,12 +28,12 @@ std::string replaced(std::string text, const std::string& old_part, const std::s
   return text;
 }
 
-/// Copies a folder's files into one that may hold files of a run before.
-Result<Done> copy_into(const fs::path& folder, const fs::path& kept) {
-  MIXCMP_TRY(lock, FolderLock::take(kept));
-  constexpr auto all = fs::copy_options::recursive | fs::copy_options::overwrite_existing;
+/// Copies a folder in place of one that a run of the same job has kept before.
+Result<Done> copy_in_place_of(const fs::path& folder, const fs::path& kept) {
+  MIXCMP_TRY(lock, FolderLock::take(kept.parent_path()));
   std::error_code failed;
-  fs::copy(folder, kept, all, failed);
+  fs::remove_all(kept, failed);
+  if (!failed) fs::copy(folder, kept, fs::copy_options::recursive, failed);
   if (failed) return cannot_write(kept, failed.value());
   return Done{};
 }
@@ -117,7 +117,7 @@ private:
     synthesis.each_tool.cancelled = &cancelled_;
     const auto result = synthesise(make(job), device_, synthesis, folder);
     if (!options_.keep.empty()) {
-      MIXCMP_TRY(copied, copy_into(folder, options_.keep));
+      MIXCMP_TRY(copied, copy_in_place_of(folder, options_.keep));
     }
     if (!result.ok()) return result.error();
     return store.add(job.hash, *result, tools_);

@@ -30,7 +30,7 @@ struct JobRun {
 struct JobRunOptions {
   SynthesisOptions synthesis;
   unsigned workers = 1;
-  std::filesystem::path keep = {};  ///< takes a copy of the folder of a single job
+  std::filesystem::path keep = {};  ///< becomes a copy of the folder of a single job
   /// Called now and then with what is finished (failed or not) and for how long it has run.
   std::function<void(int finished, double seconds)> progress = {};
 };

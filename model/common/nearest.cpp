@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <vector>
 
+#include "model/common/quote.hpp"
+
 namespace mixcmp::model {
 
 int edit_distance(std::string_view a, std::string_view b) {
@@ -46,11 +48,11 @@ std::string nearest(std::string_view text, std::span<const std::string> names) {
 std::string list_with_nearest(std::string_view text, std::span<const std::string> names) {
   const std::string first = nearest(text, names);
   std::vector<std::string> listed;
-  if (!first.empty()) listed.push_back(first + " (the nearest)");
+  if (!first.empty()) listed.push_back(printable_line(first) + " (the nearest)");
   constexpr std::size_t most = 40;
   for (const std::string& name : names) {
     if (listed.size() == most) break;
-    if (name != first) listed.push_back(name);
+    if (name != first) listed.push_back(printable_line(name));
   }
   const std::size_t others = names.size() - std::min(names.size(), listed.size());
   if (listed.size() == most && others > 0) listed.push_back(fmt::format("and {} more", others));

@@ -1,5 +1,7 @@
 #include "model/common/quote.hpp"
 
+#include <algorithm>
+
 namespace mixcmp::model {
 namespace {
 
@@ -52,6 +54,12 @@ std::string printable(std::string_view text) {
     text.remove_prefix(bytes == 0 ? 1 : bytes);
   }
   return shown;
+}
+
+std::string printable_line(std::string_view text) {
+  std::string line = printable(text);
+  std::replace(line.begin(), line.end(), '\n', '?');
+  return line;
 }
 
 }  // namespace mixcmp::model

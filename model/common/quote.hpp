@@ -16,4 +16,7 @@ bool is_one_line(std::string_view text);
 /// valid UTF-8, which the JSON writer refuses.
 std::string printable(std::string_view text);
 
+/// printable(), with '?' in place of line ends, too.
+std::string printable_line(std::string_view text);
+
 }  // namespace mixcmp::model

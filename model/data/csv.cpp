@@ -166,7 +166,7 @@ Result<FileColumn> locate_column(const WantedColumn& wanted, std::span<const std
                      "a first line that names the columns; in the scene, the name of a "
                      "column that is called like a number"};
   }
-  return FileColumn{.number = *place, .name = printable(name)};
+  return FileColumn{.number = *place, .name = printable_line(name)};
 }
 
 /// The wanted columns, in their order.

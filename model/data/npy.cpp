@@ -125,7 +125,7 @@ Result<Layout> structured_layout(const NpyHeader& header, std::span<const Wanted
   for (const WantedColumn& column : wanted) {
     MIXCMP_TRY(place, find_column(column, names, source));
     MIXCMP_TRY(scalar, scalar_of(fields[place]));
-    layout.columns.push_back({{.number = place, .name = printable(names[place])},
+    layout.columns.push_back({{.number = place, .name = printable_line(names[place])},
                               scalar,
                               fields[place].offset,
                               row_bytes});

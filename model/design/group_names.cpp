@@ -24,6 +24,27 @@ std::vector<std::string> traits_of(const LaneGroup& group) {
           std::string(to_string(arithmetic.subnormals)), std::string(to_string(group.multipliers))};
 }
 
+/// "RE_f_0.001_RE_g_0.002" of profiled lanes; empty of others.
+std::string relative_errors_of(const LaneGroup& group) {
+  const auto* interval = std::get_if<IntervalDecision>(&group.lane.parts.front().decision);
+  if (interval == nullptr) return "";
+  return fmt::format("RE_f_{}_RE_g_{}", interval->relative_error_f.get_d(),
+                     interval->relative_error_g.get_d());
+}
+
+/// Profiled lanes may differ in nothing but their errors.
+void tell_errors_apart(std::vector<std::string>& names, const Design& design) {
+  const std::vector<std::string> before = names;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::string own = relative_errors_of(design.lanes[k]);
+    for (std::size_t other = 0; other < names.size(); ++other) {
+      if (before[other] != before[k] || relative_errors_of(design.lanes[other]) == own) continue;
+      names[k] += "_" + own;
+      break;
+    }
+  }
+}
+
 FloatFormat format_of(const LaneGroup& group) {
   return group.lane.arithmetic().format;
 }
@@ -53,6 +74,7 @@ std::vector<std::string> lane_group_names(const Design& design) {
       if (tells_apart) name += "_" + traits[k];
     }
   }
+  tell_errors_apart(names, design);
   return names;
 }
 

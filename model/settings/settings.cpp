@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string_view>
 
@@ -299,7 +300,18 @@ Result<Settings> parse_settings(std::string text, const std::filesystem::path& p
 }
 
 Result<Done> apply_overrides(Settings& settings, std::span<const std::string> overrides) {
+  std::map<std::string, std::string> given;
   for (const std::string& setting : overrides) {
+    const std::string key = setting.substr(0, setting.find('='));
+    const auto [first, is_new] = given.emplace(key, setting);
+    if (!is_new && first->second != setting) {
+      return Error{
+          .file = "--set",
+          .field = key,
+          .message = "given twice",
+          .received = fmt::format("{} and {}", in_quotes(first->second), in_quotes(setting)),
+          .accepted = "one value"};
+    }
     const Result<Done> applied = apply_override(settings.root, setting);
     if (!applied.ok()) return applied.error();
   }

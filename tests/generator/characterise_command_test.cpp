@@ -248,6 +248,7 @@ TEST_F(CharacteriseCommand, RefusesWhatItCannotDo) {
   const auto refused = [this](const std::string& arguments, const std::string& words) {
     expect_refused("characterise scene.toml --store s.sqlite " + arguments, words);
   };
+  refused("-o s.sqlite", "would be written over");
   refused("--precisions 3", "--precisions");
   refused("--precisions 12", "numbers 4..11");
   refused("--precisions 8-5", "interval");

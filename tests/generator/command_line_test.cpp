@@ -57,6 +57,14 @@ TEST_F(CommandLine, AMistakeNamesTheLineOrTheOption) {
   expect_refused("generate undecided.toml", "undecided.toml:4: reduced.format: is not chosen yet");
 }
 
+TEST_F(CommandLine, AKeyHasOneValue) {
+  expect_refused("check scene.toml --set system.lanes=3 --lanes 2",
+                 "mixcmp: --lanes: system.lanes: given twice: received \"system.lanes=3\" and "
+                 "\"system.lanes=2\"");
+  expect_refused("check scene.toml --set system.lanes=3 --set system.lanes=4", "given twice");
+  EXPECT_EQ(mixcmp("check scene.toml --set system.lanes=3 --lanes 3").exit_code, 0);
+}
+
 TEST_F(CommandLine, AnOptionThatBreaksAnotherKeyIsNamed) {
   expect_refused("check scene.toml --set reference.format=s60e8 --format s53e8",
                  "mixcmp: --format: reduced.format: precision out of range");

@@ -41,14 +41,16 @@ TEST_F(RouteCommand, ReferencesAloneAreSmallerThanTheSystemAroundOne) {
 TEST_F(RouteCommand, AFailureSaysWhereTheToolsLogIs) {
   const std::string broken = instead_of(
       "yosys", "case \"$*\" in *-V*) echo Yosys 9.9; exit;; esac\necho something broke; exit 1");
-  const Outcome gone = mixcmp("route scene.toml", broken);
-  EXPECT_EQ(gone.exit_code, 1) << gone.output;
-  EXPECT_NE(gone.output.find("(kept with --work)/map.log"), std::string::npos) << gone.output;
-  const Outcome kept = mixcmp("route scene.toml --work kept", broken);
-  EXPECT_EQ(kept.exit_code, 1) << kept.output;
-  EXPECT_NE(kept.output.find((path("kept") / "map.log").string()), std::string::npos)
-      << kept.output;
-  EXPECT_EQ(read("kept/map.log"), "something broke\n");
+  for (const char* option : {"", " --work kept", " --work kept --target-mhz 300"}) {
+    const Outcome run = mixcmp(fmt::format("route scene.toml{}", option), broken);
+    EXPECT_EQ(run.exit_code, 1) << run.output;
+    const std::size_t begin = run.output.find('/'), end = run.output.find("/map.log");
+    ASSERT_LT(begin, end) << run.output;
+    ASSERT_NE(end, std::string::npos) << run.output;
+    EXPECT_EQ(read(run.output.substr(begin, end - begin) + "/map.log"), "something broke\n");
+  }
+  using Entries = std::filesystem::directory_iterator;
+  EXPECT_EQ(std::distance(Entries(path("kept")), Entries()), 2) << "each job has its own folder";
 }
 
 TEST_F(RouteCommand, ANumberOfReferencesIsAskedFor) {

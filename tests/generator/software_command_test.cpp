@@ -70,6 +70,16 @@ TEST_F(BaselineCommand, WhatTheProgramDidNotPrintIsMissed) {
   }
 }
 
+TEST_F(BaselineCommand, AFailureLeavesTheLogThatItNames) {
+  const Outcome run = mixcmp(
+      "baseline scene.toml" + quick,
+      instead_of("g++", "[ \"$1\" = --version ] && { echo g++ 1; exit; }\necho broken; exit 1"));
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  const std::size_t begin = run.output.find("/"), end = run.output.find(".log");
+  ASSERT_LT(begin, end) << run.output;
+  EXPECT_EQ(read(run.output.substr(begin, end + 4 - begin)), "broken\n") << run.output;
+}
+
 TEST_F(BaselineCommand, AsksForWhatItCannotDoWithout) {
   expect_refused("baseline scene.toml --set reference.format=binary128",
                  "reference.format: software computes in double");

@@ -199,7 +199,8 @@ TEST(Report, NotesWrongVerdictsThatPass) {
 TEST(Report, NotesWhatWasNotPutToTheTest) {
   VerifyReport report = usual_report();
   report.recomputations = 0;
-  expect_note(report, "no comparison here was recomputed, so none put a reference to the test");
+  expect_note(report,
+              "none of these comparisons was recomputed: they put no reference to the test");
   report = usual_report();
   report.verdicts = {0, 0, 0, 100};
   expect_note(report, "every verdict is unordered");

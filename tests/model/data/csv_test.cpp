@@ -134,6 +134,8 @@ TEST_F(CsvTest, NamesAndMessagesAreUtf8) {
   EXPECT_EQ(table->origins[0].name, "?\xcf\x80?[31m");
   EXPECT_EQ(told(read_csv(path_, binary64_, xy)).substr(0, 71),
             ":1: x: no such column: received nothing; accepted y (the nearest), ?\xcf\x80?");
+  EXPECT_EQ(told(read_csv(write("\"a\nb\",y\n1,2\n"), binary64_, xy)),
+            ":1: x: no such column: received nothing; accepted y (the nearest), a?b");
 }
 
 TEST_F(CsvTest, AMessageOfAWideFileIsShort) {

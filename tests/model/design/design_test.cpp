@@ -136,6 +136,18 @@ TEST(LaneGroupNames, SayWhatTellsLanesOfOneFormatApart) {
                                       "s17e8_rounded_relative", "s17e8_exact_relative"}));
 }
 
+TEST(LaneGroupNames, TellProfiledLanesOfOtherErrorsApart) {
+  Scene scene = complete_scene();
+  scene.reduced.bound = BoundKind::profiled;
+  scene.reduced.relative_error_f = scene.reduced.relative_error_g = mpq_class(1, 8);
+  scene.lanes = {group_of(scene, 1), group_of(scene, 1), group_of(scene, 1)};
+  scene.lanes[1].reduced.relative_error_g = mpq_class(1, 4);
+  const Design design = make_design(scene, nullptr).value();
+  EXPECT_EQ(lane_group_names(design),
+            (std::vector<std::string>{"s17e8_RE_f_0.125_RE_g_0.125", "s17e8_RE_f_0.125_RE_g_0.25",
+                                      "s17e8_RE_f_0.125_RE_g_0.125"}));
+}
+
 TEST(MakeDesign, UsesTheRangesOfTheScene) {
   Scene scene = complete_scene();
   scene.graph = graph_of("a * b + a^2", "b");
