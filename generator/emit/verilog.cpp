@@ -145,7 +145,7 @@ std::string print_items(const std::vector<Item>& items, const std::string& inden
 std::string print(const ForGenerate& loop, const std::string& indent) {
   return fmt::format(
       "{0}generate\n"
-      "{0}  for ({1} = {2}; {1} < {3}; {1} = {1} + 1) begin : {4}\n{5}{0}  end\n{0}endgenerate\n",
+      "{0}  for ({1} = {2}; {1} < {3}; {1} = {1} + 1) begin : g_{4}\n{5}{0}  end\n{0}endgenerate\n",
       indent, loop.variable, loop.first, loop.first + loop.count, loop.label,
       print_items(loop.items, indent + "    "));
 }

@@ -4,14 +4,14 @@
 `default_nettype none
 
 module bound_add #(
-    parameter       EXPONENT_BITS   = 8,
-    parameter       BOUND_PRECISION = 4,
-    parameter [1:0] CUTS            = 2'b00
+  parameter       EXPONENT_BITS   = 8,
+  parameter       BOUND_PRECISION = 4,
+  parameter [1:0] CUTS            = 2'b00
 ) (
-    input  wire                                     aclk,
-    input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] a,
-    input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] b,
-    output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
+  input  wire                                     aclk,
+  input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] a,
+  input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] b,
+  output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
 );
 
   localparam BOUND    = EXPONENT_BITS + BOUND_PRECISION - 1;
@@ -45,12 +45,12 @@ module bound_add #(
   wire                       s1_adds;
 
   fp_rank #(
-      .WIDTH     (EXPONENT_BITS + 2 * BOUND_PRECISION + 1),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (EXPONENT_BITS + 2 * BOUND_PRECISION + 1),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   ({s0_exponent, s0_larger, s0_shifted & {BOUND_PRECISION{s0_adds}}, s0_adds}),
-      .q   ({s1_exponent, s1_larger, s1_shifted, s1_adds})
+    .aclk(aclk),
+    .d   ({s0_exponent, s0_larger, s0_shifted & {BOUND_PRECISION{s0_adds}}, s0_adds}),
+    .q   ({s1_exponent, s1_larger, s1_shifted, s1_adds})
   );
 
   // Stage sum: a carry is the next power of two, at last infinity. The one to be added comes out of
@@ -69,11 +69,11 @@ module bound_add #(
   wire [BOUND-1:0]         s1_y;
 
   generate
-    if (BOUND_PRECISION == 1) begin : exponent_alone
+    if (BOUND_PRECISION == 1) begin : g_exponent_alone
       wire unused = &{1'b0, s1_sum, s1_infinite};
 
       assign s1_y = s1_stepped;
-    end else begin : digits
+    end else begin : g_digits
       wire [EXPONENT-1:0] s1_halved   = s1_sum[EXPONENT:1] + {{(EXPONENT-1){1'b0}}, s1_sum[0]};
       wire [EXPONENT-1:0] s1_fraction = s1_carry ? s1_halved : s1_sum[EXPONENT-1:0];
 
@@ -82,12 +82,12 @@ module bound_add #(
   endgenerate
 
   fp_rank #(
-      .WIDTH     (BOUND),
-      .REGISTERED(CUTS[1])
+    .WIDTH     (BOUND),
+    .REGISTERED(CUTS[1])
   ) rank_1 (
-      .aclk(aclk),
-      .d   (s1_y),
-      .q   (y)
+    .aclk(aclk),
+    .d   (s1_y),
+    .q   (y)
   );
 
 endmodule

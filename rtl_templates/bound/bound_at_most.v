@@ -4,15 +4,15 @@
 `default_nettype none
 
 module bound_at_most #(
-    parameter       EXPONENT_BITS   = 8,
-    parameter       PRECISION       = 24,
-    parameter       BOUND_PRECISION = 4,
-    parameter [0:0] CUTS            = 1'b0
+  parameter       EXPONENT_BITS   = 8,
+  parameter       PRECISION       = 24,
+  parameter       BOUND_PRECISION = 4,
+  parameter [0:0] CUTS            = 1'b0
 ) (
-    input  wire                                     aclk,
-    input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] bound,
-    input  wire [EXPONENT_BITS+PRECISION-1:0]       x,
-    output wire                                     holds
+  input  wire                                     aclk,
+  input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] bound,
+  input  wire [EXPONENT_BITS+PRECISION-1:0]       x,
+  output wire                                     holds
 );
 
   localparam SIGN  = EXPONENT_BITS + PRECISION - 1;
@@ -27,12 +27,12 @@ module bound_at_most #(
   assign {s0_leading, s0_unused_rest} = {x[SIGN-1:0], 1'b0};
 
   fp_rank #(
-      .WIDTH     (1),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (1),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   (bound <= s0_leading),
-      .q   (holds)
+    .aclk(aclk),
+    .d   (bound <= s0_leading),
+    .q   (holds)
   );
 
 endmodule

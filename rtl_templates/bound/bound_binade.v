@@ -5,15 +5,15 @@
 `default_nettype none
 
 module bound_binade #(
-    parameter       EXPONENT_BITS   = 8,
-    parameter       PRECISION       = 24,
-    parameter       BOUND_PRECISION = 4,
-    parameter       GRADUAL         = 0,
-    parameter [0:0] CUTS            = 1'b0
+  parameter       EXPONENT_BITS   = 8,
+  parameter       PRECISION       = 24,
+  parameter       BOUND_PRECISION = 4,
+  parameter       GRADUAL         = 0,
+  parameter [0:0] CUTS            = 1'b0
 ) (
-    input  wire                                     aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0]       x,
-    output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
+  input  wire                                     aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0]       x,
+  output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
 );
 
   localparam SIGN     = EXPONENT_BITS + PRECISION - 1;
@@ -29,12 +29,12 @@ module bound_binade #(
   wire             s0_subnormal = (GRADUAL != 0) && !(|x[SIGN-1:EXPONENT]) && (|x[EXPONENT-1:0]);
 
   fp_rank #(
-      .WIDTH     (BOUND),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (BOUND),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   ((s0_leading & ~FRACTION) | (SMALLEST & {BOUND{s0_subnormal}})),
-      .q   (y)
+    .aclk(aclk),
+    .d   ((s0_leading & ~FRACTION) | (SMALLEST & {BOUND{s0_subnormal}})),
+    .q   (y)
   );
 
 endmodule

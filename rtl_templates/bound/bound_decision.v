@@ -7,18 +7,18 @@
 `default_nettype none
 
 module bound_decision #(
-    parameter EXPONENT_BITS   = 8,
-    parameter PRECISION       = 24,
-    parameter BOUND_PRECISION = 4,
-    parameter [EXPONENT_BITS+PRECISION-1:0] GUARD_ULP = 0,
-    parameter [1:0] CUTS      = 2'b00
+  parameter EXPONENT_BITS   = 8,
+  parameter PRECISION       = 24,
+  parameter BOUND_PRECISION = 4,
+  parameter [EXPONENT_BITS+PRECISION-1:0] GUARD_ULP = 0,
+  parameter [1:0] CUTS      = 2'b00
 ) (
-    input  wire                                     aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0]       difference,
-    input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] bound,
-    input  wire                                     exceptional,
-    output wire [1:0]                               verdict,
-    output wire                                     decided
+  input  wire                                     aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0]       difference,
+  input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] bound,
+  input  wire                                     exceptional,
+  output wire [1:0]                               verdict,
+  output wire                                     decided
 );
 
   localparam SIGN  = EXPONENT_BITS + PRECISION - 1;
@@ -42,12 +42,12 @@ module bound_decision #(
   wire             s1_exceptional;
 
   fp_rank #(
-      .WIDTH     (2 * BOUND + 5),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (2 * BOUND + 5),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   ({s0_leading, s0_limit, s0_beyond, difference[SIGN], exceptional}),
-      .q   ({s1_leading, s1_limit, s1_beyond, s1_less, s1_exceptional})
+    .aclk(aclk),
+    .d   ({s0_leading, s0_limit, s0_beyond, difference[SIGN], exceptional}),
+    .q   ({s1_leading, s1_limit, s1_beyond, s1_less, s1_exceptional})
   );
 
   // Stage compare: leading > limit where leading + ~limit carries; where they are equal the rest
@@ -59,12 +59,12 @@ module bound_decision #(
       {3'b000, s1_leading, 1'b1} + {1'b0, ~s1_limit, s1_beyond};
 
   fp_rank #(
-      .WIDTH     (3),
-      .REGISTERED(CUTS[1])
+    .WIDTH     (3),
+    .REGISTERED(CUTS[1])
   ) rank_1 (
-      .aclk(aclk),
-      .d   ({!s1_less, 1'b0, s1_exceeds && !s1_exceptional}),
-      .q   ({verdict, decided})
+    .aclk(aclk),
+    .d   ({!s1_less, 1'b0, s1_exceeds && !s1_exceptional}),
+    .q   ({verdict, decided})
   );
 
 endmodule

@@ -5,15 +5,15 @@
 `default_nettype none
 
 module bound_magnitude #(
-    parameter       EXPONENT_BITS   = 8,
-    parameter       PRECISION       = 24,
-    parameter       BOUND_PRECISION = 4,
-    parameter       GRADUAL         = 0,
-    parameter [1:0] CUTS            = 2'b00
+  parameter       EXPONENT_BITS   = 8,
+  parameter       PRECISION       = 24,
+  parameter       BOUND_PRECISION = 4,
+  parameter       GRADUAL         = 0,
+  parameter [1:0] CUTS            = 2'b00
 ) (
-    input  wire                                     aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0]       x,
-    output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
+  input  wire                                     aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0]       x,
+  output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
 );
 
   localparam SIGN     = EXPONENT_BITS + PRECISION - 1;
@@ -36,22 +36,22 @@ module bound_magnitude #(
   wire             s1_round_up;
 
   fp_rank #(
-      .WIDTH     (BOUND + 1),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (BOUND + 1),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   ({s0_leading | (FRACTION & {BOUND{s0_subnormal}}), s0_subnormal || (|s0_rest)}),
-      .q   ({s1_leading, s1_round_up})
+    .aclk(aclk),
+    .d   ({s0_leading | (FRACTION & {BOUND{s0_subnormal}}), s0_subnormal || (|s0_rest)}),
+    .q   ({s1_leading, s1_round_up})
   );
 
   // Stage round: a carry out of the fraction is the next power of two, at last infinity.
   fp_rank #(
-      .WIDTH     (BOUND),
-      .REGISTERED(CUTS[1])
+    .WIDTH     (BOUND),
+    .REGISTERED(CUTS[1])
   ) rank_1 (
-      .aclk(aclk),
-      .d   (s1_leading + {{(BOUND - 1) {1'b0}}, s1_round_up}),
-      .q   (y)
+    .aclk(aclk),
+    .d   (s1_leading + {{(BOUND - 1) {1'b0}}, s1_round_up}),
+    .q   (y)
   );
 
 endmodule

@@ -3,26 +3,26 @@
 `default_nettype none
 
 module bound_maximum #(
-    parameter       EXPONENT_BITS   = 8,
-    parameter       BOUND_PRECISION = 4,
-    parameter [0:0] CUTS            = 1'b0
+  parameter       EXPONENT_BITS   = 8,
+  parameter       BOUND_PRECISION = 4,
+  parameter [0:0] CUTS            = 1'b0
 ) (
-    input  wire                                     aclk,
-    input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] a,
-    input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] b,
-    output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
+  input  wire                                     aclk,
+  input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] a,
+  input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] b,
+  output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
 );
 
   localparam BOUND = EXPONENT_BITS + BOUND_PRECISION - 1;
 
   // Stage select: packed bounds order as integers.
   fp_rank #(
-      .WIDTH     (BOUND),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (BOUND),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   ((a < b) ? b : a),
-      .q   (y)
+    .aclk(aclk),
+    .d   ((a < b) ? b : a),
+    .q   (y)
   );
 
 endmodule

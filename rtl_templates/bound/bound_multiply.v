@@ -5,14 +5,14 @@
 `default_nettype none
 
 module bound_multiply #(
-    parameter       EXPONENT_BITS   = 8,
-    parameter       BOUND_PRECISION = 4,
-    parameter [1:0] CUTS            = 2'b00
+  parameter       EXPONENT_BITS   = 8,
+  parameter       BOUND_PRECISION = 4,
+  parameter [1:0] CUTS            = 2'b00
 ) (
-    input  wire                                     aclk,
-    input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] a,
-    input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] b,
-    output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
+  input  wire                                     aclk,
+  input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] a,
+  input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] b,
+  output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
 );
 
   localparam BOUND    = EXPONENT_BITS + BOUND_PRECISION - 1;
@@ -60,12 +60,12 @@ module bound_multiply #(
   wire               s1_zero;
 
   fp_rank #(
-      .WIDTH     (PRODUCT + WIDE + 2),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (PRODUCT + WIDE + 2),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   ({s0_product, s0_exponent, s0_infinite, s0_zero}),
-      .q   ({s1_product, s1_exponent, s1_infinite, s1_zero})
+    .aclk(aclk),
+    .d   ({s0_product, s0_exponent, s0_infinite, s0_zero}),
+    .q   ({s1_product, s1_exponent, s1_infinite, s1_zero})
   );
 
   // Stage round: from 2 on the exponent takes a step, in the leading one's place. The rounding comes
@@ -91,12 +91,12 @@ module bound_multiply #(
   wire [BOUND-1:0] s1_finite    = s1_nonzero & {BOUND{!s1_zero}};
 
   fp_rank #(
-      .WIDTH     (BOUND),
-      .REGISTERED(CUTS[1])
+    .WIDTH     (BOUND),
+    .REGISTERED(CUTS[1])
   ) rank_1 (
-      .aclk(aclk),
-      .d   ((s1_infinite || s1_overflow) ? ~FRACTION : s1_finite),
-      .q   (y)
+    .aclk(aclk),
+    .d   ((s1_infinite || s1_overflow) ? ~FRACTION : s1_finite),
+    .q   (y)
   );
 
 endmodule

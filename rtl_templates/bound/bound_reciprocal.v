@@ -4,14 +4,14 @@
 `default_nettype none
 
 module bound_reciprocal #(
-    parameter       EXPONENT_BITS   = 8,
-    parameter       PRECISION       = 24,
-    parameter       BOUND_PRECISION = 4,
-    parameter [0:0] CUTS            = 1'b0
+  parameter       EXPONENT_BITS   = 8,
+  parameter       PRECISION       = 24,
+  parameter       BOUND_PRECISION = 4,
+  parameter [0:0] CUTS            = 1'b0
 ) (
-    input  wire                                     aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0]       x,
-    output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
+  input  wire                                     aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0]       x,
+  output wire [EXPONENT_BITS+BOUND_PRECISION-2:0] y
 );
 
   localparam SIGN     = EXPONENT_BITS + PRECISION - 1;
@@ -33,12 +33,12 @@ module bound_reciprocal #(
   wire [BOUND-1:0]         s0_complement   = ~(x[SIGN-1:SIGN-BOUND] | FRACTION);
 
   fp_rank #(
-      .WIDTH     (BOUND),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (BOUND),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   (s0_complement - (SMALLEST & {BOUND{s0_between}})),
-      .q   (y)
+    .aclk(aclk),
+    .d   (s0_complement - (SMALLEST & {BOUND{s0_between}})),
+    .q   (y)
   );
 
 endmodule

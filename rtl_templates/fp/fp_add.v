@@ -6,24 +6,24 @@
 `default_nettype none
 
 module fp_add #(
-    parameter       EXPONENT_BITS        = 8,
-    parameter       PRECISION            = 24,
-    parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,
-    parameter       RESULT_PRECISION     = PRECISION,
-    parameter       SUBTRACT             = 0,
-    parameter       SPECIAL_OPERANDS     = 1,
-    parameter       OVERFLOW             = 1,
-    parameter       UNDERFLOW            = 1,
-    parameter       CANCELLATION         = 1,
-    parameter       GRADUAL              = 0,
-    parameter       TOWARD_ZERO          = 0,
-    parameter [8:0] CUTS                 = 9'b0
+  parameter       EXPONENT_BITS        = 8,
+  parameter       PRECISION            = 24,
+  parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,
+  parameter       RESULT_PRECISION     = PRECISION,
+  parameter       SUBTRACT             = 0,
+  parameter       SPECIAL_OPERANDS     = 1,
+  parameter       OVERFLOW             = 1,
+  parameter       UNDERFLOW            = 1,
+  parameter       CANCELLATION         = 1,
+  parameter       GRADUAL              = 0,
+  parameter       TOWARD_ZERO          = 0,
+  parameter [8:0] CUTS                 = 9'b0
 ) (
-    input  wire                                             aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
-    input  wire [EXPONENT_BITS+PRECISION-1:0]               b,
-    output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
-    output wire                                             exceptional
+  input  wire                                             aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
+  input  wire [EXPONENT_BITS+PRECISION-1:0]               b,
+  output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
+  output wire                                             exceptional
 );
 
   function integer bits_for(input integer value);
@@ -81,20 +81,20 @@ module fp_add #(
   wire                     s0_a_flushed;
 
   fp_unpack #(
-      .EXPONENT_BITS   (EXPONENT_BITS),
-      .PRECISION       (PRECISION),
-      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
-      .UNDERFLOW       (UNDERFLOW),
-      .GRADUAL         (SUBNORMALS)
+    .EXPONENT_BITS   (EXPONENT_BITS),
+    .PRECISION       (PRECISION),
+    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+    .UNDERFLOW       (UNDERFLOW),
+    .GRADUAL         (SUBNORMALS)
   ) s0_unpack_a (
-      .a          (a),
-      .sign       (s0_a_sign),
-      .exponent   (s0_a_exponent),
-      .significand(s0_a_significand),
-      .zero       (s0_a_zero),
-      .infinite   (s0_a_infinite),
-      .nan        (s0_a_nan),
-      .flushed    (s0_a_flushed)
+    .a          (a),
+    .sign       (s0_a_sign),
+    .exponent   (s0_a_exponent),
+    .significand(s0_a_significand),
+    .zero       (s0_a_zero),
+    .infinite   (s0_a_infinite),
+    .nan        (s0_a_nan),
+    .flushed    (s0_a_flushed)
   );
 
   wire                     s0_b_packed_sign;
@@ -106,20 +106,20 @@ module fp_add #(
   wire                     s0_b_flushed;
 
   fp_unpack #(
-      .EXPONENT_BITS   (EXPONENT_BITS),
-      .PRECISION       (PRECISION),
-      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
-      .UNDERFLOW       (UNDERFLOW),
-      .GRADUAL         (SUBNORMALS)
+    .EXPONENT_BITS   (EXPONENT_BITS),
+    .PRECISION       (PRECISION),
+    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+    .UNDERFLOW       (UNDERFLOW),
+    .GRADUAL         (SUBNORMALS)
   ) s0_unpack_b (
-      .a          (b),
-      .sign       (s0_b_packed_sign),
-      .exponent   (s0_b_exponent),
-      .significand(s0_b_significand),
-      .zero       (s0_b_zero),
-      .infinite   (s0_b_infinite),
-      .nan        (s0_b_nan),
-      .flushed    (s0_b_flushed)
+    .a          (b),
+    .sign       (s0_b_packed_sign),
+    .exponent   (s0_b_exponent),
+    .significand(s0_b_significand),
+    .zero       (s0_b_zero),
+    .infinite   (s0_b_infinite),
+    .nan        (s0_b_nan),
+    .flushed    (s0_b_flushed)
   );
 
   wire                     s0_b_sign    = s0_b_packed_sign ^ (SUBTRACT != 0);
@@ -147,23 +147,23 @@ module fp_add #(
   wire [3:0]               s1_flags;
 
   fp_rank #(
-      .WIDTH     (2 * (EXPONENT_BITS + PRECISION)),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (2 * (EXPONENT_BITS + PRECISION)),
+    .REGISTERED(CUTS[0])
   ) rank_0_operands (
-      .aclk(aclk),
-      .d   ({s0_a_exponent, s0_a_significand, s0_b_exponent, s0_b_significand}),
-      .q   ({s1_a_exponent, s1_a_significand, s1_b_exponent, s1_b_significand})
+    .aclk(aclk),
+    .d   ({s0_a_exponent, s0_a_significand, s0_b_exponent, s0_b_significand}),
+    .q   ({s1_a_exponent, s1_a_significand, s1_b_exponent, s1_b_significand})
   );
 
   fp_rank #(
-      .WIDTH     (2 * EXPONENT_BITS + 9),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (2 * EXPONENT_BITS + 9),
+    .REGISTERED(CUTS[0])
   ) rank_0_order (
-      .aclk(aclk),
-      .d   ({s0_a_above_b, s0_b_above_a, s0_swap, s0_a_zero, s0_b_zero, s0_a_sign, s0_b_sign,
-             s0_nan, s0_infinite, s0_zero, s0_suspect}),
-      .q   ({s1_a_above_b, s1_b_above_a, s1_swap, s1_a_zero, s1_b_zero, s1_a_sign, s1_b_sign,
-             s1_flags})
+    .aclk(aclk),
+    .d   ({s0_a_above_b, s0_b_above_a, s0_swap, s0_a_zero, s0_b_zero, s0_a_sign, s0_b_sign,
+           s0_nan, s0_infinite, s0_zero, s0_suspect}),
+    .q   ({s1_a_above_b, s1_b_above_a, s1_swap, s1_a_zero, s1_b_zero, s1_a_sign, s1_b_sign,
+           s1_flags})
   );
 
   // Stage swap: the larger magnitude gives the sign; a zero as the smaller one adds nothing.
@@ -185,12 +185,12 @@ module fp_add #(
   wire [3:0]               s2_flags;
 
   fp_rank #(
-      .WIDTH     (2 * (EXPONENT_BITS + PRECISION) + 6),
-      .REGISTERED(CUTS[1])
+    .WIDTH     (2 * (EXPONENT_BITS + PRECISION) + 6),
+    .REGISTERED(CUTS[1])
   ) rank_1 (
-      .aclk(aclk),
-      .d   ({s1_exponent, s1_large, s1_small, s1_distance, s1_sign, s1_cancel, s1_flags}),
-      .q   ({s2_exponent, s2_large, s2_small, s2_distance, s2_sign, s2_cancel, s2_flags})
+    .aclk(aclk),
+    .d   ({s1_exponent, s1_large, s1_small, s1_distance, s1_sign, s1_cancel, s1_flags}),
+    .q   ({s2_exponent, s2_large, s2_small, s2_distance, s2_sign, s2_cancel, s2_flags})
   );
 
   // Stage align: beyond its width the smaller operand is no more than a sticky bit.
@@ -203,13 +203,13 @@ module fp_add #(
   wire                   s2_sticky;
 
   fp_shift_right #(
-      .WIDTH      (ALIGNED),
-      .AMOUNT_BITS(AMOUNT_BITS)
+    .WIDTH      (ALIGNED),
+    .AMOUNT_BITS(AMOUNT_BITS)
   ) s2_align (
-      .value  ({s2_small, {(ALIGNED - PRECISION) {1'b0}}}),
-      .amount (s2_amount),
-      .shifted(s2_aligned),
-      .sticky (s2_sticky)
+    .value  ({s2_small, {(ALIGNED - PRECISION) {1'b0}}}),
+    .amount (s2_amount),
+    .shifted(s2_aligned),
+    .sticky (s2_sticky)
   );
 
   wire [EXPONENT_BITS-1:0] s3_exponent;
@@ -220,12 +220,12 @@ module fp_add #(
   wire [3:0]               s3_flags;
 
   fp_rank #(
-      .WIDTH     (EXPONENT_BITS + PRECISION + ALIGNED + 7),
-      .REGISTERED(CUTS[2])
+    .WIDTH     (EXPONENT_BITS + PRECISION + ALIGNED + 7),
+    .REGISTERED(CUTS[2])
   ) rank_2 (
-      .aclk(aclk),
-      .d   ({s2_exponent, s2_large, s2_aligned, s2_sticky, s2_sign, s2_cancel, s2_flags}),
-      .q   ({s3_exponent, s3_large, s3_small, s3_sign, s3_cancel, s3_flags})
+    .aclk(aclk),
+    .d   ({s2_exponent, s2_large, s2_aligned, s2_sticky, s2_sign, s2_cancel, s2_flags}),
+    .q   ({s3_exponent, s3_large, s3_small, s3_sign, s3_cancel, s3_flags})
   );
 
   // Stage sum: minus x is not x plus one; the one enters as a carry out of an extra last place.
@@ -247,13 +247,13 @@ module fp_add #(
   wire                     s4_suspect;
 
   fp_rank #(
-      .WIDTH     (EXPONENT_BITS + SUM + 6),
-      .REGISTERED(CUTS[3])
+    .WIDTH     (EXPONENT_BITS + SUM + 6),
+    .REGISTERED(CUTS[3])
   ) rank_3 (
-      .aclk(aclk),
-      .d   ({s3_exponent, s3_sum, s3_sign, s3_cancel, s3_flags}),
-      .q   ({s4_exponent, s4_sum, s4_sign, s4_cancel,
-             s4_nan, s4_infinite, s4_operands_zero, s4_suspect})
+    .aclk(aclk),
+    .d   ({s3_exponent, s3_sum, s3_sign, s3_cancel, s3_flags}),
+    .q   ({s4_exponent, s4_sum, s4_sign, s4_cancel,
+           s4_nan, s4_infinite, s4_operands_zero, s4_suspect})
   );
 
   // Stage count: leading zeros of the sum, and the room above exponent 1 to move it up in.
@@ -261,10 +261,10 @@ module fp_add #(
   wire                  s4_empty;
 
   generate
-    if (GROWING) begin : growing
+    if (GROWING) begin : g_growing
       assign s4_count = !s4_sum[SUM-1];
       assign s4_empty = 1'b0;
-    end else begin : cancelling
+    end else begin : g_cancelling
       localparam COUNTED = 1 << COUNT_BITS;
 
       wire [COUNTED-1:0] s4_counted = {
@@ -272,11 +272,11 @@ module fp_add #(
       };
 
       fp_leading_zeros #(
-          .COUNT_BITS(COUNT_BITS)
+        .COUNT_BITS(COUNT_BITS)
       ) s4_leading_zeros (
-          .value(s4_counted),
-          .count(s4_count),
-          .empty(s4_empty)
+        .value(s4_counted),
+        .count(s4_count),
+        .empty(s4_empty)
       );
     end
   endgenerate
@@ -291,13 +291,13 @@ module fp_add #(
   wire [4:0]                s5_flags;
 
   fp_rank #(
-      .WIDTH     (EXPONENT_WIDTH + COUNT_BITS + SUM + 5),
-      .REGISTERED(CUTS[4])
+    .WIDTH     (EXPONENT_WIDTH + COUNT_BITS + SUM + 5),
+    .REGISTERED(CUTS[4])
   ) rank_4 (
-      .aclk(aclk),
-      .d   ({s4_room, s4_count, s4_sum, s4_sign && !(s4_zero && s4_cancel),
-             s4_nan, s4_infinite, s4_zero, s4_suspect}),
-      .q   ({s5_room, s5_count, s5_sum, s5_flags})
+    .aclk(aclk),
+    .d   ({s4_room, s4_count, s4_sum, s4_sign && !(s4_zero && s4_cancel),
+           s4_nan, s4_infinite, s4_zero, s4_suspect}),
+    .q   ({s5_room, s5_count, s5_sum, s5_flags})
   );
 
   // Stage normalise: the sum's first bit is the carry, one above the larger operand's exponent.
@@ -309,7 +309,7 @@ module fp_add #(
       - {{(EXPONENT_WIDTH - COUNT_BITS) {1'b0}}, s5_amount};
 
   generate
-    if (SUBNORMALS != 0) begin : gradual
+    if (SUBNORMALS != 0) begin : g_gradual
       wire s5_no_room = s5_room[EXPONENT_WIDTH-1];
       wire s5_little_room =
           s5_room[EXPONENT_WIDTH-2:0] < {{(EXPONENT_WIDTH - 1 - COUNT_BITS) {1'b0}}, s5_count};
@@ -317,20 +317,20 @@ module fp_add #(
           s5_little_room ? s5_room[COUNT_BITS-1:0] : s5_count;
 
       assign s5_amount = s5_possible & {COUNT_BITS{!s5_no_room}};
-    end else begin : flush
+    end else begin : g_flush
       assign s5_amount = s5_count;
     end
   endgenerate
 
   fp_shift_left #(
-      .WIDTH      (SUM),
-      .KEPT       (KEPT),
-      .AMOUNT_BITS(COUNT_BITS)
+    .WIDTH      (SUM),
+    .KEPT       (KEPT),
+    .AMOUNT_BITS(COUNT_BITS)
   ) s5_normalise (
-      .value  (s5_sum),
-      .amount (s5_amount),
-      .shifted(s5_significand),
-      .sticky (s5_sticky)
+    .value  (s5_sum),
+    .amount (s5_amount),
+    .shifted(s5_significand),
+    .sticky (s5_sticky)
   );
 
   wire [EXPONENT_WIDTH-1:0] s6_exponent;
@@ -343,38 +343,38 @@ module fp_add #(
   wire                      s6_suspect;
 
   fp_rank #(
-      .WIDTH     (EXPONENT_WIDTH + KEPT + 6),
-      .REGISTERED(CUTS[5])
+    .WIDTH     (EXPONENT_WIDTH + KEPT + 6),
+    .REGISTERED(CUTS[5])
   ) rank_5 (
-      .aclk(aclk),
-      .d   ({s5_exponent, s5_significand, s5_sticky, s5_flags}),
-      .q   ({s6_exponent, s6_significand, s6_sticky,
-             s6_sign, s6_nan, s6_infinite, s6_zero, s6_suspect})
+    .aclk(aclk),
+    .d   ({s5_exponent, s5_significand, s5_sticky, s5_flags}),
+    .q   ({s6_exponent, s6_significand, s6_sticky,
+           s6_sign, s6_nan, s6_infinite, s6_zero, s6_suspect})
   );
 
   // Stages denormalise, round, pack.
   fp_round #(
-      .EXPONENT_WIDTH      (EXPONENT_WIDTH),
-      .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
-      .RESULT_PRECISION    (RESULT_PRECISION),
-      .OVERFLOW            (OVERFLOW),
-      .UNDERFLOW           (TINY_RESULTS),
-      .GRADUAL             (SUBNORMALS),
-      .DENORMALISE         (DENORMALISE),
-      .TOWARD_ZERO         (TOWARD_ZERO),
-      .CUTS                (CUTS[8:6])
+    .EXPONENT_WIDTH      (EXPONENT_WIDTH),
+    .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
+    .RESULT_PRECISION    (RESULT_PRECISION),
+    .OVERFLOW            (OVERFLOW),
+    .UNDERFLOW           (TINY_RESULTS),
+    .GRADUAL             (SUBNORMALS),
+    .DENORMALISE         (DENORMALISE),
+    .TOWARD_ZERO         (TOWARD_ZERO),
+    .CUTS                (CUTS[8:6])
   ) s6_round (
-      .aclk       (aclk),
-      .sign       (s6_sign),
-      .exponent   (s6_exponent),
-      .significand(s6_significand),
-      .sticky     (s6_sticky),
-      .nan        (s6_nan),
-      .infinite   (s6_infinite),
-      .zero       (s6_zero),
-      .suspect    (s6_suspect),
-      .y          (y),
-      .exceptional(exceptional)
+    .aclk       (aclk),
+    .sign       (s6_sign),
+    .exponent   (s6_exponent),
+    .significand(s6_significand),
+    .sticky     (s6_sticky),
+    .nan        (s6_nan),
+    .infinite   (s6_infinite),
+    .zero       (s6_zero),
+    .suspect    (s6_suspect),
+    .y          (y),
+    .exceptional(exceptional)
   );
 
 endmodule

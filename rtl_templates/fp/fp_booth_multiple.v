@@ -4,13 +4,13 @@
 `default_nettype none
 
 module fp_booth_multiple #(
-    parameter WIDTH = 24
+  parameter WIDTH = 24
 ) (
-    input  wire [2:0]       digit,
-    input  wire [WIDTH-1:0] value,
-    output wire [WIDTH:0]   multiple,
-    output wire             doubled,  // the digit is 2 or -2
-    output wire             negative  // it is -1 or -2
+  input  wire [2:0]       digit,
+  input  wire [WIDTH-1:0] value,
+  output wire [WIDTH:0]   multiple,
+  output wire             doubled,  // the digit is 2 or -2
+  output wire             negative  // it is -1 or -2
 );
 
   wire             single = digit[1] ^ digit[0];

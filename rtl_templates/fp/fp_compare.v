@@ -4,15 +4,15 @@
 `default_nettype none
 
 module fp_compare #(
-    parameter       EXPONENT_BITS = 8,
-    parameter       PRECISION     = 24,
-    parameter       GRADUAL       = 0,
-    parameter [1:0] CUTS          = 2'b00
+  parameter       EXPONENT_BITS = 8,
+  parameter       PRECISION     = 24,
+  parameter       GRADUAL       = 0,
+  parameter [1:0] CUTS          = 2'b00
 ) (
-    input  wire                               aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0] a,
-    input  wire [EXPONENT_BITS+PRECISION-1:0] b,
-    output wire [1:0]                         verdict
+  input  wire                               aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] a,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] b,
+  output wire [1:0]                         verdict
 );
 
   localparam SIGN     = EXPONENT_BITS + PRECISION - 1;
@@ -38,12 +38,12 @@ module fp_compare #(
   wire s1_same;
 
   fp_rank #(
-      .WIDTH     (6),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (6),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   ({a[SIGN], b[SIGN], s0_both_zero, s0_unordered, s0_below, s0_same}),
-      .q   ({s1_a_sign, s1_b_sign, s1_both_zero, s1_unordered, s1_below, s1_same})
+    .aclk(aclk),
+    .d   ({a[SIGN], b[SIGN], s0_both_zero, s0_unordered, s0_below, s0_same}),
+    .q   ({s1_a_sign, s1_b_sign, s1_both_zero, s1_unordered, s1_below, s1_same})
   );
 
   // Stage decide: unlike signs decide alone, negative numbers order against their magnitudes.
@@ -52,12 +52,12 @@ module fp_compare #(
   wire s1_less  = s1_like ? (s1_below ^ s1_a_sign) : s1_a_sign;
 
   fp_rank #(
-      .WIDTH     (2),
-      .REGISTERED(CUTS[1])
+    .WIDTH     (2),
+    .REGISTERED(CUTS[1])
   ) rank_1 (
-      .aclk(aclk),
-      .d   ({s1_unordered || !(s1_equal || s1_less), s1_unordered || s1_equal}),
-      .q   (verdict)
+    .aclk(aclk),
+    .d   ({s1_unordered || !(s1_equal || s1_less), s1_unordered || s1_equal}),
+    .q   (verdict)
   );
 
 endmodule

@@ -5,22 +5,22 @@
 `default_nettype none
 
 module fp_convert #(
-    parameter       EXPONENT_BITS        = 8,
-    parameter       PRECISION            = 53,
-    parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,
-    parameter       RESULT_PRECISION     = PRECISION,
-    parameter       SCALE                = 0,  // of magnitude below 2^EXPONENT_BITS
-    parameter       SPECIAL_OPERANDS     = 1,
-    parameter       OVERFLOW             = 1,
-    parameter       UNDERFLOW            = 1,
-    parameter       GRADUAL              = 0,
-    parameter       TOWARD_ZERO          = 0,
-    parameter [4:0] CUTS                 = 5'b0
+  parameter       EXPONENT_BITS        = 8,
+  parameter       PRECISION            = 53,
+  parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,
+  parameter       RESULT_PRECISION     = PRECISION,
+  parameter       SCALE                = 0,  // of magnitude below 2^EXPONENT_BITS
+  parameter       SPECIAL_OPERANDS     = 1,
+  parameter       OVERFLOW             = 1,
+  parameter       UNDERFLOW            = 1,
+  parameter       GRADUAL              = 0,
+  parameter       TOWARD_ZERO          = 0,
+  parameter [4:0] CUTS                 = 5'b0
 ) (
-    input  wire                                             aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
-    output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
-    output wire                                             exceptional
+  input  wire                                             aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
+  output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
+  output wire                                             exceptional
 );
 
   function integer bits_for(input integer value);
@@ -62,23 +62,23 @@ module fp_convert #(
   wire                      s2_flushed;
 
   fp_operand #(
-      .EXPONENT_BITS   (EXPONENT_BITS),
-      .PRECISION       (PRECISION),
-      .EXPONENT_WIDTH  (EXPONENT_WIDTH),
-      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
-      .UNDERFLOW       (UNDERFLOW),
-      .GRADUAL         (SUBNORMALS),
-      .CUTS            (CUTS[1:0])
+    .EXPONENT_BITS   (EXPONENT_BITS),
+    .PRECISION       (PRECISION),
+    .EXPONENT_WIDTH  (EXPONENT_WIDTH),
+    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+    .UNDERFLOW       (UNDERFLOW),
+    .GRADUAL         (SUBNORMALS),
+    .CUTS            (CUTS[1:0])
   ) s0_operand (
-      .aclk       (aclk),
-      .a          (a),
-      .sign       (s2_sign),
-      .exponent   (s2_a_exponent),
-      .significand(s2_a_significand),
-      .zero       (s2_zero),
-      .infinite   (s2_infinite),
-      .nan        (s2_nan),
-      .flushed    (s2_flushed)
+    .aclk       (aclk),
+    .a          (a),
+    .sign       (s2_sign),
+    .exponent   (s2_a_exponent),
+    .significand(s2_a_significand),
+    .zero       (s2_zero),
+    .infinite   (s2_infinite),
+    .nan        (s2_nan),
+    .flushed    (s2_flushed)
   );
 
   // Stages denormalise, round, pack.
@@ -88,36 +88,36 @@ module fp_convert #(
   wire                      s2_suspect = s2_nan || s2_infinite || s2_flushed;
 
   fp_fit #(
-      .FROM(PRECISION),
-      .TO  (KEPT)
+    .FROM(PRECISION),
+    .TO  (KEPT)
   ) s2_fit (
-      .value (s2_a_significand),
-      .fitted(s2_significand),
-      .sticky(s2_sticky)
+    .value (s2_a_significand),
+    .fitted(s2_significand),
+    .sticky(s2_sticky)
   );
 
   fp_round #(
-      .EXPONENT_WIDTH      (EXPONENT_WIDTH),
-      .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
-      .RESULT_PRECISION    (RESULT_PRECISION),
-      .OVERFLOW            (OVERFLOW),
-      .UNDERFLOW           (TINY_RESULTS),
-      .GRADUAL             (SUBNORMALS),
-      .DENORMALISE         (DENORMALISE),
-      .TOWARD_ZERO         (TOWARD_ZERO),
-      .CUTS                (CUTS[4:2])
+    .EXPONENT_WIDTH      (EXPONENT_WIDTH),
+    .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
+    .RESULT_PRECISION    (RESULT_PRECISION),
+    .OVERFLOW            (OVERFLOW),
+    .UNDERFLOW           (TINY_RESULTS),
+    .GRADUAL             (SUBNORMALS),
+    .DENORMALISE         (DENORMALISE),
+    .TOWARD_ZERO         (TOWARD_ZERO),
+    .CUTS                (CUTS[4:2])
   ) s2_round (
-      .aclk       (aclk),
-      .sign       (s2_sign),
-      .exponent   (s2_exponent),
-      .significand(s2_significand),
-      .sticky     (s2_sticky),
-      .nan        (s2_nan),
-      .infinite   (s2_infinite),
-      .zero       (s2_zero),
-      .suspect    (s2_suspect),
-      .y          (y),
-      .exceptional(exceptional)
+    .aclk       (aclk),
+    .sign       (s2_sign),
+    .exponent   (s2_exponent),
+    .significand(s2_significand),
+    .sticky     (s2_sticky),
+    .nan        (s2_nan),
+    .infinite   (s2_infinite),
+    .zero       (s2_zero),
+    .suspect    (s2_suspect),
+    .y          (y),
+    .exceptional(exceptional)
   );
 
 endmodule

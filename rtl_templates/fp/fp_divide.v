@@ -7,22 +7,22 @@
 `default_nettype none
 
 module fp_divide #(
-    parameter EXPONENT_BITS        = 8,
-    parameter PRECISION            = 24,
-    parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,
-    parameter RESULT_PRECISION     = PRECISION,
-    parameter SPECIAL_OPERANDS     = 1,
-    parameter OVERFLOW             = 1,
-    parameter UNDERFLOW            = 1,
-    parameter GRADUAL              = 0,
-    parameter TOWARD_ZERO          = 0,
-    parameter [RESULT_PRECISION+7:0] CUTS = 0
+  parameter EXPONENT_BITS        = 8,
+  parameter PRECISION            = 24,
+  parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,
+  parameter RESULT_PRECISION     = PRECISION,
+  parameter SPECIAL_OPERANDS     = 1,
+  parameter OVERFLOW             = 1,
+  parameter UNDERFLOW            = 1,
+  parameter GRADUAL              = 0,
+  parameter TOWARD_ZERO          = 0,
+  parameter [RESULT_PRECISION+7:0] CUTS = 0
 ) (
-    input  wire                                             aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
-    input  wire [EXPONENT_BITS+PRECISION-1:0]               b,
-    output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
-    output wire                                             exceptional
+  input  wire                                             aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
+  input  wire [EXPONENT_BITS+PRECISION-1:0]               b,
+  output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
+  output wire                                             exceptional
 );
 
   function integer bits_for(input integer value);
@@ -61,23 +61,23 @@ module fp_divide #(
   wire                      s2_a_flushed;
 
   fp_operand #(
-      .EXPONENT_BITS   (EXPONENT_BITS),
-      .PRECISION       (PRECISION),
-      .EXPONENT_WIDTH  (EXPONENT_WIDTH),
-      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
-      .UNDERFLOW       (UNDERFLOW),
-      .GRADUAL         (SUBNORMALS),
-      .CUTS            (CUTS[1:0])
+    .EXPONENT_BITS   (EXPONENT_BITS),
+    .PRECISION       (PRECISION),
+    .EXPONENT_WIDTH  (EXPONENT_WIDTH),
+    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+    .UNDERFLOW       (UNDERFLOW),
+    .GRADUAL         (SUBNORMALS),
+    .CUTS            (CUTS[1:0])
   ) s0_operand_a (
-      .aclk       (aclk),
-      .a          (a),
-      .sign       (s2_a_sign),
-      .exponent   (s2_a_exponent),
-      .significand(s2_a_significand),
-      .zero       (s2_a_zero),
-      .infinite   (s2_a_infinite),
-      .nan        (s2_a_nan),
-      .flushed    (s2_a_flushed)
+    .aclk       (aclk),
+    .a          (a),
+    .sign       (s2_a_sign),
+    .exponent   (s2_a_exponent),
+    .significand(s2_a_significand),
+    .zero       (s2_a_zero),
+    .infinite   (s2_a_infinite),
+    .nan        (s2_a_nan),
+    .flushed    (s2_a_flushed)
   );
 
   wire                      s2_b_sign;
@@ -89,23 +89,23 @@ module fp_divide #(
   wire                      s2_b_flushed;
 
   fp_operand #(
-      .EXPONENT_BITS   (EXPONENT_BITS),
-      .PRECISION       (PRECISION),
-      .EXPONENT_WIDTH  (EXPONENT_WIDTH),
-      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
-      .UNDERFLOW       (UNDERFLOW),
-      .GRADUAL         (SUBNORMALS),
-      .CUTS            (CUTS[1:0])
+    .EXPONENT_BITS   (EXPONENT_BITS),
+    .PRECISION       (PRECISION),
+    .EXPONENT_WIDTH  (EXPONENT_WIDTH),
+    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+    .UNDERFLOW       (UNDERFLOW),
+    .GRADUAL         (SUBNORMALS),
+    .CUTS            (CUTS[1:0])
   ) s0_operand_b (
-      .aclk       (aclk),
-      .a          (b),
-      .sign       (s2_b_sign),
-      .exponent   (s2_b_exponent),
-      .significand(s2_b_significand),
-      .zero       (s2_b_is_zero),
-      .infinite   (s2_b_infinite),
-      .nan        (s2_b_nan),
-      .flushed    (s2_b_flushed)
+    .aclk       (aclk),
+    .a          (b),
+    .sign       (s2_b_sign),
+    .exponent   (s2_b_exponent),
+    .significand(s2_b_significand),
+    .zero       (s2_b_is_zero),
+    .infinite   (s2_b_infinite),
+    .nan        (s2_b_nan),
+    .flushed    (s2_b_flushed)
   );
 
   // Stages digit 0 to DIGITS - 1: one bit each by non-restoring division. Where the last bit was 0
@@ -123,7 +123,7 @@ module fp_divide #(
 
   genvar k;
   generate
-    for (k = 0; k < DIGITS; k = k + 1) begin : digit
+    for (k = 0; k < DIGITS; k = k + 1) begin : g_digit
       wire [REMAINDER-1:0]      doubled;
       wire [PRECISION-1:0]      divisor;
       wire                      subtract;
@@ -132,20 +132,20 @@ module fp_divide #(
       wire [REMAINDER-1:0]      remainder;
       wire [k:0]                quotient;
 
-      if (k == 0) begin : first
+      if (k == 0) begin : g_first
         assign doubled  = {1'b0, s2_a_significand};
         assign divisor  = s2_b_significand;
         assign quotient = !remainder[REMAINDER-1];
         assign subtract = 1'b1;
         assign exponent = s2_exponent + REBIAS[EXPONENT_WIDTH-1:0];
         assign flags    = {s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect};
-      end else begin : later
-        assign doubled  = {digit[k-1].next_remainder, 1'b0};
-        assign divisor  = digit[k-1].next_divisor;
-        assign quotient = {digit[k-1].next_quotient, !remainder[REMAINDER-1]};
-        assign subtract = digit[k-1].next_quotient[0];
-        assign exponent = digit[k-1].next_exponent;
-        assign flags    = digit[k-1].next_flags;
+      end else begin : g_later
+        assign doubled  = {g_digit[k-1].next_remainder, 1'b0};
+        assign divisor  = g_digit[k-1].next_divisor;
+        assign quotient = {g_digit[k-1].next_quotient, !remainder[REMAINDER-1]};
+        assign subtract = g_digit[k-1].next_quotient[0];
+        assign exponent = g_digit[k-1].next_exponent;
+        assign flags    = g_digit[k-1].next_flags;
       end
 
       wire [REMAINDER-1:0] addend = {1'b0, divisor} ^ {REMAINDER{subtract}};
@@ -160,12 +160,12 @@ module fp_divide #(
       wire [FLAGS-1:0]          next_flags;
 
       fp_rank #(
-          .WIDTH     (REMAINDER - 1 + PRECISION + k + 1 + EXPONENT_WIDTH + FLAGS),
-          .REGISTERED(CUTS[2+k])
+        .WIDTH     (REMAINDER - 1 + PRECISION + k + 1 + EXPONENT_WIDTH + FLAGS),
+        .REGISTERED(CUTS[2+k])
       ) rank (
-          .aclk(aclk),
-          .d   ({remainder[REMAINDER-2:0], divisor, quotient, exponent, flags}),
-          .q   ({next_remainder, next_divisor, next_quotient, next_exponent, next_flags})
+        .aclk(aclk),
+        .d   ({remainder[REMAINDER-2:0], divisor, quotient, exponent, flags}),
+        .q   ({next_remainder, next_divisor, next_quotient, next_exponent, next_flags})
       );
     end
   endgenerate
@@ -173,10 +173,10 @@ module fp_divide #(
   // Stage select: the quotient is exact iff nothing remains, which after a 0 is to say that the
   // remainder is minus the divisor. Two numbers add up to zero iff there is a carry into each place
   // where their digits differ and none where they agree.
-  wire [PRECISION-1:0] last_remainder = digit[DIGITS-1].next_remainder;
-  wire [DIGITS-1:0]    last_quotient  = digit[DIGITS-1].next_quotient;
+  wire [PRECISION-1:0] last_remainder = g_digit[DIGITS-1].next_remainder;
+  wire [DIGITS-1:0]    last_quotient  = g_digit[DIGITS-1].next_quotient;
   wire [PRECISION-1:0] last_restore   =
-      digit[DIGITS-1].next_divisor & {PRECISION{!last_quotient[0]}};
+      g_digit[DIGITS-1].next_divisor & {PRECISION{!last_quotient[0]}};
   wire [PRECISION-1:0] last_carry     = (last_remainder | last_restore) << 1;
   wire                 last_sticky    = |(last_remainder ^ last_restore ^ last_carry);
   wire                 last_sign;
@@ -186,31 +186,31 @@ module fp_divide #(
   wire                 last_suspect;
 
   assign {last_sign, last_nan, last_infinite, last_zero, last_suspect} =
-      digit[DIGITS-1].next_flags;
+      g_digit[DIGITS-1].next_flags;
 
   // Stages denormalise, round, pack follow.
   fp_select_round #(
-      .WIDTH               (DIGITS),
-      .EXPONENT_WIDTH      (EXPONENT_WIDTH),
-      .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
-      .RESULT_PRECISION    (RESULT_PRECISION),
-      .OVERFLOW            (OVERFLOW),
-      .UNDERFLOW           (UNDERFLOW),
-      .GRADUAL             (SUBNORMALS),
-      .TOWARD_ZERO         (TOWARD_ZERO),
-      .CUTS                (CUTS[DIGITS+5:DIGITS+2])
+    .WIDTH               (DIGITS),
+    .EXPONENT_WIDTH      (EXPONENT_WIDTH),
+    .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
+    .RESULT_PRECISION    (RESULT_PRECISION),
+    .OVERFLOW            (OVERFLOW),
+    .UNDERFLOW           (UNDERFLOW),
+    .GRADUAL             (SUBNORMALS),
+    .TOWARD_ZERO         (TOWARD_ZERO),
+    .CUTS                (CUTS[DIGITS+5:DIGITS+2])
   ) last_select_round (
-      .aclk       (aclk),
-      .sign       (last_sign),
-      .exponent   (digit[DIGITS-1].next_exponent),
-      .value      (last_quotient),
-      .sticky     (last_sticky),
-      .nan        (last_nan),
-      .infinite   (last_infinite),
-      .zero       (last_zero),
-      .suspect    (last_suspect),
-      .y          (y),
-      .exceptional(exceptional)
+    .aclk       (aclk),
+    .sign       (last_sign),
+    .exponent   (g_digit[DIGITS-1].next_exponent),
+    .value      (last_quotient),
+    .sticky     (last_sticky),
+    .nan        (last_nan),
+    .infinite   (last_infinite),
+    .zero       (last_zero),
+    .suspect    (last_suspect),
+    .y          (y),
+    .exceptional(exceptional)
   );
 
 endmodule

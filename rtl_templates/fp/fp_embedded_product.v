@@ -9,15 +9,15 @@
 `default_nettype none
 
 module fp_embedded_product #(
-    parameter       PRECISION = 24,
-    parameter       FACTOR_A  = 24,
-    parameter       FACTOR_B  = 17,
-    parameter [6:0] CUTS      = 7'b0
+  parameter       PRECISION = 24,
+  parameter       FACTOR_A  = 24,
+  parameter       FACTOR_B  = 17,
+  parameter [6:0] CUTS      = 7'b0
 ) (
-    input  wire                   aclk,
-    input  wire [PRECISION-1:0]   a,
-    input  wire [PRECISION-1:0]   b,
-    output wire [2*PRECISION-1:0] product
+  input  wire                   aclk,
+  input  wire [PRECISION-1:0]   a,
+  input  wire [PRECISION-1:0]   b,
+  output wire [2*PRECISION-1:0] product
 );
 
   localparam COLUMNS = (PRECISION + FACTOR_A - 1) / FACTOR_A;
@@ -34,12 +34,12 @@ module fp_embedded_product #(
   genvar row;
 
   generate
-    for (column = 0; column < COLUMNS; column = column + 1) begin : columns
+    for (column = 0; column < COLUMNS; column = column + 1) begin : g_columns
       localparam A_WIDTH = smaller(FACTOR_A, PRECISION - column * FACTOR_A);
 
       wire [A_WIDTH+PRECISION-1:0] value;
 
-      for (row = 0; row < ROWS; row = row + 1) begin : rows
+      for (row = 0; row < ROWS; row = row + 1) begin : g_rows
         localparam B_WIDTH    = smaller(FACTOR_B, PRECISION - row * FACTOR_B);
         localparam CUTS_BELOW = smaller(row, CUT_ROWS);
 
@@ -48,17 +48,17 @@ module fp_embedded_product #(
         wire [A_WIDTH+B_WIDTH-1:0] partial;
         wire [A_WIDTH+B_WIDTH-1:0] sum;
 
-        if (CUTS_BELOW > 0) begin : delayed
+        if (CUTS_BELOW > 0) begin : g_delayed
           fp_ranks #(
-              .WIDTH(A_WIDTH + B_WIDTH),
-              .COUNT(CUTS_BELOW),
-              .CUTS (CUTS[CUTS_BELOW:1])
+            .WIDTH(A_WIDTH + B_WIDTH),
+            .COUNT(CUTS_BELOW),
+            .CUTS (CUTS[CUTS_BELOW:1])
           ) operand_ranks (
-              .aclk(aclk),
-              .d   ({a[column*FACTOR_A+:A_WIDTH], b[row*FACTOR_B+:B_WIDTH]}),
-              .q   ({a_part, b_part})
+            .aclk(aclk),
+            .d   ({a[column*FACTOR_A+:A_WIDTH], b[row*FACTOR_B+:B_WIDTH]}),
+            .q   ({a_part, b_part})
           );
-        end else begin : immediate
+        end else begin : g_immediate
           assign a_part = a[column*FACTOR_A+:A_WIDTH];
           assign b_part = b[row*FACTOR_B+:B_WIDTH];
         end
@@ -66,106 +66,106 @@ module fp_embedded_product #(
         wire [A_WIDTH+B_WIDTH-1:0] whole = a_part * b_part;
 
         fp_rank #(
-            .WIDTH     (A_WIDTH + B_WIDTH),
-            .REGISTERED(CUTS[0])
+          .WIDTH     (A_WIDTH + B_WIDTH),
+          .REGISTERED(CUTS[0])
         ) multiplier_rank (
-            .aclk(aclk),
-            .d   (whole),
-            .q   (partial)
+          .aclk(aclk),
+          .d   (whole),
+          .q   (partial)
         );
 
         wire [A_WIDTH+B_WIDTH-1:0] joined;
 
-        if (row == 0) begin : first
+        if (row == 0) begin : g_first
           assign joined = partial;
-        end else begin : later
+        end else begin : g_later
           // Never carries: (2^A - 1) (2^B - 1) + 2^A - 1 < 2^(A + B).
-          assign joined = partial + {{B_WIDTH{1'b0}}, rows[row-1].sum[FACTOR_B+:A_WIDTH]};
+          assign joined = partial + {{B_WIDTH{1'b0}}, g_rows[row-1].sum[FACTOR_B+:A_WIDTH]};
         end
 
-        if (row < CUT_ROWS) begin : cut
+        if (row < CUT_ROWS) begin : g_cut
           fp_rank #(
-              .WIDTH     (A_WIDTH + B_WIDTH),
-              .REGISTERED(CUTS[row+1])
+            .WIDTH     (A_WIDTH + B_WIDTH),
+            .REGISTERED(CUTS[row+1])
           ) row_rank (
-              .aclk(aclk),
-              .d   (joined),
-              .q   (sum)
+            .aclk(aclk),
+            .d   (joined),
+            .q   (sum)
           );
-        end else begin : uncut
+        end else begin : g_uncut
           assign sum = joined;
         end
 
         // What no row above changes any more waits for the last row.
         localparam DONE = (row == ROWS - 1) ? A_WIDTH + B_WIDTH : FACTOR_B;
 
-        if (row + 1 < CUT_ROWS) begin : early
+        if (row + 1 < CUT_ROWS) begin : g_early
           fp_ranks #(
-              .WIDTH(DONE),
-              .COUNT(CUT_ROWS - row - 1),
-              .CUTS (CUTS[CUT_ROWS:row+2])
+            .WIDTH(DONE),
+            .COUNT(CUT_ROWS - row - 1),
+            .CUTS (CUTS[CUT_ROWS:row+2])
           ) done_ranks (
-              .aclk(aclk),
-              .d   (sum[DONE-1:0]),
-              .q   (value[row*FACTOR_B+:DONE])
+            .aclk(aclk),
+            .d   (sum[DONE-1:0]),
+            .q   (value[row*FACTOR_B+:DONE])
           );
-        end else begin : late
+        end else begin : g_late
           assign value[row*FACTOR_B+:DONE] = sum[DONE-1:0];
         end
       end
     end
 
-    for (column = 0; column < COLUMNS; column = column + 1) begin : sums
+    for (column = 0; column < COLUMNS; column = column + 1) begin : g_sums
       localparam PLACE = column * FACTOR_A;
       localparam TERM  = smaller(FACTOR_A, PRECISION - PLACE) + PRECISION;
 
       wire [PLACE+TERM-1:0] joined;
       wire [PLACE+TERM-1:0] sum;
 
-      if (column == 0) begin : first
-        assign joined = columns[0].value;
-      end else begin : later
+      if (column == 0) begin : g_first
+        assign joined = g_columns[0].value;
+      end else begin : g_later
         wire [TERM-1:0] term;
 
         fp_rank #(
-            .WIDTH     (TERM),
-            .REGISTERED((column > 1) && CUTS[5])
+          .WIDTH     (TERM),
+          .REGISTERED((column > 1) && CUTS[5])
         ) column_rank (
-            .aclk(aclk),
-            .d   (columns[column].value),
-            .q   (term)
+          .aclk(aclk),
+          .d   (g_columns[column].value),
+          .q   (term)
         );
 
         wire [TERM-1:0] upper = {
-          {(TERM - PRECISION) {1'b0}}, sums[column-1].sum[PLACE+:PRECISION]
+          {(TERM - PRECISION) {1'b0}}, g_sums[column-1].sum[PLACE+:PRECISION]
         };
 
-        assign joined = {term + upper, sums[column-1].sum[PLACE-1:0]};
+        assign joined = {term + upper, g_sums[column-1].sum[PLACE-1:0]};
       end
 
       // The first sum is of two columns where there are two.
-      if (column == smaller(1, COLUMNS - 1)) begin : cut
+      if (column == smaller(1, COLUMNS - 1)) begin : g_cut
         fp_rank #(
-            .WIDTH     (PLACE + TERM),
-            .REGISTERED(CUTS[5])
+          .WIDTH     (PLACE + TERM),
+          .REGISTERED(CUTS[5])
         ) sum_rank (
-            .aclk(aclk),
-            .d   (joined),
-            .q   (sum)
+          .aclk(aclk),
+          .d   (joined),
+          .q   (sum)
         );
-      end else begin : uncut
+      end else begin : g_uncut
         assign sum = joined;
       end
     end
   endgenerate
 
   fp_rank #(
-      .WIDTH     (2 * PRECISION),
-      .REGISTERED(CUTS[6])
+    .WIDTH     (2 * PRECISION),
+    .REGISTERED(CUTS[6])
   ) product_rank (
-      .aclk(aclk),
-      .d   (sums[COLUMNS-1].sum),
-      .q   (product)
+    .aclk(aclk),
+    .d   (g_sums[COLUMNS-1].sum),
+    .q   (product)
   );
 
 endmodule

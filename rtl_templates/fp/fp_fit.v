@@ -3,22 +3,22 @@
 `default_nettype none
 
 module fp_fit #(
-    parameter FROM = 48,
-    parameter TO   = 26
+  parameter FROM = 48,
+  parameter TO   = 26
 ) (
-    input  wire [FROM-1:0] value,
-    output wire [TO-1:0]   fitted,
-    output wire            sticky
+  input  wire [FROM-1:0] value,
+  output wire [TO-1:0]   fitted,
+  output wire            sticky
 );
 
   generate
-    if (FROM > TO) begin : narrower
+    if (FROM > TO) begin : g_narrower
       assign fitted = value[FROM-1:FROM-TO];
       assign sticky = |value[FROM-TO-1:0];
-    end else if (FROM == TO) begin : same
+    end else if (FROM == TO) begin : g_same
       assign fitted = value;
       assign sticky = 1'b0;
-    end else begin : wider
+    end else begin : g_wider
       assign fitted = {value, {(TO - FROM) {1'b0}}};
       assign sticky = 1'b0;
     end

@@ -5,15 +5,15 @@
 `default_nettype none
 
 module fp_interval_decision #(
-    parameter       EXPONENT_BITS = 8,
-    parameter       PRECISION     = 24,
-    parameter [0:0] CUTS          = 1'b0
+  parameter       EXPONENT_BITS = 8,
+  parameter       PRECISION     = 24,
+  parameter [0:0] CUTS          = 1'b0
 ) (
-    input  wire                               aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0] minimum,
-    input  wire [EXPONENT_BITS+PRECISION-1:0] maximum,
-    output wire [1:0]                         verdict,
-    output wire                               decided
+  input  wire                               aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] minimum,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] maximum,
+  output wire [1:0]                         verdict,
+  output wire                               decided
 );
 
   localparam SIGN     = EXPONENT_BITS + PRECISION - 1;
@@ -27,12 +27,12 @@ module fp_interval_decision #(
   wire s0_less        = maximum[SIGN] && (|maximum[SIGN-1:0]);
 
   fp_rank #(
-      .WIDTH     (3),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (3),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   ({s0_greater, 1'b0, (s0_greater || s0_less) && !s0_unordered}),
-      .q   ({verdict, decided})
+    .aclk(aclk),
+    .d   ({s0_greater, 1'b0, (s0_greater || s0_less) && !s0_unordered}),
+    .q   ({verdict, decided})
   );
 
 endmodule

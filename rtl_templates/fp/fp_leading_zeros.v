@@ -3,18 +3,18 @@
 `default_nettype none
 
 module fp_leading_zeros #(
-    parameter COUNT_BITS = 5  // of a value 2^COUNT_BITS wide
+  parameter COUNT_BITS = 5  // of a value 2^COUNT_BITS wide
 ) (
-    input  wire [(1 << COUNT_BITS)-1:0] value,
-    output wire [COUNT_BITS-1:0]        count,
-    output wire                         empty
+  input  wire [(1 << COUNT_BITS)-1:0] value,
+  output wire [COUNT_BITS-1:0]        count,
+  output wire                         empty
 );
 
   generate
-    if (COUNT_BITS == 1) begin : leaf
+    if (COUNT_BITS == 1) begin : g_leaf
       assign count = !value[1];
       assign empty = !(|value);
-    end else begin : halves
+    end else begin : g_halves
       localparam HALF = 1 << (COUNT_BITS - 1);
 
       wire [COUNT_BITS-2:0] upper_count;
@@ -23,19 +23,19 @@ module fp_leading_zeros #(
       wire                  lower_empty;
 
       fp_leading_zeros #(
-          .COUNT_BITS(COUNT_BITS - 1)
+        .COUNT_BITS(COUNT_BITS - 1)
       ) upper (
-          .value(value[2*HALF-1:HALF]),
-          .count(upper_count),
-          .empty(upper_empty)
+        .value(value[2*HALF-1:HALF]),
+        .count(upper_count),
+        .empty(upper_empty)
       );
 
       fp_leading_zeros #(
-          .COUNT_BITS(COUNT_BITS - 1)
+        .COUNT_BITS(COUNT_BITS - 1)
       ) lower (
-          .value(value[HALF-1:0]),
-          .count(lower_count),
-          .empty(lower_empty)
+        .value(value[HALF-1:0]),
+        .count(lower_count),
+        .empty(lower_empty)
       );
 
       assign count = {upper_empty, upper_empty ? lower_count : upper_count};

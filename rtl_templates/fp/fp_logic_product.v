@@ -10,14 +10,14 @@
 `default_nettype none
 
 module fp_logic_product #(
-    parameter       PRECISION = 24,  // to 127
-    parameter       SQUARE    = 0,   // 1: of a; b is not read
-    parameter [6:0] CUTS      = 7'b0
+  parameter       PRECISION = 24,  // to 127
+  parameter       SQUARE    = 0,   // 1: of a; b is not read
+  parameter [6:0] CUTS      = 7'b0
 ) (
-    input  wire                   aclk,
-    input  wire [PRECISION-2:0]   a,
-    input  wire [PRECISION-2:0]   b,
-    output wire [2*PRECISION-1:0] product
+  input  wire                   aclk,
+  input  wire [PRECISION-2:0]   a,
+  input  wire [PRECISION-2:0]   b,
+  output wire [2*PRECISION-1:0] product
 );
 
   localparam ROWS = (SQUARE != 0) ? PRECISION / 2 : PRECISION / 2 + 1;
@@ -39,24 +39,24 @@ module fp_logic_product #(
 
   // The operands of levels 0 to 2, where rows join.
   generate
-    for (level = 0; level < 3; level = level + 1) begin : operands
+    for (level = 0; level < 3; level = level + 1) begin : g_operands
       wire [PRECISION-2:0] a_fraction;
       wire [PRECISION-2:0] b_fraction;
       wire [PRECISION-1:0] a_significand = {1'b1, a_fraction};
       wire [PRECISION-1:0] b_significand = {1'b1, b_fraction};
       wire                 unused_bits   = ^{a_significand, b_significand};
 
-      if (level == 0) begin : first
+      if (level == 0) begin : g_first
         assign a_fraction = a;
         assign b_fraction = b;
-      end else begin : later
+      end else begin : g_later
         fp_rank #(
-            .WIDTH     (2 * PRECISION - 2),
-            .REGISTERED(CUTS[level-1])
+          .WIDTH     (2 * PRECISION - 2),
+          .REGISTERED(CUTS[level-1])
         ) rank (
-            .aclk(aclk),
-            .d   ({operands[level-1].a_fraction, operands[level-1].b_fraction}),
-            .q   ({a_fraction, b_fraction})
+          .aclk(aclk),
+          .d   ({g_operands[level-1].a_fraction, g_operands[level-1].b_fraction}),
+          .q   ({a_fraction, b_fraction})
         );
       end
     end
@@ -64,13 +64,13 @@ module fp_logic_product #(
 
   // Levels 0 to 2: two, three, four rows of each four. Levels 3 to 6: 8, 16, 32, 64 rows.
   generate
-    for (level = 0; level < 7; level = level + 1) begin : sums
+    for (level = 0; level < 7; level = level + 1) begin : g_sums
       localparam PITCH = (level < 3) ? 4 : 1 << level;
       localparam ADDED = (level < 3) ? level + 1 : PITCH / 2;  // rows of the lower addend
       localparam ALL   = (level < 3) ? level + 2 : PITCH;
       localparam COUNT = (ROWS + PITCH - 1) / PITCH;
 
-      for (index = 0; index < COUNT; index = index + 1) begin : part
+      for (index = 0; index < COUNT; index = index + 1) begin : g_part
         localparam FIRST = PITCH * index;
         localparam UPPER = FIRST + ADDED;  // first row of the upper addend
         localparam LOW   = width_of(FIRST, smaller(UPPER, ROWS) - 1);
@@ -80,64 +80,64 @@ module fp_logic_product #(
         wire [SUM-1:0] sum;
         wire [SUM-1:0] value;
 
-        if (level == 0) begin : rows
+        if (level == 0) begin : g_rows
           fp_product_row #(
-              .PRECISION(PRECISION),
-              .SQUARE   (SQUARE),
-              .ROW      (FIRST),
-              .WIDTH    (LOW)
+            .PRECISION(PRECISION),
+            .SQUARE   (SQUARE),
+            .ROW      (FIRST),
+            .WIDTH    (LOW)
           ) product_row (
-              .a  (operands[0].a_significand),
-              .b  (operands[0].b_significand),
-              .row(low)
+            .a  (g_operands[0].a_significand),
+            .b  (g_operands[0].b_significand),
+            .row(low)
           );
-        end else if (level < 3) begin : same
-          assign low = sums[level-1].part[index].value;
-        end else begin : halves
-          assign low = sums[level-1].part[2*index].value;
+        end else if (level < 3) begin : g_same
+          assign low = g_sums[level-1].g_part[index].value;
+        end else begin : g_halves
+          assign low = g_sums[level-1].g_part[2*index].value;
         end
 
-        if (UPPER < ROWS) begin : add
+        if (UPPER < ROWS) begin : g_add
           localparam SHIFT = 2 * ADDED;
           localparam HIGH  = SUM - SHIFT;
 
           wire [HIGH-1:0] high;
 
-          if (level < 3) begin : rows
+          if (level < 3) begin : g_rows
             fp_product_row #(
-                .PRECISION(PRECISION),
-                .SQUARE   (SQUARE),
-                .ROW      (UPPER),
-                .WIDTH    (HIGH)
+              .PRECISION(PRECISION),
+              .SQUARE   (SQUARE),
+              .ROW      (UPPER),
+              .WIDTH    (HIGH)
             ) product_row (
-                .a  (operands[level].a_significand),
-                .b  (operands[level].b_significand),
-                .row(high)
+              .a  (g_operands[level].a_significand),
+              .b  (g_operands[level].b_significand),
+              .row(high)
             );
-          end else begin : halves
-            assign high = sums[level-1].part[2*index+1].value;
+          end else begin : g_halves
+            assign high = g_sums[level-1].g_part[2*index+1].value;
           end
 
           fp_shifted_sum #(
-              .LOW  (LOW),
-              .HIGH (HIGH),
-              .SHIFT(SHIFT)
+            .LOW  (LOW),
+            .HIGH (HIGH),
+            .SHIFT(SHIFT)
           ) shifted_sum (
-              .low (low),
-              .high(high),
-              .sum (sum)
+            .low (low),
+            .high(high),
+            .sum (sum)
           );
-        end else begin : pass
+        end else begin : g_pass
           assign sum = low;
         end
 
         fp_rank #(
-            .WIDTH     (SUM),
-            .REGISTERED(CUTS[level])
+          .WIDTH     (SUM),
+          .REGISTERED(CUTS[level])
         ) rank (
-            .aclk(aclk),
-            .d   (sum),
-            .q   (value)
+          .aclk(aclk),
+          .d   (sum),
+          .q   (value)
         );
       end
     end
@@ -145,25 +145,25 @@ module fp_logic_product #(
 
   localparam TOTAL = width_of(0, ROWS - 1);
 
-  wire [TOTAL-1:0] total = sums[6].part[0].value;
+  wire [TOTAL-1:0] total = g_sums[6].g_part[0].value;
 
   // A product's rows begin two places below it, the rows of an odd square one place above.
   generate
-    if (SQUARE == 0) begin : product_of_two
+    if (SQUARE == 0) begin : g_product_of_two
       wire unused_places = ^{total[TOTAL-1:2*PRECISION+2], total[1:0]};
 
       assign product = total[2*PRECISION+1:2];
-    end else if (PRECISION % 2 == 0) begin : even_square
+    end else if (PRECISION % 2 == 0) begin : g_even_square
       assign product = total;
-    end else begin : odd_square
+    end else begin : g_odd_square
       fp_ranks #(
-          .WIDTH(1),
-          .COUNT(7),
-          .CUTS (CUTS)
+        .WIDTH(1),
+        .COUNT(7),
+        .CUTS (CUTS)
       ) last_place (
-          .aclk(aclk),
-          .d   (a[0]),
-          .q   (product[0])
+        .aclk(aclk),
+        .d   (a[0]),
+        .q   (product[0])
       );
 
       assign product[2*PRECISION-1:1] = total;

@@ -5,20 +5,20 @@
 `default_nettype none
 
 module fp_minimum_maximum #(
-    parameter       EXPONENT_BITS    = 8,
-    parameter       PRECISION        = 24,
-    parameter       MAXIMUM          = 0,
-    parameter       SPECIAL_OPERANDS = 1,
-    parameter       OVERFLOW         = 1,     // nothing to leave out: for uniformity
-    parameter       UNDERFLOW        = 1,
-    parameter       GRADUAL          = 0,
-    parameter [1:0] CUTS             = 2'b00
+  parameter       EXPONENT_BITS    = 8,
+  parameter       PRECISION        = 24,
+  parameter       MAXIMUM          = 0,
+  parameter       SPECIAL_OPERANDS = 1,
+  parameter       OVERFLOW         = 1,     // nothing to leave out: for uniformity
+  parameter       UNDERFLOW        = 1,
+  parameter       GRADUAL          = 0,
+  parameter [1:0] CUTS             = 2'b00
 ) (
-    input  wire                               aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0] a,
-    input  wire [EXPONENT_BITS+PRECISION-1:0] b,
-    output wire [EXPONENT_BITS+PRECISION-1:0] y,
-    output wire                               exceptional
+  input  wire                               aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] a,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] b,
+  output wire [EXPONENT_BITS+PRECISION-1:0] y,
+  output wire                               exceptional
 );
 
   localparam PACKED   = EXPONENT_BITS + PRECISION;
@@ -53,12 +53,12 @@ module fp_minimum_maximum #(
   wire              s1_take_a;
 
   fp_rank #(
-      .WIDTH     (2 * PACKED + 5),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (2 * PACKED + 5),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   ({a, b, s0_a_flush, s0_b_flush, s0_nan, s0_suspect, s0_less ^ (MAXIMUM != 0)}),
-      .q   ({s1_a, s1_b, s1_a_flush, s1_b_flush, s1_nan, s1_suspect, s1_take_a})
+    .aclk(aclk),
+    .d   ({a, b, s0_a_flush, s0_b_flush, s0_nan, s0_suspect, s0_less ^ (MAXIMUM != 0)}),
+    .q   ({s1_a, s1_b, s1_a_flush, s1_b_flush, s1_nan, s1_suspect, s1_take_a})
   );
 
   // Stage select: of equal operands either will do; a flushed one keeps its sign alone.
@@ -67,12 +67,12 @@ module fp_minimum_maximum #(
   wire [PACKED-1:0] s1_flushed = s1_taken & {1'b1, {(PACKED - 1) {!s1_flush}}};
 
   fp_rank #(
-      .WIDTH     (PACKED + 1),
-      .REGISTERED(CUTS[1])
+    .WIDTH     (PACKED + 1),
+    .REGISTERED(CUTS[1])
   ) rank_1 (
-      .aclk(aclk),
-      .d   ({s1_nan ? QUIET_NAN : s1_flushed, s1_suspect}),
-      .q   ({y, exceptional})
+    .aclk(aclk),
+    .d   ({s1_nan ? QUIET_NAN : s1_flushed, s1_suspect}),
+    .q   ({y, exceptional})
   );
 
 endmodule

@@ -7,25 +7,25 @@
 `default_nettype none
 
 module fp_multiply #(
-    parameter        EXPONENT_BITS        = 8,
-    parameter        PRECISION            = 24,
-    parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,
-    parameter        RESULT_PRECISION     = PRECISION,
-    parameter        SPECIAL_OPERANDS     = 1,
-    parameter        OVERFLOW             = 1,
-    parameter        UNDERFLOW            = 1,
-    parameter        GRADUAL              = 0,
-    parameter        TOWARD_ZERO          = 0,
-    parameter        EMBEDDED             = 1,
-    parameter        FACTOR_A             = 24,
-    parameter        FACTOR_B             = 17,
-    parameter [12:0] CUTS                 = 13'b0
+  parameter        EXPONENT_BITS        = 8,
+  parameter        PRECISION            = 24,
+  parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,
+  parameter        RESULT_PRECISION     = PRECISION,
+  parameter        SPECIAL_OPERANDS     = 1,
+  parameter        OVERFLOW             = 1,
+  parameter        UNDERFLOW            = 1,
+  parameter        GRADUAL              = 0,
+  parameter        TOWARD_ZERO          = 0,
+  parameter        EMBEDDED             = 1,
+  parameter        FACTOR_A             = 24,
+  parameter        FACTOR_B             = 17,
+  parameter [12:0] CUTS                 = 13'b0
 ) (
-    input  wire                                             aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
-    input  wire [EXPONENT_BITS+PRECISION-1:0]               b,
-    output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
-    output wire                                             exceptional
+  input  wire                                             aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
+  input  wire [EXPONENT_BITS+PRECISION-1:0]               b,
+  output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
+  output wire                                             exceptional
 );
 
   function integer bits_for(input integer value);
@@ -65,23 +65,23 @@ module fp_multiply #(
   wire                      s2_a_flushed;
 
   fp_operand #(
-      .EXPONENT_BITS   (EXPONENT_BITS),
-      .PRECISION       (PRECISION),
-      .EXPONENT_WIDTH  (EXPONENT_WIDTH),
-      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
-      .UNDERFLOW       (UNDERFLOW),
-      .GRADUAL         (SUBNORMALS),
-      .CUTS            (CUTS[1:0])
+    .EXPONENT_BITS   (EXPONENT_BITS),
+    .PRECISION       (PRECISION),
+    .EXPONENT_WIDTH  (EXPONENT_WIDTH),
+    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+    .UNDERFLOW       (UNDERFLOW),
+    .GRADUAL         (SUBNORMALS),
+    .CUTS            (CUTS[1:0])
   ) s0_operand_a (
-      .aclk       (aclk),
-      .a          (a),
-      .sign       (s2_a_sign),
-      .exponent   (s2_a_exponent),
-      .significand(s2_a_significand),
-      .zero       (s2_a_zero),
-      .infinite   (s2_a_infinite),
-      .nan        (s2_a_nan),
-      .flushed    (s2_a_flushed)
+    .aclk       (aclk),
+    .a          (a),
+    .sign       (s2_a_sign),
+    .exponent   (s2_a_exponent),
+    .significand(s2_a_significand),
+    .zero       (s2_a_zero),
+    .infinite   (s2_a_infinite),
+    .nan        (s2_a_nan),
+    .flushed    (s2_a_flushed)
   );
 
   wire                      s2_b_sign;
@@ -93,23 +93,23 @@ module fp_multiply #(
   wire                      s2_b_flushed;
 
   fp_operand #(
-      .EXPONENT_BITS   (EXPONENT_BITS),
-      .PRECISION       (PRECISION),
-      .EXPONENT_WIDTH  (EXPONENT_WIDTH),
-      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
-      .UNDERFLOW       (UNDERFLOW),
-      .GRADUAL         (SUBNORMALS),
-      .CUTS            (CUTS[1:0])
+    .EXPONENT_BITS   (EXPONENT_BITS),
+    .PRECISION       (PRECISION),
+    .EXPONENT_WIDTH  (EXPONENT_WIDTH),
+    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+    .UNDERFLOW       (UNDERFLOW),
+    .GRADUAL         (SUBNORMALS),
+    .CUTS            (CUTS[1:0])
   ) s0_operand_b (
-      .aclk       (aclk),
-      .a          (b),
-      .sign       (s2_b_sign),
-      .exponent   (s2_b_exponent),
-      .significand(s2_b_significand),
-      .zero       (s2_b_zero),
-      .infinite   (s2_b_infinite),
-      .nan        (s2_b_nan),
-      .flushed    (s2_b_flushed)
+    .aclk       (aclk),
+    .a          (b),
+    .sign       (s2_b_sign),
+    .exponent   (s2_b_exponent),
+    .significand(s2_b_significand),
+    .zero       (s2_b_zero),
+    .infinite   (s2_b_infinite),
+    .nan        (s2_b_nan),
+    .flushed    (s2_b_flushed)
   );
 
   // Stage multiply: the product of two significands in [1, 2) lies in [1, 4).
@@ -126,29 +126,29 @@ module fp_multiply #(
   wire [PRODUCT-1:0] last_product;
 
   fp_product #(
-      .PRECISION(PRECISION),
-      .SQUARE   (0),
-      .EMBEDDED (EMBEDDED),
-      .FACTOR_A (FACTOR_A),
-      .FACTOR_B (FACTOR_B),
-      .CUTS     (CUTS[ROUND-1:2])
+    .PRECISION(PRECISION),
+    .SQUARE   (0),
+    .EMBEDDED (EMBEDDED),
+    .FACTOR_A (FACTOR_A),
+    .FACTOR_B (FACTOR_B),
+    .CUTS     (CUTS[ROUND-1:2])
   ) s2_product (
-      .aclk   (aclk),
-      .a      (s2_a_significand),
-      .b      (s2_b_significand),
-      .product(last_product)
+    .aclk   (aclk),
+    .a      (s2_a_significand),
+    .b      (s2_b_significand),
+    .product(last_product)
   );
 
   wire [EXPONENT_WIDTH-1:0] s3_sum;
   wire [4:0]                s3_flags;
 
   fp_rank #(
-      .WIDTH     (EXPONENT_WIDTH + 5),
-      .REGISTERED(CUTS[2])
+    .WIDTH     (EXPONENT_WIDTH + 5),
+    .REGISTERED(CUTS[2])
   ) rank_2 (
-      .aclk(aclk),
-      .d   ({s2_exponent, s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect}),
-      .q   ({s3_sum, s3_flags})
+    .aclk(aclk),
+    .d   ({s2_exponent, s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect}),
+    .q   ({s3_sum, s3_flags})
   );
 
   // The product's other stages.
@@ -161,38 +161,38 @@ module fp_multiply #(
   wire                      last_suspect;
 
   fp_ranks #(
-      .WIDTH(EXPONENT_WIDTH + 5),
-      .COUNT(ROUND - 3),
-      .CUTS (CUTS[ROUND-1:3])
+    .WIDTH(EXPONENT_WIDTH + 5),
+    .COUNT(ROUND - 3),
+    .CUTS (CUTS[ROUND-1:3])
   ) ranks_3 (
-      .aclk(aclk),
-      .d   ({s3_exponent, s3_flags}),
-      .q   ({last_exponent, last_sign, last_nan, last_infinite, last_zero, last_suspect})
+    .aclk(aclk),
+    .d   ({s3_exponent, s3_flags}),
+    .q   ({last_exponent, last_sign, last_nan, last_infinite, last_zero, last_suspect})
   );
 
   // Stages select, denormalise, round, pack.
   fp_select_round #(
-      .WIDTH               (PRODUCT),
-      .EXPONENT_WIDTH      (EXPONENT_WIDTH),
-      .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
-      .RESULT_PRECISION    (RESULT_PRECISION),
-      .OVERFLOW            (OVERFLOW),
-      .UNDERFLOW           (UNDERFLOW),
-      .GRADUAL             (SUBNORMALS),
-      .TOWARD_ZERO         (TOWARD_ZERO),
-      .CUTS                (CUTS[ROUND+3:ROUND])
+    .WIDTH               (PRODUCT),
+    .EXPONENT_WIDTH      (EXPONENT_WIDTH),
+    .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
+    .RESULT_PRECISION    (RESULT_PRECISION),
+    .OVERFLOW            (OVERFLOW),
+    .UNDERFLOW           (UNDERFLOW),
+    .GRADUAL             (SUBNORMALS),
+    .TOWARD_ZERO         (TOWARD_ZERO),
+    .CUTS                (CUTS[ROUND+3:ROUND])
   ) select_round (
-      .aclk       (aclk),
-      .sign       (last_sign),
-      .exponent   (last_exponent),
-      .value      (last_product),
-      .sticky     (1'b0),
-      .nan        (last_nan),
-      .infinite   (last_infinite),
-      .zero       (last_zero),
-      .suspect    (last_suspect),
-      .y          (y),
-      .exceptional(exceptional)
+    .aclk       (aclk),
+    .sign       (last_sign),
+    .exponent   (last_exponent),
+    .value      (last_product),
+    .sticky     (1'b0),
+    .nan        (last_nan),
+    .infinite   (last_infinite),
+    .zero       (last_zero),
+    .suspect    (last_suspect),
+    .y          (y),
+    .exceptional(exceptional)
   );
 
 endmodule

@@ -5,12 +5,12 @@
 `default_nettype none
 
 module fp_multiply_row #(
-    parameter PRECISION = 24,
-    parameter FIRST     = 0    // 1: of the first row
+  parameter PRECISION = 24,
+  parameter FIRST     = 0    // 1: of the first row
 ) (
-    input  wire [4:0]           digits,  // this one and, sharing a bit, the one before
-    input  wire [PRECISION-1:0] b,
-    output wire [PRECISION+5:0] row
+  input  wire [4:0]           digits,  // this one and, sharing a bit, the one before
+  input  wire [PRECISION-1:0] b,
+  output wire [PRECISION+5:0] row
 );
 
   wire [PRECISION:0] multiple;
@@ -18,13 +18,13 @@ module fp_multiply_row #(
   wire               unused_doubled;
 
   fp_booth_multiple #(
-      .WIDTH(PRECISION)
+    .WIDTH(PRECISION)
   ) booth_multiple (
-      .digit   (digits[4:2]),
-      .value   (b),
-      .multiple(multiple),
-      .doubled (unused_doubled),
-      .negative(negative)
+    .digit   (digits[4:2]),
+    .value   (b),
+    .multiple(multiple),
+    .doubled (unused_doubled),
+    .negative(negative)
   );
 
   wire       owed = digits[2] && !(digits[1] && digits[0]);

@@ -4,23 +4,23 @@
 `default_nettype none
 
 module fp_operand #(
-    parameter       EXPONENT_BITS    = 8,
-    parameter       PRECISION        = 24,
-    parameter       EXPONENT_WIDTH   = 10,    // above EXPONENT_BITS and the width of PRECISION
-    parameter       SPECIAL_OPERANDS = 1,
-    parameter       UNDERFLOW        = 1,
-    parameter       GRADUAL          = 0,     // 1: with UNDERFLOW alone
-    parameter [1:0] CUTS             = 2'b00
+  parameter       EXPONENT_BITS    = 8,
+  parameter       PRECISION        = 24,
+  parameter       EXPONENT_WIDTH   = 10,    // above EXPONENT_BITS and the width of PRECISION
+  parameter       SPECIAL_OPERANDS = 1,
+  parameter       UNDERFLOW        = 1,
+  parameter       GRADUAL          = 0,     // 1: with UNDERFLOW alone
+  parameter [1:0] CUTS             = 2'b00
 ) (
-    input  wire                               aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0] a,
-    output wire                               sign,
-    output wire [EXPONENT_WIDTH-1:0]          exponent,
-    output wire [PRECISION-1:0]               significand,
-    output wire                               zero,
-    output wire                               infinite,
-    output wire                               nan,
-    output wire                               flushed
+  input  wire                               aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] a,
+  output wire                               sign,
+  output wire [EXPONENT_WIDTH-1:0]          exponent,
+  output wire [PRECISION-1:0]               significand,
+  output wire                               zero,
+  output wire                               infinite,
+  output wire                               nan,
+  output wire                               flushed
 );
 
   // Not the name of the units' own: Verilator 5.006 takes one inside the other for hiding.
@@ -46,20 +46,20 @@ module fp_operand #(
   wire                     s0_flushed;
 
   fp_unpack #(
-      .EXPONENT_BITS   (EXPONENT_BITS),
-      .PRECISION       (PRECISION),
-      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
-      .UNDERFLOW       (UNDERFLOW),
-      .GRADUAL         (GRADUAL)
+    .EXPONENT_BITS   (EXPONENT_BITS),
+    .PRECISION       (PRECISION),
+    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+    .UNDERFLOW       (UNDERFLOW),
+    .GRADUAL         (GRADUAL)
   ) s0_unpack (
-      .a          (a),
-      .sign       (s0_sign),
-      .exponent   (s0_exponent),
-      .significand(s0_significand),
-      .zero       (s0_zero),
-      .infinite   (s0_infinite),
-      .nan        (s0_nan),
-      .flushed    (s0_flushed)
+    .a          (a),
+    .sign       (s0_sign),
+    .exponent   (s0_exponent),
+    .significand(s0_significand),
+    .zero       (s0_zero),
+    .infinite   (s0_infinite),
+    .nan        (s0_nan),
+    .flushed    (s0_flushed)
   );
 
   wire [EXPONENT_BITS-1:0] s1_exponent;
@@ -67,12 +67,12 @@ module fp_operand #(
   wire [FLAGS-1:0]         s1_flags;
 
   fp_rank #(
-      .WIDTH     (EXPONENT_BITS + PRECISION + FLAGS),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (EXPONENT_BITS + PRECISION + FLAGS),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   ({s0_exponent, s0_significand, s0_sign, s0_zero, s0_infinite, s0_nan, s0_flushed}),
-      .q   ({s1_exponent, s1_significand, s1_flags})
+    .aclk(aclk),
+    .d   ({s0_exponent, s0_significand, s0_sign, s0_zero, s0_infinite, s0_nan, s0_flushed}),
+    .q   ({s1_exponent, s1_significand, s1_flags})
   );
 
   // Stage normalise: the leading one moves up, the exponent down by as much.
@@ -83,45 +83,45 @@ module fp_operand #(
   wire [PRECISION-1:0]      s1_normal_significand;
 
   generate
-    if (GRADUAL != 0) begin : gradual
+    if (GRADUAL != 0) begin : g_gradual
       wire [COUNTED-1:0]    s0_counted = {s0_significand, {(COUNTED - PRECISION) {1'b0}}};
       wire [COUNT_BITS-1:0] s0_count;
       wire                  s0_unused_empty;
       wire [COUNT_BITS-1:0] s1_count;
 
       fp_leading_zeros #(
-          .COUNT_BITS(COUNT_BITS)
+        .COUNT_BITS(COUNT_BITS)
       ) s0_leading_zeros (
-          .value(s0_counted),
-          .count(s0_count),
-          .empty(s0_unused_empty)
+        .value(s0_counted),
+        .count(s0_count),
+        .empty(s0_unused_empty)
       );
 
       fp_rank #(
-          .WIDTH     (COUNT_BITS),
-          .REGISTERED(CUTS[0])
+        .WIDTH     (COUNT_BITS),
+        .REGISTERED(CUTS[0])
       ) rank_0_count (
-          .aclk(aclk),
-          .d   (s0_count),
-          .q   (s1_count)
+        .aclk(aclk),
+        .d   (s0_count),
+        .q   (s1_count)
       );
 
       assign s1_normal_significand = s1_significand << s1_count;
       assign s1_normal_exponent    =
           s1_wide_exponent - {{(EXPONENT_WIDTH - COUNT_BITS) {1'b0}}, s1_count};
-    end else begin : flush
+    end else begin : g_flush
       assign s1_normal_significand = s1_significand;
       assign s1_normal_exponent    = s1_wide_exponent;
     end
   endgenerate
 
   fp_rank #(
-      .WIDTH     (EXPONENT_WIDTH + PRECISION + FLAGS),
-      .REGISTERED(CUTS[1])
+    .WIDTH     (EXPONENT_WIDTH + PRECISION + FLAGS),
+    .REGISTERED(CUTS[1])
   ) rank_1 (
-      .aclk(aclk),
-      .d   ({s1_normal_exponent, s1_normal_significand, s1_flags}),
-      .q   ({exponent, significand, sign, zero, infinite, nan, flushed})
+    .aclk(aclk),
+    .d   ({s1_normal_exponent, s1_normal_significand, s1_flags}),
+    .q   ({exponent, significand, sign, zero, infinite, nan, flushed})
   );
 
 endmodule

@@ -4,46 +4,46 @@
 `default_nettype none
 
 module fp_product #(
-    parameter       PRECISION = 24,
-    parameter       SQUARE    = 0,     // 1: of a; b is not read
-    parameter       EMBEDDED  = 1,     // 0: fp_logic_product instead of `*`
-    parameter       FACTOR_A  = 24,
-    parameter       FACTOR_B  = 17,
-    parameter [6:0] CUTS      = 7'b0
+  parameter       PRECISION = 24,
+  parameter       SQUARE    = 0,     // 1: of a; b is not read
+  parameter       EMBEDDED  = 1,     // 0: fp_logic_product instead of `*`
+  parameter       FACTOR_A  = 24,
+  parameter       FACTOR_B  = 17,
+  parameter [6:0] CUTS      = 7'b0
 ) (
-    input  wire                   aclk,
-    input  wire [PRECISION-1:0]   a,
-    input  wire [PRECISION-1:0]   b,
-    output wire [2*PRECISION-1:0] product
+  input  wire                   aclk,
+  input  wire [PRECISION-1:0]   a,
+  input  wire [PRECISION-1:0]   b,
+  output wire [2*PRECISION-1:0] product
 );
 
   wire [PRECISION-1:0] factor = (SQUARE != 0) ? a : b;
 
   generate
-    if (EMBEDDED != 0) begin : embedded
+    if (EMBEDDED != 0) begin : g_embedded
       fp_embedded_product #(
-          .PRECISION(PRECISION),
-          .FACTOR_A (FACTOR_A),
-          .FACTOR_B (FACTOR_B),
-          .CUTS     (CUTS)
+        .PRECISION(PRECISION),
+        .FACTOR_A (FACTOR_A),
+        .FACTOR_B (FACTOR_B),
+        .CUTS     (CUTS)
       ) embedded_product (
-          .aclk   (aclk),
-          .a      (a),
-          .b      (factor),
-          .product(product)
+        .aclk   (aclk),
+        .a      (a),
+        .b      (factor),
+        .product(product)
       );
-    end else begin : gates
+    end else begin : g_gates
       wire unused_leading_ones = a[PRECISION-1] ^ factor[PRECISION-1];
 
       fp_logic_product #(
-          .PRECISION(PRECISION),
-          .SQUARE   (SQUARE),
-          .CUTS     (CUTS)
+        .PRECISION(PRECISION),
+        .SQUARE   (SQUARE),
+        .CUTS     (CUTS)
       ) logic_product (
-          .aclk   (aclk),
-          .a      (a[PRECISION-2:0]),
-          .b      (factor[PRECISION-2:0]),
-          .product(product)
+        .aclk   (aclk),
+        .a      (a[PRECISION-2:0]),
+        .b      (factor[PRECISION-2:0]),
+        .product(product)
       );
     end
   endgenerate

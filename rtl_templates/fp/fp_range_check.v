@@ -5,17 +5,17 @@
 `default_nettype none
 
 module fp_range_check #(
-    parameter       EXPONENT_BITS = 8,
-    parameter       PRECISION     = 24,
-    parameter       SIGN          = 0,  // 0 any, 1 non-negative, 2 non-positive
-    parameter       LEADING_BITS  = 0,  // 0: any magnitude
-    parameter [EXPONENT_BITS+PRECISION-2:0] LEAST    = 0,
-    parameter [EXPONENT_BITS+PRECISION-2:0] GREATEST = 0,
-    parameter [0:0] CUTS          = 1'b0
+  parameter       EXPONENT_BITS = 8,
+  parameter       PRECISION     = 24,
+  parameter       SIGN          = 0,  // 0 any, 1 non-negative, 2 non-positive
+  parameter       LEADING_BITS  = 0,  // 0: any magnitude
+  parameter [EXPONENT_BITS+PRECISION-2:0] LEAST    = 0,
+  parameter [EXPONENT_BITS+PRECISION-2:0] GREATEST = 0,
+  parameter [0:0] CUTS          = 1'b0
 ) (
-    input  wire                               aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0] x,
-    output wire                               fails
+  input  wire                               aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] x,
+  output wire                               fails
 );
 
   localparam MAGNITUDE = EXPONENT_BITS + PRECISION - 1;
@@ -30,12 +30,12 @@ module fp_range_check #(
   wire                 s0_above      = (GREATEST != LARGEST) && (s0_leading > GREATEST);
 
   fp_rank #(
-      .WIDTH     (1),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (1),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   (s0_wrong_sign || ((LEADING_BITS != 0) && (s0_below || s0_above))),
-      .q   (fails)
+    .aclk(aclk),
+    .d   (s0_wrong_sign || ((LEADING_BITS != 0) && (s0_below || s0_above))),
+    .q   (fails)
   );
 
 endmodule

@@ -3,16 +3,16 @@
 `default_nettype none
 
 module fp_rank #(
-    parameter       WIDTH      = 1,
-    parameter       REGISTERED = 1
+  parameter       WIDTH      = 1,
+  parameter       REGISTERED = 1
 ) (
-    input  wire             aclk,
-    input  wire [WIDTH-1:0] d,
-    output wire [WIDTH-1:0] q
+  input  wire             aclk,
+  input  wire [WIDTH-1:0] d,
+  output wire [WIDTH-1:0] q
 );
 
   generate
-    if (REGISTERED != 0) begin : cut
+    if (REGISTERED != 0) begin : g_cut
       reg [WIDTH-1:0] value_q;
 
       always @(posedge aclk) begin
@@ -20,7 +20,7 @@ module fp_rank #(
       end
 
       assign q = value_q;
-    end else begin : through
+    end else begin : g_through
       wire unused_aclk = aclk;
 
       assign q = d;

@@ -3,13 +3,13 @@
 `default_nettype none
 
 module fp_ranks #(
-    parameter             WIDTH = 1,
-    parameter             COUNT = 1,
-    parameter [COUNT-1:0] CUTS  = 0
+  parameter             WIDTH = 1,
+  parameter             COUNT = 1,
+  parameter [COUNT-1:0] CUTS  = 0
 ) (
-    input  wire             aclk,
-    input  wire [WIDTH-1:0] d,
-    output wire [WIDTH-1:0] q
+  input  wire             aclk,
+  input  wire [WIDTH-1:0] d,
+  output wire [WIDTH-1:0] q
 );
 
   wire [(COUNT+1)*WIDTH-1:0] chain;
@@ -19,14 +19,14 @@ module fp_ranks #(
 
   genvar k;
   generate
-    for (k = 0; k < COUNT; k = k + 1) begin : cut
+    for (k = 0; k < COUNT; k = k + 1) begin : g_cut
       fp_rank #(
-          .WIDTH     (WIDTH),
-          .REGISTERED(CUTS[k])
+        .WIDTH     (WIDTH),
+        .REGISTERED(CUTS[k])
       ) rank (
-          .aclk(aclk),
-          .d   (chain[k*WIDTH+:WIDTH]),
-          .q   (chain[(k+1)*WIDTH+:WIDTH])
+        .aclk(aclk),
+        .d   (chain[k*WIDTH+:WIDTH]),
+        .q   (chain[(k+1)*WIDTH+:WIDTH])
       );
     end
   endgenerate

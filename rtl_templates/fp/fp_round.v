@@ -5,29 +5,29 @@
 `default_nettype none
 
 module fp_round #(
-    parameter       EXPONENT_WIDTH       = 10,     // above RESULT_EXPONENT_BITS + 1
-    parameter       RESULT_EXPONENT_BITS = 8,
-    parameter       RESULT_PRECISION     = 24,
-    parameter       OVERFLOW             = 1,
-    parameter       UNDERFLOW            = 1,
-    parameter       GRADUAL              = 0,      // 1: with UNDERFLOW alone
-    // 1: exponents below 1 occur with GRADUAL, and then the significand is normalised.
-    // 0: they do not, but a significand of exponent 1 may have leading zeros.
-    parameter       DENORMALISE          = GRADUAL,
-    parameter       TOWARD_ZERO          = 0,
-    parameter [2:0] CUTS                 = 3'b000
+  parameter       EXPONENT_WIDTH       = 10,     // above RESULT_EXPONENT_BITS + 1
+  parameter       RESULT_EXPONENT_BITS = 8,
+  parameter       RESULT_PRECISION     = 24,
+  parameter       OVERFLOW             = 1,
+  parameter       UNDERFLOW            = 1,
+  parameter       GRADUAL              = 0,      // 1: with UNDERFLOW alone
+  // 1: exponents below 1 occur with GRADUAL, and then the significand is normalised.
+  // 0: they do not, but a significand of exponent 1 may have leading zeros.
+  parameter       DENORMALISE          = GRADUAL,
+  parameter       TOWARD_ZERO          = 0,
+  parameter [2:0] CUTS                 = 3'b000
 ) (
-    input  wire                                             aclk,
-    input  wire                                             sign,
-    input  wire [EXPONENT_WIDTH-1:0]                        exponent,     // biased and signed
-    input  wire [RESULT_PRECISION+1:0]                      significand,  // two bits beyond it
-    input  wire                                             sticky,
-    input  wire                                             nan,
-    input  wire                                             infinite,
-    input  wire                                             zero,
-    input  wire                                             suspect,  // exceptional already
-    output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
-    output wire                                             exceptional
+  input  wire                                             aclk,
+  input  wire                                             sign,
+  input  wire [EXPONENT_WIDTH-1:0]                        exponent,     // biased and signed
+  input  wire [RESULT_PRECISION+1:0]                      significand,  // two bits beyond it
+  input  wire                                             sticky,
+  input  wire                                             nan,
+  input  wire                                             infinite,
+  input  wire                                             zero,
+  input  wire                                             suspect,  // exceptional already
+  output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
+  output wire                                             exceptional
 );
 
   // Not the name of the units' own: Verilator 5.006 takes one inside the other for hiding.
@@ -56,7 +56,7 @@ module fp_round #(
   wire             s0_sticky;
 
   generate
-    if (DENORMALISE != 0) begin : denormalise
+    if (DENORMALISE != 0) begin : g_denormalise
       localparam AMOUNT_BITS = width_of(WIDTH);
 
       wire [EXPONENT_WIDTH-1:0] distance = {{(EXPONENT_WIDTH - 1) {1'b0}}, 1'b1} - exponent;
@@ -67,17 +67,17 @@ module fp_round #(
       wire                      lost;
 
       fp_shift_right #(
-          .WIDTH      (WIDTH),
-          .AMOUNT_BITS(AMOUNT_BITS)
+        .WIDTH      (WIDTH),
+        .AMOUNT_BITS(AMOUNT_BITS)
       ) shift (
-          .value  (significand),
-          .amount (amount),
-          .shifted(s0_significand),
-          .sticky (lost)
+        .value  (significand),
+        .amount (amount),
+        .shifted(s0_significand),
+        .sticky (lost)
       );
 
       assign s0_sticky = sticky || lost;
-    end else begin : normal
+    end else begin : g_normal
       assign s0_significand = significand;
       assign s0_sticky      = sticky;
     end
@@ -89,12 +89,12 @@ module fp_round #(
   wire [FLAGS-1:0]          s1_flags;
 
   fp_rank #(
-      .WIDTH     (EXPONENT_WIDTH + WIDTH + 1 + FLAGS),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (EXPONENT_WIDTH + WIDTH + 1 + FLAGS),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   ({exponent, s0_significand, s0_sticky, sign, nan, infinite, zero, suspect}),
-      .q   ({s1_exponent, s1_significand, s1_sticky, s1_flags})
+    .aclk(aclk),
+    .d   ({exponent, s0_significand, s0_sticky, sign, nan, infinite, zero, suspect}),
+    .q   ({s1_exponent, s1_significand, s1_sticky, s1_flags})
   );
 
   // Stage round: exponent and fraction are one number, so that a carry out of the fraction doubles
@@ -133,13 +133,13 @@ module fp_round #(
   wire                      s2_suspect;
 
   fp_rank #(
-      .WIDTH     (ROUNDED_WIDTH + 2 + FLAGS),
-      .REGISTERED(CUTS[1])
+    .WIDTH     (ROUNDED_WIDTH + 2 + FLAGS),
+    .REGISTERED(CUTS[1])
   ) rank_1 (
-      .aclk(aclk),
-      .d   ({s1_rounded, s1_inexact_subnormal, s1_beyond, s1_flags}),
-      .q   ({s2_field, s2_fraction, s2_inexact_subnormal, s2_beyond,
-             s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect})
+    .aclk(aclk),
+    .d   ({s1_rounded, s1_inexact_subnormal, s1_beyond, s1_flags}),
+    .q   ({s2_field, s2_fraction, s2_inexact_subnormal, s2_beyond,
+           s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect})
   );
 
   // Stage pack: the field is too large from all ones on; with GRADUAL it is never too small.
@@ -171,13 +171,13 @@ module fp_round #(
       | (QUIET & {FRACTION_BITS{!SPECIAL_FIRST && s2_nan}});
 
   fp_rank #(
-      .WIDTH     (RESULT_EXPONENT_BITS + RESULT_PRECISION + 1),
-      .REGISTERED(CUTS[2])
+    .WIDTH     (RESULT_EXPONENT_BITS + RESULT_PRECISION + 1),
+    .REGISTERED(CUTS[2])
   ) rank_2 (
-      .aclk(aclk),
-      .d   ({s2_sign && !s2_nan, s2_y_field, s2_y_fraction,
-             s2_suspect || s2_overflow || s2_vanished || s2_imprecise}),
-      .q   ({y, exceptional})
+    .aclk(aclk),
+    .d   ({s2_sign && !s2_nan, s2_y_field, s2_y_fraction,
+           s2_suspect || s2_overflow || s2_vanished || s2_imprecise}),
+    .q   ({y, exceptional})
   );
 
 endmodule

@@ -3,27 +3,27 @@
 `default_nettype none
 
 module fp_select_round #(
-    parameter       WIDTH                = 48,
-    parameter       EXPONENT_WIDTH       = 10,  // above RESULT_EXPONENT_BITS + 1
-    parameter       RESULT_EXPONENT_BITS = 8,
-    parameter       RESULT_PRECISION     = 24,
-    parameter       OVERFLOW             = 1,
-    parameter       UNDERFLOW            = 1,
-    parameter       GRADUAL              = 0,   // 1: with UNDERFLOW alone
-    parameter       TOWARD_ZERO          = 0,
-    parameter [3:0] CUTS                 = 4'b0
+  parameter       WIDTH                = 48,
+  parameter       EXPONENT_WIDTH       = 10,  // above RESULT_EXPONENT_BITS + 1
+  parameter       RESULT_EXPONENT_BITS = 8,
+  parameter       RESULT_PRECISION     = 24,
+  parameter       OVERFLOW             = 1,
+  parameter       UNDERFLOW            = 1,
+  parameter       GRADUAL              = 0,   // 1: with UNDERFLOW alone
+  parameter       TOWARD_ZERO          = 0,
+  parameter [3:0] CUTS                 = 4'b0
 ) (
-    input  wire                                             aclk,
-    input  wire                                             sign,
-    input  wire [EXPONENT_WIDTH-1:0]                        exponent,  // of the second place
-    input  wire [WIDTH-1:0]                                 value,
-    input  wire                                             sticky,
-    input  wire                                             nan,
-    input  wire                                             infinite,
-    input  wire                                             zero,
-    input  wire                                             suspect,
-    output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
-    output wire                                             exceptional
+  input  wire                                             aclk,
+  input  wire                                             sign,
+  input  wire [EXPONENT_WIDTH-1:0]                        exponent,  // of the second place
+  input  wire [WIDTH-1:0]                                 value,
+  input  wire                                             sticky,
+  input  wire                                             nan,
+  input  wire                                             infinite,
+  input  wire                                             zero,
+  input  wire                                             suspect,
+  output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
+  output wire                                             exceptional
 );
 
   localparam KEPT = RESULT_PRECISION + 2;
@@ -36,12 +36,12 @@ module fp_select_round #(
   wire                      s0_lost;
 
   fp_fit #(
-      .FROM(WIDTH),
-      .TO  (KEPT)
+    .FROM(WIDTH),
+    .TO  (KEPT)
   ) s0_fit (
-      .value (s0_value),
-      .fitted(s0_significand),
-      .sticky(s0_lost)
+    .value (s0_value),
+    .fitted(s0_significand),
+    .sticky(s0_lost)
   );
 
   wire [EXPONENT_WIDTH-1:0] s1_exponent;
@@ -54,37 +54,37 @@ module fp_select_round #(
   wire                      s1_suspect;
 
   fp_rank #(
-      .WIDTH     (EXPONENT_WIDTH + KEPT + 6),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (EXPONENT_WIDTH + KEPT + 6),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   ({s0_exponent, s0_significand, sticky || s0_lost, sign, nan, infinite, zero, suspect}),
-      .q   ({s1_exponent, s1_significand, s1_sticky,
-             s1_sign, s1_nan, s1_infinite, s1_zero, s1_suspect})
+    .aclk(aclk),
+    .d   ({s0_exponent, s0_significand, sticky || s0_lost, sign, nan, infinite, zero, suspect}),
+    .q   ({s1_exponent, s1_significand, s1_sticky,
+           s1_sign, s1_nan, s1_infinite, s1_zero, s1_suspect})
   );
 
   // Stages denormalise, round, pack.
   fp_round #(
-      .EXPONENT_WIDTH      (EXPONENT_WIDTH),
-      .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
-      .RESULT_PRECISION    (RESULT_PRECISION),
-      .OVERFLOW            (OVERFLOW),
-      .UNDERFLOW           (UNDERFLOW),
-      .GRADUAL             (GRADUAL),
-      .TOWARD_ZERO         (TOWARD_ZERO),
-      .CUTS                (CUTS[3:1])
+    .EXPONENT_WIDTH      (EXPONENT_WIDTH),
+    .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
+    .RESULT_PRECISION    (RESULT_PRECISION),
+    .OVERFLOW            (OVERFLOW),
+    .UNDERFLOW           (UNDERFLOW),
+    .GRADUAL             (GRADUAL),
+    .TOWARD_ZERO         (TOWARD_ZERO),
+    .CUTS                (CUTS[3:1])
   ) s1_round (
-      .aclk       (aclk),
-      .sign       (s1_sign),
-      .exponent   (s1_exponent),
-      .significand(s1_significand),
-      .sticky     (s1_sticky),
-      .nan        (s1_nan),
-      .infinite   (s1_infinite),
-      .zero       (s1_zero),
-      .suspect    (s1_suspect),
-      .y          (y),
-      .exceptional(exceptional)
+    .aclk       (aclk),
+    .sign       (s1_sign),
+    .exponent   (s1_exponent),
+    .significand(s1_significand),
+    .sticky     (s1_sticky),
+    .nan        (s1_nan),
+    .infinite   (s1_infinite),
+    .zero       (s1_zero),
+    .suspect    (s1_suspect),
+    .y          (y),
+    .exceptional(exceptional)
   );
 
 endmodule

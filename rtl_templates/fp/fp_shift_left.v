@@ -3,14 +3,14 @@
 `default_nettype none
 
 module fp_shift_left #(
-    parameter WIDTH       = 27,
-    parameter KEPT        = 26,
-    parameter AMOUNT_BITS = 5
+  parameter WIDTH       = 27,
+  parameter KEPT        = 26,
+  parameter AMOUNT_BITS = 5
 ) (
-    input  wire [WIDTH-1:0]       value,
-    input  wire [AMOUNT_BITS-1:0] amount,
-    output wire [KEPT-1:0]        shifted,
-    output wire                   sticky
+  input  wire [WIDTH-1:0]       value,
+  input  wire [AMOUNT_BITS-1:0] amount,
+  output wire [KEPT-1:0]        shifted,
+  output wire                   sticky
 );
 
   reg [WIDTH-1:0] moving;

@@ -3,13 +3,13 @@
 `default_nettype none
 
 module fp_shift_right #(
-    parameter WIDTH       = 24,
-    parameter AMOUNT_BITS = 5
+  parameter WIDTH       = 24,
+  parameter AMOUNT_BITS = 5
 ) (
-    input  wire [WIDTH-1:0]       value,
-    input  wire [AMOUNT_BITS-1:0] amount,
-    output reg  [WIDTH-1:0]       shifted,
-    output reg                    sticky
+  input  wire [WIDTH-1:0]       value,
+  input  wire [AMOUNT_BITS-1:0] amount,
+  output reg  [WIDTH-1:0]       shifted,
+  output reg                    sticky
 );
 
   integer k;

@@ -3,13 +3,13 @@
 `default_nettype none
 
 module fp_shifted_sum #(
-    parameter LOW   = 26,
-    parameter HIGH  = 26,
-    parameter SHIFT = 2
+  parameter LOW   = 26,
+  parameter HIGH  = 26,
+  parameter SHIFT = 2
 ) (
-    input  wire [LOW-1:0]        low,
-    input  wire [HIGH-1:0]       high,
-    output wire [HIGH+SHIFT-1:0] sum
+  input  wire [LOW-1:0]        low,
+  input  wire [HIGH-1:0]       high,
+  output wire [HIGH+SHIFT-1:0] sum
 );
 
   wire [HIGH-1:0] low_above = {{(HIGH + SHIFT - LOW) {1'b0}}, low[LOW-1:SHIFT]};

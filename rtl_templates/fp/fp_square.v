@@ -7,24 +7,24 @@
 `default_nettype none
 
 module fp_square #(
-    parameter        EXPONENT_BITS        = 8,
-    parameter        PRECISION            = 24,
-    parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,
-    parameter        RESULT_PRECISION     = PRECISION,
-    parameter        SPECIAL_OPERANDS     = 1,
-    parameter        OVERFLOW             = 1,
-    parameter        UNDERFLOW            = 1,
-    parameter        GRADUAL              = 0,
-    parameter        TOWARD_ZERO          = 0,
-    parameter        EMBEDDED             = 1,
-    parameter        FACTOR_A             = 24,
-    parameter        FACTOR_B             = 17,
-    parameter [12:0] CUTS                 = 13'b0
+  parameter        EXPONENT_BITS        = 8,
+  parameter        PRECISION            = 24,
+  parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,
+  parameter        RESULT_PRECISION     = PRECISION,
+  parameter        SPECIAL_OPERANDS     = 1,
+  parameter        OVERFLOW             = 1,
+  parameter        UNDERFLOW            = 1,
+  parameter        GRADUAL              = 0,
+  parameter        TOWARD_ZERO          = 0,
+  parameter        EMBEDDED             = 1,
+  parameter        FACTOR_A             = 24,
+  parameter        FACTOR_B             = 17,
+  parameter [12:0] CUTS                 = 13'b0
 ) (
-    input  wire                                             aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
-    output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
-    output wire                                             exceptional
+  input  wire                                             aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
+  output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
+  output wire                                             exceptional
 );
 
   function integer bits_for(input integer value);
@@ -65,23 +65,23 @@ module fp_square #(
   wire                      s2_flushed;
 
   fp_operand #(
-      .EXPONENT_BITS   (EXPONENT_BITS),
-      .PRECISION       (PRECISION),
-      .EXPONENT_WIDTH  (EXPONENT_WIDTH),
-      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
-      .UNDERFLOW       (UNDERFLOW),
-      .GRADUAL         (SUBNORMALS && !VANISHING),
-      .CUTS            (CUTS[1:0])
+    .EXPONENT_BITS   (EXPONENT_BITS),
+    .PRECISION       (PRECISION),
+    .EXPONENT_WIDTH  (EXPONENT_WIDTH),
+    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+    .UNDERFLOW       (UNDERFLOW),
+    .GRADUAL         (SUBNORMALS && !VANISHING),
+    .CUTS            (CUTS[1:0])
   ) s0_operand (
-      .aclk       (aclk),
-      .a          (a),
-      .sign       (s2_unused_sign),
-      .exponent   (s2_a_exponent),
-      .significand(s2_a_significand),
-      .zero       (s2_zero),
-      .infinite   (s2_infinite),
-      .nan        (s2_nan),
-      .flushed    (s2_flushed)
+    .aclk       (aclk),
+    .a          (a),
+    .sign       (s2_unused_sign),
+    .exponent   (s2_a_exponent),
+    .significand(s2_a_significand),
+    .zero       (s2_zero),
+    .infinite   (s2_infinite),
+    .nan        (s2_nan),
+    .flushed    (s2_flushed)
   );
 
   // Stage multiply: the square of a significand in [1, 2) lies in [1, 4).
@@ -91,29 +91,29 @@ module fp_square #(
   wire [PRODUCT-1:0] last_product;
 
   fp_product #(
-      .PRECISION(PRECISION),
-      .SQUARE   (1),
-      .EMBEDDED (EMBEDDED),
-      .FACTOR_A (FACTOR_A),
-      .FACTOR_B (FACTOR_B),
-      .CUTS     (CUTS[ROUND-1:2])
+    .PRECISION(PRECISION),
+    .SQUARE   (1),
+    .EMBEDDED (EMBEDDED),
+    .FACTOR_A (FACTOR_A),
+    .FACTOR_B (FACTOR_B),
+    .CUTS     (CUTS[ROUND-1:2])
   ) s2_product (
-      .aclk   (aclk),
-      .a      (s2_a_significand),
-      .b      (s2_a_significand),
-      .product(last_product)
+    .aclk   (aclk),
+    .a      (s2_a_significand),
+    .b      (s2_a_significand),
+    .product(last_product)
   );
 
   wire [EXPONENT_WIDTH-1:0] s3_sum;
   wire [3:0]                s3_flags;
 
   fp_rank #(
-      .WIDTH     (EXPONENT_WIDTH + 4),
-      .REGISTERED(CUTS[2])
+    .WIDTH     (EXPONENT_WIDTH + 4),
+    .REGISTERED(CUTS[2])
   ) rank_2 (
-      .aclk(aclk),
-      .d   ({s2_exponent, s2_nan, s2_infinite, s2_zero, s2_suspect}),
-      .q   ({s3_sum, s3_flags})
+    .aclk(aclk),
+    .d   ({s2_exponent, s2_nan, s2_infinite, s2_zero, s2_suspect}),
+    .q   ({s3_sum, s3_flags})
   );
 
   // The product's other stages.
@@ -125,38 +125,38 @@ module fp_square #(
   wire                      last_suspect;
 
   fp_ranks #(
-      .WIDTH(EXPONENT_WIDTH + 4),
-      .COUNT(ROUND - 3),
-      .CUTS (CUTS[ROUND-1:3])
+    .WIDTH(EXPONENT_WIDTH + 4),
+    .COUNT(ROUND - 3),
+    .CUTS (CUTS[ROUND-1:3])
   ) ranks_3 (
-      .aclk(aclk),
-      .d   ({s3_exponent, s3_flags}),
-      .q   ({last_exponent, last_nan, last_infinite, last_zero, last_suspect})
+    .aclk(aclk),
+    .d   ({s3_exponent, s3_flags}),
+    .q   ({last_exponent, last_nan, last_infinite, last_zero, last_suspect})
   );
 
   // Stages select, denormalise, round, pack.
   fp_select_round #(
-      .WIDTH               (PRODUCT),
-      .EXPONENT_WIDTH      (EXPONENT_WIDTH),
-      .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
-      .RESULT_PRECISION    (RESULT_PRECISION),
-      .OVERFLOW            (OVERFLOW),
-      .UNDERFLOW           (UNDERFLOW),
-      .GRADUAL             (SUBNORMALS),
-      .TOWARD_ZERO         (TOWARD_ZERO),
-      .CUTS                (CUTS[ROUND+3:ROUND])
+    .WIDTH               (PRODUCT),
+    .EXPONENT_WIDTH      (EXPONENT_WIDTH),
+    .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
+    .RESULT_PRECISION    (RESULT_PRECISION),
+    .OVERFLOW            (OVERFLOW),
+    .UNDERFLOW           (UNDERFLOW),
+    .GRADUAL             (SUBNORMALS),
+    .TOWARD_ZERO         (TOWARD_ZERO),
+    .CUTS                (CUTS[ROUND+3:ROUND])
   ) select_round (
-      .aclk       (aclk),
-      .sign       (1'b0),
-      .exponent   (last_exponent),
-      .value      (last_product),
-      .sticky     (1'b0),
-      .nan        (last_nan),
-      .infinite   (last_infinite),
-      .zero       (last_zero),
-      .suspect    (last_suspect),
-      .y          (y),
-      .exceptional(exceptional)
+    .aclk       (aclk),
+    .sign       (1'b0),
+    .exponent   (last_exponent),
+    .value      (last_product),
+    .sticky     (1'b0),
+    .nan        (last_nan),
+    .infinite   (last_infinite),
+    .zero       (last_zero),
+    .suspect    (last_suspect),
+    .y          (y),
+    .exceptional(exceptional)
   );
 
 endmodule

@@ -6,21 +6,21 @@
 `default_nettype none
 
 module fp_square_root #(
-    parameter EXPONENT_BITS        = 8,
-    parameter PRECISION            = 24,
-    parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,
-    parameter RESULT_PRECISION     = PRECISION,
-    parameter SPECIAL_OPERANDS     = 1,
-    parameter OVERFLOW             = 1,
-    parameter UNDERFLOW            = 1,
-    parameter GRADUAL              = 0,
-    parameter TOWARD_ZERO          = 0,
-    parameter [RESULT_PRECISION+5:0] CUTS = 0
+  parameter EXPONENT_BITS        = 8,
+  parameter PRECISION            = 24,
+  parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,
+  parameter RESULT_PRECISION     = PRECISION,
+  parameter SPECIAL_OPERANDS     = 1,
+  parameter OVERFLOW             = 1,
+  parameter UNDERFLOW            = 1,
+  parameter GRADUAL              = 0,
+  parameter TOWARD_ZERO          = 0,
+  parameter [RESULT_PRECISION+5:0] CUTS = 0
 ) (
-    input  wire                                             aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
-    output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
-    output wire                                             exceptional
+  input  wire                                             aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
+  output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
+  output wire                                             exceptional
 );
 
   function integer bits_for(input integer value);
@@ -65,23 +65,23 @@ module fp_square_root #(
   wire                      s2_flushed;
 
   fp_operand #(
-      .EXPONENT_BITS   (EXPONENT_BITS),
-      .PRECISION       (PRECISION),
-      .EXPONENT_WIDTH  (EXPONENT_WIDTH),
-      .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
-      .UNDERFLOW       (UNDERFLOW),
-      .GRADUAL         (SUBNORMALS),
-      .CUTS            (CUTS[1:0])
+    .EXPONENT_BITS   (EXPONENT_BITS),
+    .PRECISION       (PRECISION),
+    .EXPONENT_WIDTH  (EXPONENT_WIDTH),
+    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+    .UNDERFLOW       (UNDERFLOW),
+    .GRADUAL         (SUBNORMALS),
+    .CUTS            (CUTS[1:0])
   ) s0_operand (
-      .aclk       (aclk),
-      .a          (a),
-      .sign       (s2_sign),
-      .exponent   (s2_a_exponent),
-      .significand(s2_a_significand),
-      .zero       (s2_zero),
-      .infinite   (s2_infinite),
-      .nan        (s2_a_nan),
-      .flushed    (s2_flushed)
+    .aclk       (aclk),
+    .a          (a),
+    .sign       (s2_sign),
+    .exponent   (s2_a_exponent),
+    .significand(s2_a_significand),
+    .zero       (s2_zero),
+    .infinite   (s2_infinite),
+    .nan        (s2_a_nan),
+    .flushed    (s2_flushed)
   );
 
   // Stages digit 1 to ROOT - 1: an odd exponent gives its last bit to the significand, so that the
@@ -98,12 +98,12 @@ module fp_square_root #(
   wire                      s2_sticky;
 
   fp_fit #(
-      .FROM(PRECISION + 1),
-      .TO  (RADICAND)
+    .FROM(PRECISION + 1),
+    .TO  (RADICAND)
   ) s2_fit (
-      .value (s2_even),
-      .fitted(s2_radicand),
-      .sticky(s2_sticky)
+    .value (s2_even),
+    .fitted(s2_radicand),
+    .sticky(s2_sticky)
   );
 
   wire s2_nan     = s2_a_nan || (s2_sign && !s2_zero);
@@ -111,7 +111,7 @@ module fp_square_root #(
 
   genvar k;
   generate
-    for (k = 1; k < ROOT; k = k + 1) begin : digit
+    for (k = 1; k < ROOT; k = k + 1) begin : g_digit
       // Up to twice the root of k + 1 bits, with a sign.
       localparam REMAINDER = k + 3;
 
@@ -122,20 +122,20 @@ module fp_square_root #(
       wire [EXPONENT_WIDTH-1:0] exponent;
       wire [FLAGS-1:0]          flags;
 
-      if (k == 1) begin : first
+      if (k == 1) begin : g_first
         assign above    = s2_radicand[RADICAND-1:RADICAND-2] - 2'd1;
         assign root     = 1'b1;
         assign radicand = s2_radicand[RADICAND-3:0];
         assign sticky   = s2_sticky;
         assign exponent = s2_exponent;
         assign flags    = {s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect};
-      end else begin : later
-        assign above    = digit[k-1].next_remainder;
-        assign root     = digit[k-1].next_root;
-        assign radicand = digit[k-1].more.next_radicand;
-        assign sticky   = digit[k-1].next_sticky;
-        assign exponent = digit[k-1].next_exponent;
-        assign flags    = digit[k-1].next_flags;
+      end else begin : g_later
+        assign above    = g_digit[k-1].next_remainder;
+        assign root     = g_digit[k-1].next_root;
+        assign radicand = g_digit[k-1].g_more.next_radicand;
+        assign sticky   = g_digit[k-1].next_sticky;
+        assign exponent = g_digit[k-1].next_exponent;
+        assign flags    = g_digit[k-1].next_flags;
       end
 
       wire [REMAINDER-1:0] remainder =
@@ -149,25 +149,25 @@ module fp_square_root #(
       wire [FLAGS-1:0]          next_flags;
 
       fp_rank #(
-          .WIDTH     (REMAINDER - 1 + k + 1 + 1 + EXPONENT_WIDTH + FLAGS),
-          .REGISTERED(CUTS[1+k])
+        .WIDTH     (REMAINDER - 1 + k + 1 + 1 + EXPONENT_WIDTH + FLAGS),
+        .REGISTERED(CUTS[1+k])
       ) rank (
-          .aclk(aclk),
-          .d   ({remainder[REMAINDER-2:0], root, !remainder[REMAINDER-1],
-                 sticky, exponent, flags}),
-          .q   ({next_remainder, next_root, next_sticky, next_exponent, next_flags})
+        .aclk(aclk),
+        .d   ({remainder[REMAINDER-2:0], root, !remainder[REMAINDER-1],
+               sticky, exponent, flags}),
+        .q   ({next_remainder, next_root, next_sticky, next_exponent, next_flags})
       );
 
-      if (k + 1 < ROOT) begin : more
+      if (k + 1 < ROOT) begin : g_more
         wire [RADICAND-2*k-3:0] next_radicand;
 
         fp_rank #(
-            .WIDTH     (RADICAND - 2 * k - 2),
-            .REGISTERED(CUTS[1+k])
+          .WIDTH     (RADICAND - 2 * k - 2),
+          .REGISTERED(CUTS[1+k])
         ) rank_radicand (
-            .aclk(aclk),
-            .d   (radicand[RADICAND-2*k-3:0]),
-            .q   (next_radicand)
+          .aclk(aclk),
+          .d   (radicand[RADICAND-2*k-3:0]),
+          .q   (next_radicand)
         );
       end
     end
@@ -178,12 +178,12 @@ module fp_square_root #(
   // where they agree.
   localparam LAST = ROOT + 1;
 
-  wire [LAST-1:0] last_remainder = digit[ROOT-1].next_remainder;
-  wire [ROOT-1:0] last_root      = digit[ROOT-1].next_root;
+  wire [LAST-1:0] last_remainder = g_digit[ROOT-1].next_remainder;
+  wire [ROOT-1:0] last_root      = g_digit[ROOT-1].next_root;
   wire [LAST-1:0] last_restore   = {last_root, 1'b1} & {LAST{!last_root[0]}};
   wire [LAST-1:0] last_carry     = (last_remainder | last_restore) << 1;
   wire            last_remains   = |(last_remainder ^ last_restore ^ last_carry);
-  wire            last_sticky    = last_remains || digit[ROOT-1].next_sticky;
+  wire            last_sticky    = last_remains || g_digit[ROOT-1].next_sticky;
 
   wire [EXPONENT_WIDTH-1:0] round_exponent;
   wire [ROOT-1:0]           round_root;
@@ -195,38 +195,38 @@ module fp_square_root #(
   wire                      round_suspect;
 
   fp_rank #(
-      .WIDTH     (EXPONENT_WIDTH + ROOT + 1 + FLAGS),
-      .REGISTERED(CUTS[ROOT+1])
+    .WIDTH     (EXPONENT_WIDTH + ROOT + 1 + FLAGS),
+    .REGISTERED(CUTS[ROOT+1])
   ) last_rank (
-      .aclk(aclk),
-      .d   ({digit[ROOT-1].next_exponent, last_root, last_sticky, digit[ROOT-1].next_flags}),
-      .q   ({round_exponent, round_root, round_sticky,
-             round_sign, round_nan, round_infinite, round_zero, round_suspect})
+    .aclk(aclk),
+    .d   ({g_digit[ROOT-1].next_exponent, last_root, last_sticky, g_digit[ROOT-1].next_flags}),
+    .q   ({round_exponent, round_root, round_sticky,
+           round_sign, round_nan, round_infinite, round_zero, round_suspect})
   );
 
   // Stages denormalise, round, pack.
   fp_round #(
-      .EXPONENT_WIDTH      (EXPONENT_WIDTH),
-      .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
-      .RESULT_PRECISION    (RESULT_PRECISION),
-      .OVERFLOW            (OVERFLOW),
-      .UNDERFLOW           (TINY_RESULTS),
-      .GRADUAL             (SUBNORMALS),
-      .DENORMALISE         (DENORMALISE),
-      .TOWARD_ZERO         (TOWARD_ZERO),
-      .CUTS                (CUTS[ROOT+4:ROOT+2])
+    .EXPONENT_WIDTH      (EXPONENT_WIDTH),
+    .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
+    .RESULT_PRECISION    (RESULT_PRECISION),
+    .OVERFLOW            (OVERFLOW),
+    .UNDERFLOW           (TINY_RESULTS),
+    .GRADUAL             (SUBNORMALS),
+    .DENORMALISE         (DENORMALISE),
+    .TOWARD_ZERO         (TOWARD_ZERO),
+    .CUTS                (CUTS[ROOT+4:ROOT+2])
   ) round (
-      .aclk       (aclk),
-      .sign       (round_sign),
-      .exponent   (round_exponent),
-      .significand({round_root, 1'b0}),
-      .sticky     (round_sticky),
-      .nan        (round_nan),
-      .infinite   (round_infinite),
-      .zero       (round_zero),
-      .suspect    (round_suspect),
-      .y          (y),
-      .exceptional(exceptional)
+    .aclk       (aclk),
+    .sign       (round_sign),
+    .exponent   (round_exponent),
+    .significand({round_root, 1'b0}),
+    .sticky     (round_sticky),
+    .nan        (round_nan),
+    .infinite   (round_infinite),
+    .zero       (round_zero),
+    .suspect    (round_suspect),
+    .y          (y),
+    .exceptional(exceptional)
   );
 
 endmodule

@@ -5,10 +5,10 @@
 `default_nettype none
 
 module fp_square_row #(
-    parameter PLACE = 3  // of the digit's middle bit; of the first row 1 or 2
+  parameter PLACE = 3  // of the digit's middle bit; of the first row 1 or 2
 ) (
-    input  wire [PLACE+1:0] a,
-    output wire [PLACE+2:0] row
+  input  wire [PLACE+1:0] a,
+  output wire [PLACE+2:0] row
 );
 
   localparam [PLACE-1:0] SIGN = ~({PLACE{1'b1}} >> 1);
@@ -19,24 +19,24 @@ module fp_square_row #(
   wire           unused_negative;
 
   fp_booth_multiple #(
-      .WIDTH(PLACE)
+    .WIDTH(PLACE)
   ) booth_multiple (
-      .digit   (a[PLACE+1:PLACE-1]),
-      .value   (a[PLACE-1:0] ^ SIGN),
-      .multiple(multiple),
-      .doubled (doubled),
-      .negative(unused_negative)
+    .digit   (a[PLACE+1:PLACE-1]),
+    .value   (a[PLACE-1:0] ^ SIGN),
+    .multiple(multiple),
+    .doubled (doubled),
+    .negative(unused_negative)
   );
 
   // Below the first row's digit there are one or two bits, and their square has room here.
   wire [1:0] below;
 
   generate
-    if (PLACE == 1) begin : one_bit
+    if (PLACE == 1) begin : g_one_bit
       assign below = {1'b0, a[0]};
-    end else if (PLACE == 2) begin : two_bits
+    end else if (PLACE == 2) begin : g_two_bits
       assign below = {a[1] && !a[0], 1'b0};  // and a[0] one place down
-    end else begin : digits
+    end else begin : g_digits
       assign below = {1'b0, a[PLACE-1] && !(a[PLACE-2] && a[PLACE-3])};
     end
   endgenerate

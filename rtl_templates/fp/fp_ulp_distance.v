@@ -6,18 +6,18 @@
 `default_nettype none
 
 module fp_ulp_distance #(
-    parameter EXPONENT_BITS = 8,
-    parameter PRECISION     = 24,
-    parameter [EXPONENT_BITS+PRECISION-1:0] GUARD_ULP = 8,
-    parameter NONNEGATIVE   = 0,
-    parameter [1:0] CUTS    = 2'b00
+  parameter EXPONENT_BITS = 8,
+  parameter PRECISION     = 24,
+  parameter [EXPONENT_BITS+PRECISION-1:0] GUARD_ULP = 8,
+  parameter NONNEGATIVE   = 0,
+  parameter [1:0] CUTS    = 2'b00
 ) (
-    input  wire                               aclk,
-    input  wire [EXPONENT_BITS+PRECISION-1:0] f,
-    input  wire [EXPONENT_BITS+PRECISION-1:0] g,
-    input  wire                               exceptional,
-    output wire [1:0]                         verdict,
-    output wire                               decided
+  input  wire                               aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] f,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] g,
+  input  wire                               exceptional,
+  output wire [1:0]                         verdict,
+  output wire                               decided
 );
 
   localparam SIGN       = EXPONENT_BITS + PRECISION - 1;
@@ -38,12 +38,12 @@ module fp_ulp_distance #(
   wire                  s1_exceptional;
 
   fp_rank #(
-      .WIDTH     (DIFFERENCE + 2),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (DIFFERENCE + 2),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   ({s0_difference, s0_f_negative, exceptional}),
-      .q   ({s1_difference, s1_f_negative, s1_exceptional})
+    .aclk(aclk),
+    .d   ({s0_difference, s0_f_negative, exceptional}),
+    .q   ({s1_difference, s1_f_negative, s1_exceptional})
   );
 
   // Stage decide: the guard is a constant of a few bits; above them a near difference is all sign.
@@ -60,10 +60,10 @@ module fp_ulp_distance #(
   endfunction
 
   generate
-    if (GUARD_ULP == 0) begin : exact
+    if (GUARD_ULP == 0) begin : g_exact
       assign s1_near  = 1'b0;
       assign s1_equal = !(|s1_difference);
-    end else begin : guarded
+    end else begin : g_guarded
       localparam GUARD_BITS = bits_for(GUARD_ULP);
       localparam [SIGN:0] GUARD_LESS_ONE = GUARD_ULP - 1;
 
@@ -80,12 +80,12 @@ module fp_ulp_distance #(
   endgenerate
 
   fp_rank #(
-      .WIDTH     (3),
-      .REGISTERED(CUTS[1])
+    .WIDTH     (3),
+    .REGISTERED(CUTS[1])
   ) rank_1 (
-      .aclk(aclk),
-      .d   ({!s1_equal && !s1_less, s1_equal, !s1_near && !s1_exceptional}),
-      .q   ({verdict, decided})
+    .aclk(aclk),
+    .d   ({!s1_equal && !s1_less, s1_equal, !s1_near && !s1_exceptional}),
+    .q   ({verdict, decided})
   );
 
 endmodule

@@ -5,20 +5,20 @@
 `default_nettype none
 
 module fp_unpack #(
-    parameter       EXPONENT_BITS    = 8,
-    parameter       PRECISION        = 24,
-    parameter       SPECIAL_OPERANDS = 1,
-    parameter       UNDERFLOW        = 1,
-    parameter       GRADUAL          = 0   // 1: with UNDERFLOW alone
+  parameter       EXPONENT_BITS    = 8,
+  parameter       PRECISION        = 24,
+  parameter       SPECIAL_OPERANDS = 1,
+  parameter       UNDERFLOW        = 1,
+  parameter       GRADUAL          = 0   // 1: with UNDERFLOW alone
 ) (
-    input  wire [EXPONENT_BITS+PRECISION-1:0] a,
-    output wire                               sign,
-    output wire [EXPONENT_BITS-1:0]           exponent,
-    output wire [PRECISION-1:0]               significand,
-    output wire                               zero,
-    output wire                               infinite,
-    output wire                               nan,
-    output wire                               flushed
+  input  wire [EXPONENT_BITS+PRECISION-1:0] a,
+  output wire                               sign,
+  output wire [EXPONENT_BITS-1:0]           exponent,
+  output wire [PRECISION-1:0]               significand,
+  output wire                               zero,
+  output wire                               infinite,
+  output wire                               nan,
+  output wire                               flushed
 );
 
   wire [EXPONENT_BITS-1:0] field         = a[EXPONENT_BITS+PRECISION-2:PRECISION-1];
@@ -31,12 +31,12 @@ module fp_unpack #(
   assign nan      = (SPECIAL_OPERANDS != 0) && (&field) && fraction_some;
 
   generate
-    if (GRADUAL != 0) begin : gradual
+    if (GRADUAL != 0) begin : g_gradual
       assign exponent    = {field[EXPONENT_BITS-1:1], field[0] || field_empty};
       assign significand = {!field_empty, fraction};
       assign zero        = field_empty && !fraction_some;
       assign flushed     = 1'b0;
-    end else begin : flush
+    end else begin : g_flush
       assign exponent    = field;
       assign significand = {1'b1, fraction};
       assign zero        = field_empty;

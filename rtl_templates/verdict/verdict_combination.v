@@ -9,15 +9,15 @@
 `default_nettype none
 
 module verdict_combination #(
-    parameter       PARTS = 2,
-    parameter       ANY   = 0,
-    parameter [0:0] CUTS  = 1'b0
+  parameter       PARTS = 2,
+  parameter       ANY   = 0,
+  parameter [0:0] CUTS  = 1'b0
 ) (
-    input  wire               aclk,
-    input  wire [2*PARTS-1:0] verdicts,
-    input  wire [PARTS-1:0]   known,
-    output wire [1:0]         verdict,
-    output wire               decided
+  input  wire               aclk,
+  input  wire [2*PARTS-1:0] verdicts,
+  input  wire [PARTS-1:0]   known,
+  output wire [1:0]         verdict,
+  output wire               decided
 );
 
   // Stage combine: among parts none of which decides, unordered outweighs equal, and equal the rest.
@@ -42,12 +42,12 @@ module verdict_combination #(
                                              : (s0_decided || s0_unordered);
 
   fp_rank #(
-      .WIDTH     (3),
-      .REGISTERED(CUTS[0])
+    .WIDTH     (3),
+    .REGISTERED(CUTS[0])
   ) rank_0 (
-      .aclk(aclk),
-      .d   ({s0_verdict_1, s0_verdict_0, s0_decided || (&known)}),
-      .q   ({verdict, decided})
+    .aclk(aclk),
+    .d   ({s0_verdict_1, s0_verdict_0, s0_decided || (&known)}),
+    .q   ({verdict, decided})
   );
 
 endmodule

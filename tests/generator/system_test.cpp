@@ -104,14 +104,14 @@ TEST(MixedSystem, TopNumbersLanesThroughTheGroups) {
   const GeneratedSystem system = mixed_system();
   const std::string& top = find(system, system.signature.top + ".v")->text;
   for (const char* loop :
-       {"for (lane = 0; lane < 2; lane = lane + 1) begin : lanes_s6e8_exact_relative\n",
-        "for (lane = 2; lane < 3; lane = lane + 1) begin : lanes_s6e8_rounded_running_4\n",
-        "for (lane = 3; lane < 6; lane = lane + 1) begin : lanes_s9e8\n",
-        "for (lane = 6; lane < 7; lane = lane + 1) begin : lanes_s6e8_exact_relative_2\n",
+       {"for (lane = 0; lane < 2; lane = lane + 1) begin : g_lanes_s6e8_exact_relative\n",
+        "for (lane = 2; lane < 3; lane = lane + 1) begin : g_lanes_s6e8_rounded_running_4\n",
+        "for (lane = 3; lane < 6; lane = lane + 1) begin : g_lanes_s9e8\n",
+        "for (lane = 6; lane < 7; lane = lane + 1) begin : g_lanes_s6e8_exact_relative_2\n",
         "for (reference = 0; reference < 1; reference = reference + 1) begin : "
-        "references_s24e8_embedded\n",
+        "g_references_s24e8_embedded\n",
         "for (reference = 1; reference < 3; reference = reference + 1) begin : "
-        "references_s24e8_logic\n"}) {
+        "g_references_s24e8_logic\n"}) {
     EXPECT_NE(top.find(loop), std::string::npos) << loop << top;
   }
   EXPECT_EQ(top.find("genvar lane;"), top.rfind("genvar lane;")) << "declared once";

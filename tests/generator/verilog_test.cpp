@@ -50,7 +50,7 @@ module pair (
 
   genvar k;
   generate
-    for (k = 0; k < 2; k = k + 1) begin : halves
+    for (k = 0; k < 2; k = k + 1) begin : g_halves
       half one (
         .a(x[k * 8 +: 8])
       );
