@@ -290,7 +290,7 @@ TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cyc
 }
 
 TemplateInstance crossbar_template(const SystemShape& shape) {
-  return {"crossbar",
+  return {"stream_crossbar",
           {{"LANES", shape.lanes},
            {"REFERENCES", shape.references},
            {"LANE_BITS", shape.lane_bits()},

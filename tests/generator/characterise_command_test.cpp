@@ -138,7 +138,7 @@ TEST_F(CharacteriseCommand, AJobThatFailsIsNamedAndTheOthersGoOn) {
   int kept = 0;
   for (const auto& entry : fs::directory_iterator(store().string() + ".work")) {
     EXPECT_NE(run.output.find(entry.path().filename().string()), std::string::npos);
-    EXPECT_TRUE(fs::exists(entry.path() / "crossbar.v"));
+    EXPECT_TRUE(fs::exists(entry.path() / "stream_crossbar.v"));
     ++kept;
   }
   EXPECT_EQ(kept, 1);

@@ -178,7 +178,7 @@ module stream_system_bench #(
       wire [REFERENCES-1:0]             reply_valid;
       wire [REFERENCES*ANSWER_BITS-1:0] reply_data;
 
-      crossbar #(
+      stream_crossbar #(
         .LANES       (LANES),
         .REFERENCES  (REFERENCES),
         .LANE_BITS   (LANE_BITS),

@@ -26,7 +26,7 @@ module crossbar_proof #(
   wire [LANES*2-1:0]      lane_answer_verdict;
   wire [REFERENCES*6-1:0] answers;
 
-  crossbar #(
+  stream_crossbar #(
     .LANES       (LANES),
     .REFERENCES  (REFERENCES),
     .LANE_BITS   (3),
