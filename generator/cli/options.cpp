@@ -29,7 +29,7 @@ struct Shortcut {
   std::optional<model::Limits> limits = {};
 };
 
-constexpr std::array<Shortcut, 8> shortcuts = {{
+constexpr std::array<Shortcut, 9> shortcuts = {{
     {"--variant", "comparison.variant", "one of the scene's [[variant]]s in place of [comparison]"},
     {"--format", "reduced.format", "reduced format of the lanes, s17e8"},
     {"--bound", "reduced.bound", "certified or profiled"},
@@ -38,6 +38,7 @@ constexpr std::array<Shortcut, 8> shortcuts = {{
     {"--references", "system.references", "p_H", model::limits::references},
     {"--target-mhz", "system.target_mhz", "clock that the cut points are chosen for"},
     {"--device", "system.device", "device whose rough delays choose the cut points"},
+    {"--prefix", "system.prefix", "of the names of the modules, the top's excepted"},
 }};
 
 /// Mistakes in a data file are the file's own; others may come from an override.

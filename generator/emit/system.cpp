@@ -146,11 +146,20 @@ GeneratedFile verilog_file(Described described, const Signature& signature,
   return {described.module.name + ".v", to_verilog(described.module)};
 }
 
-GeneratedFile template_file(const std::string& name) {
-  return {name + ".v",
+/// Instances of templates take the names that the templates have in the output.
+void add_prefix(std::vector<Described>& modules, const std::string& prefix) {
+  for (Described& described : modules) {
+    described.module.items = rtl::with_modules_renamed(
+        std::move(described.module.items),
+        [&](std::string name) { return is_template(name) ? prefix + name : name; });
+  }
+}
+
+GeneratedFile template_file(const std::string& name, const std::string& prefix) {
+  return {prefix + name + ".v",
           fmt::format("// Copied by mixcmp {}. This copy is unencumbered: use it as you "
                       "like.\n//\n{}",
-                      version, template_text(name))};
+                      version, prefixed_template(name, prefix))};
 }
 
 /// Names are relative to the list's own folder: absolute ones would make other bytes in another
@@ -190,6 +199,8 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
     instantiated.merge(rtl::instantiated_modules(described.module));
   }
   const std::vector<std::string> templates = template_closure(instantiated);
+  const std::string& prefix = design.system.prefix;
+  add_prefix(modules, prefix);
 
   GeneratedSystem system = {signature_of(design, plan.shape), {}, slow_stages(plan)};
   system.signature.spec_hash = spec_hash(modules, templates);
@@ -198,7 +209,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
     system.signature.engine =
         signature_engine(*plan.engine, find_module(modules, plan.engine->top));
   }
-  for (const std::string& name : templates) system.files.push_back(template_file(name));
+  for (const std::string& name : templates) system.files.push_back(template_file(name, prefix));
   for (Described& described : modules) {
     system.files.push_back(verilog_file(std::move(described), system.signature, command));
   }

@@ -51,7 +51,8 @@ void add_lane_groups(const model::Design& design, SystemPlan& plan) {
   NamePool labels({});
   for (std::size_t k = 0; k < names.size(); ++k) {
     const int cycles = plan.lanes[k].latency_cycles;
-    const std::string name = fmt::format("{}_lane_{}_l{}", design.name, names[k], cycles);
+    const std::string name =
+        fmt::format("{}{}_lane_{}_l{}", design.system.prefix, design.name, names[k], cycles);
     add_group(plan.shape.lane_groups,
               {.datapath = modules.unique(name, hardware_of(design, k, plan.lanes[k])),
                .channel = {},
@@ -67,7 +68,8 @@ void add_reference_groups(const model::Design& design, SystemPlan& plan) {
   for (std::size_t k = 0; k < names.size(); ++k) {
     const int cycles = plan.references[k].latency_cycles;
     add_group(plan.shape.reference_groups,
-              {.datapath = fmt::format("{}_reference_{}_l{}", design.name, names[k], cycles),
+              {.datapath = fmt::format("{}{}_reference_{}_l{}", design.system.prefix, design.name,
+                                       names[k], cycles),
                .channel = {},
                .label = names.size() == 1 ? "references" : labels.unique("references_" + names[k]),
                .latency_cycles = cycles,

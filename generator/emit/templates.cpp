@@ -1,5 +1,6 @@
 #include "generator/emit/templates.hpp"
 
+#include <algorithm>
 #include <cctype>
 
 #include "embedded/rtl_templates.hpp"
@@ -19,6 +20,12 @@ bool is_identifier(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
+std::size_t end_of_identifier(std::string_view text, std::size_t start) {
+  const auto end = std::find_if_not(text.begin() + static_cast<std::ptrdiff_t>(start), text.end(),
+                                    is_identifier);
+  return static_cast<std::size_t>(end - text.begin());
+}
+
 /// Every identifier outside of `//` comments.
 std::set<std::string> identifiers(std::string_view text) {
   std::set<std::string> words;
@@ -26,9 +33,9 @@ std::set<std::string> identifiers(std::string_view text) {
     if (text.substr(k, 2) == "//") {
       k = std::min(text.find('\n', k), text.size());
     } else if (is_identifier(text[k])) {
-      const std::size_t start = k;
-      while (k < text.size() && is_identifier(text[k])) ++k;
-      words.emplace(text.substr(start, k - start));
+      const std::size_t end = end_of_identifier(text, k);
+      words.emplace(text.substr(k, end - k));
+      k = end;
     } else {
       ++k;
     }
@@ -48,6 +55,27 @@ std::string_view template_text(const std::string& module) {
   const model::EmbeddedFile* file = find_template(module);
   MIXCMP_CHECK(file != nullptr);
   return file->text;
+}
+
+bool is_template(const std::string& module) {
+  return find_template(module) != nullptr;
+}
+
+std::string prefixed_template(const std::string& module, const std::string& prefix) {
+  const std::string_view text = template_text(module);
+  std::string prefixed;
+  for (std::size_t k = 0; k < text.size();) {
+    if (!is_identifier(text[k])) {
+      prefixed += text[k++];
+      continue;
+    }
+    const std::size_t end = end_of_identifier(text, k);
+    const std::string_view word = text.substr(k, end - k);
+    if (find_template(word) != nullptr) prefixed += prefix;
+    prefixed += word;
+    k = end;
+  }
+  return prefixed;
 }
 
 std::vector<std::string> template_closure(const std::set<std::string>& modules) {

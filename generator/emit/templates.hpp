@@ -14,4 +14,9 @@ std::string_view template_text(const std::string& module);
 /// that are no templates are left out.
 std::vector<std::string> template_closure(const std::set<std::string>& modules);
 
+bool is_template(const std::string& module);
+
+/// The text of a template with `prefix` in front of its own name and of every other template's.
+std::string prefixed_template(const std::string& module, const std::string& prefix);
+
 }  // namespace mixcmp::gen

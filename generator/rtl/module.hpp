@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -129,5 +130,9 @@ struct Module {
 std::vector<const Instance*> instances(const Module& module);
 /// The names of the modules it instantiates.
 std::set<std::string> instantiated_modules(const Module& module);
+
+/// The items with other modules' names in the instances, those in loops included.
+std::vector<Item> with_modules_renamed(std::vector<Item> items,
+                                       const std::function<std::string(std::string)>& rename);
 
 }  // namespace mixcmp::gen::rtl

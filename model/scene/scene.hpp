@@ -92,8 +92,9 @@ struct SystemSpec {
   double target_mhz = 200;
   ResultOrder order = ResultOrder::tagged;
   OperandStore operands = OperandStore::carried;
-  int tag_bits = 32;      ///< 1..64
-  int counter_bits = 32;  ///< 0 (no counters) or 8..64
+  int tag_bits = 32;               ///< 1..64
+  int counter_bits = 32;           ///< 0 (no counters) or 8..64
+  std::string prefix = "mixcmp_";  ///< of the name of every generated module but the top
   /// The engine around the system. An engine sets `operands` and `tag_bits`, and an arg_min engine
   /// sets `order`, too: see with_engine.
   EngineSpec engine;

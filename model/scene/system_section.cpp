@@ -1,9 +1,23 @@
 #include <fmt/format.h>
 
+#include "model/common/quote.hpp"
+#include "model/expression/name.hpp"
 #include "model/scene/sections.hpp"
 #include "model/settings/section.hpp"
 
 namespace mixcmp::model {
+namespace {
+
+/// The rest of a module's name follows the prefix.
+void check_prefix(Section& section, const std::string& prefix) {
+  constexpr std::size_t longest = 32;
+  if (prefix.size() <= longest && name_problem(prefix + "x").empty()) return;
+  section.fail("prefix", "does not begin a Verilog name", in_quotes(prefix),
+               fmt::format("letters, digits and '_', no digit first, at most {}", longest));
+}
+
+}  // namespace
+
 Result<ReferenceSpec> read_reference(const Settings& settings) {
   Section section(settings, "reference");
   std::optional<FloatFormat> format;
@@ -31,6 +45,8 @@ Result<SystemSpec> read_system(const Settings& settings) {
   section.choice("operands", spec.operands, {OperandStore::carried, OperandStore::refetched});
   section.integer("tag_bits", spec.tag_bits, limits::tag_bits);
   section.integer_or_zero("counter_bits", spec.counter_bits, limits::counter_bits, "no counters");
+  section.text("prefix", spec.prefix);
+  check_prefix(section, spec.prefix);
   if (spec.device.empty()) section.fail("device", "empty", "\"\"", "a device's name");
   if (const auto error = section.finish()) return *error;
   return spec;

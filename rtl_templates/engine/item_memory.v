@@ -1,7 +1,8 @@
 // item_memory: the items of one set. Port a writes or reads, port b reads.
 // Latency 1; an output holds its word until its port reads again. No reset, so that it becomes block
-// RAM with two ports. Whoever reads an address in the cycle that writes it gets either word: the
-// users of this module never do.
+// RAM with two ports. A read at port b of the address that port a writes in the same cycle returns
+// no word: nobody reads so, simulation answers with unknown bits, and the attributes keep synthesis
+// from building logic that would answer.
 `default_nettype none
 
 module item_memory #(
@@ -19,6 +20,7 @@ module item_memory #(
   output wire [WIDTH-1:0]        b_read_data
 );
 
+  (* no_rw_check, ramstyle = "no_rw_check", rw_addr_collision = "no" *)
   reg [WIDTH-1:0] words [0:(1<<ADDRESS_BITS)-1];
   reg [WIDTH-1:0] a_read_data_q;
   reg [WIDTH-1:0] b_read_data_q;
@@ -36,6 +38,11 @@ module item_memory #(
   always @(posedge aclk) begin
     if (b_enable) begin
       b_read_data_q <= words[b_address];
+`ifndef SYNTHESIS
+      if (a_enable && a_write && (a_address == b_address)) begin
+        b_read_data_q <= {WIDTH{1'bx}};
+      end
+`endif
     end
   end
 

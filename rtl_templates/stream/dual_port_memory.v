@@ -1,6 +1,8 @@
 // dual_port_memory: one write port, one synchronous read port with an enable.
-// Latency 1. No reset, so that it becomes LUT or block RAM. Whoever reads an address in the cycle
-// that writes it gets either word: the users of this module never do.
+// Latency 1. No reset, so that it becomes LUT or block RAM. A read of the address that is written in
+// the same cycle returns no word: nobody reads so, simulation answers with unknown bits, and the
+// attributes keep synthesis from building logic that would answer (Yosys: no_rw_check, Quartus:
+// ramstyle, Vivado: rw_addr_collision).
 `default_nettype none
 
 module dual_port_memory #(
@@ -16,6 +18,7 @@ module dual_port_memory #(
   output wire [WIDTH-1:0]        read_data
 );
 
+  (* no_rw_check, ramstyle = "no_rw_check", rw_addr_collision = "no" *)
   reg [WIDTH-1:0] words [0:(1<<ADDRESS_BITS)-1];
   reg [WIDTH-1:0] read_data_q;
 
@@ -25,6 +28,11 @@ module dual_port_memory #(
     end
     if (read_enable) begin
       read_data_q <= words[read_address];
+`ifndef SYNTHESIS
+      if (write_enable && (write_address == read_address)) begin
+        read_data_q <= {WIDTH{1'bx}};
+      end
+`endif
     end
   end
 

@@ -63,6 +63,43 @@ GeneratedSystem mixed_system() {
   return generate_system(test::mixed_sphere_design(), command).value();
 }
 
+/// The identifiers of a Verilog text, comments included.
+std::set<std::string> words_of(const std::string& text) {
+  std::set<std::string> words;
+  std::string word;
+  for (const char c : text + " ") {
+    const bool inside = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+    if (inside) word += c;
+    if (!inside && !word.empty()) words.insert(std::exchange(word, ""));
+  }
+  return words;
+}
+
+TEST(System, EveryModuleButTheTopCarriesThePrefix) {
+  model::Design design = sphere_design(format("s17e8"), format("s53e8"), 2, 1);
+  design.inputs.front() = "fp_add";  // an input's name is the user's
+  for (const std::string prefix : {"mixcmp_", "other_", ""}) {
+    design.system.prefix = prefix;
+    const GeneratedSystem system = generate_system(design, command).value();
+    const std::string& top = system.signature.top;
+    EXPECT_EQ(top, "sphere_s17e8_2x1");
+    for (const std::string& name : system.signature.files) {
+      const std::string module = name.substr(0, name.size() - 2);
+      EXPECT_TRUE(module == top || module.starts_with(prefix)) << name;
+      const std::string& text = find(system, name)->text;
+      EXPECT_NE(text.find("\nmodule " + module + " "), std::string::npos) << name;
+      if (prefix.empty()) continue;
+      const std::set<std::string> words = words_of(text);
+      for (const std::string& other : {"stream_fifo", "stream_crossbar", "fp_round"}) {
+        EXPECT_FALSE(words.contains(other)) << other << " in " << name;
+      }
+    }
+    EXPECT_TRUE(words_of(find(system, top + ".v")->text).contains(prefix + "stream_crossbar"));
+    const std::string lane = system.signature.lane_groups.front().module;
+    EXPECT_TRUE(words_of(find(system, lane + ".v")->text).contains("fp_add"));
+  }
+}
+
 TEST(MixedSystem, SameDesignGivesTheSameBytes) {
   const GeneratedSystem first = mixed_system(), second = mixed_system();
   ASSERT_EQ(first.files.size(), second.files.size());
@@ -78,9 +115,9 @@ TEST(MixedSystem, EachKindHasItsModuleAndEqualKindsShareOne) {
   std::vector<std::string> modules;
   for (const SignatureLanes& group : system.signature.lane_groups) modules.push_back(group.module);
   ASSERT_EQ(modules.size(), 4u);
-  EXPECT_TRUE(modules[0].starts_with("sphere_lane_s6e8_exact_relative_l")) << modules[0];
-  EXPECT_TRUE(modules[1].starts_with("sphere_lane_s6e8_rounded_running_4_l")) << modules[1];
-  EXPECT_TRUE(modules[2].starts_with("sphere_lane_s9e8_l")) << modules[2];
+  EXPECT_TRUE(modules[0].starts_with("mixcmp_sphere_lane_s6e8_exact_relative_l")) << modules[0];
+  EXPECT_TRUE(modules[1].starts_with("mixcmp_sphere_lane_s6e8_rounded_running_4_l")) << modules[1];
+  EXPECT_TRUE(modules[2].starts_with("mixcmp_sphere_lane_s9e8_l")) << modules[2];
   EXPECT_EQ(modules[3], modules[0]);
   for (const std::string& module : modules) EXPECT_NE(find(system, module + ".v"), nullptr);
   const auto& files = system.signature.files;

@@ -149,12 +149,12 @@ TEST_P(BrokenArgMin, IsFoundOut) {
 
 INSTANTIATE_TEST_SUITE_P(
     Faults, BrokenArgMin,
-    testing::Values(Fault{"ties", "arg_min_stage.v", "(result_verdict == GREATER)",
+    testing::Values(Fault{"ties", "mixcmp_arg_min_stage.v", "(result_verdict == GREATER)",
                           "(result_verdict != 2'b00)"},
-                    Fault{"own", "arg_min_stage.v", "&& (index_q != OWN)", ""},
-                    Fault{"short_load", "candidate_loader.v", "keep || repeated", "keep"},
-                    Fault{"reload", "candidate_loader.v", "&& idle)", ")"},
-                    Fault{"overrun", "candidate_loader.v", "(accept && all_sent)", "1'b0"}),
+                    Fault{"own", "mixcmp_arg_min_stage.v", "&& (index_q != OWN)", ""},
+                    Fault{"short_load", "mixcmp_candidate_loader.v", "keep || repeated", "keep"},
+                    Fault{"reload", "mixcmp_candidate_loader.v", "&& idle)", ")"},
+                    Fault{"overrun", "mixcmp_candidate_loader.v", "(accept && all_sent)", "1'b0"}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace

@@ -145,12 +145,12 @@ TEST_P(BrokenEngine, IsFoundOut) {
 INSTANTIATE_TEST_SUITE_P(
     Faults, BrokenEngine,
     testing::Values(
-        Fault{"last_block", "block_reader.v", "next_base_q + ONE <", "next_base_q + STEP <"},
-        Fault{"report_kind", "pair_segment.v", "reported[result[1:0]]", "reported[2'b01]"},
-        Fault{"refetched_items", "item_refetch.v", "second_q ? index_j : index_i",
+        Fault{"last_block", "mixcmp_block_reader.v", "next_base_q + ONE <", "next_base_q + STEP <"},
+        Fault{"report_kind", "mixcmp_pair_segment.v", "reported[result[1:0]]", "reported[2'b01]"},
+        Fault{"refetched_items", "mixcmp_item_refetch.v", "second_q ? index_j : index_i",
               "second_q ? index_j : index_j"},
-        Fault{"closing_beat", "report_stream.v", "(left_q == close_count)", "1'b1"},
-        Fault{"counter", "pairwise_engine.v", "&& !m_axis_tlast)", ")"}),
+        Fault{"closing_beat", "mixcmp_report_stream.v", "(left_q == close_count)", "1'b1"},
+        Fault{"counter", "mixcmp_pairwise_engine.v", "&& !m_axis_tlast)", ")"}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace
