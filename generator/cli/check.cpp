@@ -11,8 +11,8 @@
 #include "generator/cli/prove.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/system.hpp"
+#include "generator/report/summary_report.hpp"
 #include "model/profile/variant_check.hpp"
-#include "model/scene/summary.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -210,14 +210,14 @@ void run(const CheckOptions& options) {
     costs = std::move(measured).value();
   }
   if (options.scene.json) {
-    nlohmann::json report = to_json(summary);
+    nlohmann::json report = report::to_json(summary);
     report["generate"] = to_json(generated);
     if (!variants.empty()) report["variants"] = to_json(variants);
     if (options.prove.prove) report["proof"] = to_json(proven);
     if (costs) report["costs"] = to_json(*costs);
     print(fmt::format("{}\n", report.dump(2)));
   } else {
-    print(to_text(summary));
+    print(report::to_text(summary));
     print_text(generated);
     print_text(variants);
     if (variants.empty() && !loaded.scene.variants.empty() && !loaded.data) {

@@ -11,6 +11,10 @@
 #include "generator/cli/planning.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/version.hpp"
+#include "generator/report/exploration_report.hpp"
+#include "generator/report/paper_tables.hpp"
+#include "generator/report/plan_report.hpp"
+#include "generator/report/profile_report.hpp"
 #include "generator/software/baseline.hpp"
 #include "model/common/content_hash.hpp"
 #include "model/common/file.hpp"
@@ -19,7 +23,6 @@
 #include "model/common/scratch_folder.hpp"
 #include "model/optimise/exploration.hpp"
 #include "model/optimise/plan.hpp"
-#include "model/profile/report.hpp"
 #include "model/scene/plan.hpp"
 
 namespace mixcmp::cli {
@@ -102,17 +105,17 @@ model::Rates rates_of(const ExploreCommand& command, const std::string& set) {
       fmt::format("rates-{}-{}.csv", name, rates_hash(loaded, options, command.planning.choice));
   if (fs::exists(kept)) return value_or_exit(model::Rates::read(kept));
   const auto rates = value_or_exit(measure_rates(loaded, command.planning.choice));
-  model::ProfileReport report{.scene = loaded.scene.name,
-                              .reference = loaded.scene.reference.format,
-                              .comparisons = loaded.data->size(),
-                              .errors = {},
-                              .rates = rates};
-  value_or_exit(model::write_file(kept, figure5_csv(report)));
+  report::ProfileReport report{.scene = loaded.scene.name,
+                               .reference = loaded.scene.reference.format,
+                               .comparisons = loaded.data->size(),
+                               .errors = {},
+                               .rates = rates};
+  value_or_exit(model::write_file(kept, report::figure5_csv(report)));
   return model::Rates::of(rates);
 }
 
 /// The throughput of software in double, and that of the kernel which is fastest on all cores.
-std::vector<model::SoftwareThroughput> measure_software(const LoadedScene& loaded) {
+std::vector<report::SoftwareThroughput> measure_software(const LoadedScene& loaded) {
   model::ScratchFolder scratch = value_or_exit(model::ScratchFolder::make());
   gen::BaselineOptions options{.work = scratch.path()};
   options.progress = show_progress;
@@ -124,7 +127,7 @@ std::vector<model::SoftwareThroughput> measure_software(const LoadedScene& loade
     tell("software and golden model disagree: see mixcmp baseline");
     throw Exit(ExitCode::refuted);
   }
-  std::vector<model::SoftwareThroughput> all;
+  std::vector<report::SoftwareThroughput> all;
   for (const gen::BaselineKernel* kernel : {&baseline.exact(), &baseline.fastest()}) {
     all.push_back({fmt::format("{}, {} cores, {}", baseline.processor, baseline.threads,
                                gen::kernel_name(*kernel)),
@@ -194,17 +197,17 @@ ResultFiles results_for(const ExploreCommand& command, const std::string& device
   const model::Optimisation& areas = exploration.columns.front().example;
   const std::string& first = exploration.data_sets.front();
   ResultFiles results(folder, result_names);
-  results.add("figure7.csv", figure7_csv(areas));
-  results.add("figure9.csv", figure9_csv(ours.example));
-  results.add("scenarios.csv", scenarios_csv(exploration));
+  results.add("figure7.csv", report::figure7_csv(areas));
+  results.add("figure9.csv", report::figure9_csv(ours.example));
+  results.add("scenarios.csv", report::scenarios_csv(exploration));
   results.add("tables.md", tables);
   add_plan(results, command, device, first == own_data ? "" : first,
            folder / "plan_scenario_1.toml", ours.example);
   add_plan(results, command, device, "", folder / "plan_scenario_2.toml", ours.worst);
-  results.add_picture("figure3.svg", figure3_script(ours.example));
-  results.add_picture("figure7.svg", figure7_script(areas));
-  results.add_picture("figure8.svg", figure8_script(ours.example));
-  results.add_picture("figure9.svg", figure9_script(ours.example));
+  results.add_picture("figure3.svg", report::figure3_script(ours.example));
+  results.add_picture("figure7.svg", report::figure7_script(areas));
+  results.add_picture("figure8.svg", report::figure8_script(ours.example));
+  results.add_picture("figure9.svg", report::figure9_script(ours.example));
   return results;
 }
 
@@ -243,9 +246,10 @@ Planning planning_for(const ExploreCommand& command, const std::string& device,
 /// Tables III and IV of one device.
 std::string tables_of(const model::Exploration& exploration,
                       const std::optional<model::PublishedDevice>& published,
-                      const std::vector<model::SoftwareThroughput>& software) {
-  return "## " + exploration.device.name + "\n\n" + table3_markdown(exploration, published) + "\n" +
-         table4_markdown(exploration, published, software);
+                      const std::vector<report::SoftwareThroughput>& software) {
+  return "## " + exploration.device.name + "\n\n" +
+         report::table3_markdown(exploration, published) + "\n" +
+         report::table4_markdown(exploration, published, software);
 }
 
 std::vector<model::DataSet> measure_sets(const ExploreCommand& command,
@@ -295,7 +299,7 @@ void run(const ExploreCommand& command) {
   value_or_exit(check_outputs(output_paths(command, known), inputs));
   const model::FolderLock held = lock_folder(command.output);
   const std::vector<model::DataSet> sets = measure_sets(command, settings);
-  std::vector<model::SoftwareThroughput> software;
+  std::vector<report::SoftwareThroughput> software;
   if (command.software) software = measure_software(loaded);
   std::string report = fmt::format("# {}: plans\n", loaded.scene.name);
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -314,7 +318,7 @@ void run(const ExploreCommand& command) {
     print_notes(exploration);
     results.push_back(results_for(command, each.scene.system.device, exploration, tables));
     report += "\n" + tables;
-    json.push_back(to_json(exploration));
+    json.push_back(report::to_json(exploration));
     for (const model::ResultsAtClocks& column : exploration.columns) {
       feasible = feasible && column.worst.best() != nullptr;
     }

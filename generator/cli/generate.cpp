@@ -9,7 +9,7 @@
 #include "generator/cli/prove.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/system.hpp"
-#include "model/proof/report.hpp"
+#include "generator/report/proof_report.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -92,7 +92,7 @@ void print_json(const gen::GeneratedSystem& system, const std::vector<GroupProof
   report["signature"] = nlohmann::ordered_json::parse(gen::to_json(system.signature));
   report["notes"] = system.notes;
   for (const GroupProof& proof : proofs) {
-    report["proof"].push_back(model::proof::to_json(proof.quick.proof, proof.quick.gappa));
+    report["proof"].push_back(report::to_json(proof.quick.proof, proof.quick.gappa));
     report["proof"].back()["lanes"] = proof.name;
   }
   print(fmt::format("{}\n", report.dump(2)));

@@ -7,9 +7,10 @@
 #include "generator/cli/output.hpp"
 #include "generator/cli/planning.hpp"
 #include "generator/cli/verbs.hpp"
+#include "generator/report/plan_report.hpp"
+#include "model/optimise/plan_summary.hpp"
 #include "model/common/output_file.hpp"
 #include "model/optimise/plan.hpp"
-#include "model/optimise/report.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -93,7 +94,8 @@ std::vector<Candidate> find_candidates(const OptimiseCommand& command,
 
 void write_files(const OptimiseCommand& command, const Candidate& chosen) {
   const model::Optimisation& found = chosen.found;
-  if (!command.csv.empty()) value_or_exit(model::write_file(command.csv, figure9_csv(found)));
+  if (!command.csv.empty())
+    value_or_exit(model::write_file(command.csv, report::figure9_csv(found)));
   const model::PrecisionPlan* best = found.best();
   if (best == nullptr) return;
   if (!command.lp.empty()) value_or_exit(model::write_file(command.lp, to_lp(best->problem)));
@@ -132,7 +134,7 @@ nlohmann::ordered_json json_name(const Candidate& candidate) {
 }
 
 nlohmann::ordered_json to_json(const std::vector<Candidate>& candidates, std::size_t chosen) {
-  nlohmann::ordered_json json = to_json(candidates[chosen].found);
+  nlohmann::ordered_json json = report::to_json(candidates[chosen].found);
   if (candidates[chosen].known.scene.variants.empty()) return json;
   json["variant"] = json_name(candidates[chosen]);
   for (const Candidate& candidate : candidates) {
@@ -161,7 +163,7 @@ void run(OptimiseCommand& command) {
   if (planning.scene.json) {
     print(fmt::format("{}\n", to_json(candidates, chosen).dump(2)));
   } else {
-    print(fmt::format("{}{}", compare_variants(candidates, chosen), to_text(best->found)));
+    print(fmt::format("{}{}", compare_variants(candidates, chosen), report::to_text(best->found)));
     if (best->found.best() != nullptr && !command.plan.empty()) {
       print(fmt::format("plan: {}\n", command.plan.string()));
     }

@@ -7,9 +7,9 @@
 #include "generator/cli/options.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/cli/verbs.hpp"
+#include "generator/report/profile_report.hpp"
+#include "generator/report/trade_report.hpp"
 #include "model/common/output_file.hpp"
-#include "model/profile/report.hpp"
-#include "model/profile/trade.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -65,17 +65,17 @@ void show_share(const std::string& what, double share) {
   show_progress(fmt::format("{}: {:.0f} %", what, share * 100));
 }
 
-model::ProfileReport measure(const LoadedScene& loaded, const ProfileCommand& command,
-                             const model::ProfileOptions& options) {
+report::ProfileReport measure(const LoadedScene& loaded, const ProfileCommand& command,
+                              const model::ProfileOptions& options) {
   using model::LaneInputs;
   const model::Scene& scene = loaded.scene;
   std::vector<LaneInputs> inputs = {scene.reduced.inputs};
   inputs.push_back(inputs[0] == LaneInputs::exact ? LaneInputs::rounded : LaneInputs::exact);
-  model::ProfileReport report{.scene = scene.name,
-                              .reference = scene.reference.format,
-                              .comparisons = loaded.data->size(),
-                              .errors = profile_errors(scene, *loaded.data, inputs, options),
-                              .rates = {}};
+  report::ProfileReport report{.scene = scene.name,
+                               .reference = scene.reference.format,
+                               .comparisons = loaded.data->size(),
+                               .errors = profile_errors(scene, *loaded.data, inputs, options),
+                               .rates = {}};
   for (const model::ErrorProfile& errors : report.errors) {
     if (errors.inputs != scene.reduced.inputs && !command.both_inputs) continue;
     report.rates.push_back(profile_rates(scene, *loaded.data, errors, options));
@@ -93,7 +93,7 @@ struct Trades {
   std::vector<std::string> advice;
 };
 
-Trades weigh(const LoadedScene& loaded, const model::ProfileReport& report,
+Trades weigh(const LoadedScene& loaded, const report::ProfileReport& report,
              const model::MeasuredAreas& areas, const std::vector<double>& accepted) {
   Trades weighed;
   for (const model::RateProfile& rates : report.rates) {
@@ -102,42 +102,42 @@ Trades weigh(const LoadedScene& loaded, const model::ProfileReport& report,
       weighed.trades.push_back(make_trade(loaded.scene, rates, errors, areas));
     }
     for (const double each : accepted) {
-      weighed.advice.push_back(model::advice(weighed.trades.back(), each));
+      weighed.advice.push_back(report::advice(weighed.trades.back(), each));
     }
   }
   return weighed;
 }
 
-nlohmann::ordered_json json_of(const model::ProfileReport& report, const Trades& weighed) {
-  nlohmann::ordered_json all = to_json(report);
-  for (const model::Trade& trade : weighed.trades) all["trade"].push_back(to_json(trade));
+nlohmann::ordered_json json_of(const report::ProfileReport& report, const Trades& weighed) {
+  nlohmann::ordered_json all = report::to_json(report);
+  for (const model::Trade& trade : weighed.trades) all["trade"].push_back(report::to_json(trade));
   for (const std::string& advice : weighed.advice) all["advice"].push_back(advice);
   return all;
 }
 
 /// Returns what could not be made.
-std::vector<std::string> write_results(const model::ProfileReport& report, const Trades& weighed,
+std::vector<std::string> write_results(const report::ProfileReport& report, const Trades& weighed,
                                        const fs::path& folder) {
   const model::FolderLock held = lock_folder(folder);
   ResultFiles results(folder, result_names);
   results.add("profile.json", json_of(report, weighed).dump(2) + "\n");
-  results.add("figure4.csv", figure4_csv(report));
-  results.add("figure5.csv", figure5_csv(report));
-  results.add_picture("figure4.svg", figure4_script(report));
-  results.add_picture("figure5.svg", figure5_script(report));
+  results.add("figure4.csv", report::figure4_csv(report));
+  results.add("figure5.csv", report::figure5_csv(report));
+  results.add_picture("figure4.svg", report::figure4_script(report));
+  results.add_picture("figure5.svg", report::figure5_script(report));
   if (weighed.trades.empty()) {
     results.leave_out("trade.csv");
     results.leave_out("trade.svg");
   } else {
-    results.add("trade.csv", trade_csv(weighed.trades));
-    results.add_picture("trade.svg", trade_script(weighed.trades, report.scene));
+    results.add("trade.csv", report::trade_csv(weighed.trades));
+    results.add_picture("trade.svg", report::trade_script(weighed.trades, report.scene));
   }
   return results.write();
 }
 
-void print_text(const model::ProfileReport& report, const Trades& weighed) {
-  print(to_text(report));
-  for (const model::Trade& trade : weighed.trades) print(to_text(trade));
+void print_text(const report::ProfileReport& report, const Trades& weighed) {
+  print(report::to_text(report));
+  for (const model::Trade& trade : weighed.trades) print(report::to_text(trade));
   for (const std::string& advice : weighed.advice) print(advice);
 }
 
@@ -160,7 +160,7 @@ void run(const ProfileCommand& command) {
   }
   // A folder that cannot be written should not cost a long run first.
   if (!command.output.empty()) value_or_exit(model::make_writable_folder(command.output));
-  const model::ProfileReport report = measure(loaded, command, options);
+  const report::ProfileReport report = measure(loaded, command, options);
   const bool weighs = command.trade || !command.accepted.empty() || !command.areas.empty();
   const Trades weighed = weighs ? weigh(loaded, report, areas, command.accepted) : Trades();
   std::vector<std::string> not_done;

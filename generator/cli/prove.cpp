@@ -7,10 +7,10 @@
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
+#include "generator/report/proof_report.hpp"
 #include "model/profile/profiled_error.hpp"
 #include "model/proof/gappa.hpp"
 #include "model/proof/provers.hpp"
-#include "model/proof/report.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -80,7 +80,7 @@ ProvenLane prove_lane(const model::Scene& scene, const std::string& name,
   if (directory.failure()) fail(*directory.failure());
   result.gappa = version_text(directory.gappa());
   result.reused = directory.reused();
-  const nlohmann::ordered_json report = proof::to_json(result.proof, result.gappa);
+  const nlohmann::ordered_json report = report::to_json(result.proof, result.gappa);
   value_or_exit(directory.write_report(stem + ".json", report.dump(2) + "\n"));
   return result;
 }
@@ -131,14 +131,14 @@ std::vector<ProvenLane> prove(const LoadedScene& loaded, const ProveOptions& opt
 
 std::string to_text(const ProvenLane& lane) {
   if (!lane.error.empty()) return fmt::format("no lane in {}: {}\n", lane.format, lane.error);
-  return proof::to_text(lane.proof, lane.gappa) +
+  return report::to_text(lane.proof, lane.gappa) +
          fmt::format("  {:<16} {}{}\n", "kept in", lane.directory.string(),
                      lane.reused == 0 ? "" : fmt::format("; {} proven before", lane.reused));
 }
 
 nlohmann::ordered_json to_json(const ProvenLane& lane) {
   if (!lane.error.empty()) return {{"format", lane.format}, {"error", lane.error}};
-  nlohmann::ordered_json report = proof::to_json(lane.proof, lane.gappa);
+  nlohmann::ordered_json report = report::to_json(lane.proof, lane.gappa);
   report["format"] = lane.format;
   report["directory"] = lane.directory.string();
   report["reused"] = lane.reused;

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "model/optimise/optimise.hpp"
+#include "model/optimise/plan_summary.hpp"
 #include "model/optimise/published.hpp"
-#include "model/optimise/report.hpp"
 
 /// Section VI of the paper: one device, many data sets, scenarios I and II.
 namespace mixcmp::model {
@@ -40,24 +39,5 @@ Result<Exploration> explore(const Scene& scene, const Device& device, const Char
                             const std::vector<DataSet>& sets,
                             const std::vector<std::pair<std::string, ClockChoice>>& columns,
                             const OptimiseOptions& options);
-
-/// Comparisons a second of software, for the normalised speed-ups of Table IV.
-struct SoftwareThroughput {
-  std::string title;  ///< "AMD EPYC ..., 2 cores, double"
-  double one_core_per_s = 0;
-  double all_cores_per_s = 0;
-};
-
-/// Tables III and IV as Markdown, the paper's column first where `published` is given.
-std::string table3_markdown(const Exploration& exploration,
-                            const std::optional<PublishedDevice>& published);
-std::string table4_markdown(const Exploration& exploration,
-                            const std::optional<PublishedDevice>& published,
-                            const std::vector<SoftwareThroughput>& software);
-
-nlohmann::ordered_json to_json(const Exploration& exploration);
-
-/// data_set,column,scenario,precision,lanes,references,clock_mhz,recomputation_rate,throughput_per_s,gain
-std::string scenarios_csv(const Exploration& exploration);
 
 }  // namespace mixcmp::model

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -39,13 +38,5 @@ Trade make_trade(const Scene& scene, const RateProfile& rates, const ErrorProfil
 /// The point with the most comparisons per LUT among those with at most so many wrong verdicts per
 /// million; for 0 only certified systems without a wrong verdict qualify. Null where none does.
 const TradePoint* cheapest(const Trade& trade, double accepted_per_million);
-
-std::string to_text(const Trade& trade);
-/// What a user who accepts so many is told.
-std::string advice(const Trade& trade, double accepted_per_million);
-nlohmann::ordered_json to_json(const Trade& trade);
-/// inputs,system,precision,wrong_per_million,rate,lane_luts,reference_luts,area,comparisons_per_kiloluts
-std::string trade_csv(const std::vector<Trade>& trades);
-std::string trade_script(const std::vector<Trade>& trades, const std::string& scene);
 
 }  // namespace mixcmp::model

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 
 #include "model/data/comparisons.hpp"
 #include "model/data/input_sources.hpp"
@@ -93,8 +92,5 @@ std::vector<std::string> lane_group_labels(const Scene& scene);
 
 /// The summary looks at `scene`, which must outlive it. `data`: the scene's, if read.
 Summary summarise(const Scene& scene, const Comparisons* data);
-
-std::string to_text(const Summary& summary);
-nlohmann::json to_json(const Summary& summary);
 
 }  // namespace mixcmp::model

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "generator/report/profile_report.hpp"
 #include "model/data/sphere_family.hpp"
 #include "model/data/uniform_spheres.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/number/exact.hpp"
 #include "model/number/verdict.hpp"
-#include "model/profile/report.hpp"
 #include "model/profile/systems.hpp"
 #include "model/workload/reference_contest.hpp"
 #include "tests/model/profile/profile_cases.hpp"
@@ -190,10 +190,10 @@ TEST(Rates, CallNobodyWrongWhereTheTruthIsUndetermined) {
   for (const auto& system : profile.systems) {
     for (const SystemCounts& counts : system.counts) EXPECT_EQ(counts.wrong, 0u) << system.name;
   }
-  const model::ProfileReport report{
+  const report::ProfileReport report{
       .scene = "tie", .reference = scene.reference.format, .comparisons = 10, .rates = {profile}};
-  EXPECT_NE(to_text(report).find("the truth is undetermined of 10"), std::string::npos);
-  EXPECT_EQ(to_json(report)["recomputation_rates"][0]["truth_undetermined"], 10);
+  EXPECT_NE(report::to_text(report).find("the truth is undetermined of 10"), std::string::npos);
+  EXPECT_EQ(report::to_json(report)["recomputation_rates"][0]["truth_undetermined"], 10);
 }
 
 TEST(Rates, OfHardFamiliesAreTheGoldenModels) {

@@ -1,9 +1,8 @@
-#include "model/profile/trade.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 
+#include "generator/report/trade_report.hpp"
 #include "model/error/profiled_lane.hpp"
 #include "model/profile/systems.hpp"
 #include "tests/model/profile/profile_cases.hpp"
@@ -116,7 +115,7 @@ TEST(TradeAdvice, SaysWhereNothingQualifies) {
   Trade trade;
   trade.points = {{.system = "relative", .kind = SystemKind::certified, .wrong_per_million = 1}};
   EXPECT_EQ(cheapest(trade, 0), nullptr) << "the reference errs on what it recomputes";
-  EXPECT_NE(advice(trade, 0).find("no system"), std::string::npos);
+  EXPECT_NE(report::advice(trade, 0).find("no system"), std::string::npos);
   EXPECT_NE(cheapest(trade, 2), nullptr);
 }
 

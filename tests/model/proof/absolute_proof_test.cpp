@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "model/proof/report.hpp"
+#include "generator/report/proof_report.hpp"
 #include "model/proof/rule_proof.hpp"
 #include "tests/model/proof/proof_support.hpp"
 #include "tests/model/proof/random_lanes.hpp"
@@ -54,7 +54,7 @@ TEST_P(AbsoluteProofIn, SphereWithRoundedInputsIsProven) {
       const auto lane = absolute_lane(sphere_graph(), kind, rounding, GetParam().c_str());
       ASSERT_TRUE(lane.ok()) << lane.error().to_string();
       const LaneProof proof = prove(*lane);
-      EXPECT_TRUE(proof.machine_checked()) << to_text(proof, "");
+      EXPECT_TRUE(proof.machine_checked()) << report::to_text(proof, "");
     }
   }
 }
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, AbsoluteProofIn,
 TEST_F(AbsoluteProof, ConstantBoundsAreProvenWholeFromTheRanges) {
   const Lane lane = absolute_lane(sphere_graph(), ErrorBoundKind::constant).value();
   const LaneProof proof = prove(lane);
-  ASSERT_EQ(proof.findings.size(), 1U) << to_text(proof, "");
+  ASSERT_EQ(proof.findings.size(), 1U) << report::to_text(proof, "");
   EXPECT_EQ(proof.findings[0].what, "f - g, the whole expression, from the ranges");
 }
 
@@ -86,7 +86,8 @@ TEST_F(AbsoluteProof, EveryOperationIsProven) {
         if (!lane.ok()) continue;  // no constant bound where a divisor may be zero
         ++lanes;
         const LaneProof proof = prove(*lane);
-        EXPECT_TRUE(proof.machine_checked()) << f << " : " << g << "\n" << to_text(proof, "");
+        EXPECT_TRUE(proof.machine_checked()) << f << " : " << g << "\n"
+                                             << report::to_text(proof, "");
       }
     }
   }
@@ -102,7 +103,7 @@ TEST_F(AbsoluteProof, OperationsOnConstantsThatAreLostAreProven) {
            {"min(a - b, 0x1p-200)", "0x1p-200 / a"}}) {
     const Lane lane = absolute_lane(graph_of(f, g), ErrorBoundKind::running).value();
     const LaneProof proof = prove(lane);
-    EXPECT_TRUE(proof.machine_checked()) << f << " : " << g << "\n" << to_text(proof, "");
+    EXPECT_TRUE(proof.machine_checked()) << f << " : " << g << "\n" << report::to_text(proof, "");
   }
 }
 
@@ -112,7 +113,7 @@ TEST_F(AbsoluteProof, QuotientsOfManyExponentBitsAreProven) {
                                   Rounding::nearest_even, "s17e14")
                         .value();
   const LaneProof proof = prove(lane);
-  EXPECT_TRUE(proof.machine_checked()) << to_text(proof, "");
+  EXPECT_TRUE(proof.machine_checked()) << report::to_text(proof, "");
 }
 
 /// Gappa 1.4 narrows no interval whose ends are 2^1024 or more.
@@ -124,7 +125,7 @@ TEST_F(AbsoluteProof, ChoicesAmongNumbersBeyondDoubleAreProven) {
                                                  .reference = "s53e11"});
     ASSERT_TRUE(lane.ok()) << lane.error().to_string();
     const LaneProof proof = prove_lane(*lane, std::ref(prover_), Effort::operations);
-    EXPECT_TRUE(proof.machine_checked()) << f << "\n" << to_text(proof, "");
+    EXPECT_TRUE(proof.machine_checked()) << f << "\n" << report::to_text(proof, "");
   }
 }
 
@@ -139,7 +140,7 @@ TEST_F(AbsoluteProof, RandomLanesAreProven) {
     if (!lane.ok()) continue;
     ++lanes;
     const LaneProof proof = prove(*lane);
-    EXPECT_TRUE(proof.machine_checked()) << "seed " << seed << "\n" << to_text(proof, "");
+    EXPECT_TRUE(proof.machine_checked()) << "seed " << seed << "\n" << report::to_text(proof, "");
   }
   EXPECT_GE(lanes, 12);
 }
@@ -218,7 +219,7 @@ TEST_F(AbsoluteProof, AConversionThatTheBoundsForgetIsRefused) {
 TEST_F(AbsoluteProof, ALaneThatDoesNotKeepToItsAnalysisIsRefused) {
   const model::Graph graph = graph_of("(a - d) / (b - c)", "a * b");
   const Lane lane = absolute_lane(graph, ErrorBoundKind::running, Rounding::toward_zero).value();
-  ASSERT_TRUE(prove(lane).machine_checked()) << to_text(prove(lane), "");
+  ASSERT_TRUE(prove(lane).machine_checked()) << report::to_text(prove(lane), "");
   Lane unguarded = lane;
   ASSERT_GT(decision_of(unguarded).guard_ulp, 0U);
   decision_of(unguarded).guard_ulp -= 1;
@@ -241,7 +242,7 @@ TEST_F(AbsoluteProof, ASmallerConstantIsRefused) {
   for (const Rounding rounding : both_roundings) {
     Lane lane = absolute_lane(sphere_graph(), ErrorBoundKind::constant, rounding).value();
     decision_of(lane).bound.nodes.back().constant /= 2;
-    EXPECT_TRUE(prove(lane).refused()) << to_text(prove(lane), "");
+    EXPECT_TRUE(prove(lane).refused()) << report::to_text(prove(lane), "");
   }
 }
 

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "generator/report/proof_report.hpp"
 #include "model/error/hazards.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/number/exact.hpp"
 #include "model/proof/absolute_proof.hpp"
 #include "model/proof/hazard_proof.hpp"
 #include "model/proof/node_ranges.hpp"
-#include "model/proof/report.hpp"
 #include "model/proof/rule_proof.hpp"
 #include "tests/model/proof/proof_support.hpp"
 #include "tests/model/proof/random_lanes.hpp"
@@ -92,7 +92,7 @@ bool any_finding(const LaneProof& proof, const std::string& words) {
 TEST_F(ConstantProof, EveryTermIsProvenOperationByOperation) {
   for_every_lane([&](const Lane& lane) {
     const LaneProof proof = prove(lane, Effort::operations);
-    EXPECT_TRUE(proof.machine_checked()) << to_text(proof, "");
+    EXPECT_TRUE(proof.machine_checked()) << report::to_text(proof, "");
     EXPECT_TRUE(any_finding(proof, "the constant, from that bound and the ranges"));
   });
 }
@@ -109,7 +109,7 @@ TEST_F(ConstantProof, AConstantSmallerByOneInAThousandIsRefused) {
     const int one_in = lane.graph.arithmetic.format.precision() < 16 ? 25 : 1000;
     decision.bound.nodes.back().constant *= 1 - mpq_class(1, divides ? 2 : one_in);
     const LaneProof proof = prove(lane, Effort::operations);
-    EXPECT_TRUE(proof.refused()) << to_text(proof, "");
+    EXPECT_TRUE(proof.refused()) << report::to_text(proof, "");
   });
 }
 
@@ -131,7 +131,7 @@ TEST_F(ConstantProof, AConditionThatTheRangesBreakIsRefused) {
   };
   Lane lane = constant({20, 30}).value();
   const LaneProof proof = prove(lane, Effort::operations);
-  EXPECT_TRUE(proof.machine_checked()) << to_text(proof, "");
+  EXPECT_TRUE(proof.machine_checked()) << report::to_text(proof, "");
   EXPECT_TRUE(any_finding(proof, "is never closer to zero than its condition asks"));
   // e of 11 leaves a divisor of 1.4 and more in magnitude, with an error of more than 1/32 of it.
   const auto refused = constant({11, 30});
@@ -144,7 +144,7 @@ TEST_F(ConstantProof, AConditionThatTheRangesBreakIsRefused) {
   std::get<model::AbsoluteBoundDecision>(lane.decision).bound.nodes.back().constant *= 1000;
   const LaneProof wider =
       prove_absolute(lane, analysis_of(lane), std::ref(prover_), Effort::operations);
-  ASSERT_TRUE(wider.refused()) << to_text(wider, "");
+  ASSERT_TRUE(wider.refused()) << report::to_text(wider, "");
   EXPECT_NE(wider.verdict().find("is never closer to zero"), std::string::npos) << wider.verdict();
 }
 
@@ -163,7 +163,7 @@ TEST_F(ConstantProof, TheVerdictNamesWhatIsByHand) {
       prove(mixcmp::test::lane_of(sphere_graph(), {}).value(), Effort::operations);
   EXPECT_EQ(relative.verdict(),
             "machine-checked but for theorems 1 (exponents) and 2 to 4, by hand");
-  const auto report = to_json(relative, "1.4.1");
+  const auto report = report::to_json(relative, "1.4.1");
   EXPECT_EQ(report.at("by_hand").at(1).at("theorem"), "2 to 4");
 }
 
@@ -228,7 +228,7 @@ TEST_F(ConstantProof, RandomLanesWithRangesAreProven) {
     if (!lane.ok()) continue;
     ++lanes;
     const LaneProof proof = prove(*lane, Effort::operations);
-    EXPECT_TRUE(proof.machine_checked()) << "seed " << seed << "\n" << to_text(proof, "");
+    EXPECT_TRUE(proof.machine_checked()) << "seed " << seed << "\n" << report::to_text(proof, "");
   }
   EXPECT_GE(lanes, 12);
 }

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <array>
 
+#include "generator/report/proof_report.hpp"
 #include "model/error/error_analysis.hpp"
 #include "model/proof/cone.hpp"
-#include "model/proof/report.hpp"
 #include "model/proof/script.hpp"
 #include "tests/model/proof/proof_support.hpp"
 #include "tests/model/proof/random_lanes.hpp"
@@ -54,7 +54,7 @@ TEST_P(EveryPrecision, SphereIsProvenWhole) {
     const Lane lane =
         lane_of(sphere_graph(), {.format = GetParam().c_str(), .rounding = rounding}).value();
     const LaneProof proof = prove(lane, Effort::whole);
-    EXPECT_TRUE(proof.machine_checked() && !any_optional(proof)) << to_text(proof, "");
+    EXPECT_TRUE(proof.machine_checked() && !any_optional(proof)) << report::to_text(proof, "");
     ASSERT_GE(proof.findings.size(), 3U);
     EXPECT_EQ(proof.findings[1].what, "f, the whole expression, 7 cases of zero terms");
     EXPECT_EQ(proof.findings[2].what, "g, the whole expression, 1 case");
@@ -66,7 +66,7 @@ TEST_P(EveryPrecision, SphereIsProvenOperationByOperation) {
     const Lane lane =
         lane_of(sphere_graph(), {.format = GetParam().c_str(), .rounding = rounding}).value();
     const LaneProof proof = prove(lane, Effort::operations);
-    EXPECT_TRUE(proof.machine_checked()) << to_text(proof, "");
+    EXPECT_TRUE(proof.machine_checked()) << report::to_text(proof, "");
   }
 }
 
@@ -89,7 +89,8 @@ TEST_F(RelativeProof, EveryOperationIsProven) {
       ASSERT_TRUE(lane.ok()) << lane.error().to_string();
       for (const Effort effort : {Effort::whole, Effort::operations}) {
         const LaneProof proof = prove(*lane, effort);
-        EXPECT_TRUE(proof.machine_checked()) << f << " : " << g << "\n" << to_text(proof, "");
+        EXPECT_TRUE(proof.machine_checked()) << f << " : " << g << "\n"
+                                             << report::to_text(proof, "");
       }
     }
   }
@@ -104,13 +105,13 @@ TEST_F(RelativeProof, WhatRoundsNothingIsProvenToRoundNothing) {
       model::lane_graph(graph, format("s11e5"), reduced, model::LaneInputs::exact);
   const Lane lane = model::certified_lane(typed, {.ranges = nonnegative_ranges(graph)}).value();
   const LaneProof proof = prove(lane, Effort::whole);
-  EXPECT_TRUE(proof.machine_checked()) << to_text(proof, "");
+  EXPECT_TRUE(proof.machine_checked()) << report::to_text(proof, "");
   const auto says = [&](const char* what) {
     return std::any_of(proof.findings.begin(), proof.findings.end(),
                        [&](const Finding& finding) { return finding.what == what; });
   };
-  EXPECT_TRUE(says("multiply of 11 digits into 24 rounds nothing")) << to_text(proof, "");
-  EXPECT_TRUE(says("convert of 11 digits into 24 rounds nothing")) << to_text(proof, "");
+  EXPECT_TRUE(says("multiply of 11 digits into 24 rounds nothing")) << report::to_text(proof, "");
+  EXPECT_TRUE(says("convert of 11 digits into 24 rounds nothing")) << report::to_text(proof, "");
 }
 
 TEST_F(RelativeProof, OneDigitTooManyRounds) {
@@ -148,7 +149,7 @@ TEST_F(RelativeProof, RandomLanesAreProvenOperationByOperation) {
     if (!lane.ok()) continue;
     ++lanes;
     const LaneProof proof = prove(*lane, Effort::operations);
-    EXPECT_TRUE(proof.machine_checked()) << "seed " << seed << "\n" << to_text(proof, "");
+    EXPECT_TRUE(proof.machine_checked()) << "seed " << seed << "\n" << report::to_text(proof, "");
   }
   EXPECT_GE(lanes, 15);
 }
@@ -161,7 +162,7 @@ TEST_F(RelativeProof, RandomLanesAreProvenWholeOrByTheirOperations) {
     const auto lane = lane_of(graph, options);
     if (!lane.ok()) continue;
     const LaneProof proof = prove(*lane, Effort::whole);
-    EXPECT_TRUE(proof.machine_checked()) << "seed " << seed << "\n" << to_text(proof, "");
+    EXPECT_TRUE(proof.machine_checked()) << "seed " << seed << "\n" << report::to_text(proof, "");
   }
 }
 
@@ -315,7 +316,7 @@ TEST_F(RelativeProof, NoScriptAssumesTheImpossible) {
 TEST_F(RelativeProof, ManyTermsThatMayBeZeroAreProvenOneOperationAtATime) {
   const model::Graph graph = graph_of("a*a + b*b + c*c + d*d + e*e + h*h + k*k", "m");
   const LaneProof proof = prove(lane_of(graph, {}).value(), Effort::whole);
-  EXPECT_TRUE(proof.machine_checked() && any_optional(proof)) << to_text(proof, "");
+  EXPECT_TRUE(proof.machine_checked() && any_optional(proof)) << report::to_text(proof, "");
 }
 
 TEST(RelativeProofWithoutGappa, SaysSo) {

@@ -2,10 +2,10 @@
 
 #include <fstream>
 
+#include "generator/report/summary_report.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/number/exact.hpp"
 #include "model/number/verdict.hpp"
-#include "model/scene/summary.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 /// [comparison] of several parts.
@@ -53,7 +53,7 @@ TEST_F(PartsTest, AnIndexIsOnePartForEachOfItsValues) {
   EXPECT_EQ(scene->graph.inputs(),
             (std::vector<std::string>{"p_0", "q_0", "p_1", "q_1", "p_2", "q_2"}));
   EXPECT_EQ(scene->parts[2].f, "p[k] + k where k = 2");
-  const std::string text = to_text(summarise(*scene, nullptr));
+  const std::string text = report::to_text(summarise(*scene, nullptr));
   EXPECT_NE(text.find("3, combined by \"all\""), std::string::npos) << text;
   EXPECT_NE(text.find("g[2] negative"), std::string::npos) << text;
 }

@@ -1,10 +1,9 @@
-#include "model/scene/summary.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "generator/report/summary_report.hpp"
 #include "model/workload/load_comparisons.hpp"
 #include "tests/support/scratch_directory.hpp"
 
@@ -86,7 +85,7 @@ TEST(Summary, MissingRangesLeaveItUnknown) {
   EXPECT_EQ(event(summary.datapaths[0], "overflow").rangeless,
             (std::vector<std::string>{"x", "z"}));
   EXPECT_EQ(summary.sides[1].negative.answer, Possibility::unknown);
-  const std::string text = to_text(summary);
+  const std::string text = report::to_text(summary);
   EXPECT_NE(text.find("unknown: no range for x; in sqrt(x)\n"), std::string::npos) << text;
   EXPECT_NE(text.find("  reduced            auto"), std::string::npos) << text;
 }
@@ -134,7 +133,7 @@ TEST(Summary, BothTablesAreHeldAgainstTheRanges) {
   EXPECT_EQ(summary.data->comparisons, 9U);
   EXPECT_EQ(summary.data->out_of_range, 2U);  // the point 7, the centre 8; 9 is never a cj
   EXPECT_EQ(summary.data->first_out_of_range, "points.csv:4: p = 7 is outside [0, 5] of p");
-  const std::string text = to_text(summary);
+  const std::string text = report::to_text(summary);
   EXPECT_NE(text.find("  with               centres.csv\n  candidates         4\n"),
             std::string::npos)
       << text;
@@ -143,7 +142,7 @@ TEST(Summary, BothTablesAreHeldAgainstTheRanges) {
 TEST(Summary, JsonHoldsTheSame) {
   const Scene scene = load(examples / "protein_clash/scene.toml", choices);
   const Comparisons data = load_comparisons(scene).value();
-  const nlohmann::json json = to_json(summarise(scene, &data));
+  const nlohmann::json json = report::to_json(summarise(scene, &data));
   EXPECT_EQ(json["name"], "protein_clash");
   EXPECT_EQ(json["inputs"].size(), 8U);
   EXPECT_EQ(json["inputs"][6]["name"], "ri");
@@ -167,7 +166,7 @@ TEST(Summary, DeeplySharedExpressionsPrintShort) {
   std::ofstream(path) << "[comparison]\nname = \"n\"\nf = \"d50\"\ng = \"1\"\n[let]\n"
                       << lets << "[reference]\nformat = \"binary128\"\n";
   const Scene scene = load(path);
-  EXPECT_LT(to_text(summarise(scene, nullptr)).size(), 10'000U);
+  EXPECT_LT(report::to_text(summarise(scene, nullptr)).size(), 10'000U);
 }
 
 }  // namespace

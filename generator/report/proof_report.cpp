@@ -1,10 +1,14 @@
-#include "model/proof/report.hpp"
+#include "generator/report/proof_report.hpp"
 
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
 
-namespace mixcmp::model::proof {
+namespace mixcmp::report {
+
+using model::proof::ByHand;
+using model::proof::Finding;
+using model::proof::LaneProof;
 
 std::string to_text(const LaneProof& proof, const std::string& gappa) {
   std::string text = fmt::format("proof of the {} bound, {} ({})\n", proof.kind, proof.lane,
@@ -43,4 +47,4 @@ nlohmann::ordered_json to_json(const LaneProof& proof, const std::string& gappa)
           {"by_hand", by_hand}};
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::report

@@ -1,12 +1,20 @@
+#include "generator/report/paper_tables.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
 
-#include "model/optimise/exploration.hpp"
+namespace mixcmp::report {
 
-namespace mixcmp::model {
+using model::Exploration;
+using model::Measurement;
+using model::PlanSummary;
+using model::PublishedDevice;
+using model::ReferenceImplementation;
+using model::ResultsAtClocks;
+
 namespace {
 
 constexpr double giga = 1e9;
@@ -228,4 +236,4 @@ std::string table4_markdown(const Exploration& exploration,
   return table.text();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::report

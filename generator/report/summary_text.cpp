@@ -3,10 +3,32 @@
 #include <algorithm>
 #include <iterator>
 
+#include "generator/report/summary_report.hpp"
 #include "model/expression/text.hpp"
-#include "model/scene/summary.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::report {
+
+using model::Arithmetic;
+using model::BoundKind;
+using model::DatapathSummary;
+using model::DataSummary;
+using model::EngineKind;
+using model::InputSource;
+using model::LaneGroupSpec;
+using model::LaneSavings;
+using model::OperatorCount;
+using model::Pairing;
+using model::PlanReport;
+using model::Possibility;
+using model::Range;
+using model::RangeQuestion;
+using model::ReducedSpec;
+using model::Scene;
+using model::SideSummary;
+using model::Summary;
+using model::SystemSpec;
+using model::to_text;
+
 namespace {
 
 constexpr std::size_t max_shown_operations = 3;
@@ -217,4 +239,4 @@ std::string to_text(const Summary& summary) {
   return page.text();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::report

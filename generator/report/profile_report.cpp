@@ -1,4 +1,4 @@
-#include "model/profile/report.hpp"
+#include "generator/report/profile_report.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,15 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-namespace mixcmp::model {
+namespace mixcmp::report {
+
+using model::ErrorAtPrecision;
+using model::ErrorProfile;
+using model::RateProfile;
+using model::SystemCounts;
+using model::SystemKind;
+using model::SystemProfile;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -229,4 +237,4 @@ std::string figure5_csv(const ProfileReport& report) {
   return page.take();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::report

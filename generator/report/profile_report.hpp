@@ -6,15 +6,15 @@
 
 #include "model/profile/profile.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::report {
 
 /// All that one run of a profile found.
 struct ProfileReport {
   std::string scene;
-  FloatFormat reference;
+  model::FloatFormat reference;
   std::uint64_t comparisons = 0;
-  std::vector<ErrorProfile> errors;
-  std::vector<RateProfile> rates;
+  std::vector<model::ErrorProfile> errors;
+  std::vector<model::RateProfile> rates;
 };
 
 std::string to_text(const ProfileReport& report);
@@ -30,4 +30,4 @@ std::string figure5_csv(const ProfileReport& report);
 std::string figure4_script(const ProfileReport& report);
 std::string figure5_script(const ProfileReport& report);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::report

@@ -1,3 +1,5 @@
+#include "generator/report/trade_report.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,10 +8,15 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "model/common/plot.hpp"
-#include "model/profile/trade.hpp"
+#include "generator/report/plot.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::report {
+
+using model::LaneInputs;
+using model::SystemKind;
+using model::Trade;
+using model::TradePoint;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -166,4 +173,4 @@ std::string trade_script(const std::vector<Trade>& trades, const std::string& sc
   return script(picture);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::report

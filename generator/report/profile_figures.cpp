@@ -3,10 +3,18 @@
 #include <string>
 #include <utility>
 
-#include "model/common/plot.hpp"
-#include "model/profile/report.hpp"
+#include "generator/report/plot.hpp"
+#include "generator/report/profile_report.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::report {
+
+using model::ErrorAtPrecision;
+using model::ErrorProfile;
+using model::LaneInputs;
+using model::RateProfile;
+using model::SystemKind;
+using model::SystemProfile;
+
 namespace {
 
 constexpr const char* x_label = "L: digits of the reduced precision";
@@ -62,4 +70,4 @@ std::string figure5_script(const ProfileReport& report) {
   return script(picture);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::report

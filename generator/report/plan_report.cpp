@@ -1,28 +1,33 @@
-#include "model/optimise/report.hpp"
+#include "generator/report/plan_report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "model/optimise/plan_summary.hpp"
 #include "model/performance/performance.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::report {
+
+using model::Allocation;
+using model::Area;
+using model::baseline_per_s;
+using model::bounded_resources;
+using model::ClockDomains;
+using model::Infeasible;
+using model::LaneImplementation;
+using model::Measurement;
+using model::Optimisation;
+using model::PlanSummary;
+using model::PrecisionPlan;
+using model::Resource;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 constexpr double giga = 1e9;
-
-std::string kinds_of(const PrecisionPlan& plan, const Allocation& chosen) {
-  std::string text;
-  for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
-    if (chosen.lanes[k] == 0) continue;
-    text += fmt::format("{}{} x {}", text.empty() ? "" : ", ", chosen.lanes[k],
-                        plan.lanes[k].kind.name);
-  }
-  return text;
-}
 
 std::string why_infeasible(const PrecisionPlan& plan) {
   return "infeasible: " + std::get<Infeasible>(plan.result).message;
@@ -96,29 +101,6 @@ Json json_of(const PrecisionPlan& plan) {
 
 }  // namespace
 
-PlanSummary summary_of(const PrecisionPlan& plan) {
-  const Allocation* chosen = plan.allocation();
-  if (chosen == nullptr) return {};
-  return {.precision = plan.precision,
-          .lanes = chosen->lane_count(),
-          .references = chosen->reference_count(),
-          .clock_mhz = plan.clock_mhz(),
-          .recomputation_rate = plan.recomputation_rate(),
-          .throughput_per_s = plan.throughput_per_s(),
-          .used = chosen->used,
-          .kinds = kinds_of(plan, *chosen)};
-}
-
-PlanSummary summary_of(const Optimisation& optimisation) {
-  const PrecisionPlan* best = optimisation.best();
-  return best == nullptr ? PlanSummary{} : summary_of(*best);
-}
-
-double baseline_per_s(const Optimisation& optimisation) {
-  const auto* alone = std::get_if<Allocation>(&optimisation.reference_only);
-  return alone == nullptr ? 0 : alone->throughput_per_s;
-}
-
 std::string to_text(const Optimisation& optimisation) {
   std::string text = fmt::format(
       "{} on {}, slack {:g}, {}; clocks: {}\n"
@@ -189,4 +171,4 @@ std::string figure7_csv(const Optimisation& optimisation) {
   return text;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::report

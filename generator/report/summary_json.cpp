@@ -1,9 +1,27 @@
 #include <nlohmann/json.hpp>
 
+#include "generator/report/summary_report.hpp"
 #include "model/expression/text.hpp"
-#include "model/scene/summary.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::report {
+
+using model::DatapathSummary;
+using model::DataSummary;
+using model::EngineKind;
+using model::EngineSpec;
+using model::InputSource;
+using model::LaneGroupSpec;
+using model::LaneSavings;
+using model::OperatorCount;
+using model::Range;
+using model::RangeQuestion;
+using model::ReducedSpec;
+using model::Scene;
+using model::SideSummary;
+using model::Summary;
+using model::SystemSpec;
+using model::to_text;
+
 namespace {
 
 nlohmann::json json_of(const std::optional<Range>& range) {
@@ -150,4 +168,4 @@ nlohmann::json to_json(const Summary& summary) {
   return json;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::report

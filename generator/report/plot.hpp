@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace mixcmp::model {
+namespace mixcmp::report {
 
 /// One line of a picture.
 struct Curve {
@@ -34,4 +34,4 @@ std::string script(const Picture& picture);
 std::string measured_style(int color, int point);
 std::string proven_style(int color);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::report

@@ -1,8 +1,8 @@
-#include "model/common/plot.hpp"
+#include "generator/report/plot.hpp"
 
 #include <fmt/format.h>
 
-namespace mixcmp::model {
+namespace mixcmp::report {
 namespace {
 
 constexpr const char* colors[] = {"#1b6ca8", "#c8553d", "#588157", "#7b4b94",
@@ -54,4 +54,4 @@ std::string proven_style(int color) {
   return fmt::format("lines lc rgb '{}' dt 2 lw 1.2", colors[color % 7]);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::report

@@ -3,11 +3,28 @@
 #include <algorithm>
 #include <map>
 
-#include "model/common/plot.hpp"
-#include "model/optimise/report.hpp"
+#include "generator/report/plan_report.hpp"
+#include "generator/report/plot.hpp"
+#include "model/optimise/plan_summary.hpp"
 #include "model/performance/performance.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::report {
+
+using model::Allocation;
+using model::Area;
+using model::bounded_resources;
+using model::ClockDomains;
+using model::ComponentKey;
+using model::equivalent_throughput;
+using model::LaneImplementation;
+using model::Measurement;
+using model::Optimisation;
+using model::PlanSummary;
+using model::PrecisionPlan;
+using model::ReferenceImplementation;
+using model::ReferenceKind;
+using model::Resource;
+
 namespace {
 
 constexpr const char* x_label = "L: digits of the reduced precision";
@@ -194,4 +211,4 @@ std::string figure9_script(const Optimisation& optimisation) {
   return script(picture);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::report

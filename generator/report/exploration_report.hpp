@@ -1,0 +1,15 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "model/optimise/exploration.hpp"
+
+namespace mixcmp::report {
+
+nlohmann::ordered_json to_json(const model::Exploration& exploration);
+
+/// data_set,column,scenario,precision,lanes,references,clock_mhz,recomputation_rate,throughput_per_s,gain
+std::string scenarios_csv(const model::Exploration& exploration);
+
+}  // namespace mixcmp::report

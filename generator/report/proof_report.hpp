@@ -1,0 +1,15 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "model/proof/lane_proof.hpp"
+
+namespace mixcmp::report {
+
+/// A line per finding, then the verdict and what remains by hand. `gappa`: its version; empty:
+/// there is none.
+std::string to_text(const model::proof::LaneProof& proof, const std::string& gappa);
+nlohmann::ordered_json to_json(const model::proof::LaneProof& proof, const std::string& gappa);
+
+}  // namespace mixcmp::report

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "model/scene/summary.hpp"
+
+namespace mixcmp::report {
+
+std::string to_text(const model::Summary& summary);
+nlohmann::json to_json(const model::Summary& summary);
+
+}  // namespace mixcmp::report

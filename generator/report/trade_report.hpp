@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "model/profile/trade.hpp"
+
+namespace mixcmp::report {
+
+std::string to_text(const model::Trade& trade);
+/// What a user who accepts so many is told.
+std::string advice(const model::Trade& trade, double accepted_per_million);
+nlohmann::ordered_json to_json(const model::Trade& trade);
+/// inputs,system,precision,wrong_per_million,rate,lane_luts,reference_luts,area,comparisons_per_kiloluts
+std::string trade_csv(const std::vector<model::Trade>& trades);
+std::string trade_script(const std::vector<model::Trade>& trades, const std::string& scene);
+
+}  // namespace mixcmp::report

@@ -1,0 +1,43 @@
+#include "model/optimise/plan_summary.hpp"
+
+#include <fmt/core.h>
+
+namespace mixcmp::model {
+namespace {
+
+std::string kinds_of(const PrecisionPlan& plan, const Allocation& chosen) {
+  std::string text;
+  for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
+    if (chosen.lanes[k] == 0) continue;
+    text += fmt::format("{}{} x {}", text.empty() ? "" : ", ", chosen.lanes[k],
+                        plan.lanes[k].kind.name);
+  }
+  return text;
+}
+
+}  // namespace
+
+PlanSummary summary_of(const PrecisionPlan& plan) {
+  const Allocation* chosen = plan.allocation();
+  if (chosen == nullptr) return {};
+  return {.precision = plan.precision,
+          .lanes = chosen->lane_count(),
+          .references = chosen->reference_count(),
+          .clock_mhz = plan.clock_mhz(),
+          .recomputation_rate = plan.recomputation_rate(),
+          .throughput_per_s = plan.throughput_per_s(),
+          .used = chosen->used,
+          .kinds = kinds_of(plan, *chosen)};
+}
+
+PlanSummary summary_of(const Optimisation& optimisation) {
+  const PrecisionPlan* best = optimisation.best();
+  return best == nullptr ? PlanSummary{} : summary_of(*best);
+}
+
+double baseline_per_s(const Optimisation& optimisation) {
+  const auto* alone = std::get_if<Allocation>(&optimisation.reference_only);
+  return alone == nullptr ? 0 : alone->throughput_per_s;
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "model/optimise/optimise.hpp"
+
+namespace mixcmp::model {
+
+/// What a reader wants of one plan.
+struct PlanSummary {
+  int precision = 0;  ///< 0: no plan is feasible
+  int lanes = 0;
+  int references = 0;
+  double clock_mhz = 0;
+  double recomputation_rate = 0;
+  double throughput_per_s = 0;
+  Area used;
+  std::string kinds;  ///< "95 x s12e8 exact relative embedded, 12 x s12e8 exact relative logic"
+};
+PlanSummary summary_of(const PrecisionPlan& plan);
+/// Summarises the best plan.
+PlanSummary summary_of(const Optimisation& optimisation);
+
+/// References alone: comparisons a second; 0 where none fits.
+double baseline_per_s(const Optimisation& optimisation);
+
+}  // namespace mixcmp::model
