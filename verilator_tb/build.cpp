@@ -153,6 +153,14 @@ Command verilator_command(const System& system, const Bench& bench, Waves waves,
   return command;
 }
 
+/// Whether there is a ccache, and a folder that it can keep its files in.
+bool is_ccache_usable() {
+  const auto folder = model::capture({"ccache", "--get-config", "temporary_dir"});
+  if (!folder.ok() || !folder->succeeded()) return false;
+  const std::string path = folder->output.substr(0, folder->output.find('\n'));
+  return !path.empty() && model::make_writable_folder(path).ok();
+}
+
 model::Result<SourceFiles> gather_inputs(const System& system, const Bench& bench) {
   MIXCMP_TRY(inputs, system_sources(system));
   for (const model::EmbeddedFile& file : harness_files()) inputs.emplace_back(file.name, file.text);
@@ -211,12 +219,10 @@ model::Result<Executable> build_simulator(const System& system, const BuildOptio
   MIXCMP_TRY(version, tool_version({"verilator", "--version"}, "verilator"));
   const Bench bench = bench_of(system.signature);
   MIXCMP_TRY(inputs, gather_inputs(system, bench));
-  const bool ccache = tool_version({"ccache", "--version"}, "ccache").ok();
+  const bool ccache = is_ccache_usable();
   const Command command = verilator_command(system, bench, options.waves, ccache);
   const fs::path folder = work_folder(options.work_dir, bench.top, version, command, inputs);
-  MIXCMP_TRY(lock, model::FolderLock::take(folder, [&] {
-               if (options.progress) options.progress("waiting for another run's build");
-             }));
+  MIXCMP_TRY(lock, model::FolderLock::take(folder, options.waiting));
   const Executable executable{folder / "obj" / "Vsystem"};
   const fs::path stamp = folder / "complete";
   if (fs::exists(stamp) && fs::exists(executable.path)) return executable;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "generator/emit/signature.hpp"
+#include "model/common/folder_lock.hpp"
 #include "model/common/process.hpp"
 
 namespace mixcmp::tb {
@@ -37,6 +38,7 @@ struct BuildOptions {
   std::filesystem::path work_dir;  ///< builds are kept here, one folder for each content
   Waves waves = Waves::off;
   Progress progress;
+  model::Waiting waiting = {};
 };
 
 struct Executable {

@@ -9,13 +9,10 @@ namespace mixcmp::tb {
 
 namespace {
 
-model::Result<model::Done> save_waves(const gen::SignatureEngine& engine,
-                                      const VerifyOptions& options) {
-  if (options.waves.empty()) return model::Done{};
-  return write_save_file(options.waves, gtkwave_save_file(engine, {.waves = options.waves,
-                                                                   .scope = "TOP." + engine.top,
-                                                                   .time_per_cycle = 2,
-                                                                   .marked = {}}));
+std::string save_file(const gen::SignatureEngine& engine, const VerifyOptions& options) {
+  return gtkwave_save_file(
+      engine,
+      {.waves = options.waves, .scope = "TOP." + engine.top, .time_per_cycle = 2, .marked = {}});
 }
 
 std::vector<std::size_t> places_of(const model::Table& table,
@@ -68,14 +65,17 @@ model::Result<VerifyReport> run_engine(
   const Waves waves = options.waves.empty() ? Waves::off : Waves::on;
   MIXCMP_TRY(executable, build_simulator(system, {.work_dir = options.work_dir,
                                                   .waves = waves,
-                                                  .progress = options.progress}));
+                                                  .progress = options.progress,
+                                                  .waiting = options.waiting}));
   judge.report().build_seconds = executable.build_seconds;
   judge.report().simulator = "Verilator";
   const auto start = std::chrono::steady_clock::now();
   MIXCMP_TRY(run, trials(executable));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   judge.report().run_seconds = taken.count();
-  MIXCMP_TRY(saved, save_waves(*system.signature.engine, options));
+  if (options.wave_file != nullptr) {
+    options.wave_file->set_save_file(save_file(*system.signature.engine, options));
+  }
   return std::move(judge.report());
 }
 

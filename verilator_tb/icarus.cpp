@@ -149,7 +149,7 @@ model::Result<Answer> read_results(const fs::path& path) {
 
 model::Result<Answer> simulate_in_icarus(const System& system, const Block& block,
                                          const fs::path& work_dir, const SimulationOptions& options,
-                                         const Progress& progress) {
+                                         const Progress& progress, const model::Waiting& waiting) {
   MIXCMP_TRY(version, tool_version({"iverilog", "-V"}, "iverilog"));
   MIXCMP_TRY(inputs, system_sources(system));
   const auto bytes = static_cast<std::size_t>(system.signature.tdata_bytes);
@@ -159,9 +159,7 @@ model::Result<Answer> simulate_in_icarus(const System& system, const Block& bloc
   const Command command = compile_command(system, block, options);
   const fs::path folder =
       work_folder(work_dir, system.signature.top + "-icarus", version, command, inputs);
-  MIXCMP_TRY(lock, model::FolderLock::take(folder, [&] {
-               if (progress) progress("waiting for another run of the same simulation");
-             }));
+  MIXCMP_TRY(lock, model::FolderLock::take(folder, waiting));
   for (const auto& [name, text] : inputs) {
     MIXCMP_TRY(written, model::write_file(folder / name, text));
   }

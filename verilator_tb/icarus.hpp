@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "model/common/folder_lock.hpp"
 #include "verilator_tb/system_simulation.hpp"
 
 namespace mixcmp::tb {
@@ -14,7 +15,7 @@ inline constexpr std::uint64_t icarus_time_per_cycle = 4;
 /// stimulus, results and logs stay in a folder of `work_dir`.
 model::Result<Answer> simulate_in_icarus(const System& system, const Block& block,
                                          const std::filesystem::path& work_dir,
-                                         const SimulationOptions& options,
-                                         const Progress& progress);
+                                         const SimulationOptions& options, const Progress& progress,
+                                         const model::Waiting& waiting);
 
 }  // namespace mixcmp::tb

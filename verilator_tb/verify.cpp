@@ -148,7 +148,8 @@ model::Result<model::Done> run_verilator(const Run& run) {
       executable,
       build_simulator(run.system, {.work_dir = run.options.work_dir,
                                    .waves = run.options.waves.empty() ? Waves::off : Waves::on,
-                                   .progress = run.options.progress}));
+                                   .progress = run.options.progress,
+                                   .waiting = run.options.waiting}));
   run.judge.report().build_seconds = executable.build_seconds;
   MIXCMP_TRY(simulation, SystemSimulation::start(executable, simulation_options(run.options)));
   const std::vector<std::uint64_t> resets = reset_positions(run);
@@ -177,7 +178,8 @@ model::Result<model::Done> run_icarus(const Run& run) {
                   .resets = reset_positions(run),
                   .last = true};
   MIXCMP_TRY(answer, simulate_in_icarus(run.system, all, run.options.work_dir,
-                                        simulation_options(run.options), run.options.progress));
+                                        simulation_options(run.options), run.options.progress,
+                                        run.options.waiting));
   run.judge.announce(all.comparisons);
   run.judge.take(answer);
   tell(run, all.comparisons);
@@ -210,9 +212,7 @@ model::Result<VerifyReport> run_system(const System& system, const model::Design
   judge.report().simulator = icarus ? "Icarus Verilog" : "Verilator";
   MIXCMP_TRY(done, icarus ? run_icarus(run) : run_verilator(run));
   judge.report().run_seconds = seconds_since(start) - judge.report().build_seconds;
-  if (!options.waves.empty()) {
-    MIXCMP_TRY(saved, write_save_file(options.waves, save_file(run)));
-  }
+  if (options.wave_file != nullptr) options.wave_file->set_save_file(save_file(run));
   return std::move(judge.report());
 }
 
@@ -222,7 +222,7 @@ SimulationOptions simulation_options(const VerifyOptions& options) {
   return {.traffic = options.traffic,
           .seed = options.traffic_seed,
           .hang_cycles = options.hang_cycles,
-          .waves = options.unfinished_waves,
+          .waves = options.wave_file == nullptr ? "" : options.wave_file->unfinished(),
           .plusargs = options.plusargs};
 }
 
@@ -252,7 +252,7 @@ model::Result<VerifyReport> verify(const model::Design& design,
   if (options.waves.empty()) return run_system(system, design, comparisons, options);
   MIXCMP_TRY(waves, WaveFile::open(options.waves));
   VerifyOptions with_waves = options;
-  with_waves.unfinished_waves = waves.unfinished();
+  with_waves.wave_file = &waves;
   MIXCMP_TRY(report, run_system(system, design, comparisons, with_waves));
   MIXCMP_TRY(kept, waves.commit());
   return report;

@@ -5,12 +5,14 @@
 #include <functional>
 #include <optional>
 
+#include "model/common/folder_lock.hpp"
 #include "model/data/comparisons.hpp"
 #include "model/design/design.hpp"
 #include "model/number/verdict.hpp"
 #include "verilator_tb/report.hpp"
 #include "verilator_tb/selection.hpp"
 #include "verilator_tb/system_simulation.hpp"
+#include "verilator_tb/waves.hpp"
 
 namespace mixcmp::tb {
 
@@ -49,13 +51,13 @@ struct VerifyOptions {
   std::uint64_t block_size = 16'384;  ///< comparisons exchanged at a time
   /// FST file to write; beside it goes a GTKWave save file, .gtkw.
   std::filesystem::path waves;
-  /// The file that takes the waves until they are whole; `verify` chooses it.
-  std::filesystem::path unfinished_waves;
+  WaveFile* wave_file = nullptr;  ///< set by `verify` where there are waves to write
   std::optional<TruthCheck> truth;
   std::string repeat_command;         ///< to which " --only INDEX" is added in the report
   std::vector<std::string> plusargs;  ///< for the simulator, without their plus
   std::function<void(const VerifiedResult&)> on_result;  ///< in order of index
   Progress progress;
+  model::Waiting waiting;
 };
 
 /// The part of the options that the simulator is given.

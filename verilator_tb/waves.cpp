@@ -1,7 +1,9 @@
 #include "verilator_tb/waves.hpp"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstdint>
 #include <fstream>
 #include <set>
@@ -11,6 +13,20 @@
 namespace mixcmp::tb {
 
 namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that nobody may write would be found out after the simulation.
+model::Result<model::Done> check_place(const fs::path& path) {
+  std::error_code failed;
+  if (!fs::exists(path, failed)) return model::Done{};
+  if (access(path.c_str(), W_OK) != 0) return model::cannot_write(path, errno);
+  if (fs::is_regular_file(path, failed)) return model::Done{};
+  return model::Error{.file = path.string(),
+                      .message = "waves cannot be written there",
+                      .received = "no regular file",
+                      .accepted = "the name of a file"};
+}
 
 /// GTKWave's display flags, in hexadecimal as its save files have them.
 constexpr const char* binary = "@28";
@@ -128,15 +144,12 @@ std::string gtkwave_save_file(const gen::SignatureEngine& engine, const SaveFile
   return header(options) + writer.text();
 }
 
-model::Result<WaveFile> WaveFile::open(const std::filesystem::path& path) {
-  std::error_code failed;
-  if (std::filesystem::exists(path, failed) && !std::filesystem::is_regular_file(path, failed)) {
-    return model::Error{.file = path.string(),
-                        .message = "waves cannot be written there",
-                        .received = "no regular file",
-                        .accepted = "the name of a file"};
+model::Result<WaveFile> WaveFile::open(const fs::path& path) {
+  for (const fs::path& output : {path, save_file_beside(path)}) {
+    MIXCMP_TRY(possible, check_place(output));
   }
-  auto own = model::ScratchFolder::make_in(std::filesystem::absolute(path).parent_path(), "waves");
+  MIXCMP_TRY(target, model::follow_links(fs::absolute(path)));
+  auto own = model::ScratchFolder::make_in(target.parent_path(), "waves");
   if (own.ok()) return WaveFile(path, std::move(own).value());
   model::Error error = own.error();
   error.file = path.string();
@@ -144,17 +157,20 @@ model::Result<WaveFile> WaveFile::open(const std::filesystem::path& path) {
 }
 
 model::Result<model::Done> WaveFile::commit() {
-  if (is_whole_fst(unfinished())) return model::put_in_place(unfinished(), path_);
-  return model::Error{.file = path_.string(),
-                      .message = "cannot be written: the simulator left waves that are not whole",
-                      .received = "a broken FST file, as of a full disk"};
+  if (!is_whole_fst(unfinished())) {
+    return model::Error{.file = path_.string(),
+                        .message = "cannot be written: the simulator left waves that are not whole",
+                        .received = "a broken FST file, as of a full disk"};
+  }
+  MIXCMP_TRY(save_file, model::OutputFile::open(save_file_beside(path_)));
+  save_file.write(save_file_text_);
+  MIXCMP_TRY(written, save_file.write_out());
+  MIXCMP_TRY(placed, model::put_in_place(unfinished(), path_));
+  return save_file.commit();
 }
 
-model::Result<model::Done> write_save_file(const std::filesystem::path& waves,
-                                           const std::string& text) {
-  std::filesystem::path path = waves;
-  path.replace_extension(".gtkw");
-  return model::write_file(path, text);
+fs::path save_file_beside(fs::path waves) {
+  return waves.empty() ? waves : waves.replace_extension(".gtkw");
 }
 
 }  // namespace mixcmp::tb

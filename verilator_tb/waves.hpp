@@ -28,12 +28,13 @@ std::string gtkwave_save_file(const gen::SignatureEngine& engine, const SaveFile
 /// not say that a disk was full.
 bool is_whole_fst(const std::filesystem::path& path);
 
-/// Waves that a simulator writes are in a folder of their own, beside the final path, until they
-/// are whole.
+/// Waves and the GTKWave save file that goes with them. Until both are whole, what a simulator
+/// writes is in a folder of its own, beside the final path.
 class WaveFile {
 public:
   static model::Result<WaveFile> open(const std::filesystem::path& path);
   std::filesystem::path unfinished() const { return folder_.path() / "waves.fst"; }
+  void set_save_file(std::string text) { save_file_text_ = std::move(text); }
   model::Result<model::Done> commit();
 
 private:
@@ -42,10 +43,10 @@ private:
 
   std::filesystem::path path_;
   model::ScratchFolder folder_;
+  std::string save_file_text_;
 };
 
-/// Beside the waves, under their name with the ending .gtkw.
-model::Result<model::Done> write_save_file(const std::filesystem::path& waves,
-                                           const std::string& text);
+/// The waves' name with the ending .gtkw; empty for none.
+std::filesystem::path save_file_beside(std::filesystem::path waves);
 
 }  // namespace mixcmp::tb

@@ -45,8 +45,11 @@ void run(const BaselineCommand& command) {
     scratch.emplace(value_or_exit(model::ScratchFolder::make()));
     options.work = scratch->path();
   } else {
-    const std::vector<std::filesystem::path> outputs = {options.work / "comparison.cpp",
-                                                        options.work / "data.bin"};
+    std::vector<std::filesystem::path> outputs;
+    for (const char* name :
+         {"comparison", "comparison.cpp", "compile.log", "data.bin", "run.log"}) {
+      outputs.push_back(options.work / name);
+    }
     value_or_exit(check_outputs(outputs, inputs_of(command.scene, loaded.scene)));
     held.emplace(lock_folder(options.work));
   }

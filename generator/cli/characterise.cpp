@@ -84,6 +84,7 @@ void print_text(const CharacteriseReport& report, const fs::path& table) {
     print(fmt::format("no clock: {}{}: {}\n", components.front(), more, reason));
   }
   if (report.interrupted_by != 0) return;
+  if (report.table.rows.empty()) return print(fmt::format("{} is as it was\n", table.string()));
   print(fmt::format("{} rows in {}", report.table.rows.size(), table.string()));
   if (report.kept > 0) print(fmt::format(", {} of them kept from before", report.kept));
   if (report.dropped > 0) print(fmt::format("; {} outdated rows dropped", report.dropped));
@@ -168,7 +169,9 @@ model::Result<model::Done> check_target(const model::Characterisation& table, co
 model::Result<std::optional<model::Characterisation>> previous_table(const fs::path& path,
                                                                      const model::Scene& scene,
                                                                      const std::string& device) {
-  if (!fs::exists(path)) return std::optional<model::Characterisation>();
+  std::error_code failed;
+  const bool is_table = fs::is_regular_file(path, failed) && fs::file_size(path, failed) > 0;
+  if (!is_table) return std::optional<model::Characterisation>();
   MIXCMP_TRY(table, model::read_characterisation(path));
   if (table.scene == scene.name && table.device == device) {
     MIXCMP_TRY(comparable, check_target(table, path, scene));
@@ -224,7 +227,8 @@ void write_table(CharacteriseReport& report, const CharacteriseCommand& command,
 
 void tell_failures(const CharacteriseReport& report) {
   for (const model::FailedJob& job : report.failed) {
-    tell(fmt::format("{}: {}\n  kept in {}", job.label, job.message, job.directory.string()));
+    const std::string kept = job.directory.empty() ? "" : "\n  kept in " + job.directory.string();
+    tell(fmt::format("{}: {}{}", job.label, job.message, kept));
   }
   if (report.interrupted_by != 0) {
     tell(
@@ -250,7 +254,10 @@ void run(const CharacteriseCommand& command) {
       value_or_exit(gen::characterise(loaded.scene, loaded.data ? &*loaded.data : nullptr, device,
                                       options, previous ? &*previous : nullptr));
   show_progress("");
-  if (report.interrupted_by == 0) write_table(report, command, loaded.scene, path, previous);
+  const bool nothing_measured = report.table.rows.empty() && !report.failed.empty();
+  if (report.interrupted_by == 0 && !nothing_measured) {
+    write_table(report, command, loaded.scene, path, previous);
+  }
   command.scene.json ? print_json(report, path) : print_text(report, path);
   tell_failures(report);
   if (report.interrupted_by != 0) throw Exit::interrupted(report.interrupted_by);

@@ -202,7 +202,9 @@ void run(const CheckOptions& options) {
   const Outlook generated = outlook(options.scene, loaded);
   const std::vector<model::VariantCheck> variants = check_variants(options.scene, loaded);
   std::vector<ProvenLane> proven;
-  if (options.prove.prove) proven = prove(loaded, options.prove);
+  if (options.prove.prove) {
+    proven = prove(loaded, options.prove, inputs_of(options.scene, loaded.scene));
+  }
   std::optional<BoundCosts> costs;
   if (options.costs) {
     auto measured = measure_costs(loaded);

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "generator/cli/verbs.hpp"
 #include "model/characterise/tools.hpp"
 #include "model/common/process.hpp"
+#include "model/proof/gappa.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -19,51 +21,47 @@ enum class Need {
 
 struct Tool {
   const char* name;
-  model::Command version_command;
-  const char* package;   ///< of Debian
-  const char* disables;  ///< what is missing without it
+  std::function<model::Result<std::string>()> version;  ///< or why the tool is of no use
+  const char* package;                                  ///< of Debian
+  const char* disables;                                 ///< what is missing without it
   Need need = Need::required;
 };
+
+std::function<model::Result<std::string>()> asks(model::Command command, const char* package) {
+  return [command = std::move(command), package] { return model::tool_version(command, package); };
+}
+
+/// gtkwave answers on a display alone.
+model::Result<std::string> find_gtkwave() {
+  const auto found = model::capture({"which", "gtkwave"});
+  if (found.ok() && found->succeeded()) return std::string("there; not asked for its version");
+  return model::Error{.message = "gtkwave does not run", .kind = model::ErrorKind::missing_tool};
+}
 
 std::vector<Tool> tools() {
   model::Command ecp5_router = model::ecp5_router_command();
   ecp5_router.emplace_back("--version");
   return {
-      {"verilator", {"verilator", "--version"}, "verilator", "verify"},
-      {"make", {"make", "--version"}, "make", "verify"},
-      {"g++", {"g++", "--version"}, "g++", "verify, baseline"},
-      {"ccache",
-       {"ccache", "--version"},
-       "ccache",
-       "nothing; builds of simulations take longer",
-       Need::optional},
-      {"iverilog", {"iverilog", "-V"}, "iverilog", "verify --simulator icarus"},
-      {"yosys",
-       {"yosys", "-V"},
-       "yosys",
+      {"verilator", asks({"verilator", "--version"}, "verilator"), "verilator", "verify"},
+      {"make", asks({"make", "--version"}, "make"), "make", "verify"},
+      {"g++", asks({"g++", "--version"}, "g++"), "g++", "verify, baseline"},
+      {"ccache", asks({"ccache", "--version"}, "ccache"), "ccache",
+       "nothing; builds of simulations take longer", Need::optional},
+      {"iverilog", asks({"iverilog", "-V"}, "iverilog"), "iverilog", "verify --simulator icarus"},
+      {"yosys", asks({"yosys", "-V"}, "yosys"), "yosys",
        "characterise, route, check --costs, the lint and formal tests"},
-      {"nextpnr-ice40",
-       {"nextpnr-ice40", "--version"},
-       "nextpnr-ice40",
+      {"nextpnr-ice40", asks({"nextpnr-ice40", "--version"}, "nextpnr-ice40"), "nextpnr-ice40",
        "the clocks of iCE40 devices in characterise and route"},
-      {"nextpnr-ecp5", ecp5_router, "nextpnr-ecp5",
+      {"nextpnr-ecp5", asks(ecp5_router, "nextpnr-ecp5"), "nextpnr-ecp5",
        "the clocks of ECP5 devices in characterise and route (Debian 12: docs/devices.md)",
        Need::optional},
-      {"glpsol",
-       {"glpsol", "--version"},
-       "glpk-utils",
-       "the tests of plans by a second solver",
-       Need::optional},
-      {"gappa",
-       {"gappa", "--version"},
-       "gappa",
+      {"glpsol", asks({"glpsol", "--version"}, "glpk-utils"), "glpk-utils",
+       "the tests of plans by a second solver", Need::optional},
+      {"gappa", model::proof::gappa_version, "gappa",
        "check --prove, and the machine check of error bounds before generate"},
-      {"gnuplot", {"gnuplot", "--version"}, "gnuplot-nox", "the pictures of profile and explore"},
-      // gtkwave itself answers on a display alone.
-      {"gtkwave",
-       {"which", "gtkwave"},
-       "gtkwave",
-       "looking at the waves of verify --trace",
+      {"gnuplot", asks({"gnuplot", "--version"}, "gnuplot-nox"), "gnuplot-nox",
+       "the pictures of profile and explore"},
+      {"gtkwave", find_gtkwave, "gtkwave", "looking at the waves of verify --trace",
        Need::optional},
   };
 }
@@ -80,7 +78,7 @@ void run(bool json) {
   std::string text;
   bool complete = true;
   for (const Tool& tool : tools()) {
-    const auto version = model::tool_version(tool.version_command, tool.package);
+    const auto version = tool.version();
     const bool required = tool.need == Need::required;
     report.push_back({{"tool", tool.name},
                       {"found", version.ok()},

@@ -274,12 +274,33 @@ void check_device_names(const std::vector<Planning>& known) {
 }
 
 /// The scenes of the data sets, before any of them is measured.
-void check_sets(const ExploreCommand& command, const std::vector<std::string>& settings) {
+std::vector<model::Scene> scenes_of(const ExploreCommand& command,
+                                    const std::vector<std::string>& settings) {
+  std::vector<model::Scene> scenes;
   for (const std::string& set : settings) {
     const SceneOptions options = with_set(command, set);
     const auto scene = model::load_scene(options.scene, options.settings);
     if (!scene.ok()) fail(as_user_error(scene.error(), options));
+    scenes.push_back(*scene);
   }
+  return scenes;
+}
+
+/// Everything that the run reads.
+std::vector<fs::path> inputs_of(const ExploreCommand& command,
+                                const std::vector<model::Scene>& scenes,
+                                const std::vector<Planning>& known) {
+  std::vector<fs::path> inputs;
+  const auto add = [&](const model::Scene& scene) {
+    const std::vector<fs::path> more = inputs_of(command.planning.scene, scene);
+    inputs.insert(inputs.end(), more.begin(), more.end());
+  };
+  for (const model::Scene& scene : scenes) add(scene);
+  for (const Planning& each : known) {
+    add(each.scene);
+    inputs.push_back(each.table_path);
+  }
+  return inputs;
 }
 
 /// Finds mistakes before the long measurements, and writes the results of all devices at the end,
@@ -288,15 +309,13 @@ void run(const ExploreCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.planning.scene));
   value_or_exit(check_has_data(loaded, "recomputation rates are measured on data"));
   const std::vector<std::string> settings = value_or_exit(data_sets(command.over));
-  check_sets(command, settings);
+  const std::vector<model::Scene> scenes = scenes_of(command, settings);
   std::vector<Planning> known;
   for (const std::string& device : devices_of(command, loaded.scene)) {
     known.push_back(planning_for(command, device, &*loaded.data));
   }
   check_device_names(known);
-  std::vector<fs::path> inputs = inputs_of(command.planning.scene, loaded.scene);
-  for (const Planning& each : known) inputs.push_back(each.table_path);
-  value_or_exit(check_outputs(output_paths(command, known), inputs));
+  value_or_exit(check_outputs(output_paths(command, known), inputs_of(command, scenes, known)));
   const model::FolderLock held = lock_folder(command.output);
   const std::vector<model::DataSet> sets = measure_sets(command, settings);
   std::vector<report::SoftwareThroughput> software;
@@ -323,11 +342,15 @@ void run(const ExploreCommand& command) {
       feasible = feasible && column.worst.best() != nullptr;
     }
   }
+  model::OutputFile page = value_or_exit(model::OutputFile::open(command.output / "report.md"));
+  page.write(report);
+  value_or_exit(page.write_out());
+  for (ResultFiles& files : results) files.write_out();
   for (ResultFiles& files : results) {
-    const std::vector<std::string> missing = files.write();
+    const std::vector<std::string> missing = files.commit();
     not_done.insert(not_done.end(), missing.begin(), missing.end());
   }
-  value_or_exit(model::write_file(command.output / "report.md", report));
+  value_or_exit(page.commit());
   if (command.planning.scene.json) {
     print(fmt::format("{}\n", json.dump(2)));
   } else {

@@ -6,6 +6,7 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/fit.hpp"
 #include "generator/cli/options.hpp"
+#include "generator/cli/output.hpp"
 #include "generator/cli/prove.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/system.hpp"
@@ -120,6 +121,7 @@ void run(const GenerateOptions& options) {
   if (!options.skip_proof) proofs = prove_groups(options.scene.scene, design);
   const std::filesystem::path directory =
       options.output.empty() ? std::filesystem::path(system.signature.top) : options.output;
+  value_or_exit(check_replaced_folder(directory, inputs_of(options.scene, loaded.scene)));
   value_or_exit(gen::write_system(system, directory));
   options.scene.json ? print_json(system, proofs, directory)
                      : print_text(system, proofs, directory);

@@ -22,8 +22,11 @@ std::optional<fs::path> file_at(const fs::path& path) {
   std::error_code failed;
   const fs::file_status status = fs::status(path, failed);
   if (fs::exists(status) && !fs::is_regular_file(status)) return std::nullopt;
-  const fs::path place = fs::weakly_canonical(path, failed);
-  return failed ? fs::absolute(path) : place;
+  // A link may lead to what is not there yet: OutputFile makes it there.
+  const auto target = model::follow_links(fs::absolute(path));
+  const fs::path named = target.ok() ? *target : fs::absolute(path);
+  const fs::path place = fs::weakly_canonical(named, failed);
+  return failed ? named : place;
 }
 
 }  // namespace
@@ -48,13 +51,27 @@ model::Result<model::Done> check_outputs(const std::vector<fs::path>& outputs,
   return model::Done{};
 }
 
+model::Result<model::Done> check_replaced_folder(const fs::path& folder,
+                                                 const std::vector<fs::path>& inputs) {
+  const auto own = file_at(folder / "any");
+  for (const fs::path& input : inputs) {
+    const auto file = input.empty() ? std::nullopt : file_at(input);
+    if (!own || !file || file->parent_path() != own->parent_path()) continue;
+    return model::Error{.file = folder.string(),
+                        .message = "holds an input, and would be replaced as a whole",
+                        .received = input.string(),
+                        .accepted = "another folder"};
+  }
+  return model::Done{};
+}
+
 void tell_waiting(const fs::path& folder) {
   show_progress("");
   tell(fmt::format("{}: waiting for another run", folder.string()));
 }
 
 model::FolderLock lock_folder(const fs::path& folder) {
-  return value_or_exit(model::FolderLock::take(folder, [&] { tell_waiting(folder); }));
+  return value_or_exit(model::FolderLock::take(folder, tell_waiting));
 }
 
 std::vector<fs::path> ResultFiles::paths(const fs::path& folder, Names names) {
@@ -96,18 +113,24 @@ void ResultFiles::add_picture(const std::string& name, const std::string& script
   add(name, std::move(picture.output));
 }
 
-std::vector<std::string> ResultFiles::write() {
+void ResultFiles::write_out() {
   MIXCMP_CHECK(files_.size() == names_.size());
   value_or_exit(model::make_writable_folder(folder_));
   for (const File& file : files_) {
-    const fs::path path = folder_ / file.name;
-    if (file.text) {
-      value_or_exit(model::write_file(path, *file.text));
-      continue;
-    }
+    if (!file.text) continue;
+    written_.push_back(value_or_exit(model::OutputFile::open(folder_ / file.name)));
+    written_.back().write(*file.text);
+    value_or_exit(written_.back().write_out());
+  }
+}
+
+std::vector<std::string> ResultFiles::commit() {
+  for (model::OutputFile& file : written_) value_or_exit(file.commit());
+  for (const File& file : files_) {
+    if (file.text) continue;
     std::error_code failed;
-    fs::remove(path, failed);
-    if (failed) fail(model::cannot_write(path, failed.value()));
+    fs::remove(folder_ / file.name, failed);
+    if (failed) fail(model::cannot_write(folder_ / file.name, failed.value()));
   }
   return not_done_;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/common/folder_lock.hpp"
+#include "model/common/output_file.hpp"
 #include "model/common/result.hpp"
 #include "model/devices/device.hpp"
 
@@ -17,13 +18,18 @@ namespace mixcmp::cli {
 model::Result<model::Done> check_outputs(const std::vector<std::filesystem::path>& outputs,
                                          const std::vector<std::filesystem::path>& inputs);
 
+/// Refuses a folder that is replaced as a whole and holds an input.
+model::Result<model::Done> check_replaced_folder(const std::filesystem::path& folder,
+                                                 const std::vector<std::filesystem::path>& inputs);
+
 /// Locks a work folder, which is made where there is none, for as long as the result lives. The
 /// user is told where another run must end first.
 model::FolderLock lock_folder(const std::filesystem::path& folder);
 void tell_waiting(const std::filesystem::path& folder);
 
-/// Files of one folder that tell of the same data. They are written when all of them are made, so
-/// that none stands beside those of a run before.
+/// Files of one folder that tell of the same data. They are written when all of them are made, and
+/// take their places when all of them are written, so that none stands beside those of a run
+/// before.
 class ResultFiles {
 public:
   using Names = std::span<const char* const>;
@@ -37,13 +43,15 @@ public:
 
   void add(const std::string& name, std::string text);
   /// Draws what the gnuplot script says. Ends the program where gnuplot fails; where there is none,
-  /// `write` says so.
+  /// `commit` says so.
   void add_picture(const std::string& name, const std::string& script);
   /// A file that a run before may have made, and this one does not.
   void leave_out(const std::string& name);
 
-  /// Ends the program where a file cannot be written. Returns what was not done.
-  std::vector<std::string> write();
+  /// Writes all files beside their places. Ends the program where one cannot be written.
+  void write_out();
+  /// Puts all files in their places. Returns what was not done.
+  std::vector<std::string> commit();
 
 private:
   struct File {
@@ -56,6 +64,7 @@ private:
   std::filesystem::path folder_;
   Names names_;
   std::vector<File> files_;
+  std::vector<model::OutputFile> written_;
   std::vector<std::string> not_done_;
 };
 

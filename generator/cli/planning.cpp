@@ -177,7 +177,10 @@ model::PlanSource plan_source(const PlanningOptions& options, const std::string&
                               const std::filesystem::path& plan, std::string command) {
   namespace fs = std::filesystem;
   // Symbolic links are followed, since the plan is read again from the folder that it lies in.
-  const fs::path folder = fs::weakly_canonical(fs::absolute(plan)).parent_path();
+  // A pipe's reader is told names relative to the working directory.
+  std::error_code failed;
+  const fs::path place = fs::weakly_canonical(fs::absolute(plan), failed);
+  const fs::path folder = failed ? fs::current_path() : place.parent_path();
   const fs::path scene = fs::canonical(options.scene.scene);
   const bool is_file = device.ends_with(".toml");
   const model::SceneSettings read =

@@ -132,7 +132,8 @@ std::vector<std::string> write_results(const report::ProfileReport& report, cons
     results.add("trade.csv", report::trade_csv(weighed.trades));
     results.add_picture("trade.svg", report::trade_script(weighed.trades, report.scene));
   }
-  return results.write();
+  results.write_out();
+  return results.commit();
 }
 
 void print_text(const report::ProfileReport& report, const Trades& weighed) {

@@ -68,14 +68,15 @@ std::string version_text(const model::Result<std::string>& version) {
 }
 
 ProvenLane prove_lane(const model::Scene& scene, const std::string& name,
-                      const model::CombinedLane& lane, const ProveOptions& options) {
+                      const model::CombinedLane& lane, const ProveOptions& options,
+                      const std::vector<std::filesystem::path>& inputs) {
   ProvenLane result{.format = lane.arithmetic().format.name()};
   const std::string stem = fmt::format("{}_{}", scene.name, name);
   result.directory =
       options.directory.empty() ? std::filesystem::path(stem + "_proof") : options.directory;
-  value_or_exit(check_outputs({result.directory / (stem + ".json")}, {scene.path}));
-  proof::ProofDirectory directory = value_or_exit(proof::ProofDirectory::open(
-      result.directory, options.seconds_a_script, [&] { tell_waiting(result.directory); }));
+  value_or_exit(check_outputs({result.directory / (stem + ".json")}, inputs));
+  proof::ProofDirectory directory = value_or_exit(
+      proof::ProofDirectory::open(result.directory, options.seconds_a_script, tell_waiting));
   result.proof = proof::prove_lane(lane, std::ref(directory), proof::Effort::whole);
   if (directory.failure()) fail(*directory.failure());
   result.gappa = version_text(directory.gappa());
@@ -103,7 +104,8 @@ void add_prove_options(CLI::App& verb, ProveOptions& options) {
       ->needs(prove);
 }
 
-std::vector<ProvenLane> prove(const LoadedScene& loaded, const ProveOptions& options) {
+std::vector<ProvenLane> prove(const LoadedScene& loaded, const ProveOptions& options,
+                              const std::vector<std::filesystem::path>& inputs) {
   std::vector<model::Scene> scenes;
   for (const int precision : options.precisions) {
     const int most = loaded.scene.reference.format.precision();
@@ -120,7 +122,7 @@ std::vector<ProvenLane> prove(const LoadedScene& loaded, const ProveOptions& opt
   for (const model::Scene& scene : scenes) {
     for (const auto& [name, lane] : candidates(scene, loaded.data ? &*loaded.data : nullptr)) {
       if (lane.ok()) {
-        proven.push_back(prove_lane(scene, name, *lane, options));
+        proven.push_back(prove_lane(scene, name, *lane, options, inputs));
       } else {
         proven.push_back({.format = name, .error = lane.error().to_string()});
       }

@@ -29,8 +29,9 @@ struct ProvenLane {
   std::filesystem::path directory;  ///< of scripts, certificates and verdicts
   int reused = 0;                   ///< scripts that an earlier run has proven
 };
-/// Errors end the program.
-std::vector<ProvenLane> prove(const LoadedScene& loaded, const ProveOptions& options);
+/// Errors end the program. `inputs`: files that no report may replace.
+std::vector<ProvenLane> prove(const LoadedScene& loaded, const ProveOptions& options,
+                              const std::vector<std::filesystem::path>& inputs);
 
 std::string to_text(const ProvenLane& lane);
 nlohmann::ordered_json to_json(const ProvenLane& lane);

@@ -131,7 +131,8 @@ void run(const RouteCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
   const model::Device device = value_or_exit(model::find_device(loaded.scene.system.device));
   const model::SynthesisJob job = job_of(command, loaded);
-  if (!command.work.empty()) value_or_exit(model::make_writable_folder(command.work));
+  std::optional<model::FolderLock> held;
+  if (!command.work.empty()) held.emplace(lock_folder(command.work));
   const std::string tools = value_or_exit(tool_versions(device, command.synthesis.effort));
   const fs::path kept = kept_folder(command, job, device, tools);
   const model::SynthesisResult result = result_of(command, job, device, tools, kept);

@@ -122,6 +122,7 @@ tb::VerifyOptions run_options(const VerifyCommand& command, const LoadedScene& l
   options.traffic_seed = command.run.selection.seed;
   options.repeat_command = repeat_command(command);
   options.progress = show_progress;
+  options.waiting = tell_waiting;
   if (command.truth != TruthOption::off) {
     options.truth = {&loaded.scene.graph, command.truth == TruthOption::all
                                               ? tb::TruthScope::all
@@ -171,11 +172,6 @@ fs::path write_rtl(const gen::GeneratedSystem& system, const fs::path& work) {
   return folder;
 }
 
-/// Beside the waves; empty without them.
-fs::path save_file_of(fs::path waves) {
-  return waves.empty() ? waves : waves.replace_extension(".gtkw");
-}
-
 void run(const VerifyCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
   value_or_exit(check_has_data(loaded, "verify needs data to run on"));
@@ -187,8 +183,9 @@ void run(const VerifyCommand& command) {
   value_or_exit(check_work(command, work));
   const tb::VerifyOptions options = run_options(command, loaded, work);
   value_or_exit(check_request(design, *loaded.data, options));
-  value_or_exit(check_outputs({command.csv, command.run.waves, save_file_of(command.run.waves)},
-                              inputs_of(command.scene, loaded.scene)));
+  value_or_exit(
+      check_outputs({command.csv, command.run.waves, tb::save_file_beside(command.run.waves)},
+                    inputs_of(command.scene, loaded.scene)));
   value_or_exit(check_trace(command.run.waves));
   const fs::path rtl = write_rtl(system, work);
   tb::VerifyReport report = run_with_table(design, *loaded.data, rtl, options, command);

@@ -1,7 +1,3 @@
-#include <fcntl.h>
-#include <stdio.h>
-
-#include <cerrno>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -83,26 +79,14 @@ Result<Done> set_permissions(const fs::path& staged, const fs::path& directory) 
   return Done{};
 }
 
-bool rename_folder(const fs::path& from, const fs::path& to, unsigned int flags) {
-  return renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flags) == 0;
-}
-
-/// One step for whoever looks: the new directory is there whole, or the old one still is. Another
-/// run may make or remove the directory at the same time: then it is tried again.
-Result<Done> put_in_place(const fs::path& staged, const fs::path& directory) {
-  while (true) {
-    if (rename_folder(staged, directory, RENAME_EXCHANGE)) return Done{};
-    if (errno != ENOENT) return cannot_write(directory, errno);
-    if (rename_folder(staged, directory, RENAME_NOREPLACE)) return Done{};
-    if (errno != EEXIST) return cannot_write(directory, errno);
-  }
-}
-
 }  // namespace
 
 Result<Done> write_system(const GeneratedSystem& system, const fs::path& requested) {
+  std::error_code failed;
+  // As the kernel finds it: ".." behind a symbolic link leaves the folder that the link leads to.
+  fs::path named = fs::weakly_canonical(fs::absolute(requested), failed);
+  if (failed) return cannot_write(requested, failed.value());
   // The path ends with the folder's name, whether or not the user wrote a final slash.
-  fs::path named = fs::absolute(requested).lexically_normal();
   if (!named.has_filename()) named = named.parent_path();
   MIXCMP_TRY(directory, model::follow_links(named));
   MIXCMP_TRY(parent, model::make_writable_folder(directory.parent_path()));
@@ -113,7 +97,7 @@ Result<Done> write_system(const GeneratedSystem& system, const fs::path& request
   }
   MIXCMP_TRY(opened, set_permissions(staging.path(), directory));
   // After an exchange the staging path holds the previous output, which then goes.
-  return put_in_place(staging.path(), directory);
+  return model::put_folder_in_place(staging.path(), directory);
 }
 
 }  // namespace mixcmp::gen

@@ -41,7 +41,9 @@ struct Body {
       : data(comparisons),
         graph(typed),
         pool({"columns", "i", "j", "threshold", "less", "greater", "all_less", "all_greater",
-              "any_less", "any_greater", "use"}) {
+              "any_less", "any_greater", "use",
+              // functions of program/arithmetic.hpp
+              "magnitude", "square_root", "minimum", "maximum", "binade"}) {
     std::vector<std::string> ports;
     // No keyword of C++ begins with "in_".
     for (const std::string& input : graph.input_names) ports.push_back(pool.unique("in_" + input));

@@ -4,7 +4,9 @@
 
 #include <atomic>
 #include <exception>
+#include <filesystem>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "model/characterise/signal_gate.hpp"
@@ -30,12 +32,9 @@ std::string replaced(std::string text, const std::string& old_part, const std::s
 
 /// Copies a folder in place of one that a run of the same job has kept before.
 Result<Done> copy_in_place_of(const fs::path& folder, const fs::path& kept) {
-  MIXCMP_TRY(lock, FolderLock::take(kept.parent_path()));
-  std::error_code failed;
-  fs::remove_all(kept, failed);
-  if (!failed) fs::copy(folder, kept, fs::copy_options::recursive, failed);
-  if (failed) return cannot_write(kept, failed.value());
-  return Done{};
+  MIXCMP_TRY(staging, ScratchFolder::make_in(kept.parent_path(), "staging"));
+  MIXCMP_TRY(copied, copy_folder(folder, staging.path()));
+  return put_folder_in_place(staging.path(), kept);
 }
 
 class JobRunner {
@@ -51,14 +50,21 @@ public:
 
   Result<JobRun> run() {
     MIXCMP_TRY(made, make_writable_folder(work_));
-    working_ = options_.workers;
-    std::vector<std::thread> workers;
-    for (unsigned k = 0; k < options_.workers; ++k) workers.emplace_back([this] { work(); });
+    std::vector<std::jthread> workers;
+    try {
+      while (workers.size() < options_.workers) {
+        ++working_;
+        workers.emplace_back([this] { work(); });
+      }
+    } catch (const std::system_error& refusal) {
+      --working_;
+      if (workers.empty()) return Error{.message = refusal.what(), .accepted = "fewer --jobs"};
+    }
     while (working_ > 0) {
       if (const int signal = gate_.wait(between_looks); signal != 0) interrupt(signal);
       tell();
     }
-    for (std::thread& worker : workers) worker.join();
+    workers.clear();
     std::error_code kept;
     fs::remove(work_, kept);  // unless something is kept in it
     return std::move(run_);
@@ -82,11 +88,8 @@ private:
   }
 
   void do_one(const PendingJob& job) {
-    if (const Result<Done> made = make_writable_folder(work_); !made.ok()) {
-      return finish(job, made.error(), work_);  // another run may have removed it, being done
-    }
-    const Result<ScratchFolder> folder = ScratchFolder::make_in(work_, "job");
-    if (!folder.ok()) return finish(job, folder.error(), work_);
+    const Result<ScratchFolder> folder = job_folder();
+    if (!folder.ok()) return finish(job, folder.error(), {});
     const fs::path kept = work_ / ("failed." + job.hash);
     std::error_code ignored;
     fs::remove_all(kept, ignored);
@@ -97,6 +100,16 @@ private:
     error.file = replaced(error.file, folder->path().string(), kept.string());
     error.message = replaced(error.message, folder->path().string(), kept.string());
     finish(job, error, kept);
+  }
+
+  /// Another run that is done may remove STORE.work, being empty, between any two steps of this
+  /// one.
+  Result<ScratchFolder> job_folder() const {
+    while (true) {
+      MIXCMP_TRY(made, make_writable_folder(work_));
+      Result<ScratchFolder> folder = ScratchFolder::make_in(work_, "job");
+      if (folder.ok() || fs::exists(work_)) return folder;
+    }
   }
 
   /// No exception leaves a thread: a tool's JSON of another shape ends its job alone.

@@ -16,10 +16,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Waits if it must; 0, or an errno.
-int lock(int descriptor, const std::function<void()>& waiting) {
+int lock(int descriptor, const fs::path& folder, const Waiting& waiting) {
   if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return 0;
   if (errno != EWOULDBLOCK) return errno;
-  if (waiting) waiting();
+  if (waiting) waiting(folder);
   while (flock(descriptor, LOCK_EX) != 0) {
     if (errno != EINTR) return errno;
   }
@@ -36,12 +36,12 @@ Result<Done> make_writable_folder(const fs::path& folder) {
   return Done{};
 }
 
-Result<FolderLock> FolderLock::take(const fs::path& folder, const std::function<void()>& waiting) {
+Result<FolderLock> FolderLock::take(const fs::path& folder, const Waiting& waiting) {
   while (true) {
     MIXCMP_TRY(made, make_writable_folder(folder));
     Descriptor opened(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (opened.get() < 0) return cannot_write(folder, errno);
-    if (const int failure = lock(opened.get(), waiting); failure != 0) {
+    if (const int failure = lock(opened.get(), folder, waiting); failure != 0) {
       return cannot_write(folder, failure);
     }
     // Who held it before may have removed or replaced it.

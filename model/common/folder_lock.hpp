@@ -8,13 +8,15 @@
 
 namespace mixcmp::model {
 
+/// Tells that another run holds a folder.
+using Waiting = std::function<void(const std::filesystem::path& folder)>;
+
 /// Holds a work folder that runs share: a second run that wants it waits until the first ends,
 /// however that ends. The lock is on the folder itself (flock); no file is left behind.
 class FolderLock {
 public:
   /// Makes the folder where there is none. `waiting` is called once if another run holds it.
-  static Result<FolderLock> take(const std::filesystem::path& folder,
-                                 const std::function<void()>& waiting = {});
+  static Result<FolderLock> take(const std::filesystem::path& folder, const Waiting& waiting = {});
 
 private:
   explicit FolderLock(Descriptor folder) : folder_(std::move(folder)) {}

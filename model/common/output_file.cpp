@@ -15,6 +15,8 @@
 
 #include "model/common/abandoned.hpp"
 #include "model/common/descriptor.hpp"
+#include "model/common/file.hpp"
+#include "model/common/folder_lock.hpp"
 
 namespace mixcmp::model {
 namespace {
@@ -51,6 +53,10 @@ Result<std::pair<fs::path, Descriptor>> create_unfinished(const fs::path& path) 
     if (file.get() < 0 && errno != EEXIST) return cannot_write(path, errno);
     if (file.get() >= 0 && try_lock_new(file.get())) return std::pair(name, std::move(file));
   }
+}
+
+bool rename_folder(const fs::path& from, const fs::path& to, unsigned int flags) {
+  return renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flags) == 0;
 }
 
 /// A file that is replaced keeps its owner and its permissions.
@@ -122,6 +128,12 @@ void OutputFile::flush() {
   buffer_.clear();
 }
 
+Result<Done> OutputFile::write_out() {
+  flush();
+  if (failure_ != 0) return cannot_write(path_, failure_);
+  return Done{};
+}
+
 Result<Done> OutputFile::commit() {
   MIXCMP_CHECK(file_.get() >= 0);
   flush();
@@ -143,6 +155,33 @@ Result<Done> put_in_place(const fs::path& finished, const fs::path& requested) {
     keep_attributes(file.get(), before);
   }
   if (rename(finished.c_str(), path.c_str()) != 0) return cannot_write(requested, errno);
+  return Done{};
+}
+
+Result<Done> put_folder_in_place(const fs::path& finished, const fs::path& path) {
+  // Another run may make or remove the folder at the same time: then it is tried again.
+  while (true) {
+    if (rename_folder(finished, path, RENAME_EXCHANGE)) return Done{};
+    if (errno != ENOENT) return cannot_write(path, errno);
+    if (rename_folder(finished, path, RENAME_NOREPLACE)) return Done{};
+    if (errno != EEXIST) return cannot_write(path, errno);
+  }
+}
+
+Result<Done> copy_folder(const fs::path& folder, const fs::path& copy) {
+  MIXCMP_TRY(made, make_writable_folder(copy));
+  std::error_code failed;
+  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    const fs::path own = copy / entry->path().filename();
+    if (entry->is_directory()) {
+      MIXCMP_TRY(copied, copy_folder(entry->path(), own));
+      continue;
+    }
+    MIXCMP_TRY(text, read_file(entry->path()));
+    MIXCMP_TRY(written, write_file(own, text));
+  }
+  if (failed) return cannot_write(copy, failed.value());
   return Done{};
 }
 

@@ -26,8 +26,11 @@ public:
   /// Without `commit`, the final path is as it was before.
   ~OutputFile();
 
-  /// A failure is kept and told by `commit`.
+  /// A failure is kept and told by `write_out` or `commit`.
   void write(std::string_view text);
+  /// Writes what is still in memory: then `commit` needs no more space on the disk. Files that
+  /// belong together are all written out before the first is committed.
+  Result<Done> write_out();
   Result<Done> commit();
 
 private:
@@ -49,6 +52,14 @@ Result<std::filesystem::path> follow_links(std::filesystem::path path);
 /// under the rules of OutputFile: links are followed, owner and permissions of what is replaced
 /// stay, and what may not be written is not replaced.
 Result<Done> put_in_place(const std::filesystem::path& finished, const std::filesystem::path& path);
+
+/// Moves a folder to its final path in one step for whoever looks: the new one is there whole, or
+/// the old one still is, which then has the path `finished`. Both are on the same file system.
+Result<Done> put_folder_in_place(const std::filesystem::path& finished,
+                                 const std::filesystem::path& path);
+
+/// A copy of a folder with all that is in it, file by file through OutputFile.
+Result<Done> copy_folder(const std::filesystem::path& folder, const std::filesystem::path& copy);
 
 /// A whole text through OutputFile.
 Result<Done> write_file(const std::filesystem::path& path, std::string_view text);

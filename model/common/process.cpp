@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "model/common/output_file.hpp"
+#include "model/common/scratch_folder.hpp"
 
 namespace mixcmp::model {
 
@@ -115,20 +116,15 @@ Error no_descriptor(const char* what) {
   return {.message = fmt::format("no {}: {}", what, std::strerror(errno))};
 }
 
-std::string whole_name(const fs::path& path) {
-  std::error_code failed;
-  const fs::path whole = fs::absolute(path, failed);
-  return (failed ? path : whole).string();
-}
-
 }  // namespace
 
 Result<Done> run_tool(const ToolRun& run) {
   const Descriptor log(open_log(run.log));
   if (log.get() < 0) return cannot_write(run.log, errno);
+  MIXCMP_TRY(temporary, ScratchFolder::make_in(run.directory, "temporary"));
   MIXCMP_TRY(group, ProcessGroup::start({.command = run.command,
                                          .directory = run.directory,
-                                         .environment = {"TMPDIR=" + whole_name(run.directory)},
+                                         .environment = {"TMPDIR=" + temporary.path().string()},
                                          .output = log.get(),
                                          .errors = log.get()}));
   std::optional<std::string> failure = wait_within(group, run);

@@ -30,8 +30,9 @@ struct ToolRun {
   Progress progress = {};  ///< told every second how long it has been
 };
 
-/// Runs a tool to its end. Its temporary files go to its directory (TMPDIR): who clears that clears
-/// what a killed compiler left. If it fails, the error names the log and shows its end.
+/// Runs a tool to its end. Its temporary files go to a folder in its directory (TMPDIR), which goes
+/// with the run, or with the next one there if this is killed. If it fails, the error names the log
+/// and shows its end.
 Result<Done> run_tool(const ToolRun& run);
 
 struct Captured {

@@ -203,8 +203,8 @@ Exact Analysis::cancelling_sum(NodeId id, NodeId a, NodeId b) {
   const AbsolutePart absolute = sum(inherited, deviations(a, b, center));
   const bool is_difference = node(id).operation == Operation::subtract;
   return {MixedBound{.factor = {center, center}, .absolute = absolute},
-          fmt::format("the {} {} takes inexact operands that may cancel, so that its error has no "
-                      "bound relative to its result",
+          fmt::format("the {} {} takes inexact operands, and no rule here excludes that they "
+                      "cancel: its error has no bound relative to its result",
                       is_difference ? "difference" : "sum", text(id))};
 }
 

@@ -71,7 +71,7 @@ ScriptResult QuickProver::operator()(const std::string& script) {
 }
 
 Result<ProofDirectory> ProofDirectory::open(const fs::path& path, double seconds_a_script,
-                                            const std::function<void()>& waiting) {
+                                            const Waiting& waiting) {
   auto lock = FolderLock::take(path, waiting);
   if (!lock.ok()) return of_proof_directory(lock.error());
   return ProofDirectory(path, std::move(lock).value(), gappa_version(), seconds_a_script);

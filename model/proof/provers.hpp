@@ -38,7 +38,7 @@ public:
   /// Makes the directory and holds it until this object goes; `waiting` is called where another run
   /// holds it. An error where that cannot be.
   static Result<ProofDirectory> open(const std::filesystem::path& path, double seconds_a_script,
-                                     const std::function<void()>& waiting = {});
+                                     const Waiting& waiting = {});
 
   ScriptResult operator()(const std::string& script);
   /// The lane's proof for a reader, beside the scripts that it names.

@@ -244,6 +244,25 @@ TEST_F(CharacteriseCommand, TwoAtOnceShareAStore) {
   EXPECT_LE(calls(), 6);
 }
 
+TEST_F(CharacteriseCommand, ATableGoesToAPipe) {
+  const Outcome run = shell(fmt::format(
+      "cd '{}' && '{}' characterise scene.toml --store s.sqlite --area-only --components fifo "
+      "-o /dev/stdout | grep -c ^fifo",
+      directory_.path().string(), MIXCMP_PROGRAM));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+}
+
+TEST_F(CharacteriseCommand, WhereNothingIsMeasuredTheOldTableStays) {
+  write("old.csv", "");
+  const Outcome run = mixcmp(
+      "characterise scene.toml --store s.sqlite --area-only -o old.csv "
+      "--components fifo",
+      instead_of("yosys", "[ \"$1\" = -V ] && { echo Yosys 1; exit; }; exit 1"));
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_EQ(read("old.csv"), "");
+  EXPECT_NE(run.output.find("old.csv is as it was"), std::string::npos) << run.output;
+}
+
 TEST_F(CharacteriseCommand, RefusesWhatItCannotDo) {
   const auto refused = [this](const std::string& arguments, const std::string& words) {
     expect_refused("characterise scene.toml --store s.sqlite " + arguments, words);

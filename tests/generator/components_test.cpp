@@ -226,12 +226,14 @@ TEST_F(Components, CrossbarsTakeTheirPortsAndThePayload) {
   ASSERT_EQ(carried.components.size(), 3u);
   const Component& five = carried.components.at({.kind = ComponentKind::crossbar, .ports = 5});
   EXPECT_NE(source(five, "stream_crossbar.v").find("parameter LANES = 5,"), std::string::npos);
-  EXPECT_NE(source(five, "stream_crossbar.v").find("parameter PAYLOAD_BITS = 192,"), std::string::npos)
+  EXPECT_NE(source(five, "stream_crossbar.v").find("parameter PAYLOAD_BITS = 192,"),
+            std::string::npos)
       << "six operands of 32 bits";
   EXPECT_EQ(five.latency_cycles, 4);
   const Found refetched = find(scene(one_system + "operands = \"refetched\"\n"), query);
   const Component& tags = refetched.components.at({.kind = ComponentKind::crossbar, .ports = 5});
-  EXPECT_NE(source(tags, "stream_crossbar.v").find("parameter PAYLOAD_BITS = 32,"), std::string::npos);
+  EXPECT_NE(source(tags, "stream_crossbar.v").find("parameter PAYLOAD_BITS = 32,"),
+            std::string::npos);
 }
 
 TEST_F(Components, UnitsAreMadeFromTheirNamesAlone) {

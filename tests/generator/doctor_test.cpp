@@ -53,6 +53,16 @@ TEST_F(Doctor, AToolThatIsThereAndFailsIsNotMissing) {
   EXPECT_EQ(run.output.find("apt-get install gappa"), std::string::npos) << run.output;
 }
 
+TEST_F(Doctor, AGappaThatProvesWhatIsFalseIsOfNoUse) {
+  const Outcome run = mixcmp("doctor", instead_of("gappa", "echo gappa 1.4"));
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_NE(run.output.find("gappa proves what is false"), std::string::npos) << run.output;
+}
+
+TEST_F(Doctor, GtkwaveIsNotAskedForItsVersion) {
+  EXPECT_TRUE(entry("gtkwave", instead_of("gtkwave", "exit 1")).at("found"));
+}
+
 TEST_F(Doctor, WhatIsBeyondDebian12IsOptional) {
   const json all = report("MIXCMP_NEXTPNR_ECP5=/nonexistent/nextpnr-ecp5");
   for (const json& tool : all) {

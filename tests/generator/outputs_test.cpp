@@ -124,6 +124,44 @@ TEST_F(Outputs, AGeneratedSystemGoesThroughALinkAndReplacesNothingOfTheUsers) {
   expect_refused("generate scene.toml -o loop", "loop: cannot be written: Too many levels");
 }
 
+TEST_F(Outputs, AFolderBehindALinkIsTheOneThatTheKernelFinds) {
+  fs::create_directories(path("real/deep"));
+  fs::create_directory_symlink("real/deep", path("link"));
+  EXPECT_EQ(mixcmp("generate scene.toml -o link/../out").exit_code, 0);
+  EXPECT_TRUE(fs::exists(path("real/out/scene_s8e8_1x1.v")));
+  EXPECT_FALSE(fs::exists(path("out")));
+  EXPECT_EQ(mixcmp("verify scene.toml --simulator icarus --work link/../work").exit_code, 0);
+}
+
+TEST_F(Outputs, AFolderThatHoldsAnInputIsNotReplaced) {
+  ASSERT_EQ(mixcmp("generate scene.toml -o rtl").exit_code, 0);
+  fs::copy_file(path("scene.toml"), path("rtl/scene_s8e8_1x1.f"),
+                fs::copy_options::overwrite_existing);
+  expect_refused("generate rtl/scene_s8e8_1x1.f --set data.file=../data.csv -o rtl",
+                 "holds an input");
+  EXPECT_EQ(read("rtl/scene_s8e8_1x1.f"), read("scene.toml"));
+}
+
+TEST_F(Outputs, FilesOfBaselineAndProofsReplaceNoInput) {
+  const std::string scene = read("scene.toml");
+  for (const char* name : {"run.log", "compile.log", "comparison", "scene_s8e8.json"}) {
+    write(name, scene);
+    const std::string verb = fs::path(name).extension() == ".json"
+                                 ? fmt::format("check {} --prove --proof-dir .", name)
+                                 : fmt::format("baseline {} --work .", name);
+    expect_refused(verb, "would be written over");
+    EXPECT_EQ(read(name), scene);
+  }
+  write("scene_s8e8.json", "scene = \"scene.toml\"\n");
+  expect_refused("check scene_s8e8.json --prove --proof-dir .", "would be written over");
+}
+
+TEST_F(Outputs, ALinkToWhatIsNotThereYetIsThatFile) {
+  fs::create_symlink("t.fst", path("table.csv"));
+  expect_refused("verify scene.toml --simulator icarus --csv table.csv --trace t.fst",
+                 "would be written over");
+}
+
 TEST_F(Outputs, ATableGoesThroughAPipe) {
   const Outcome piped = shell(
       fmt::format("cd '{}' && {{ '{}' verify scene.toml --simulator icarus --csv /dev/stdout; "
@@ -188,6 +226,52 @@ TEST_F(Outputs, ResultsThatCannotBeAreNoVerdicts) {
     EXPECT_EQ(run.exit_code, 1) << results << "\n" << run.output;
     EXPECT_NE(run.output.find("results.txt"), std::string::npos) << run.output;
   }
+}
+
+/// A failure after the simulation leaves both files of the run before.
+TEST_F(Outputs, WavesAndTheirSaveFileAreOfOneRun) {
+  ASSERT_EQ(mixcmp("verify scene.toml --simulator icarus --trace t.fst").exit_code, 0);
+  const std::string waves = read("t.fst"), save_file = read("t.gtkw");
+  const Outcome run = mixcmp("verify scene.toml --simulator icarus --first 1 --trace t.fst",
+                             instead_of("vvp",
+                                        "/usr/bin/vvp \"$@\"; status=$?; for f in "
+                                        "$(find / -path '*mixcmp-waves*/waves.fst' "
+                                        "-newer testbench.v 2>/dev/null); do : >$f; done; "
+                                        "exit $status"));
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_EQ(read("t.fst"), waves);
+  EXPECT_EQ(read("t.gtkw"), save_file);
+}
+
+TEST_F(Outputs, WavesThatCannotBePlacedAreRefusedBeforeTheSimulation) {
+  fs::create_directory(path("w.gtkw"));
+  expect_refused("verify scene.toml --trace w.fst", "w.gtkw: waves cannot be written there");
+}
+
+TEST_F(Outputs, WavesFollowALinkToAnotherFileSystem) {
+  fs::create_directory(path("disk"));
+  fs::create_symlink("disk/t.fst", path("link.fst"));
+  if (shell("unshare --mount true").exit_code != 0) GTEST_SKIP() << "mounting needs root";
+  const Outcome run = shell(
+      fmt::format("cd '{}' && unshare --mount sh -c 'mount -t tmpfs none disk && "
+                  "{} verify scene.toml --simulator icarus --trace link.fst && test -s disk/t.fst'",
+                  folder(), MIXCMP_PROGRAM));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+}
+
+TEST_F(Outputs, WhoWaitsForAnotherRunSaysSo) {
+  const Outcome run = shell(fmt::format(
+      "cd '{0}' && mkdir work && {{ flock work sleep 1 & }} && sleep 0.2 && '{1}' baseline "
+      "scene.toml --work work --rounds 1 --seconds 0.01",
+      folder(), MIXCMP_PROGRAM));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("work: waiting for another run"), std::string::npos) << run.output;
+}
+
+/// ccache is there on many machines, and its folder is not.
+TEST_F(Outputs, ACcacheThatCannotWriteIsNotUsed) {
+  const Outcome run = mixcmp("verify scene.toml", "CCACHE_DIR=/proc/nowhere");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
 }
 
 TEST_F(Outputs, WavesOnAFullDiskAreAnErrorAndLeaveNothing) {

@@ -70,6 +70,17 @@ TEST_F(BaselineCommand, WhatTheProgramDidNotPrintIsMissed) {
   }
 }
 
+/// A long operand has its node called after its role, which must not hide a function.
+TEST_F(BaselineCommand, NamesOfNodesHideNoFunction) {
+  write("long.csv", "alpha,beta,gamma,delta\n1,2,0.3,0.5\n");
+  write("long.toml",
+        "[comparison]\nname = \"long\"\nf = \"abs(alpha - beta) + min(alpha - beta * gamma, "
+        "delta) + sqrt(abs(alpha - delta * gamma))\"\ng = \"delta\"\n[reference]\n"
+        "format = \"binary64\"\n[data]\nfile = \"long.csv\"\n");
+  const Outcome run = mixcmp("baseline long.toml --rounds 1 --seconds 0.01");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+}
+
 TEST_F(BaselineCommand, AFailureLeavesTheLogThatItNames) {
   const Outcome run = mixcmp(
       "baseline scene.toml" + quick,
