@@ -17,8 +17,19 @@ module bound_add #(
   localparam BOUND    = EXPONENT_BITS + BOUND_PRECISION - 1;
   localparam EXPONENT = BOUND_PRECISION - 1;
 
-  localparam [BOUND_PRECISION-1:0] LEADING_ONE = ~({BOUND_PRECISION{1'b1}} >> 1);
+  localparam [BOUND_PRECISION-1:0] NO_DIGITS   = 0;
+  localparam [BOUND_PRECISION-1:0] LEADING_ONE = ~(~NO_DIGITS >> 1);
   localparam [BOUND_PRECISION-1:0] ONE         = 1;
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent
+      EXPONENT_BITS_is_below_2 refused ();
+    end
+    if (BOUND_PRECISION < 1) begin : g_refused_bound_precision
+      BOUND_PRECISION_is_below_1 refused ();
+    end
+  endgenerate
 
   // Stage align: for n > 0, n / 2^k rounded up is (n - 1) / 2^k rounded down, plus one. The
   // complement of a negative difference of the exponents is one less than their distance.

@@ -19,6 +19,22 @@ module bound_at_most #(
   localparam BOUND = EXPONENT_BITS + BOUND_PRECISION - 1;
   localparam REST  = PRECISION - BOUND_PRECISION + 1;
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent
+      EXPONENT_BITS_is_below_2 refused ();
+    end
+    if (PRECISION < 2) begin : g_refused_precision
+      PRECISION_is_below_2 refused ();
+    end
+    if (BOUND_PRECISION < 1) begin : g_refused_bound_precision
+      BOUND_PRECISION_is_below_1 refused ();
+    end
+    if (BOUND_PRECISION > PRECISION) begin : g_refused_more_digits
+      BOUND_PRECISION_is_above_PRECISION refused ();
+    end
+  endgenerate
+
   // Stage compare: a bound has zeros where x goes on: the leading digits of x tell.
   wire             unused_sign = x[SIGN];
   wire [BOUND-1:0] s0_leading;

@@ -29,6 +29,22 @@ module bound_decision #(
   localparam [SIGN:0] GUARD_LOW  = GUARD_ULP & REST;
   localparam [SIGN:0] GUARD_HIGH = GUARD_ULP >> (PRECISION - BOUND_PRECISION);
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent
+      EXPONENT_BITS_is_below_2 refused ();
+    end
+    if (PRECISION < 2) begin : g_refused_precision
+      PRECISION_is_below_2 refused ();
+    end
+    if (BOUND_PRECISION < 1) begin : g_refused_bound_precision
+      BOUND_PRECISION_is_below_1 refused ();
+    end
+    if (BOUND_PRECISION > PRECISION) begin : g_refused_more_digits
+      BOUND_PRECISION_is_above_PRECISION refused ();
+    end
+  endgenerate
+
   // Stage limit: a bound has zeros where the difference goes on; a guard that fits there costs no
   // adder.
   wire [BOUND-1:0] s0_leading = difference[SIGN-1:SIGN-BOUND];

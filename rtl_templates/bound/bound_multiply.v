@@ -20,7 +20,8 @@ module bound_multiply #(
   localparam PRODUCT  = 2 * BOUND_PRECISION;
   localparam WIDE     = EXPONENT_BITS + 2;  // exponents with a sign
 
-  localparam [BOUND_PRECISION-1:0] LEADING_ONE = ~({BOUND_PRECISION{1'b1}} >> 1);
+  localparam [BOUND_PRECISION-1:0] NO_DIGITS   = 0;
+  localparam [BOUND_PRECISION-1:0] LEADING_ONE = ~(~NO_DIGITS >> 1);
   localparam [BOUND-1:0]           FRACTION    = {BOUND{1'b1}} >> EXPONENT_BITS;
   localparam [BOUND-1:0]           SMALLEST    = FRACTION + 1'b1;
   localparam [BOUND_PRECISION-1:0] ONE         = 1;
@@ -38,6 +39,16 @@ module bound_multiply #(
       end
     end
   endfunction
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent
+      EXPONENT_BITS_is_below_2 refused ();
+    end
+    if (BOUND_PRECISION < 1) begin : g_refused_bound_precision
+      BOUND_PRECISION_is_below_1 refused ();
+    end
+  endgenerate
 
   // Stage multiply: the product of two significands in [1, 2) lies in [1, 4). The bias is 2^(E-1)
   // less one: a sign for the first exponent, and a carry in, out of an extra last place.

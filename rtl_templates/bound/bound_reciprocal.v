@@ -21,6 +21,22 @@ module bound_reciprocal #(
   localparam [BOUND-1:0] FRACTION = {BOUND{1'b1}} >> EXPONENT_BITS;
   localparam [BOUND-1:0] SMALLEST = FRACTION + 1'b1;
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent
+      EXPONENT_BITS_is_below_2 refused ();
+    end
+    if (PRECISION < 2) begin : g_refused_precision
+      PRECISION_is_below_2 refused ();
+    end
+    if (BOUND_PRECISION < 1) begin : g_refused_bound_precision
+      BOUND_PRECISION_is_below_1 refused ();
+    end
+    if (BOUND_PRECISION > PRECISION) begin : g_refused_more_digits
+      BOUND_PRECISION_is_above_PRECISION refused ();
+    end
+  endgenerate
+
   // Stage negate: with all ones for zero, twice the bias less the exponent is its complement less
   // one. The complement itself serves at both ends: infinite for zero, the smallest bound where the
   // exponent is the largest.

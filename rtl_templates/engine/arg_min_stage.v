@@ -46,6 +46,40 @@ module arg_min_stage #(
   localparam [INDEX_BITS-1:0] OWN     = STAGE[INDEX_BITS-1:0];
   localparam [1:0]            GREATER = 2'b10;
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (STAGE < 1) begin : g_refused_stage
+      STAGE_is_below_1 refused ();
+    end
+    if (CANDIDATE_BITS < 1) begin : g_refused_candidate_bits
+      CANDIDATE_BITS_is_below_1 refused ();
+    end
+    if (ROW_BITS < 1) begin : g_refused_row_bits
+      ROW_BITS_is_below_1 refused ();
+    end
+    if (PAYLOAD_BITS < ROW_BITS) begin : g_refused_payload_bits
+      PAYLOAD_BITS_is_below_ROW_BITS refused ();
+    end
+    if (INDEX_BITS > 30) begin : g_refused_index_shift
+      INDEX_BITS_is_above_30 refused ();
+    end
+    if ((STAGE >>> INDEX_BITS) > 0) begin : g_refused_own_index
+      INDEX_BITS_is_too_small_for_STAGE refused ();
+    end
+    if (BEST_BITS < 1) begin : g_refused_best_bits
+      BEST_BITS_is_below_1 refused ();
+    end
+    if (((STAGE - 1) >>> BEST_BITS) > 0) begin : g_refused_best_index
+      BEST_BITS_is_too_small_for_STAGE refused ();
+    end
+    if (BEST_BITS > INDEX_BITS) begin : g_refused_longer_best
+      BEST_BITS_is_above_INDEX_BITS refused ();
+    end
+    if (SLOT_BITS < 1) begin : g_refused_slot_bits
+      SLOT_BITS_is_below_1 refused ();
+    end
+  endgenerate
+
   // Candidates.
   reg                       moving_q;  // a word came in the cycle before
   reg  [INDEX_BITS-1:0]     index_q;

@@ -26,6 +26,19 @@ module item_refetch #(
   localparam REQUEST_BITS = REFERENCES + TAG_BITS;
   localparam [REFERENCES-1:0] ONE = 1;
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (REFERENCES < 1) begin : g_refused_references
+      REFERENCES_is_below_1 refused ();
+    end
+    if (ITEM_BITS < 1) begin : g_refused_item_bits
+      ITEM_BITS_is_below_1 refused ();
+    end
+    if (INDEX_BITS < 1) begin : g_refused_index_bits
+      INDEX_BITS_is_below_1 refused ();
+    end
+  endgenerate
+
   // One request at a time, with a bit for the reference that asks.
   wire [REFERENCES*REQUEST_BITS-1:0] requests;
   wire                               request_valid;

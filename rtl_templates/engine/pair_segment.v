@@ -38,7 +38,39 @@ module pair_segment #(
   output wire [LANES*(2*INDEX_BITS+4)-1:0] report_tdata
 );
 
-  localparam TAG_BITS = 2 * INDEX_BITS;
+  localparam TAG_BITS        = 2 * INDEX_BITS;
+  localparam WAITING_REPORTS = LANES * ((1 << REPORT_DEPTH_BITS) + 1);  // in the lanes' FIFOs
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (LANES < 1) begin : g_refused_lanes
+      LANES_is_below_1 refused ();
+    end
+    if (ITEM_BITS < 1) begin : g_refused_item_bits
+      ITEM_BITS_is_below_1 refused ();
+    end
+    if (INDEX_BITS < 1) begin : g_refused_index_bits
+      INDEX_BITS_is_below_1 refused ();
+    end
+    if (PAYLOAD_BITS < INDEX_BITS + ITEM_BITS) begin : g_refused_item
+      PAYLOAD_BITS_is_too_small_for_an_item refused ();
+    end
+    if (PAYLOAD_BITS < 2 * INDEX_BITS) begin : g_refused_count
+      PAYLOAD_BITS_is_too_small_for_a_count refused ();
+    end
+    if (IN_FLIGHT_BITS < 1) begin : g_refused_in_flight_bits
+      IN_FLIGHT_BITS_is_below_1 refused ();
+    end
+    if ((WAITING_REPORTS >>> IN_FLIGHT_BITS) > 0) begin : g_refused_waiting_reports
+      IN_FLIGHT_BITS_is_too_small_for_the_reports refused ();
+    end
+    if ((REPORT >> 4) != 0) begin : g_refused_report
+      REPORT_is_not_0_to_15 refused ();
+    end
+    if (REPORT_DEPTH_BITS < 1) begin : g_refused_report_depth_bits
+      REPORT_DEPTH_BITS_is_below_1 refused ();
+    end
+  endgenerate
 
   // The word at hand: {close, first of its block, payload}.
   wire                    word_valid;

@@ -53,12 +53,49 @@ module pairwise_engine #(
 );
 
   localparam TAG_BITS       = 2 * INDEX_BITS;
-  localparam SEGMENTS       = (LANES + RADIX - 1) / RADIX;
+  localparam SEGMENTS       = (RADIX > 0) ? (LANES + RADIX - 1) / RADIX : 1;
   localparam PAYLOAD_BITS   = INDEX_BITS + ((ITEM_BITS > INDEX_BITS) ? ITEM_BITS : INDEX_BITS);
   localparam WORD_BITS      = PAYLOAD_BITS + 2;
   localparam REPORT_BITS    = TAG_BITS + 4;
   localparam FIFO_BITS      = 3;  // 2^FIFO_BITS + 1 reports may wait behind a lane
   localparam IN_FLIGHT_BITS = SLOT_BITS + FIFO_BITS + RADIX;  // for RADIX lanes and their FIFOs
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (LANES < 1) begin : g_refused_lanes
+      LANES_is_below_1 refused ();
+    end
+    if (REFERENCES < 0) begin : g_refused_references
+      REFERENCES_is_below_0 refused ();
+    end
+    if (CAPACITY < 2) begin : g_refused_capacity
+      CAPACITY_is_below_2 refused ();
+    end
+    if (ITEM_BITS < 1) begin : g_refused_item_bits
+      ITEM_BITS_is_below_1 refused ();
+    end
+    if (INDEX_BITS < 1) begin : g_refused_index_bits
+      INDEX_BITS_is_below_1 refused ();
+    end
+    if (INDEX_BITS > 30) begin : g_refused_index_shift
+      INDEX_BITS_is_above_30 refused ();
+    end
+    if (((CAPACITY - 1) >>> INDEX_BITS) > 0) begin : g_refused_last_item
+      INDEX_BITS_is_too_small_for_CAPACITY refused ();
+    end
+    if (SLOT_BITS < 1) begin : g_refused_slot_bits
+      SLOT_BITS_is_below_1 refused ();
+    end
+    if ((REPORT >> 4) != 0) begin : g_refused_report
+      REPORT_is_not_0_to_15 refused ();
+    end
+    if (COUNTER_BITS < 0) begin : g_refused_counter_bits
+      COUNTER_BITS_is_below_0 refused ();
+    end
+    if (RADIX < 1) begin : g_refused_radix
+      RADIX_is_below_1 refused ();
+    end
+  endgenerate
 
   // The memory: written and refetched through port a, streamed through port b.
   wire                  write_enable;

@@ -28,6 +28,16 @@ module report_stream #(
   localparam FIELD_BITS = 8 * ((INDEX_BITS + 7) / 8);
   localparam [2*INDEX_BITS-1:0] ONE = 1;
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (LANES < 1) begin : g_refused_lanes
+      LANES_is_below_1 refused ();
+    end
+    if (INDEX_BITS < 1) begin : g_refused_index_bits
+      INDEX_BITS_is_below_1 refused ();
+    end
+  endgenerate
+
   wire                  tree_valid;
   wire [3:0]            result;
   wire [INDEX_BITS-1:0] index_i;

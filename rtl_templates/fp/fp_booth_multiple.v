@@ -13,6 +13,13 @@ module fp_booth_multiple #(
   output wire             negative  // it is -1 or -2
 );
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (WIDTH < 1) begin : g_refused_width
+      WIDTH_is_below_1 refused ();
+    end
+  endgenerate
+
   wire             single = digit[1] ^ digit[0];
   wire [WIDTH-1:0] once   = value & {WIDTH{single}};
   wire [WIDTH-1:0] twice  = value & {WIDTH{doubled}};

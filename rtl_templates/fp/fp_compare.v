@@ -18,6 +18,16 @@ module fp_compare #(
   localparam SIGN     = EXPONENT_BITS + PRECISION - 1;
   localparam EXPONENT = PRECISION - 1;
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent
+      EXPONENT_BITS_is_below_2 refused ();
+    end
+    if (PRECISION < 2) begin : g_refused_precision
+      PRECISION_is_below_2 refused ();
+    end
+  endgenerate
+
   // Stage compare: packed magnitudes order as integers.
   wire s0_a_fraction  = |a[EXPONENT-1:0];
   wire s0_b_fraction  = |b[EXPONENT-1:0];

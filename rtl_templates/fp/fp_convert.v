@@ -44,13 +44,34 @@ module fp_convert #(
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS), bits_for(larger(PRECISION, KEPT))) +
       ((SCALE == 0) ? 2 : 3);
 
-  localparam integer REBIAS =
+  localparam integer SIGNED_SCALE = SCALE;  // even where a command line gave it without a sign
+  localparam integer SCALE_LIMIT  = 1 << EXPONENT_BITS;
+  localparam integer REBIAS       =
       (1 << (RESULT_EXPONENT_BITS - 1)) - (1 << (EXPONENT_BITS - 1)) + SCALE;
   // Otherwise even the smallest subnormal operand becomes a normal number of the result format.
   localparam DENORMALISE = (SUBNORMALS != 0) && (REBIAS < PRECISION - 1);
 
   // What was not flushed becomes no smaller than the result format's smallest normal number.
   localparam TINY_RESULTS = (UNDERFLOW != 0) && (SUBNORMALS || (REBIAS < 0));
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 29)) begin : g_refused_exponent
+      EXPONENT_BITS_is_not_2_to_29 refused ();
+    end
+    if (PRECISION < 2) begin : g_refused_precision
+      PRECISION_is_below_2 refused ();
+    end
+    if ((RESULT_EXPONENT_BITS < 2) || (RESULT_EXPONENT_BITS > 29)) begin : g_refused_result_exponent
+      RESULT_EXPONENT_BITS_is_not_2_to_29 refused ();
+    end
+    if (RESULT_PRECISION < 2) begin : g_refused_result_precision
+      RESULT_PRECISION_is_below_2 refused ();
+    end
+    if ((SIGNED_SCALE >= SCALE_LIMIT) || (SIGNED_SCALE <= -SCALE_LIMIT)) begin : g_refused_scale
+      SCALE_is_too_large_for_EXPONENT_BITS refused ();
+    end
+  endgenerate
 
   // Stages count, normalise: the significand gets a leading one.
   wire                      s2_sign;

@@ -51,6 +51,22 @@ module fp_divide #(
   // Of a quotient below 1.
   localparam integer REBIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 2;
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 30)) begin : g_refused_exponent
+      EXPONENT_BITS_is_not_2_to_30 refused ();
+    end
+    if (PRECISION < 2) begin : g_refused_precision
+      PRECISION_is_below_2 refused ();
+    end
+    if ((RESULT_EXPONENT_BITS < 2) || (RESULT_EXPONENT_BITS > 30)) begin : g_refused_result_exponent
+      RESULT_EXPONENT_BITS_is_not_2_to_30 refused ();
+    end
+    if (RESULT_PRECISION < 2) begin : g_refused_result_precision
+      RESULT_PRECISION_is_below_2 refused ();
+    end
+  endgenerate
+
   // Stages count, normalise: both significands get a leading one.
   wire                      s2_a_sign;
   wire [EXPONENT_WIDTH-1:0] s2_a_exponent;

@@ -20,8 +20,8 @@ module fp_embedded_product #(
   output wire [2*PRECISION-1:0] product
 );
 
-  localparam COLUMNS = (PRECISION + FACTOR_A - 1) / FACTOR_A;
-  localparam ROWS    = (PRECISION + FACTOR_B - 1) / FACTOR_B;
+  localparam COLUMNS = (FACTOR_A > 0) ? (PRECISION + FACTOR_A - 1) / FACTOR_A : 1;
+  localparam ROWS    = (FACTOR_B > 0) ? (PRECISION + FACTOR_B - 1) / FACTOR_B : 1;
 
   // Cut 0 is behind the multipliers, cuts 1 to 4 behind the first rows, 5 and 6 behind the sums.
   localparam CUT_ROWS = 4;
@@ -29,6 +29,19 @@ module fp_embedded_product #(
   function integer smaller(input integer first, input integer second);
     smaller = (first < second) ? first : second;
   endfunction
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (PRECISION < 2) begin : g_refused_precision
+      PRECISION_is_below_2 refused ();
+    end
+    if (FACTOR_A < 1) begin : g_refused_factor_a
+      FACTOR_A_is_below_1 refused ();
+    end
+    if (FACTOR_B < 1) begin : g_refused_factor_b
+      FACTOR_B_is_below_1 refused ();
+    end
+  endgenerate
 
   genvar column;
   genvar row;

@@ -11,6 +11,16 @@ module fp_fit #(
   output wire            sticky
 );
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (FROM < 1) begin : g_refused_from
+      FROM_is_below_1 refused ();
+    end
+    if (TO < 1) begin : g_refused_to
+      TO_is_below_1 refused ();
+    end
+  endgenerate
+
   generate
     if (FROM > TO) begin : g_narrower
       assign fitted = value[FROM-1:FROM-TO];

@@ -19,6 +19,16 @@ module fp_interval_decision #(
   localparam SIGN     = EXPONENT_BITS + PRECISION - 1;
   localparam EXPONENT = PRECISION - 1;
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent
+      EXPONENT_BITS_is_below_2 refused ();
+    end
+    if (PRECISION < 2) begin : g_refused_precision
+      PRECISION_is_below_2 refused ();
+    end
+  endgenerate
+
   // Stage decide: a number is beyond zero if its sign says so and it is not a zero.
   wire s0_minimum_nan = (&minimum[SIGN-1:EXPONENT]) && (|minimum[EXPONENT-1:0]);
   wire s0_maximum_nan = (&maximum[SIGN-1:EXPONENT]) && (|maximum[EXPONENT-1:0]);

@@ -10,8 +10,11 @@ module fp_leading_zeros #(
   output wire                         empty
 );
 
+  // A parameter that does not fit: an instance of a module that does not exist.
   generate
-    if (COUNT_BITS == 1) begin : g_leaf
+    if (COUNT_BITS < 1) begin : g_refused_count_bits
+      COUNT_BITS_is_below_1 refused ();
+    end else if (COUNT_BITS == 1) begin : g_leaf
       assign count = !value[1];
       assign empty = !(|value);
     end else begin : g_halves

@@ -34,6 +34,13 @@ module fp_logic_product #(
     smaller = (first < second) ? first : second;
   endfunction
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if ((PRECISION < 2) || (PRECISION > 127)) begin : g_refused_precision
+      PRECISION_is_not_2_to_127 refused ();
+    end
+  endgenerate
+
   genvar level;
   genvar index;
 

@@ -28,8 +28,18 @@ module fp_minimum_maximum #(
 
   wire unused_overflow = OVERFLOW != 0;
 
-  localparam [PACKED-1:0] QUIET_NAN =
-      {1'b0, {EXPONENT_BITS{1'b1}}, ~({EXPONENT{1'b1}} >> 1)};
+  localparam [EXPONENT-1:0] NO_FRACTION = 0;
+  localparam [PACKED-1:0]   QUIET_NAN   = {1'b0, {EXPONENT_BITS{1'b1}}, ~(~NO_FRACTION >> 1)};
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent
+      EXPONENT_BITS_is_below_2 refused ();
+    end
+    if (PRECISION < 2) begin : g_refused_precision
+      PRECISION_is_below_2 refused ();
+    end
+  endgenerate
 
   // Stage compare: packed magnitudes order as integers, against them where both are negative.
   wire s0_a_fraction = |a[EXPONENT-1:0];

@@ -13,6 +13,13 @@ module fp_multiply_row #(
   output wire [PRECISION+5:0] row
 );
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (PRECISION < 2) begin : g_refused_precision
+      PRECISION_is_below_2 refused ();
+    end
+  endgenerate
+
   wire [PRECISION:0] multiple;
   wire               negative;
   wire               unused_doubled;

@@ -13,6 +13,22 @@ module fp_product_row #(
   output wire [WIDTH-1:0]     row
 );
 
+  localparam ROWS      = (SQUARE != 0) ? PRECISION / 2 : PRECISION / 2 + 1;
+  localparam ROW_WIDTH = (SQUARE != 0) ? 2 * ROW + PRECISION % 2 + 4 : PRECISION + 6;
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (PRECISION < 2) begin : g_refused_precision
+      PRECISION_is_below_2 refused ();
+    end
+    if ((ROW < 0) || (ROW >= ROWS)) begin : g_refused_row
+      ROW_is_not_a_row_of_PRECISION refused ();
+    end
+    if (WIDTH != ROW_WIDTH) begin : g_refused_width
+      WIDTH_is_not_that_of_the_row refused ();
+    end
+  endgenerate
+
   generate
     if (SQUARE != 0) begin : g_square
       localparam PLACE = 2 * ROW + 1 + PRECISION % 2;

@@ -11,6 +11,13 @@ module fp_rank #(
   output wire [WIDTH-1:0] q
 );
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (WIDTH < 1) begin : g_refused_width
+      WIDTH_is_below_1 refused ();
+    end
+  endgenerate
+
   generate
     if (REGISTERED != 0) begin : g_cut
       reg [WIDTH-1:0] value_q;

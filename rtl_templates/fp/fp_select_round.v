@@ -28,6 +28,25 @@ module fp_select_round #(
 
   localparam KEPT = RESULT_PRECISION + 2;
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (WIDTH < 2) begin : g_refused_width
+      WIDTH_is_below_2 refused ();
+    end
+    if (RESULT_EXPONENT_BITS < 2) begin : g_refused_result_exponent
+      RESULT_EXPONENT_BITS_is_below_2 refused ();
+    end
+    if (RESULT_PRECISION < 2) begin : g_refused_result_precision
+      RESULT_PRECISION_is_below_2 refused ();
+    end
+    if (EXPONENT_WIDTH <= RESULT_EXPONENT_BITS + 1) begin : g_refused_exponent_width
+      EXPONENT_WIDTH_is_too_small_for_RESULT_EXPONENT_BITS refused ();
+    end
+    if ((GRADUAL != 0) && (UNDERFLOW == 0)) begin : g_refused_gradual
+      GRADUAL_without_UNDERFLOW refused ();
+    end
+  endgenerate
+
   // Stage select: a one in the first place is one exponent up.
   wire                      s0_high     = value[WIDTH-1];
   wire [WIDTH-1:0]          s0_value    = s0_high ? value : (value << 1);

@@ -13,6 +13,19 @@ module fp_shift_left #(
   output wire                   sticky
 );
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (KEPT < 1) begin : g_refused_kept
+      KEPT_is_below_1 refused ();
+    end
+    if (KEPT >= WIDTH) begin : g_refused_all_kept
+      KEPT_is_not_below_WIDTH refused ();
+    end
+    if ((AMOUNT_BITS < 1) || (AMOUNT_BITS > 30)) begin : g_refused_amount_bits
+      AMOUNT_BITS_is_not_1_to_30 refused ();
+    end
+  endgenerate
+
   reg [WIDTH-1:0] moving;
   reg             lost;
 

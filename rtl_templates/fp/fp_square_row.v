@@ -11,7 +11,15 @@ module fp_square_row #(
   output wire [PLACE+2:0] row
 );
 
-  localparam [PLACE-1:0] SIGN = ~({PLACE{1'b1}} >> 1);
+  localparam [PLACE-1:0] NO_DIGITS = 0;
+  localparam [PLACE-1:0] SIGN      = ~(~NO_DIGITS >> 1);
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (PLACE < 1) begin : g_refused_place
+      PLACE_is_below_1 refused ();
+    end
+  endgenerate
 
   wire [PLACE:0] multiple;
   wire           unused_above = multiple[PLACE];

@@ -23,6 +23,16 @@ module fp_ulp_distance #(
   localparam SIGN       = EXPONENT_BITS + PRECISION - 1;
   localparam DIFFERENCE = SIGN + 2;
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent
+      EXPONENT_BITS_is_below_2 refused ();
+    end
+    if (PRECISION < 2) begin : g_refused_precision
+      PRECISION_is_below_2 refused ();
+    end
+  endgenerate
+
   // Stage distance: like signs subtract magnitudes, unlike signs add them; minus the one is not the
   // one plus a carry, which comes out of an extra last place.
   wire                  s0_like       = (NONNEGATIVE != 0) || (f[SIGN] == g[SIGN]);

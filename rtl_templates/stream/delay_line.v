@@ -11,8 +11,13 @@ module delay_line #(
   output wire [WIDTH-1:0] q
 );
 
+  // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (LENGTH == 0) begin : g_wire
+    if (WIDTH < 1) begin : g_refused_width
+      WIDTH_is_below_1 refused ();
+    end else if (LENGTH < 0) begin : g_refused_length
+      LENGTH_is_below_0 refused ();
+    end else if (LENGTH == 0) begin : g_wire
       wire unused_aclk = aclk;
       assign q = d;
     end else begin : g_shift

@@ -11,6 +11,13 @@ module event_counter #(
   output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0] count
 );
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (COUNTER_BITS < 0) begin : g_refused_counter_bits
+      COUNTER_BITS_is_below_0 refused ();
+    end
+  endgenerate
+
   generate
     if (COUNTER_BITS == 0) begin : g_none
       wire unused_inputs = &{aclk, aresetn, step};

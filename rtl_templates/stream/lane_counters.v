@@ -17,6 +17,13 @@ module lane_counters #(
   output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0] stalls
 );
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (COUNTER_BITS < 0) begin : g_refused_counter_bits
+      COUNTER_BITS_is_below_0 refused ();
+    end
+  endgenerate
+
   event_counter #(
     .COUNTER_BITS(COUNTER_BITS)
   ) comparison_counter (

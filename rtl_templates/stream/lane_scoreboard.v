@@ -42,6 +42,25 @@ module lane_scoreboard #(
   localparam PAYLOAD_BITS = (CARRIED != 0) ? OPERAND_BITS : TAG_BITS;
   localparam [SLOT_BITS:0] ONE = 1;
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (OPERAND_BITS < 1) begin : g_refused_operand_bits
+      OPERAND_BITS_is_below_1 refused ();
+    end
+    if (TAG_BITS < 1) begin : g_refused_tag_bits
+      TAG_BITS_is_below_1 refused ();
+    end
+    if (SLOT_BITS < 1) begin : g_refused_slot_bits
+      SLOT_BITS_is_below_1 refused ();
+    end
+    if (LANE_LATENCY < 0) begin : g_refused_lane_latency
+      LANE_LATENCY_is_below_0 refused ();
+    end
+    if (COUNTER_BITS < 0) begin : g_refused_counter_bits
+      COUNTER_BITS_is_below_0 refused ();
+    end
+  endgenerate
+
   // Free slots: after reset a counter hands out each once, then they come back as they retire.
   reg  [SLOT_BITS:0]   fresh_q;
   wire                 recycled_valid;

@@ -27,6 +27,19 @@ module lane_tracker #(
   output wire [SLOT_BITS+PAYLOAD_BITS-1:0] m_request_tdata
 );
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (PAYLOAD_BITS < 1) begin : g_refused_payload_bits
+      PAYLOAD_BITS_is_below_1 refused ();
+    end
+    if (SLOT_BITS < 1) begin : g_refused_slot_bits
+      SLOT_BITS_is_below_1 refused ();
+    end
+    if (LANE_LATENCY < 0) begin : g_refused_lane_latency
+      LANE_LATENCY_is_below_0 refused ();
+    end
+  endgenerate
+
   wire                 lane_valid;
   wire [SLOT_BITS-1:0] lane_slot;
 

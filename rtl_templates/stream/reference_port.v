@@ -35,6 +35,28 @@ module reference_port #(
   localparam PAYLOAD_BITS = (CARRIED != 0) ? OPERAND_BITS : TAG_BITS;
   localparam SENDER_BITS  = LANE_BITS + SLOT_BITS;
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (OPERAND_BITS < 1) begin : g_refused_operand_bits
+      OPERAND_BITS_is_below_1 refused ();
+    end
+    if (TAG_BITS < 1) begin : g_refused_tag_bits
+      TAG_BITS_is_below_1 refused ();
+    end
+    if (LANE_BITS < 1) begin : g_refused_lane_bits
+      LANE_BITS_is_below_1 refused ();
+    end
+    if (SLOT_BITS < 1) begin : g_refused_slot_bits
+      SLOT_BITS_is_below_1 refused ();
+    end
+    if (REFERENCE_LATENCY < 0) begin : g_refused_reference_latency
+      REFERENCE_LATENCY_is_below_0 refused ();
+    end
+    if (OUTSTANDING_BITS < 1) begin : g_refused_outstanding_bits
+      OUTSTANDING_BITS_is_below_1 refused ();
+    end
+  endgenerate
+
   wire [PAYLOAD_BITS-1:0] payload = s_request_tdata[PAYLOAD_BITS-1:0];
   wire [SENDER_BITS-1:0]  sender  = s_request_tdata[PAYLOAD_BITS +: SENDER_BITS];
 

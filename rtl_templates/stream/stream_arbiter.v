@@ -32,6 +32,16 @@ module stream_arbiter #(
   localparam WORDS       = 1 << SELECT_BITS;
   localparam LAST_INPUT  = INPUTS - 1;
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (INPUTS < 1) begin : g_refused_inputs
+      INPUTS_is_below_1 refused ();
+    end
+    if (WIDTH < 1) begin : g_refused_width
+      WIDTH_is_below_1 refused ();
+    end
+  endgenerate
+
   reg  [SELECT_BITS-1:0] last_q;    // the input served last
   reg                    m_valid_q;
   reg  [WIDTH-1:0]       m_data_q;

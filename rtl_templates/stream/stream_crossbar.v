@@ -32,6 +32,34 @@ module stream_crossbar #(
   localparam NAMED_BITS   = LANE_BITS + REQUEST_BITS;  // a request with its lane's number
   localparam ANSWER_BITS  = LANE_BITS + SLOT_BITS + 2;
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (LANES < 1) begin : g_refused_lanes
+      LANES_is_below_1 refused ();
+    end
+    if (REFERENCES < 1) begin : g_refused_references
+      REFERENCES_is_below_1 refused ();
+    end
+    if (LANE_BITS < 1) begin : g_refused_lane_bits
+      LANE_BITS_is_below_1 refused ();
+    end
+    if (LANE_BITS > 30) begin : g_refused_lane_shift
+      LANE_BITS_is_above_30 refused ();
+    end
+    if (((LANES - 1) >>> LANE_BITS) > 0) begin : g_refused_last_lane
+      LANE_BITS_is_too_small_for_LANES refused ();
+    end
+    if (SLOT_BITS < 1) begin : g_refused_slot_bits
+      SLOT_BITS_is_below_1 refused ();
+    end
+    if (PAYLOAD_BITS < 1) begin : g_refused_payload_bits
+      PAYLOAD_BITS_is_below_1 refused ();
+    end
+    if (RADIX < 2) begin : g_refused_radix
+      RADIX_is_below_2 refused ();
+    end
+  endgenerate
+
   genvar r;
   genvar k;
   generate

@@ -36,7 +36,7 @@ module stream_tree #(
     begin
       levels_of_tree = 1;
       streams = (inputs + RADIX - 1) / RADIX;
-      while (streams > 1) begin
+      while ((RADIX > 1) && (streams > 1)) begin
         streams = (streams + RADIX - 1) / RADIX;
         levels_of_tree = levels_of_tree + 1;
       end
@@ -44,6 +44,19 @@ module stream_tree #(
   endfunction
 
   localparam LEVELS = levels_of_tree(INPUTS);
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (INPUTS < 1) begin : g_refused_inputs
+      INPUTS_is_below_1 refused ();
+    end
+    if (WIDTH < 1) begin : g_refused_width
+      WIDTH_is_below_1 refused ();
+    end
+    if (RADIX < 2) begin : g_refused_radix
+      RADIX_is_below_2 refused ();
+    end
+  endgenerate
 
   genvar level;
   genvar node;

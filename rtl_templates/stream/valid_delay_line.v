@@ -11,6 +11,13 @@ module valid_delay_line #(
   output wire q
 );
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (LENGTH < 0) begin : g_refused_length
+      LENGTH_is_below_0 refused ();
+    end
+  endgenerate
+
   generate
     if (LENGTH == 0) begin : g_wire
       wire unused_clock = aclk && aresetn;

@@ -20,6 +20,13 @@ module verdict_combination #(
   output wire               decided
 );
 
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (PARTS < 1) begin : g_refused_parts
+      PARTS_is_below_1 refused ();
+    end
+  endgenerate
+
   // Stage combine: among parts none of which decides, unordered outweighs equal, and equal the rest.
   wire [PARTS-1:0] s0_low;
   wire [PARTS-1:0] s0_high;
