@@ -1,6 +1,6 @@
-// bound_decision: decides the sign of a difference iff its magnitude is more than GUARD_ULP steps of
-// its encoding above the bound of its error, and nothing that led to either was exceptional: less (0)
-// or greater (2).
+// bound_decision: decides the sign of a difference iff its magnitude is more than GUARD_ULP steps
+// of its encoding above the bound of its error, and nothing that led to either was exceptional:
+// less (0) or greater (2).
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
 // A verdict means something where `decided` is 1. NaNs must come with `exceptional`. No finite
 // difference exceeds an infinite bound.

@@ -79,8 +79,8 @@ module bound_multiply #(
     .q   ({s1_product, s1_exponent, s1_infinite, s1_zero})
   );
 
-  // Stage round: from 2 on the exponent takes a step, in the leading one's place. The rounding comes
-  // out of an extra last place; its carry is the next power of two.
+  // Stage round: from 2 on the exponent takes a step, in the leading one's place. The rounding
+  // comes out of an extra last place; its carry is the next power of two.
   wire                       s1_high = s1_product[PRODUCT-1];
   wire [BOUND_PRECISION-1:0] s1_kept;
   wire [BOUND_PRECISION-1:0] s1_rest;

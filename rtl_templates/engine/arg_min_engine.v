@@ -1,9 +1,10 @@
 // arg_min_engine: for each row of a stream the candidate that costs it least, by a chain of lanes.
-// Candidates are loaded once, a beat each, tlast with the last: CANDIDATES of them, numbered from 0.
+// Candidates are loaded once, a beat each, tlast with the last: CANDIDATES of them, from number 0.
 // Fewer are as good as the last one repeated; those beyond are accepted and left out, and `overrun`
-// says so until the next load. Then rows come in, each with a tag and tlast, and leave in their order as
-// {index of the candidate, tag, tlast}. Lane k - 1 compares the best of candidates 0 .. k-1 with
-// candidate k: it must return one result {6'b0, verdict} for each pair, in order, and decide all.
+// says so until the next load. Then rows come in, each with a tag and tlast, and leave in their
+// order as {index of the candidate, tag, tlast}. Lane k - 1 compares candidate k with the best of
+// candidates 0 to k - 1: it must return one result {6'b0, verdict} for each pair, in order, and
+// decide all.
 // A load that follows is taken when no row is inside; while it is offered no row comes in.
 // Interval 1; latency CANDIDATES - 1 times that of a lane plus one. Rows come in 2 cycles
 // after the last candidate at the earliest. Counters wrap: rows that have left, cycles in which

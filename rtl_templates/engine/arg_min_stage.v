@@ -2,9 +2,10 @@
 // against the best of those before, in one lane that returns its verdicts in order.
 // Only the best one's index travels with a row: its operands are read from a memory, as are those
 // of every candidate before STAGE. On `greater` candidate STAGE becomes the best; any other verdict
-// keeps it. Candidates come from the stage behind in the order of their indices; the register that hands
-// them on to the stage before keeps the last, candidate STAGE, for itself: all stages are complete in
-// the same cycle, 1 after the last word left candidate_loader. Interval 1; latency 1 and the lane's.
+// keeps it. Candidates come from the stage behind in the order of their indices; the register that
+// hands them on to the stage before keeps the last, candidate STAGE, for itself: all stages are
+// complete in the same cycle, 1 after the last word left candidate_loader. Interval 1; latency 1
+// and the lane's.
 // Reset empties it, but for the candidates.
 `default_nettype none
 

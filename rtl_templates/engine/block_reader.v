@@ -1,9 +1,10 @@
 // block_reader: fills the memory with the items of one set and reads them back, block by block.
-// Block b holds items b * LANES to the last: the first LANES of them stay in the lanes, one each, and
-// meet all that follow. A block with one item has no pair and is left out. Items are read as soon as
-// they are written, so that the first block costs no time of its own; then one word a cycle, without
-// a gap between blocks. Behind the last word follows one that says `close`; `set_closed` ends the set
-// and lets the next one in. Items beyond CAPACITY are accepted, not kept, and raise `overrun`.
+// Block b holds items b * LANES to the last: the first LANES of them stay in the lanes, one each,
+// and meet all that follow. A block with one item has no pair and is left out. Items are read as
+// soon as they are written, so that the first block costs no time of its own; then one word a
+// cycle, without a gap between blocks. Behind the last word follows one that says `close`;
+// `set_closed` ends the set and lets the next one in. Items beyond CAPACITY are accepted, not kept,
+// and raise `overrun`.
 // Words: latency 1 from the address. Reset forgets the set.
 `default_nettype none
 

@@ -1,8 +1,8 @@
 // item_memory: the items of one set. Port a writes or reads, port b reads.
-// Latency 1; an output holds its word until its port reads again. No reset, so that it becomes block
-// RAM with two ports. A read at port b of the address that port a writes in the same cycle returns
-// no word: nobody reads so, simulation answers with unknown bits, and the attributes keep synthesis
-// from building logic that would answer.
+// Latency 1; an output holds its word until its port reads again. No reset, so that it becomes
+// block RAM with two ports. A read at port b of the address that port a writes in the same cycle
+// returns no word: nobody reads so, simulation answers with unknown bits, and the attributes keep
+// synthesis from building logic that would answer.
 `default_nettype none
 
 module item_memory #(

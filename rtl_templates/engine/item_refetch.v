@@ -1,7 +1,8 @@
 // item_refetch: reads both items of a pair from the memory again, for REFERENCES references.
-// A request is the pair's tag {j, i}; the answer {item j, item i} goes to the reference that asked, in
-// the order of its requests. References take turns. One pair in two cycles; latency 4 from a request
-// that waits for nothing. `memory_read_data` is the word read in the cycle before. Reset forgets all.
+// A request is the pair's tag {j, i}; the answer {item j, item i} goes to the reference that asked,
+// in the order of its requests. References take turns. One pair in two cycles; latency 4 from a
+// request that waits for nothing. `memory_read_data` is the word read in the cycle before.
+// Reset forgets all.
 `default_nettype none
 
 module item_refetch #(
@@ -71,8 +72,8 @@ module item_refetch #(
     .m_axis_tdata ({asking, index_j, index_i})
   );
 
-  // Cycle 0 reads item i, cycle 1 item j; item i has come by then, item j comes in cycle 2. All of it
-  // waits for as long as an answer is not taken.
+  // Cycle 0 reads item i, cycle 1 item j; item i has come by then, item j comes in cycle 2. All of
+  // it waits for as long as an answer is not taken.
   reg                  second_q;    // item i was read: now item j
   reg                  i_comes_q;
   reg                  j_comes_q;

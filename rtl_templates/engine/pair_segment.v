@@ -1,11 +1,11 @@
 // pair_segment: a link of the chain that carries items past the lanes, and LANES lanes at it.
 // Of a block's words the first LANES stay, one in each lane; every word behind meets those that its
 // lanes hold, and from then on is passed to the next segment, where the same happens. So lane k of
-// the chain holds item base + k and meets each later one once, and nobody counts. A word goes on once
-// all lanes that it meets have taken their pair; whoever is ready early takes it early.
-// Results whose verdict is in REPORT (bit v: verdict v) and all undecided ones leave as reports; the
-// others end here. A word that says `close` waits until nothing is inside, and takes the number of
-// reports with it: its payload is their sum. Interval 1, latency 2. Reset empties it.
+// the chain holds item base + k and meets each later one once, and nobody counts. A word goes on
+// once all lanes that it meets have taken their pair; whoever is ready early takes it early.
+// Results whose verdict is in REPORT (bit v: verdict v) and all undecided ones leave as reports;
+// the others end here. A word that says `close` waits until nothing is inside, and takes the number
+// of reports with it: its payload is their sum. Interval 1, latency 2. Reset empties it.
 `default_nettype none
 
 module pair_segment #(
@@ -173,8 +173,8 @@ module pair_segment #(
     end
   endgenerate
 
-  // Pairs inside, from the lane's entry to the end of the result or the departure of the report. What
-  // happens counts a cycle later.
+  // Pairs inside, from the lane's entry to the end of the result or the departure of the report.
+  // What happens counts a cycle later.
   reg  [LANES-1:0]          entered_q;
   reg  [LANES-1:0]          dropped_q;
   reg  [LANES-1:0]          left_q;

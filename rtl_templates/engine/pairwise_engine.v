@@ -1,14 +1,15 @@
 // pairwise_engine: loads N items once and sends every pair i < j of them through LANES lanes.
 // Items come on s_axis, tlast with the set's last; the reports of a set leave on m_axis, a closing
 // beat behind them (report_stream tells their fields), and then the next set is taken. Lane k meets
-// the items i with i mod LANES = k, each with all later ones: {item j, item i} with the tag {j, i} on
-// pair_*, the verdicts back with that tag on result_*. About N^2 / (2 LANES) + N / 2 cycles a set.
-// A chain of segments of RADIX lanes carries the items past the lanes; a lane that is not ready holds
-// up its segment, and those behind it only once the words between them are used up.
-// References read items again by tag on s_refetch_*, two cycles a pair; a set's items stay until its
-// closing beat. REFERENCES = 0: nobody does. Counters wrap: reports that have left, cycles between a
-// set's first item and its closing beat, and those of them in which the chain took no word.
-// Reset forgets the set.
+// the items i with i mod LANES = k, each with all later ones: {item j, item i} with the tag {j, i}
+// on pair_*, the verdicts back with that tag on result_*. A set takes about N^2 / (2 LANES) + N / 2
+// cycles.
+// A chain of segments of RADIX lanes carries the items past the lanes; a lane that is not ready
+// holds up its segment, and those behind it only once the words between them are used up.
+// References read items again by tag on s_refetch_*, two cycles a pair; a set's items stay until
+// its closing beat. REFERENCES = 0: nobody does. Counters wrap: reports that have left, cycles
+// between a set's first item and its closing beat, and those of them in which the chain took no
+// word. Reset forgets the set.
 `default_nettype none
 
 module pairwise_engine #(

@@ -1,4 +1,4 @@
-// report_stream: merges the reports of all lanes into one stream and ends each set with one beat more.
+// report_stream: merges the reports of all lanes into one stream and closes each set with a beat.
 // A report is {undecided, recomputed, verdict, j, i}: tdata {j, i}, each padded to bytes, tuser
 // {4'b0, undecided, recomputed, verdict}. `close` says that no more reports will enter and how many
 // the set had; once so many have left, a beat leaves with tlast, this number in tdata, and tuser

@@ -1,4 +1,4 @@
-// fp_embedded_product: the product of two significands, by multipliers of FACTOR_A by FACTOR_B bits.
+// fp_embedded_product: the product of two significands, by multipliers FACTOR_A by FACTOR_B wide.
 // Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
 //
 // Of each part of a one column of multipliers, a row for each part of b. A product is added to the

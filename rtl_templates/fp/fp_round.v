@@ -31,11 +31,11 @@ module fp_round #(
 );
 
   // Not the name of the units' own: Verilator 5.006 takes one inside the other for hiding.
-  function integer width_of(input integer value);
+  function integer width_of(input integer number);
     integer rest;
     begin
       width_of = 0;
-      for (rest = value; rest > 0; rest = rest >> 1) width_of = width_of + 1;
+      for (rest = number; rest > 0; rest = rest >> 1) width_of = width_of + 1;
     end
   endfunction
 

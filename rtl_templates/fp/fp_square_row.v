@@ -1,4 +1,4 @@
-// fp_square_row: one row of a square, a digit (fp_booth_multiple) times all digits below and itself.
+// fp_square_row: one row of a square, a digit (fp_booth_multiple) times itself and all below it.
 // Combinational. The digits below place p are x = a[p-1:0] in two's complement; with them a digit d
 // adds d (2 x + d 2^p) 2^p to the square, which is never negative: d 2^p takes the sign out of 2 x.
 // The row's first place is p - 1, where the digit before is owed one if it was negative.

@@ -1,4 +1,4 @@
-// stream_crossbar: connects LANES request streams to REFERENCES references and takes the answers back.
+// stream_crossbar: connects LANES request streams to REFERENCES references, and answers to lanes.
 // Lane i is served by reference i mod REFERENCES, round-robin; a reference without lanes idles.
 // Requests: latency ceil(log_RADIX(lanes of the reference)), at least 1; a reference gets one per
 // cycle. Answers: latency 2, never refused, in the order of the lane's requests if the reference

@@ -1,9 +1,9 @@
 // verdict_combination: one verdict of the PARTS of a comparison: 0 less, 1 equal, 2 greater, 3
-// unordered, part 0 in the lowest bits. A part's verdict means something where its bit of `known` is
-// 1.
-// ANY = 0: the last of them in the order less, equal, unordered, greater, so that one that is greater
-// decides, whatever the others are. ANY = 1: the first in the order less, unordered, equal, greater,
-// so that one that is less decides.
+// unordered, part 0 in the lowest bits. A part's verdict means something where its bit of `known`
+// is 1.
+// ANY = 0: the last of them in the order less, equal, unordered, greater, so that one that is
+// greater decides, whatever the others are. ANY = 1: the first in the order less, unordered, equal,
+// greater, so that one that is less decides.
 // Latency: CUTS; initiation interval 1; no reset.
 // The verdict means something where `decided` is 1: a part decides, or all are known.
 `default_nettype none
@@ -27,7 +27,7 @@ module verdict_combination #(
     end
   endgenerate
 
-  // Stage combine: among parts none of which decides, unordered outweighs equal, and equal the rest.
+  // Stage combine: among parts none of which decides, unordered outweighs equal, equal the rest.
   wire [PARTS-1:0] s0_low;
   wire [PARTS-1:0] s0_high;
 
