@@ -1,6 +1,6 @@
 // dual_port_memory: one write port, one synchronous read port with an enable.
-// Latency 1. No reset, so that it becomes LUT or block RAM. A read of the address that is written in
-// the same cycle returns no word: nobody reads so, simulation answers with unknown bits, and the
+// Latency 1. No reset, so that it becomes LUT or block RAM. A read of the address that is written
+// in the same cycle returns no word: nobody reads so, simulation answers with unknown bits, and the
 // attributes keep synthesis from building logic that would answer (Yosys: no_rw_check, Quartus:
 // ramstyle, Vivado: rw_addr_collision).
 `default_nettype none
