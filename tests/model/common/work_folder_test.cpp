@@ -85,7 +85,7 @@ TEST_F(WorkFolders, ALockIsHeldByOneAtATime) {
     const auto first = FolderLock::take(folder);
     ASSERT_TRUE(first.ok());
     second = std::thread([&] {
-      const auto lock = FolderLock::take(folder, [&] { waited = true; });
+      const auto lock = FolderLock::take(folder, [&](const auto&) { waited = true; });
       second_has_it = lock.ok();
     });
     while (!waited) std::this_thread::yield();
@@ -103,7 +103,7 @@ TEST_F(WorkFolders, ALockOfAFolderThatWasReplacedIsTakenAnew) {
   {
     const auto first = FolderLock::take(folder);
     second = std::thread([&] {
-      const auto lock = FolderLock::take(folder, [&] { waited = true; });
+      const auto lock = FolderLock::take(folder, [&](const auto&) { waited = true; });
       EXPECT_TRUE(lock.ok());
       const auto third = fork();
       if (third == 0) {
