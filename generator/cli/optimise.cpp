@@ -8,9 +8,9 @@
 #include "generator/cli/planning.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/report/plan_report.hpp"
-#include "model/optimise/plan_summary.hpp"
 #include "model/common/output_file.hpp"
 #include "model/optimise/plan.hpp"
+#include "model/optimise/plan_summary.hpp"
 
 namespace mixcmp::cli {
 namespace {

@@ -83,7 +83,7 @@ mpq_class root_of(const mpq_class& value, int digits) {
   if (value == 0) return 0;
   const int exponent = digits_of(value.get_num()) - digits_of(value.get_den());
   const int shift = digits + 1 - exponent / 2;
-  const mpq_class shifted = scaled(value, 2 * shift);
+  const mpq_class shifted = scaled(value, 2L * shift);
   return scaled(root_of(mpz_class(shifted.get_num() / shifted.get_den())), -shift);
 }
 

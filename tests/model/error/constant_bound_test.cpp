@@ -152,8 +152,7 @@ private:
     const Verdict truth = order(aimed_, operands, to_rational(reference, inputs.back()));
     if (result.verdict == truth) return;
     decisions_.wrong += 1;
-    decisions_.example = fmt::format("{} for {}:", to_string(result.verdict),
-                                     to_string(truth));
+    decisions_.example = fmt::format("{} for {}:", to_string(result.verdict), to_string(truth));
     for (const Bits input : inputs) decisions_.example += " " + to_text(reference, input);
   }
 
