@@ -59,7 +59,7 @@ struct Gap {
 std::vector<Gap> gaps(const std::vector<gen::MissingLane>& missing) {
   std::vector<Gap> found;
   for (const gen::MissingLane& lane : missing) {
-    const std::string what = lane.key.bound + " " + lane.key.inputs;
+    const std::string what = to_string(lane.key.bound) + " " + lane.key.inputs;
     auto gap = std::find_if(found.begin(), found.end(),
                             [&](const Gap& known) { return known.what == what; });
     if (gap == found.end()) gap = found.insert(gap, {.what = what, .first = lane.key.format});
@@ -96,7 +96,7 @@ nlohmann::ordered_json json_of(const model::Measurement& row) {
                                  {"name", row.key.name},
                                  {"format", row.key.format},
                                  {"inputs", row.key.inputs},
-                                 {"bound", row.key.bound},
+                                 {"bound", to_string(row.key.bound)},
                                  {"multipliers", row.key.multipliers},
                                  {"ports", row.key.ports},
                                  {"latency_cycles", row.latency_cycles},

@@ -8,9 +8,9 @@
 #include <sstream>
 #include <thread>
 
-#include "generator/components/lane_bound.hpp"
 #include "model/common/quote.hpp"
 #include "model/profile/profile.hpp"
+#include "model/scene/bound_choice.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -72,16 +72,18 @@ Result<std::set<ComponentKind>> component_kinds(const std::string& text) {
   return kinds;
 }
 
-Result<std::vector<std::string>> bounds(const std::string& text) {
-  std::vector<std::string> names = words(text);
-  for (const std::string& name : names) {
-    if (const auto bound = gen::find_lane_bound(name); !bound.ok()) {
-      Error error = bound.error();
+Result<std::vector<model::BoundChoice>> bounds(const std::string& text) {
+  std::vector<model::BoundChoice> choices;
+  for (const std::string& name : words(text)) {
+    const auto choice = model::parse_bound_choice(name);
+    if (!choice.ok()) {
+      Error error = choice.error();
       error.field = "--bounds";
       return error;
     }
+    choices.push_back(*choice);
   }
-  return names;
+  return choices;
 }
 
 Result<std::optional<gen::LaneExponents>> exponents(const std::string& word) {
@@ -117,8 +119,8 @@ Result<gen::ComponentQuery> query_of(const CharacteriseCommand& command,
                                      : command.precisions;
   MIXCMP_TRY(numbers, number_list("--precisions", precisions, allowed));
   query.precisions = numbers;
-  MIXCMP_TRY(names, bounds(command.bounds));
-  query.bounds = names;
+  MIXCMP_TRY(choices, bounds(command.bounds));
+  query.bounds = choices;
   MIXCMP_TRY(inputs,
              one_or_both("--inputs", command.inputs, LaneInputs::exact, LaneInputs::rounded));
   query.inputs = inputs;

@@ -7,11 +7,11 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/components/component_maker.hpp"
-#include "generator/components/lane_bound.hpp"
 #include "generator/components/synthesis_jobs.hpp"
 #include "model/common/scratch_folder.hpp"
 #include "model/error/combined_lane.hpp"
 #include "model/profile/profile.hpp"
+#include "model/scene/bound_choice.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -39,12 +39,12 @@ Result<Area> lane_area(const Scene& scene, const CombinedLane& lane) {
 }
 
 /// The area of the lane with every hazard built and no operand checked, except for signs.
-std::optional<Area> area_of_all_built(const Scene& scene, const gen::LaneBound& bound,
+std::optional<Area> area_of_all_built(const Scene& scene, const ReducedSpec& reduced,
                                       const CombinedLane& lane) {
   const auto all_built = certified_lanes(
       lane_graphs(scene.graph, scene.reference.format, lane.arithmetic(), scene.reduced.inputs),
-      {.kind = bound.kind,
-       .bound_digits = bound.digits,
+      {.kind = *reduced.error_bound,
+       .bound_digits = reduced.bound_digits,
        .ranges = scene.ranges,
        .hazards = model::HazardRemoval::keep});
   if (!all_built.ok()) return std::nullopt;
@@ -53,36 +53,34 @@ std::optional<Area> area_of_all_built(const Scene& scene, const gen::LaneBound& 
 }
 
 /// Whether `generate` takes a lane that decides so.
-bool is_chosen(const LoadedScene& loaded, const gen::LaneBound& bound,
-               const std::string& decision) {
+bool is_chosen(const LoadedScene& loaded, const ReducedSpec& tried, const std::string& decision) {
   const ReducedSpec& reduced = loaded.scene.reduced;
-  if (reduced.bound != bound.bound) return false;
+  if (reduced.bound != tried.bound) return false;
   if (reduced.bound == model::BoundKind::profiled) return true;
   const auto taken = design_lane(loaded.scene, reduced, nullptr);
   return taken.ok() && describe_decision(*taken) == decision;
 }
 
-BoundCost cost_of(const LoadedScene& loaded, const std::string& name,
+BoundCost cost_of(const LoadedScene& loaded, const model::BoundChoice& choice,
                   std::optional<model::Error>& why_no_area) {
   const Scene& scene = loaded.scene;
-  const gen::LaneBound bound = gen::find_lane_bound(name).value();
-  BoundCost cost{.name = name};
-  const auto lane = design_lane(scene, gen::with_bound(scene.reduced, bound),
-                                loaded.data ? &*loaded.data : nullptr);
+  const ReducedSpec reduced = with_bound(scene.reduced, choice);
+  BoundCost cost{.name = to_string(choice)};
+  const auto lane = design_lane(scene, reduced, loaded.data ? &*loaded.data : nullptr);
   if (!lane.ok()) {
     cost.decision = "does not exist: " + lane.error().message;
     return cost;
   }
   cost.decision = describe_decision(*lane);
-  cost.chosen = is_chosen(loaded, bound, cost.decision);
-  show_progress(fmt::format("Yosys maps the lane with the {} bound", name));
+  cost.chosen = is_chosen(loaded, reduced, cost.decision);
+  show_progress(fmt::format("Yosys maps the lane with the {} bound", cost.name));
   const auto area = lane_area(scene, *lane);
   if (!area.ok()) {
     why_no_area = area.error();
     return cost;
   }
   cost.area = *area;
-  if (lane->certified()) cost.all_built = area_of_all_built(scene, bound, *lane);
+  if (lane->certified()) cost.all_built = area_of_all_built(scene, reduced, *lane);
   return cost;
 }
 
@@ -129,8 +127,8 @@ Result<BoundCosts> measure_costs(const LoadedScene& loaded) {
                         .accepted = "a format, such as --format s17"};
   }
   BoundCosts costs;
-  for (const std::string& name : gen::profiled_lane_bounds()) {
-    costs.bounds.push_back(cost_of(loaded, name, costs.why_no_area));
+  for (const model::BoundChoice& choice : model::profiled_bound_choices()) {
+    costs.bounds.push_back(cost_of(loaded, choice, costs.why_no_area));
   }
   add_rates(loaded, costs);
   show_progress("");

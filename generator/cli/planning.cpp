@@ -8,7 +8,7 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/components/characterise.hpp"
-#include "generator/components/lane_bound.hpp"
+#include "model/scene/bound_choice.hpp"
 #include "model/scene/plan.hpp"
 
 namespace mixcmp::cli {
@@ -88,21 +88,20 @@ void use_given_constants(const model::ReducedSpec& reduced, model::ErrorProfile&
   }
 }
 
-/// Refuses a bound that no lane has. The lanes of several parts may have bounds with names of their
-/// own, which the table knows.
-Result<model::Done> check_bounds(const std::vector<std::string>& bounds,
-                                 const model::Characterisation& table) {
-  for (const std::string& bound : bounds) {
-    const auto known = gen::find_lane_bound(bound);
-    const bool in_table =
-        std::any_of(table.rows.begin(), table.rows.end(),
-                    [&](const model::Measurement& row) { return row.key.bound == bound; });
-    if (known.ok() || in_table) continue;
-    Error error = known.error();
+/// Errors end the program.
+std::vector<model::BoundChoice> parse_bounds(const std::vector<std::string>& names) {
+  std::vector<model::BoundChoice> choices;
+  for (const std::string& name : names) {
+    const auto choice = model::parse_bound_choice(name);
+    if (choice.ok()) {
+      choices.push_back(*choice);
+      continue;
+    }
+    Error error = choice.error();
     error.field = "--use-bounds";
-    return error;
+    fail(error);
   }
-  return model::Done{};
+  return choices;
 }
 
 /// Refuses the chain of an arg-min engine: there is nothing to choose.
@@ -130,8 +129,11 @@ void add_planning_options(CLI::App& verb, PlanningOptions& options) {
       ->check(within(model::limits::lane_precision));
   add_list(verb, "--use-inputs", choice.inputs,
            "lanes to choose from: exact,rounded (default: both)", {"exact", "rounded"});
-  add_list(verb, "--use-bounds", choice.bounds,
-           "error bounds to choose from: relative,running_4,running_1,constant (default: all)", {});
+  verb.add_option_function<std::vector<std::string>>(
+          "--use-bounds",
+          [&choice](const std::vector<std::string>& names) { choice.bounds = parse_bounds(names); },
+          "error bounds to choose from: relative,running_4,running_1,constant (default: all)")
+      ->delimiter(',');
   add_list(verb, "--use-multipliers", choice.multipliers,
            "multipliers to choose from: embedded,logic (default: both)", {"embedded", "logic"});
   verb.add_option("--lane-mhz", choice.clocks.lane_mhz,
@@ -164,7 +166,9 @@ std::string planning_command_line(const std::string& verb, const PlanningOptions
     add("--last", std::to_string(choice.last_precision));
   }
   add_words("--use-inputs", choice.inputs);
-  add_words("--use-bounds", choice.bounds);
+  std::vector<std::string> bounds;
+  for (const model::BoundChoice& bound : choice.bounds) bounds.push_back(to_string(bound));
+  add_words("--use-bounds", bounds);
   add_words("--use-multipliers", choice.multipliers);
   if (choice.clocks.lane_mhz) add("--lane-mhz", fmt::format("{}", *choice.clocks.lane_mhz));
   if (choice.clocks.reference_mhz) {
@@ -227,7 +231,6 @@ Result<Planning> load_planning(const PlanningOptions& options, const model::Scen
                  .received = table.scene,
                  .accepted = scene.name};
   }
-  MIXCMP_TRY(bounds_known, check_bounds(options.choice.bounds, table));
   Planning planning{scene, std::move(device), std::move(table), path};
   MIXCMP_TRY(adopted, adopt_target(planning, path, options.scene));
   warn_of_outdated(planning, data);

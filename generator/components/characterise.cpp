@@ -21,9 +21,9 @@ using model::TimingEffort;
 
 std::string label(const ComponentKey& key) {
   std::string text(to_string(key.kind));
-  for (const std::string* word :
-       {&key.name, &key.format, &key.inputs, &key.bound, &key.multipliers}) {
-    if (!word->empty()) text += " " + *word;
+  for (const std::string& word :
+       {key.name, key.format, key.inputs, to_string(key.bound), key.multipliers}) {
+    if (!word.empty()) text += " " + word;
   }
   return key.ports == 0 ? text : fmt::format("{} {} ports", text, key.ports);
 }

@@ -1,8 +1,8 @@
 #include "generator/components/component_list.hpp"
 
-#include "generator/components/lane_bound.hpp"
 #include "model/design/slots.hpp"
 #include "model/error/exponent_range.hpp"
+#include "model/scene/bound_choice.hpp"
 
 namespace mixcmp::gen {
 namespace {
@@ -17,7 +17,7 @@ using model::Result;
 using model::Scene;
 
 int exponent_bits(const Scene& scene, const ComponentQuery& query, int precision, LaneInputs inputs,
-                  const LaneBound& bound) {
+                  const model::BoundChoice& bound) {
   const model::ReducedSpec& reduced = scene.reduced;
   const int widest = scene.reference.format.exponent_bits();
   const bool fixed = reduced.format && !reduced.exponent_bits_from_ranges;
@@ -25,7 +25,7 @@ int exponent_bits(const Scene& scene, const ComponentQuery& query, int precision
   const bool from_ranges = query.exponents ? *query.exponents == LaneExponents::ranges
                                            : reduced.exponent_bits_from_ranges;
   // A profiled lane checks no range: its exponents reach as far as the reference's.
-  if (!from_ranges || bound.bound == model::BoundKind::profiled) return widest;
+  if (!from_ranges || bound.kind == model::BoundChoice::Kind::profiled) return widest;
   const FloatFormat format = FloatFormat::make(precision, widest).value();
   return lane_exponent_bits(scene.graph, scene.reference.format,
                             {format, reduced.rounding, reduced.subnormals}, inputs, scene.ranges);
@@ -33,8 +33,7 @@ int exponent_bits(const Scene& scene, const ComponentQuery& query, int precision
 
 Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQuery& query) {
   std::vector<ComponentKey> keys;
-  for (const std::string& name : query.bounds) {
-    MIXCMP_TRY(bound, find_lane_bound(name));
+  for (const model::BoundChoice& bound : query.bounds) {
     for (const int precision : query.precisions) {
       for (const LaneInputs inputs : query.inputs) {
         const int bits = exponent_bits(scene, query, precision, inputs, bound);
@@ -43,7 +42,7 @@ Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQ
           keys.push_back({.kind = ComponentKind::lane,
                           .format = format.name(),
                           .inputs = std::string(to_string(inputs)),
-                          .bound = name,
+                          .bound = bound,
                           .multipliers = std::string(to_string(multipliers))});
         }
       }

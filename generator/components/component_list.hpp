@@ -21,8 +21,8 @@ struct ComponentQuery {
   std::set<model::ComponentKind> kinds = {
       model::ComponentKind::unit, model::ComponentKind::lane, model::ComponentKind::reference,
       model::ComponentKind::fifo, model::ComponentKind::crossbar};
-  std::vector<int> precisions;      ///< of lanes
-  std::vector<std::string> bounds;  ///< as find_lane_bound knows them
+  std::vector<int> precisions;  ///< of lanes
+  std::vector<model::BoundChoice> bounds;
   std::vector<model::LaneInputs> inputs = {model::LaneInputs::exact, model::LaneInputs::rounded};
   std::vector<model::Multipliers> multipliers = {model::Multipliers::embedded,
                                                  model::Multipliers::logic};

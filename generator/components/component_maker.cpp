@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "generator/components/lane_bound.hpp"
 #include "generator/components/synthesis_jobs.hpp"
 #include "generator/datapath/delays.hpp"
 #include "generator/rtl/datapath_builder.hpp"
@@ -14,6 +13,7 @@
 #include "model/design/design.hpp"
 #include "model/design/slots.hpp"
 #include "model/profile/profile.hpp"
+#include "model/scene/bound_choice.hpp"
 
 namespace mixcmp::gen {
 namespace {
@@ -124,15 +124,15 @@ Result<Component> ComponentMaker::make(const ComponentKey& key) {
 }
 
 Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
-  MIXCMP_TRY(bound, find_lane_bound(key.bound));
+  const model::BoundChoice& bound = *key.bound;
   MIXCMP_TRY(format, model::FloatFormat::parse(key.format));
   MIXCMP_TRY(inputs, choice(key.inputs, {LaneInputs::rounded, LaneInputs::exact}));
   MIXCMP_TRY(multipliers, multipliers_of(key));
-  model::ReducedSpec reduced = with_bound(scene_.reduced, bound);
+  model::ReducedSpec reduced = model::with_bound(scene_.reduced, bound);
   reduced.format = format;
   reduced.inputs = inputs;
   reduced.multipliers = multipliers;
-  if (bound.bound == model::BoundKind::profiled) {
+  if (bound.kind == model::BoundChoice::Kind::profiled) {
     MIXCMP_TRY(given, give_constants(reduced));
   }
   MIXCMP_TRY(lane, design_lane(scene_, reduced, nullptr));

@@ -33,6 +33,9 @@ constexpr std::array multipliers_names = {
     Name<model::Multipliers>{model::Multipliers::embedded, "embedded"},
     Name<model::Multipliers>{model::Multipliers::logic, "logic"}};
 
+constexpr std::array directions = {Name<rtl::Direction>{rtl::Direction::input, "input"},
+                                   Name<rtl::Direction>{rtl::Direction::output, "output"}};
+
 constexpr std::array engine_kinds = {
     Name<model::EngineKind>{model::EngineKind::pairwise, "pairwise"},
     Name<model::EngineKind>{model::EngineKind::arg_min, "arg_min"}};
@@ -99,23 +102,11 @@ public:
     return names[0].value;
   }
 
-  std::vector<SignaturePort> ports(const char* field) {
-    std::vector<SignaturePort> ports;
-    for (const Json& entry : read<std::vector<Json>>(field, "a list of ports")) {
-      try {
-        ports.push_back({entry.at("name"), entry.at("direction"), entry.at("width")});
-      } catch (const Json::exception&) {
-        refuse(field, "ports of name, direction and width");
-      }
-    }
-    return ports;
-  }
-
   /// What `read_group` makes of each entry of a list of objects.
   template <class Group>
   std::vector<Group> groups(const char* field, Group (*read_group)(Reader&)) {
     std::vector<Group> groups;
-    const auto entries = read<std::vector<Json>>(field, "a list of groups");
+    const auto entries = read<std::vector<Json>>(field, "a list of objects");
     for (std::size_t k = 0; k < entries.size(); ++k) {
       Reader entry(entries[k], file_, fmt::format("{}[{}].", field, k));
       groups.push_back(read_group(entry));
@@ -156,7 +147,9 @@ private:
 Json ports_to_json(const std::vector<SignaturePort>& ports) {
   Json list = Json::array();
   for (const SignaturePort& port : ports) {
-    list.push_back({{"name", port.name}, {"direction", port.direction}, {"width", port.width}});
+    list.push_back({{"name", port.name},
+                    {"direction", text_of(directions, port.direction)},
+                    {"width", port.width}});
   }
   return list;
 }
@@ -206,6 +199,12 @@ Json groups_to_json(const std::vector<Group>& groups) {
 
 constexpr int many = 1 << 30;
 
+SignaturePort read_port(Reader& reader) {
+  return {.name = reader.text("name"),
+          .direction = reader.choice("direction", directions),
+          .width = reader.number("width", 1, many)};
+}
+
 SignatureLanes read_lanes(Reader& reader) {
   return {.count = reader.number("count", model::limits::lanes),
           .module = reader.text("module"),
@@ -233,7 +232,7 @@ SignatureEngine read_engine(Reader& reader) {
       .columns = reader.read<std::vector<std::string>>("columns", "a list of names"),
       .item_bytes = reader.number("item_bytes", 1, many),
       .report = {},
-      .ports = reader.ports("ports")};
+      .ports = reader.groups("ports", read_port)};
   if (engine.kind == model::EngineKind::arg_min) {
     engine.row_columns = reader.read<std::vector<std::string>>("row_columns", "a list of names");
     engine.row_bytes = reader.number("row_bytes", 1, many);
@@ -298,7 +297,7 @@ model::Result<Signature> read_signature(const std::filesystem::path& path) {
       .order = reader.choice("order", orders),
       .operands = reader.choice("operands", stores),
       .target_mhz = reader.read<double>("target_mhz", "a number"),
-      .ports = reader.ports("ports"),
+      .ports = reader.groups("ports", read_port),
       .engine = reader.part("engine", read_engine),
       .files = reader.read<std::vector<std::string>>("files", "a list of Verilog files")};
   if (reader.error()) return *reader.error();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/rtl/module.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::gen {
@@ -12,7 +13,7 @@ namespace mixcmp::gen {
 /// A port of the top module.
 struct SignaturePort {
   std::string name;
-  std::string direction;  ///< "input" or "output"
+  rtl::Direction direction = rtl::Direction::input;
   int width = 1;
 };
 

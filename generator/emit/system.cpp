@@ -87,8 +87,7 @@ std::vector<std::string> slow_stages(const SystemPlan& plan) {
 std::vector<SignaturePort> signature_ports(const Module& top) {
   std::vector<SignaturePort> ports;
   for (const rtl::Port& port : top.ports) {
-    const bool input = port.direction == rtl::Direction::input;
-    ports.push_back({port.name, input ? "input" : "output", port.width});
+    ports.push_back({port.name, port.direction, port.width});
   }
   return ports;
 }

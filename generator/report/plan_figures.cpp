@@ -38,7 +38,7 @@ std::vector<Curve> curves_by_kind(const Optimisation& optimisation, Value value)
     for (const LaneImplementation& lane : plan.lanes) {
       const ComponentKey& key = lane.measured.key;
       const std::string title =
-          fmt::format("{}, {} inputs, {}", key.bound, key.inputs, key.multipliers);
+          fmt::format("{}, {} inputs, {}", to_string(key.bound), key.inputs, key.multipliers);
       Curve& curve = curves[title];
       curve.title = title;
       const double y = value(lane.measured);

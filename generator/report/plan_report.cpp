@@ -161,9 +161,9 @@ std::string figure7_csv(const Optimisation& optimisation) {
   for (const PrecisionPlan& plan : optimisation.plans) {
     for (const LaneImplementation& lane : plan.lanes) {
       const Measurement& m = lane.measured;
-      text += fmt::format("{},{},{},{},{},{},{},{},", plan.precision, m.key.inputs, m.key.bound,
-                          m.key.multipliers, m.area.luts, m.area.registers, m.area.dsps,
-                          m.latency_cycles);
+      text += fmt::format("{},{},{},{},{},{},{},{},", plan.precision, m.key.inputs,
+                          to_string(m.key.bound), m.key.multipliers, m.area.luts, m.area.registers,
+                          m.area.dsps, m.latency_cycles);
       text +=
           m.clock ? fmt::format("{:.2f},{}\n", m.clock->mhz, to_string(m.clock->source)) : ",\n";
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/devices/device.hpp"
+#include "model/scene/bound_choice.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::model {
@@ -38,12 +39,12 @@ std::string_view to_string(ComponentKind kind);
 /// What was synthesised, as a row of a table names it. What does not apply is left empty or 0.
 struct ComponentKey {
   ComponentKind kind = ComponentKind::lane;
-  std::string name;    ///< of a unit its template and formats; else empty
-  std::string format;  ///< "s17e8"
-  std::string inputs;  ///< of a lane: "rounded" or "exact"
-  std::string bound;   ///< of a lane, as a profile names it: "relative", "running_4", "profiled"
-  std::string multipliers;  ///< of lanes, references and units with a product
-  int ports = 0;            ///< of a crossbar: lanes; of a fifo: slots
+  std::string name;                  ///< of a unit its template and formats; else empty
+  std::string format;                ///< "s17e8"
+  std::string inputs;                ///< of a lane: "rounded" or "exact"
+  std::optional<BoundChoice> bound;  ///< of a lane
+  std::string multipliers;           ///< of lanes, references and units with a product
+  int ports = 0;                     ///< of a crossbar: lanes; of a fifo: slots
 
   friend auto operator<=>(const ComponentKey&, const ComponentKey&) = default;
 };

@@ -7,27 +7,47 @@
 
 namespace mixcmp::model {
 
-/// A column of a table of measurements that is text or a whole number.
-template <class Value>
+/// A column of a table of measurements that tells which component it is of.
 struct KeyColumn {
   std::string_view name;
-  Value ComponentKey::*field;
-};
-template <class Value>
-struct AreaColumn {
-  std::string_view name;
-  Value Area::*field;
+  std::string (*get)(const ComponentKey& key);
+  Result<Done> (*set)(ComponentKey& key, const std::string& text);
 };
 
-inline constexpr std::array<KeyColumn<std::string>, 5> key_columns = {{
-    {"name", &ComponentKey::name},
-    {"format", &ComponentKey::format},
-    {"inputs", &ComponentKey::inputs},
-    {"bound", &ComponentKey::bound},
-    {"multipliers", &ComponentKey::multipliers},
+template <std::string ComponentKey::*field>
+KeyColumn text_column(std::string_view name) {
+  return {name, [](const ComponentKey& key) { return key.*field; },
+          [](ComponentKey& key, const std::string& text) -> Result<Done> {
+            key.*field = text;
+            return Done{};
+          }};
+}
+
+inline KeyColumn bound_column() {
+  return {"bound", [](const ComponentKey& key) { return to_string(key.bound); },
+          [](ComponentKey& key, const std::string& text) -> Result<Done> {
+            if (text.empty()) return Done{};
+            MIXCMP_TRY(choice, parse_bound_choice(text));
+            key.bound = choice;
+            return Done{};
+          }};
+}
+
+inline const std::array<KeyColumn, 5> key_columns = {{
+    text_column<&ComponentKey::name>("name"),
+    text_column<&ComponentKey::format>("format"),
+    text_column<&ComponentKey::inputs>("inputs"),
+    bound_column(),
+    text_column<&ComponentKey::multipliers>("multipliers"),
 }};
 
-inline constexpr std::array<AreaColumn<int>, 6> area_columns = {{
+/// A column of areas.
+struct AreaColumn {
+  std::string_view name;
+  int Area::*field;
+};
+
+inline constexpr std::array<AreaColumn, 6> area_columns = {{
     {"luts", &Area::luts},
     {"registers", &Area::registers},
     {"dsps", &Area::dsps},

@@ -162,7 +162,8 @@ private:
     row.key.kind = kind;
     for (const auto& column : key_columns) {
       MIXCMP_TRY(text, next());
-      row.key.*column.field = text.text;
+      const Result<Done> is_set = column.set(row.key, text.text);
+      if (!is_set.ok()) return error(text, is_set.error().message, is_set.error().accepted);
       MIXCMP_TRY(known, check_word(row.key, column, text));
     }
     MIXCMP_TRY(ports, integer());
@@ -179,7 +180,7 @@ private:
   }
 
   /// What plans are made of must be words that characterise writes.
-  Result<Done> check_word(const ComponentKey& key, const KeyColumn<std::string>& column,
+  Result<Done> check_word(const ComponentKey& key, const KeyColumn& column,
                           const Field& field) const {
     const bool is_lane = key.kind == ComponentKind::lane;
     if (!is_lane && key.kind != ComponentKind::reference) return Done{};
@@ -187,6 +188,9 @@ private:
       return error(field, "not a format", "s<digits>e<exponent bits>");
     }
     if (column.name == "inputs" && is_lane) return check_one_of(field, {"exact", "rounded"});
+    if (column.name == "bound" && is_lane && !key.bound) {
+      return error(field, "not a bound", "the bound of a lane");
+    }
     if (column.name == "multipliers") return check_one_of(field, {"embedded", "logic", ""});
     return Done{};
   }
@@ -229,12 +233,13 @@ private:
         table.rows.begin(), table.rows.end(),
         [](const Measurement& a, const Measurement& b) { return a.key == b.key; });
     if (twin == table.rows.end()) return Done{};
-    return Error{.file = path_.string(),
-                 .message = "two rows of one component",
-                 .received = fmt::format("{} {} {} {} {} {}, ports {}", to_string(twin->key.kind),
-                                         twin->key.name, twin->key.format, twin->key.inputs,
-                                         twin->key.bound, twin->key.multipliers, twin->key.ports),
-                 .accepted = "one"};
+    return Error{
+        .file = path_.string(),
+        .message = "two rows of one component",
+        .received = fmt::format("{} {} {} {} {} {}, ports {}", to_string(twin->key.kind),
+                                twin->key.name, twin->key.format, twin->key.inputs,
+                                to_string(twin->key.bound), twin->key.multipliers, twin->key.ports),
+        .accepted = "one"};
   }
 
   static constexpr int field_count_ = 22;

@@ -56,10 +56,6 @@ Result<Design> make_design(const Scene& scene, const Comparisons* data,
 Result<CombinedLane> design_lane(const Scene& scene, const ReducedSpec& reduced,
                                  const Comparisons* data, MeasureErrors measure = nullptr);
 
-/// How a lane bounds its errors, as tables and profiles name it: "relative", "running_4"; of parts
-/// whose bounds differ each once, "relative_constant".
-std::string bound_name(const CombinedLane& lane);
-
 /// A short name for each group: the format, "s12e8"; where groups share one, with what tells them
 /// apart, "s12e8_rounded_logic". Groups have the same name only where nothing here does.
 std::vector<std::string> lane_group_names(const Design& design);

@@ -4,16 +4,20 @@
 #include <set>
 
 #include "model/design/design.hpp"
+#include "model/scene/bound_choice.hpp"
 
 namespace mixcmp::model {
 namespace {
 
-std::string bound_name_of_part(const Lane& lane) {
-  if (!lane.certified()) return "profiled";
-  const auto* absolute = std::get_if<AbsoluteBoundDecision>(&lane.decision);
-  if (absolute == nullptr) return "relative";
-  if (absolute->bound.nodes.back().operation == BoundOperation::constant) return "constant";
-  return fmt::format("running_{}", absolute->bound.format.precision);
+/// The bounds of a lane's parts, each once: "relative", "relative_running_4".
+std::string bound_name(const CombinedLane& lane) {
+  std::string name;
+  std::set<std::string> told;
+  for (const Lane& part : lane.parts) {
+    const std::string bound = to_string(bound_choice(CombinedLane(part)));
+    if (told.insert(bound).second) name += (name.empty() ? "" : "_") + bound;
+  }
+  return name;
 }
 
 /// Words for what may tell a group from another of its format.
@@ -50,16 +54,6 @@ FloatFormat format_of(const LaneGroup& group) {
 }
 
 }  // namespace
-
-std::string bound_name(const CombinedLane& lane) {
-  std::string name;
-  std::set<std::string> told;
-  for (const Lane& part : lane.parts) {
-    const std::string kind = bound_name_of_part(part);
-    if (told.insert(kind).second) name += (name.empty() ? "" : "_") + kind;
-  }
-  return name;
-}
 
 std::vector<std::string> lane_group_names(const Design& design) {
   std::vector<std::string> names;

@@ -34,7 +34,7 @@ const Measurement* row_of(const Characterisation& table, const LaneGroup& group)
                .name = {},
                .format = group.lane.arithmetic().format.name(),
                .inputs = std::string(to_string(group.inputs)),
-               .bound = bound_name(group.lane),
+               .bound = bound_choice(group.lane),
                .multipliers = {},
                .ports = 0},
               group.multipliers);

@@ -24,7 +24,7 @@ struct OptimiseOptions {
   int last_precision = limits::lane_precision.most;
   /// What may be used; empty: all that the table has.
   std::vector<std::string> inputs;
-  std::vector<std::string> bounds;
+  std::vector<BoundChoice> bounds;
   std::vector<std::string> multipliers;
   ClockChoice clocks;
   /// A fixed C(com) instead of our measured scoreboards and crossbar: the paper's numbers.

@@ -9,14 +9,13 @@
 namespace mixcmp::model {
 namespace {
 
-/// The keys of [reduced] that a profile's name of a bound stands for.
-std::string bound_keys(const std::string& bound) {
-  constexpr std::string_view running = "running_";
-  if (bound == "profiled") return "bound = \"profiled\"\n";
-  std::string keys = "bound = \"certified\"\n";
-  if (!bound.starts_with(running)) return keys + fmt::format("error_bound = \"{}\"\n", bound);
-  return keys + fmt::format("error_bound = \"running\"\nbound_digits = {}\n",
-                            bound.substr(running.size()));
+std::string bound_keys(const BoundChoice& choice) {
+  const ReducedSpec reduced = with_bound({}, choice);
+  std::string keys = fmt::format("bound = \"{}\"\n", to_string(reduced.bound));
+  if (!reduced.error_bound) return keys;
+  keys += fmt::format("error_bound = \"{}\"\n", to_string(*reduced.error_bound));
+  if (choice.digits == 0) return keys;
+  return keys + fmt::format("bound_digits = {}\n", choice.digits);
 }
 
 /// The scene's key for the kind of multipliers; empty for datapaths without a product.
@@ -26,7 +25,7 @@ std::string multipliers_key(const ComponentKey& key) {
 
 std::string lanes_table(const ComponentKey& key, int count) {
   return fmt::format("\n[[lanes]]\ncount = {}\nformat = \"{}\"\ninputs = \"{}\"\n{}{}", count,
-                     key.format, key.inputs, bound_keys(key.bound), multipliers_key(key));
+                     key.format, key.inputs, bound_keys(*key.bound), multipliers_key(key));
 }
 
 /// Without the keys of [system] that the plan sets itself.

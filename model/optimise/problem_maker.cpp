@@ -15,7 +15,8 @@ namespace {
 
 constexpr double hertz_per_mhz = 1e6;
 
-bool allows(const std::vector<std::string>& allowed, const std::string& word) {
+template <class Choice>
+bool allows(const std::vector<Choice>& allowed, const Choice& word) {
   return allowed.empty() || std::find(allowed.begin(), allowed.end(), word) != allowed.end();
 }
 
@@ -121,13 +122,14 @@ void ProblemMaker::sort_rows() {
 bool ProblemMaker::is_wanted(const Measurement& lane) const {
   const int precision = format_of(lane).precision();
   return options_.first_precision <= precision && precision <= options_.last_precision &&
-         allows(options_.inputs, lane.key.inputs) && allows(options_.bounds, lane.key.bound) &&
+         allows(options_.inputs, lane.key.inputs) && allows(options_.bounds, *lane.key.bound) &&
          is_trusted(lane);
 }
 
 /// Lanes whose bound is not proven are for scenes that ask for them.
 bool ProblemMaker::is_trusted(const Measurement& lane) const {
-  return (lane.key.bound == "profiled") == (scene_.reduced.bound == BoundKind::profiled);
+  const bool measured = lane.key.bound->kind == BoundChoice::Kind::profiled;
+  return measured == (scene_.reduced.bound == BoundKind::profiled);
 }
 
 /// Whether the rates hold for this lane. With fewer exponent bits than they were counted with, more
@@ -228,11 +230,11 @@ double ProblemMaker::clock_of(const Measurement& row, const std::optional<double
 }
 
 void ProblemMaker::add_lane(PrecisionPlan& plan, const Measurement& row, const Measurement* fifo) {
-  const RateKey key{inputs_of(row.key.inputs), row.key.bound, plan.precision};
+  const RateKey key{inputs_of(row.key.inputs), *row.key.bound, plan.precision};
   const std::optional<Rate> rate = rates_.find(key);
   if (!rate) {
-    notes_.insert(
-        fmt::format("{} {}: no recomputation rate is known", row.key.inputs, row.key.bound));
+    notes_.insert(fmt::format("{} {}: no recomputation rate is known", row.key.inputs,
+                              to_string(row.key.bound)));
     return;
   }
   if (highest_lane_throughput(rate->value()) < 1) {
@@ -242,7 +244,8 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const Measurement& row, const M
   if (!has_enough_exponents(row)) return;
   Area area = row.area;
   if (fifo != nullptr) area += fifo->area;
-  std::string name = fmt::format("{} {} {}", row.key.format, row.key.inputs, row.key.bound);
+  std::string name =
+      fmt::format("{} {} {}", row.key.format, row.key.inputs, to_string(row.key.bound));
   if (!row.key.multipliers.empty()) name += " " + row.key.multipliers;
   const double mhz = clock_of(row, options_.clocks.lane_mhz, fifo);
   plan.lanes.push_back({row, area, *rate, {name, mhz * hertz_per_mhz, rate->value(), area}});

@@ -38,7 +38,9 @@ std::optional<std::string> read_row(const std::vector<std::string>& fields, Row&
   if (fields[0] != "exact" && fields[0] != "rounded") return "inputs";
   row.key.inputs = fields[0] == "exact" ? LaneInputs::exact : LaneInputs::rounded;
   if (!read_number(fields[1], row.key.precision)) return "precision";
-  row.key.bound = fields[2];
+  const auto bound = parse_bound_choice(fields[2]);
+  if (!bound.ok()) return "system";
+  row.key.bound = *bound;
   if (!read_number(fields[3], row.rate.comparisons) || row.rate.comparisons == 0) {
     return "comparisons";
   }
@@ -60,12 +62,12 @@ Rates Rates::of(const std::vector<RateProfile>& profiles) {
   Rates rates;
   for (const RateProfile& profile : profiles) {
     for (const SystemProfile& system : profile.systems) {
-      if (system.kind == SystemKind::lanes_alone) continue;
+      if (!system.bound) continue;  // lanes alone
       for (std::size_t k = 0; k < system.counts.size(); ++k) {
         if (!system.counts[k].exists) continue;
         const int precision = profile.first_precision + static_cast<int>(k);
-        rates.rates_[{profile.inputs, system.name, precision}] = {system.counts[k].undecided,
-                                                                  profile.comparisons};
+        rates.rates_[{profile.inputs, *system.bound, precision}] = {system.counts[k].undecided,
+                                                                    profile.comparisons};
       }
     }
   }

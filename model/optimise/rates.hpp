@@ -15,7 +15,7 @@ namespace mixcmp::model {
 /// A kind of lane as far as its recomputation rate R_R goes.
 struct RateKey {
   LaneInputs inputs = LaneInputs::exact;
-  std::string bound;  ///< a system of a profile: "relative", "running_4", "profiled"
+  BoundChoice bound;
   int precision = 0;  ///< L
 
   friend auto operator<=>(const RateKey&, const RateKey&) = default;

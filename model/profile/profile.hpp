@@ -8,6 +8,7 @@
 
 #include "model/data/comparisons.hpp"
 #include "model/expression/typed_graph.hpp"
+#include "model/scene/bound_choice.hpp"
 #include "model/scene/scene.hpp"
 
 /// What a scene's comparisons do at every precision: figures 4 and 5 of the paper, and the truth.
@@ -74,7 +75,8 @@ struct SystemCounts {
 };
 
 struct SystemProfile {
-  std::string name;  ///< "running_4"
+  std::string name;                  ///< "lanes_alone", or as its bound is called
+  std::optional<BoundChoice> bound;  ///< none: lanes alone
   SystemKind kind = SystemKind::certified;
   std::vector<SystemCounts> counts;  ///< one a precision
   std::string reason;                ///< why it does not exist, where it does not

@@ -135,8 +135,8 @@ RateProfile profile_rates(const Scene& scene, const Comparisons& data, const Err
                       .systems = {}};
   std::size_t counted = 0;
   for (const SystemLanes& system : systems) {
-    SystemProfile& row =
-        profile.systems.emplace_back(SystemProfile{system.name, system.kind, {}, system.reason});
+    SystemProfile& row = profile.systems.emplace_back(
+        SystemProfile{system.name, system.bound, system.kind, {}, system.reason});
     row.counts = system.exists() ? tally.counts[counted++]
                                  : std::vector<SystemCounts>(errors.precisions.size());
   }

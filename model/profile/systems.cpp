@@ -8,22 +8,19 @@
 namespace mixcmp::model {
 namespace {
 
-std::string name_of(const CandidateLanes& candidate) {
-  if (candidate.kind != ErrorBoundKind::running) return std::string(to_string(candidate.kind));
-  return fmt::format("running_{}", candidate.bound_digits);
-}
-
-SystemLanes& system_named(std::vector<SystemLanes>& systems, const std::string& name,
-                          SystemKind kind) {
+SystemLanes& system_with(std::vector<SystemLanes>& systems, const std::optional<BoundChoice>& bound,
+                         SystemKind kind) {
   const auto found = std::find_if(systems.begin(), systems.end(),
-                                  [&](const SystemLanes& system) { return system.name == name; });
+                                  [&](const SystemLanes& system) { return system.bound == bound; });
   if (found != systems.end()) return *found;
-  return systems.emplace_back(SystemLanes{name, kind, {}, ""});
+  const std::string name = bound ? to_string(*bound) : "lanes_alone";
+  return systems.emplace_back(SystemLanes{name, bound, kind, {}, ""});
 }
 
-void add(std::vector<SystemLanes>& systems, const std::string& name, SystemKind kind,
-         Result<CombinedLane> lane) {
-  SystemLanes& system = system_named(systems, name, kind);
+/// `bound`: none for lanes alone.
+void add(std::vector<SystemLanes>& systems, const std::optional<BoundChoice>& bound,
+         SystemKind kind, Result<CombinedLane> lane) {
+  SystemLanes& system = system_with(systems, bound, kind);
   if (lane.ok()) {
     system.lanes.emplace_back(std::move(lane).value());
   } else {
@@ -61,10 +58,11 @@ std::vector<SystemLanes> make_systems(const Scene& scene, const ErrorProfile& er
   std::vector<SystemLanes> systems;
   for (const ErrorAtPrecision& error : errors.precisions) {
     const CombinedGraph graph = graphs_at(scene, error.precision, errors.inputs);
-    add(systems, "lanes_alone", SystemKind::lanes_alone, lanes_alone(graph));
-    add(systems, "profiled", SystemKind::profiled, profiled_lanes(graph, error.f, error.g));
+    add(systems, std::nullopt, SystemKind::lanes_alone, lanes_alone(graph));
+    add(systems, BoundChoice{BoundChoice::Kind::profiled}, SystemKind::profiled,
+        profiled_lanes(graph, error.f, error.g));
     for (CandidateLanes& candidate : candidate_lanes(graph, scene.ranges)) {
-      add(systems, name_of(candidate), SystemKind::certified, std::move(candidate.lane));
+      add(systems, bound_choice(candidate), SystemKind::certified, std::move(candidate.lane));
     }
   }
   return systems;

@@ -12,6 +12,7 @@ namespace mixcmp::model {
 /// One way to build a lane, at every precision where it exists.
 struct SystemLanes {
   std::string name;
+  std::optional<BoundChoice> bound;  ///< none: lanes alone
   SystemKind kind;
   std::vector<std::optional<CombinedLane>> lanes;  ///< from the first precision on
   std::string reason;                              ///< why it does not exist, where it does not

@@ -19,7 +19,7 @@ model::ComponentKey lane(const std::string& format) {
   return {.kind = model::ComponentKind::lane,
           .format = format,
           .inputs = "exact",
-          .bound = "relative",
+          .bound = model::BoundChoice{},
           .multipliers = "logic"};
 }
 

@@ -6,12 +6,12 @@
 
 #include "generator/components/characterise.hpp"
 #include "generator/components/component_list.hpp"
-#include "generator/components/lane_bound.hpp"
 #include "generator/components/synthesis_jobs.hpp"
 #include "generator/emit/system.hpp"
 #include "model/characterise/job_hash.hpp"
 #include "model/design/slots.hpp"
 #include "model/profile/profiled_error.hpp"
+#include "model/scene/bound_choice.hpp"
 #include "model/workload/load_comparisons.hpp"
 #include "tests/support/scratch_directory.hpp"
 
@@ -50,7 +50,8 @@ protected:
     std::vector<std::string> formats(const std::string& bound) const {
       std::vector<std::string> names;
       for (const auto& [key, component] : components) {
-        if (key.kind == ComponentKind::lane && key.bound == bound) names.push_back(key.format);
+        if (key.kind == ComponentKind::lane && to_string(key.bound) == bound)
+          names.push_back(key.format);
       }
       return names;
     }
@@ -67,7 +68,11 @@ protected:
     return found;
   }
 
-  static ComponentQuery lanes(std::vector<int> precisions, std::vector<std::string> bounds) {
+  static ComponentQuery lanes(std::vector<int> precisions, const std::vector<std::string>& names) {
+    std::vector<model::BoundChoice> bounds;
+    for (const std::string& name : names) {
+      bounds.push_back(model::parse_bound_choice(name).value());
+    }
     return {.kinds = {ComponentKind::lane},
             .precisions = std::move(precisions),
             .bounds = std::move(bounds),
@@ -155,7 +160,7 @@ TEST_F(Components, LanesThatDoNotExistAreToldWithTheirReason) {
   for (const MissingLane& lane : found.missing) EXPECT_FALSE(lane.reason.message.empty());
   EXPECT_EQ(found.components.size() + found.missing.size(), 12u);
   const auto is_rounded_relative = [](const MissingLane& lane) {
-    return lane.key.bound == "relative" && lane.key.inputs == "rounded";
+    return to_string(lane.key.bound) == "relative" && lane.key.inputs == "rounded";
   };
   EXPECT_EQ(std::count_if(found.missing.begin(), found.missing.end(), is_rounded_relative), 2)
       << "differences of rounded operands have no relative bound";
@@ -180,7 +185,7 @@ TEST_F(Components, ProfiledLanesTakeTheirConstantsFromTheSceneOrItsData) {
   ASSERT_TRUE(measured.ok()) << measured.error().to_string();
   EXPECT_NE(source(*measured, "lane.v"), source(given.components.begin()->second, "lane.v"));
   // The lane that `generate` makes measures the same two comparisons.
-  ReducedSpec reduced = with_bound(with_data.reduced, find_lane_bound("profiled").value());
+  ReducedSpec reduced = with_bound(with_data.reduced, {model::BoundChoice::Kind::profiled});
   reduced.format = FloatFormat::parse("s12e8").value();
   const auto lane = design_lane(with_data, reduced, &*data, model::profile_error);
   ASSERT_TRUE(lane.ok()) << lane.error().to_string();

@@ -15,7 +15,7 @@ Measurement lane(const std::string& format, int luts) {
       .key = {.kind = ComponentKind::lane,
               .format = format,
               .inputs = "exact",
-              .bound = "running_4",
+              .bound = BoundChoice{BoundChoice::Kind::running, 4},
               .multipliers = "logic"},
       .latency_cycles = 17,
       .area =

@@ -114,8 +114,9 @@ TEST_F(Optimise, CrossbarSharesBetweenMeasuredPortCountsAreInterpolatedUpward) {
 TEST_F(Optimise, ProfiledLanesAreOnlyForScenesThatAskForThem) {
   const auto has_profiled = [](const Optimisation& found) {
     return std::any_of(found.plans.begin(), found.plans.end(), [](const PrecisionPlan& plan) {
-      return std::any_of(plan.lanes.begin(), plan.lanes.end(),
-                         [](const auto& lane) { return lane.measured.key.bound == "profiled"; });
+      return std::any_of(plan.lanes.begin(), plan.lanes.end(), [](const auto& lane) {
+        return lane.measured.key.bound->kind == model::BoundChoice::Kind::profiled;
+      });
     });
   };
   EXPECT_FALSE(has_profiled(optimise_now()));

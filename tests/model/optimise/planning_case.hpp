@@ -41,17 +41,19 @@ protected:
   static model::Measurement lane_row(const std::string& format, const std::string& inputs,
                                      const std::string& bound, const std::string& multipliers,
                                      int luts, int dsps = 0) {
-    return {.key = {.kind = model::ComponentKind::lane,
-                    .name = {},
-                    .format = format,
-                    .inputs = inputs,
-                    .bound = bound,
-                    .multipliers = multipliers},
-            .latency_cycles = 20,
-            .area = {.luts = luts, .registers = luts, .dsps = dsps},
-            .clock = model::Clock{.mhz = 300, .low_mhz = 300, .high_mhz = 300},
-            .hash = {},
-            .tools = {}};
+    return {
+        .key = {.kind = model::ComponentKind::lane,
+                .name = {},
+                .format = format,
+                .inputs = inputs,
+                .bound = bound.empty() ? std::nullopt
+                                       : std::optional(model::parse_bound_choice(bound).value()),
+                .multipliers = multipliers},
+        .latency_cycles = 20,
+        .area = {.luts = luts, .registers = luts, .dsps = dsps},
+        .clock = model::Clock{.mhz = 300, .low_mhz = 300, .high_mhz = 300},
+        .hash = {},
+        .tools = {}};
   }
 
   static model::Measurement reference_row(const std::string& multipliers, int luts, int dsps) {

@@ -1,0 +1,107 @@
+#include "model/scene/bound_choice.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "model/common/quote.hpp"
+#include "model/settings/limits.hpp"
+
+namespace mixcmp::model {
+namespace {
+
+using Kind = BoundChoice::Kind;
+
+constexpr std::string_view running_prefix = "running_";
+
+std::string_view word(Kind kind) {
+  switch (kind) {
+    case Kind::constant: return "constant";
+    case Kind::profiled: return "profiled";
+    case Kind::relative: return "relative";
+    case Kind::running: return "running";
+  }
+  MIXCMP_CHECK(false);
+}
+
+BoundChoice choice_of_part(const Lane& lane) {
+  if (!lane.certified()) return {Kind::profiled};
+  const auto* absolute = std::get_if<AbsoluteBoundDecision>(&lane.decision);
+  if (absolute == nullptr) return {Kind::relative};
+  if (absolute->bound.nodes.back().operation == BoundOperation::constant) return {Kind::constant};
+  return {Kind::running, absolute->bound.format.precision};
+}
+
+}  // namespace
+
+std::string to_string(const BoundChoice& choice) {
+  if (choice.kind != Kind::running) return std::string(word(choice.kind));
+  return fmt::format("{}{}", running_prefix, choice.digits);
+}
+
+std::string to_string(const std::optional<BoundChoice>& choice) {
+  return choice ? to_string(*choice) : "";
+}
+
+Result<BoundChoice> parse_bound_choice(std::string_view name) {
+  for (const Kind kind : {Kind::constant, Kind::profiled, Kind::relative}) {
+    if (name == word(kind)) return BoundChoice{kind};
+  }
+  constexpr Limits digits = limits::bound_digits;
+  static_assert(digits.most <= 9, "one character names the digits");
+  if (name.size() == running_prefix.size() + 1 && name.starts_with(running_prefix) &&
+      digits.allow(name.back() - '0')) {
+    return BoundChoice{Kind::running, name.back() - '0'};
+  }
+  return Error{.message = "not a bound",
+               .received = in_quotes(name),
+               .accepted = fmt::format("relative, running_{} to running_{}, constant, profiled",
+                                       digits.least, digits.most)};
+}
+
+std::optional<BoundChoice> bound_choice(const CombinedLane& lane) {
+  const BoundChoice first = choice_of_part(lane.parts.front());
+  const bool all_alike = std::all_of(lane.parts.begin(), lane.parts.end(), [&](const Lane& part) {
+    return choice_of_part(part) == first;
+  });
+  return all_alike ? std::optional(first) : std::nullopt;
+}
+
+BoundChoice bound_choice(const CandidateLanes& candidate) {
+  switch (candidate.kind) {
+    case ErrorBoundKind::relative: return {Kind::relative};
+    case ErrorBoundKind::running: return {Kind::running, candidate.bound_digits};
+    case ErrorBoundKind::constant: return {Kind::constant};
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::span<const BoundChoice> profiled_bound_choices() {
+  static constexpr std::array<BoundChoice, 5> choices = {{{Kind::relative},
+                                                          {Kind::running, 4},
+                                                          {Kind::running, 1},
+                                                          {Kind::constant},
+                                                          {Kind::profiled}}};
+  return choices;
+}
+
+ReducedSpec with_bound(const ReducedSpec& reduced, const BoundChoice& choice) {
+  ReducedSpec copy = reduced;
+  copy.bound = BoundKind::certified;
+  switch (choice.kind) {
+    case Kind::constant: copy.error_bound = ErrorBoundKind::constant; break;
+    case Kind::relative: copy.error_bound = ErrorBoundKind::relative; break;
+    case Kind::running:
+      copy.error_bound = ErrorBoundKind::running;
+      copy.bound_digits = choice.digits;
+      break;
+    case Kind::profiled:
+      copy.bound = BoundKind::profiled;
+      copy.error_bound.reset();
+      break;
+  }
+  return copy;
+}
+
+}  // namespace mixcmp::model

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "model/error/combined_lane.hpp"
+#include "model/scene/scene.hpp"
+
+namespace mixcmp::model {
+
+/// A way to bound the errors of a lane, whatever its format. Profiles, tables and options name it
+/// "relative", "running_4" (digits), "constant" or "profiled".
+struct BoundChoice {
+  /// In the order of their names, in which tables are sorted.
+  enum class Kind { constant, profiled, relative, running };
+
+  Kind kind = Kind::relative;
+  int digits = 0;  ///< of a running bound; of others 0
+
+  friend auto operator<=>(const BoundChoice&, const BoundChoice&) = default;
+};
+
+std::string to_string(const BoundChoice& choice);
+/// Empty for none.
+std::string to_string(const std::optional<BoundChoice>& choice);
+
+Result<BoundChoice> parse_bound_choice(std::string_view name);
+
+/// How a lane bounds its errors; none where its parts do so in several ways.
+std::optional<BoundChoice> bound_choice(const CombinedLane& lane);
+/// What one of `candidate_lanes` is.
+BoundChoice bound_choice(const CandidateLanes& candidate);
+
+/// The choices that a profile counts.
+std::span<const BoundChoice> profiled_bound_choices();
+
+/// `reduced` with this bound.
+ReducedSpec with_bound(const ReducedSpec& reduced, const BoundChoice& choice);
+
+}  // namespace mixcmp::model
