@@ -90,7 +90,7 @@ TEST(System, EveryModuleButTheTopCarriesThePrefix) {
       EXPECT_NE(text.find("\nmodule " + module + " "), std::string::npos) << name;
       if (prefix.empty()) continue;
       const std::set<std::string> words = words_of(text);
-      for (const std::string& other : {"stream_fifo", "stream_crossbar", "fp_round"}) {
+      for (const char* other : {"stream_fifo", "stream_crossbar", "fp_round"}) {
         EXPECT_FALSE(words.contains(other)) << other << " in " << name;
       }
     }
