@@ -74,14 +74,14 @@ std::set<std::string> instantiated_modules(const Module& module) {
 }
 
 std::vector<Item> with_modules_renamed(std::vector<Item> items,
-                                       const std::function<std::string(std::string)>& rename) {
+                                       const std::function<std::string(std::string)>& new_name) {
   for (Item& item : items) {
     if (auto* instance = std::get_if<Instance>(&item)) {
-      instance->module = rename(std::move(instance->module));
+      instance->module = new_name(std::move(instance->module));
     }
     if (auto* loop = std::get_if<std::shared_ptr<const ForGenerate>>(&item)) {
       ForGenerate renamed = **loop;
-      renamed.items = with_modules_renamed(std::move(renamed.items), rename);
+      renamed.items = with_modules_renamed(std::move(renamed.items), new_name);
       *loop = std::make_shared<const ForGenerate>(std::move(renamed));
     }
   }

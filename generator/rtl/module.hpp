@@ -133,6 +133,6 @@ std::set<std::string> instantiated_modules(const Module& module);
 
 /// The items with other modules' names in the instances, those in loops included.
 std::vector<Item> with_modules_renamed(std::vector<Item> items,
-                                       const std::function<std::string(std::string)>& rename);
+                                       const std::function<std::string(std::string)>& new_name);
 
 }  // namespace mixcmp::gen::rtl

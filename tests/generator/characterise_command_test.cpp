@@ -127,7 +127,7 @@ TEST_F(CharacteriseCommand, KeepsRowsOfOtherComponents) {
 }
 
 TEST_F(CharacteriseCommand, AJobThatFailsIsNamedAndTheOthersGoOn) {
-  const std::string fails = fake("FAKE_FAILS='module crossbar'");
+  const std::string fails = fake("FAKE_FAILS='module stream_crossbar'");
   const std::string both = "--components lane,crossbar --precisions 4 --ports 2";
   const Outcome run = characterise(both, fails);
   EXPECT_EQ(run.exit_code, 1) << run.output;

@@ -84,7 +84,7 @@ protected:
 };
 
 const std::string one_system =
-    "[reduced]\nformat = \"s12e8\"\n[system]\nlanes = 1\nreferences = 1\n";
+    "[reduced]\nformat = \"s12e8\"\n[system]\nlanes = 1\nreferences = 1\nprefix = \"\"\n";
 
 std::string source(const Component& component, const std::string& name) {
   for (const SourceText& text : component.job.sources) {

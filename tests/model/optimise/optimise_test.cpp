@@ -21,8 +21,8 @@ class Optimise : public PlanningTest {
 protected:
   static model::Setting::Table overrides() {
     const std::vector<std::string> settings = {
-        "system.order=in_order",        "data.count=12",       "reduced.rounding=nearest_even",
-        "reduced.rounding=toward_zero", "system.target_mhz=7", "inputs.*={ range = [-1, 2.5] }"};
+        "system.order=in_order", "data.count=12", "reduced.rounding=toward_zero",
+        "system.target_mhz=7", "inputs.*={ range = [-1, 2.5] }"};
     model::Settings scene;
     EXPECT_TRUE(apply_overrides(scene, settings).ok());
     return overridden_entries(scene.root, settings);

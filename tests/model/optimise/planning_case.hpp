@@ -75,7 +75,11 @@ protected:
     model::RateProfile profile{.comparisons = 1'000'000};
     for (const auto& [name, kind] : {std::pair("relative", model::SystemKind::certified),
                                      std::pair("profiled", model::SystemKind::profiled)}) {
-      profile.systems.push_back({.name = name, .kind = kind, .counts = {}, .reason = {}});
+      profile.systems.push_back({.name = name,
+                                 .bound = model::parse_bound_choice(name).value(),
+                                 .kind = kind,
+                                 .counts = {},
+                                 .reason = {}});
       for (int precision = 4; precision <= 16; ++precision) {
         const auto found = undecided.find(precision);
         const bool exists = found != undecided.end();

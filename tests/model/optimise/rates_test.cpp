@@ -50,7 +50,8 @@ TEST_F(RatesFile, GivesWhatAProfileCounted) {
                           "exact,8,lanes_alone,1000,0,0,3,3\nexact,53,reference,1000,0,0,0,0\n");
   ASSERT_TRUE(rates.ok()) << rates.error().to_string();
   EXPECT_EQ(rates->keys().size(), 2u);
-  EXPECT_EQ(rates->find({LaneInputs::rounded, {model::BoundChoice::Kind::running, 4}, 9})->undecided, 7u);
+  EXPECT_EQ(
+      rates->find({LaneInputs::rounded, {model::BoundChoice::Kind::running, 4}, 9})->undecided, 7u);
   EXPECT_FALSE(rates->find({LaneInputs::exact, {model::BoundChoice::Kind::running, 4}, 9}));
 }
 

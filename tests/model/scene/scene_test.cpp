@@ -238,7 +238,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "nearest), multipliers, subnormals"},
         Mistake{"slack = 0.25", "slck = 0.25",
                 ":23: system.slck: unknown key: received slck; accepted slack (the nearest), "
-                "counter_bits, device, lanes, operands, order, references, tag_bits, target_mhz"},
+                "counter_bits, device, lanes, operands, order, prefix, references, tag_bits, "
+                "target_mhz"},
         Mistake{
             "seed = 7", "sead = 7",
             ":30: data.sead: unknown key: received sead; accepted seed (the nearest), "
