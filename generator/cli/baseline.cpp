@@ -19,20 +19,20 @@ struct BaselineCommand {
   bool csv = false;
 };
 
-void add_options(CLI::App& verb, BaselineCommand& command) {
+void add_options(const Verb& verb, BaselineCommand& command) {
   add_scene_options(verb, command.scene);
-  verb.add_flag("--csv", command.csv, "print the rates as CSV")->excludes("--json");
-  verb.add_option("--threads", command.run.threads, "\"all cores\" (default: the machine's)")
-      ->check(within(model::limits::threads));
-  verb.add_option("--rounds", command.run.rounds, "measurements of each kernel (default: 5)")
-      ->check(within({1, 1000}));
-  verb.add_option("--seconds", command.run.seconds, "that one measurement takes (default: 0.5)")
-      ->check(between(0.001, 600, "S"));
-  verb.add_option("--sample", command.run.sample,
-                  "comparisons held against the golden model, about (default: 4096)")
-      ->check(whole(1, std::uint64_t{1} << 24));
-  verb.add_option("--work", command.run.work,
-                  "folder that keeps source, program and logs (default: none are kept)");
+  verb.flag("--csv", command.csv, "print the rates as CSV").excludes("--json");
+  verb.option("--threads", command.run.threads, "\"all cores\" (default: the machine's)")
+      .check(within(model::limits::threads));
+  verb.option("--rounds", command.run.rounds, "measurements of each kernel (default: 5)")
+      .check(within({1, 1000}));
+  verb.option("--seconds", command.run.seconds, "that one measurement takes (default: 0.5)")
+      .check(between(0.001, 600, "S"));
+  verb.option("--sample", command.run.sample,
+              "comparisons held against the golden model, about (default: 4096)")
+      .check(whole(1, std::uint64_t{1} << 24));
+  verb.option("--work", command.run.work,
+              "folder that keeps source, program and logs (default: none are kept)");
 }
 
 void run(const BaselineCommand& command) {
@@ -69,11 +69,11 @@ void run(const BaselineCommand& command) {
 }  // namespace
 
 void add_baseline(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand(
-      "baseline", "the comparison in software on this machine, in double and with float filters");
+  const Verb verb(app, "baseline",
+                  "the comparison in software on this machine, in double and with float filters");
   auto command = std::make_shared<BaselineCommand>();
-  add_options(*verb, *command);
-  verb->callback([command] { run(*command); });
+  add_options(verb, *command);
+  verb.when_chosen([command] { run(*command); });
 }
 
 }  // namespace mixcmp::cli

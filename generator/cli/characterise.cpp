@@ -268,11 +268,11 @@ void run(const CharacteriseCommand& command) {
 }  // namespace
 
 void add_characterise(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("characterise",
-                                      "measure area and clock of a scene's components on a device");
+  const Verb verb(app, "characterise",
+                  "measure area and clock of a scene's components on a device");
   auto command = std::make_shared<CharacteriseCommand>();
-  add_characterise_options(*verb, *command);
-  verb->callback([command] { run(*command); });
+  add_characterise_options(verb, *command);
+  verb.when_chosen([command] { run(*command); });
 }
 
 }  // namespace mixcmp::cli

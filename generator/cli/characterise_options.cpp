@@ -148,37 +148,36 @@ Result<std::vector<int>> number_list(const std::string& option, const std::strin
   return std::vector<int>(numbers.begin(), numbers.end());
 }
 
-void add_characterise_options(CLI::App& verb, CharacteriseCommand& command) {
+void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
   add_scene_options(verb, command.scene,
                     {"--format", "--bound", "--inputs", "--lanes", "--references"});
-  verb.add_option(
-      "--precisions", command.precisions,
-      fmt::format("of lanes: {}-{} or 8,12,17 (default: all that the scene can have)",
-                  model::limits::lane_precision.least, model::limits::lane_precision.most));
-  verb.add_option("--bounds", command.bounds,
-                  fmt::format("of lanes: relative, running_{} .. running_{}, constant, profiled "
-                              "(default: {})",
-                              model::limits::bound_digits.least, model::limits::bound_digits.most,
-                              command.bounds));
-  verb.add_option("--inputs", command.inputs, "of lanes: both, exact or rounded (default: both)");
-  verb.add_option("--multipliers", command.multipliers, "both, embedded or logic (default: both)");
-  verb.add_option("--exponents", command.exponents,
-                  "exponent bits of lanes: reference, or ranges for the fewest that the declared "
-                  "ranges allow (default: as reduced.format says)");
-  verb.add_option("--components", command.components,
-                  "what to measure, besides these unit (default: " + command.components + ")");
-  verb.add_option("--ports", command.ports,
-                  "lanes at one reference's crossbar (default: " + command.ports + ")");
-  verb.add_flag("--area-only", command.area_only, "no clocks");
-  verb.add_option("--seeds", command.seeds, "of the router (default: 3)")
-      ->check(within(model::limits::seeds));
-  verb.add_option("--jobs", command.jobs, "at a time (default: one a processor)")
-      ->check(within(model::limits::threads));
-  verb.add_option("-o,--output", command.output,
-                  "the table (default: characterisation/SCENE-DEVICE.csv beside the scene)");
-  verb.add_option("--store", command.store,
-                  "results of all scenes, so that nothing is measured twice (default: "
-                  "$XDG_CACHE_HOME/mixcmp/characterisation.sqlite)");
+  verb.option("--precisions", command.precisions,
+              fmt::format("of lanes: {}-{} or 8,12,17 (default: all that the scene can have)",
+                          model::limits::lane_precision.least, model::limits::lane_precision.most));
+  verb.option("--bounds", command.bounds,
+              fmt::format("of lanes: relative, running_{} .. running_{}, constant, profiled "
+                          "(default: {})",
+                          model::limits::bound_digits.least, model::limits::bound_digits.most,
+                          command.bounds));
+  verb.option("--inputs", command.inputs, "of lanes: both, exact or rounded (default: both)");
+  verb.option("--multipliers", command.multipliers, "both, embedded or logic (default: both)");
+  verb.option("--exponents", command.exponents,
+              "exponent bits of lanes: reference, or ranges for the fewest that the declared "
+              "ranges allow (default: as reduced.format says)");
+  verb.option("--components", command.components,
+              "what to measure, besides these unit (default: " + command.components + ")");
+  verb.option("--ports", command.ports,
+              "lanes at one reference's crossbar (default: " + command.ports + ")");
+  verb.flag("--area-only", command.area_only, "no clocks");
+  verb.option("--seeds", command.seeds, "of the router (default: 3)")
+      .check(within(model::limits::seeds));
+  verb.option("--jobs", command.jobs, "at a time (default: one a processor)")
+      .check(within(model::limits::threads));
+  verb.option("-o,--output", command.output,
+              "the table (default: characterisation/SCENE-DEVICE.csv beside the scene)");
+  verb.option("--store", command.store,
+              "results of all scenes, so that nothing is measured twice (default: "
+              "$XDG_CACHE_HOME/mixcmp/characterisation.sqlite)");
 }
 
 Result<gen::CharacteriseOptions> characterise_options(const CharacteriseCommand& command,

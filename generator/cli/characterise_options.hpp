@@ -22,7 +22,7 @@ struct CharacteriseCommand {
   std::filesystem::path store;
 };
 
-void add_characterise_options(CLI::App& verb, CharacteriseCommand& command);
+void add_characterise_options(const Verb& verb, CharacteriseCommand& command);
 
 /// Errors name the option.
 model::Result<gen::CharacteriseOptions> characterise_options(const CharacteriseCommand& command,

@@ -240,14 +240,13 @@ void run(const CheckOptions& options) {
 }  // namespace
 
 void add_check(CLI::App& app) {
-  CLI::App* verb =
-      app.add_subcommand("check", "parse a scene; say what was understood and what it requires");
+  const Verb verb(app, "check", "parse a scene; say what was understood and what it requires");
   auto options = std::make_shared<CheckOptions>();
-  add_scene_options(*verb, options->scene);
-  add_prove_options(*verb, options->prove);
-  verb->add_flag("--costs", options->costs,
-                 "recomputation rate and area of every error bound (Yosys maps each lane)");
-  verb->callback([options] { run(*options); });
+  add_scene_options(verb, options->scene);
+  add_prove_options(verb, options->prove);
+  verb.flag("--costs", options->costs,
+            "recomputation rate and area of every error bound (Yosys maps each lane)");
+  verb.when_chosen([options] { run(*options); });
 }
 
 }  // namespace mixcmp::cli

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/cli/exit.hpp"
+#include "generator/cli/verb.hpp"
 #include "generator/cli/verbs.hpp"
 #include "model/characterise/tools.hpp"
 #include "model/common/process.hpp"
@@ -99,11 +100,10 @@ void run(bool json) {
 }  // namespace
 
 void add_doctor(CLI::App& app) {
-  CLI::App* verb =
-      app.add_subcommand("doctor", "which tools are there, what each missing disables");
+  const Verb verb(app, "doctor", "which tools are there, what each missing disables");
   auto json = std::make_shared<bool>(false);
-  verb->add_flag("--json", *json, "print the result as JSON");
-  verb->callback([json] { run(*json); });
+  verb.flag("--json", *json, "print the result as JSON");
+  verb.when_chosen([json] { run(*json); });
 }
 
 }  // namespace mixcmp::cli

@@ -366,27 +366,25 @@ void run(const ExploreCommand& command) {
 }  // namespace
 
 void add_explore(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("explore",
-                                      "the best plans over data sets and devices: the paper's "
-                                      "figures 3, 7, 8, 9 and tables III, IV");
+  const Verb verb(app, "explore",
+                  "the best plans over data sets and devices: the paper's "
+                  "figures 3, 7, 8, 9 and tables III, IV");
   auto command = std::make_shared<ExploreCommand>();
-  add_planning_options(*verb, command->planning);
-  verb->add_option("--on", command->devices, "a device; may be repeated (default: the scene's)")
-      ->allow_extra_args(false);
-  verb->add_option(
-      "--over", command->over,
-      "data sets, by a key of the scene: data.radius_max=5,10,25; scenario I plans for "
-      "each, II for the worst");
-  verb->add_flag(
-      "--beside-paper", command->beside_paper,
-      "beside the paper's published figures and with its clocks, on its two devices; the "
-      "scene should be its benchmark");
-  verb->add_flag("--software", command->software,
-                 "measure the comparison in software on this machine, too: see mixcmp baseline");
-  verb->add_option("-o,--output", command->output,
-                   "folder for figures, tables, plans and rates; rates found there are used again "
-                   "(default: exploration)");
-  verb->callback([command] { run(*command); });
+  add_planning_options(verb, command->planning);
+  verb.option("--on", command->devices, "a device; may be repeated (default: the scene's)")
+      .one_value_each();
+  verb.option("--over", command->over,
+              "data sets, by a key of the scene: data.radius_max=5,10,25; scenario I plans for "
+              "each, II for the worst");
+  verb.flag("--beside-paper", command->beside_paper,
+            "beside the paper's published figures and with its clocks, on its two devices; the "
+            "scene should be its benchmark");
+  verb.flag("--software", command->software,
+            "measure the comparison in software on this machine, too: see mixcmp baseline");
+  verb.option("-o,--output", command->output,
+              "folder for figures, tables, plans and rates; rates found there are used again "
+              "(default: exploration)");
+  verb.when_chosen([command] { run(*command); });
 }
 
 }  // namespace mixcmp::cli

@@ -130,13 +130,13 @@ void run(const GenerateOptions& options) {
 }  // namespace
 
 void add_generate(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("generate", "write the Verilog of a system");
+  const Verb verb(app, "generate", "write the Verilog of a system");
   auto options = std::make_shared<GenerateOptions>();
-  add_scene_options(*verb, options->scene);
-  verb->add_option("-o,--output", options->output, "directory to write (default: the top's name)");
-  verb->add_flag("--no-prove", options->skip_proof,
-                 "do not have Gappa check the error bound's lemmas first");
-  verb->callback([options] { run(*options); });
+  add_scene_options(verb, options->scene);
+  verb.option("-o,--output", options->output, "directory to write (default: the top's name)");
+  verb.flag("--no-prove", options->skip_proof,
+            "do not have Gappa check the error bound's lemmas first");
+  verb.when_chosen([options] { run(*options); });
 }
 
 }  // namespace mixcmp::cli

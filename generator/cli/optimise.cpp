@@ -174,17 +174,17 @@ void run(OptimiseCommand& command) {
 }  // namespace
 
 void add_optimise(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand(
-      "optimise", "choose L, p_L, p_H and kinds of lanes for a device: the paper's Algorithm 1");
+  const Verb verb(app, "optimise",
+                  "choose L, p_L, p_H and kinds of lanes for a device: the paper's Algorithm 1");
   auto command = std::make_shared<OptimiseCommand>();
-  add_planning_options(*verb, command->planning);
-  verb->add_option("--rates", command->rates,
-                   "recomputation rates instead of measuring them: figure5.csv of mixcmp profile");
-  verb->add_option("-o,--output", command->plan,
-                   "plan file to write: generate and verify take it in place of the scene");
-  verb->add_option("--csv", command->csv, "figure 9 as a table: the best plan at each precision");
-  verb->add_option("--lp", command->lp, "the best plan's integer program, in the LP format");
-  verb->callback([command] { run(*command); });
+  add_planning_options(verb, command->planning);
+  verb.option("--rates", command->rates,
+              "recomputation rates instead of measuring them: figure5.csv of mixcmp profile");
+  verb.option("-o,--output", command->plan,
+              "plan file to write: generate and verify take it in place of the scene");
+  verb.option("--csv", command->csv, "figure 9 as a table: the best plan at each precision");
+  verb.option("--lp", command->lp, "the best plan's integer program, in the LP format");
+  verb.when_chosen([command] { run(*command); });
 }
 
 }  // namespace mixcmp::cli

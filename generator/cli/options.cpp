@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <climits>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 
 #include "generator/cli/exit.hpp"
@@ -87,6 +89,14 @@ std::optional<std::uint64_t> decimal_integer(const std::string& text) {
 
 }  // namespace
 
+std::optional<double> number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool is_whole =
+      !text.empty() && std::isspace(static_cast<unsigned char>(text[0])) == 0 && *end == '\0';
+  return is_whole ? std::optional(value) : std::nullopt;
+}
+
 std::string quoted(const std::string& text) {
   if (!needs_quotes(text)) return text;
   std::string quoted_text = "'";
@@ -94,15 +104,15 @@ std::string quoted(const std::string& text) {
   return quoted_text + "'";
 }
 
-void add_scene_options(CLI::App& verb, SceneOptions& options,
+void add_scene_options(const Verb& verb, SceneOptions& options,
                        const std::set<std::string>& left_out) {
-  verb.add_option("SCENE", options.scene, "the scene file (docs/scene_file.md)")->required();
-  verb.add_option("--set", options.settings,
-                  "override one key of the scene: section.key=value; may be repeated")
-      ->allow_extra_args(false);
+  verb.option("SCENE", options.scene, "the scene file (docs/scene_file.md)").required();
+  verb.option("--set", options.settings,
+              "override one key of the scene: section.key=value; may be repeated")
+      .one_value_each();
   for (const Shortcut& shortcut : shortcuts) {
     if (left_out.contains(shortcut.flag)) continue;
-    verb.add_option_function<std::string>(
+    verb.text_option(
         shortcut.flag,
         [&options, &shortcut](const std::string& value) {
           options.settings.push_back(fmt::format("{}={}", shortcut.key, value));
@@ -110,10 +120,10 @@ void add_scene_options(CLI::App& verb, SceneOptions& options,
         },
         help_of(shortcut));
   }
-  verb.add_flag("--json", options.json, "print the result as JSON");
+  verb.flag("--json", options.json, "print the result as JSON");
 }
 
-CLI::Validator within(model::Limits limits) {
+Check within(model::Limits limits) {
   return {[limits](const std::string& text) {
             const auto value = decimal_integer(text);
             const bool accepted =
@@ -124,7 +134,7 @@ CLI::Validator within(model::Limits limits) {
           to_string(limits)};
 }
 
-CLI::Validator whole(std::uint64_t least, std::uint64_t most) {
+Check whole(std::uint64_t least, std::uint64_t most) {
   const bool bounded = most < std::numeric_limits<std::uint64_t>::max();
   const std::string range = bounded ? fmt::format("an integer from {} to {}", least, most)
                                     : fmt::format("an integer of at least {}", least);
@@ -136,11 +146,10 @@ CLI::Validator whole(std::uint64_t least, std::uint64_t most) {
           ""};
 }
 
-CLI::Validator between(double least, double most, const std::string& unit) {
+Check between(double least, double most, const std::string& unit) {
   return {[=](const std::string& text) {
-            double value = 0;
-            const bool accepted =
-                CLI::detail::lexical_cast(text, value) && least <= value && value <= most;
+            const auto value = number(text);
+            const bool accepted = value && least <= *value && *value <= most;
             return accepted ? std::string()
                             : fmt::format("received {}; accepted {}..{}", text, least, most);
           },

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -9,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/cli/verb.hpp"
 #include "model/data/comparisons.hpp"
 #include "model/design/design.hpp"
 
@@ -25,7 +25,7 @@ struct SceneOptions {
 
 /// Adds SCENE, --set, the shortcuts (--format, --lanes, ...) and --json to a verb. Shortcuts that
 /// mean something else to it, or nothing, are `left_out`.
-void add_scene_options(CLI::App& verb, SceneOptions& options,
+void add_scene_options(const Verb& verb, SceneOptions& options,
                        const std::set<std::string>& left_out = {});
 
 /// A scene with its data (none where the scene names none).
@@ -44,12 +44,14 @@ model::Error as_user_error(const model::Error& found, const SceneOptions& option
 
 /// Accepts a whole number in these limits, which help and errors then state. It is decimal, without
 /// zeros in front: CLI11 would take "010" for eight.
-CLI::Validator within(model::Limits limits);
-CLI::Validator whole(std::uint64_t least,
-                     std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+Check within(model::Limits limits);
+Check whole(std::uint64_t least, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
-/// Accepts a number in these limits; CLI::Range lets NaN pass.
-CLI::Validator between(double least, double most, const std::string& unit);
+/// The number that fills `text`; none for any other text.
+std::optional<double> number(const std::string& text);
+
+/// Accepts a number in these limits, NaN none of them.
+Check between(double least, double most, const std::string& unit);
 
 /// What the scene's system is made of. Errors, of both, name the file and line of the key at fault.
 model::Result<model::Design> design_of(const SceneOptions& options, const LoadedScene& loaded);

@@ -18,13 +18,6 @@ using model::Error;
 using model::LaneInputs;
 using model::Result;
 
-void add_list(CLI::App& verb, const std::string& name, std::vector<std::string>& target,
-              const std::string& help, std::initializer_list<const char*> words) {
-  CLI::Option* option = verb.add_option(name, target, help)->delimiter(',');
-  if (words.size() > 0)
-    option->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())));
-}
-
 Result<model::Done> check_table_exists(const std::filesystem::path& path,
                                        const PlanningOptions& options, const std::string& variant,
                                        const model::Device& device) {
@@ -51,14 +44,14 @@ Result<model::Done> adopt_target(Planning& planning, const std::filesystem::path
                                  const SceneOptions& options) {
   for (const auto& [name, text] : planning.table.spec) {
     if (name != "target_mhz") continue;
-    double measured = 0;
-    if (CLI::detail::lexical_cast(text, measured) && measured > 0) {
+    const std::optional<double> measured = number(text);
+    if (measured && *measured > 0) {
       double& target = planning.scene.system.target_mhz;
-      if (target != measured && is_set(options, "system.target_mhz")) {
+      if (target != *measured && is_set(options, "system.target_mhz")) {
         tell(fmt::format("note: registers are placed for {} MHz, which {} was measured for",
-                         measured, path.filename().string()));
+                         *measured, path.filename().string()));
       }
-      target = measured;
+      target = *measured;
       return model::Done{};
     }
     return Error{.file = path.string(),
@@ -117,35 +110,36 @@ Result<model::Done> check_no_chain(const model::Scene& scene) {
 
 }  // namespace
 
-void add_planning_options(CLI::App& verb, PlanningOptions& options) {
+void add_planning_options(const Verb& verb, PlanningOptions& options) {
   add_scene_options(verb, options.scene, {"--format", "--inputs", "--lanes", "--references"});
   model::OptimiseOptions& choice = options.choice;
-  verb.add_option("--table", options.table,
-                  "areas and clocks, made by mixcmp characterise (default: "
-                  "characterisation/SCENE-DEVICE.csv beside the scene)");
-  verb.add_option("--first", choice.first_precision, "the lowest L (default: the lowest there is)")
-      ->check(within(model::limits::lane_precision));
-  verb.add_option("--last", choice.last_precision, "the highest L (default: the highest there is)")
-      ->check(within(model::limits::lane_precision));
-  add_list(verb, "--use-inputs", choice.inputs,
-           "lanes to choose from: exact,rounded (default: both)", {"exact", "rounded"});
-  verb.add_option_function<std::vector<std::string>>(
+  verb.option("--table", options.table,
+              "areas and clocks, made by mixcmp characterise (default: "
+              "characterisation/SCENE-DEVICE.csv beside the scene)");
+  verb.option("--first", choice.first_precision, "the lowest L (default: the lowest there is)")
+      .check(within(model::limits::lane_precision));
+  verb.option("--last", choice.last_precision, "the highest L (default: the highest there is)")
+      .check(within(model::limits::lane_precision));
+  verb.option("--use-inputs", choice.inputs, "lanes to choose from: exact,rounded (default: both)")
+      .separated_by(',')
+      .one_of({"exact", "rounded"});
+  verb.list_option(
           "--use-bounds",
           [&choice](const std::vector<std::string>& names) { choice.bounds = parse_bounds(names); },
           "error bounds to choose from: relative,running_4,running_1,constant (default: all)")
-      ->delimiter(',');
-  add_list(verb, "--use-multipliers", choice.multipliers,
-           "multipliers to choose from: embedded,logic (default: both)", {"embedded", "logic"});
-  verb.add_option("--lane-mhz", choice.clocks.lane_mhz,
-                  "clock of the lanes, in place of the table's")
-      ->check(between(0.001, 1e6, "MHZ"));
-  verb.add_option("--reference-mhz", choice.clocks.reference_mhz,
-                  "clock of the references, in place of the table's")
-      ->check(between(0.001, 1e6, "MHZ"));
-  verb.add_flag(
-      "--separate-clocks", options.separate_clocks,
-      "count lanes and references at clocks of their own, as the paper does; what generate "
-      "writes has one clock");
+      .separated_by(',');
+  verb.option("--use-multipliers", choice.multipliers,
+              "multipliers to choose from: embedded,logic (default: both)")
+      .separated_by(',')
+      .one_of({"embedded", "logic"});
+  verb.option("--lane-mhz", choice.clocks.lane_mhz, "clock of the lanes, in place of the table's")
+      .check(between(0.001, 1e6, "MHZ"));
+  verb.option("--reference-mhz", choice.clocks.reference_mhz,
+              "clock of the references, in place of the table's")
+      .check(between(0.001, 1e6, "MHZ"));
+  verb.flag("--separate-clocks", options.separate_clocks,
+            "count lanes and references at clocks of their own, as the paper does; what generate "
+            "writes has one clock");
 }
 
 std::string planning_command_line(const std::string& verb, const PlanningOptions& options) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,7 +19,7 @@ struct PlanningOptions {
   bool separate_clocks = false;
 };
 
-void add_planning_options(CLI::App& verb, PlanningOptions& options);
+void add_planning_options(const Verb& verb, PlanningOptions& options);
 
 /// The verb, its scene and what of these options is not as usual, as a command.
 std::string planning_command_line(const std::string& verb, const PlanningOptions& options);

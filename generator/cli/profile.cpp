@@ -28,37 +28,36 @@ struct ProfileCommand {
   fs::path areas;
 };
 
-void add_options(CLI::App& verb, ProfileCommand& command) {
+void add_options(const Verb& verb, ProfileCommand& command) {
   add_scene_options(verb, command.scene);
-  verb.add_option("--first", command.run.first_precision,
-                  "the lowest L (default: the lowest there is)")
-      ->check(within(model::limits::lane_precision));
-  verb.add_option("--last", command.last,
-                  "the highest L (default: the highest there is, or the reference's precision if "
-                  "that is less)")
-      ->check(within(model::limits::lane_precision));
-  verb.add_option("--samples", command.run.error_samples,
-                  "comparisons that relative errors are measured on (default: 1000000)")
-      ->check(whole(1, std::uint64_t{1} << 40));
-  verb.add_option("--threads", command.run.threads,
-                  "threads; results do not depend on them (default: one a processor)")
-      ->check(within(model::limits::threads));
-  verb.add_flag("--both-inputs", command.both_inputs,
-                "rates for rounded and for exact inputs, whatever the scene says");
-  verb.add_flag("--brute-force", command.brute_force,
-                "every comparison through every lane and MPFR: slow, the same counts");
-  verb.add_flag("--trade", command.trade, "weigh wrong verdicts against area, system by system");
-  verb.add_option("--accept", command.accepted,
-                  "say which system is cheapest with at most N wrong verdicts per million; 0: "
-                  "certified; may be repeated (includes --trade)")
-      ->allow_extra_args(false)
-      ->check(between(0, 1e6, "N"));
-  verb.add_option("--areas", command.areas,
-                  "measured areas instead of the cost model: CSV of system,precision,luts "
-                  "(includes --trade)");
-  verb.add_option("-o,--output", command.output,
-                  "directory for figure4, figure5 and trade as .csv and .svg, and all of it as "
-                  "profile.json");
+  verb.option("--first", command.run.first_precision, "the lowest L (default: the lowest there is)")
+      .check(within(model::limits::lane_precision));
+  verb.option("--last", command.last,
+              "the highest L (default: the highest there is, or the reference's precision if "
+              "that is less)")
+      .check(within(model::limits::lane_precision));
+  verb.option("--samples", command.run.error_samples,
+              "comparisons that relative errors are measured on (default: 1000000)")
+      .check(whole(1, std::uint64_t{1} << 40));
+  verb.option("--threads", command.run.threads,
+              "threads; results do not depend on them (default: one a processor)")
+      .check(within(model::limits::threads));
+  verb.flag("--both-inputs", command.both_inputs,
+            "rates for rounded and for exact inputs, whatever the scene says");
+  verb.flag("--brute-force", command.brute_force,
+            "every comparison through every lane and MPFR: slow, the same counts");
+  verb.flag("--trade", command.trade, "weigh wrong verdicts against area, system by system");
+  verb.option("--accept", command.accepted,
+              "say which system is cheapest with at most N wrong verdicts per million; 0: "
+              "certified; may be repeated (includes --trade)")
+      .one_value_each()
+      .check(between(0, 1e6, "N"));
+  verb.option("--areas", command.areas,
+              "measured areas instead of the cost model: CSV of system,precision,luts "
+              "(includes --trade)");
+  verb.option("-o,--output", command.output,
+              "directory for figure4, figure5 and trade as .csv and .svg, and all of it as "
+              "profile.json");
 }
 
 void show_share(const std::string& what, double share) {
@@ -177,11 +176,11 @@ void run(const ProfileCommand& command) {
 }  // namespace
 
 void add_profile(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand(
-      "profile", "measure errors, recomputation rates and wrong verdicts at every precision");
+  const Verb verb(app, "profile",
+                  "measure errors, recomputation rates and wrong verdicts at every precision");
   auto command = std::make_shared<ProfileCommand>();
-  add_options(*verb, *command);
-  verb->callback([command] { run(*command); });
+  add_options(verb, *command);
+  verb.when_chosen([command] { run(*command); });
 }
 
 }  // namespace mixcmp::cli

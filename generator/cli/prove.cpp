@@ -88,20 +88,20 @@ ProvenLane prove_lane(const model::Scene& scene, const std::string& name,
 
 }  // namespace
 
-void add_prove_options(CLI::App& verb, ProveOptions& options) {
-  auto* prove = verb.add_flag("--prove", options.prove,
-                              "have Gappa prove the error bound; exit code 2 where it refuses");
-  verb.add_option("--proof-dir", options.directory,
-                  "where scripts, certificates and verdicts are kept (default: NAME_LANE_proof)")
-      ->needs(prove);
-  verb.add_option("--precisions", options.precisions,
-                  "prove lanes of these precisions instead of the scene's: 4,8,17")
-      ->delimiter(',')
-      ->check(within(model::limits::lane_precision))
-      ->needs(prove);
-  verb.add_option("--proof-seconds", options.seconds_a_script, "for each script, 10 if not given")
-      ->check(between(1e-6, 1e6, "S"))
-      ->needs(prove);
+void add_prove_options(const Verb& verb, ProveOptions& options) {
+  const Option prove = verb.flag("--prove", options.prove,
+                                 "have Gappa prove the error bound; exit code 2 where it refuses");
+  verb.option("--proof-dir", options.directory,
+              "where scripts, certificates and verdicts are kept (default: NAME_LANE_proof)")
+      .needs(prove);
+  verb.option("--precisions", options.precisions,
+              "prove lanes of these precisions instead of the scene's: 4,8,17")
+      .separated_by(',')
+      .check(within(model::limits::lane_precision))
+      .needs(prove);
+  verb.option("--proof-seconds", options.seconds_a_script, "for each script, 10 if not given")
+      .check(between(1e-6, 1e6, "S"))
+      .needs(prove);
 }
 
 std::vector<ProvenLane> prove(const LoadedScene& loaded, const ProveOptions& options,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -18,7 +17,7 @@ struct ProveOptions {
   std::vector<int> precisions;      ///< empty: the scene's own
   double seconds_a_script = 10;
 };
-void add_prove_options(CLI::App& verb, ProveOptions& options);
+void add_prove_options(const Verb& verb, ProveOptions& options);
 
 /// One lane of the scene in one precision.
 struct ProvenLane {

@@ -23,16 +23,16 @@ struct RouteCommand {
   std::filesystem::path work;
 };
 
-void add_options(CLI::App& verb, RouteCommand& command) {
+void add_options(const Verb& verb, RouteCommand& command) {
   add_scene_options(verb, command.scene);
-  verb.add_option("--references-alone", command.references_alone,
-                  "not the system: so many reference datapaths with nothing around them")
-      ->check(within({1, 1024}));
-  verb.add_option("--seeds", command.synthesis.seeds, "of the router (default: 3)")
-      ->check(within(model::limits::seeds));
-  verb.add_option("--work", command.work,
-                  "folder that keeps netlists and logs, those of each job in a folder of its own "
-                  "(default: none)");
+  verb.option("--references-alone", command.references_alone,
+              "not the system: so many reference datapaths with nothing around them")
+      .check(within({1, 1024}));
+  verb.option("--seeds", command.synthesis.seeds, "of the router (default: 3)")
+      .check(within(model::limits::seeds));
+  verb.option("--work", command.work,
+              "folder that keeps netlists and logs, those of each job in a folder of its own "
+              "(default: none)");
 }
 
 model::SynthesisJob job_of(const RouteCommand& command, const LoadedScene& loaded) {
@@ -144,13 +144,13 @@ void run(const RouteCommand& command) {
 }  // namespace
 
 void add_route(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand(
-      "route",
+  const Verb verb(
+      app, "route",
       "area and clock of the whole system on its device, placed and routed where a router "
       "is there; or of references alone");
   auto command = std::make_shared<RouteCommand>();
-  add_options(*verb, *command);
-  verb->callback([command] { run(*command); });
+  add_options(verb, *command);
+  verb.when_chosen([command] { run(*command); });
 }
 
 }  // namespace mixcmp::cli

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 /// One function for each verb: it adds the verb's subcommand, whose callback runs it and throws
 /// Exit (exit.hpp) where it does not end well.

@@ -40,13 +40,13 @@ template <class Value>
 using Spellings = std::map<std::string, Value>;
 
 template <class Value>
-void add_choice(CLI::App& verb, const std::string& flag, Value& value,
+void add_choice(const Verb& verb, const std::string& flag, Value& value,
                 const Spellings<Value>& spellings, const std::string& help) {
-  std::set<std::string> names;
-  for (const auto& [name, meaning] : spellings) names.insert(name);
-  verb.add_option_function<std::string>(
+  std::vector<std::string> names;
+  for (const auto& [name, meaning] : spellings) names.push_back(name);
+  verb.text_option(
           flag, [&value, spellings](const std::string& name) { value = spellings.at(name); }, help)
-      ->check(CLI::IsMember(names));
+      .one_of(names);
 }
 
 /// Both simulators write FST, and the save file takes the same name with another ending.
@@ -55,19 +55,21 @@ std::string fst_path(const std::string& text) {
   return fmt::format("received {}; accepted a file that ends in .fst", text);
 }
 
-void add_options(CLI::App& verb, VerifyCommand& command) {
+void add_options(const Verb& verb, VerifyCommand& command) {
   add_scene_options(verb, command.scene);
-  verb.add_option("--work", command.work,
-                  "directory for the Verilog, the builds and the logs (default: TOP_simulation)");
-  auto* first =
-      verb.add_option("--first", command.first, "only the first N comparisons")->check(whole(1));
-  auto* sample = verb.add_option("--sample", command.sample, "only N comparisons, spread over all")
-                     ->check(whole(1));
-  verb.add_option("--seed", command.run.selection.seed, "of --sample and of --traffic stressed")
-      ->check(whole(0));
-  auto* only = verb.add_option("--only", command.only, "only comparison number N")->check(whole(0));
-  first->excludes(sample)->excludes(only);
-  sample->excludes(only);
+  verb.option("--work", command.work,
+              "directory for the Verilog, the builds and the logs (default: TOP_simulation)");
+  const Option first =
+      verb.option("--first", command.first, "only the first N comparisons").check(whole(1));
+  const Option sample =
+      verb.option("--sample", command.sample, "only N comparisons, spread over all")
+          .check(whole(1));
+  verb.option("--seed", command.run.selection.seed, "of --sample and of --traffic stressed")
+      .check(whole(0));
+  const Option only =
+      verb.option("--only", command.only, "only comparison number N").check(whole(0));
+  first.excludes(sample).excludes(only);
+  sample.excludes(only);
   add_choice<tb::SimulatorKind>(
       verb, "--simulator", command.run.simulator,
       {{"verilator", tb::SimulatorKind::verilator}, {"icarus", tb::SimulatorKind::icarus}},
@@ -76,26 +78,25 @@ void add_options(CLI::App& verb, VerifyCommand& command) {
       verb, "--traffic", command.run.traffic,
       {{"full_rate", tb::TrafficKind::full_rate}, {"stressed", tb::TrafficKind::stressed}},
       "full_rate, or stressed: random gaps and backpressure");
-  verb.add_option("--resets", command.run.resets, "resets in mid-stream")
-      ->check(whole(0, 1'000'000));
-  verb.add_option("--trace", command.run.waves,
-                  "write waves to this .fst file, beside it a GTKWave save file")
-      ->check(CLI::Validator(fst_path, ""));
+  verb.option("--resets", command.run.resets, "resets in mid-stream").check(whole(0, 1'000'000));
+  verb.option("--trace", command.run.waves,
+              "write waves to this .fst file, beside it a GTKWave save file")
+      .check({fst_path, ""});
   add_choice<TruthOption>(verb, "--truth", command.truth,
                           {{"off", TruthOption::off},
                            {"recomputed", TruthOption::recomputed},
                            {"all", TruthOption::all}},
                           "hold verdicts also against exact arithmetic: off, recomputed, all");
-  auto* csv = verb.add_option("--csv", command.csv, "write the verdicts as CSV");
-  verb.add_option_function<std::vector<std::string>>(
+  const Option csv = verb.option("--csv", command.csv, "write the verdicts as CSV");
+  verb.list_option(
           "--csv-verdict",
           [&command](const std::vector<std::string>& names) {
             command.csv_verdicts = {names.begin(), names.end()};
           },
           "only these verdicts in the CSV: less, equal, greater, unordered, undecided")
-      ->check(CLI::IsMember(csv_verdict_names))
-      ->allow_extra_args(false)
-      ->needs(csv);
+      .one_of({csv_verdict_names.begin(), csv_verdict_names.end()})
+      .one_value_each()
+      .needs(csv);
 }
 
 tb::Selection::Options selection(const VerifyCommand& command) {
@@ -198,12 +199,12 @@ void run(const VerifyCommand& command) {
 }  // namespace
 
 void add_verify(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand(
-      "verify",
+  const Verb verb(
+      app, "verify",
       "generate, simulate on the scene's data, hold every verdict against the golden model");
   auto command = std::make_shared<VerifyCommand>();
-  add_options(*verb, *command);
-  verb->callback([command] { run(*command); });
+  add_options(verb, *command);
+  verb.when_chosen([command] { run(*command); });
 }
 
 }  // namespace mixcmp::cli

@@ -1,0 +1,85 @@
+#include "generator/cli/verb.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace mixcmp::cli {
+
+Option Option::required() const {
+  return Option(option_->required());
+}
+
+Option Option::check(const Check& check) const {
+  return Option(option_->check(CLI::Validator(check.problem, check.description)));
+}
+
+Option Option::one_of(const std::vector<std::string>& words) const {
+  return Option(option_->check(CLI::IsMember(words)));
+}
+
+Option Option::needs(Option other) const {
+  return Option(option_->needs(other.option_));
+}
+
+Option Option::excludes(Option other) const {
+  return Option(option_->excludes(other.option_));
+}
+
+Option Option::excludes(const std::string& name) const {
+  return Option(option_->excludes(name));
+}
+
+Option Option::separated_by(char separator) const {
+  return Option(option_->delimiter(separator));
+}
+
+Option Option::one_value_each() const {
+  return Option(option_->allow_extra_args(false));
+}
+
+Verb::Verb(CLI::App& app, const std::string& name, const std::string& help)
+    : verb_(app.add_subcommand(name, help)) {}
+
+Option Verb::flag(const std::string& names, bool& target, const std::string& help) const {
+  return Option(verb_->add_flag(names, target, help));
+}
+
+template <class Value>
+Option Verb::option(const std::string& names, Value& target, const std::string& help) const {
+  return Option(verb_->add_option(names, target, help));
+}
+
+template Option Verb::option(const std::string&, int&, const std::string&) const;
+template Option Verb::option(const std::string&, unsigned&, const std::string&) const;
+template Option Verb::option(const std::string&, std::uint64_t&, const std::string&) const;
+template Option Verb::option(const std::string&, double&, const std::string&) const;
+template Option Verb::option(const std::string&, std::string&, const std::string&) const;
+template Option Verb::option(const std::string&, std::filesystem::path&, const std::string&) const;
+template Option Verb::option(const std::string&, std::optional<int>&, const std::string&) const;
+template Option Verb::option(const std::string&, std::optional<double>&, const std::string&) const;
+template Option Verb::option(const std::string&, std::optional<std::uint64_t>&,
+                             const std::string&) const;
+template Option Verb::option(const std::string&, std::vector<int>&, const std::string&) const;
+template Option Verb::option(const std::string&, std::vector<double>&, const std::string&) const;
+template Option Verb::option(const std::string&, std::vector<std::string>&,
+                             const std::string&) const;
+
+Option Verb::text_option(const std::string& names, std::function<void(const std::string&)> use,
+                         const std::string& help) const {
+  return Option(verb_->add_option_function<std::string>(names, std::move(use), help));
+}
+
+Option Verb::list_option(const std::string& names,
+                         std::function<void(const std::vector<std::string>&)> use,
+                         const std::string& help) const {
+  return Option(verb_->add_option_function<std::vector<std::string>>(names, std::move(use), help));
+}
+
+void Verb::when_chosen(std::function<void()> run) const {
+  verb_->callback(std::move(run));
+}
+
+}  // namespace mixcmp::cli

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace mixcmp::cli {
+
+/// What the text of an option must be.
+struct Check {
+  std::function<std::string(const std::string& text)> problem;  ///< empty where the text will do
+  std::string description;                                      ///< for --help
+};
+
+/// One option of a verb.
+class Option {
+public:
+  explicit Option(CLI::Option* option) : option_(option) {}
+
+  Option required() const;
+  Option check(const Check& check) const;
+  Option one_of(const std::vector<std::string>& words) const;
+  Option needs(Option other) const;
+  Option excludes(Option other) const;
+  Option excludes(const std::string& name) const;
+  /// Several values in one argument, with `separator` between them.
+  Option separated_by(char separator) const;
+  /// The option may be repeated; each time it has one value.
+  Option one_value_each() const;
+
+private:
+  CLI::Option* option_;
+};
+
+/// A verb of the command line, `mixcmp VERB`. CLI11 does the parsing; its header takes the compiler
+/// seconds in each file, so verb.cpp, main.cpp and usage.cpp alone include it.
+class Verb {
+public:
+  Verb(CLI::App& app, const std::string& name, const std::string& help);
+
+  Option flag(const std::string& names, bool& target, const std::string& help) const;
+  /// `Value` is one of those that verb.cpp instantiates.
+  template <class Value>
+  Option option(const std::string& names, Value& target, const std::string& help) const;
+  Option text_option(const std::string& names, std::function<void(const std::string&)> use,
+                     const std::string& help) const;
+  Option list_option(const std::string& names,
+                     std::function<void(const std::vector<std::string>&)> use,
+                     const std::string& help) const;
+
+  void when_chosen(std::function<void()> run) const;
+
+private:
+  CLI::App* verb_;
+};
+
+}  // namespace mixcmp::cli
