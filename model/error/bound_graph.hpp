@@ -7,13 +7,14 @@
 
 namespace mixcmp::model {
 
-/// Every result is rounded up: a non-zero one below the smallest number is that number, one beyond
-/// the largest is infinite, and an infinite operand makes the result infinite (0 times it, too).
+/// Operations of a bound graph. Every result is rounded up: a non-zero result below the smallest
+/// number becomes that number, and one beyond the largest becomes infinite. An infinite operand
+/// makes the result infinite, also where it is multiplied by 0.
 enum class BoundOperation {
   constant,    ///< an exact rational >= 0
-  magnitude,   ///< |x| of a lane's node; of a NaN or an infinity infinite
-  binade,      ///< 2^floor(log2 |x|) of a node, 0 of 0; a subnormal x gives the smallest number
-  reciprocal,  ///< the power of two 2^-floor(log2 |x|) >= 1 / |x|; of 0 and subnormals infinite
+  magnitude,   ///< |x| of a lane's node x; infinite for a NaN or an infinity
+  binade,      ///< 2^floor(log2 |x|); 0 for x = 0, the smallest number for a subnormal x
+  reciprocal,  ///< the power of two 2^-floor(log2 |x|) >= 1 / |x|; infinite for 0 and subnormals
   add,
   multiply,
   maximum,
@@ -24,12 +25,12 @@ std::string_view to_string(BoundOperation operation);
 struct BoundNode {
   BoundOperation operation;
   std::array<int, 2> operands = {-1, -1};  ///< indices in the bound graph
-  NodeId value = -1;                       ///< magnitude, binade, reciprocal: of this node
-  mpq_class constant;                      ///< exactly; rounded up into the format when used
+  NodeId value = -1;                       ///< the lane's node x; for magnitude, binade, reciprocal
+  mpq_class constant;                      ///< exact; rounded up into the format when used
 };
 
-/// An upper bound as an expression of what a lane has computed; operands before their users, the
-/// bound itself is the last node.
+/// An upper bound as an expression over values that a lane computes. Operands come before their
+/// users; the last node is the bound itself.
 struct BoundGraph {
   BoundFormat format;
   std::vector<BoundNode> nodes;

@@ -10,7 +10,7 @@ namespace mixcmp::model {
 using BoundId = int;
 constexpr BoundId no_bound_node = -1;
 
-/// Builds bound graphs; equal nodes are one, constants are folded, zeros vanish.
+/// Builds bound graphs. Equal nodes are merged, constants are folded and zeros are dropped.
 class BoundGraphBuilder {
 public:
   BoundId constant(const mpq_class& value);

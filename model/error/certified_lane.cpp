@@ -24,7 +24,7 @@ std::vector<bool> nonnegative(const Ranges& ranges, int input_count) {
   return result;
 }
 
-/// The digits of a constant bound: rounding it up to so many costs nothing that could be measured.
+/// Digits of a constant bound, so many that rounding it up costs nothing measurable.
 constexpr int constant_bound_digits = 16;
 
 /// The first node that has no bound although its operands have.
@@ -35,7 +35,7 @@ NodeId first_failure(const ErrorAnalysis& analysis, Missing missing) {
   return static_cast<NodeId>(first - analysis.nodes.begin());
 }
 
-/// Whether this operand would not be rounded with inputs = "exact".
+/// Whether this node would hold an unrounded value with inputs = "exact".
 bool would_be_exact(const TypedGraph& graph, NodeId id) {
   const TypedNode& node = graph.nodes[id];
   switch (node.operation) {
@@ -80,8 +80,8 @@ Error no_bound(ErrorBoundKind kind, const std::string& reason, std::string accep
           .accepted = std::move(accepted)};
 }
 
-/// Beyond the distance of any two finite encodings, and as wide as one: the lane's hardware holds
-/// it.
+/// A distance that no two finite encodings reach. It is as wide as an encoding, so that the lane's
+/// hardware can hold it.
 Bits never(FloatFormat format) {
   return low_mask(format.width());
 }
@@ -115,7 +115,7 @@ Result<Lane> relative_lane(TypedGraph graph, const CertifiedOptions& options) {
   return Lane{std::move(graph), std::move(decision), sign_checks(analysis)};
 }
 
-/// Appends f - g, rounded; its node.
+/// Appends f - g, rounded, and returns its node.
 NodeId append_difference(TypedGraph& graph) {
   graph.nodes.push_back({.operation = Operation::subtract,
                          .operands = {graph.f, graph.g},
@@ -125,7 +125,7 @@ NodeId append_difference(TypedGraph& graph) {
   return static_cast<NodeId>(graph.nodes.size()) - 1;
 }
 
-/// The nodes that the bound and the conditions need, the bound last.
+/// Collects the nodes that the bound and the conditions need, and puts the bound last.
 class Pruner {
 public:
   explicit Pruner(const std::vector<BoundNode>& nodes) : nodes_(nodes), ids_(nodes.size(), -1) {}
@@ -151,7 +151,7 @@ private:
   std::vector<BoundNode> kept_;
 };
 
-/// What |f - g| as computed must exceed: docs/error_bounds.md, theorem 8.
+/// The bound that the computed |f - g| must exceed (docs/error_bounds.md, theorem 8).
 struct DifferenceBound {
   NodeId difference;
   ErrorAnalysis analysis;
@@ -174,7 +174,7 @@ Result<DifferenceBound> bound_difference(TypedGraph& graph, ErrorBoundKind kind,
                     constant ? "a reduced.format with more exponent bits"
                              : "a reduced.format with more precision, or another formulation");
   }
-  // Before its own rounding f - g has a factor m: |f - g| m > |a| is what decides.
+  // Before its own rounding f - g has a factor m: the lane may decide if |f - g| m > |a|.
   result.bound = bound.mixed->absolute;
   const RelativeBound own =
       rounding_bound(graph.arithmetic.format.precision(), graph.arithmetic.rounding);
@@ -226,7 +226,8 @@ Result<Lane> lane_of(ErrorBoundKind kind, TypedGraph graph, const CertifiedOptio
   MIXCMP_CHECK(false);
 }
 
-/// A kind that the scene names: the error is about that choice.
+/// The lane with a kind of bound that the scene asks for: an error names the key that does so,
+/// reduced.error_bound.
 Result<Lane> asked_lane(ErrorBoundKind kind, TypedGraph graph, const CertifiedOptions& options) {
   Result<Lane> lane = lane_of(kind, std::move(graph), options);
   if (lane.ok() || lane.error().field != "reduced.bound") return lane;

@@ -8,32 +8,32 @@
 
 namespace mixcmp::model {
 
-/// What bounds the error of f - g; in the order in which they are tried.
+/// How the error of f - g is bounded.
 enum class ErrorBoundKind {
-  relative,  ///< of f and of g: a distance in ulps, one integer subtraction
-  running,   ///< absolute, computed beside the values in a few digits rounded up
-  constant,  ///< absolute, from the inputs' ranges
+  relative,  ///< by the relative errors of f and g: a distance in ulps, one integer subtraction
+  running,   ///< by an absolute bound, computed beside the values in a few digits, rounded up
+  constant,  ///< by an absolute bound that follows from the inputs' ranges
 };
 std::string_view to_string(ErrorBoundKind kind);
 
-/// Whether what the ranges rule out of a lane's operations is left out of them.
+/// Whether a lane's operations omit the hardware for hazards that the ranges rule out.
 enum class HazardRemoval {
   remove,
-  keep,  ///< ranges serve the bound alone
+  keep,  ///< ranges are used for the bound alone
 };
 
 struct CertifiedOptions {
-  std::optional<ErrorBoundKind> kind = {};  ///< none: the first that exists
+  std::optional<ErrorBoundKind> kind = {};  ///< none: relative if it exists, else running
   /// Digits of a running bound, 1..8, at most the lane's; 1: exponents alone.
   int bound_digits = 4;
-  /// What the scene declares, one per input (empty: nothing); the lane checks what a proof or a
-  /// removal uses.
+  /// The ranges that the scene declares, one per input; empty if it declares none. The lane checks
+  /// those that a proof or the removal of a hazard relies on.
   std::vector<std::optional<Range>> ranges = {};
   HazardRemoval hazards = HazardRemoval::remove;
 };
 
-/// The lane with its certified decision, checks and hazards, or an error that says which operation
-/// has no bound of the kind, why, and what the user can do. Proofs: docs/error_bounds.md.
+/// Makes a lane with a certified decision, checks and hazards. An error says which operation has no
+/// bound of the kind, why, and what the user can do. Proofs: docs/error_bounds.md.
 Result<Lane> certified_lane(TypedGraph graph, const CertifiedOptions& options);
 
 }  // namespace mixcmp::model

@@ -17,7 +17,8 @@ Hazards either(const Hazards& a, const Hazards& b) {
           .cancellation = a.cancellation || b.cancellation};
 }
 
-/// An operation copes with what any of the parts that use it does not rule out.
+/// Adds a part's hazards to those of the shared nodes. A shared node keeps a hazard unless every
+/// part that uses it rules that hazard out.
 void add_hazards(std::vector<Hazards>& all, const Lane& part, const std::vector<NodeId>& ids) {
   MIXCMP_CHECK(part.hazards.empty() || part.hazards.size() == ids.size());
   for (std::size_t id = 0; id < ids.size(); ++id) {

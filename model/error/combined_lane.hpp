@@ -6,14 +6,14 @@
 namespace mixcmp::model {
 
 /// One reduced-precision datapath: a lane for each part of the comparison, at least one, all over
-/// the same inputs, in the same arithmetic. A part decides by what it depends on itself: its own
-/// operations, its own checks. Together they decide as docs/error_bounds.md, theorem 11, says.
+/// the same inputs and in the same arithmetic. Each part decides by its own operations and its own
+/// checks alone; theorem 11 of docs/error_bounds.md says how their verdicts combine.
 struct CombinedLane {
   Combination combination = Combination::all;
   std::vector<Lane> parts;
 
   CombinedLane(Combination combined, std::vector<Lane> lanes);
-  /// A comparison of one part is that part.
+  /// Makes the datapath of a comparison of one part.
   CombinedLane(Lane only) : CombinedLane(Combination::all, {std::move(only)}) {}
 
   const Arithmetic& arithmetic() const { return parts.front().graph.arithmetic; }
@@ -21,20 +21,20 @@ struct CombinedLane {
   bool certified() const;
 };
 
-/// certified_lane of every part. An error names the part, where there are several.
+/// Calls certified_lane for every part. An error names the part if there are several.
 Result<CombinedLane> certified_lanes(const CombinedGraph& graph, const CertifiedOptions& options);
 
-/// profiled_lane of every part, with the same constants.
+/// Calls profiled_lane for every part, with the same relative errors.
 CombinedLane profiled_lanes(const CombinedGraph& graph, const mpq_class& relative_error_f,
                             const mpq_class& relative_error_g);
 
-/// Names the part in an error, where there are several.
+/// Names the part in an error if there are several.
 Error of_part(Error error, std::size_t part, std::size_t parts);
 
-/// One way to certify every part, or why it does not exist.
+/// The result of one way to certify every part: a lane, or the reason why there is none.
 struct CandidateLanes {
   ErrorBoundKind kind;
-  int bound_digits;  ///< of a running bound; else 0
+  int bound_digits;  ///< digits of a running bound; 0 for others
   Result<CombinedLane> lane;
 };
 /// Tries four ways to certify the lane: the relative bound, the running bound with 4 digits, the
@@ -44,18 +44,18 @@ std::vector<CandidateLanes> candidate_lanes(const CombinedGraph& graph,
 
 std::string describe_decision(const CombinedLane& lane);
 
-/// A part of a lane over nodes that all parts share.
+/// A part of a SharedLane; its nodes are numbered in the graph that all parts share.
 struct SharedPart {
   Sides sides;
   LaneDecision decision;
   std::vector<std::size_t> checks;  ///< indices of SharedLane::checks
 };
 
-/// What hardware builds of a lane: each operation and each check once, whichever parts need it.
+/// A lane as hardware builds it: each operation and each check occurs once, whichever parts use it.
 struct SharedLane {
-  TypedGraph graph;                ///< f and g are the first part's
-  std::vector<Hazards> hazards;    ///< one a node; empty: nothing is ruled out
-  std::vector<RangeCheck> checks;  ///< each once
+  TypedGraph graph;                ///< its f and g are those of the first part
+  std::vector<Hazards> hazards;    ///< one per node; empty: nothing is ruled out
+  std::vector<RangeCheck> checks;  ///< without duplicates
   std::vector<SharedPart> parts;
   Combination combination = Combination::all;
 };

@@ -5,8 +5,8 @@
 namespace mixcmp::model {
 
 /// Checks that no divisor may be zero where every operand passes its check; an error names one that
-/// may. Its quotient could be as large as the format allows, so that a constant that bounds the
-/// quotient's error would be worth nothing.
+/// may. The quotient by such a divisor could be as large as the format allows, and a constant that
+/// bounds its error would be useless.
 Result<Done> check_divisors(const TypedGraph& graph, const std::vector<RangeCheck>& checks);
 
 /// The largest value that `bound` can take where every operand passes its check. Each computed

@@ -14,21 +14,22 @@
 namespace mixcmp::model {
 namespace {
 
-/// A divisor's error may be 1/32 of it at most, so that dividing by the true divisor costs the
-/// bound a factor of 32/31.
+/// The error of a divisor may be at most 1/32 of the divisor, so that dividing by the true divisor
+/// costs the bound a factor of 32/31.
 constexpr int divisor_margin = 32;
 
-/// A bound of the exact result of an operation on the computed operands, or why there is none.
+/// A bound for the exact result of an operation on the computed operands, before its own rounding.
 struct Exact {
   std::optional<MixedBound> mixed;
-  std::string reason;  ///< why it is not relative
+  std::string reason;  ///< why there is no relative bound
 };
 
 Exact without_bound(std::string reason) {
   return {std::nullopt, std::move(reason)};
 }
 
-/// First, what is no bound at all; then, what is no relative bound.
+/// The reason of the first operand that has no bound at all, else of the first that has no relative
+/// bound; empty if both have one.
 std::string first_reason(const NodeBound* a, const NodeBound* b) {
   for (const NodeBound* operand : {a, b}) {
     if (operand != nullptr && !operand->mixed) return operand->reason;
@@ -47,8 +48,9 @@ mpq_class farthest(const RelativeBound& factor, const mpq_class& center) {
   return std::max<mpq_class>(factor.high - center, center - factor.low);
 }
 
-/// value = few digits * slack_factor, if so few come near it: a bound of few digits need not round
-/// them up.
+/// Splits `value` into a number of three or four binary digits, which a bound of few digits holds
+/// without rounding it up, and a slack factor >= 1. Where that factor would exceed 33/32, returns
+/// {value, 1}.
 std::pair<mpq_class, mpq_class> few_digits(const mpq_class& value) {
   constexpr long digits = 3;
   if (value == 0) return {value, 1};
@@ -196,7 +198,7 @@ Exact Analysis::exact_sum(NodeId id) {
   return {MixedBound{.factor = hull(mixed(a).factor, mixed(b).factor), .absolute = absolute}, ""};
 }
 
-/// a s + b t = (a + b) m + a (s - m) + b (t - m).
+/// Sum of operands that may cancel: a s + b t = (a + b) m + a (s - m) + b (t - m).
 Exact Analysis::cancelling_sum(NodeId id, NodeId a, NodeId b) {
   const mpq_class center = center_of(a, b);
   const AbsolutePart inherited = sum(mixed(a).absolute, mixed(b).absolute);
@@ -271,7 +273,7 @@ MixedBound Analysis::exact_root(NodeId id, NodeId a) {
   return result;
 }
 
-/// A selection moves by no more than an operand does.
+/// The error of a minimum or maximum is at most the larger error of its operands.
 MixedBound Analysis::exact_selection(NodeId a, NodeId b) {
   const auto& [s, c] = mixed(a);
   const auto& [t, d] = mixed(b);
@@ -303,20 +305,22 @@ bool Analysis::rounds_nothing(const TypedNode& node) const {
   MIXCMP_CHECK(false);
 }
 
-/// Its own rounding is all its error, and it is in the lane's format: an error of half an ulp (one
-/// toward zero) of its binade.
+/// Whether the node's own rounding is its only error: at most half an ulp of its binade, or one ulp
+/// with rounding toward zero.
 bool Analysis::rounds_once(NodeId id) const {
   const NodeBound& bound = bounds_[id];
   return bound.relative && bound.unrounded && is_exact(*bound.unrounded);
 }
 
-/// A constant, or a selection among constants and operands in reference format.
+/// Whether the node is a constant or in the reference format, as inputs and choices among inputs
+/// and constants are.
 bool Analysis::is_plain(NodeId id) const {
   return node(id).operation == Operation::constant ||
          !(node(id).format == graph_.arithmetic.format);
 }
 
-/// Errors toward zero lie on one side: half of them counts as a factor of both operands.
+/// The factor m of cancelling_sum. Rounding toward zero errs to one side only, so that m is then
+/// the middle of the operands' factors; else m = 1.
 mpq_class Analysis::center_of(NodeId a, NodeId b) const {
   const auto is_fixed = [&](NodeId id) { return is_exact(mixed(id).factor) || is_plain(id); };
   if (graph_.arithmetic.rounding == Rounding::nearest_even || is_fixed(a) || is_fixed(b)) return 1;
@@ -324,7 +328,8 @@ mpq_class Analysis::center_of(NodeId a, NodeId b) const {
   return std::max<mpq_class>(1, (all.low + all.high) / 2);
 }
 
-/// |a (s - m)| + |b (t - m)|: where both need magnitudes, from the larger one.
+/// Bounds |a (s - m)| + |b (t - m)| of cancelling_sum. Where both terms need the magnitude of their
+/// operand, the larger magnitude stands for both.
 AbsolutePart Analysis::deviations(NodeId a, NodeId b, const mpq_class& center) {
   BoundId constants = no_bound_node, binades = no_bound_node, larger = no_bound_node;
   mpq_class deviation = 0;
@@ -352,7 +357,7 @@ mpq_class Analysis::rounding_error() const {
   return mpq_class(1, mpz_class(1) << (graph_.arithmetic.format.precision() - doubled));
 }
 
-/// How far a plain node is off.
+/// The largest error of a plain node: that of the constants, as encoded, that it may select.
 BoundId Analysis::selection_error(NodeId id) {
   const TypedNode& selected = node(id);
   if (selected.operation == Operation::input) return no_bound_node;
@@ -383,7 +388,7 @@ AbsolutePart Analysis::sum(const AbsolutePart& a, const AbsolutePart& b) {
   return {builder_.add(a.bound, b.bound), std::max(a.slack_factor, b.slack_factor)};
 }
 
-/// The exact result's bound, after the operation's own rounding.
+/// Extends the bound of the exact result by the operation's own rounding.
 NodeBound Analysis::rounded(NodeId id, Exact exact) const {
   NodeBound bound{.reason = std::move(exact.reason)};
   if (!exact.mixed) return bound;
@@ -405,7 +410,8 @@ NodeBound Analysis::rounded(NodeId id, Exact exact) const {
   return bound;
 }
 
-/// A number of the format is its own rounding; selections commute with rounding.
+/// NodeBound::before_rounding. A node that rounds nothing holds numbers of the format, which are
+/// their own rounding; sign changes and selections commute with rounding.
 std::optional<RelativeBound> Analysis::before_rounding(NodeId id, const NodeBound& bound) const {
   if (!bound.relative || !(node(id).format == graph_.arithmetic.format)) return std::nullopt;
   if (bound.unrounded) return bound.unrounded;
@@ -416,7 +422,7 @@ std::optional<RelativeBound> Analysis::before_rounding(NodeId id, const NodeBoun
     case Operation::minimum:
     case Operation::maximum: return hull(*operand(0), *operand(1));
     case Operation::constant:
-      // Encoded to nearest, whatever the lane's rounding is.
+      // Constants are rounded to nearest, whatever the lane's rounding is.
       if (graph_.arithmetic.rounding == Rounding::nearest_even) return RelativeBound{};
       return bound.relative;
     case Operation::input:

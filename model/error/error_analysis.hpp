@@ -18,8 +18,8 @@ struct AbsolutePart {
   mpq_class slack_factor = 1;
 };
 
-/// true value = computed value * t + a, t within `factor`, a within `absolute`, wherever nothing
-/// was exceptional and every condition holds (docs/error_bounds.md, theorem 7).
+/// States that true value = computed value * t + a with t within `factor` and a within `absolute`,
+/// if no operation was exceptional and every condition holds (docs/error_bounds.md, theorem 7).
 struct MixedBound {
   RelativeBound factor;
   AbsolutePart absolute;
@@ -46,13 +46,14 @@ struct NodeBound {
 
 struct ErrorAnalysis {
   std::vector<NodeBound> nodes;
-  std::vector<BoundNode> bounds;           ///< what absolute parts are made of; no format yet
+  std::vector<BoundNode> bounds;           ///< nodes of all absolute parts, not yet in a format
   std::vector<BoundCondition> conditions;  ///< on nodes of `bounds`
-  std::vector<int> nonnegative_inputs;     ///< whose ranges the proof used
+  std::vector<int> nonnegative_inputs;     ///< inputs that the proof assumes to be nonnegative
 };
 
-/// docs/error_bounds.md proves each rule. `input_nonnegative[i]`: the scene's range of input i
-/// excludes negative values (the proof may use it; the lane then checks the sign bit).
+/// Bounds the error of every node; docs/error_bounds.md proves each rule. `input_nonnegative[i]`:
+/// the scene's range of input i excludes negative values. If the proof uses that, input i is in
+/// ErrorAnalysis::nonnegative_inputs, and the lane must check its sign bit.
 ErrorAnalysis analyse_errors(const TypedGraph& graph, const std::vector<bool>& input_nonnegative);
 
 }  // namespace mixcmp::model

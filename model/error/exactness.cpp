@@ -10,10 +10,11 @@
 namespace mixcmp::model {
 namespace {
 
-/// Every value is a multiple of this power of two; none: nothing is known.
+/// A power of two of which every value of a node is a multiple; none: no such power is known.
 using Quantum = std::optional<mpq_class>;
 
-/// The largest power of two that divides a dyadic rational; none of 0, which every one divides.
+/// The largest power of two that divides a dyadic rational. None for other rationals, and for 0,
+/// which every power of two divides.
 Quantum quantum_of(const mpq_class& value) {
   if (value == 0 || mpz_popcount(value.get_den_mpz_t()) != 1) return std::nullopt;
   const mp_bitcnt_t zeros = mpz_scan1(value.get_num_mpz_t(), 0);
@@ -61,7 +62,8 @@ private:
     MIXCMP_CHECK(false);
   }
 
-  /// Zero is a multiple of everything; as one it costs no digits.
+  /// The quantum of a constant that the format holds exactly. Zero is a multiple of every power of
+  /// two; its quantum is set to 1.
   static Quantum constant(const TypedNode& node) {
     if (node.format.is_infinite(node.constant)) return std::nullopt;
     if (to_rational(node.format, node.constant) != node.value) return std::nullopt;

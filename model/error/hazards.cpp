@@ -25,7 +25,7 @@ bool may_cancel(const TypedGraph& graph, const std::vector<Sign>& signs, NodeId 
   return !sum.nonnegative && !sum.nonpositive;
 }
 
-/// A part of a comparison need not look at every input.
+/// Tells for each input whether the graph uses it: a part of a comparison may use only some.
 std::vector<bool> used_inputs(const TypedGraph& graph) {
   std::vector<bool> used(static_cast<std::size_t>(graph.input_count), false);
   for (const TypedNode& node : graph.nodes) {
@@ -62,7 +62,8 @@ private:
   }
 
   Hazards hazards_of(NodeId id) const {
-    // A gradual sum below the smallest normal number is exact, but no less subnormal.
+    // With gradual underflow a sum below the smallest normal number is exact, so that it is no
+    // Event::underflow; it is subnormal all the same.
     const bool subnormal =
         may_be_subnormal(id) || any_operand(id, [&](NodeId k) { return may_be_subnormal(k); });
     return {.special_operand = any_operand(id, [&](NodeId k) { return special_[k]; }),
@@ -87,8 +88,8 @@ private:
     return !only_zero && value.low < normal && value.high > -normal;
   }
 
-  /// Not an operand or a constant, nor one of them selected: flushing operations have no subnormal
-  /// results.
+  /// Whether the value is always the result of an operation, never an input or a constant passed on
+  /// by a sign change or a selection. Where subnormals are flushed, no such result is subnormal.
   bool is_computed(NodeId id) const {
     switch (node(id).operation) {
       case Operation::input:

@@ -15,16 +15,17 @@ bool has_unit(Operation operation);
 std::vector<RangeCheck> full_range_checks(const TypedGraph& graph,
                                           const std::vector<std::optional<Range>>& ranges);
 
-/// What the checks imply of each input; none for one that is not checked.
+/// The range that the checks guarantee for each input; none where magnitudes are not checked.
 std::vector<std::optional<Range>> checked_ranges(const TypedGraph& graph,
                                                  const std::vector<RangeCheck>& checks);
 
-/// What follows from the expression alone, whatever the operands are: sums of squares do not
-/// cancel.
+/// The hazards of each node when no range is known. The expression alone may rule out cancellation:
+/// sums of squares do not cancel.
 std::vector<Hazards> structural_hazards(const TypedGraph& graph);
 
-/// Marks what interval analysis and signs rule out of each operation, given full range checks;
-/// where ranges help, the lane gets those checks.
+/// Clears the hazards that interval and sign analysis rule out under full range checks, and gives
+/// the lane those checks. Where they rule out no more than structural_hazards, the lane keeps its
+/// checks and gets the structural hazards.
 void remove_hazards(Lane& lane, const std::vector<std::optional<Range>>& ranges);
 
 }  // namespace mixcmp::model

@@ -14,7 +14,8 @@ struct ProfiledError {
   std::uint64_t comparisons = 0;  ///< how many were measured
 };
 
-/// The lane with the paper's decision; the constants are rounded up to the lane's format.
+/// Makes a lane with the paper's decision (IntervalDecision). The relative errors become constants,
+/// rounded up to the lane's format.
 Lane profiled_lane(TypedGraph graph, const mpq_class& relative_error_f,
                    const mpq_class& relative_error_g);
 

@@ -21,7 +21,7 @@ mpq_class round_up(FloatFormat format, const mpq_class& value) {
   return -round_down(format, -value);
 }
 
-/// Square root rounded down to some bits more than any format has.
+/// Square root rounded down, with more bits than any format has; 0 for a negative value.
 mpq_class root_down(const mpq_class& value) {
   if (value <= 0) return 0;
   constexpr long spare_bits = 2 * FloatFormat::max_precision;
@@ -161,7 +161,8 @@ private:
     return {-largest, largest};
   }
 
-  /// A divisor that may come as close to zero as it likes makes a quotient beyond any format.
+  /// Where the divisor's range contains zero, the quotient's range reaches beyond the largest
+  /// number of the format.
   static Range quotient(FloatFormat format, const Range& a, const Range& b) {
     if (!contains_zero(b)) return product(a, {1 / b.high, 1 / b.low});
     const mpq_class beyond = 2 * largest_of(format);
@@ -189,7 +190,7 @@ private:
     return !only_zero && exact.low < smallest && exact.high > -smallest;
   }
 
-  /// `exact` after rounding into `format`, as far as it stays finite.
+  /// Encloses the finite results of rounding the values of `exact` into `format`.
   Range settled(FloatFormat format, const Range& exact) const {
     const mpq_class largest = largest_of(format);
     const auto clamped = [&](const mpq_class& value) {

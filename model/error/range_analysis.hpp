@@ -10,7 +10,7 @@
 
 namespace mixcmp::model {
 
-/// What an operation may meet that its datapath must then cope with.
+/// Exceptional events of an operation, which its datapath must handle unless they are ruled out.
 enum class Event {
   overflow,
   underflow,  ///< a non-zero result below the smallest normal number, flushed or inexact
@@ -33,9 +33,10 @@ struct NodeRange {
   bool may(Event event) const { return may_happen[static_cast<std::size_t>(event)]; }
 };
 
-/// Interval arithmetic in exact rationals: every operation is correctly rounded and rounding is
-/// monotone, so rounding an exact enclosure outward encloses what is computed. Operands are treated
-/// as independent, except those of x - x and x / x. `ranges`: one per input of the graph.
+/// Analyses every node by interval arithmetic in exact rationals. Every operation is correctly
+/// rounded and rounding is monotone, so that an exact enclosure rounded outward encloses the
+/// computed value. Operands are treated as independent, except those of x - x and x / x. `ranges`:
+/// one per input of the graph.
 std::vector<NodeRange> analyse_ranges(const TypedGraph& graph,
                                       const std::vector<std::optional<Range>>& ranges);
 

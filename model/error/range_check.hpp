@@ -11,9 +11,10 @@ enum class RequiredSign {
   nonpositive,  ///< sign bit 1: a positive zero fails, too
 };
 
-/// What a lane checks of one operand before it may decide: its sign, and `leading_bits` of its
-/// magnitude's encoding (exponent first) against limits, both inclusive. Cheap, hence coarser than
-/// the range that the scene declares. Fails for every NaN and infinity if the greatest is finite.
+/// The check of one operand that a lane makes before it may decide: its sign, and the first
+/// `leading_bits` of its magnitude's encoding (exponent first) against two limits, both inclusive.
+/// It is coarser than the range that the scene declares, to be cheap. If magnitudes are checked and
+/// `greatest` is that of a finite number, every NaN and infinity fails.
 struct RangeCheck {
   int input = -1;
   RequiredSign sign = RequiredSign::any;
@@ -24,13 +25,14 @@ struct RangeCheck {
   friend bool operator==(const RangeCheck&, const RangeCheck&) = default;
 };
 
-/// The cheapest check that every number of the range passes: the exponent and three fraction bits.
+/// A cheap check that every number of the range passes. It looks at the sign, the exponent and the
+/// first three fraction bits.
 RangeCheck range_check(int input, FloatFormat format, const Range& range);
-/// The sign alone, for proofs that ask no more.
+/// A check of the sign alone, for proofs that need no more.
 RangeCheck sign_check(int input, RequiredSign sign);
 
-/// Encloses every number that passes the check; finite numbers of the format where magnitudes are
-/// not checked.
+/// Encloses every finite number that passes the check. Where magnitudes are not checked, these are
+/// all finite numbers of the required sign.
 Range checked_range(const RangeCheck& check, FloatFormat format);
 
 }  // namespace mixcmp::model

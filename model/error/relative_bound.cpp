@@ -20,7 +20,7 @@ long bit_length(const mpz_class& value) {
   return static_cast<long>(mpz_sizeinbase(value.get_mpz_t(), 2));
 }
 
-/// `value` to some 512 digits, rounded down (with `up`: up): powers of powers need not be exact.
+/// `value` rounded down (with `up`: up) to some 512 binary digits if it has more than 1024.
 mpq_class shortened(const mpq_class& value, int up) {
   constexpr long short_enough = 1024, kept = 512;
   const mpz_class &num = value.get_num(), &den = value.get_den();
@@ -35,7 +35,7 @@ mpq_class shortened(const mpq_class& value, int up) {
   return result;
 }
 
-/// Beyond the distances of every format.
+/// A distance in ulps that no two numbers of any format have.
 constexpr Bits unreachable = ~Bits{0};
 
 Bits to_bits(const mpz_class& value) {
@@ -43,7 +43,8 @@ Bits to_bits(const mpz_class& value) {
   return Bits{high.get_ui()} << 64 | mpz_class(value - (high << 64)).get_ui();
 }
 
-/// How far apart the true values of f and g may lie where the others are equal.
+/// The largest ratio that the true values of f and g can have, either way, when their computed
+/// values are equal.
 mpq_class worst_ratio(const RelativeBound& f, const RelativeBound& g) {
   return std::max<mpq_class>(g.high / f.low, f.high / g.low);
 }

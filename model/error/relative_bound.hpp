@@ -6,9 +6,9 @@
 
 namespace mixcmp::model {
 
-/// true value = computed value * t with low <= t <= high, low > 0, wherever nothing on the way was
-/// exceptional. Exact rationals: nothing here rounds, except square roots and bounds with very many
-/// digits, outward. Theorem numbers: docs/error_bounds.md.
+/// States that true value = computed value * t with 0 < low <= t <= high, if no operation on the
+/// way was exceptional. Bounds are exact rationals; only square roots and bounds with very many
+/// digits are rounded, outward. Theorem numbers: docs/error_bounds.md.
 struct RelativeBound {
   mpq_class low = 1;
   mpq_class high = 1;
@@ -25,17 +25,19 @@ RelativeBound square_root(const RelativeBound& a);
 mpq_class root_below(const mpq_class& value);
 
 /// `bound` rounded outward, and `value` rounded up, to some 512 binary digits where there are more
-/// than 1024: powers of powers need not be exact.
+/// than 1024, so that repeated products do not grow without limit.
 RelativeBound widened(const RelativeBound& bound);
 mpq_class widened_up(const mpq_class& value);
-/// Whether a bound says nothing: it allows more than the ratio of any two numbers of any format.
+/// Whether a bound is useless: it allows a ratio beyond that of any two numbers of any format.
 bool is_useless(const RelativeBound& bound);
 
-/// Smallest distance in ulps that decides, from the bounds of f and g in precision P (theorem 3).
+/// The smallest distance of f and g in ulps that decides, from their bounds in this precision
+/// (theorem 3); 0 if both are exact.
 Bits guard_ulp(const RelativeBound& f, const RelativeBound& g, int precision);
 
-/// The guard where f and g are both rounded last, from the bounds before that rounding. Rounding
-/// keeps the order, so that the last one costs both together a single step (theorem 4).
+/// The smallest deciding distance in ulps, from the bounds of f and g before their last rounding.
+/// Rounding is monotone, so that the last roundings of f and g together cost a single step
+/// (theorem 4).
 Bits guard_ulp_before_rounding(const RelativeBound& f, const RelativeBound& g, int precision);
 
 /// The smallest n such that going n encodings up from any positive number of this precision

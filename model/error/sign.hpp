@@ -15,8 +15,8 @@ using SignProof = std::optional<std::set<int>>;
 SignProof both(const SignProof& a, const SignProof& b);
 SignProof either(const SignProof& a, const SignProof& b);
 
-/// Holds for a node's computed value and for its true value alike (docs/error_bounds.md, theorem
-/// 6); zeros count as both.
+/// Proofs of a node's sign. They hold for its computed value and for its true value alike
+/// (docs/error_bounds.md, theorem 6); zeros count as both signs.
 struct Sign {
   SignProof nonnegative;
   SignProof nonpositive;
@@ -27,7 +27,7 @@ struct Sign {
 /// The sign of a sum; it is known if both operands lie on the same side of zero.
 Sign sum_sign(const Sign& a, const Sign& b);
 
-/// One a node. `input_nonnegative[i]`: the range of input i excludes negative values.
+/// Returns one Sign per node. `input_nonnegative[i]`: input i's range excludes negative values.
 std::vector<Sign> analyse_signs(const TypedGraph& graph,
                                 const std::vector<bool>& input_nonnegative);
 
