@@ -11,7 +11,7 @@ Error with_setting(Error error, std::span<const std::string> overrides, const At
     const std::optional<Error> found = attempt(overrides.first(count));
     return found && found->to_string() == text;
   };
-  if (!comes_up(overrides.size())) return error;  // not this error, then: nothing can be told
+  if (!comes_up(overrides.size())) return error;  // the error did not recur: its cause is unknown
   std::size_t count = 0;
   while (!comes_up(count)) ++count;
   if (count == 0) return error;

@@ -17,26 +17,26 @@ struct BoundChoice {
   enum class Kind { constant, profiled, relative, running };
 
   Kind kind = Kind::relative;
-  int digits = 0;  ///< of a running bound; of others 0
+  int digits = 0;  ///< digits of a running bound; 0 for others
 
   friend auto operator<=>(const BoundChoice&, const BoundChoice&) = default;
 };
 
 std::string to_string(const BoundChoice& choice);
-/// Empty for none.
+/// Returns an empty string where there is no choice.
 std::string to_string(const std::optional<BoundChoice>& choice);
 
 Result<BoundChoice> parse_bound_choice(std::string_view name);
 
-/// How a lane bounds its errors; none where its parts do so in several ways.
+/// How a lane bounds its errors; none if its parts do so in different ways.
 std::optional<BoundChoice> bound_choice(const CombinedLane& lane);
-/// What one of `candidate_lanes` is.
+/// The choice with which `candidate_lanes` made a candidate.
 BoundChoice bound_choice(const CandidateLanes& candidate);
 
 /// The choices that a profile counts.
 std::span<const BoundChoice> profiled_bound_choices();
 
-/// `reduced` with this bound.
+/// Returns a copy of `reduced` with this bound.
 ReducedSpec with_bound(const ReducedSpec& reduced, const BoundChoice& choice);
 
 }  // namespace mixcmp::model

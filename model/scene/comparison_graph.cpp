@@ -11,8 +11,9 @@
 namespace mixcmp::model {
 namespace {
 
-/// Moves an expression's error to its place in the file. Where the text does not stand there as it
-/// is (escapes, --set), the message tells the position in the text instead.
+/// Turns an error's column within an expression into a line and a column of the file. Where the
+/// file does not contain the text literally (escapes, --set), the message gives the position in the
+/// text instead.
 Error locate(const Setting& setting, Error error) {
   const auto column = static_cast<std::size_t>(error.column);
   static const std::string nothing;
@@ -27,7 +28,8 @@ Error locate(const Setting& setting, Error error) {
   const std::size_t value = setting.key.empty() ? line_start : source.find('=', line_start);
   const std::size_t quote = source.find_first_of("\"'", value);
   std::size_t begin = quote == std::string::npos ? quote : source.find(text, quote + 1);
-  // One element of a list may stand within another: the one that a quote opens is meant.
+  // The text of a list's element may also occur inside another element: the right occurrence
+  // follows a quote.
   while (setting.key.empty() && begin != std::string::npos && source[begin - 1] != '"' &&
          source[begin - 1] != '\'') {
     begin = source.find(text, begin + 1);
@@ -50,8 +52,8 @@ Error locate(const Setting& setting, Error error) {
   return error;
 }
 
-/// An error in the text of `setting`, which is called `field`, or in that of a let it uses, with
-/// its place in the file.
+/// Gives a place in the file to an error in the text of `setting`, whose key is `field`, or in the
+/// text of a let that it uses.
 Error locate_in(const Settings& settings, const Setting& setting, const std::string& field,
                 Error error) {
   if (error.field.empty()) {
@@ -63,7 +65,7 @@ Error locate_in(const Settings& settings, const Setting& setting, const std::str
   return locate(*let_table.find(let), error);
 }
 
-/// What all expressions of a comparison are parsed with.
+/// The context in which all expressions of a comparison are parsed.
 struct Reading {
   const Settings& settings;
   std::span<const LetDefinition> lets;
@@ -78,7 +80,8 @@ struct Reading {
   }
 };
 
-/// A let may name an input that the index of `for` would be mistaken for.
+/// Refuses an index of `for` that has the name of an input. Lets do not see the index, so that one
+/// of them may use the same name for an input.
 Result<Done> check_index_name(const ComparisonSpec& comparison, const Graph& graph) {
   if (comparison.index == nullptr) return Done{};
   const std::string& name = comparison.parts.front().indices.front().name;

@@ -7,7 +7,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// One expression, or a list of them.
+/// Reads a key whose value is an expression or a list of expressions.
 std::vector<const Setting*> read_expressions(Section& section, const std::string& key) {
   const Setting* setting = section.find(key);
   if (setting == nullptr) return {};
@@ -35,7 +35,7 @@ bool is_list(Section& section, const std::string& key) {
   return setting != nullptr && std::holds_alternative<Setting::Array>(setting->value);
 }
 
-/// f and g are alike.
+/// Checks that f and g are both strings or both lists of the same length, at most max_parts.
 void check_lists(Section& section, std::size_t f_count, std::size_t g_count) {
   const bool f_list = is_list(section, "f"), g_list = is_list(section, "g");
   if (f_list != g_list || f_count != g_count) {
@@ -51,7 +51,7 @@ void check_lists(Section& section, std::size_t f_count, std::size_t g_count) {
   }
 }
 
-/// Lists, or an index, go with `combine`.
+/// Checks that `combine` is given if and only if f and g are lists or there is an index.
 void check_combination(Section& section) {
   const bool list = is_list(section, "f"), indexed = section.find("for") != nullptr;
   const bool combined = section.find("combine") != nullptr;

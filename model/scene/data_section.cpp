@@ -38,7 +38,8 @@ std::optional<ColumnKey> column_key(const Setting& setting) {
   return static_cast<std::uint64_t>(*number);
 }
 
-/// One column, or a list of them. On a mistake there are no columns, and `wrong` is the entry.
+/// Reads an entry that is one column or a list of columns. On a mistake the result has no columns,
+/// and `wrong` points to the faulty entry or element.
 ColumnNames read_column_names(const std::string& field, const Setting& entry,
                               const Setting*& wrong) {
   ColumnNames names{.name = name_spelling(entry.key),
@@ -122,7 +123,7 @@ void check_family(Section& section, const DataSpec& spec) {
   }
 }
 
-/// Which of two sources is one too many: what a plan or --set adds to the scene's.
+/// The key to blame where both sources are given: the one that a plan or --set adds to the scene.
 std::string later_source(Section& section, const Settings& settings) {
   return file_of(*section.find("file")) == settings.path.string() ? "items" : "file";
 }

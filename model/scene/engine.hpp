@@ -9,12 +9,12 @@
 
 namespace mixcmp::model {
 
-/// What stands around a generated system and makes its comparisons itself, out of items that are
-/// loaded once.
+/// The engine around a generated system, which forms the comparisons on the chip from items that
+/// are loaded once.
 enum class EngineKind {
   none,      ///< nothing: comparisons come as streams
   pairwise,  ///< every pair i < j of a set of items
-  arg_min,   ///< each row of a stream past all candidates, one in each lane but the first
+  arg_min,   ///< the best of p_L + 1 candidates for each row of a stream
 };
 std::string_view to_string(EngineKind kind);
 
@@ -22,10 +22,10 @@ struct EngineSpec {
   static constexpr int max_capacity = limits::engine_capacity.most;
 
   EngineKind kind = EngineKind::none;
-  int capacity = 1024;    ///< of pairwise: items that the memory holds, 2..max_capacity
+  int capacity = 1024;    ///< for pairwise: items that the memory holds, 2..max_capacity
   int row_tag_bits = 16;  ///< width of the tag that goes with an arg_min engine's row, 1..64
-  /// Which verdicts leave a pairwise engine, indexed by Verdict. By default all but
-  /// `greater`: whatever is not certainly apart.
+  /// Which verdicts leave a pairwise engine, indexed by Verdict. By default these are all but
+  /// `greater`, that is, all pairs that are not certainly apart.
   std::array<bool, 4> report = {true, true, false, true};
 
   /// Width in bits of a comparison's tag inside the system. The tag of a pair is {j, i}. An arg_min
@@ -34,10 +34,10 @@ struct EngineSpec {
   int tag_bits() const;
 };
 
-/// How many bits it takes to number `count` items from 0.
+/// The width in bits of the index of one of `count` items, counted from 0.
 int index_bits_for(int count);
 
-/// The words for what an engine reports.
+/// The names of the verdicts that an engine reports.
 std::vector<std::string_view> reported_verdicts(const EngineSpec& engine);
 
 }  // namespace mixcmp::model

@@ -12,7 +12,8 @@
 namespace mixcmp::model {
 namespace {
 
-/// Keys of [system] that the pairwise engine decides: one may repeat them, not contradict.
+/// Checks the keys of [system] that the pairwise engine sets: a scene may repeat the engine's value
+/// but not give another.
 Result<Done> check_pairwise_system(const Settings& settings, const EngineSpec& engine) {
   Section section(settings, "system");
   const auto refuse = [&](const char* key, const std::string& received,
@@ -35,8 +36,8 @@ Result<Done> check_pairwise_system(const Settings& settings, const EngineSpec& e
   return Done{};
 }
 
-/// Checks the system around an arg-min engine. Its chain cannot go on from a comparison that stays
-/// undecided.
+/// Checks the keys of [system] with an arg-min engine. It needs at least one reference: its chain
+/// of comparisons cannot go on from one that stays undecided.
 Result<Done> check_arg_min_system(const Settings& settings, const EngineSpec& engine) {
   Section section(settings, "system");
   const auto refuse = [&](const char* key, const std::string& message, const std::string& received,
@@ -80,7 +81,7 @@ Result<Done> check_pairwise_inputs(const Section& section, const std::vector<std
   return Done{};
 }
 
-/// The inputs of a row may be none; candidates must have some.
+/// Checks that some inputs belong to the candidates and some to the row.
 Result<Done> check_arg_min_inputs(const Section& section, const std::vector<std::string>& inputs) {
   const bool has_candidates =
       std::any_of(inputs.begin(), inputs.end(),
@@ -178,7 +179,7 @@ Result<EngineSpec> read_engine(const Settings& settings, const std::vector<std::
   if (section.present()) section.require("kind");
   section.choice("kind", engine.kind,
                  {EngineKind::none, EngineKind::pairwise, EngineKind::arg_min});
-  // Keys of the other kind are unknown; with none, whatever is there sleeps.
+  // A key of the other kind of engine is an error; with kind = "none" all keys are read and unused.
   if (engine.kind != EngineKind::arg_min) read_pairwise_keys(section, engine);
   if (engine.kind != EngineKind::pairwise) {
     section.integer("tag_bits", engine.row_tag_bits, limits::tag_bits);

@@ -54,7 +54,8 @@ Result<InputDeclaration> read_input(const Setting& entry) {
   return InputDeclaration{.range = {.low = *low, .high = *high}, .grid = grid};
 }
 
-/// TOML takes any text for a key, and "p[2]" and p_2 for two.
+/// Checks that keys have well-formed subscripts and that no two keys spell the same name. TOML
+/// accepts any text as a key and takes "p[2]" and p_2 for different keys.
 Result<Done> check_spellings(std::span<const Setting> entries) {
   std::map<std::string, const Setting*> known;
   for (const Setting& entry : entries) {

@@ -5,10 +5,10 @@
 
 namespace mixcmp::model {
 
-/// What [inputs] declares, one per name of the inputs.
+/// The declarations of [inputs], one entry per input in the order of `inputs`.
 struct InputDeclarations {
   std::vector<std::optional<Range>> ranges;
-  std::vector<std::optional<mpq_class>> grids;  ///< powers of two; only with a range
+  std::vector<std::optional<mpq_class>> grids;  ///< powers of two; an input with one has a range
 };
 
 /// Reads [inputs]. In a pattern, '*' stands for any characters; an exact key beats patterns. A key

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view a_scene = "the path of a scene file, as seen from the plan";
 
-/// The file that the plan `from.back()` names; it is none of those that led here.
+/// The file that the plan `from.back()` names; an error if it is one of `from`.
 Result<fs::path> scene_of(const Setting& key, const std::vector<fs::path>& from) {
   const auto wrong = [&](std::string message) {
     return mistake_at(key, "scene", std::move(message), key.shown(), std::string(a_scene));
@@ -74,8 +74,8 @@ Setting::Table* section_of(Setting::Table& root, const std::string& name) {
   return nullptr;
 }
 
-/// There are two ways to say how many lanes, or references: the plan's leaves neither of the
-/// scene's.
+/// If the plan gives the number of lanes (or references, by `name`), as [[name]] or system.name,
+/// erases both of these from the scene.
 void forget_counts(Setting::Table& root, Setting::Table& plan, const std::string& name) {
   const Setting::Table* system = section_of(plan, "system");
   const bool counted =
@@ -99,7 +99,8 @@ void lay_over(Setting::Table& root, Setting::Table& plan) {
   }
 }
 
-/// `from`: the plans that led to this file, and the file.
+/// Reads the file `from.back()` and the files below it. `from` begins with the plans that led to
+/// that file.
 Result<SceneSettings> read_layers(std::vector<fs::path> from) {
   MIXCMP_TRY(file, read_settings(from.back(), {}));
   const Setting* named = file.root.find("scene");

@@ -9,7 +9,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// The 17 of "s17".
+/// The precision in a word without exponent bits: 17 for "s17".
 std::optional<int> precision_alone(const std::string& word) {
   const bool shaped = word.size() >= 2 && word.size() <= 4 && word[0] == 's' &&
                       word.find_first_not_of("0123456789", 1) == std::string::npos;
@@ -63,7 +63,7 @@ void read_relative_error(Section& section, const std::string& key,
   }
 }
 
-/// Every key of [reduced]; what is absent stays as it is in `spec`.
+/// Reads every key of [reduced]; an absent key leaves `spec` as it is.
 void read_lane_keys(Section& section, FloatFormat reference, ReducedSpec& spec) {
   read_reduced_format(section, reference, spec);
   section.choice("bound", spec.bound, {BoundKind::certified, BoundKind::profiled});
@@ -77,7 +77,7 @@ void read_lane_keys(Section& section, FloatFormat reference, ReducedSpec& spec) 
   read_relative_error(section, "relative_error_g", spec.relative_error_g);
 }
 
-/// The tables of [[name]]; system.name would count them a second time.
+/// The tables of [[name]]; an error if system.name gives their number, too.
 Result<std::span<const Setting>> read_groups(const Settings& settings, const std::string& name) {
   MIXCMP_TRY(groups, tables_of(settings, name, "one table for each kind"));
   if (groups.empty()) return groups;

@@ -53,7 +53,7 @@ Result<std::vector<LetDefinition>> read_lets(const Settings& settings) {
   return lets;
 }
 
-/// The mistake of a variant is one of its own table's key.
+/// Makes an error in a variant name the key of its [[variant]] instead of a key of [comparison].
 Error in_variant(const std::string& variant, Error error) {
   constexpr std::string_view section = "comparison.";
   if (error.field.starts_with(section)) {
@@ -68,7 +68,7 @@ std::string place_of_f(const Settings& settings) {
   return f.line == 0 ? file_of(f) : fmt::format("{}:{}", file_of(f), f.line);
 }
 
-/// "z is none of them, y is missing".
+/// Tells how two sets of inputs differ: "z is none of them, y is missing".
 std::string differences(const std::set<std::string>& named, const std::set<std::string>& wanted) {
   std::vector<std::string> told;
   for (const std::string& name : named) {
@@ -80,8 +80,8 @@ std::string differences(const std::set<std::string>& named, const std::set<std::
   return fmt::format("{}", fmt::join(told, ", "));
 }
 
-/// A variant in the place of [comparison]: it has the same inputs in the same order, so that data
-/// and ports fit all of them.
+/// Reads a variant in the place of [comparison]. It must have the same inputs and gets them in the
+/// same order, so that data and ports fit all variants.
 Result<ComparisonSpec> read_variant(const Formulation& formulation,
                                     std::span<const LetDefinition> lets, const Settings& given,
                                     const ComparisonSpec& base, std::set<std::string>& used_lets) {
@@ -107,8 +107,8 @@ Result<ComparisonSpec> read_variant(const Formulation& formulation,
   return formulation.name_mistake(problem + " behind the scene's name", variant.name);
 }
 
-/// The chosen formulation, all of them looked through for mistakes. Notes tell what none of them
-/// uses.
+/// Reads the chosen formulation, and checks the others for mistakes. Notes name the lets that no
+/// formulation uses.
 Result<ComparisonSpec> read_formulation(const Formulations& formulations,
                                         std::span<const LetDefinition> lets,
                                         std::vector<std::string>& notes) {
@@ -153,7 +153,8 @@ std::vector<PartText> texts_of(const ComparisonSpec& comparison) {
   return texts;
 }
 
-/// A profiled lane checks no range, so that its exponents must reach as far as the reference's.
+/// Chooses the exponent bits of a format written as "s17". A profiled lane checks no range, so its
+/// exponents must reach as far as the reference's.
 void choose_exponent_bits(ReducedSpec& reduced, const Graph& graph, FloatFormat reference,
                           const std::vector<std::optional<Range>>& ranges) {
   if (!reduced.exponent_bits_from_ranges || reduced.bound == BoundKind::profiled) return;
@@ -167,7 +168,7 @@ struct LaneSpecs {
   std::vector<LaneGroupSpec> groups;
 };
 
-/// [reduced] and [[lanes]], exponent bits chosen.
+/// Reads [reduced] and [[lanes]], and chooses their exponent bits.
 Result<LaneSpecs> read_lanes(const Settings& settings, const Graph& graph, FloatFormat reference,
                              const std::vector<std::optional<Range>>& ranges) {
   MIXCMP_TRY(reduced, read_reduced(settings, reference));
@@ -219,7 +220,8 @@ Result<Done> check_constants(const Settings& settings, const Graph& graph,
   return Done{};
 }
 
-/// Notes ends of ranges that data of the same decimal miss, being rounded to the reference format.
+/// Notes the ends of ranges that the reference format rounds out of the range: data with just that
+/// decimal are then out of range.
 void note_missed_ends(const std::vector<std::optional<Range>>& ranges, FloatFormat format,
                       std::vector<std::string>& notes) {
   for (const std::optional<Range>& range : ranges) {

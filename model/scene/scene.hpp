@@ -33,8 +33,8 @@ enum class ResultOrder {
 
 /// The place that a recomputation takes its operands from.
 enum class OperandStore {
-  carried,    ///< kept in a memory by slot
-  refetched,  ///< only the tag leaves; the user's memory answers
+  carried,    ///< kept in a memory of the system
+  refetched,  ///< fetched from the user's memory by tag
 };
 
 /// What the multipliers of a datapath are made of.
@@ -56,7 +56,7 @@ struct ReducedSpec {
   /// Written as "s17": the format's exponent bits are the fewest that the ranges allow.
   bool exponent_bits_from_ranges = false;
   BoundKind bound = BoundKind::certified;
-  std::optional<ErrorBoundKind> error_bound;  ///< of a certified bound; none: the first that exists
+  std::optional<ErrorBoundKind> error_bound;  ///< of a certified bound; none: "auto"
   int bound_digits = 4;                       ///< of a running bound, 1..8; 1: exponents alone
   LaneInputs inputs = LaneInputs::exact;
   Rounding rounding = Rounding::nearest_even;
@@ -86,15 +86,15 @@ struct ReferenceGroupSpec {
 struct SystemSpec {
   std::string device = "virtex6-lx760";
   std::optional<int> lanes;       ///< p_L without [[lanes]]; none: "auto"
-  std::optional<int> references;  ///< p_H without [[references]]; none: "auto"; 0: undecided ones
-                                  ///< are reported so
-  double slack = 0.2;             ///< R_S
+  std::optional<int> references;  ///< p_H without [[references]]; none: "auto"; 0: undecided
+                                  ///< comparisons are reported as such
+  double slack = 0.2;             ///< R_S: share of the device that is left unused
   double target_mhz = 200;
   ResultOrder order = ResultOrder::tagged;
   OperandStore operands = OperandStore::carried;
   int tag_bits = 32;               ///< 1..64
   int counter_bits = 32;           ///< 0 (no counters) or 8..64
-  std::string prefix = "mixcmp_";  ///< of the name of every generated module but the top
+  std::string prefix = "mixcmp_";  ///< begins the name of every generated module but the top
   /// The engine around the system. An engine sets `operands` and `tag_bits`, and an arg_min engine
   /// sets `order`, too: see with_engine.
   EngineSpec engine;
@@ -106,7 +106,7 @@ SystemSpec with_engine(SystemSpec system, const EngineSpec& engine);
 
 struct DataSpec {
   std::string items;           ///< a generator's name, or empty when a file is named
-  std::string family;          ///< of "sphere_family"; one of sphere_family_names()
+  std::string family;          ///< one of sphere_family_names(); only for items "sphere_family"
   std::filesystem::path file;  ///< .pdb, .csv or .npy; relative to the scene file
   std::int64_t count = 8192;
   double side = 100;
@@ -114,17 +114,17 @@ struct DataSpec {
   std::uint64_t seed = 1;
   Pairing pairing = Pairing::rows;
   std::filesystem::path with;        ///< the second table's file, where the pairing has one
-  std::vector<ColumnNames> columns;  ///< the scene's names of columns
+  std::vector<ColumnNames> columns;  ///< the names that the scene gives to columns
   std::vector<ColumnNames> with_columns;
   /// The place of each key that is given, and of [data] itself under "", for errors that are found
   /// when data are read.
   std::map<std::string, Place> places;
 };
 
-/// What messages call the table `which`, 0 or 1: its file's name, or what it is made of.
+/// The name of the table `which`, 0 or 1, in messages: that of its file or of its generator.
 std::string table_name(const DataSpec& data, std::size_t which);
 
-/// What a plan says of itself, each value as it is shown; nothing is made of it.
+/// The keys and values of a plan's [plan] section, as text for display. They change nothing.
 struct PlanReport {
   std::filesystem::path path;
   std::vector<std::pair<std::string, std::string>> values;
@@ -141,25 +141,25 @@ struct PartText {
 /// One validated scene file, or a plan laid over one. docs/scene_file.md is the user's view of it.
 struct Scene {
   std::filesystem::path path;
-  std::string name;                   ///< with the variant's behind it: names the modules
-  std::string variant;                ///< which [[variant]] this is; empty: as [comparison] has it
-  std::vector<std::string> variants;  ///< names of all of them
-  std::vector<PartText> parts;        ///< one a part of the graph
+  std::string name;                   ///< followed by the variant's name; names the modules
+  std::string variant;                ///< the [[variant]] that is chosen; empty: [comparison] alone
+  std::vector<std::string> variants;  ///< names of all variants
+  std::vector<PartText> parts;        ///< one per part of the graph
   Graph graph;
   std::vector<std::optional<Range>> ranges;     ///< one per graph input
   std::vector<std::optional<mpq_class>> grids;  ///< one per graph input: a power of two
   Arithmetic reference;                         ///< rounds to nearest even
   Multipliers reference_multipliers = Multipliers::embedded;
   ReducedSpec reduced;
-  std::vector<LaneGroupSpec> lanes;            ///< [[lanes]]; empty: system.lanes of `reduced`
+  std::vector<LaneGroupSpec> lanes;            ///< [[lanes]]; empty: system.lanes times `reduced`
   std::vector<ReferenceGroupSpec> references;  ///< [[references]]; empty: system.references
   SystemSpec system;
   std::optional<DataSpec> data;
-  std::optional<PlanReport> plan;  ///< where the scene was read through one
+  std::optional<PlanReport> plan;  ///< none where the scene was read without one
   /// Remarks for the user: inexact constants, unused ranges, ...
   std::vector<std::string> notes;
 
-  /// f (g) of every part, in a line.
+  /// The texts of f (or g) of all parts on one line, separated by semicolons.
   std::string f_text() const;
   std::string g_text() const;
 
@@ -173,8 +173,8 @@ struct Scene {
   std::vector<ReferenceGroupSpec> reference_groups() const;
   std::optional<int> lane_count() const;       ///< p_L; none: "auto"
   std::optional<int> reference_count() const;  ///< p_H; none: "auto"
-  /// The scene with one group of lanes, of [reduced], and one of references: what measures a single
-  /// datapath starts from it.
+  /// The scene with one group of lanes, as [reduced] has them, and one group of references.
+  /// Measurements of a single datapath start from it.
   Scene with_one_kind() const;
 };
 

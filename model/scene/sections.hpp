@@ -8,15 +8,15 @@
 #include "model/scene/scene.hpp"
 #include "model/settings/settings.hpp"
 
-/// The parts of a scene whose keys stand for themselves, one function each: what load_scene puts
-/// together. Errors name file, line and key.
+/// Readers of the sections of a scene, one function each; load_scene puts the results together.
+/// Errors name file, line and key.
 namespace mixcmp::model {
 
 /// The settings of one part's two expressions; they live as long as the settings they are from.
 struct PartSettings {
   const Setting* f;
   const Setting* g;
-  std::vector<IndexValue> indices = {};  ///< what the index of `for` is in this part
+  std::vector<IndexValue> indices = {};  ///< the index of `for` and its value in this part
 };
 
 struct ComparisonSpec {
@@ -27,7 +27,7 @@ struct ComparisonSpec {
   Graph graph = {};                ///< once the expressions have been parsed
 };
 
-/// [comparison], its expressions not parsed yet.
+/// Reads [comparison] without parsing its expressions.
 Result<ComparisonSpec> read_comparison(const Settings& settings,
                                        std::span<const LetDefinition> lets);
 
@@ -36,13 +36,13 @@ Result<ComparisonSpec> read_comparison(const Settings& settings,
 Result<Done> expand_parts(const Settings& settings, std::span<const LetDefinition> lets,
                           ComparisonSpec& comparison);
 
-/// The parts in one graph whose inputs begin with `inputs`; the lets that they need are added to
-/// `used_lets`.
+/// Parses all parts into one graph whose inputs begin with `inputs`; adds the lets that they need
+/// to `used_lets`.
 Result<Graph> read_graph(const Settings& settings, const ComparisonSpec& comparison,
                          std::span<const LetDefinition> lets,
                          const std::vector<std::string>& inputs, std::set<std::string>& used_lets);
 
-/// The mistakes of lets that are none of `used`.
+/// Parses the lets that are not in `used`, so that their mistakes are found, too.
 Result<Done> check_unused_lets(const Settings& settings, std::span<const LetDefinition> lets,
                                const std::set<std::string>& used);
 
@@ -53,7 +53,8 @@ struct ReferenceSpec {
 
 Result<ReferenceSpec> read_reference(const Settings& settings);
 
-/// [reduced]; exponent bits that depend on ranges are not chosen yet, here and in [[lanes]].
+/// Reads [reduced]. Neither this function nor read_lane_groups chooses the exponent bits that
+/// depend on ranges.
 Result<ReducedSpec> read_reduced(const Settings& settings, FloatFormat reference);
 
 /// Reads [[lanes]]; a key that a table leaves out has its value in `defaults`. Empty where there is
@@ -61,11 +62,11 @@ Result<ReducedSpec> read_reduced(const Settings& settings, FloatFormat reference
 Result<std::vector<LaneGroupSpec>> read_lane_groups(const Settings& settings, FloatFormat reference,
                                                     const ReducedSpec& defaults);
 
-/// [[references]]; empty where there is none.
+/// Reads [[references]]; empty where there is none.
 Result<std::vector<ReferenceGroupSpec>> read_reference_groups(const Settings& settings,
                                                               Multipliers defaults);
 
-/// Keys of [reduced] that every one of [[lanes]] has, too.
+/// The keys of [reduced] without effect, because each of [[lanes]] has its own.
 std::vector<std::string> overridden_keys(const Settings& settings);
 
 Result<SystemSpec> read_system(const Settings& settings);

@@ -48,7 +48,8 @@ bool knows(const TypedGraph& graph, Event event) {
   MIXCMP_CHECK(false);
 }
 
-/// Adds one more way in which what is asked may happen: certain ways outweigh those left open.
+/// Adds an operation in which the event in question may happen. The answer becomes `possible` if
+/// all ranges under the operation are declared, else `unknown` unless it is `possible` already.
 void add_way(RangeQuestion& finding, const TypedGraph& graph, NodeId node, const NodeRange& range) {
   finding.operations.push_back(
       to_text(graph.nodes, graph.input_names, node, max_expression_length));
@@ -111,7 +112,7 @@ bool is_within(const Range& range, FloatFormat format, Bits bits) {
   return range.low <= value && value <= range.high;
 }
 
-/// Counts numbers of the data that break a declaration, and words for the first.
+/// Counts numbers of the data that break a declaration, and describes the first in words.
 struct Breaches {
   std::uint64_t count = 0;
   std::string first;
@@ -122,7 +123,7 @@ struct Breaches {
   }
 };
 
-/// Holds one number of a table against what each input that reads it declares.
+/// Checks each number of the tables against the range and the grid of every input that reads it.
 class DataCheck {
 public:
   DataCheck(const Scene& scene, const Comparisons& data) : scene_(scene), data_(data) {}

@@ -23,7 +23,7 @@ enum class Possibility {
 };
 std::string_view to_string(Possibility possibility);
 
-/// One question that the ranges answer.
+/// A question that the declared ranges may answer: whether an event, or a sign, is possible.
 struct RangeQuestion {
   std::string question;
   Possibility answer = Possibility::ruled_out;
@@ -43,7 +43,7 @@ struct SideSummary {
 /// What a certified lane does not build because its range checks, or signs, rule it out.
 struct LaneSavings {
   std::vector<std::string> checked_inputs;
-  int operations = 0;  ///< that have a unit
+  int operations = 0;  ///< operations that have a hardware unit
   int without_special_operands = 0, without_overflow = 0, without_underflow = 0;
   int sums = 0;
   int without_cancellation = 0;
@@ -54,7 +54,7 @@ struct DatapathSummary {
   std::string name;
   Arithmetic arithmetic;
   std::vector<OperatorCount> operators;  ///< in order of first use
-  std::vector<RangeQuestion> events;     ///< one per event that its operations know
+  std::vector<RangeQuestion> events;     ///< one per event that its operations can have
   std::optional<LaneSavings> savings;    ///< of a lane that checks ranges
 };
 
@@ -69,7 +69,7 @@ struct DataSummary {
   Pairing pairing = Pairing::rows;
   std::uint64_t rows = 0;
   std::string with;             ///< the second table, where there is one
-  std::uint64_t with_rows = 0;  ///< of it; with arg_min, the candidates
+  std::uint64_t with_rows = 0;  ///< rows of the second table; with arg_min, the candidates
   std::uint64_t comparisons = 0;
   std::uint64_t out_of_range = 0;  ///< numbers of the table that break a declared range
   std::string first_out_of_range;  ///< in words; empty if there is none
@@ -78,19 +78,20 @@ struct DataSummary {
   std::vector<InputSource> inputs;  ///< which column feeds which input
 };
 
-/// What `mixcmp check` tells.
+/// What `mixcmp check` prints.
 struct Summary {
   const Scene* scene;
-  std::vector<SideSummary> sides;          ///< f, g; of several parts f[0], g[0], f[1], ...
+  std::vector<SideSummary> sides;          ///< f, g; for several parts f[0], g[0], f[1], ...
   std::vector<DatapathSummary> datapaths;  ///< reference; lanes, but for those in format "auto"
   Exactness reference;
   std::optional<DataSummary> data;
 };
 
-/// What each of scene.lane_groups() is called: "lane", of several kinds "lanes 0-5", "lane 6".
+/// The label of each of scene.lane_groups(): "lane" if there is one, else "lanes 0-5", "lane 6".
 std::vector<std::string> lane_group_labels(const Scene& scene);
 
-/// The summary looks at `scene`, which must outlive it. `data`: the scene's, if read.
+/// The summary keeps a pointer to `scene`, which must outlive it. `data`: the scene's comparisons;
+/// null if they were not read.
 Summary summarise(const Scene& scene, const Comparisons* data);
 
 }  // namespace mixcmp::model

@@ -8,7 +8,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// The rest of a module's name follows the prefix.
+/// Checks that a Verilog identifier may begin with the prefix.
 void check_prefix(Section& section, const std::string& prefix) {
   constexpr std::size_t longest = 32;
   if (prefix.size() <= longest && name_problem(prefix + "x").empty()) return;

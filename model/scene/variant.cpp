@@ -50,12 +50,12 @@ Result<std::string> read_name(const Setting& table, const std::vector<Formulatio
   return name;
 }
 
-/// [comparison] keeps what the variant does not say, and its name.
+/// Lays a variant's keys over [comparison], which keeps its name and all other keys.
 Result<Formulation> lay_over(const Setting& table, std::string name, const Settings& base) {
   Formulation formulation{
       .variant = std::move(name), .settings = base, .file = file_of(table), .line = table.line};
   Setting::Table* comparison = table_of(formulation.settings.root, "comparison");
-  if (comparison == nullptr) return formulation;  // read_comparison tells
+  if (comparison == nullptr) return formulation;  // read_comparison reports it
   bool says_something = false;
   for (const Setting& entry : std::get<Setting::Table>(table.value).entries) {
     if (entry.key == "name") continue;

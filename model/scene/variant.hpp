@@ -7,21 +7,21 @@
 
 namespace mixcmp::model {
 
-/// One way to put the scene's comparison: its own settings, with the keys of a [[variant]] laid
-/// over [comparison].
+/// One formulation of the scene's comparison: the scene's settings with the keys of a [[variant]]
+/// laid over those of [comparison].
 struct Formulation {
   std::string variant;  ///< empty: as [comparison] has it
   Settings settings;
-  /// A mistake of the variant's name.
+  /// An error about the variant's name.
   Error name_mistake(std::string message, std::string received) const;
 
-  std::string file = {};  ///< of the variant's table
+  std::string file = {};  ///< place of the variant's table
   int line = 0;
 };
 
 struct Formulations {
   std::vector<Formulation> all;  ///< [comparison]'s own first, then variants in the file's order
-  std::size_t chosen = 0;        ///< by comparison.variant; 0: none is named
+  std::size_t chosen = 0;        ///< index of the one that comparison.variant names; 0: none
 };
 
 /// Reads [[variant]] and comparison.variant; neither is left in the settings that come back.
