@@ -13,7 +13,7 @@ bool same(const TypedNode& a, const TypedNode& b) {
          a.value == b.value;
 }
 
-/// The node's number, known or new.
+/// Returns the number of an equal node if there is one, else appends the node.
 NodeId intern(std::vector<TypedNode>& nodes, TypedNode node) {
   const auto known = std::find_if(nodes.begin(), nodes.end(),
                                   [&](const TypedNode& other) { return same(other, node); });

@@ -13,7 +13,7 @@ struct CombinedGraph {
   std::vector<TypedGraph> parts;
 
   CombinedGraph(Combination combined, std::vector<TypedGraph> graphs);
-  /// A comparison of one part is that part.
+  /// Makes the graph of a comparison of one part.
   CombinedGraph(TypedGraph only) : CombinedGraph(Combination::all, {std::move(only)}) {}
 
   const Arithmetic& arithmetic() const { return parts.front().arithmetic; }
@@ -21,17 +21,17 @@ struct CombinedGraph {
   int input_count() const { return parts.front().input_count; }
 };
 
-/// reference_graph and lane_graph of every part.
+/// Call reference_graph or lane_graph for every part.
 CombinedGraph reference_graphs(const Graph& graph, Arithmetic reference);
 CombinedGraph lane_graphs(const Graph& graph, FloatFormat reference, Arithmetic reduced,
                           LaneInputs inputs);
 
-/// All parts in one graph, in which equal operations are one node: what hardware builds. The nodes
-/// of the first part keep their numbers, so that a single part is its own graph.
+/// All parts in one graph, in which equal operations share one node, as hardware builds them. The
+/// nodes of the first part keep their numbers, so that the graph of a single part does not change.
 struct SharedGraph {
-  TypedGraph graph;  ///< f and g are the first part's
+  TypedGraph graph;  ///< its f and g are those of the first part
   std::vector<Sides> sides;
-  std::vector<std::vector<NodeId>> ids;  ///< [part][its node]: the node here
+  std::vector<std::vector<NodeId>> ids;  ///< [part][node of that part]: the node in `graph`
 };
 SharedGraph share(const CombinedGraph& graph);
 

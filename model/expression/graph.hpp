@@ -33,7 +33,7 @@ int arity(Operation operation);
 /// Whether the result is one of two operands, unrounded: a minimum or a maximum.
 bool is_choice(Operation operation);
 
-/// Whether the result is an operand but for its sign: a choice, a negation, a magnitude.
+/// Whether the result is one of the operands up to its sign: a choice, a negation, a magnitude.
 bool only_moves_bits(Operation operation);
 /// "add", "square_root", ...
 std::string_view to_string(Operation operation);
@@ -54,8 +54,8 @@ struct Sides {
   NodeId g;
 };
 
-/// The real-valued expressions f and g, of one part or of several, over shared subexpressions, free
-/// of any format. Equal subexpressions are one node; x * x and x ^ 2 are a square.
+/// The real-valued expressions f and g of one part or several, without any number format. Equal
+/// subexpressions share one node; x * x and x ^ 2 are a square.
 class Graph {
 public:
   NodeId input(const std::string& name);

@@ -20,8 +20,8 @@ namespace {
 
 constexpr int max_power = 16;
 constexpr std::size_t max_nodes = 4096;
-// The most terms of all reductions in one text: more of them are more than max_nodes operations, or
-// were written without being used.
+// The most terms of all reductions in one text. More of them would need more than max_nodes
+// operations, unless some have no effect.
 constexpr long max_terms = max_nodes;
 // The greatest value of an index or a subscript.
 constexpr long max_integer = 999'999;
@@ -66,8 +66,8 @@ T value_or_throw(Result<T> result) {
   return std::move(result).value();
 }
 
-/// What a part of an expression stands for. Constants stay outside the graph until an operation
-/// needs a node.
+/// The value of a subexpression: a constant or a node. Constants stay outside the graph until an
+/// operation needs a node.
 struct Value {
   std::size_t column;
   std::optional<mpq_class> constant;
@@ -104,7 +104,8 @@ public:
   NodeId node_of(const Value& value) {
     return value.constant ? graph_.constant(*value.constant) : value.node;
   }
-  /// Once all is parsed: an input of an index's name would be mistaken for it.
+  /// Refuses an index that has the name of an input, which could be mistaken for it. To be called
+  /// when all is parsed.
   void check_index_names() const;
   std::set<std::string> used_lets() const;
 
@@ -142,10 +143,10 @@ private:
   std::span<const LetDefinition> lets_;
   std::map<std::string, Value> let_values_;
   std::vector<std::string> open_lets_;
-  std::vector<IndexValue> indices_;  ///< of the reductions around, innermost last
+  std::vector<IndexValue> indices_;  ///< indices of the enclosing reductions, innermost last
   std::map<std::string, IndexPlace> index_places_;
   std::set<std::string> input_names_;
-  bool constants_only_ = false;  ///< in a bound or a subscript
+  bool constants_only_ = false;  ///< within a range's bound or a subscript
   long terms_ = 0;
 };
 
@@ -197,7 +198,7 @@ Value Builder::name(const Syntax& syntax) {
   return plain_name(syntax, name);
 }
 
-/// What is no index and no let.
+/// The value of a name that is neither an index nor a let: an input.
 Value Builder::plain_name(const Syntax& syntax, const std::string& name) {
   if (is_function_name(name)) {
     fail(syntax.column, fmt::format("the function {} needs its arguments", name), name,
@@ -210,7 +211,7 @@ Value Builder::plain_name(const Syntax& syntax, const std::string& name) {
   return {.column = syntax.column, .node = graph_.input(name)};
 }
 
-/// The name that p[2][3] is another spelling of: p_2_3.
+/// The plain name that a name with subscripts stands for: p_2_3 for p[2][3].
 std::string Builder::subscripted_name(const Syntax& syntax) {
   std::string name = syntax.text;
   for (const Syntax& subscript : syntax.parts) {
@@ -224,7 +225,7 @@ std::string Builder::subscripted_name(const Syntax& syntax) {
   return name;
 }
 
-/// The value of a bound or a subscript.
+/// The integer value of a range's bound or of a subscript.
 long Builder::integer(const Syntax& syntax) {
   const bool outer = std::exchange(constants_only_, true);
   const Value value = value_of(syntax);
@@ -352,8 +353,8 @@ void Builder::check_index_names() const {
   }
 }
 
-/// Neighbours first, then their results, and so on; an odd one waits for its turn: a balanced tree,
-/// whose error and depth grow with the logarithm of the number of terms.
+/// Joins neighbours, then neighbouring results, and so on; an odd one is left for the next round.
+/// This is a balanced tree, whose error and depth grow with the logarithm of the number of terms.
 Value Builder::joined_pairwise(Operation operation, std::vector<Value> values) {
   while (values.size() > 1) {
     const std::size_t pairs = values.size() / 2;
@@ -366,7 +367,7 @@ Value Builder::joined_pairwise(Operation operation, std::vector<Value> values) {
   return values[0];
 }
 
-/// The operation on a and b; an operation of one operand gets it twice.
+/// Applies the operation to a and b. The caller passes the operand of a unary operation twice.
 Value Builder::applied(Operation operation, const Value& a, const Value& b) {
   if (operation == Operation::divide && b.constant && *b.constant == 0) {
     fail(b.column, "division by zero" + index_values(), "0", "a divisor other than zero");
@@ -384,7 +385,8 @@ Value Builder::applied(Operation operation, const Value& a, const Value& b) {
   }
   const bool scales =
       operation == Operation::divide && b.constant && is_power_of_two(mpq_class(abs(*b.constant)));
-  // A division by a power of two is an exact scaling, and so is a multiplication: no divider.
+  // Division by a power of two becomes a multiplication: both scale exactly, and no divider is
+  // needed.
   if (scales)
     return applied(Operation::multiply, a, {.column = b.column, .constant = 1 / *b.constant});
   const NodeId first = node_of(a);
@@ -397,7 +399,7 @@ Value Builder::applied(Operation operation, const Value& a, const Value& b) {
   return result;
 }
 
-/// A let is read once; it sees no index of who uses it.
+/// Parses a let on its first use. The indices around that use are not visible in the let.
 const Value& Builder::let_value(const LetDefinition& let, const Syntax& use) {
   const auto known = let_values_.find(let.name);
   if (known != let_values_.end()) return known->second;

@@ -40,7 +40,7 @@ struct IndexRange {
   long last;
 };
 
-/// Parses "k in 0..D-1"; errors as of parse_expression.
+/// Parses "k in 0..D-1". Errors are as for parse_expression.
 Result<IndexRange> parse_index_range(const std::string& text, std::span<const LetDefinition> lets);
 
 /// Whether a name means a function in expressions.

@@ -39,7 +39,8 @@ struct OpenBracket {
   std::size_t column;
 };
 
-/// What the descent has gathered so far: complete parts wait on a stack for what joins them.
+/// The state of the descent: complete parts wait on a stack until an operation or a call joins
+/// them.
 class Gathering {
 public:
   explicit Gathering(std::size_t outer_nesting) : outer_nesting_(outer_nesting) {}
@@ -58,7 +59,7 @@ public:
   void end_signs(std::size_t column);
 
   const OpenBracket& open_bracket() const { return open_brackets_.back(); }
-  /// Whether all that a call has yet is a name.
+  /// Whether the open call has read nothing but a name, which may be meant as an index.
   bool may_have_read_index() const;
   Syntax finish();
 
@@ -89,8 +90,9 @@ Syntax Gathering::pop() {
   return last;
 }
 
-/// A chain goes on where its operations bind alike, so that a long sum is no deep tree. Parentheses
-/// around the first operands change nothing: (a + b) + c is a + b + c.
+/// Joins the last two parts. A chain whose operations have the same precedence is extended, so that
+/// a long sum is not a deep tree. Parentheses around the first operands change nothing: (a + b) + c
+/// is a + b + c.
 void Gathering::join(Operation operation) {
   const auto is_sum = [](Operation o) { return o == Operation::add || o == Operation::subtract; };
   Syntax last = pop();
@@ -178,7 +180,7 @@ struct gap : star<space> {};
 struct identifier_letter : ranges<'a', 'z', 'A', 'Z', '0', '9', '_'> {};
 struct identifier : seq<ranges<'a', 'z', 'A', 'Z', '_'>, star<identifier_letter>> {};
 
-// The point of "0..3" belongs to no number.
+// The points of "0..3" belong to no number.
 struct point : seq<one<'.'>, not_at<one<'.'>>> {};
 template <class Digit>
 struct mantissa : sor<seq<plus<Digit>, opt<point, star<Digit>>>, seq<one<'.'>, plus<Digit>>> {};

@@ -9,29 +9,29 @@
 
 namespace mixcmp::model {
 
-/// Parentheses, brackets, calls and lets inside one another: each level is a dozen frames of
-/// recursive descent.
+/// The most levels of parentheses, brackets, calls and lets inside one another. Each level takes a
+/// dozen stack frames of recursive descent.
 constexpr std::size_t max_nesting = 100;
 
-/// What a text says, not yet what it means: names and functions are not looked up, a reduction's
-/// term stands there once.
+/// The syntax tree of a text. Names and functions are not looked up yet, and a reduction's term
+/// occurs once.
 struct Syntax {
   enum class Kind {
     number,
     name,       ///< parts: the subscripts
     negation,   ///< parts: the operand
-    identity,   ///< an even number of minus signs before the one part
+    identity,   ///< parts: the operand, after an even number of minus signs
     power,      ///< parts: the base, the exponent (a number)
     chain,      ///< parts: operands, joined from the left
     call,       ///< parts: the arguments
     reduction,  ///< parts: first and last value of the index, the term
-    range,      ///< parts: first and last value of the index, with no term; a text of its own
+    range,      ///< parts: first and last value of the index; always the whole text
   };
 
   Kind kind;
   std::size_t column;   ///< 1-based
   std::string text;     ///< a number's digits, a name, a function's name
-  std::size_t nesting;  ///< levels around it, those outside of the text included
+  std::size_t nesting;  ///< levels around it, including those outside of the text
   std::vector<Syntax> parts;
   std::vector<Operation> operations;  ///< of a chain: operations[k] joins parts[k + 1]
   std::string index;                  ///< of a reduction or a range

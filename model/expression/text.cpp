@@ -7,7 +7,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// How tightly a printed expression holds together, loosest first.
+/// The precedence of a printed expression's outermost operator, lowest first.
 enum class Binding {
   sum,
   product,
@@ -106,7 +106,7 @@ private:
   std::string text_;
 };
 
-/// Digits after the point that write `value` exactly; -1 if more than `most`.
+/// The number of digits after the point that write `value` exactly; -1 if more than `most`.
 int exact_decimals(const mpq_class& value, int most) {
   mpz_class power = 1;
   for (int decimals = 0; decimals <= most; ++decimals, power *= 10) {

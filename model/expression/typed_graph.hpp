@@ -26,7 +26,7 @@ struct TypedGraph {
   std::vector<TypedNode> nodes;  ///< in topological order
   int input_count = 0;
   std::vector<std::string> input_names;  ///< for messages; input_count of them
-  FloatFormat input_format;              ///< of every operand that arrives
+  FloatFormat input_format;              ///< the format of all inputs
   Arithmetic arithmetic;  ///< rounding and subnormals of every operation; format of f and g
   NodeId f = -1;
   NodeId g = -1;
@@ -36,8 +36,8 @@ struct TypedGraph {
 TypedGraph reference_graph(const Graph& graph, Arithmetic reference);
 
 /// The graph in a lane's reduced format, with conversions where `inputs` asks for them. f and g are
-/// in the lane's format, and never inputs: a conversion stands between, so that an infinity or a
-/// NaN meets an operation that calls it exceptional.
+/// in the lane's format and are never inputs themselves: a conversion follows the input, because an
+/// operation is needed that reports an infinity or a NaN as exceptional.
 TypedGraph lane_graph(const Graph& graph, FloatFormat reference, Arithmetic reduced,
                       LaneInputs inputs);
 
