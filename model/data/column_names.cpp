@@ -13,7 +13,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// k of "p_k".
+/// The subscript k if `wanted` is "p_k" for the name "p"; none otherwise.
 std::optional<std::size_t> subscript_in(const std::string& wanted, const std::string& name) {
   if (!wanted.starts_with(name + "_")) return std::nullopt;
   const char* const begin = wanted.data() + name.size() + 1;
@@ -28,7 +28,7 @@ bool explains(const ColumnNames& names, const std::string& wanted) {
   return names.is_list ? subscript_in(wanted, names.name).has_value() : wanted == names.name;
 }
 
-/// `key`: a ColumnNames or a WantedColumn, whose key of the scene is mistaken.
+/// An error in the scene's key of `key`, which is a ColumnNames or a WantedColumn.
 template <class Key>
 Error mistake_of(const Key& key, std::string message, std::string received, std::string accepted) {
   return {.file = key.place.file,
@@ -81,14 +81,14 @@ std::vector<std::string> suggested_numbers(std::span<const WantedColumn> wanted,
   return numbers;
 }
 
-/// "{ p = [0, 1], r = 2 }": what a scene might say that means `wanted`.
+/// A value of data.columns that would define `wanted`: "{ p = [0, 1], r = 2 }".
 std::string suggested_columns(std::span<const WantedColumn> wanted, std::uint64_t columns) {
   const std::vector<std::string> numbers = suggested_numbers(wanted, columns);
   std::map<std::string, std::string> number_of;
   for (std::size_t k = 0; k < wanted.size(); ++k) number_of[wanted[k].name] = numbers[k];
   std::vector<std::string> entries;
   for (const WantedColumn& column : wanted) {
-    if (!number_of.contains(column.name)) continue;  // in a list before
+    if (!number_of.contains(column.name)) continue;  // already in a list
     const std::string base = column.name.substr(0, column.name.rfind('_'));
     std::vector<std::string> list;
     while (number_of.contains(fmt::format("{}_{}", base, list.size()))) {

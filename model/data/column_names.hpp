@@ -15,11 +15,11 @@ namespace mixcmp::model {
 /// A column of a file: its name, or its number, counted from 0 as NumPy counts.
 using ColumnKey = std::variant<std::string, std::uint64_t>;
 
-/// What a scene calls columns of a file: one name for one column, or p for a list of them, which
-/// are then p_0, p_1, ...
+/// The scene's name for one column of a file, or its name p for a list of columns, which are then
+/// called p_0, p_1, ...
 struct ColumnNames {
   std::string name;
-  std::vector<ColumnKey> columns;  ///< the file's
+  std::vector<ColumnKey> columns;  ///< the file's columns
   bool is_list = false;
   std::string field;  ///< "data.columns.p", for errors
   Place place;
@@ -27,9 +27,9 @@ struct ColumnNames {
 
 /// A column that inputs need.
 struct WantedColumn {
-  std::string name;        ///< the scene's name: what a table calls the column once it is read
-  ColumnKey column;        ///< the file's
-  std::string field = {};  ///< the key that says so; empty: the scene's name is the file's
+  std::string name;        ///< the scene's name, which the column has in a Table
+  ColumnKey column;        ///< the file's column
+  std::string field = {};  ///< the scene's key for it; empty: `name` is the file's name, too
   Place place = {};        ///< of that key
 };
 
@@ -39,18 +39,18 @@ struct WantedColumn {
 Result<std::vector<WantedColumn>> file_columns(std::span<const ColumnNames> names,
                                                std::span<const std::string> wanted);
 
-/// Columns under the names that the file has.
+/// Wanted columns whose names in the scene are those in the file.
 std::vector<WantedColumn> columns_by_name(std::span<const std::string> names);
 
-/// Where `wanted` stands among the columns of `source`, which are called `known`.
+/// The index of `wanted` among the columns of `source`, whose names are `known`.
 Result<std::size_t> find_column(const WantedColumn& wanted, std::span<const std::string> known,
                                 const std::string& source);
 
-/// Where a column of the number `number` stands among the `count` columns of `source`.
+/// Returns `number` as an index; an error if `source` has only `count` <= `number` columns.
 Result<std::size_t> numbered_column(const WantedColumn& wanted, std::uint64_t number,
                                     std::uint64_t count, const std::string& source);
 
-/// A mistake of the key that says which column `wanted` is.
+/// An error in the scene's key that says which column `wanted` is.
 Error column_mistake(const WantedColumn& wanted, std::string message, std::string received,
                      std::string accepted);
 

@@ -130,7 +130,8 @@ Result<Comparisons> Comparisons::arg_min(Table rows, Table candidates,
   return data;
 }
 
-/// All rows meet candidate j before any meets j + 1: contests are then decided many at a time.
+/// All rows of a block are compared with candidate j before any is with j + 1, so that `contest`
+/// decides many comparisons in one call.
 void Comparisons::hold_contests(const Contest& contest) {
   constexpr std::size_t block = 4096;
   const std::uint64_t rows = tables_[0].rows(), candidates = tables_[1].rows();

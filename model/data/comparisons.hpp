@@ -19,7 +19,7 @@ std::pair<std::uint64_t, std::uint64_t> pair_items(std::uint64_t index, std::uin
 /// The number of the pair (i, j), i < j < count.
 std::uint64_t pair_index(std::uint64_t i, std::uint64_t j, std::uint64_t count);
 
-/// Comparisons of arg_min, whose first items are kept in memory.
+/// The most comparisons of arg_min; the first item of each is kept in memory.
 constexpr std::uint64_t max_arg_min_comparisons = std::uint64_t{1} << 28;
 
 /// The numbers of the rows that one comparison is about. Pairing::all and Pairing::cross use
@@ -44,8 +44,9 @@ using Contest = std::function<void(const Comparisons& data, std::span<const Item
 /// The comparisons a scene asks for, addressable by index. With pairs, input "cxi" is column "cx"
 /// of item i, "cxj" that of item j.
 ///
-/// arg_min: which row of a second table, the candidates, costs least, for each row of the first. f
-/// is what candidate i costs the row, g what j costs it. The comparisons are those of
+/// arg_min finds for each row of the first table the candidate, a row of the second table, that
+/// costs it least. f is the cost of candidate i for the row, g that of j. The comparisons are those
+/// of
 ///
 ///     best = 0; for j = 1 .. candidates - 1: compare (best, j); if f > g: best = j
 ///
@@ -76,10 +77,10 @@ public:
   std::uint64_t run_length(std::uint64_t index) const;
   Item moving_item() const { return pairing_ == Pairing::rows ? Item::row : Item::second; }
 
-  /// The candidate that costs `row` least; of arg_min alone.
+  /// The candidate that costs `row` least; only for Pairing::arg_min.
   std::uint64_t arg_min(std::uint64_t row) const { return least_[row]; }
 
-  /// Where an input's operands stand.
+  /// The place that an input's operands come from.
   struct Source {
     std::size_t table;
     std::size_t column;
@@ -87,12 +88,12 @@ public:
   };
 
   const std::vector<Table>& tables() const { return tables_; }
-  const Table& table() const { return tables_[0]; }  ///< the first
+  const Table& table() const { return tables_[0]; }  ///< the first table
   FloatFormat format() const { return tables_[0].format; }
   std::size_t input_count() const { return sources_.size(); }
   const std::vector<Source>& sources() const { return sources_; }
   Pairing pairing() const { return pairing_; }
-  /// Whether row `row` of the table that `source` reads may be its item in some comparison.
+  /// Whether some comparison may read row `row` of the source's table through `source`.
   bool takes_part(const Source& source, std::uint64_t row) const;
 
 private:
@@ -106,11 +107,11 @@ private:
   Pairing pairing_;
   std::vector<Table> tables_;
   std::vector<Source> sources_;
-  std::vector<std::uint32_t> best_before_;  ///< of arg_min: item i of each comparison
-  std::vector<std::uint32_t> least_;        ///< of arg_min, one a row
+  std::vector<std::uint32_t> best_before_;  ///< for arg_min: item i of each comparison
+  std::vector<std::uint32_t> least_;        ///< for arg_min, one per row
 };
 
-/// What a comparison is about, in a report's words: "items 3 and 7".
+/// The items of a comparison in words, for a report: "items 3 and 7".
 std::string describe(const Comparisons& data, std::uint64_t index);
 
 }  // namespace mixcmp::model

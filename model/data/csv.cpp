@@ -17,7 +17,7 @@ struct Record {
   std::vector<std::string> fields;
 };
 
-/// Takes a text apart into records, one at a time.
+/// Splits a text into records, one at a time.
 class RecordReader {
 public:
   explicit RecordReader(std::string_view text) : text_(text) {
@@ -93,7 +93,7 @@ private:
   int line_ = 1;
 };
 
-/// What a line looks like that is not one of fields between commas: "separated by ';'"; empty where
+/// A guess at what a line is instead of fields between commas: "separated by ';'". Empty where
 /// nothing is suspicious.
 std::string likely_form(const Record& record) {
   const auto count = [&](char c) {
@@ -123,7 +123,7 @@ bool is_number(FloatFormat format, std::string_view text) {
   return from_text(format, trimmed(text)).ok();
 }
 
-/// Where a column is missing, the first line may be no header at all.
+/// The error for a missing column; it says so if the first line seems to be no header at all.
 Error without_column(Error missing, const Record& header, FloatFormat format) {
   std::string seems = likely_form(header);
   const auto number = [&](const std::string& field) { return is_number(format, field); };
@@ -146,8 +146,8 @@ Error two_columns(const std::string& name, std::span<const std::string> names) {
                                   first - names.begin(), second - names.begin())};
 }
 
-/// Which column of the file is meant. One that is chosen by number may have any name that is no
-/// number: else the file has no header, and its first row would be lost.
+/// Finds the column of the file that is meant. The name of one that is chosen by number must not be
+/// a number: else the file has no header, and its first row would be lost.
 Result<FileColumn> locate_column(const WantedColumn& wanted, std::span<const std::string> names,
                                  const Record& header, FloatFormat format,
                                  const std::string& source) {

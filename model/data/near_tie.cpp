@@ -67,7 +67,7 @@ public:
 
   int fraction_bits() const { return fraction_bits_; }
 
-  /// Centres as the construction wants them, radii still open.
+  /// Makes the centres; the radii are not set yet.
   Numbers centres() {
     Numbers numbers;
     if (misread_inputs_) {
@@ -119,7 +119,8 @@ public:
 private:
   bool to_nearest() const { return target_.rounding == Rounding::nearest_even; }
 
-  /// How far the lane's roundings reach around `value`: half a last place, or a whole one.
+  /// The largest rounding error of the lane around `value`: half a last place to nearest, a whole
+  /// one toward zero.
   mpz_class reach(const mpz_class& value) const {
     return whole_power_of_two(digits_of(value) - 1 - target_.precision + (to_nearest() ? 0 : 1));
   }
@@ -128,7 +129,7 @@ private:
     return one() + shifted_left(last_places, std::max(0, fraction_bits_ - target_.precision + 1));
   }
 
-  /// A power of two that is small beside the reach; or, where ties may go either way, nothing.
+  /// A random power of two that is small beside reach(), or zero.
   mpz_class hair() {
     const int least = quantum_bits_ + (to_nearest() ? -1 : 2);
     const int end = fraction_bits_ - target_.precision - 1;
@@ -137,17 +138,17 @@ private:
                                                        : whole_power_of_two(exponent);
   }
 
-  /// A number that the lane rounds to `value`, a number of its own, although it is much larger
-  /// (way 1) or smaller (way -1). Where all roundings go down nothing is read as larger than
-  /// it is: then a hair larger, so that what is rounded down later does not fall below.
+  /// A number that the lane rounds to `value`, a number of the lane's format, although it is larger
+  /// (way 1) or smaller (way -1) by nearly reach(). Rounding toward zero never rounds up: instead of
+  /// a smaller number it is then one a hair larger, so that later roundings do not fall below.
   mpz_class misread(const mpz_class& value, int way) {
     if (!to_nearest() && way < 0) return value + hair();
     return value + way * quantized(std::max<mpz_class>(reach(value) - hair(), 0), quantum_bits_);
   }
 
-  /// m such that the square of 1 + 2um is just where its rounding errs most: 4u^2m^2 is an odd
-  /// multiple of u (toward zero: an even one), and a little more (way -1) or less (way 1). Now and
-  /// then any m of that size.
+  /// m such that the rounding error of (1 + 2um)^2 is near its maximum: 4u^2m^2 is just below (way
+  /// 1) or above (way -1) an odd multiple of u, with rounding toward zero an even one. One time in
+  /// five it is any m of that size.
   mpz_class misleading_places(int k, int way) {
     if (random_.one_in(5)) return random_.integer(target_.precision / 2 + 1);
     const int multiple = 2 * k + (to_nearest() ? 1 : 2);
@@ -155,8 +156,9 @@ private:
     return way < 0 ? mpz_class(root + 1) : root;
   }
 
-  /// A number of the lane, a quarter below `value` or, in longer lanes, at most 8 * 2^(-L/2) of it;
-  /// one whose square's rounding errs far.
+  /// A number of the lane's format below `value`, by at most a quarter of it or, in longer lanes,
+  /// by 8 * 2^(-L/2) of it. Of several such numbers it is the one whose square has the largest
+  /// rounding error in the wanted direction.
   mpz_class near_misleading_square(const mpz_class& value, int way) {
     constexpr int tries = 8;
     const int nearness = std::max(2, target_.precision / 2 - 3);
@@ -175,7 +177,7 @@ private:
   }
 
   void exact_centres(Numbers& numbers) {
-    constexpr int tries = 16;  // lanes of few digits have no diagonal that works out
+    constexpr int tries = 16;  // lanes of few digits may have no such diagonal
     for (int k = 0; target_.shape == NearTieShape::diagonal && k < tries; ++k) {
       if (diagonal_centres(numbers)) return;
     }
@@ -183,7 +185,7 @@ private:
     }
   }
 
-  /// False where what x and z leave for y^2 is negative.
+  /// Makes a near tie with x and r just above 1. False if no y makes the distance r.
   bool centres_along_axis(Numbers& numbers) {
     const int k = random_.below(3);
     const mpz_class x_places = misleading_places(k, -wrong_way_);
@@ -195,7 +197,8 @@ private:
     return place_with(numbers, x, root_of(z_square), r);
   }
 
-  /// A near tie with x just above 1, z just above or below sqrt(1/2) and r just below sqrt(2).
+  /// Makes a near tie with x just above 1, z near sqrt(1/2) and r just below sqrt(2). False if no y
+  /// makes the distance r.
   bool diagonal_centres(Numbers& numbers) {
     const mpz_class root_of_half = root_of(whole_power_of_two(2 * fraction_bits_ - 1));
     const mpz_class x = one_and(misleading_places(random_.below(3), -wrong_way_));
@@ -205,7 +208,8 @@ private:
                       misread(r, wrong_way_));
   }
 
-  /// Places the centres at (x, y, z), with the y that makes the distance r.
+  /// Sets the centres (x, y, z) apart, with the y that makes their distance r; false if there is
+  /// none. x and y may change places.
   bool place_with(Numbers& numbers, const mpz_class& x, const mpz_class& z, const mpz_class& r) {
     const mpz_class y_square = r * r - x * x - z * z;
     if (y_square <= 0) return false;
@@ -216,7 +220,7 @@ private:
     return true;
   }
 
-  /// Two coordinates at this distance, up to the quantum.
+  /// Sets two coordinates to this distance, rounded to the quantum.
   void place(Numbers& numbers, std::size_t at, mpz_class distance) {
     distance = quantized(distance, quantum_bits_);
     mpz_class& first = numbers[at];
@@ -244,9 +248,9 @@ private:
 
   NearTieTarget target_;
   int digits_;
-  bool misread_inputs_;  ///< the lane's first rounding is of the operands themselves
+  bool misread_inputs_;  ///< the lane rounds the operands themselves
   int fraction_bits_;
-  bool shared_;  ///< both items have part of a distance, instead of one all but the last digits
+  bool shared_;  ///< both items share a distance; else one has all but its last digits
   int quantum_bits_;
   int wrong_way_;  ///< 1: the truth is less, the lane shall say greater; -1: the reverse
   RowRandom& random_;

@@ -12,8 +12,8 @@ namespace mixcmp::model {
 
 /// The direction and the length of the line between the two centres.
 enum class NearTieShape {
-  along_axis,  ///< of length 1 and a little: the largest relative errors
-  diagonal,    ///< (1, sqrt(1/2), sqrt(1/2)), of length sqrt(2) less a little: the most last places
+  along_axis,  ///< length just above 1: the largest relative errors
+  diagonal,    ///< (1, sqrt(1/2), sqrt(1/2)), length just below sqrt(2): the largest errors in ulp
 };
 
 /// The lane that a near tie is aimed at: (dx^2 + dy^2) + dz^2 against (ri + rj)^2, in this order.
@@ -21,8 +21,8 @@ struct NearTieTarget {
   int precision;  ///< L
   LaneInputs inputs;
   Rounding rounding;
-  NearTieShape shape;     ///< of exact inputs
-  FloatFormat reference;  ///< of the operands; L digits or more
+  NearTieShape shape;     ///< used with exact inputs only
+  FloatFormat reference;  ///< format of the operands; L digits or more
 };
 
 /// cxi, cxj, cyi, cyj, czi, czj, ri, rj: integer * 2^exponent, each of them a number of the
@@ -34,26 +34,27 @@ struct DyadicPair {
 
 struct NearTieEffort {
   int attempts;       ///< 1 or more
-  double enough_ulp;  ///< stop where a contradiction reaches this
+  double enough_ulp;  ///< no more attempts once contradiction_ulp reaches this
 };
 
 struct NearTie {
   DyadicPair pair;
   /// (f_L - g_L) / max(f_L, g_L) in units of 2^-L, taken as positive where the lane's order
-  /// contradicts the truth. With exact inputs below 8 to nearest and below 10 toward zero:
-  /// the sum of all roundings.
+  /// contradicts the truth. With exact inputs it is below the sum of all rounding errors: 8 for
+  /// rounding to nearest, 10 toward zero.
   double contradiction_ulp;
 };
 
 /// The most misleading of several constructed pairs whose exact f and g differ by about the last
 /// place of the operands, or less, while the lane's roundings all err towards the wrong order.
 ///
-/// Exact inputs: significands lie just above 1, where half a last place is the largest part u of
-/// the number. x = X - (u - a hair) rounds to X = 1 + 2um, whose square is just above a midpoint
-/// (4u^2m^2 = (2k + 1)u modulo 2u); y^2 and z^2 are odd multiples of u and a hair, so that both
-/// sums round up, too: f_L = f(1 + 5u), nearly. The radii mirror it with another k: g_L = g(1 -
-/// 3u), nearly. Everything the other way round for the other wrong order. Rounded inputs: every
-/// coordinate sits a hair from the midpoint that makes its difference err the same way.
+/// With exact inputs, significands lie just above 1, where half a last place, u = 2^-L, is largest
+/// relative to the number. A hair is an amount much smaller than u. x = X - (u - a hair) rounds to
+/// X = 1 + 2um, whose square is just above a midpoint (4u^2m^2 = (2k + 1)u modulo 2u). y^2 and z^2
+/// are odd multiples of u plus a hair, so that both sums round up, too: f_L is nearly f(1 + 5u).
+/// The radii are built in the same way with another k but round down: g_L is nearly g(1 - 3u). For
+/// the other wrong order all signs are reversed. With rounded inputs, every coordinate lies a hair
+/// from a midpoint, so that the errors of each difference add up in the same direction.
 NearTie near_tie(const NearTieTarget& target, const NearTieEffort& effort, RowRandom& random);
 
 /// Makes a near tie whose radii are then moved by up to 10 * 2^-L of their sum, so that pairs lie

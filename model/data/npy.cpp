@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view accepted_types = "floats of 2, 4, 8 bytes or integers of 1, 2, 4, 8";
 
-/// Where a column's numbers stand among the file's data.
+/// The place of a column's numbers in the file's data; `first` and `stride` are in bytes.
 struct ColumnLayout {
   FileColumn column;
   NpyScalar scalar;
@@ -56,7 +56,8 @@ Result<NpyScalar> scalar_of(const NpyField& field) {
                .accepted = std::string(accepted_types)};
 }
 
-/// The array's columns have no names: the scene says which is which, and no order is implied.
+/// Finds the wanted columns of a plain array. They have no names and no implied order: the scene
+/// must give a number for each.
 Result<std::vector<FileColumn>> plain_columns(std::span<const WantedColumn> wanted,
                                               std::uint64_t count, const std::string& source) {
   std::vector<FileColumn> columns;
@@ -142,7 +143,8 @@ std::uint64_t load(std::string_view bytes, bool big_endian) {
   return value;
 }
 
-/// `bits` of one format in another, rounded once; signs of zeros and NaNs as such.
+/// Converts `bits` from one format to another, rounded once. Zeros keep their sign; every NaN
+/// becomes the quiet NaN.
 Bits into(FloatFormat target, FloatFormat source, Bits bits) {
   const bool negative = source.sign(bits);
   if (source.is_nan(bits)) return target.quiet_nan();
@@ -161,7 +163,7 @@ mpq_class integer_of(std::uint64_t bits, const NpyScalar& scalar) {
   return mpq_class(static_cast<long>(bits << unused) >> unused);
 }
 
-/// The number in the format, rounded; none where it is finite and beyond the format's largest.
+/// Reads a number and rounds it into the format; none if it is finite and overflows.
 std::optional<Bits> read_scalar(std::string_view bytes, const NpyScalar& scalar,
                                 FloatFormat format) {
   const std::uint64_t bits = load(bytes, scalar.big_endian);

@@ -19,16 +19,16 @@ struct NpyScalar {
 
 struct NpyField {
   std::string name;  ///< empty in plain arrays
-  /// None: a kind of value that is no number we read; `type` tells which.
+  /// None for a type that is not supported; `type` says which.
   std::optional<NpyScalar> scalar;
   std::string type;
-  std::size_t bytes;   ///< of the field, known also for skipped ones
+  std::size_t bytes;   ///< size of the field, also where `scalar` is none
   std::size_t offset;  ///< in its row of a structured array
 };
 
 struct NpyHeader {
   bool structured = false;
-  std::vector<NpyField> fields;  ///< one, nameless, in plain arrays
+  std::vector<NpyField> fields;  ///< a single nameless one in plain arrays
   bool fortran_order = false;
   std::vector<std::uint64_t> shape;
   std::size_t data_offset = 0;  ///< where the numbers begin in the file

@@ -6,9 +6,9 @@
 
 namespace mixcmp::model {
 
-/// A data file's number, rounded once from its decimal (or hex-float) text; blanks around it are
-/// left out. Infinities and NaNs only where they are written as such: a number beyond the format's
-/// largest is an error.
+/// Reads a data file's number from its decimal (or hex-float) text, rounded once; blanks around it
+/// are ignored. Infinities and NaNs are accepted only where they are written as such: a number
+/// beyond the format's largest is an error.
 Result<Bits> read_number(FloatFormat format, std::string_view text);
 
 /// `text` without blanks at its ends.

@@ -7,7 +7,7 @@
 
 namespace mixcmp::model {
 
-/// Comparisons as columns of doubles, one an input.
+/// Operands of comparisons as columns of doubles, one column per input.
 class OperandBlock {
 public:
   OperandBlock(std::size_t inputs, std::size_t capacity);
@@ -35,19 +35,20 @@ public:
   explicit OperandSource(const Comparisons& data);
 
   const Comparisons& data() const { return data_; }
-  /// Every value that an input takes, one a row of its table.
+  /// The column that an input reads, one value per row of its table.
   const std::vector<double>& values(std::size_t input) const;
-  /// Comparisons first, first + 1, ... replace the block's contents.
+  /// Replaces the block's contents by the `count` comparisons from `first` on.
   void fetch(std::uint64_t first, std::size_t count, OperandBlock& block) const;
-  /// The comparisons of these indices.
+  /// Replaces the block's contents by the comparisons of these indices.
   void fetch(const std::vector<std::uint64_t>& indices, OperandBlock& block) const;
 
 private:
-  /// Comparisons from `at` on whose moving item counts up.
+  /// Appends `length` comparisons to the block. The first has the items `at`; from one to the next
+  /// the moving item grows by 1.
   void fetch_run(const Items& at, std::size_t length, OperandBlock& block) const;
 
   const Comparisons& data_;
-  std::vector<std::vector<std::vector<double>>> columns_;  ///< of each table
+  std::vector<std::vector<std::vector<double>>> columns_;  ///< [table][column][row]
 };
 
 }  // namespace mixcmp::model

@@ -14,14 +14,14 @@ enum class Pairing {
   rows,     ///< every row of one table is one comparison
   all,      ///< every two rows i < j of one table
   cross,    ///< every row i of one table with every row j of a second
-  arg_min,  ///< for each row of one table its least candidate, a row of a second: see Comparisons
+  arg_min,  ///< finds the best row of a second table for each row of the first: see Comparisons
 };
 std::string_view to_string(Pairing pairing);
 
 /// Whether there is a second table.
 bool has_second_table(Pairing pairing);
 
-/// What an input is a number of.
+/// The item of a comparison that an input's number belongs to.
 enum class Item {
   row,     ///< the comparison's own row
   first,   ///< item i
@@ -32,13 +32,13 @@ struct ItemColumn {
   std::string name;
   bool second;
 };
-/// What an input of a comparison of two items names: "cxi" is column "cx" of the first, "cj_2" (in
-/// the scene cj[2]) column "c_2" of the second. None for other names.
+/// The column and the item that an input's name stands for: "cxi" is column "cx" of the first item,
+/// "cj_2" (in the scene cj[2]) is column "c_2" of the second. None for other names.
 std::optional<ItemColumn> item_column(std::string_view input);
 
 /// Where an input's numbers come from.
 struct InputColumn {
-  std::size_t table;  ///< 0, or 1 where there is a second
+  std::size_t table;  ///< 0 for the first, 1 for the second
   std::string name;
   Item item;
 };

@@ -15,7 +15,8 @@
 namespace mixcmp::model {
 namespace {
 
-/// A field of a record by the format's 1-based, inclusive columns; short lines read as blank.
+/// The columns of a record's field, 1-based and inclusive as in the format's description. Columns
+/// beyond the end of a line count as blank.
 struct Columns {
   std::size_t first;
   std::size_t last;
@@ -74,7 +75,7 @@ Result<Bits> read_coordinate(std::string_view line, Columns columns, std::string
   return error;
 }
 
-/// Blank counts as 1, as in files of models.
+/// Reads an atom's occupancy. Files of models leave it blank, which counts as 1.
 Result<mpq_class> read_occupancy(std::string_view line) {
   const std::string_view text = trimmed(field(line, occupancy_columns));
   if (text.empty()) return mpq_class(1);
@@ -105,7 +106,7 @@ Result<Atom> read_atom(std::string_view line, FloatFormat format) {
               .occupancy = occupancy};
 }
 
-/// The atoms of the file so far, one per atom and residue.
+/// The atoms read so far; of alternate locations only the chosen one.
 class Molecule {
 public:
   void add(std::string_view line, Atom atom) {

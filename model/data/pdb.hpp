@@ -6,10 +6,10 @@
 
 namespace mixcmp::model {
 
-/// Atoms of a Protein Data Bank file as spheres: columns cx, cy, cz, r in angstrom, r the van der
-/// Waals radius; labels as "A 151 MET CA". ATOM and HETATM records of the first MODEL, waters
-/// included. Of an atom's alternate locations the one with the highest occupancy counts, the first
-/// of equals.
+/// Reads the atoms of a Protein Data Bank file as spheres: columns cx, cy, cz, r in angstrom, where
+/// r is the van der Waals radius; labels are like "A 151 MET CA". It reads the ATOM and HETATM
+/// records of the first MODEL, waters included. Of an atom's alternate locations the one with the
+/// highest occupancy counts, of equal ones the first.
 Result<Table> read_pdb(const std::filesystem::path& path, FloatFormat format);
 
 }  // namespace mixcmp::model

@@ -7,7 +7,8 @@
 namespace mixcmp::model {
 
 /// A pseudo-random permutation of [0, size): a Feistel network on the next even number of bits,
-/// walked until it comes back into the range. Its first n values are a sample without replacement.
+/// applied repeatedly until its value lies in the range (cycle walking). Its first n values are a
+/// sample without replacement.
 class Permutation {
 public:
   Permutation(std::uint64_t size, std::uint64_t seed)

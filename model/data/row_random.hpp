@@ -26,7 +26,7 @@ public:
     return std::uint64_t{block_[used_ - 2]} << 32 | block_[used_ - 1];
   }
 
-  /// 0..end-1. Uneven by at most end / 2^64: no test of ours sees that.
+  /// Uniform in 0..end-1, up to a bias of at most end / 2^64, which no test here can see.
   int below(int end) { return static_cast<int>(bits() % static_cast<std::uint64_t>(end)); }
   /// low..high, both included.
   int between(int low, int high) { return low + below(high - low + 1); }

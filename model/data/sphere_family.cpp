@@ -47,7 +47,7 @@ constexpr Kind kinds[] = {
 constexpr std::string_view near_tie_prefix = "near_tie_";
 constexpr int first_near_tie = 4, last_near_tie = 52;
 
-/// L of "near_tie_L".
+/// The precision L of the family "near_tie_L"; none for other families.
 std::optional<int> near_tie_precision(std::string_view name) {
   if (!name.starts_with(near_tie_prefix)) return std::nullopt;
   const std::string_view digits = name.substr(near_tie_prefix.size());

@@ -13,12 +13,13 @@ namespace {
 constexpr std::size_t radius_i = 6, radius_j = 7;
 constexpr std::size_t first_of_axis[] = {0, 2, 4};
 
-/// The base-2 exponent that a number of the cube's size, 100, may have beside a scale's.
+/// floor(log2 100): the largest exponent of a coordinate in the cube of side 100. The exponent of a
+/// scale adds to it.
 constexpr int cube_exponent = 6;
 
 constexpr NearTieEffort near_tie_effort = {.attempts = 32,
                                            .enough_ulp = std::numeric_limits<double>::infinity()};
-/// Samples of 10^6 ordinary pairs show errors of f and g that sum to less than this.
+/// In samples of 10^6 ordinary pairs, the errors of f and g sum to less than this `enough_ulp`.
 constexpr NearTieEffort counterexample_effort = {.attempts = 128, .enough_ulp = 7.25};
 
 mpq_class power_of_ten(int exponent) {
@@ -27,7 +28,7 @@ mpq_class power_of_ten(int exponent) {
   return power;
 }
 
-/// a^2 + b^2 + c^2 = d^2: Lebesgue's parametrisation of Pythagorean quadruples.
+/// A Pythagorean quadruple, a^2 + b^2 + c^2 = d^2, by Lebesgue's parametrisation.
 struct Quadruple {
   std::array<int, 3> sides;
   int diagonal;

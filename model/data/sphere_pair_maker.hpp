@@ -11,7 +11,7 @@
 
 namespace mixcmp::model {
 
-/// Makes one row of one family of sphere pairs: call one of the families once.
+/// Makes one row of one family of sphere pairs. Call one family's function, once.
 class SpherePairMaker {
 public:
   /// cxi, cxj, cyi, cyj, czi, czj, ri, rj.
@@ -38,11 +38,11 @@ public:
   Row offset() {
     return far_from_origin(decimal_exponent);
   }
-  /// Numbers around the smallest subnormal or the smallest normal number; or touching spheres whose
-  /// squares are there.
+  /// Numbers around the smallest subnormal or the smallest normal number; or touching spheres with
+  /// squared distances around the smallest normal number.
   Row smallest();
-  /// Numbers around the largest finite one; or touching spheres of such numbers, or of such
-  /// squares.
+  /// Numbers around the largest finite one; or touching spheres with coordinates of that size, or
+  /// with squared distances of that size.
   Row largest();
   /// Nearly touching spheres, scaled by any power of two in the format.
   Row scales();
@@ -50,7 +50,8 @@ public:
   /// exactly one huge difference, beside which the other two differences are so small that they
   /// vanish, although they decide.
   Row mixed_scales();
-  /// Points: g = 0, of either sign; they coincide, are one place apart, or anywhere.
+  /// Points: radii of zero, of either sign, so that g = 0. The centres coincide, differ in one last
+  /// place, or lie anywhere.
   Row zero_radii();
   /// Nearly touching spheres, one radius or both negated.
   Row negative_radii();
@@ -74,9 +75,9 @@ public:
 private:
   Bits encode(const mpq_class& value);
   Row encode(const DyadicPair& pair);
-  /// Zero for what has overflowed: the row is lost anyway.
+  /// The value of an encoding; zero for an infinity, since a row that overflows is an error anyway.
   mpq_class decode(Bits bits) const;
-  /// limit * [0, 1), in the format's digits.
+  /// A random number in [0, limit): limit times a fraction of as many digits as the format has.
   mpq_class unit(const mpq_class& limit);
   /// A random coordinate in [0, 100 * 2^exponent).
   Bits coordinate(int exponent);
@@ -85,14 +86,15 @@ private:
   Bits next(Bits value, int steps) const;
   Bits signed_randomly(Bits magnitude);
 
-  /// Sets the radii to sum to the distance, exactly as far as the format can, or nearly.
+  /// Sets the radii so that their sum is the distance, as nearly as the format can, or is close to
+  /// it.
   void touch(Row& row);
   /// Touching spheres in a cube of side 100 * 2^exponent.
   Row touching(int exponent);
   Row far_from_origin(int decimal_exponent);
-  /// Every number at most `reach` encodings from `middle`, signs at random but of radii.
+  /// Every number lies at most `reach` encodings from `middle`. Coordinates have random signs.
   Row encodings_around(Bits middle, int reach);
-  /// A distance along one axis that the radii equal exactly, others that vanish beside it.
+  /// The radii sum to exactly the distance along one axis; the other two vanish beside it.
   Row vanishing();
 
   FloatFormat format_;

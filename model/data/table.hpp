@@ -8,7 +8,7 @@
 
 namespace mixcmp::model {
 
-/// A column as its file has it.
+/// A column's number and name in its file.
 struct FileColumn {
   std::uint64_t number;  ///< counted from 0
   std::string name;      ///< empty where the file has no names
@@ -22,10 +22,10 @@ struct Table {
   FloatFormat format;
   std::vector<std::string> columns;
   std::vector<Bits> values = {};  ///< row-major, rows() * columns.size()
-  /// What a report calls row i (an atom's "A 151 MET CA"); empty: its line or its number.
+  /// The name of row i in reports ("A 151 MET CA" for an atom); empty: its line or its number.
   std::vector<std::string> labels = {};
-  std::vector<int> lines = {};           ///< the line of its file that row i begins in, if any has
-  std::string source = {};               ///< the file's name, or what the rows are made of
+  std::vector<int> lines = {};           ///< the file's line in which row i begins; empty: no lines
+  std::string source = {};               ///< name of the file or of the generator
   std::vector<FileColumn> origins = {};  ///< one per column where there is a source
 
   std::size_t rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
