@@ -139,8 +139,9 @@ private:
   }
 
   /// A number that the lane rounds to `value`, a number of the lane's format, although it is larger
-  /// (way 1) or smaller (way -1) by nearly reach(). Rounding toward zero never rounds up: instead of
-  /// a smaller number it is then one a hair larger, so that later roundings do not fall below.
+  /// (way 1) or smaller (way -1) by nearly reach(). Rounding toward zero never rounds up: the
+  /// number is then a hair larger instead of smaller, so that later roundings do not fall below
+  /// `value`.
   mpz_class misread(const mpz_class& value, int way) {
     if (!to_nearest() && way < 0) return value + hair();
     return value + way * quantized(std::max<mpz_class>(reach(value) - hair(), 0), quantum_bits_);
