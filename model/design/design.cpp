@@ -12,10 +12,11 @@
 namespace mixcmp::model {
 namespace {
 
-/// Comparisons measured for the paper's constants.
+/// The number of comparisons that are measured for the paper's constants, RE_f and RE_g.
 constexpr std::uint64_t profile_samples = 100'000;
 
-/// `mixcmp optimise` plans no chain of lanes.
+/// The error for an "auto" that nothing has resolved. It suggests `mixcmp optimise`, but not for an
+/// arg-min engine: that verb plans no chain of lanes.
 Error unresolved(const Scene& scene, const std::string& field, const std::string& option,
                  const std::string& accepted) {
   std::string message = fmt::format("is not chosen yet; give it in the scene or by {}", option);
@@ -26,7 +27,8 @@ Error unresolved(const Scene& scene, const std::string& field, const std::string
   return {.field = field, .message = message, .received = "\"auto\"", .accepted = accepted};
 }
 
-/// A chain has a lane for each of the data's candidates but the first.
+/// The number of lanes in a group. Where it is "auto", an arg-min engine gets a lane for each of
+/// the data's candidates but the first.
 Result<int> lane_count(const Scene& scene, const LaneGroupSpec& group, const Comparisons* data) {
   if (group.count) return *group.count;
   if (scene.system.engine.kind != EngineKind::arg_min || data == nullptr) {
@@ -40,7 +42,7 @@ Result<int> lane_count(const Scene& scene, const LaneGroupSpec& group, const Com
                .accepted = fmt::format("data with at most {}", max_lanes + 1)};
 }
 
-/// The largest errors of any part: RE_f and RE_g serve all of them.
+/// Measures the largest errors over all parts, which share one RE_f and one RE_g.
 ProfiledError profile_parts(const Scene& scene, const CombinedGraph& graph, const Comparisons& data,
                             MeasureErrors measure) {
   const std::uint64_t seed = scene.data ? scene.data->seed : 1;
@@ -96,7 +98,7 @@ bool can_decide(const IntervalDecision&, const Lane&) {
   return true;
 }
 
-/// Whether any two results lie far enough apart for the lane to decide.
+/// Whether any two results can lie far enough apart for the lane to decide.
 bool can_decide(const Lane& lane) {
   return std::visit([&](const auto& decision) { return can_decide(decision, lane); },
                     lane.decision);
@@ -107,7 +109,7 @@ Result<CombinedLane> design_certified_lane(const Scene& scene, const ReducedSpec
   const CertifiedOptions options{
       .kind = reduced.error_bound, .bound_digits = reduced.bound_digits, .ranges = scene.ranges};
   MIXCMP_TRY(lane, certified_lanes(graph, options));
-  // One part that decides may do.
+  // One part that decides may be enough for the verdict.
   const bool decides = std::any_of(lane.parts.begin(), lane.parts.end(),
                                    [](const Lane& part) { return can_decide(part); });
   if (decides) return lane;
@@ -119,7 +121,8 @@ Result<CombinedLane> design_certified_lane(const Scene& scene, const ReducedSpec
                .accepted = "more precision"};
 }
 
-/// An error of the scene's own text, placed at the line of the lane group that is at fault.
+/// Gives an error without a file the place of the lane group that is at fault. For a group of
+/// [[lanes]] the error names that table's key instead of the one in [reduced].
 Error placed(Error error, const LaneGroupSpec& group) {
   constexpr std::string_view section = "reduced.";
   if (error.file.empty()) {

@@ -24,20 +24,20 @@ struct ReferenceGroup {
 };
 
 /// A scene with every choice made: what is built, and what the golden model evaluates. Lanes and
-/// references are numbered through their groups, in order.
+/// references are numbered consecutively across their groups.
 struct Design {
   std::string name;
   std::vector<std::string> inputs;  ///< in the order they are packed
   std::vector<LaneGroup> lanes;     ///< at least one
   CombinedGraph reference;
-  std::vector<ReferenceGroup> references;  ///< none: p_H = 0
+  std::vector<ReferenceGroup> references;  ///< empty: p_H = 0
   SystemSpec system;
 
   int lane_count() const;       ///< p_L
   int reference_count() const;  ///< p_H
   /// The group that lane number `lane` belongs to, as an index of `lanes`.
   std::size_t group_of_lane(int lane) const;
-  bool certified() const;  ///< every lane's decision is
+  bool certified() const;  ///< whether every lane's decision is certified
 };
 
 /// Measures the relative errors of a lane on `sample_count` comparisons: profile_error
@@ -56,8 +56,9 @@ Result<Design> make_design(const Scene& scene, const Comparisons* data,
 Result<CombinedLane> design_lane(const Scene& scene, const ReducedSpec& reduced,
                                  const Comparisons* data, MeasureErrors measure = nullptr);
 
-/// A short name for each group: the format, "s12e8"; where groups share one, with what tells them
-/// apart, "s12e8_rounded_logic". Groups have the same name only where nothing here does.
+/// A short name for each group: its format, "s12e8". Groups that share a format also get the traits
+/// in which they differ, "s12e8_rounded_logic"; they have the same name only if they differ in
+/// none.
 std::vector<std::string> lane_group_names(const Design& design);
 std::vector<std::string> reference_group_names(const Design& design);
 

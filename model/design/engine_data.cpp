@@ -20,7 +20,7 @@ Result<Done> check_items(int capacity, const Comparisons& data) {
 }
 
 Result<Done> check_candidates(int lanes, const Comparisons& data) {
-  MIXCMP_CHECK(data.pairing() == Pairing::arg_min);  // a scene says so, or is refused
+  MIXCMP_CHECK(data.pairing() == Pairing::arg_min);  // load_scene refuses other pairings
   const std::uint64_t candidates = data.tables()[1].rows();
   if (candidates <= static_cast<std::uint64_t>(lanes) + 1) return Done{};
   return Error{

@@ -5,7 +5,7 @@
 
 namespace mixcmp::model {
 
-/// Refuses data that the scene's engine, with so many lanes, has no room for.
+/// Refuses data with more items or candidates than the engine holds with this number of lanes.
 Result<Done> check_engine_data(const EngineSpec& engine, int lanes, const Comparisons& data);
 
 }  // namespace mixcmp::model

@@ -20,7 +20,7 @@ std::string bound_name(const CombinedLane& lane) {
   return name;
 }
 
-/// Words for what may tell a group from another of its format.
+/// The traits in which a group may differ from another of its format, in words.
 std::vector<std::string> traits_of(const LaneGroup& group) {
   const Arithmetic& arithmetic = group.lane.arithmetic();
   return {std::string(to_string(group.inputs)), bound_name(group.lane),
@@ -28,7 +28,7 @@ std::vector<std::string> traits_of(const LaneGroup& group) {
           std::string(to_string(arithmetic.subnormals)), std::string(to_string(group.multipliers))};
 }
 
-/// "RE_f_0.001_RE_g_0.002" of profiled lanes; empty of others.
+/// "RE_f_0.001_RE_g_0.002" for profiled lanes; empty for others.
 std::string relative_errors_of(const LaneGroup& group) {
   const auto* interval = std::get_if<IntervalDecision>(&group.lane.parts.front().decision);
   if (interval == nullptr) return "";
@@ -36,7 +36,8 @@ std::string relative_errors_of(const LaneGroup& group) {
                      interval->relative_error_g.get_d());
 }
 
-/// Profiled lanes may differ in nothing but their errors.
+/// Appends their relative errors to names that are still equal: profiled lanes may differ in
+/// nothing else.
 void tell_errors_apart(std::vector<std::string>& names, const Design& design) {
   const std::vector<std::string> before = names;
   for (std::size_t k = 0; k < names.size(); ++k) {
