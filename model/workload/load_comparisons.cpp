@@ -40,8 +40,8 @@ Result<Table> generated_table(const DataSpec& data, FloatFormat format) {
       format);
 }
 
-/// Some tables come with columns that the scene does not choose. All of them stay where none is
-/// given a name of the scene's own.
+/// Selects the wanted columns of a table that was read or generated whole. If the scene names no
+/// columns, all of them stay.
 Result<Table> chosen_columns(Table table, std::span<const ColumnNames> names,
                              std::span<const WantedColumn> wanted) {
   MIXCMP_TRY(selected, select_columns(table, wanted));
@@ -52,7 +52,7 @@ Result<Table> chosen_columns(Table table, std::span<const ColumnNames> names,
   return table;
 }
 
-/// The table `which` of the scene, in the scene's names.
+/// Reads or generates the table `which`, 0 or 1, of the scene; its columns get the scene's names.
 Result<Table> read_table(const DataSpec& data, std::size_t which, FloatFormat format,
                          std::span<const WantedColumn> wanted) {
   const std::filesystem::path& file = which == 0 ? data.file : data.with;
@@ -63,7 +63,7 @@ Result<Table> read_table(const DataSpec& data, std::size_t which, FloatFormat fo
   return chosen_columns(std::move(table), which == 0 ? data.columns : data.with_columns, wanted);
 }
 
-/// What the inputs' names say.
+/// The rule that assigns an input to a table by its name, as the end of an error message.
 std::string input_rule(const DataSpec& data) {
   const std::string first = table_name(data, 0), second = table_name(data, 1);
   switch (data.pairing) {
@@ -79,7 +79,7 @@ std::string input_rule(const DataSpec& data) {
   MIXCMP_CHECK(false);
 }
 
-/// Who needs the column that the scene calls `column`.
+/// The first input that needs the column which the scene calls `column`.
 std::string needing_input(const Scene& scene, std::size_t which, const std::string& column) {
   for (const std::string& input : scene.graph.inputs()) {
     const Result<InputColumn> place = input_column(scene.data->pairing, input);
@@ -100,7 +100,7 @@ std::string source_key(const DataSpec& data, std::size_t which) {
   return data.file.empty() ? "items" : "file";
 }
 
-/// Checks that the file can be read; else the key that names it is mistaken.
+/// Checks that the file can be read; the error is placed at the key that names the file.
 Result<Done> check_source(const DataSpec& data, std::size_t which) {
   const std::filesystem::path& path = which == 0 ? data.file : data.with;
   if (path.empty()) return Done{};
@@ -115,7 +115,8 @@ Result<Done> check_source(const DataSpec& data, std::size_t which) {
   return error;
 }
 
-/// A missing column is told with the input that needs it and the rule that makes it that table's.
+/// Adds to the error of a missing column the input that needs it, and the rule that assigns this
+/// input to the table.
 Error with_input(const Scene& scene, std::size_t which, const std::string& wanted, Error error) {
   const std::string need = fmt::format(
       ", which the input {} needs{}", needing_input(scene, which, wanted), input_rule(*scene.data));
@@ -128,7 +129,8 @@ Error with_input(const Scene& scene, std::size_t which, const std::string& wante
   return error;
 }
 
-/// Numbers of columns are missing in the key that gives them, or beside the file.
+/// Places an error about missing column numbers at the key that gives such numbers or, where that
+/// is absent, at the key that names the file.
 Error with_columns_key(const DataSpec& data, std::size_t which, Error error) {
   const std::string key = which == 0 ? "columns" : "with_columns";
   const Place place = place_of(data, data.places.contains(key) ? key : source_key(data, which));
@@ -155,7 +157,7 @@ Result<Table> load_table(const Scene& scene, std::size_t which,
   return with_input(scene, which, missing->name, error);
 }
 
-/// Tells how far a contest is.
+/// Makes a contest report its progress.
 Contest with_progress(Contest contest, const ContestProgress& progress) {
   if (!progress) return contest;
   return [contest = std::move(contest), progress, done = std::uint64_t{0}](
@@ -186,8 +188,8 @@ Result<Comparisons> arrange(const Scene& scene, const ContestProgress& progress)
                               with_progress(contest, progress));
 }
 
-/// A mistake that stands in no file yet is one of the key that it names, or of [data]; one of a
-/// table's names the table.
+/// Places an error that has no file yet at the key that it names, or at [data]. An error about one
+/// table also names that table.
 Error in_scene(const Scene& scene, Error error) {
   if (!error.file.empty()) return error;
   error.file = scene.path.string();

@@ -10,7 +10,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// One operand after the other: for formats that double does not hold.
+/// Decides one comparison after the other in the golden model, for formats that double cannot hold.
 void evaluate_contests(const CombinedGraph& reference, const Comparisons& data,
                        std::span<const Items> items, std::span<std::uint8_t> greater) {
   std::vector<Bits> operands(data.input_count());

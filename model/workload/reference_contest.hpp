@@ -5,7 +5,7 @@
 
 namespace mixcmp::model {
 
-/// Contests decided by a reference datapath, bit for bit.
+/// Makes a Contest that decides as a reference datapath does, bit for bit.
 Contest reference_contest(const CombinedGraph& reference);
 
 }  // namespace mixcmp::model
