@@ -13,7 +13,8 @@ Bits encode_bound(BoundFormat format, const mpq_class& value) {
   const long field = exponent + format.bias();
   if (field < 1) return format.smallest();
   if (field >= (1L << format.exponent_bits) - 1) return format.infinity();
-  // From 1 to all ones, or one more: that is the next power of two, at last infinity.
+  // 2^(P-1)..2^P. The last of these carries into the exponent field: it gives the next power of
+  // two or, after the largest number, infinity.
   const mpz_class significand = ceiling_of(scaled(value, format.precision - 1 - exponent));
   return (Bits(field - 1) << (format.precision - 1)) + to_bits(significand);
 }

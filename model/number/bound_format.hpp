@@ -6,11 +6,12 @@
 
 namespace mixcmp::model {
 
-/// Upper bounds in hardware: non-negative numbers of `precision` digits (1: powers of two,
-/// exponents alone). Packed without a sign: biased exponent, then precision - 1 fraction bits.
-/// Exponent field 0 is zero, with fraction 0; all ones is infinite, with fraction 0: no bound at
-/// all. No subnormals. The bias is that of a FloatFormat of as many exponent bits, so a bound
-/// followed by zeros compares as an integer with a magnitude of that format.
+/// The format of upper bounds in hardware: non-negative numbers of `precision` digits; with one
+/// digit they are powers of two. They are packed without a sign: biased exponent, then precision -
+/// 1 fraction bits. Exponent field 0 with fraction 0 is zero; an exponent field of all ones with
+/// fraction 0 is infinity, which bounds nothing. There are no subnormals. The bias is that of a
+/// FloatFormat of as many exponent bits, so a bound followed by zeros compares as an integer with a
+/// magnitude of that format.
 struct BoundFormat {
   int precision;      ///< 1..52, at most the lane's
   int exponent_bits;  ///< the lane's

@@ -70,7 +70,8 @@ Bits round_decimal(FloatFormat format, const Decimal& decimal) {
 }
 
 /// Below a power of two the encodings lie twice as dense, so that the decimal nearest to it may
-/// read back as its lower neighbour where one above reads back well: both are tried.
+/// read back as its lower neighbour although the next decimal above it reads back as the power of
+/// two: both are tried.
 Decimal shortest_decimal(FloatFormat format, Bits magnitude) {
   const mpq_class value = to_rational(format, magnitude);
   const long exponent = decimal_exponent(value);
@@ -84,7 +85,7 @@ Decimal shortest_decimal(FloatFormat format, Bits magnitude) {
   MIXCMP_CHECK(!"a decimal of 36 digits reads back");
 }
 
-/// Plain for exponents that read well, scientific beyond.
+/// Prints a decimal in plain notation if its exponent is small, else in scientific notation.
 std::string print(const Decimal& decimal) {
   constexpr long plain_low = -4, plain_high = 17;
   std::string digits = decimal.digits.substr(0, decimal.digits.find_last_not_of('0') + 1);

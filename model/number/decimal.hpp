@@ -8,9 +8,10 @@
 
 namespace mixcmp::model {
 
-/// A decimal literal ("12.345", "-1e-7", "inf", "nan") or C hex-float, rounded once to nearest.
+/// Reads a decimal literal ("12.345", "-1e-7", "inf", "nan") or C hex-float, rounded once to
+/// nearest.
 Result<Bits> from_text(FloatFormat format, std::string_view text);
-/// Shortest decimal that reads back as the same number, or "inf", "-inf", "nan".
+/// The shortest decimal that reads back as the same number, or "inf", "-inf", "nan".
 std::string to_text(FloatFormat format, Bits bits);
 
 }  // namespace mixcmp::model

@@ -11,10 +11,10 @@
 namespace mixcmp::model {
 namespace {
 
-/// numerator / denominator as a whole number and what is left of it.
+/// The result of an integer division, with what rounding to nearest needs of the remainder.
 struct Division {
   mpz_class quotient;
-  int half;  ///< the sign of remainder - 1/2: below, at or above the midpoint
+  int half;  ///< sign of remainder / divisor - 1/2: below, at or above the midpoint
 };
 
 /// (numerator / denominator) / 2^shift for non-negative operands.

@@ -18,7 +18,7 @@ public:
 
   static Result<FloatFormat> make(int precision, int exponent_bits);
 
-  /// How messages say what `parse` takes, of formats with a precision from `least` to `most`.
+  /// The formats that `parse` takes, with precisions from `least` to `most`, in a message's words.
   static std::string accepted(int least = min_precision, int most = max_precision);
 
   /// Reads "s17e8", or one of binary16, bfloat16, binary32, binary64, binary128.
@@ -86,13 +86,13 @@ enum class Rounding {
   toward_zero,
 };
 
-/// What happens below the smallest normal number.
+/// The treatment of numbers below the smallest normal number.
 enum class Subnormals {
   flush,    ///< operands and results below it become a zero of the same sign, as in vendor cores
   gradual,  ///< IEEE 754
 };
 
-/// A format together with how results are brought into it.
+/// A format together with how results are rounded into it.
 struct Arithmetic {
   FloatFormat format;
   Rounding rounding = Rounding::nearest_even;

@@ -13,7 +13,7 @@ bool is_digit_of(int base, char c) {
   return decimal || (base == 16 && letter);
 }
 
-/// Takes the digits at the front of `text` away from it.
+/// Removes the digits at the front of `text` and returns them.
 std::string_view take_digits(std::string_view& text, int base) {
   const auto other = [base](char c) { return !is_digit_of(base, c); };
   const auto end = std::find_if(text.begin(), text.end(), other);
@@ -22,14 +22,14 @@ std::string_view take_digits(std::string_view& text, int base) {
   return digits;
 }
 
-/// Takes the first character away where it is one of two.
+/// Removes the first character of `text` if it is one of these two, and tells whether it was.
 bool take_either(std::string_view& text, char one, char other) {
   if (!text.starts_with(one) && !text.starts_with(other)) return false;
   text.remove_prefix(1);
   return true;
 }
 
-/// Reads an exponent, what follows its letter; none if it does not fill `text`.
+/// Reads the digits and sign of an exponent, without its letter; none if they do not fill `text`.
 std::optional<long> read_exponent(std::string_view text) {
   constexpr long most = 1L << 48;
   const bool negative = text.starts_with('-');

@@ -14,7 +14,7 @@ struct Literal {
   std::string digits;  ///< without the point; at least one
   int base = 10;       ///< of the digits: 10 or 16
   int radix = 10;      ///< of the exponent: 10, or 2 for hexadecimal digits
-  long exponent = 0;   ///< cut at +-2^48, which no digits in memory make up for
+  long exponent = 0;   ///< clamped to about +-2^48, which no digits in memory offset
 };
 
 /// Reads a literal that fills `text`; none if it is malformed.
