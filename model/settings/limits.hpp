@@ -17,8 +17,8 @@ struct Limits {
 /// "4..52", as messages, helps and documentation write limits.
 std::string to_string(Limits limits);
 
-/// Limits of a scene's numbers. Whoever checks or states one takes it from here;
-/// docs/scene_file.md is held against them by a test.
+/// Limits of a scene's numbers. All checks and messages take them from here, and a test compares
+/// docs/scene_file.md with them.
 namespace limits {
 
 inline constexpr Limits lane_precision{4, 52};  ///< L; and at most the reference's precision
@@ -32,8 +32,9 @@ inline constexpr Limits tag_bits{1, 64};
 inline constexpr Limits counter_bits{8, 64};  ///< or 0: no counters
 inline constexpr Limits engine_capacity{2, 65'536};
 inline constexpr Limits items{1, 1 << 24};  ///< of generated data
-inline constexpr Limits threads{1, 1024};   ///< of this program, and jobs at a time
-inline constexpr Limits seeds{1, 1000};     ///< of a router
+inline constexpr Limits threads{
+    1, 1024};  ///< threads of this program, and tools that it runs at a time
+inline constexpr Limits seeds{1, 1000};  ///< of a router
 
 }  // namespace limits
 

@@ -16,7 +16,7 @@
 namespace mixcmp::model {
 
 /// Reads one table of a scene, key by key, into variables that keep their defaults where a key is
-/// absent. The first mistake is kept; `finish` tells it, or a key that no one asked for.
+/// absent. The first mistake is kept until `finish`, which also finds keys that nobody asked for.
 class Section {
 public:
   /// The section [name] of the file; an absent one reads as empty.
@@ -33,14 +33,14 @@ public:
   void text(const std::string& key, std::string& target);
   void number(const std::string& key, double& target, double low, double high);
   void exact(const std::string& key, std::optional<mpq_class>& target);
-  /// A format with a precision in `precisions`; `accepted` is how mistakes say so.
+  /// A format with a precision in `precisions`; `accepted` says so in an error.
   void format(const std::string& key, std::optional<FloatFormat>& target, Limits precisions,
               const std::string& accepted);
   template <std::integral Integer>
   void integer(const std::string& key, Integer& target, std::int64_t low, std::int64_t high);
   template <std::integral Integer>
   void integer(const std::string& key, Integer& target, Limits limits);
-  /// An integer, or 0, which means `zero`.
+  /// An integer, or 0; `zero` says in an error what 0 means.
   void integer_or_zero(const std::string& key, int& target, Limits limits, const std::string& zero);
   /// An integer, or "auto" for none.
   void integer_or_auto(const std::string& key, std::optional<int>& target, Limits limits);
@@ -81,14 +81,15 @@ private:
   std::optional<Error> error_;
 };
 
-/// The file that a setting stands in, or "--set".
+/// The file that a setting comes from, or "--set".
 std::string file_of(const Setting& setting);
 
 /// An error about the setting `field`: it names the setting's file and line, or "--set".
 Error mistake_at(const Setting& setting, std::string field, std::string message,
                  std::string received, std::string accepted);
 
-/// The tables of the list [[name]]; none where it is absent. `purpose`: "one table for each kind".
+/// The tables of the list [[name]]; none where it is absent. `purpose` says in an error what they
+/// are: "one table for each kind".
 Result<std::span<const Setting>> tables_of(const Settings& settings, const std::string& name,
                                            const std::string& purpose);
 

@@ -18,9 +18,9 @@ struct SettingsFile {
   std::string text;
 };
 
-/// One key of a scene file with its value, as TOML has it; what it means comes later.
+/// One key of a scene file with its TOML value, not yet interpreted.
 struct Setting {
-  /// A value of a kind that no scene uses, by its name: "a date".
+  /// A value of a type that no scene uses; `kind` names the type: "a date or time".
   struct Foreign {
     std::string kind;
   };
@@ -42,17 +42,18 @@ struct Setting {
   std::string shown() const;
 };
 
-/// Settings not yet understood: of a scene file, or of a plan laid over its scene (plan.hpp), --set
-/// overrides applied.
+/// The settings of a scene file, or of a plan laid over its scene (plan.hpp), with --set overrides
+/// applied, not yet interpreted.
 struct Settings {
-  std::filesystem::path path;  ///< of the scene: where what is missing should stand
+  std::filesystem::path path;  ///< of the scene; named in errors about missing keys
   Setting::Table root;
 };
 
-/// The text of a file already read; `path` is for the errors.
+/// Parses the text of a file already read; `path` is for the errors.
 Result<Settings> parse_settings(std::string text, const std::filesystem::path& path);
 
-/// Each override is "section.key=value"; what is no TOML value counts as a string.
+/// Reads a file and applies the overrides. Each is "section.key=value"; a value that is not TOML
+/// counts as a string.
 Result<Settings> read_settings(const std::filesystem::path& path,
                                std::span<const std::string> overrides);
 
@@ -60,17 +61,17 @@ Result<Settings> read_settings(const std::filesystem::path& path,
 std::string toml_string(const std::string& text);
 /// A key of TOML, in quotes where it needs them.
 std::string toml_key(const std::string& key);
-/// A value of TOML on one line, all of it; `value` is not foreign.
+/// A whole value of TOML on one line; `value` contains nothing Foreign.
 std::string toml_value(const Setting& value);
 
 Result<Done> apply_overrides(Settings& settings, std::span<const std::string> overrides);
 
-/// The entries of `root`'s sections that the overrides, already applied, have touched: whole ones,
-/// where an override changed a part.
+/// The entries of `root`'s sections that the overrides, already applied, have changed. An entry of
+/// which an override changed only a part is returned whole.
 Setting::Table overridden_entries(const Setting::Table& root,
                                   std::span<const std::string> overrides);
 
-/// The entry of that key, added as an empty table where there is none.
+/// The entry with that key; where there is none, an empty table is added.
 Setting& find_or_add(Setting::Table& table, const std::string& key);
 
 }  // namespace mixcmp::model
