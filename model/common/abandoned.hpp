@@ -10,8 +10,8 @@ namespace mixcmp::model {
 bool try_lock_new(int descriptor);
 
 /// Removes from `folder` our user's files and folders whose names begin with `prefix` and that are
-/// not locked: they were left by a process that was killed. What cannot be removed stays without a
-/// word: it is nobody's result.
+/// not locked: they were left by a process that was killed. What cannot be removed stays, which is
+/// no error, since it is nobody's result.
 void remove_abandoned(const std::filesystem::path& folder, std::string_view prefix);
 
 }  // namespace mixcmp::model

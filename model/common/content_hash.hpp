@@ -7,7 +7,7 @@
 
 namespace mixcmp::model {
 
-/// 128-bit FNV-1a over a sequence of texts: it names contents, it guards nothing.
+/// 128-bit FNV-1a over a sequence of texts. It identifies contents and is not cryptographic.
 class ContentHash {
 public:
   /// Texts are told apart: "ab", "c" and "a", "bc" differ.

@@ -9,7 +9,7 @@ namespace mixcmp::model {
 
 Result<Done> check_readable(const std::filesystem::path& path);
 
-/// All bytes of a regular file.
+/// Reads all bytes of a regular file.
 Result<std::string> read_file(const std::filesystem::path& path);
 
 }  // namespace mixcmp::model

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Waits if it must; 0, or an errno.
+/// Locks the folder, waiting if another run holds it. Returns 0 or an errno.
 int lock(int descriptor, const fs::path& folder, const Waiting& waiting) {
   if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return 0;
   if (errno != EWOULDBLOCK) return errno;
@@ -44,7 +44,7 @@ Result<FolderLock> FolderLock::take(const fs::path& folder, const Waiting& waiti
     if (const int failure = lock(opened.get(), folder, waiting); failure != 0) {
       return cannot_write(folder, failure);
     }
-    // Who held it before may have removed or replaced it.
+    // The run that held the folder before may have removed or replaced it.
     struct stat locked = {}, now = {};
     const bool same = fstat(opened.get(), &locked) == 0 && stat(folder.c_str(), &now) == 0 &&
                       locked.st_ino == now.st_ino && locked.st_dev == now.st_dev;

@@ -8,7 +8,7 @@
 
 namespace mixcmp::model {
 
-/// Tells that another run holds a folder.
+/// Called when a run has to wait for a folder that another run holds.
 using Waiting = std::function<void(const std::filesystem::path& folder)>;
 
 /// Holds a work folder that runs share: a second run that wants it waits until the first ends,

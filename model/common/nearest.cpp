@@ -36,7 +36,7 @@ std::string nearest(std::string_view text, std::span<const std::string> names) {
   for (const std::string& name : names) {
     const auto longer =
         static_cast<std::int64_t>(name.size()) - static_cast<std::int64_t>(text.size());
-    if (std::abs(longer) >= best_distance) continue;  // as far apart at least
+    if (std::abs(longer) >= best_distance) continue;  // a lower bound on the distance
     const int distance = edit_distance(text, name);
     if (distance >= best_distance) continue;
     best = name;

@@ -6,7 +6,8 @@
 
 namespace mixcmp::model {
 
-/// Insertions, deletions, substitutions and swaps of neighbours that turn `a` into `b`.
+/// The number of insertions, deletions, substitutions and swaps of neighbours that turn `a` into
+/// `b`.
 int edit_distance(std::string_view a, std::string_view b);
 
 /// The name closest to `text`, or empty where none is close enough to be a slip of the fingers.

@@ -73,7 +73,7 @@ Error cannot_write(const fs::path& path, int failure) {
 }
 
 Result<fs::path> follow_links(fs::path path) {
-  constexpr int most_links = 40;  // as Linux's
+  constexpr int most_links = 40;  // as in Linux
   std::error_code failed;
   for (int links = 0; fs::is_symlink(fs::symlink_status(path, failed)); ++links) {
     if (links == most_links) return cannot_write(path, ELOOP);

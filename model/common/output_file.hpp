@@ -10,10 +10,10 @@
 namespace mixcmp::model {
 
 /// The one way in which this program writes a file: whole or not at all. The text goes into a file
-/// with a name of its own beside the final path, which `commit` moves there. So a reader, an
-/// interrupt, a full disk and a second run that writes the same path never see half a file. A
-/// symbolic link is followed; a pipe or a device, /dev/stdout too, takes the text as it comes and
-/// stays what it is.
+/// with a name of its own beside the final path, which `commit` moves there. So there is never half
+/// a file at the final path, not even after an interrupt, with a full disk, or when a second run
+/// writes the same path. A symbolic link is followed. A pipe or a device, also /dev/stdout, is
+/// written directly and never replaced.
 /// Unfinished files that killed runs left in the folder are removed by the next run that writes
 /// there.
 class OutputFile {
@@ -26,7 +26,7 @@ public:
   /// Without `commit`, the final path is as it was before.
   ~OutputFile();
 
-  /// A failure is kept and told by `write_out` or `commit`.
+  /// A failure is kept and returned by `write_out` or `commit`.
   void write(std::string_view text);
   /// Writes what is still in memory: then `commit` needs no more space on the disk. Files that
   /// belong together are all written out before the first is committed.
@@ -53,15 +53,16 @@ Result<std::filesystem::path> follow_links(std::filesystem::path path);
 /// stay, and what may not be written is not replaced.
 Result<Done> put_in_place(const std::filesystem::path& finished, const std::filesystem::path& path);
 
-/// Moves a folder to its final path in one step for whoever looks: the new one is there whole, or
-/// the old one still is, which then has the path `finished`. Both are on the same file system.
+/// Moves a folder to its final path atomically: a reader finds either the old folder there or the
+/// whole new one. Afterwards an old folder has the path `finished`. Both paths are on the same file
+/// system.
 Result<Done> put_folder_in_place(const std::filesystem::path& finished,
                                  const std::filesystem::path& path);
 
-/// A copy of a folder with all that is in it, file by file through OutputFile.
+/// Copies a folder with all that is in it, file by file through OutputFile.
 Result<Done> copy_folder(const std::filesystem::path& folder, const std::filesystem::path& copy);
 
-/// A whole text through OutputFile.
+/// Writes a whole text through OutputFile.
 Result<Done> write_file(const std::filesystem::path& path, std::string_view text);
 
 /// "PATH: cannot be written: No space left on device", for an errno.

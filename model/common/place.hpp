@@ -4,7 +4,8 @@
 
 namespace mixcmp::model {
 
-/// Where something stands that was read: a scene's file, a plan's, or "--set" without a line.
+/// The place that something was read from: the file of a scene or a plan and the line in it, or
+/// "--set" without a line.
 struct Place {
   std::string file;
   int line = 0;

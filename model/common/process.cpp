@@ -35,7 +35,7 @@ bool quotes_needed(const std::string& word) {
   return word.empty() || word.find_first_of(" \t\n'\"\\$`*?[]{}()<>|&;!#~") != std::string::npos;
 }
 
-/// Why a tool was ended before its time; nothing: it ended by itself.
+/// Waits until a tool has ended. Returns the reason if it must be ended early, in words.
 std::optional<std::string> wait_within(ProcessGroup& group, const ToolRun& run) {
   constexpr std::chrono::milliseconds between_looks{20};
   const auto start = Clock::now();
@@ -77,7 +77,7 @@ Descriptor memory_file(std::string_view content) {
   return file;
 }
 
-/// Appends what has come; false at its end.
+/// Appends what can be read to `text`; false at the end of the stream.
 bool take(int descriptor, std::string& text) {
   std::array<char, 65536> block;
   const ssize_t size = read(descriptor, block.data(), block.size());
@@ -88,7 +88,7 @@ bool take(int descriptor, std::string& text) {
 
 constexpr std::size_t most_captured_bytes = std::size_t{64} << 20;
 
-/// At least no time.
+/// The time that is left until the deadline, 0 or more.
 std::chrono::milliseconds time_until(Clock::time_point deadline) {
   const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
   return std::max(left, std::chrono::milliseconds{0});
@@ -197,7 +197,7 @@ Result<Child> Child::spawn(const Command& command, const fs::path& log_path) {
 }
 
 bool Child::finish() {
-  constexpr std::chrono::minutes patience{10};  // large waves take long to be packed
+  constexpr std::chrono::minutes patience{10};  // packing a large waveform file takes long
   return group_.wait_for(patience) && group_.wait() == 0;
 }
 

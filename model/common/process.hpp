@@ -12,13 +12,13 @@
 
 namespace mixcmp::model {
 
-/// What is being done, for a line on a terminal.
+/// Called with a description of what is being done, for a line on a terminal.
 using Progress = std::function<void(const std::string&)>;
 
 /// What may end a tool before it ends by itself.
 struct ToolLimits {
   int seconds = 0;                               ///< of wall time; 0: no limit
-  const std::atomic<bool>* cancelled = nullptr;  ///< null: nobody cancels
+  const std::atomic<bool>* cancelled = nullptr;  ///< becomes true to end the tool; null: never
 };
 
 /// One run of a tool.
@@ -27,12 +27,12 @@ struct ToolRun {
   std::filesystem::path directory;  ///< that it runs in
   std::filesystem::path log;        ///< takes its standard output and standard error
   ToolLimits limits = {};
-  Progress progress = {};  ///< told every second how long it has been
+  Progress progress = {};  ///< called every second with the time so far
 };
 
-/// Runs a tool to its end. Its temporary files go to a folder in its directory (TMPDIR), which goes
-/// with the run, or with the next one there if this is killed. If it fails, the error names the log
-/// and shows its end.
+/// Runs a tool to its end. Its temporary files go to a folder in its directory (TMPDIR), which is
+/// removed after the run or, if this process is killed, by the next run there. If the tool fails,
+/// the error names the log and shows the end of it.
 Result<Done> run_tool(const ToolRun& run);
 
 struct Captured {
@@ -68,8 +68,8 @@ public:
   bool send(std::span<const std::byte> bytes);
   bool receive(std::span<std::byte> bytes);
 
-  /// Waits until the child, which knows that it has nothing more to do, has ended by itself. False
-  /// where it does not, or says that it failed.
+  /// Waits until the child has ended by itself; it must know already that nothing more is to do.
+  /// False if it does not end in time or its exit status is not 0.
   bool finish();
 
 private:

@@ -63,7 +63,7 @@ constexpr rlim_t most_file_bytes = rlim_t{16} << 30;
 
 enum class FailedStep { machine, directory, program };
 
-/// What a child tells through a pipe where it does not become the program.
+/// What a child reports through a pipe if it cannot become the program.
 struct StartFailure {
   int error = 0;  ///< errno
   FailedStep step = FailedStep::machine;
@@ -93,7 +93,8 @@ struct StartFailure {
   _exit(exec_failed);
 }
 
-/// Holds nothing open but its end of the pipe, and waits for that to close.
+/// Closes all descriptors but its end of the pipe, waits for the pipe to close, and then kills the
+/// group.
 [[noreturn]] void watch(pid_t group, int lifeline) {
   setpgid(0, group);
   dup2(lifeline, STDIN_FILENO);
@@ -135,7 +136,7 @@ Result<ProcessGroup> ProcessGroup::start(const Launch& launch) {
   const pid_t program = fork();
   if (program < 0) return cannot_start(launch, {errno});
   if (program == 0) become(made, report.write_end.get());
-  setpgid(program, program);  // whoever comes first; the watcher needs the group
+  setpgid(program, program);  // as the child does; the watcher needs the group now
   const pid_t watcher = fork();
   if (watcher == 0) {
     lifeline.write_end.reset();
@@ -169,7 +170,8 @@ bool ProcessGroup::wait_for(std::chrono::milliseconds patience) {
   const auto end = std::chrono::steady_clock::now() + patience;
   while (true) {
     siginfo_t ended = {};
-    // The program stays a zombie: its number names the group until all of that is killed.
+    // The program stays a zombie, so that its process id names the group until all of the group is
+    // killed.
     waitid(P_PID, static_cast<id_t>(program_), &ended, WEXITED | WNOHANG | WNOWAIT);
     if (ended.si_pid != 0) return true;
     if (std::chrono::steady_clock::now() >= end) return false;

@@ -51,7 +51,7 @@ private:
   ProcessGroup(pid_t program, pid_t watcher, Descriptor lifeline)
       : program_(program), watcher_(watcher), lifeline_(std::move(lifeline)) {}
 
-  pid_t program_;  ///< the leader of the group; -1: over
+  pid_t program_;  ///< the leader of the group; -1: waited for, or moved from
   pid_t watcher_;
   Descriptor lifeline_;  ///< the end of the watcher's pipe that we hold
 };

@@ -5,7 +5,8 @@
 namespace mixcmp::model {
 namespace {
 
-/// Bytes of the character at the front of `text`, which is not empty; 0 where it is no UTF-8.
+/// The length in bytes of the character at the front of `text`, which is not empty; 0 if that is
+/// not valid UTF-8.
 std::size_t character_bytes(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned first = byte(0);
@@ -15,7 +16,7 @@ std::size_t character_bytes(std::string_view text) {
   for (std::size_t k = 1; k < bytes; ++k) {
     if ((byte(k) & 0xC0U) != 0x80U) return 0;
   }
-  // Longer forms than needed, halves of surrogate pairs, and what lies beyond U+10FFFF.
+  // Overlong forms, surrogates and code points beyond U+10FFFF are not valid.
   const unsigned second = byte(1);
   const bool wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
                      (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F);

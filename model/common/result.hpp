@@ -9,14 +9,14 @@
 namespace mixcmp::model {
 
 enum class ErrorKind {
-  mistake,          ///< the user's, or a machine that does not allow what was asked
+  mistake,          ///< of the user; or the machine does not allow what was asked
   missing_tool,     ///< what was asked for needs a program that is not installed
-  refuted,          ///< what was claimed does not hold
+  refuted,          ///< a claim that was checked does not hold
   missing_column,   ///< a mistake: `field` is no column of a table
   unnamed_columns,  ///< a mistake: a table's columns have no names, and not all have numbers
 };
 
-/// A user's mistake, told once: where it stands, what was received and what would be accepted.
+/// A user's mistake, reported once: its place, what was received and what would be accepted.
 /// Empty fields (and line or column 0) are left out of the printed message.
 struct Error {
   std::string file;

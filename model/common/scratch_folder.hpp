@@ -8,8 +8,8 @@
 
 namespace mixcmp::model {
 
-/// A new, empty folder of this process alone, which goes with this object. Folders that killed runs
-/// left under the same stem are removed by the next run that makes one there.
+/// A new, empty folder for this process alone, which is removed with this object. Folders that
+/// killed runs left under the same stem are removed by the next run that makes one there.
 class ScratchFolder {
 public:
   /// Makes the folder in $TMPDIR, or in /tmp where that is not set.
