@@ -2,14 +2,14 @@
 
 namespace mixcmp::model {
 
-/// What a design takes of a device, or what the device has.
+/// The resources of a device that a design uses, or that the device has.
 struct Area {
   int luts = 0;        ///< look-up tables, those that serve as shift registers or memory included
   int registers = 0;   ///< flip-flops
   int dsps = 0;        ///< embedded multipliers
   int memories = 0;    ///< memory blocks
-  int carries = 0;     ///< carry primitives (CARRY4, CCU2C, SB_CARRY); reported, bounds nothing
-  int shift_luts = 0;  ///< of `luts`, those that are shift registers or memory; reported
+  int carries = 0;     ///< carry primitives (CARRY4, CCU2C, SB_CARRY); only reported
+  int shift_luts = 0;  ///< of `luts`, those that are shift registers or memory; only reported
 
   Area& operator+=(const Area& other);
   friend Area operator+(Area a, const Area& b) { return a += b; }
@@ -17,7 +17,7 @@ struct Area {
   friend bool operator==(const Area&, const Area&) = default;
 };
 
-/// The resources that bound a plan (equation 11 once for each), with their names in files.
+/// A resource that limits a plan (equation 11 holds for each), with its name in files.
 struct Resource {
   const char* name;  ///< "lut", "ff", "dsp", "memory"
   int Area::*amount;

@@ -23,10 +23,10 @@ struct MultiplierSize {
 /// clock.
 struct DelayTable {
   double lut_ns = 0.7;              ///< one LUT and the wire to it
-  double carry_start_ns = 0.8;      ///< onto and off a carry chain
-  double carry_ns_per_bit = 0.02;   ///< along it
+  double carry_start_ns = 0.8;      ///< getting onto and off a carry chain
+  double carry_ns_per_bit = 0.02;   ///< along a carry chain
   double multiplier_ns = 2.0;       ///< one embedded multiplier, to the register behind it
-  double multiplier_output_ns = 0;  ///< from there through its adder, where it has one
+  double multiplier_output_ns = 0;  ///< from that register through its adder, if any
   double multiplier_add_ns = 1.0;   ///< adding its product to another's
   double register_ns = 0.6;         ///< clock-to-output plus set-up
   MultiplierSize multiplier;
@@ -60,7 +60,7 @@ struct Device {
 /// `system.device` and the devices known, or the file, line and field of a device file.
 Result<Device> find_device(std::string_view name);
 
-/// The names that come with the program.
+/// The names of the devices that come with the program.
 std::vector<std::string> device_names();
 
 }  // namespace mixcmp::model

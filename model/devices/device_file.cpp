@@ -30,7 +30,7 @@ Result<Done> check_section_names(const Settings& settings) {
   return Done{};
 }
 
-/// Tables and folders are named after devices.
+/// Whether a device may have this name: tables and folders are named after devices.
 bool is_file_name(const std::string& name) {
   constexpr auto accepted = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-+_.";
   return !name.empty() && name.front() != '.' &&
@@ -61,7 +61,8 @@ Result<Done> read_figures(const Settings& settings, Device& device) {
   return Done{};
 }
 
-/// Yosys reads the command as part of a script, where these end a command or start a shell.
+/// Checks that the text is one synthesis command. Yosys reads it as part of a script, where the
+/// characters refused here end a command, begin a comment or start a shell.
 void check_command(Section& section, const std::string& key, const std::string& command) {
   if (section.find(key) == nullptr) return;
   const bool one_command = command.find_first_of(";\n\r!#") == std::string::npos;
@@ -96,7 +97,8 @@ void read_arguments(Section& section, std::vector<std::string>& arguments) {
   }
 }
 
-/// Delays of cells are in Yosys' library for Xilinx alone; a router takes the mapped netlist.
+/// Checks that timing.synthesis goes with the tool. yosys_sta needs it, for Xilinx: Yosys' library
+/// has cell delays for no other vendor. A router takes the mapped netlist and needs none.
 void check_timing_synthesis(Section& section, const Device& device) {
   const bool given = !device.timing_synthesis.empty();
   if (device.timing == TimingTool::yosys_sta) {

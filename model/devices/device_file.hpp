@@ -7,8 +7,8 @@
 
 namespace mixcmp::model {
 
-/// Understands the text of a device file (docs/devices.md); `path` is for the errors, which name
-/// file, line and field.
+/// Reads the text of a device file (docs/devices.md); `path` is for the errors, which name file,
+/// line and field.
 Result<Device> read_device(std::string text, const std::filesystem::path& path);
 
 }  // namespace mixcmp::model
