@@ -319,8 +319,8 @@ bool Analysis::is_plain(NodeId id) const {
          !(node(id).format == graph_.arithmetic.format);
 }
 
-/// The factor m of cancelling_sum. Rounding toward zero errs to one side only, so that m is then
-/// the middle of the operands' factors; else m = 1.
+/// The factor m of cancelling_sum. Rounding toward zero errs to one side only: if both operands
+/// have such errors, m is the middle of the range of their factors. Else m = 1.
 mpq_class Analysis::center_of(NodeId a, NodeId b) const {
   const auto is_fixed = [&](NodeId id) { return is_exact(mixed(id).factor) || is_plain(id); };
   if (graph_.arithmetic.rounding == Rounding::nearest_even || is_fixed(a) || is_fixed(b)) return 1;

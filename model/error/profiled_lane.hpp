@@ -11,7 +11,7 @@ namespace mixcmp::model {
 struct ProfiledError {
   mpq_class f;
   mpq_class g;
-  std::uint64_t comparisons = 0;  ///< how many were measured
+  std::uint64_t comparisons = 0;  ///< number of comparisons measured
 };
 
 /// Makes a lane with the paper's decision (IntervalDecision). The relative errors become constants,
