@@ -13,7 +13,7 @@ namespace mixcmp::model {
 struct SceneSettings {
   Settings settings;
   std::optional<PlanReport> plan;
-  std::vector<std::filesystem::path> files;  ///< that were read: plans first, the scene last
+  std::vector<std::filesystem::path> files;  ///< files read: plans first, the scene last
 };
 
 /// Reads a scene, or a plan and the scene below it. A plan is a file with the top-level key

@@ -56,8 +56,8 @@ struct ReducedSpec {
   /// Written as "s17": the format's exponent bits are the fewest that the ranges allow.
   bool exponent_bits_from_ranges = false;
   BoundKind bound = BoundKind::certified;
-  std::optional<ErrorBoundKind> error_bound;  ///< of a certified bound; none: "auto"
-  int bound_digits = 4;                       ///< of a running bound, 1..8; 1: exponents alone
+  std::optional<ErrorBoundKind> error_bound;  ///< kind of a certified bound; none: "auto"
+  int bound_digits = 4;  ///< digits of a running bound, 1..8; 1: exponents alone
   LaneInputs inputs = LaneInputs::exact;
   Rounding rounding = Rounding::nearest_even;
   Subnormals subnormals = Subnormals::flush;
@@ -130,7 +130,7 @@ struct PlanReport {
   std::vector<std::pair<std::string, std::string>> values;
 };
 
-inline constexpr std::size_t max_parts = 64;  ///< of a comparison
+inline constexpr std::size_t max_parts = 64;  ///< most parts of a comparison
 
 /// The expressions of one part, as written.
 struct PartText {

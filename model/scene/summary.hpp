@@ -55,7 +55,7 @@ struct DatapathSummary {
   Arithmetic arithmetic;
   std::vector<OperatorCount> operators;  ///< in order of first use
   std::vector<RangeQuestion> events;     ///< one per event that its operations can have
-  std::optional<LaneSavings> savings;    ///< of a lane that checks ranges
+  std::optional<LaneSavings> savings;    ///< for certified lanes; none for others
 };
 
 /// Whether the reference rounds at all on this scene.
@@ -72,7 +72,7 @@ struct DataSummary {
   std::uint64_t with_rows = 0;  ///< rows of the second table; with arg_min, the candidates
   std::uint64_t comparisons = 0;
   std::uint64_t out_of_range = 0;  ///< numbers of the table that break a declared range
-  std::string first_out_of_range;  ///< in words; empty if there is none
+  std::string first_out_of_range;  ///< the first of them in words; empty if none
   std::uint64_t off_grid = 0;      ///< numbers of the table that are no multiple of a declared grid
   std::string first_off_grid;
   std::vector<InputSource> inputs;  ///< which column feeds which input
