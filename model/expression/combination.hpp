@@ -4,7 +4,7 @@
 
 namespace mixcmp::model {
 
-/// How the verdicts of a comparison's parts make one.
+/// How the verdicts of a comparison's parts combine into one.
 enum class Combination {
   all,  ///< the last of the verdicts in the order less, equal, unordered, greater
   any,  ///< the first of them in the order less, unordered, equal, greater

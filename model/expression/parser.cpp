@@ -110,7 +110,7 @@ public:
   std::set<std::string> used_lets() const;
 
 private:
-  /// Where an index was introduced.
+  /// The place where an index was introduced.
   struct IndexPlace {
     std::size_t column;
     std::string let;  ///< empty in the text itself

@@ -29,7 +29,7 @@ struct Failure {
 struct OpenCall {
   std::string function;
   std::size_t column;
-  std::size_t first_argument;  ///< its place on the stack
+  std::size_t first_argument;  ///< index on the stack of parts
   std::string index;           ///< empty without "k in"
   std::size_t index_column = 0;
 };

@@ -33,8 +33,8 @@ struct Syntax {
   std::string text;     ///< a number's digits, a name, a function's name
   std::size_t nesting;  ///< levels around it, including those outside of the text
   std::vector<Syntax> parts;
-  std::vector<Operation> operations;  ///< of a chain: operations[k] joins parts[k + 1]
-  std::string index;                  ///< of a reduction or a range
+  std::vector<Operation> operations;  ///< operations of a chain: operations[k] joins parts[k + 1]
+  std::string index;                  ///< index of a reduction or a range
   std::size_t index_column = 0;
 };
 

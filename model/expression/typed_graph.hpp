@@ -15,7 +15,7 @@ struct TypedNode {
   Operation operation;
   std::array<NodeId, 2> operands = {-1, -1};
   FloatFormat operand_format;  ///< equals `format` for inputs and constants
-  FloatFormat format;          ///< of the result
+  FloatFormat format;          ///< format of the result
   int input = -1;              ///< for Operation::input
   Bits constant = 0;           ///< for Operation::constant: rounded to nearest, ties to even
   mpq_class value;             ///< for Operation::constant: exactly as written
@@ -25,7 +25,7 @@ struct TypedNode {
 struct TypedGraph {
   std::vector<TypedNode> nodes;  ///< in topological order
   int input_count = 0;
-  std::vector<std::string> input_names;  ///< for messages; input_count of them
+  std::vector<std::string> input_names;  ///< names for messages, input_count of them
   FloatFormat input_format;              ///< the format of all inputs
   Arithmetic arithmetic;  ///< rounding and subnormals of every operation; format of f and g
   NodeId f = -1;
