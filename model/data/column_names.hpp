@@ -30,10 +30,10 @@ struct WantedColumn {
   std::string name;        ///< the scene's name, which the column has in a Table
   ColumnKey column;        ///< the file's column
   std::string field = {};  ///< the scene's key for it; empty: `name` is the file's name, too
-  Place place = {};        ///< of that key
+  Place place = {};        ///< place of that key
 };
 
-/// Which column of the file each of `wanted` is. A column without an entry in `names` keeps the
+/// Finds the file's column for each of `wanted`. A column without an entry in `names` keeps the
 /// file's name. Errors: a list that is too short, an entry that no input needs, two entries for one
 /// column.
 Result<std::vector<WantedColumn>> file_columns(std::span<const ColumnNames> names,

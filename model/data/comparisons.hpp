@@ -80,7 +80,7 @@ public:
   /// The candidate that costs `row` least; only for Pairing::arg_min.
   std::uint64_t arg_min(std::uint64_t row) const { return least_[row]; }
 
-  /// The place that an input's operands come from.
+  /// The table, the column and the item that an input's operands come from.
   struct Source {
     std::size_t table;
     std::size_t column;
@@ -108,7 +108,7 @@ private:
   std::vector<Table> tables_;
   std::vector<Source> sources_;
   std::vector<std::uint32_t> best_before_;  ///< for arg_min: item i of each comparison
-  std::vector<std::uint32_t> least_;        ///< for arg_min, one per row
+  std::vector<std::uint32_t> least_;        ///< for arg_min: best candidate of each row
 };
 
 /// The items of a comparison in words, for a report: "items 3 and 7".

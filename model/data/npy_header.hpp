@@ -23,7 +23,7 @@ struct NpyField {
   std::optional<NpyScalar> scalar;
   std::string type;
   std::size_t bytes;   ///< size of the field, also where `scalar` is none
-  std::size_t offset;  ///< in its row of a structured array
+  std::size_t offset;  ///< bytes before it in its row of a structured array
 };
 
 struct NpyHeader {

@@ -36,7 +36,7 @@ struct ItemColumn {
 /// "cj_2" (in the scene cj[2]) is column "c_2" of the second. None for other names.
 std::optional<ItemColumn> item_column(std::string_view input);
 
-/// Where an input's numbers come from.
+/// The table, the column and the item that an input's numbers come from.
 struct InputColumn {
   std::size_t table;  ///< 0 for the first, 1 for the second
   std::string name;

@@ -82,7 +82,8 @@ private:
   /// A random coordinate in [0, 100 * 2^exponent).
   Bits coordinate(int exponent);
   mpq_class any_exponent();
-  /// One encoding further from zero or closer to it; ends stay as they are.
+  /// The next encoding away from zero (steps = 1) or towards it (steps = -1). The largest finite
+  /// number and zero, which have none, stay as they are.
   Bits next(Bits value, int steps) const;
   Bits signed_randomly(Bits magnitude);
 
