@@ -27,7 +27,7 @@ struct ReferenceGroup {
 /// references are numbered consecutively across their groups.
 struct Design {
   std::string name;
-  std::vector<std::string> inputs;  ///< in the order they are packed
+  std::vector<std::string> inputs;  ///< names in the order in which operands are packed
   std::vector<LaneGroup> lanes;     ///< at least one
   CombinedGraph reference;
   std::vector<ReferenceGroup> references;  ///< empty: p_H = 0
