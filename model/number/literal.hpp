@@ -12,8 +12,8 @@ namespace mixcmp::model {
 /// it is written: the number digits * radix^exponent.
 struct Literal {
   std::string digits;  ///< without the point; at least one
-  int base = 10;       ///< of the digits: 10 or 16
-  int radix = 10;      ///< of the exponent: 10, or 2 for hexadecimal digits
+  int base = 10;       ///< base of the digits: 10 or 16
+  int radix = 10;      ///< base of the exponent: 10, or 2 for hexadecimal digits
   long exponent = 0;   ///< clamped to about +-2^48, which no digits in memory offset
 };
 
