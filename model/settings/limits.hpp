@@ -25,13 +25,13 @@ inline constexpr Limits lane_precision{4, 52};  ///< L; and at most the referenc
 inline constexpr Limits reference_precision{11, FloatFormat::max_precision};
 inline constexpr Limits exponent_bits{FloatFormat::min_exponent_bits,
                                       FloatFormat::max_exponent_bits};
-inline constexpr Limits bound_digits{1, 8};  ///< of a running bound; 1: exponents alone
+inline constexpr Limits bound_digits{1, 8};  ///< digits of a running bound; 1: exponents alone
 inline constexpr Limits lanes{1, 512};       ///< p_L, in all groups together
 inline constexpr Limits references{0, 16};   ///< p_H, likewise; a group has at least 1
 inline constexpr Limits tag_bits{1, 64};
 inline constexpr Limits counter_bits{8, 64};  ///< or 0: no counters
 inline constexpr Limits engine_capacity{2, 65'536};
-inline constexpr Limits items{1, 1 << 24};  ///< of generated data
+inline constexpr Limits items{1, 1 << 24};  ///< rows of generated data
 inline constexpr Limits threads{
     1, 1024};  ///< threads of this program, and tools that it runs at a time
 inline constexpr Limits seeds{1, 1000};  ///< of a router
