@@ -17,14 +17,14 @@ using Progress = std::function<void(const std::string&)>;
 
 /// What may end a tool before it ends by itself.
 struct ToolLimits {
-  int seconds = 0;                               ///< of wall time; 0: no limit
+  int seconds = 0;                               ///< wall time; 0: no limit
   const std::atomic<bool>* cancelled = nullptr;  ///< becomes true to end the tool; null: never
 };
 
 /// One run of a tool.
 struct ToolRun {
   Command command;
-  std::filesystem::path directory;  ///< that it runs in
+  std::filesystem::path directory;  ///< working directory
   std::filesystem::path log;        ///< takes its standard output and standard error
   ToolLimits limits = {};
   Progress progress = {};  ///< called every second with the time so far
@@ -46,7 +46,7 @@ struct Captured {
 
 struct CaptureOptions {
   std::string_view input = {};
-  double seconds = 10;             ///< of wall time, then the program is killed
+  double seconds = 10;             ///< wall time after which the program is killed
   std::uint64_t memory_bytes = 0;  ///< 0: no limit
 };
 

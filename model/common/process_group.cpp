@@ -18,8 +18,8 @@ namespace {
 
 constexpr int exec_failed = 127;
 
-/// Everything that the child needs, made before the fork: between fork and exec a process that had
-/// several threads may only make system calls.
+/// Everything that the child needs, made before the fork: between fork and exec, the child of a
+/// process with several threads may only call async-signal-safe functions.
 struct Preparation {
   std::vector<char*> arguments;
   std::vector<char*> environment;

@@ -19,7 +19,7 @@ using Command = std::vector<std::string>;
 /// What a program is started with.
 struct Launch {
   Command command;
-  std::filesystem::path directory = {};       ///< that it starts in; empty: ours
+  std::filesystem::path directory = {};       ///< working directory; empty: ours
   std::vector<std::string> environment = {};  ///< "NAME=value" each, over our own
   int input = -1;                             ///< descriptors of its standard streams;
   int output = -1;                            ///< -1: /dev/null

@@ -9,7 +9,7 @@
 namespace mixcmp::model {
 
 enum class ErrorKind {
-  mistake,          ///< of the user; or the machine does not allow what was asked
+  mistake,          ///< a user's mistake, or a machine that does not allow what was asked
   missing_tool,     ///< what was asked for needs a program that is not installed
   refuted,          ///< a claim that was checked does not hold
   missing_column,   ///< a mistake: `field` is no column of a table
