@@ -50,10 +50,10 @@ struct Device {
   Area available;         ///< luts, registers, dsps, memories
   std::string synthesis;  ///< Yosys command without -top: "synth_xilinx -family xc6v ..."
   TimingTool timing = TimingTool::none;
-  std::string timing_synthesis;               ///< as `synthesis`, for the timing run; may be empty
-  std::vector<std::string> timing_arguments;  ///< of nextpnr: "--hx8k", "--package", "ct256"
+  std::string timing_synthesis;               ///< `synthesis` for the timing run; may be empty
+  std::vector<std::string> timing_arguments;  ///< for nextpnr: "--hx8k", "--package", "ct256"
   DelayTable delays;
-  std::vector<std::string> sources;  ///< of the figures, for a report
+  std::vector<std::string> sources;  ///< sources of the figures, for a report
 };
 
 /// Finds a device by its name, or by the path of a .toml of the same form. Errors name field
