@@ -33,7 +33,8 @@ public:
   Row coincident();
   /// The second sphere lies deep inside the first, its centre nearby.
   Row nested();
-  /// Far from the origin, on a grid as coarse as the last place there; half of them nearly touch.
+  /// Every coordinate is about 10^decimal_exponent, where the last place is coarse. In half of the
+  /// rows the spheres nearly touch.
   template <int decimal_exponent>
   Row offset() {
     return far_from_origin(decimal_exponent);

@@ -14,7 +14,7 @@ namespace mixcmp::model {
 enum class EngineKind {
   none,      ///< nothing: comparisons come as streams
   pairwise,  ///< every pair i < j of a set of items
-  arg_min,   ///< the best of p_L + 1 candidates for each row of a stream
+  arg_min,   ///< the best of at most p_L + 1 candidates for each row of a stream
 };
 std::string_view to_string(EngineKind kind);
 

@@ -53,7 +53,8 @@ Result<std::vector<LetDefinition>> read_lets(const Settings& settings) {
   return lets;
 }
 
-/// Makes an error in a variant name the key of its [[variant]] instead of a key of [comparison].
+/// Renames the field of an error in a variant: the key stands in a [[variant]], not in
+/// [comparison].
 Error in_variant(const std::string& variant, Error error) {
   constexpr std::string_view section = "comparison.";
   if (error.field.starts_with(section)) {

@@ -141,7 +141,7 @@ struct PartText {
 /// One validated scene file, or a plan laid over one. docs/scene_file.md is the user's view of it.
 struct Scene {
   std::filesystem::path path;
-  std::string name;                   ///< followed by the variant's name; names the modules
+  std::string name;                   ///< comparison.name and the variant's; names the modules
   std::string variant;                ///< the [[variant]] that is chosen; empty: [comparison] alone
   std::vector<std::string> variants;  ///< names of all variants
   std::vector<PartText> parts;        ///< one per part of the graph

@@ -33,7 +33,7 @@ inline constexpr Limits counter_bits{8, 64};  ///< or 0: no counters
 inline constexpr Limits engine_capacity{2, 65'536};
 inline constexpr Limits items{1, 1 << 24};  ///< rows of generated data
 inline constexpr Limits threads{1, 1024};   ///< threads, and tools that run at a time
-inline constexpr Limits seeds{1, 1000};     ///< of a router
+inline constexpr Limits seeds{1, 1000};     ///< router seeds
 
 }  // namespace limits
 

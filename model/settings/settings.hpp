@@ -45,7 +45,7 @@ struct Setting {
 /// The settings of a scene file, or of a plan laid over its scene (plan.hpp), with --set overrides
 /// applied, not yet interpreted.
 struct Settings {
-  std::filesystem::path path;  ///< the scene's file, named in errors about missing keys
+  std::filesystem::path path;  ///< the file, or a plan's scene; for errors about missing keys
   Setting::Table root;
 };
 
