@@ -30,7 +30,7 @@ void check(const AllocationProblem& problem) {
   }
 }
 
-/// Clocks that the system may run at, the highest first; 0 stands for each at its own.
+/// Clocks that the system may run at, the highest first; 0 alone where each kind has its own clock.
 std::set<double, std::greater<>> candidate_clocks(const AllocationProblem& problem) {
   if (problem.clocks == ClockDomains::separate) return {0.0};
   std::set<double, std::greater<>> clocks;
@@ -41,8 +41,8 @@ std::set<double, std::greater<>> candidate_clocks(const AllocationProblem& probl
   return clocks;
 }
 
-/// The clock that a plan runs at: the lowest of its parts', without rounding. 0 stands for parts
-/// that run at a clock each.
+/// The clock of a plan: the lowest of the kinds it uses, bit for bit one of `candidate_clocks`. 0
+/// where each kind has its own clock.
 double clock_of(const AllocationProblem& problem, const Allocation& plan) {
   if (problem.clocks == ClockDomains::separate) return 0;
   double clock = std::numeric_limits<double>::infinity();
@@ -55,15 +55,16 @@ double clock_of(const AllocationProblem& problem, const Allocation& plan) {
   return clock;
 }
 
-/// Leaves out what decides fewer comparisons a second.
+/// Adds a row that excludes plans of lower throughput.
 void ask_for(AllocationProgram& wanted, double throughput_per_s) {
   if (throughput_per_s <= 0) return;
   wanted.program.add_row("at_least", wanted.program.objective, Relation::at_least,
                          throughput_per_s / wanted.objective_per_s);
 }
 
-/// A program without one point: for each of the first columns, what is below and above it, with
-/// the columns before it held.
+/// Splits a program into parts that together have all of its points but one. For each of the first
+/// columns there is a part with smaller and a part with larger values than the point's; in both,
+/// the columns before it have the point's values.
 std::vector<IntegerProgram> around(const IntegerProgram& program, const std::vector<int>& point,
                                    std::size_t columns) {
   std::vector<IntegerProgram> parts;
@@ -95,12 +96,12 @@ IntegerProgram::Sum negated(IntegerProgram::Sum sum) {
   return sum;
 }
 
-/// One problem under search.
+/// The search for the best plan of one problem.
 class Search {
 public:
   explicit Search(const AllocationProblem& problem) : problem_(problem) {}
 
-  /// The highest throughput that any clock allows, then the cheapest plan that reaches it.
+  /// Finds the highest throughput over all clocks, then the cheapest plan that reaches it.
   std::optional<Allocation> run() {
     for (const double clock : candidate_clocks(problem_)) try_clock(clock);
     std::optional<Allocation> best;
@@ -124,8 +125,8 @@ private:
                        [](const LaneKind& lane) { return lane.recomputation_rate == 0; });
   }
 
-  /// Where the best point of the relaxation keeps the exact rules it is the best plan of its clock;
-  /// else each p_H is tried.
+  /// If the optimum of the relaxation is a feasible plan, no plan with references is better at this
+  /// clock; otherwise each p_H is tried.
   void try_clock(double clock) {
     if (some_lane_needs_no_reference()) try_exactly({clock, 0, {}});
     if (most_references() == 0) return;
@@ -136,8 +137,9 @@ private:
     }
   }
 
-  /// The best point of the relaxation where that is better than the best plan so far and no plan
-  /// itself; none where nothing is left to be found.
+  /// Solves the relaxation for plans no worse than the best so far. If its optimum is a feasible
+  /// plan, notes that and returns none; if not, returns the optimum. Returns none, too, if the
+  /// relaxation is infeasible.
   std::optional<Counts> try_relaxed(const FixedCounts& fixed) {
     AllocationProgram relaxed = relaxed_program(problem_, fixed);
     ask_for(relaxed, best_per_s_);
@@ -150,8 +152,8 @@ private:
     return std::nullopt;
   }
 
-  /// Tries numbers of lanes from that of the relaxation down to the first that has a plan. Where
-  /// all lanes are equally fast, their number decides.
+  /// Finds the best plan for a fixed p_H. Where all lanes are equally fast, throughput depends on
+  /// their number alone: it is tried from the relaxation's downwards to the first with a plan.
   void try_below(FixedCounts fixed, const Counts& relaxed) {
     const auto alike = KindsAtClock(problem_, fixed.clock_per_s).common_throughput_per_s();
     if (!alike) {
@@ -181,8 +183,8 @@ private:
     if (!added && is_better(plan, place->second)) place->second = plan;
   }
 
-  /// The best point that keeps the rules without CBC's tolerances. Where CBC's point does not, the
-  /// program is split around it.
+  /// The best point that is a feasible plan without CBC's tolerances and has at least this
+  /// throughput. Where CBC's optimum is not, the program is split around it.
   std::optional<Found> best_of(const AllocationProgram& wanted, double least_per_s) const {
     const std::size_t kinds = problem_.lanes.size() + problem_.references.size();
     std::vector<IntegerProgram> parts{wanted.program};
@@ -204,9 +206,9 @@ private:
     return best;
   }
 
-  /// The first, by the rules of `is_better`, of the plans with the best throughput at this clock.
-  /// Lanes that are not equally fast hardly ever reach the same throughput in two ways: only the
-  /// references of such a plan are chosen anew.
+  /// The best plan, by `is_better`, of those with the best throughput at this clock. Where lanes
+  /// are not equally fast, two mixes hardly ever have the same throughput: the lanes of `found` are
+  /// kept, and only its references are chosen anew.
   Allocation cheapest(double clock, const Allocation& found) const {
     const auto alike = KindsAtClock(problem_, clock).common_throughput_per_s();
     const int lanes =
@@ -234,7 +236,8 @@ private:
 
   const AllocationProblem& problem_;
   double best_per_s_ = 0;
-  std::map<double, Allocation, std::greater<>> best_;  ///< of each clock that reaches it
+  /// by clock, for clocks that reach best_per_s_
+  std::map<double, Allocation, std::greater<>> best_;
 };
 
 }  // namespace

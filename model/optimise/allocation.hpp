@@ -10,10 +10,11 @@
 #include "model/devices/area.hpp"
 #include "model/settings/limits.hpp"
 
-/// Step 3 of the paper's Algorithm 1: how many datapaths of each kind fill a device best.
+/// Step 3 of the paper's Algorithm 1: finds how many datapaths of each kind give a device its
+/// highest throughput.
 namespace mixcmp::model {
 
-/// One way to build a lane, with its streams: its area includes the scoreboard around it.
+/// One way to build a lane. Its area includes the scoreboard around the lane.
 struct LaneKind {
   std::string name;               ///< "s12e8 exact relative embedded"
   double throughput_per_s = 0;    ///< T(L)
@@ -27,26 +28,27 @@ struct ReferenceKind {
   Area area;                    ///< C(H)
 };
 
-/// C(com) beyond what lanes and references carry themselves.
+/// The part of C(com), the area of communication, that the areas of lanes and references do not
+/// include.
 struct Communication {
-  Area fixed;  ///< the paper's C(com), or what a top has besides
-  /// [k]: the share of the crossbar of one reference that serves k lanes, k = 0, 1, ...; lane i is
-  /// served by reference i mod p_H. Empty: nothing. Otherwise it bounds the lanes a reference
-  /// serves.
+  Area fixed;  ///< independent of the counts, as the paper's C(com)
+  /// Element k is the area of the crossbar's share at a reference that serves k lanes; lane i is
+  /// served by reference i mod p_H. If empty, the crossbar costs nothing and has any number of
+  /// ports; otherwise a reference serves fewer lanes than there are elements.
   std::vector<Area> crossbar;
 };
 
 enum class ClockDomains {
-  single,    ///< the system runs at the lowest clock of what it is made of: what `generate` writes
-  separate,  ///< lanes and references each at their own, as the paper assumes
+  single,    ///< one clock, the lowest of all datapaths used: `generate` writes this
+  separate,  ///< each datapath runs at its own clock, as the paper assumes
 };
 
-/// Who may serve a lane; what equation 10 is asked of.
+/// Which references may serve a lane, and whether equation 10 holds at each reference or in total.
 enum class ReferenceSharing {
-  /// Lane i is served by reference i mod p_H alone: our crossbar; at each reference. Lanes are
-  /// numbered by falling T(L) R_R, references by falling T(H): see `lane_order`.
+  /// Only reference i mod p_H serves lane i, as in our crossbar, so equation 10 holds at each
+  /// reference. Lanes are numbered by falling T(L) R_R, references by falling T(H).
   dealt,
-  pooled,  ///< any reference, as the paper assumes; in total
+  pooled,  ///< any reference, as the paper assumes: equation 10 holds in total
 };
 
 struct AllocationProblem {
@@ -70,36 +72,36 @@ struct Allocation {
   int reference_count() const;
 };
 
-/// No plan has even one lane (and the references it needs).
+/// No plan is feasible, not even one lane with the references that it needs.
 struct Infeasible {
   struct Shortage {
     std::string resource;
     int usable = 0;
-    int needed = 0;  ///< by the smallest system that has this resource's demand least
+    int needed = 0;  ///< by the smallest systems; see `explain_infeasible`
   };
-  std::vector<Shortage> shortages;  ///< empty: equation 10 is what fails
+  std::vector<Shortage> shortages;  ///< empty: area is not the reason
   std::string message;              ///< a sentence for the user
 };
 
 using AllocationResult = std::variant<Allocation, Infeasible>;
 
-/// The order in which a plan lists its kinds of lanes and of references, so that the hardware deals
-/// them as equation 10 was checked.
+/// The order in which a plan lists its kinds of lanes (falling T(L) R_R) and of references (falling
+/// T(H)). The hardware assigns lanes to references in this order, for which equation 10 was
+/// checked.
 std::vector<int> lane_order(const AllocationProblem& problem);
 std::vector<int> reference_order(const AllocationProblem& problem);
 
 /// Finds the best plan by integer linear programming (CBC): maximises equation 12 of the paper
-/// under its equations 10 and 11. What CBC finds is checked without its tolerances. Among plans of
-/// the same throughput: the fewest references, then the fewest lanes, LUTs, registers, DSPs and
-/// memories, then kinds listed first.
+/// under its equations 10 and 11. Every solution of CBC is checked again without CBC's tolerances.
+/// `is_better` breaks ties in throughput.
 AllocationResult allocate(const AllocationProblem& problem);
 
 /// Finds the best plan by trying every one, for small problems: the oracle of the tests.
 AllocationResult allocate_exhaustively(const AllocationProblem& problem);
 
-/// The program that `allocate` solves, in the LP format that CBC, GLPK and SCIP read: that of the
-/// best plan's p_H and, in a single clock domain, of its clock; where there is no plan, a
-/// relaxation that has none either, if there is one.
+/// The program that `allocate` solves, in the LP format that CBC, GLPK and SCIP read. It is the
+/// exact program for the best plan's p_H and, in a single clock domain, its clock. Where no plan is
+/// feasible, it is the relaxation at the lowest clock, which may be feasible none the less.
 std::string to_lp(const AllocationProblem& problem);
 
 }  // namespace mixcmp::model

@@ -16,8 +16,8 @@ namespace {
 using Sum = IntegerProgram::Sum;
 using Relation = IntegerProgram::Relation;
 
-/// The fastest lane's part in the objective: differences of 1e-8 of it are still above CBC's
-/// tolerance.
+/// The fastest lane's coefficient in the objective: a relative difference of 1e-8 is then still
+/// above CBC's tolerance.
 constexpr double objective_scale = 1000;
 
 class ProgramBuilder {
@@ -158,7 +158,7 @@ private:
     return sum;
   }
 
-  /// Equation 11 with lines below the crossbar's cost in its place.
+  /// Adds equation 11, relaxed: linear lower bounds replace the crossbar's cost.
   void add_relaxed_resource(std::size_t r) {
     const auto amount = bounded_resources[r].amount;
     std::vector<double> cost;
@@ -187,14 +187,15 @@ private:
 
   void subtract_crossbar() {
     for (const int served : lanes_of_references(*fixed_.lanes, *fixed_.references)) {
-      // Beyond the ports the row "ports" has no solution.
+      // The row "ports" makes such a program infeasible anyway.
       if (served >= static_cast<int>(problem_.communication.crossbar.size())) return;
       const Amounts share = amounts_of(problem_.communication.crossbar[served]);
       for (std::size_t r = 0; r < room_.size(); ++r) room_[r] -= share[r];
     }
   }
 
-  /// base_k = 1: references serve k lanes, and more_k of them one more.
+  /// Adds columns for the lanes that a reference serves. Where base_k is 1, every reference serves
+  /// k lanes, and more_k of them serve one more.
   void add_crossbar() {
     const std::vector<Area>& shares = problem_.communication.crossbar;
     const int references = *fixed_.references;
@@ -230,8 +231,8 @@ private:
   const AllocationProblem& problem_;
   FixedCounts fixed_;
   KindsAtClock kinds_;
-  std::vector<Sum> used_;  ///< of each bounded resource, beside what is fixed
-  Amounts room_{};         ///< for it
+  std::vector<Sum> used_;  ///< left side of equation 11 for each bounded resource
+  Amounts room_{};         ///< its right side: what is usable less what is fixed
   AllocationProgram result_;
 };
 

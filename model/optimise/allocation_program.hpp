@@ -8,10 +8,10 @@
 #include "model/optimise/integer_program.hpp"
 
 /// Equations 10 to 12 as integer programs. The clock of the system is fixed in each: kinds that do
-/// not reach it are out, all others run at it, so that every throughput is a constant.
+/// not reach it are excluded, all others run at it, so that every throughput is a constant.
 namespace mixcmp::model {
 
-/// What is not a variable.
+/// Quantities that a program takes as constants. A count that is not set stays a variable.
 struct FixedCounts {
   double clock_per_s = 0;  ///< 0: each kind has its own
   std::optional<int> references;
@@ -21,10 +21,11 @@ struct FixedCounts {
 /// A program whose first columns are p_L of each kind of lane, then p_H of each kind of reference.
 struct AllocationProgram {
   IntegerProgram program;
-  /// What `is_better` has least of beside references and lanes, in its order: each bounded
-  /// resource, then kinds listed late.
+  /// Sums to minimise, one after the other, among plans with the same throughput, references and
+  /// lanes. Their order is that of `is_better`: each bounded resource, then a sum that prefers
+  /// kinds listed first.
   std::vector<IntegerProgram::Sum> costs;
-  double objective_per_s = 1;  ///< comparisons a second that a unit of the objective stands for
+  double objective_per_s = 1;  ///< comparisons per second in one unit of the objective
 
   Counts counts(const AllocationProblem& problem, const std::vector<int>& columns) const;
 };
@@ -34,8 +35,9 @@ struct AllocationProgram {
 /// throughput.
 AllocationProgram relaxed_program(const AllocationProblem& problem, const FixedCounts& fixed);
 
-/// p_H is fixed. The crossbar costs what n references that serve k + 1 lanes and p_H - n that serve
-/// k do; equation 10 holds at each reference where they are dealt.
+/// The exact program; `fixed` must set p_H. The crossbar's cost is that of n references that serve
+/// k + 1 lanes each and p_H - n that serve k. Where references are dealt, equation 10 holds at
+/// each.
 AllocationProgram exact_program(const AllocationProblem& problem, const FixedCounts& fixed);
 
 }  // namespace mixcmp::model

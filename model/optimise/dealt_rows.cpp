@@ -8,7 +8,7 @@ namespace {
 using Sum = IntegerProgram::Sum;
 using Relation = IntegerProgram::Relation;
 
-/// What each of the first `loads.size()` references is asked for.
+/// Adds to loads[r] the load that the lanes put on reference r.
 void add_loads(IntegerProgram& program, const KindsAtClock& kinds, int references, int max_lanes,
                std::vector<Sum>& loads) {
   Sum first_lanes;
@@ -29,8 +29,8 @@ void add_loads(IntegerProgram& program, const KindsAtClock& kinds, int reference
   }
 }
 
-/// References in the order of falling T(H): reference r is of the first k kinds where first_k_r is
-/// 1. Their T(H) goes to the left side.
+/// Subtracts from loads[r] the capacity T(H) of reference r. References are numbered by falling
+/// T(H). Column first_k_r is 1 where reference r is of one of the kinds 0 to k in that order.
 void subtract_capacities(IntegerProgram& program, const KindsAtClock& kinds, int first_reference,
                          std::vector<Sum>& loads) {
   Sum first_references;

@@ -5,12 +5,13 @@
 
 namespace mixcmp::model {
 
-/// Equation 10 at each of `references` references. The columns p_L of each kind of lane start at 0,
-/// those p_H of each kind of reference at `first_reference`. Lanes are dealt in the order of
-/// falling load: reference r gets (n - r) / p_H, rounded up, of the first n. Where loads are w_1 >=
-/// w_2 >= ..., and c_k counts the lanes of the first k kinds that it gets, it is asked for the sum
-/// of (w_k - w_k+1) c_k: no term of it is negative, so that "c_k is at least (n - r) / p_H" rounds
-/// up by itself.
+/// Adds equation 10 for each of `references` references. The columns p_L of the kinds of lanes
+/// start at 0, the columns p_H of the kinds of references at `first_reference`. Lanes are dealt
+/// round robin in the order of falling load, so that reference r gets ceil((n - r) / p_H) of the
+/// first n lanes. Let kinds have loads w_1 >= w_2 >= ... (0 after the last), and let c_k be the
+/// number of lanes of the first k kinds that reference r gets. Its load is then the sum of (w_k -
+/// w_k+1) c_k. No coefficient is negative, so the row c_k >= (n - r) / p_H suffices: c_k is an
+/// integer, and the smallest one is the rounded-up quotient.
 void add_dealt_rows(IntegerProgram& program, const KindsAtClock& kinds, int references,
                     int first_reference, int max_lanes);
 

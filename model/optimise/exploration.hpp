@@ -16,14 +16,14 @@ struct DataSet {
   Rates rates;
 };
 
-/// One way to count clocks, and what comes out of it: a column of Table IV.
+/// The results for one choice of clocks: a column of Table IV.
 struct ResultsAtClocks {
-  std::string title;  ///< with what the clocks are worth, unless they are given
+  std::string title;  ///< names the basis of the clocks, unless they are given
   ClockChoice clocks;
-  Optimisation example;                 ///< of the first data set: figures 3 and 9
-  std::vector<PlanSummary> scenario_1;  ///< one a data set: its rates are known beforehand
+  Optimisation example;                 ///< for the first data set; drawn as figures 3 and 9
+  std::vector<PlanSummary> scenario_1;  ///< one per data set, whose rates are known beforehand
   Optimisation worst;                   ///< scenario II: one plan for the highest rate of each kind
-  double baseline_per_s = 0;            ///< references alone
+  double baseline_per_s = 0;            ///< comparisons per second with references alone
   int baseline_references = 0;
 };
 
@@ -34,7 +34,8 @@ struct Exploration {
   std::vector<ResultsAtClocks> columns;
 };
 
-/// `sets` is not empty; the first is the one that figures are drawn of.
+/// Optimises for every data set under every choice of clocks. `sets` must not be empty; the figures
+/// show its first data set.
 Result<Exploration> explore(const Scene& scene, const Device& device, const Characterisation& table,
                             const std::vector<DataSet>& sets,
                             const std::vector<std::pair<std::string, ClockChoice>>& columns,

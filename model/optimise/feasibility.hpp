@@ -8,7 +8,7 @@
 
 #include "model/optimise/allocation.hpp"
 
-/// What it means for a plan to be feasible, and which of two is better. Exact: integers for areas.
+/// Decides whether a plan is feasible, and which of two plans is better. Areas are exact integers.
 namespace mixcmp::model {
 
 /// One point of the search: how many of each kind.
@@ -21,19 +21,19 @@ struct Counts {
 using Amounts = std::array<std::int64_t, std::size(bounded_resources)>;
 Amounts amounts_of(const Area& area);
 
-/// Left side of equation 11: lanes, references, the crossbar's shares and what is fixed. A share
-/// that the table does not know makes it none.
+/// Left side of equation 11: lanes, references, the crossbar's shares and what is fixed. None where
+/// a reference serves more lanes than `Communication::crossbar` has shares for.
 std::optional<Amounts> demand_of(const AllocationProblem& problem, const Counts& counts);
 
 /// Indices of the values, the largest first, equal ones in the order given.
 std::vector<int> falling_order(const std::vector<double>& values);
 
-/// The plan, where it has a lane and keeps equations 10 (at each reference, unless references are
-/// pooled) and 11.
+/// The plan with these counts, if it is feasible: it has a lane, exceeds no maximum count, and
+/// satisfies equations 10 (at each reference, unless references are pooled) and 11.
 std::optional<Allocation> plan_of(const AllocationProblem& problem, const Counts& counts);
 
-/// Higher throughput; then fewer references, fewer lanes, fewer LUTs, registers, DSPs and memories,
-/// more of the kinds listed first.
+/// Whether a is better than b. The first difference decides: higher throughput, fewer references,
+/// fewer lanes, fewer LUTs, registers, DSPs and memories, more of the kinds listed first.
 bool is_better(const Allocation& a, const Allocation& b);
 
 }  // namespace mixcmp::model

@@ -12,7 +12,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// The factor by which the rough cost model has to exceed a device before anything is said.
+/// A rough estimate up to this multiple of the device counts as one that may fit.
 constexpr double rough_margin = 1.5;
 
 void add(Amounts& sum, int count, const Area& area) {
@@ -20,7 +20,8 @@ void add(Amounts& sum, int count, const Area& area) {
   for (std::size_t r = 0; r < sum.size(); ++r) sum[r] += count * one[r];
 }
 
-/// A row without multipliers is of a datapath without a product.
+/// Finds the row of a datapath with these multipliers. The row of a datapath without products names
+/// none.
 const Measurement* find(const Characterisation& table, ComponentKey key, Multipliers multipliers) {
   const Measurement* plain = table.find(key);
   if (plain != nullptr) return plain;
@@ -89,7 +90,7 @@ std::optional<Amounts> measured_amounts(const Design& design, const Characterisa
   return sum;
 }
 
-/// Products are left out where embedded multipliers may take them.
+/// Products cost no LUTs where embedded multipliers may take them.
 Products products_of(Multipliers multipliers, const Device& device) {
   const bool embedded = multipliers == Multipliers::embedded && device.available.dsps > 0;
   return embedded ? Products::left_out : Products::in_luts;

@@ -12,16 +12,17 @@ namespace mixcmp::model {
 /// A lower bound on what a design takes of a device, as known before it is synthesised.
 struct Footprint {
   Amounts amounts{};      ///< of bounded_resources
-  bool measured = false;  ///< of every kind of datapath; else a rough estimate of LUTs alone
+  bool measured = false;  ///< false: `amounts` is a rough estimate of LUTs only
 };
 
-/// Adds up the rows of `table` (may be null) where it has each kind of lane and reference, with
-/// their streams and crossbar as far as the table has them. Otherwise the rough cost model counts,
-/// and datapaths alone.
+/// Adds up the areas in `table` (may be null) where it has a row for every kind of lane and
+/// reference; scoreboards and crossbar are included where the table has them. Otherwise estimates
+/// the LUTs of the datapaths by the rough cost model.
 Footprint footprint_of(const Design& design, const Characterisation* table, const Device& device);
 
-/// Why the design plainly does not fit the device: more of something than there is, or by the rough
-/// cost model half as many LUTs again. None where it may fit. `source` names the table.
+/// A message that says why the design cannot fit the device; none where it may fit. Measured
+/// amounts must not exceed the device; a rough estimate may exceed it by half. `source` names the
+/// table.
 std::optional<std::string> excess_of(const Footprint& footprint, const Design& design,
                                      const Device& device, const std::string& source);
 

@@ -16,7 +16,7 @@ const char* symbol(Relation relation) {
   return "";
 }
 
-/// One term a line: the format ends lines at 255 characters.
+/// Prints one term per line: the LP format limits a line to 255 characters.
 std::string to_text(const IntegerProgram& program, const IntegerProgram::Sum& sum) {
   std::string text;
   for (const auto& [column, coefficient] : sum) {

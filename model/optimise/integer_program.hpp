@@ -32,12 +32,14 @@ struct IntegerProgram {
   Sum objective;  ///< to be maximised
 
   int add_column(const std::string& name, int lower, int upper);
-  /// A row of zeros is left out: it must hold.
+  /// Drops terms with coefficient 0. A row without any other term is not added; the caller makes
+  /// sure that it holds.
   void add_row(const std::string& name, Sum sum, Relation relation, double bound);
 };
 
-/// Runs CBC: the value of each column where the objective is largest; none if no point satisfies
-/// the rows. Rows hold within CBC's tolerances: whoever needs them exactly checks the point.
+/// Runs CBC: returns the value of each column at the largest objective, or none if the program is
+/// infeasible. Rows hold within CBC's tolerances: a caller that needs them exactly checks the
+/// point.
 std::optional<std::vector<int>> solve(const IntegerProgram& program);
 
 /// The program in the LP format, which CBC, GLPK and SCIP read.

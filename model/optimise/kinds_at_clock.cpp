@@ -8,8 +8,8 @@
 namespace mixcmp::model {
 namespace {
 
-/// A lane that asks for less of a reference counts as 0: CBC's tolerances are not far below. Plans
-/// are checked with what it does ask for.
+/// A smaller load counts as 0: CBC's tolerances are not far below. Plans are checked with the true
+/// load.
 constexpr double least_load = 1e-9;
 
 bool takes_no_more(const Area& a, const Area& b) {
@@ -18,8 +18,8 @@ bool takes_no_more(const Area& a, const Area& b) {
   return std::equal(of_a.begin(), of_a.end(), of_b.begin(), std::less_equal<>());
 }
 
-/// Marks as useless what another kind can replace anywhere: `replaces(a, b)` says that a does what
-/// b does. Of kinds that replace each other the first stays.
+/// Marks dominated kinds as not useful; `replaces(a, b)` says that a can take the place of b in any
+/// plan. Of kinds that replace each other the first stays useful.
 template <class Kind, class Replaces>
 void drop_replaceable(std::vector<Kind>& kinds, Replaces replaces) {
   for (std::size_t b = 0; b < kinds.size(); ++b) {

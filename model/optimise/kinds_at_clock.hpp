@@ -13,25 +13,27 @@ class KindsAtClock {
 public:
   KindsAtClock(const AllocationProblem& problem, double clock_per_s);
 
-  /// Worth using: fast enough, and no other kind does the same for less of everything.
+  /// Whether a kind is useful: it reaches the clock, and no other kind dominates it (at least as
+  /// fast, no more load, no more of any resource).
   bool has_lane(int kind) const { return lanes_[kind].useful; }
   bool has_reference(int kind) const { return references_[kind].useful; }
 
-  /// The throughput of a lane, where that is the same for all kinds of lanes.
+  /// The throughput of a lane, where it is the same for all useful kinds of lanes.
   std::optional<double> common_throughput_per_s() const;
   double lane_throughput_per_s(int kind) const { return lanes_[kind].throughput_per_s; }
-  /// T(L) R_R / T(H); what is too small for a solver's tolerances counts as 0.
+  /// T(L) R_R / T(H), or 0 where that is too small for the solver's tolerances.
   double load(int kind) const;
-  /// T(H) of this kind.
+  /// T(H) of this kind relative to the fastest reference, at most 1.
   double capacity(int kind) const;
-  /// Lanes of this kind alone that the fastest reference can serve, at most `max_lanes`.
+  /// How many lanes of this kind the fastest reference can serve if it serves no other kind; at
+  /// most `max_lanes`.
   int lanes_served(int kind) const;
 
-  /// Kinds worth using of lanes, in the order in which they are dealt, and of references in theirs.
+  /// The useful kinds, lanes by falling T(L) R_R, references by falling T(H): the order of dealing.
   const std::vector<int>& lane_order() const { return lane_order_; }
   const std::vector<int>& reference_order() const { return reference_order_; }
 
-  /// Some reference is in reach.
+  /// Whether some reference reaches the clock.
   bool some_reference() const { return fastest_per_s_ > 0; }
   bool references_alike() const;
 

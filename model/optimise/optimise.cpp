@@ -14,7 +14,7 @@ namespace {
 
 constexpr double hertz_per_mhz = 1e6;
 
-/// References alone are lanes that need no recomputation.
+/// Solves the baseline: the references take the place of lanes and need no recomputation.
 AllocationResult fill_with_references(const Scene& scene, const Device& device,
                                       const std::vector<ReferenceImplementation>& references,
                                       ClockDomains domains) {
@@ -29,7 +29,7 @@ AllocationResult fill_with_references(const Scene& scene, const Device& device,
   return allocate(problem);
 }
 
-/// The crossover precision of the measured datapaths. As in the paper, streams do not count.
+/// The crossover precision of the measured datapaths. As in the paper, C(com) does not count.
 std::optional<int> crossover_of(const Optimisation& found) {
   std::map<int, std::vector<Area>> lanes;
   for (const PrecisionPlan& plan : found.plans) {

@@ -12,9 +12,10 @@
 /// Algorithm 1 of the paper: for each L the best p_L and p_H, and among all L the best.
 namespace mixcmp::model {
 
-/// T(L) and T(H): an initiation interval of one cycle at these clocks.
+/// The clocks behind T(L) and T(H), at an initiation interval of one cycle. A clock that is not set
+/// is the table's.
 struct ClockChoice {
-  std::optional<double> lane_mhz;       ///< of all lanes, whatever the table says
+  std::optional<double> lane_mhz;       ///< of all lanes
   std::optional<double> reference_mhz;  ///< of all references
   ClockDomains domains = ClockDomains::single;
 };
@@ -22,28 +23,29 @@ struct ClockChoice {
 struct OptimiseOptions {
   int first_precision = limits::lane_precision.least;
   int last_precision = limits::lane_precision.most;
-  /// What may be used; empty: all that the table has.
+  /// Values that a row of the table may have to be used; an empty list admits all.
   std::vector<std::string> inputs;
   std::vector<BoundChoice> bounds;
   std::vector<std::string> multipliers;
   ClockChoice clocks;
-  /// A fixed C(com) instead of our measured scoreboards and crossbar: the paper's numbers.
+  /// A fixed C(com), as the paper's, in place of our measured scoreboards and crossbar.
   std::optional<Area> fixed_communication;
 };
 
-/// What a clock of a plan is made of, from the best founded to the least.
+/// Where the clock of a plan comes from, the most reliable source first.
 enum class ClockBasis {
-  given,                    ///< by the user: the paper's
+  given,                    ///< by the user, such as the paper's clocks
   routed,                   ///< after place and route
   estimate_before_routing,  ///< Yosys' sta
   target,                   ///< nothing measured: the scene's target_mhz is taken as met
 };
 std::string_view to_string(ClockBasis basis);
 
-/// A row of the table with what it stands for in the integer program.
+/// A lane of the table, its recomputation rate, and the kind that stands for it in the integer
+/// program.
 struct LaneImplementation {
   Measurement measured;
-  Area with_streams;  ///< C(L): and the scoreboard around it
+  Area with_streams;  ///< C(L): the lane and the scoreboard around it
   Rate rate;
   LaneKind kind;
 };
@@ -52,7 +54,7 @@ struct ReferenceImplementation {
   ReferenceKind kind;
 };
 
-/// One point of figure 9.
+/// The best plan for one L: a point of figure 9.
 struct PrecisionPlan {
   int precision = 0;
   std::vector<LaneImplementation> lanes;
@@ -62,27 +64,29 @@ struct PrecisionPlan {
   const Allocation* allocation() const { return std::get_if<Allocation>(&result); }
   double throughput_per_s() const;    ///< T(equ); 0 where infeasible
   double recomputation_rate() const;  ///< R_R over all lanes of the plan
-  double clock_mhz() const;           ///< of the lanes used; of several domains the lanes' mean
+  double clock_mhz() const;           ///< of the lanes used; with separate clocks their mean
 };
 
 struct Optimisation {
   std::string scene;
   Device device;
   double slack = 0;
-  double target_mhz = 0;  ///< that registers are placed for
+  double target_mhz = 0;  ///< the clock for which registers were placed
   ClockChoice clocks;
   ClockBasis basis = ClockBasis::target;
   std::vector<ReferenceImplementation> references;
-  std::vector<PrecisionPlan> plans;  ///< by precision; those without a row are left out
+  std::vector<PrecisionPlan> plans;  ///< by precision; without usable lanes: left out
   AllocationResult reference_only;   ///< as many references as fit: the paper's baseline
   std::optional<int> crossover;      ///< from this L on a lane is dearer than a reference
-  std::vector<std::string> notes;    ///< rows that were missing, for the user's eye
+  std::vector<std::string> notes;    ///< for the user: what was left out or limited
 
-  /// The plan with the highest T(equ) up to L_max, the crossover precision; null: none is feasible.
+  /// The plan with the highest T(equ) below L_max, the crossover precision; null if none is
+  /// feasible.
   const PrecisionPlan* best() const;
 };
 
-/// Errors where the table has no lane or no reference, or the rates do not know its lanes.
+/// Runs Algorithm 1. It is an error if the table has no lane or no reference for these options, or
+/// no lane of it has a known rate.
 Result<Optimisation> optimise(const Scene& scene, const Device& device,
                               const Characterisation& table, const Rates& rates,
                               const OptimiseOptions& options);

@@ -28,7 +28,7 @@ std::string lanes_table(const ComponentKey& key, int count) {
                      key.format, key.inputs, bound_keys(*key.bound), multipliers_key(key));
 }
 
-/// Without the keys of [system] that the plan sets itself.
+/// The overrides without the keys of [system] that the plan sets itself.
 Setting::Table without_chosen_keys(Setting::Table overrides) {
   for (Setting& section : overrides.entries) {
     if (section.key != "system") continue;

@@ -9,10 +9,10 @@ namespace mixcmp::model {
 
 /// What a plan was found from.
 struct PlanSource {
-  std::string scene_file;    ///< as seen from the plan
-  Setting::Table overrides;  ///< sections with what --set gave them: they become the plan's
+  std::string scene_file;    ///< path of the scene as seen from the plan file
+  Setting::Table overrides;  ///< keys given by --set, by section; the plan repeats them
   std::string device;        ///< as system.device names it
-  std::string command;       ///< what makes the plan again
+  std::string command;       ///< the command that makes the plan again
 };
 
 /// A plan file (docs/scene_file.md) that `generate` and `verify` take in place of the scene.

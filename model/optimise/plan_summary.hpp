@@ -6,7 +6,7 @@
 
 namespace mixcmp::model {
 
-/// What a reader wants of one plan.
+/// The figures of a plan that tables show.
 struct PlanSummary {
   int precision = 0;  ///< 0: no plan is feasible
   int lanes = 0;
@@ -21,7 +21,7 @@ PlanSummary summary_of(const PrecisionPlan& plan);
 /// Summarises the best plan.
 PlanSummary summary_of(const Optimisation& optimisation);
 
-/// References alone: comparisons a second; 0 where none fits.
+/// Comparisons per second of a device filled with references alone; 0 where none fits.
 double baseline_per_s(const Optimisation& optimisation);
 
 }  // namespace mixcmp::model

@@ -20,7 +20,7 @@ bool allows(const std::vector<Choice>& allowed, const Choice& word) {
   return allowed.empty() || std::find(allowed.begin(), allowed.end(), word) != allowed.end();
 }
 
-/// The table's reader has parsed it before.
+/// The format of a row; it is valid, as the table's reader has parsed it before.
 FloatFormat format_of(const Measurement& row) {
   return FloatFormat::parse(row.key.format).value();
 }
@@ -41,7 +41,7 @@ bool has_a_clock(const std::vector<const Measurement*>& rows) {
   return std::any_of(rows.begin(), rows.end(), [](const auto* row) { return row->clock; });
 }
 
-/// The area `part` of `whole` steps from one to another, rounded up.
+/// Interpolates linearly between two areas, at part / whole of the way; rounds up.
 Area between(const Area& low, const Area& high, int part, int whole) {
   Area area;
   for (const Resource& resource : bounded_resources) {
@@ -126,7 +126,7 @@ bool ProblemMaker::is_wanted(const Measurement& lane) const {
          is_trusted(lane);
 }
 
-/// Lanes whose bound is not proven are for scenes that ask for them.
+/// Lanes with a measured, unproven bound serve scenes that ask for them, and only those.
 bool ProblemMaker::is_trusted(const Measurement& lane) const {
   const bool measured = lane.key.bound->kind == BoundChoice::Kind::profiled;
   return measured == (scene_.reduced.bound == BoundKind::profiled);
@@ -143,7 +143,8 @@ bool ProblemMaker::has_enough_exponents(const Measurement& lane) {
   return false;
 }
 
-/// A target that is taken as met would win against every measured clock.
+/// If any lane has a measured clock, lanes without one are left out: their clock would be the
+/// target, which would win against every measurement. The same holds for references.
 void ProblemMaker::leave_out_untimed() {
   Rows all;
   for (const auto& [precision, rows] : lanes_) all.insert(all.end(), rows.begin(), rows.end());
@@ -162,8 +163,8 @@ void ProblemMaker::erase_untimed(Rows& rows, const std::string& what) {
       "{0}s without a clock are left out, since others have one; --{0}-mhz counts all", what));
 }
 
-/// What lies between two measured port counts is interpolated; below the first it is as large as
-/// that.
+/// Shares between two measured port counts are interpolated; below the smallest measured count they
+/// are as large as there.
 void ProblemMaker::add_crossbar() {
   std::map<int, const Measurement*> measured;
   for (const Measurement& row : table_.rows) {
@@ -200,7 +201,8 @@ void ProblemMaker::note_largest_crossbar(const PrecisionPlan& plan) {
                   plan.precision, served));
 }
 
-/// All lanes of a system have the slots that the slowest one needs.
+/// The scoreboard's row. All lanes of a system have the slots that the lane of the longest latency
+/// needs.
 const Measurement* ProblemMaker::fifo_for(const Rows& lanes) {
   if (options_.fixed_communication) return nullptr;
   int slowest = 0;
@@ -213,8 +215,9 @@ const Measurement* ProblemMaker::fifo_for(const Rows& lanes) {
   return nullptr;
 }
 
-/// A row's own clock, or the target; of a lane not above that of what surrounds it. The worst
-/// founded of all is what a plan's clock is worth.
+/// The clock of a row in MHz: the given one, else the measured one, else the target. A lane without
+/// a given clock is no faster than its scoreboard and the slowest crossbar. `basis_` keeps the
+/// least reliable source of all.
 double ProblemMaker::clock_of(const Measurement& row, const std::optional<double>& given,
                               const Measurement* fifo) {
   if (given) return *given;

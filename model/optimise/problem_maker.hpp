@@ -8,7 +8,7 @@
 
 namespace mixcmp::model {
 
-/// Collects the rows of a characterisation into one allocation problem a precision.
+/// Collects the rows of a characterisation into one allocation problem per precision.
 class ProblemMaker {
 public:
   ProblemMaker(const Scene& scene, const Characterisation& table, const Rates& rates,
@@ -20,7 +20,8 @@ public:
 
   std::vector<ReferenceImplementation> references();
 
-  /// The problem and its best plan; none where no lane has a known rate.
+  /// The problem for one precision and its best plan; none where no lane has a known rate that
+  /// holds for its exponent bits.
   std::optional<PrecisionPlan> plan(int precision, const Device& device,
                                     const std::vector<ReferenceImplementation>& references);
 
@@ -55,7 +56,7 @@ private:
   double crossbar_mhz_ = std::numeric_limits<double>::infinity();
   ClockBasis basis_ = ClockBasis::given;
   std::set<std::string> notes_;
-  std::string left_out_;  ///< why the plan at hand may have no lane
+  std::string left_out_;  ///< why the current precision has no lane worth using, for the user
 };
 
 }  // namespace mixcmp::model

@@ -27,8 +27,8 @@ struct PublishedDevice {
   int cpu_cores;
   double cpu_core_per_s, cpu_per_s;
 
-  /// A clock of lanes that both of its systems reach: the lower of T(equ) / p_L of scenarios I and
-  /// II, at most the highest clock printed.
+  /// A clock that the lanes of both published systems reach: the lower of T(equ) / p_L of scenarios
+  /// I and II, at most the highest clock printed.
   double lane_mhz() const;
 };
 

@@ -32,7 +32,7 @@ struct Row {
   Rate rate;
 };
 
-/// The field at fault, where there is one.
+/// Parses a line into `row`; returns the field at fault, if there is one.
 std::optional<std::string> read_row(const std::vector<std::string>& fields, Row& row) {
   if (fields.size() < 5) return "row";
   if (fields[0] != "exact" && fields[0] != "rounded") return "inputs";
@@ -62,7 +62,7 @@ Rates Rates::of(const std::vector<RateProfile>& profiles) {
   Rates rates;
   for (const RateProfile& profile : profiles) {
     for (const SystemProfile& system : profile.systems) {
-      if (!system.bound) continue;  // lanes alone
+      if (!system.bound) continue;  // lanes alone or reference alone: no recomputation
       for (std::size_t k = 0; k < system.counts.size(); ++k) {
         if (!system.counts[k].exists) continue;
         const int precision = profile.first_precision + static_cast<int>(k);

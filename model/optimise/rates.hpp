@@ -12,7 +12,7 @@
 
 namespace mixcmp::model {
 
-/// A kind of lane as far as its recomputation rate R_R goes.
+/// The properties of a lane on which its recomputation rate R_R depends.
 struct RateKey {
   LaneInputs inputs = LaneInputs::exact;
   BoundChoice bound;
@@ -21,13 +21,14 @@ struct RateKey {
   friend auto operator<=>(const RateKey&, const RateKey&) = default;
 };
 
-/// R_R as it was counted.
+/// A recomputation rate R_R as counted on data.
 struct Rate {
   std::uint64_t undecided = 0;
   std::uint64_t comparisons = 0;
 
-  /// undecided / comparisons. Where none of n comparisons was undecided 3 / n: with 95 % confidence
-  /// the true rate is below that (the rule of three), and no plan should lean on less.
+  /// undecided / comparisons. If none of n comparisons was undecided, it is 3 / n, at most 1: the
+  /// true rate is below 3 / n with 95 % confidence (rule of three), and no plan should rely on
+  /// less.
   double value() const;
 };
 
@@ -35,10 +36,11 @@ struct Rate {
 class Rates {
 public:
   static Rates of(const std::vector<RateProfile>& profiles);
-  /// figure5.csv of `mixcmp profile`. Errors name the line and the column.
+  /// Reads figure5.csv as written by `mixcmp profile`. Errors name the line and the column.
   static Result<Rates> read(const std::filesystem::path& path);
 
-  /// The larger of each, for scenario II: what only one of the two knows stays.
+  /// Raises each rate to the larger of the two, for scenario II. A rate that only one of the two
+  /// has is taken as it is.
   void raise_to(const Rates& other);
 
   std::optional<Rate> find(const RateKey& key) const;

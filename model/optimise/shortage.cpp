@@ -12,14 +12,15 @@
 namespace mixcmp::model {
 namespace {
 
-/// References that one lane needs: 0 if it recomputes nothing; none if no number of them does.
+/// How many references one lane needs: 0, without a kind of reference, if it recomputes nothing;
+/// none if no number suffices.
 std::optional<int> references_needed(const LaneKind& lane, const ReferenceKind* reference,
                                      const AllocationProblem& problem) {
   if (lane.recomputation_rate == 0) return reference == nullptr ? std::optional(0) : std::nullopt;
   if (reference == nullptr) return std::nullopt;
   const bool one_clock = problem.clocks == ClockDomains::single;
   const double capacity = one_clock ? lane.throughput_per_s : reference->throughput_per_s;
-  // A second one helps a single lane only where references are pooled.
+  // A second reference helps a single lane only where references are pooled.
   const int most = problem.sharing == ReferenceSharing::pooled
                        ? problem.max_references
                        : std::min(1, problem.max_references);
@@ -38,7 +39,7 @@ Counts smallest_system(const AllocationProblem& problem, std::size_t lane,
   return counts;
 }
 
-/// What the smallest systems that keep equation 10 demand.
+/// The demands of the smallest systems that satisfy equation 10.
 std::vector<Amounts> smallest_demands(const AllocationProblem& problem) {
   std::vector<const ReferenceKind*> references{nullptr};
   for (const ReferenceKind& reference : problem.references) references.push_back(&reference);
@@ -74,7 +75,7 @@ Amounts least_of_each(const std::vector<Amounts>& demands) {
   return least;
 }
 
-/// How many times what there is the demand is, of the resource that is shortest.
+/// The largest ratio of demand to room over all resources.
 double worst_ratio(const Amounts& demand, const Amounts& room) {
   double worst = 0;
   for (std::size_t r = 0; r < demand.size(); ++r) {

@@ -4,11 +4,13 @@
 
 namespace mixcmp::model {
 
-/// Whether C(com) alone leaves room.
+/// Whether the fixed part of C(com) alone fits the usable area.
 bool fixed_fits(const AllocationProblem& problem);
 
-/// Why a problem without a plan has none, from its smallest systems: one lane of each kind with
-/// the reference it needs.
+/// Explains why no plan is feasible, by the smallest systems: one lane of one kind with the
+/// references that it needs. Reports each resource of which even the smallest demand of all these
+/// systems is too large. If there is none, reports the shortages of the system that comes closest
+/// to fitting.
 Infeasible explain_infeasible(const AllocationProblem& problem);
 
 }  // namespace mixcmp::model

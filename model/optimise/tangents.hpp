@@ -10,8 +10,8 @@ struct Line {
   double offset = 0;
 };
 
-/// A few lines that lie nowhere above the points (k, values[k]) and touch their lower convex hull:
-/// of its edges those above 0, 1, 2, 4, 8, ... Without points: the line 0.
+/// A few linear lower bounds of the points (k, values[k]): of the edges of their lower convex hull
+/// those at k = 0, 1, 2, 4, 8, ... Without points, the line y = 0.
 std::vector<Line> lines_below(const std::vector<double>& values);
 
 }  // namespace mixcmp::model
