@@ -62,7 +62,7 @@ Rates Rates::of(const std::vector<RateProfile>& profiles) {
   Rates rates;
   for (const RateProfile& profile : profiles) {
     for (const SystemProfile& system : profile.systems) {
-      if (!system.bound) continue;  // lanes alone or reference alone: no recomputation
+      if (!system.bound) continue;  // lanes alone recompute nothing
       for (std::size_t k = 0; k < system.counts.size(); ++k) {
         if (!system.counts[k].exists) continue;
         const int precision = profile.first_precision + static_cast<int>(k);

@@ -25,7 +25,7 @@ bool is_constant(const AbsoluteBoundDecision& decision) {
          decision.bound.nodes.front().operation == BoundOperation::constant;
 }
 
-/// The constant as the hardware has it; infinite where its format has no such number.
+/// The constant as the hardware encodes it; infinite where it exceeds the format.
 double encoded(BoundFormat format, const mpq_class& value) {
   const Bits bound = encode_bound(format, value);
   if (bound == format.infinity()) return infinity;
@@ -37,14 +37,14 @@ double binade(double value) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) >> 52 << 52);
 }
 
-/// Above a + b by less than two last places, or equal to it.
+/// An upper bound of a + b, too large by less than two units in the last place.
 double sum_up(double a, double b) {
   const double larger = a < b ? b : a, smaller = a < b ? a : b;
   const double sum = larger + smaller;
   return smaller - (sum - larger) > 0 ? sum * (1 + 0x1p-52) : sum;
 }
 
-/// |computed| at most, at every precision.
+/// An upper bound of |computed value| at every precision.
 double largest(const NodeEnvelope& node, std::size_t k) {
   return (std::fabs(node.value[k]) + 1.5 * node.error[k]) * outward;
 }
@@ -61,7 +61,7 @@ bool BoundEnvelope::same_structure(const AbsoluteBoundDecision& a, const Absolut
   const auto same_condition = [](const BoundCondition& x, const BoundCondition& y) {
     return x.bound == y.bound && x.value == y.value;
   };
-  // Digits matter where something is rounded to them.
+  // Formats may differ only where nothing is rounded: between bounds that are a single constant.
   const bool alike = a.bound.format == b.bound.format || (is_constant(a) && is_constant(b));
   return alike &&
          std::equal(a.bound.nodes.begin(), a.bound.nodes.end(), b.bound.nodes.begin(),
@@ -98,7 +98,7 @@ BoundEnvelope::BoundEnvelope(std::span<const Lane* const> lanes, int first, int 
   }
 }
 
-/// Degree 1 where the constants shrink about as fast as 2^-L; sound either way.
+/// Chooses degree 1 where the constants shrink about as fast as 2^-L. Either degree is sound.
 void BoundEnvelope::add_constant(Step& step, std::span<const Lane* const> lanes, int first,
                                  int id) {
   double plain = 0, scaled = 0;
@@ -115,7 +115,8 @@ void BoundEnvelope::add_constant(Step& step, std::span<const Lane* const> lanes,
   step.constant = step.degree == 1 ? scaled : plain;
 }
 
-/// Scaling by a power of two commutes with rounding up, so one rounding serves every precision.
+/// Rounds a row up to the digits of the bound's format. Scaling by a power of two commutes with
+/// that, so one rounding serves every precision.
 void BoundEnvelope::round_up(EnvelopeRow& row, double least, EnvelopeRow& wild) const {
   const std::uint64_t below = (std::uint64_t{1} << (53 - digits_)) - 1;
   for_each_lane([&](std::size_t k) {
@@ -133,7 +134,7 @@ void BoundEnvelope::evaluate(const Step& step, const EnvelopeBlock& block,
   const EnvelopeRow& a = rows[std::max(step.operands[0], 0)];
   const EnvelopeRow& b = rows[std::max(step.operands[1], 0)];
   const NodeEnvelope& value = block.nodes[std::max(step.value, 0)];
-  // Products of so few digits are exact in double.
+  // Two factors of at most 26 digits have an exact product in double.
   const double product_error = digits_ <= 26 ? 1 : outward;
   switch (step.operation) {
     case BoundOperation::constant: y.fill(step.constant); break;

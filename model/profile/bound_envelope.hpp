@@ -9,24 +9,25 @@
 
 namespace mixcmp::model {
 
-/// What a running or constant bound can come to, from the envelopes of the values it is made of:
-/// at precision L at most scaled 2^(A-L) + fixed, for all lanes of one structure. Proof:
-/// docs/profile.md, theorem 3.
+/// Upper limit of a running or constant bound, from the envelopes of the values that it is computed
+/// from. For all lanes of one structure, the bound at precision L is at most scaled 2^(A-L) +
+/// fixed. Proof: docs/profile.md, theorem 3.
 class BoundEnvelope {
 public:
-  /// `lanes`: of precisions first, first + 1, ... >= A, whose bound graphs differ in constants only
-  /// (same_structure); the nodes they look at are numbered as in the envelope.
+  /// `lanes` have the precisions first, first + 1, ..., none below A. Their bound graphs differ in
+  /// constants only (`same_structure`) and refer to lane nodes by the envelope's numbers.
   BoundEnvelope(std::span<const Lane* const> lanes, int first, int last, const Envelope& envelope);
 
   static bool same_structure(const AbsoluteBoundDecision& a, const AbsoluteBoundDecision& b);
 
-  /// Raises `scaled` and `fixed` to what this bound may come to, and `wild` to 1 where a condition
-  /// may fail or the bound may be infinite.
+  /// Raises `scaled` and `fixed` to the limit of this bound where they are lower, and sets `wild`
+  /// to 1 where a condition may fail or the bound may be infinite.
   void raise(const EnvelopeBlock& block, EnvelopeRow& scaled, EnvelopeRow& fixed,
              EnvelopeRow& wild) const;
 
 private:
-  /// Degree 1: the bound is at most `row` times 2^(A-L); degree 0: at most `row`.
+  /// One node of the bound graph. At precision L its value is at most `row` times 2^(A-L) if the
+  /// degree is 1, at most `row` if it is 0.
   struct Step {
     BoundOperation operation;
     std::array<int, 2> operands;
@@ -41,7 +42,7 @@ private:
 
   int anchor_;
   int digits_;
-  std::array<double, 2> smallest_;  ///< by degree
+  std::array<double, 2> smallest_;  ///< the least limit that `round_up` returns, by degree
   double largest_;
   std::vector<Step> steps_;
   std::vector<BoundCondition> conditions_;

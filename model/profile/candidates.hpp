@@ -8,7 +8,8 @@
 
 namespace mixcmp::model {
 
-/// Comparisons that some system has not settled, with all that counting needs.
+/// Comparisons on which some system is not settled, with the data that counting needs. A system is
+/// settled on a comparison once it is known to decide it rightly at every further precision.
 class Candidates {
 public:
   Candidates(std::size_t inputs, std::size_t capacity);
@@ -20,11 +21,11 @@ public:
 
   /// The order of the real numbers f and g; `undecided` where it is undetermined.
   std::vector<Decision> truth;
-  std::vector<Decision> reference;  ///< what the reference datapath answers
-  /// Bit k: system k is still to be looked at.
+  std::vector<Decision> reference;  ///< verdicts of the reference datapath
+  /// Bit k is set while system k is not settled.
   std::vector<std::uint32_t> systems;
 
-  /// Bit k: an operand may fail a range check of system k.
+  /// Bit k is set where an operand fails a range check that system k makes at some precision.
   std::vector<std::uint32_t> failing;
 
   void append(const Candidates& from, std::size_t row, std::uint32_t systems_left);

@@ -15,7 +15,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// LUTs of a unit: fixed + linear p + square p^2, p digits. docs/profile.md says where from.
+/// LUTs of a unit with p digits: fixed + linear p + square p^2. docs/profile.md has the source.
 struct Fit {
   double fixed, linear, square;
 
@@ -33,16 +33,16 @@ constexpr Fit comparison = {18, 1.1, 0};
 constexpr Fit ulp_distance = {8, 1.8, 0};
 constexpr Fit bound_decision = {11, 0.37, 0};
 constexpr Fit interval_decision = {6.5, 0.56, 0};
-/// A digit that an operand has more than the result.
+/// LUTs of an addition for each digit by which its operands exceed its result.
 constexpr double dropped_digit = 13;
-/// A product with a constant keeps this share of its array.
+/// The fraction of a multiplier that remains where one factor is a constant.
 constexpr double constant_share = 0.5;
 
 bool is_constant(const TypedGraph& graph, NodeId id) {
   return graph.nodes[id].operation == Operation::constant;
 }
 
-/// A factor that only adds to the exponent.
+/// Whether the node is a power of two, which as a factor only adds to the exponent.
 bool is_scale(const TypedGraph& graph, NodeId id) {
   return is_constant(graph, id) && is_power_of_two(graph.nodes[id].value);
 }

@@ -16,17 +16,17 @@ enum class Products {
   left_out,  ///< embedded multipliers take them
 };
 
-/// A rough area of datapaths, in LUTs of six inputs and no DSPs: one term an operation, fitted to
-/// what Yosys makes of our units (docs/profile.md has the measurements). Good for comparing
-/// precisions of one expression; registers, streams and the crossbar are not in it.
+/// A rough area of datapaths, in LUTs of six inputs and no DSPs: one term per operation, fitted to
+/// Yosys' results for our units (docs/profile.md has the measurements). It serves to compare
+/// precisions of one expression; registers, scoreboards and the crossbar are not included.
 double lane_luts(const CombinedLane& lane, Products products = Products::in_luts);
 double reference_luts(const CombinedGraph& reference, Products products = Products::in_luts);
 
-/// Areas that somebody has measured; they replace the rough ones, system by system.
+/// Areas measured by the user; each replaces the estimate for its system and precision.
 class MeasuredAreas {
 public:
-  /// CSV with a header and the columns system, precision, luts: "relative,17,2210". The system
-  /// "reference" stands for the reference datapath; its precision is not looked at.
+  /// Reads a CSV file with a header and the columns system, precision, luts: "relative,17,2210".
+  /// The system "reference" stands for the reference datapath; its precision is ignored.
   static Result<MeasuredAreas> read(const std::filesystem::path& path);
 
   std::optional<double> of(const std::string& system, int precision) const;

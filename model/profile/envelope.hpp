@@ -10,25 +10,26 @@
 
 namespace mixcmp::model {
 
-/// Comparisons that the envelope treats at once.
+/// Number of comparisons in a block.
 inline constexpr std::size_t envelope_width = 256;
 using EnvelopeRow = std::array<double, envelope_width>;
 
-/// What the envelope knows of one node on a block of comparisons, as far as they are tame.
+/// The envelope of one node on a block of comparisons. It holds for those that are not wild.
 struct NodeEnvelope {
   alignas(64) EnvelopeRow value;  ///< double evaluation of the true value x
   alignas(64) EnvelopeRow error;  ///< E: |computed - x| <= E 2^(A-L) at every precision L >= A
 };
 
-/// Room for one block; belongs to a thread.
+/// The envelopes of all nodes on one block; each thread has its own.
 struct EnvelopeBlock {
   std::vector<NodeEnvelope> nodes;
-  /// 1 where some lane may meet an exceptional operation, so that nothing here holds.
+  /// 1 for a wild comparison: some lane may meet an exceptional operation, so that no envelope
+  /// holds. 0 for a tame one.
   alignas(64) EnvelopeRow wild;
 };
 
-/// Values and errors of every lane of precision A, A+1, ... last at once. Proof: docs/profile.md,
-/// theorem 1.
+/// Bounds the errors of the lanes of all precisions A, A+1, ..., last in one evaluation. Proof:
+/// docs/profile.md, theorem 1.
 class Envelope {
 public:
   struct Options {
@@ -38,7 +39,8 @@ public:
     std::vector<NodeMagnitude> inputs;
   };
 
-  /// `lane`: the graph that all the lanes share, built at precision A. f - g is appended to it.
+  /// `lane` is the graph that all the lanes share, built at precision A. The envelope appends f - g
+  /// to it.
   Envelope(const TypedGraph& lane, const Options& options);
 
   int anchor() const { return options_.anchor; }
@@ -47,25 +49,25 @@ public:
   const TypedGraph& graph() const { return graph_; }
   NodeId difference() const { return node_count() - 1; }
 
-  /// Exponents that no value of a tame comparison leaves: 0 or 2^lowest .. 2^highest.
+  /// Every value of a tame comparison is 0 or has a magnitude in 2^lowest .. 2^highest.
   int lowest() const { return lowest_; }
   int highest() const { return highest_; }
   /// The largest relative error of one rounding at precision A.
   double unit() const { return unit_; }
 
-  /// Comparisons first .. first + envelope_width - 1 of the columns; those beyond the end of the
-  /// data may be anything.
+  /// Evaluates envelope_width comparisons: columns[i] points to the values of input i. Values
+  /// beyond the end of the data may be anything.
   void evaluate(std::span<const double* const> columns, EnvelopeBlock& block) const;
 
 private:
-  /// How a node is evaluated and what must be checked of it.
+  /// How a node is evaluated, and which checks it needs.
   struct Step {
     Operation operation;
     std::array<NodeId, 2> operands;
     int input;
     double constant, constant_error;
     bool may_be_large;
-    /// Otherwise |value| >= tiny + factor * error, or an exact zero, is checked.
+    /// If false, the check is |value| >= 2^lowest + tiny_factor * error, or an exact zero.
     bool never_tiny;
     double tiny_factor;
   };

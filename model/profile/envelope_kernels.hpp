@@ -5,9 +5,9 @@
 
 #include "model/profile/envelope.hpp"
 
-/// One operation of an envelope on a block. With x in value and E in error, Q bounds the error that
-/// the operands bring in, as in theorem 1 of docs/profile.md. Plain loops for the vectoriser: it
-/// wants | and & for conditions, which || and && would branch on.
+/// Each kernel evaluates one operation of an envelope on a block. `value` is x, `error` is E, and q
+/// is Q, the bound on the error that the operands bring in, in theorem 1 of docs/profile.md. Loops
+/// are plain for the vectoriser, and conditions use | and &, since || and && would branch.
 namespace mixcmp::model::envelope_kernels {
 
 /// Covers the roundings of an error's own computation in double: a few steps of 2^-53.
@@ -21,7 +21,7 @@ void for_each_lane(Function function) {
   for (std::size_t k = 0; k < envelope_width; ++k) function(k);
 }
 
-/// The error after a rounding of relative error `unit`. 2Q instead of Q, since `value` is
+/// The error after a rounding of relative error `unit`. It takes 2Q instead of Q, since `value` is
 /// itself rounded and may lie on the other side of x.
 inline double after_rounding(double value, double q, double unit) {
   return (q + unit * (std::fabs(value) + 2 * q)) * outward;

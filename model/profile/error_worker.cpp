@@ -128,7 +128,7 @@ void ErrorWorker::measure(const Truth& truth, const std::vector<double>& compute
     // The first difference is exact where it is small.
     const double difference = (computed[k] - truth.high[k]) - truth.low[k];
     const double error = std::fabs(difference) * truth.scale[k];
-    // Not for a NaN or an infinity, which are passed over.
+    // False for a NaN or an infinity, which are skipped.
     if (error > largest.error && error < std::numeric_limits<double>::infinity()) {
       largest = {error, first + k};
     }

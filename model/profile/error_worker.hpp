@@ -25,10 +25,10 @@ struct ErrorPart {
   Emulator emulator;
 };
 
-/// One a part of the comparison.
+/// One element per part of the comparison.
 using ErrorLane = std::vector<ErrorPart>;
 
-/// What the samples have in common: built once, read by all threads.
+/// What all samples share: built once, read by all threads.
 struct ErrorJob {
   const Scene& scene;
   const OperandSource& source;
@@ -37,20 +37,21 @@ struct ErrorJob {
 };
 
 struct ErrorTally {
-  std::vector<LargestError> f, g;  ///< one a lane
+  std::vector<LargestError> f, g;  ///< one per lane
   std::uint64_t comparisons = 0;
 
   void add(const ErrorTally& other);
 };
 
-/// The errors of f and g of one sample, the largest of all parts, by MPFR alone.
+/// The relative errors of f and g on one sample, the largest over all parts, computed by MPFR
+/// alone.
 struct JudgedError {
   mpq_class f = 0, g = 0;
 };
 JudgedError judge_error(const ErrorJob& job, const ErrorLane& lane, std::uint64_t sample);
 
-/// One thread's share of figure 4. Errors are measured in double, from true values kept as
-/// sums of two doubles: right to 2^-48 of themselves, enough to find the largest.
+/// One thread's share of figure 4. Errors are measured in double, from true values kept as sums of
+/// two doubles. Their own relative error is 2^-48, small enough to find the largest.
 class ErrorWorker {
 public:
   static constexpr std::size_t block = 2048;
@@ -60,11 +61,11 @@ public:
   const ErrorTally& tally() const { return tally_; }
 
 private:
-  /// True values of one function: high + low. Where `scale` is 0 nothing is measured.
+  /// True values of one function, high + low; scale is 1 / |high|, or 0 where nothing is measured.
   struct Truth {
     std::vector<double> high, low, scale;
   };
-  /// What is known of one part on a block of samples.
+  /// The true values of one part on a block of samples.
   struct PartTruth {
     golden::TrueValues values;
     Truth f, g;
@@ -75,7 +76,8 @@ private:
   /// Finds the truth of one sample; false where f or g is no real number.
   bool find_truth(PartTruth& part, std::span<const Bits> operands, std::uint64_t first,
                   std::size_t k);
-  /// False where double has no such exponents.
+  /// Stores a true value as row k of `truth`; false where its exponent is too small or large for
+  /// double.
   static bool keep(Truth& truth, golden::BigFloat& scratch, const golden::BigFloat& value,
                    std::size_t k);
   void measure_lane(std::size_t lane, std::uint64_t first, std::size_t count);

@@ -11,7 +11,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// |1/t - 1| for every t of the bound, as a double above; 0 of what is exact.
+/// The largest |1/t - 1| over all t in the bound, rounded up to a double; 0 if the bound is exact.
 std::optional<double> relative_to_truth(const std::optional<RelativeBound>& bound) {
   if (!bound) return std::nullopt;
   const mpq_class above = 1 / bound->low - 1, below = 1 - 1 / bound->high;
@@ -20,7 +20,7 @@ std::optional<double> relative_to_truth(const std::optional<RelativeBound>& boun
   return std::nextafter(largest.get_d(), std::numeric_limits<double>::infinity());
 }
 
-/// Widens `all` by one part's; nothing where a part has none.
+/// Raises `all` to the bound of one part; `all` becomes none if a part has no bound.
 void add_bound(std::optional<double>& all, std::string& reason, const NodeBound& side) {
   const std::optional<double> bound = relative_to_truth(side.relative);
   if (!bound) reason = side.reason;

@@ -8,11 +8,11 @@
 
 namespace mixcmp::model {
 
-/// Digits of the true values that errors are measured against.
+/// Precision, in bits, of the true values that errors are measured against.
 inline constexpr mpfr_prec_t error_truth_precision = 500;
 
-/// The maximum of |computed - truth| / |truth| seen of one function, rounded up to 64 bits. What is
-/// not finite, and a truth of zero, is passed over.
+/// The maximum of |computed - truth| / |truth| over the measured values of one function, rounded up
+/// to 64 bits. It skips values that are not finite and a truth of zero.
 class LargestRelativeError {
 public:
   explicit LargestRelativeError(FloatFormat format) : format_(format) {

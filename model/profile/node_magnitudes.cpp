@@ -11,10 +11,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int unknown = NodeMagnitude::unknown;
-/// The rational arithmetic here is done in double: its own roundings, outward.
+/// Covers the roundings of the limits' own computation in double.
 constexpr double outward = 1 + 0x1p-40;
 
-/// Exponents beyond this say nothing of a format, and sums of them must not overflow.
+/// Exponents are kept within this, far outside any format, so that sums of them do not overflow.
 constexpr int furthest = 1 << 20;
 
 int sum_or_unknown(int a, int b) {
@@ -33,7 +33,8 @@ NodeMagnitude constant_magnitude(const TypedNode& node, int precision) {
   const double value = std::fabs(node.value.get_d());
   if (node.value == 0) return {.largest = 0, .grid = 0, .least = 0};
   if (value == 0 || !std::isfinite(value)) return {.largest = infinity};
-  // It is encoded in its own format, or in `precision` digits; 2 covers the rounding.
+  // The constant is encoded in its own format or in `precision` digits; the factor 2 covers the
+  // rounding.
   const int least = std::ilogb(value) - 1;
   const int digits = std::max(precision, node.format.precision());
   return {.largest = value * 2, .grid = least - digits, .least = least};
@@ -74,7 +75,8 @@ NodeMagnitude exact_magnitude(const TypedNode& node, const NodeMagnitude& a,
   MIXCMP_CHECK(false);
 }
 
-/// A number of `precision` digits, 2^least or more, is a multiple of its own last place.
+/// The magnitude after rounding: a number of `precision` digits that is 2^least or more is a
+/// multiple of 2^(least - precision + 1).
 NodeMagnitude rounded(NodeMagnitude exact, int precision) {
   if (exact.least != unknown) exact.grid = std::max(exact.grid, exact.least - precision + 1);
   if (exact.grid != unknown) exact.least = std::max(exact.least, exact.grid);
@@ -115,7 +117,7 @@ NodeMagnitude magnitude_of(const std::vector<double>& values) {
       magnitude.least = std::min(magnitude.least, std::ilogb(value));
     }
   }
-  // All are zero: as good as a one, and no arithmetic on exponents overflows.
+  // All values are zero: any exponents hold, and with 0 no arithmetic on them overflows.
   if (magnitude.least == -unknown) magnitude.grid = magnitude.least = 0;
   return magnitude;
 }

@@ -14,10 +14,10 @@ namespace {
 using envelope_kernels::for_each_lane;
 using envelope_kernels::outward;
 
-/// Below |f - g|, from its double evaluation.
+/// Lower bounds of |f - g|, from its evaluation in double.
 struct Gap {
   const NodeEnvelope &f, &g, &difference;
-  double error_of_double;  ///< in units of the errors at A
+  double error_of_double;  ///< double's error as a multiple of the error at precision A
 
   double error(std::size_t k) const { return f.error[k] + g.error[k]; }
   double least(std::size_t k) const {
@@ -47,8 +47,9 @@ Threshold threshold_of(const SystemLanes& system, std::size_t part, int index,
   return Threshold::of_lanes(lanes, envelope);
 }
 
-/// The findings of several parts as those of the whole comparison. A system is settled on it once
-/// it is settled on every part, or on one whose true verdict outweighs all others.
+/// Merges the findings on the parts into those on the whole comparison. A system is settled on the
+/// whole once it is settled on every part, or on one part that dominates: its true verdict decides
+/// the combination whatever the others are.
 class PartsMerger {
 public:
   PartsMerger(Combination combination, std::size_t systems, LastOpen never)
@@ -75,8 +76,8 @@ public:
     }
   }
 
-  /// Parts whose verdicts are in doubt matter only where none outweighs them. Those that are not in
-  /// doubt are less or greater: where none dominates, all are the other.
+  /// A doubtful part matters only where no part dominates. Verdicts without doubt are less or
+  /// greater, so where no part dominates they are all the other one.
   void finish(const BlockFindings& findings) const {
     const Decision other = dominating_ == Decision::greater ? Decision::less : Decision::greater;
     for (std::size_t k = 0; k < envelope_width; ++k) {
@@ -142,7 +143,8 @@ void PrecisionBand::last_open(const Part& part, const EnvelopeBlock& block,
                               const BlockFindings& findings) const {
   alignas(64) EnvelopeRow scaled, fixed, wild;
   const Gap gap = gap_of(part.envelope, block);
-  // Steps from anchor - 1: none below a ratio of 1, all of them from `enough` on.
+  // The exponent of the ratio is the number of precisions after anchor - 1 that are open: none
+  // below a ratio of 1, all of them from `enough` on.
   const double enough = std::ldexp(1.0, next_ - anchor());
   const auto bias = static_cast<std::uint64_t>(1022 - (anchor() - 1));
   for (std::size_t system = 0; system < part.thresholds.size(); ++system) {

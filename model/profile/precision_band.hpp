@@ -12,7 +12,8 @@
 
 namespace mixcmp::model {
 
-/// The last precision at which a comparison may be open, in one byte.
+/// The last precision at which a comparison may be open, in one byte. It is open for a system at a
+/// precision where the system may be undecided or wrong.
 using LastOpen = std::uint8_t;
 
 /// The findings of one band on envelope_width comparisons.
@@ -21,15 +22,17 @@ struct BlockFindings {
   /// comparison k; anchor() - 1 if at none, next() if at next() or later.
   LastOpen* last;
   std::size_t stride;
-  /// 1 where `truth` might not be the true verdict, or the reference's might differ from it.
+  /// 1 where `truth` may differ from the true verdict or from the reference's verdict.
   std::uint8_t* doubtful;
   Decision* truth;
 };
 
-/// What all systems do at precisions anchor .. next - 1, for comparisons not yet settled there.
+/// The lanes of all systems at precisions anchor .. next - 1, with an envelope at anchor that tells
+/// for which comparisons they need not be run.
 class PrecisionBand {
 public:
-  /// A lane of one system at one precision, ready to run; none where it does not exist.
+  /// A lane of one system at one precision, ready to run; no emulator where the lane does not
+  /// exist.
   struct Runner {
     SystemKind kind;
     std::optional<Emulator> emulator;
@@ -46,7 +49,8 @@ public:
     return runners_[system][precision - anchor()];
   }
 
-  /// `columns` as for Envelope::evaluate; `block` is room to work in.
+  /// Finds where envelope_width comparisons may be open. `columns` are as for Envelope::evaluate;
+  /// `block` is working memory.
   void look(std::span<const double* const> columns, EnvelopeBlock& block,
             const BlockFindings& findings) const;
 
@@ -54,7 +58,7 @@ private:
   /// One part of the comparison.
   struct Part {
     Envelope envelope;
-    std::vector<Threshold> thresholds;  ///< one a system
+    std::vector<Threshold> thresholds;  ///< one per system
   };
 
   void look(const Part& part, std::span<const double* const> columns, EnvelopeBlock& block,

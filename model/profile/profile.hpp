@@ -11,14 +11,15 @@
 #include "model/scene/bound_choice.hpp"
 #include "model/scene/scene.hpp"
 
-/// What a scene's comparisons do at every precision: figures 4 and 5 of the paper, and the truth.
-/// docs/profile.md says what the numbers mean and proves that the fast way counts exactly.
+/// Errors, recomputations and wrong verdicts of a scene's comparisons at every precision: figures 4
+/// and 5 of the paper, and a check against exact arithmetic. docs/profile.md says what the numbers
+/// mean and proves that the fast way counts exactly.
 namespace mixcmp::model {
 
-/// How the counts are found; both give the same.
+/// How the counts are found. Both methods give the same counts.
 enum class ProfileMethod {
-  envelope,     ///< comparisons that are decided, rightly, at every further precision are dropped
-  brute_force,  ///< every comparison through every lane, every true verdict by MPFR
+  envelope,     ///< drops comparisons that are decided rightly at every further precision
+  brute_force,  ///< runs every comparison through every lane; all true verdicts by MPFR
 };
 
 struct ProfileOptions {
@@ -27,28 +28,29 @@ struct ProfileOptions {
   std::uint64_t error_samples = 1'000'000;  ///< for figure 4 and the profiled constants
   unsigned threads = 0;                     ///< 0: as many as the machine has
   ProfileMethod method = ProfileMethod::envelope;
-  /// Called with what is being done and the share that is, 0..1; from any thread, one at a time.
+  /// Called with the name of the current step and the fraction of it that is done, 0..1; from any
+  /// thread, but one call at a time.
   std::function<void(const std::string&, double)> progress = {};
 };
 
-/// Errors name the scene's field: a reference that double does not hold, precisions that no lane
-/// can have.
+/// Rejects formats that double does not hold and precisions that no lane can have; the error names
+/// the field or option.
 Result<Done> check_profile(const Scene& scene, const ProfileOptions& options);
 
 /// Figure 4: the relative error of f and g at one precision; of several parts the largest.
 struct ErrorAtPrecision {
   int precision = 0;
-  /// Measured: maximum of |f_L - f_T| / |f_T|, upward to 64 bits, f_T right to 128 digits.
+  /// Measured: the maximum of |f_L - f_T| / |f_T|, rounded up to 64 bits; f_T is right to 128 bits.
   mpq_class f = 0, g = 0;
-  /// Proven for every comparison; none where no relative bound exists.
+  /// Proven bounds for every comparison; none where no relative bound exists.
   std::optional<double> f_bound, g_bound;
 };
 
 struct ErrorProfile {
   LaneInputs inputs = LaneInputs::exact;
-  std::uint64_t comparisons = 0;  ///< measured: those with finite f_T and g_T of some part
+  std::uint64_t comparisons = 0;  ///< measured: f_T and g_T have a value in some part
   std::vector<ErrorAtPrecision> precisions;
-  std::string no_f_bound, no_g_bound;  ///< why, where there is none at the last precision
+  std::string no_f_bound, no_g_bound;  ///< why the last precision has no bound
 };
 
 /// One profile for each of `inputs`; the true values are computed once for all.
@@ -69,17 +71,17 @@ struct SystemCounts {
   /// Verdicts that differ from the order of the real numbers f and g of the operands; an undecided
   /// comparison has the reference's verdict.
   std::uint64_t wrong = 0;
-  std::uint64_t wrong_by_lane = 0;  ///< of these, what a lane decided; 0 of every certified system
+  std::uint64_t wrong_by_lane = 0;  ///< those decided by a lane; 0 if certified
 
   friend bool operator==(const SystemCounts&, const SystemCounts&) = default;
 };
 
 struct SystemProfile {
-  std::string name;                  ///< "lanes_alone", or as its bound is called
+  std::string name;                  ///< "lanes_alone", or the name of its bound
   std::optional<BoundChoice> bound;  ///< none: lanes alone
   SystemKind kind = SystemKind::certified;
-  std::vector<SystemCounts> counts;  ///< one a precision
-  std::string reason;                ///< why it does not exist, where it does not
+  std::vector<SystemCounts> counts;  ///< one per precision
+  std::string reason;                ///< why there is no lane at some precision
 };
 
 /// Figure 5 and the wrong verdicts.
@@ -88,8 +90,8 @@ struct RateProfile {
   int first_precision = limits::lane_precision.least;
   std::uint64_t comparisons = 0;
   std::uint64_t reference_wrong = 0;  ///< verdicts of the reference datapath alone
-  std::uint64_t true_verdicts = 0;    ///< how many it took MPFR to decide
-  /// The true verdicts that stayed undetermined; nobody is called wrong there.
+  std::uint64_t true_verdicts = 0;    ///< how many MPFR had to compute
+  /// How many true verdicts stayed undetermined; no verdict counts as wrong there.
   std::uint64_t undetermined = 0;
   std::uint64_t emulated = 0;  ///< lane evaluations
   std::vector<SystemProfile> systems;

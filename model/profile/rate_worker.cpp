@@ -8,7 +8,7 @@ namespace mixcmp::model {
 
 namespace {
 
-/// Nobody is wrong where the truth is undetermined.
+/// No verdict is wrong where the truth is undetermined.
 bool is_wrong(Decision verdict, Decision truth) {
   return verdict != truth && truth != Decision::undecided;
 }
@@ -52,7 +52,7 @@ void RateWorker::run(const BlockSource& next) {
   for (std::size_t band = 1; band < pending_.size(); ++band) process(band);
 }
 
-/// Everything about new comparisons, up to the first band's last precision.
+/// Takes new comparisons through the first band: range checks, envelopes, true verdicts and lanes.
 void RateWorker::start(std::uint64_t first, std::size_t count) {
   Candidates& candidates = pending_.front();
   job_.source.fetch(first, count, candidates.operands());
@@ -71,7 +71,7 @@ void RateWorker::start(std::uint64_t first, std::size_t count) {
   process(0);
 }
 
-/// Envelopes of all candidates; for new ones the verdicts, too.
+/// Evaluates the band's envelopes on all candidates; for new ones it finds the verdicts, too.
 void RateWorker::look(const PrecisionBand& band, Candidates& candidates, bool is_first) {
   for (std::size_t at = 0; at < candidates.size(); at += envelope_width) {
     const BlockFindings findings{last_.data() + at, capacity, doubtful_.data() + at,
@@ -119,8 +119,9 @@ void RateWorker::process(std::size_t index) {
   if (index + 1 < pending_.size() && pending_[index + 1].size() >= block) process(index + 1);
 }
 
-/// Corrects the findings on comparisons that this band has no say in: a failing range check leaves
-/// a lane undecided at every precision, and what an earlier band settled stays settled.
+/// Corrects the findings on comparisons that this band's envelope cannot judge: a failing range
+/// check leaves a lane undecided at every precision, and what an earlier band settled stays
+/// settled.
 void RateWorker::settle_finished(const PrecisionBand& band, const Candidates& candidates) {
   for (std::size_t system = 0; system < band.system_count(); ++system) {
     LastOpen* const last = last_.data() + system * capacity;
@@ -133,8 +134,8 @@ void RateWorker::settle_finished(const PrecisionBand& band, const Candidates& ca
   }
 }
 
-/// Counting a comparison that is not open changes nothing: it is decided, and rightly. So where
-/// most are open all are run, and only where few are it pays to pick them.
+/// Runs the lanes of one system. A comparison that is not open is decided rightly, so counting it
+/// changes nothing: where more than a quarter are open, all are run, which is cheaper than picking.
 void RateWorker::run_system(const PrecisionBand& band, std::size_t system,
                             const Candidates& candidates) {
   count_open(band, system, candidates.size());

@@ -9,7 +9,7 @@
 
 namespace mixcmp::model {
 
-/// What the comparisons have in common: built once, read by all threads.
+/// What all comparisons share: built once, read by all threads.
 struct RateJob {
   const Scene& scene;
   const OperandSource& source;
@@ -17,8 +17,9 @@ struct RateJob {
   std::vector<SystemLanes> systems;
   std::vector<PrecisionBand> bands;  ///< the next() of each is the anchor() of the one after it
   Emulator reference;
-  /// Bit k of what an input reads from a row of its table: it fails a range check of system k.
-  /// Inputs that never fail are left out.
+  /// The range checks that the values of one input fail. Bit k of of_row[row] is set where the
+  /// value in that row of the input's table fails a range check of system k. Inputs that never fail
+  /// are left out.
   struct Failing {
     Item item;
     std::vector<std::uint32_t> of_row;
@@ -26,9 +27,9 @@ struct RateJob {
   std::vector<Failing> failing;
 };
 
-/// Integer sums over comparisons: their order does not matter.
+/// Counts over comparisons. They are integers, so the order of addition does not matter.
 struct RateTally {
-  /// One a system, one a precision.
+  /// counts[system][precision - first precision].
   std::vector<std::vector<SystemCounts>> counts;
   std::uint64_t reference_wrong = 0, true_verdicts = 0, undetermined = 0, emulated = 0;
 
@@ -36,8 +37,8 @@ struct RateTally {
   void add(const RateTally& other);
 };
 
-/// One thread's share: comparisons go through the bands and are dropped as soon as every system is
-/// settled on them.
+/// One thread's share of the counts. Comparisons go through the bands and are dropped as soon as
+/// every system is settled on them.
 class RateWorker {
 public:
   static constexpr std::size_t block = 16384;
@@ -66,11 +67,11 @@ private:
   RateTally tally_;
   EnvelopeBlock envelope_;
   std::vector<Candidates> pending_;  ///< one per band
-  std::vector<LastOpen> last_;       ///< `capacity` of one system, of the next, ...
+  std::vector<LastOpen> last_;       ///< [system * capacity + row of the candidates]
   std::vector<std::uint8_t> doubtful_;
   std::vector<std::uint32_t> order_;  ///< rows of the candidates, longest open first
-  std::vector<std::size_t> open_at_;  ///< [L - anchor]: how many are open at L
-  Candidates picked_;                 ///< the candidates of one system, in that order
+  std::vector<std::size_t> open_at_;  ///< [L - anchor]: number of candidates open at L
+  Candidates picked_;                 ///< the open candidates of one system, in the order of order_
   std::vector<Decision> decisions_;
 };
 

@@ -31,7 +31,7 @@ std::vector<NodeMagnitude> input_magnitudes(const OperandSource& source) {
   return magnitudes;
 }
 
-/// Checks repeat from precision to precision; one of each is enough.
+/// The checks of a system's lanes. They repeat from precision to precision; one of each is enough.
 std::vector<RangeCheck> distinct_checks(const SystemLanes& system) {
   std::vector<RangeCheck> checks;
   for (const std::optional<CombinedLane>& lane : system.lanes) {
@@ -43,7 +43,7 @@ std::vector<RangeCheck> distinct_checks(const SystemLanes& system) {
   return checks;
 }
 
-/// Bit k: the operand fails some check that system k makes of this input.
+/// Bit k is set where the operand fails some check that system k makes of this input.
 std::uint32_t failing_systems(const std::vector<std::vector<RangeCheck>>& checks, int input,
                               FloatFormat format, Bits operand) {
   std::uint32_t failing = 0;

@@ -9,13 +9,13 @@
 
 namespace mixcmp::model {
 
-/// One way to build a lane, at every precision where it exists.
+/// The lanes with one kind of error bound, at every precision where they exist.
 struct SystemLanes {
   std::string name;
   std::optional<BoundChoice> bound;  ///< none: lanes alone
   SystemKind kind;
-  std::vector<std::optional<CombinedLane>> lanes;  ///< from the first precision on
-  std::string reason;                              ///< why it does not exist, where it does not
+  std::vector<std::optional<CombinedLane>> lanes;  ///< one per precision
+  std::string reason;                              ///< why there is no lane at some precision
 
   bool exists() const;
 };
@@ -27,7 +27,8 @@ int profiled_exponent_bits(const Scene& scene);
 /// The lane's graphs at one precision, with `profiled_exponent_bits`.
 CombinedGraph graphs_at(const Scene& scene, int precision, LaneInputs inputs);
 
-/// Lanes alone, profiled with the constants of `errors`, and every certified candidate.
+/// Makes the systems to be profiled: lanes alone, lanes profiled with the constants of `errors`,
+/// and every certified candidate.
 std::vector<SystemLanes> make_systems(const Scene& scene, const ErrorProfile& errors);
 
 }  // namespace mixcmp::model

@@ -14,19 +14,20 @@ namespace {
 using envelope_kernels::for_each_lane;
 using envelope_kernels::outward;
 
-/// |computed| at most, at every precision.
+/// An upper bound of |computed value| at every precision.
 double largest(const NodeEnvelope& node, std::size_t k) {
   return (std::fabs(node.value[k]) + 1.5 * node.error[k]) * outward;
 }
 
-/// Upward.
+/// An upper bound of an integer, as a double.
 double to_double(Bits bits) {
   return (std::ldexp(static_cast<double>(static_cast<std::uint64_t>(bits >> 64)), 64) +
           static_cast<double>(static_cast<std::uint64_t>(bits))) *
          outward;
 }
 
-/// The constant that multiplies |f| or |g| on the way to D - E: relative_error as the lane has it.
+/// The relative error as the lane encodes it: the constant that multiplies |f| or |g| in E of D -
+/// E.
 double encoded_error(const TypedGraph& graph, NodeId product) {
   const TypedNode& node = graph.nodes[graph.nodes[product].operands[1]];
   MIXCMP_CHECK(node.operation == Operation::constant);
@@ -46,7 +47,7 @@ bool begins_alike(const TypedGraph& a, const TypedGraph& b, std::size_t count) {
                     b.nodes.begin(), same_node);
 }
 
-/// What `guard_ulp` steps multiply a number by, at most: theorem 3.
+/// The largest factor by which `guard_ulp` steps raise a number: theorem 3.
 double guard_factor(const Lane& lane) {
   const Bits guard = std::get<AbsoluteBoundDecision>(lane.decision).guard_ulp;
   const int precision = lane.graph.arithmetic.format.precision();
@@ -123,7 +124,8 @@ Threshold::Kind Threshold::absolute(std::span<const Lane* const> lanes, const En
   Absolute absolute{.bounds = {}, .factor = guard * outward / (1 - envelope.unit())};
   const int last = envelope.anchor() + static_cast<int>(lanes.size()) - 1;
   for (std::size_t first = 0, next = 0; first < lanes.size(); first = next) {
-    // Beyond the shared nodes there may only be the difference, and it is the envelope's.
+    // The bound may refer to the shared nodes and the difference only, as the envelope has no
+    // others.
     if (!looks_at_shared_nodes(decision(first), envelope)) return Unknown{};
     while (next < lanes.size() && BoundEnvelope::same_structure(decision(first), decision(next))) {
       ++next;

@@ -10,32 +10,33 @@
 
 namespace mixcmp::model {
 
-/// How far apart f and g must be beyond their errors for one kind of lane to decide, at every
-/// precision L >= A at once: |computed f - computed g| > scaled 2^(A-L) + fixed suffices, unless
-/// the comparison is wild. Proof: docs/profile.md, theorems 2 and 3.
+/// The distance of computed f and g from which on one kind of lane decides, for every precision L
+/// >= A at once: |computed f - computed g| > scaled 2^(A-L) + fixed suffices, unless the comparison
+/// is wild. Proof: docs/profile.md, theorems 2 and 3.
 class Threshold {
 public:
   /// The threshold of a lane without an error bound, which decides by the order of computed f and
   /// g.
   static Threshold of_order();
-  /// `lanes`: of precisions A, A+1, ... last, whose graphs begin with the envelope's nodes. A kind
-  /// of lane or graph that is not known makes every comparison wild.
+  /// `lanes` have the precisions A, A+1, ..., last. If a lane is missing, their kinds differ, or
+  /// their graphs do not begin with the envelope's nodes, every comparison is wild.
   static Threshold of_lanes(std::span<const Lane* const> lanes, const Envelope& envelope);
 
-  /// `wild` is raised to 1 where nothing can be said.
+  /// Computes `scaled` and `fixed` for each comparison; sets `wild` to 1 where no threshold is
+  /// known.
   void evaluate(const EnvelopeBlock& block, EnvelopeRow& scaled, EnvelopeRow& fixed,
                 EnvelopeRow& wild) const;
 
 private:
   struct Order {};
   struct Distance {
-    double steps;  ///< guard_ulp 2^(1-A), at most
+    double steps;  ///< the largest guard_ulp times 2^(1-A)
   };
   struct Interval {
-    double f, g;  ///< of |f|, |g|
+    double f, g;  ///< factors of |f| and |g|
   };
   struct Absolute {
-    std::vector<BoundEnvelope> bounds;  ///< one a structure
+    std::vector<BoundEnvelope> bounds;  ///< one per structure of bound graphs
     double factor;
   };
   struct Unknown {};

@@ -8,7 +8,7 @@
 
 namespace mixcmp::model {
 
-/// One system at one precision: what it errs, what it costs.
+/// The wrong verdicts and the area of one system at one precision.
 struct TradePoint {
   std::string system;
   SystemKind kind = SystemKind::certified;
@@ -16,9 +16,9 @@ struct TradePoint {
   double wrong_per_million = 0;
   double rate = 0;
   double lane_luts = 0;
-  bool measured = false;  ///< lane_luts is not from the cost model
-  /// Comparisons a cycle from 1000 LUTs, the share of a reference that a lane needs counted in:
-  /// 1000 / (lane + rate (1 + R_S) reference).
+  bool measured = false;  ///< false: lane_luts is from the cost model
+  /// Comparisons per cycle from 1000 LUTs, which include the lane's share of a reference: 1000 /
+  /// (lane + rate (1 + R_S) reference).
   double per_kiloluts = 0;
 };
 
@@ -28,10 +28,11 @@ struct Trade {
   double reference_luts = 0;
   bool reference_measured = false;
   double reference_wrong_per_million = 0;
-  std::vector<TradePoint> points;  ///< by system, by precision
+  std::vector<TradePoint> points;  ///< ordered by system, then by precision
 };
 
-/// `rates` were counted with the constants of `errors`.
+/// Makes a point of every lane that exists. `rates` must have been counted with the constants of
+/// `errors`.
 Trade make_trade(const Scene& scene, const RateProfile& rates, const ErrorProfile& errors,
                  const MeasuredAreas& areas);
 

@@ -11,7 +11,7 @@
 
 namespace mixcmp::model {
 
-/// Whether a variant decides as [comparison] does, on data.
+/// The result of a check on data that a variant decides as [comparison] does.
 struct VariantCheck {
   /// A comparison that the two decide differently.
   struct Difference {
@@ -26,8 +26,8 @@ struct VariantCheck {
   /// none: they decide alike.
   std::optional<Difference> first_difference;
   std::uint64_t differences = 0;
-  /// Comparisons whose order `checked_bits` digits do not tell in [comparison], in the variant or
-  /// in both: mostly ties of sums of several roots. They do not count as differences.
+  /// Comparisons whose order `checked_bits` bits cannot determine in [comparison], in the variant
+  /// or in both: mostly ties of sums of several roots. They do not count as differences.
   std::uint64_t undetermined = 0;
   /// Comparisons that the two references decide differently. They may, since they round.
   std::uint64_t reference_differences = 0;
@@ -36,8 +36,8 @@ struct VariantCheck {
 constexpr int checked_bits = 512;
 constexpr std::uint64_t checked_comparisons = 250'000;
 
-/// On all comparisons, or on `most` spread over all. Both scenes have the same inputs in the same
-/// order. `progress` is told the share that is done.
+/// Checks all comparisons, or `most` of them at even distances. Both scenes have the same inputs in
+/// the same order. `progress` is called with the fraction that is done.
 VariantCheck check_variant(const Scene& given, const Scene& variant, const Comparisons& data,
                            std::uint64_t most = checked_comparisons,
                            const std::function<void(double)>& progress = {});

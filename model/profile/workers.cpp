@@ -33,7 +33,7 @@ public:
   }
 
 private:
-  /// Blocks start in order, so the share does not fall; one in a hundred is told.
+  /// Reports progress in steps of at least one percent; reports out of order are dropped.
   void report(std::uint64_t first) {
     if (!split_.progress) return;
     const std::lock_guard lock(mutex_);
