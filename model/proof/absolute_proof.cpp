@@ -16,7 +16,7 @@ void append(std::vector<Finding>& findings, std::vector<Finding> more) {
   for (Finding& finding : more) findings.push_back(std::move(finding));
 }
 
-/// The two sides of the difference that decides.
+/// The operands of the difference whose sign is the lane's decision.
 std::array<NodeId, 2> sides(const Lane& lane, const AbsoluteBoundDecision& decision) {
   const TypedNode& difference = lane.graph.nodes[decision.difference];
   MIXCMP_CHECK(difference.operation == Operation::subtract);

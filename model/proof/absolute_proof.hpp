@@ -9,9 +9,10 @@
 
 namespace mixcmp::model::proof {
 
-/// A script that says that (true f - true g) - (computed f - computed g) is at most `bound`, a
-/// dyadic rational, in magnitude wherever every operand passes its check: the whole expression,
-/// from the ranges that the checks enforce. `obstacle` says why there is none.
+/// A script that bounds |(true f - true g) - (computed f - computed g)| wherever every operand
+/// passes its check, for the whole expression at once, from the ranges that the checks enforce.
+/// Where there is no script, `obstacle` says why. The `bound` of `range_script` is a dyadic
+/// rational.
 struct RangeScript {
   std::optional<std::string> script;
   std::string obstacle;

@@ -8,20 +8,20 @@
 
 namespace mixcmp::model::proof {
 
-/// Random positive numbers in the place of what bound graphs read of a lane's nodes, of widely
-/// different sizes so that every term of a bound is the largest in some sample. Two bounds that are
-/// equal in `sample_count` samples are equal expressions, but for a chance beyond all measure.
+/// Random positive numbers that stand for the node values which bound graphs read. Their sizes
+/// differ widely, so that every term of a bound is the largest in some sample. Two bounds that are
+/// equal in `sample_count` samples are equal expressions with overwhelming probability.
 class BoundSample {
 public:
   static constexpr int sample_count = 24;
 
   BoundSample(const TypedGraph& graph, std::uint64_t seed);
 
-  /// |x| of a constant is its own.
+  /// The magnitude |x| of a node: random, but of a finite constant the true one.
   const mpq_class& magnitude(NodeId id) const { return magnitudes_[id]; }
   const mpq_class& binade(NodeId id) const { return binades_[id]; }
   const mpq_class& reciprocal(NodeId id) const { return reciprocals_[id]; }
-  /// 0 of no bound.
+  /// The value of a bound at this sample; 0 for no_bound_node.
   mpq_class value(const std::vector<BoundNode>& bounds, BoundId id) const;
 
 private:

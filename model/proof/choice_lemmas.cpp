@@ -11,12 +11,13 @@
 namespace mixcmp::model::proof {
 namespace {
 
-/// Beyond the ratio of any two numbers of any format.
+/// Larger than the ratio of any two numbers of any format.
 constexpr const char* huge = "1b40000";
 
-enum class ComputedIs { smaller, larger };  ///< in magnitude than the other
+/// magnitude of the computed choice against the other operand's
+enum class ComputedIs { smaller, larger };
 
-/// s: true over computed of the operand that is chosen; t: of the other.
+/// s is true / computed of the operand that is chosen, t that of the other one.
 std::string choice_script(ComputedIs computed, const RelativeBound& s, const RelativeBound& t,
                           const RelativeBound& result) {
   const bool smaller = computed == ComputedIs::smaller;

@@ -16,7 +16,8 @@ namespace mixcmp::model::proof {
 std::vector<std::string> choice_scripts(const TypedGraph& graph,
                                         const std::vector<NodeClaim>& claims, NodeId id);
 
-/// Whether the signs claimed of such a node follow from those of its operands.
+/// Whether the signs claimed of a minimum, a maximum or an absolute value follow from those of its
+/// operands.
 bool signs_follow(const TypedGraph& graph, const std::vector<NodeClaim>& claims, NodeId id);
 
 }  // namespace mixcmp::model::proof

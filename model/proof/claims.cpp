@@ -11,7 +11,7 @@ constexpr long kept_digits = 460;
 
 enum class Direction { down, up };
 
-/// To `kept_digits` digits.
+/// Rounds a value to about `kept_digits` binary digits.
 mpq_class shortened(const mpq_class& value, Direction direction) {
   if (value == 0) return value;
   const mpq_class unit = power_of_two(binade_of(value) - kept_digits);

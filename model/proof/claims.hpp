@@ -22,18 +22,20 @@ struct NodeClaim {
   bool is_exact() const { return relative && relative->low == 1 && relative->high == 1; }
 };
 
-/// One claim a node, as the analysis derives them with no more signs than the lane checks.
+/// One claim per node, from an error analysis that assumes only the input signs that the lane
+/// checks.
 std::vector<NodeClaim> relative_claims(const Lane& lane);
 
-/// Whether the lane decides nothing where this input's sign bit is set.
+/// Whether a check keeps the lane from deciding where this input's sign bit is set.
 bool is_checked_nonnegative(const std::vector<RangeCheck>& checks, int input);
 
-/// `bound` with its ends moved outward by one part in 2^400 * 4^-depth and shortened to dyadic
-/// rationals of some 460 digits; [1, 1] remains. Gappa's own interval ends are dyadic and rounded
-/// outward, so that it could not prove an end like 1/3, nor a chain of them, to the last digit.
+/// Moves the ends of `bound` outward by a relative 2^(2 depth - 400) and shortens them to dyadic
+/// rationals of some 460 binary digits; [1, 1] stays as it is. Gappa's own interval ends are dyadic
+/// and rounded outward, so that it could not prove an end like 1/3, nor a chain of them, to the
+/// last digit.
 RelativeBound provable(const RelativeBound& bound, int depth);
 
-/// A value >= 0 to some 460 digits.
+/// These round a value >= 0 to some 460 binary digits.
 mpq_class rounded_down(const mpq_class& value);
 mpq_class rounded_up(const mpq_class& value);
 

@@ -8,14 +8,14 @@
 
 namespace mixcmp::model::proof {
 
-/// A node's claim, to be proven from those of other nodes: every operation between them is an
-/// expression of the script, with and without its roundings.
+/// A subgraph whose root's claim is to be proven from the claims of its leaves. Every operation
+/// between them becomes an expression of the script, with and without its rounding.
 struct Cone {
   const TypedGraph* graph;
   const std::vector<NodeClaim>* claims;
   const std::vector<RangeCheck>* checks;
   NodeId root;
-  std::vector<bool> is_leaf;  ///< one a node: taken as its claim says, not as its expression
+  std::vector<bool> is_leaf;  ///< per node: its claim stands for its expression
 };
 
 /// Whether Gappa has no operation for this node: a minimum, a maximum, or the absolute value of an
@@ -23,17 +23,17 @@ struct Cone {
 /// (choice_scripts).
 bool is_inexpressible(const TypedGraph& graph, const std::vector<NodeClaim>& claims, NodeId id);
 
-/// The root's whole expression down to inputs, constants and what is not expressible.
+/// The cone of the root's whole expression, down to inputs, constants and inexpressible nodes.
 Cone whole_cone(const TypedGraph& graph, const std::vector<NodeClaim>& claims,
                 const std::vector<RangeCheck>& checks, NodeId root);
-/// The root's operation alone.
+/// The cone of the root's operation alone.
 Cone node_cone(const TypedGraph& graph, const std::vector<NodeClaim>& claims,
                const std::vector<RangeCheck>& checks, NodeId root);
 
 /// Nodes of the cone: operands before users, the root last.
 std::vector<NodeId> nodes_of(const Cone& cone);
 
-/// Longest path from an input.
+/// The number of operations on the longest path from an input or constant.
 int depth_of(const TypedGraph& graph, NodeId id);
 
 /// Whether a node's operation rounds its result. Conversions, products and squares of few digits do
@@ -43,14 +43,14 @@ int depth_of(const TypedGraph& graph, NodeId id);
 enum class OwnRounding { rounds, exact_by_digits, exact_by_hand, not_an_operation };
 OwnRounding own_rounding(const TypedGraph& graph, const TypedNode& node);
 
-/// One case: some nodes are zero, the others are not.
+/// The script for one combination of nodes that are zero.
 struct ConeCase {
-  std::string zeros;  ///< "", or which expressions are zero, for a reader
+  std::string zeros;  ///< which expressions are zero, for a reader; may be empty
   std::string script;
 };
 
-/// Relative errors do not reach through zero in Gappa: one script per combination of zeros that may
-/// matter. None where there are more than 2^max_zero_nodes.
+/// Gappa's relative errors say nothing of zero, so there is one script per combination of zeros
+/// that may matter; no scripts where there may be more than 2^max_zero_nodes combinations.
 constexpr std::size_t max_zero_nodes = 6;
 std::optional<std::vector<ConeCase>> cases_of(const Cone& cone);
 

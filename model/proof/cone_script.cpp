@@ -12,8 +12,8 @@
 namespace mixcmp::model::proof {
 namespace {
 
-/// One case as a script. Node number k of the cone is ck as computed and tk truly, or xk where both
-/// are one number; what is zero has no name.
+/// Writes the script of one case. Node number k of the cone is named ck as computed and tk in exact
+/// arithmetic, or xk if it is an exact leaf. A zero node has no name.
 class CaseScript {
 public:
   CaseScript(const Cone& cone, const std::vector<NodeId>& atoms, const Zeros& zeros)
@@ -118,8 +118,8 @@ void CaseScript::add_leaf(NodeId id, int number) {
   add_magnitude(id);
 }
 
-/// Nothing is assumed of an input's sign that the lane does not check. Sign and magnitude in one
-/// fact: Gappa discards as too small an improvement what it would conclude from two.
+/// Assumes a leaf's sign and magnitude; of an input's sign no more than the lane checks. Both are
+/// one fact: from two facts Gappa would discard the conclusion as too small an improvement.
 void CaseScript::add_magnitude(NodeId id) {
   const bool is_input = graph_.nodes[id].operation == Operation::input;
   const bool nonnegative = is_input ? is_checked_nonnegative(*cone_.checks, graph_.nodes[id].input)
@@ -200,7 +200,7 @@ std::string CaseScript::sum(const TypedNode& node, std::string Names::*name) con
   return fmt::format("({} {} {})", a, subtracts ? "-" : "+", b);
 }
 
-/// The smallest number of the node's format, and a limit above all finite ones.
+/// The smallest positive number of the node's format; `limit` is above all its finite numbers.
 std::string CaseScript::least_magnitude(NodeId id) const {
   const FloatFormat format = graph_.nodes[id].format;
   return fmt::format("1b-{}", format.fraction_bits() - format.min_exponent());
@@ -210,7 +210,7 @@ std::string CaseScript::limit(NodeId id) const {
   return fmt::format("1b{}", graph_.nodes[id].format.max_exponent() + 1);
 }
 
-/// A finite number of its format that is not zero.
+/// Assumes that the node, or its magnitude (`shape`), is a positive finite number of its format.
 void CaseScript::assume_nonzero(NodeId id, const char* shape) {
   script_.assume_within(fmt::format(fmt::runtime(shape), names_[id].computed), least_magnitude(id),
                         limit(id));

@@ -62,7 +62,7 @@ std::vector<Finding> ConstantProof::run() && {
   return std::move(nodes_).take();
 }
 
-/// Theorem 8's A / l, at most what decides.
+/// Proves that A / l of theorem 8 is at most `decided_beyond`.
 void ConstantProof::prove_bound() {
   const NodeId difference = std::get<AbsoluteBoundDecision>(lane_.decision).difference;
   const MixedBound& bound = *analysis_.nodes[difference].mixed;
@@ -97,8 +97,9 @@ void ConstantProof::prove_at_most(std::string what, BoundId bound, const mpq_cla
   nodes_.add(nodes_.run_scripts(std::move(what), {{"", script.text()}}));
 }
 
-/// Operands first. A maximum is any number up to what neither operand exceeds: its operands do not
-/// depend on it, so that what the script concludes of them holds of the true maximum.
+/// Defines a bound, its operands first. A maximum becomes a variable up to a limit that, as the
+/// script also concludes, neither operand exceeds. The operands do not depend on the variable, so
+/// that the limit holds for the true maximum.
 void ConstantProof::add_bound(Script& script, BoundId id, std::set<std::string>& known) {
   if (!known.insert(name(id)).second) return;
   const BoundNode& node = analysis_.bounds[id];
@@ -138,8 +139,8 @@ void ConstantProof::add_value(Script& script, NodeId id, std::set<std::string>& 
   script.assume_within(name, dyadic(range.low), dyadic(range.high));
 }
 
-/// A binade stands for the error of its node's rounding, in units of the last digit's weight: that
-/// error is at most what the binade of the range's end says.
+/// A binade in the bound stands for the error of its node's rounding. Proves that this error is at
+/// most the relative error of one rounding times the greatest binade of the node's range.
 void ConstantProof::prove_binade(NodeId id) {
   if (!proven_binades_.insert(id).second) return;
   const Range& range = ranges_.prove_range(id);
@@ -164,8 +165,8 @@ mpq_class ConstantProof::greatest_binade(NodeId id) {
   return most == 0 ? most : binade(most);
 }
 
-/// A number that the bound does not exceed, a little too large: Gappa checks it. 0, which Gappa
-/// then refutes, for the reciprocal of what may be zero: there is no such number.
+/// An upper limit of the bound, a little too large, which Gappa checks. The reciprocal of a value
+/// that may be zero has no limit; the result is then 0, which Gappa cannot prove.
 mpq_class ConstantProof::greatest(BoundId id) {
   const BoundNode& node = analysis_.bounds[id];
   const auto operand = [&](int k) { return greatest(node.operands[k]); };
@@ -195,8 +196,8 @@ bool is_constant(const AbsoluteBoundDecision& decision) {
          nodes.front().operation == BoundOperation::constant;
 }
 
-/// Numbers of P digits are more than one part in 2^P apart, and half a step beyond the constant
-/// f - g is still rounded to it.
+/// Numbers of P digits are more than one part in 2^P apart, and an f - g less than half a step
+/// beyond the constant is still rounded to it.
 std::optional<mpq_class> decided_beyond(const Lane& lane) {
   const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
   MIXCMP_CHECK(is_constant(decision));

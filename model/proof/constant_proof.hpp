@@ -8,7 +8,7 @@
 
 namespace mixcmp::model::proof {
 
-/// The bound of a lane's decision is a number, with neither guard nor conditions.
+/// Whether the bound of a lane's decision is a number, with neither guard nor conditions.
 bool is_constant(const AbsoluteBoundDecision& decision);
 
 /// A number that |f - g|, the unrounded difference of the computed f and g, exceeds wherever a lane
@@ -17,8 +17,8 @@ bool is_constant(const AbsoluteBoundDecision& decision);
 std::optional<mpq_class> decided_beyond(const Lane& lane);
 
 /// Proves that the lane's constant is at least the analysis' bound of f - g wherever every operand
-/// passes its check, and that every condition of the analysis holds there. `analysis`: of the
-/// lane's graph. Ranges of what the bound is made of are proven operation by operation.
+/// passes its check, and that every condition of the analysis holds there. `analysis` is that of
+/// the lane's graph. The ranges of the values in the bound are proven operation by operation.
 std::vector<Finding> prove_constant(const Lane& lane, const ErrorAnalysis& analysis,
                                     const Prove& prove);
 

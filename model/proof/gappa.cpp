@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t most_memory_bytes = std::uint64_t{2} << 30;
 
-/// Whether it read the script and searched, in vain.
+/// Whether Gappa read the script and found no proof.
 bool searched(const std::string& errors) {
   return errors.find("were not satisfied") != std::string::npos ||
          errors.find("no contradiction was found") != std::string::npos;
@@ -21,7 +21,7 @@ GappaVerdict verdict_of(const Captured& outcome) {
   if (!outcome.in_time) return GappaVerdict::out_of_time;
   if (!WIFEXITED(outcome.status)) return GappaVerdict::broken;
   const bool doubts = outcome.errors.find("are not trivially equal") != std::string::npos;
-  if (doubts) return GappaVerdict::not_proven;  // it would believe a script's false hint
+  if (doubts) return GappaVerdict::not_proven;  // Gappa would use a false hint
   if (WEXITSTATUS(outcome.status) == 0) return GappaVerdict::proven;
   return searched(outcome.errors) ? GappaVerdict::not_proven : GappaVerdict::broken;
 }

@@ -6,7 +6,7 @@
 
 namespace mixcmp::model::proof {
 
-/// What Gappa (https://gappa.gitlabpages.inria.fr) says of a script. It never refutes by a
+/// What Gappa (https://gappa.gitlabpages.inria.fr) answers to a script. It never refutes by a
 /// counterexample: `not_proven` is a search that ended without a proof.
 enum class GappaVerdict {
   proven,
@@ -22,7 +22,7 @@ enum class Certificate {
 
 struct GappaRun {
   GappaVerdict verdict;
-  std::string message;      ///< what it printed, in its own words
+  std::string message;      ///< what Gappa printed
   std::string certificate;  ///< empty unless proven and asked for
 };
 

@@ -97,7 +97,7 @@ void HazardProof::add_unbuilt(NodeId id, const std::string& left_out, const std:
        doubtful.empty() ? "by exact arithmetic, from these ranges" : doubtful + " may occur"});
 }
 
-/// Whether a node is neither a NaN nor an infinity, without a flag that says so.
+/// Whether a node is neither a NaN nor an infinity without help from any flag.
 bool HazardProof::is_finite(NodeId id) {
   switch (node(id).operation) {
     case Operation::input: return checked_[static_cast<std::size_t>(node(id).input)].has_value();
@@ -119,8 +119,8 @@ bool HazardProof::is_finite(NodeId id) {
   return never_overflows(id) && all_operands(id, [&](NodeId k) { return is_finite(k); });
 }
 
-/// The range of a node without the flag lies within its format, and Gappa had no other reason to
-/// believe it. Of two selected numbers neither overflows.
+/// Whether a node's range lies within its format. Not if the node has the flag, since its range may
+/// then assume a finite result. A selection never overflows.
 bool HazardProof::never_overflows(NodeId id) {
   if (is_choice(node(id).operation)) return true;
   const bool divides = node(id).operation == Operation::divide;
@@ -129,7 +129,7 @@ bool HazardProof::never_overflows(NodeId id) {
          greatest_magnitude(ranges_.prove_range(id)) <= largest_number(node(id).format);
 }
 
-/// Zero always, or never below the smallest normal number.
+/// Whether a node is always zero, or never below the smallest normal number in magnitude.
 bool HazardProof::is_apart_from_zero(NodeId id) {
   const Range& range = ranges_.prove_range(id);
   if (range.low == 0 && range.high == 0) return true;
@@ -141,7 +141,7 @@ bool HazardProof::never_subnormal(NodeId id) {
   return (flushes && is_flushed(id)) || is_apart_from_zero(id);
 }
 
-/// The result of a unit that flushes subnormal numbers, or one of several such results.
+/// Whether a node is the result of a unit that flushes subnormal numbers, up to sign and selection.
 bool HazardProof::is_flushed(NodeId id) {
   switch (node(id).operation) {
     case Operation::input:
@@ -168,8 +168,8 @@ bool HazardProof::adds_one_sign(NodeId id) {
          (lies(a, Side::below) && lies(b, subtracts ? Side::above : Side::below));
 }
 
-/// Whether a node lies on this side of zero by its range. A quotient's range has no end where its
-/// divisor may be zero; there the ranges of its operands tell, too. Zero lies on both sides.
+/// Whether a node's range lies on this side of zero; zero lies on both. A quotient's range is
+/// unbounded where its divisor may be zero, so the ranges of its operands are tried, too.
 bool HazardProof::lies(NodeId id, Side side) {
   const Range& range = ranges_.prove_range(id);
   if (side == Side::above ? range.low >= 0 : range.high <= 0) return true;
@@ -179,7 +179,8 @@ bool HazardProof::lies(NodeId id, Side side) {
   return (lies(a, side) && lies(b, Side::above)) || (lies(a, other) && lies(b, Side::below));
 }
 
-/// Quotients of zero by anything have a sign that their range does not show.
+/// Whether theorem 6's analysis of signs shows that a sum adds numbers of one sign. It does so for
+/// quotients of zero by any number, whose range does not show their sign.
 bool HazardProof::is_signed_by_hand(NodeId id) const {
   std::vector<bool> nonnegative;
   for (const auto& range : checked_) nonnegative.push_back(range && range->low >= 0);

@@ -24,7 +24,7 @@ void add_once(std::vector<ByHand>& list, ByHand step) {
   if (std::find(list.begin(), list.end(), step) == list.end()) list.push_back(std::move(step));
 }
 
-/// One that is known, a node's range, is not listed twice.
+/// Appends the findings that are not listed yet; a node's range may come twice.
 void add_new(std::vector<Finding>& findings, std::vector<Finding> more) {
   for (Finding& finding : more) {
     const bool known = std::any_of(findings.begin(), findings.end(), [&](const Finding& other) {

@@ -11,10 +11,10 @@ namespace mixcmp::model::proof {
 
 enum class Outcome {
   proven,      ///< by Gappa, or by exact arithmetic where the finding says so
-  not_proven,  ///< Gappa finds no proof of what is within its theory: the bound is refused
+  not_proven,  ///< within Gappa's theory, but without a proof: the bound is refused
   out_of_time,
-  not_expressible,  ///< in Gappa; the proof by hand stands
-  unchecked,        ///< no Gappa, or none that answers
+  not_expressible,  ///< outside Gappa's theory; the proof by hand stands
+  unchecked,        ///< there is no Gappa, or it gave no verdict
 };
 std::string_view to_string(Outcome outcome);
 
@@ -26,7 +26,7 @@ struct ScriptResult {
 /// Has Gappa prove one script, or returns the result that is known from before.
 using Prove = std::function<ScriptResult(const std::string& script)>;
 
-/// One statement and what became of it.
+/// A statement and the outcome of its proof.
 struct Finding {
   std::string what;
   Outcome outcome;
@@ -66,16 +66,16 @@ struct LaneProof {
   std::string verdict() const;
 };
 
-/// What theorem 1 leaves to be proven by hand, in every kind of bound.
+/// The steps of theorem 1 that are proven by hand, for every kind of bound.
 ByHand scaling_by_hand();
 
-/// Proves what the lane's decision rests on, and that what its operations leave unbuilt cannot
-/// occur; see docs/error_bounds.md.
+/// Proves the statements on which the lane's decision rests, and that hazards without hardware
+/// cannot occur; see docs/error_bounds.md.
 LaneProof prove_lane(const Lane& lane, const Prove& prove, Effort effort);
-/// Part by part; that the parts' decisions make one is theorem 11, by hand.
+/// Proves a lane part by part. That the parts' decisions give the lane's is theorem 11, by hand.
 LaneProof prove_lane(const CombinedLane& lane, const Prove& prove, Effort effort);
 
-/// Proves a lane from the claims of the analysis: one for each node, all of them relative.
+/// Proves a lane with a relative bound from the claims of the analysis, one for each node.
 LaneProof prove_relative(const Lane& lane, const std::vector<NodeClaim>& claims, const Prove& prove,
                          Effort effort);
 

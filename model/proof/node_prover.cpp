@@ -14,7 +14,7 @@
 namespace mixcmp::model::proof {
 namespace {
 
-/// Beyond this an interval end leaves Gappa's digits.
+/// Interval ends beyond 2^200 or 2^-200 would need more digits than Gappa has.
 constexpr long most_doublings = 200;
 
 bool is_moderate(const RelativeBound& bound) {

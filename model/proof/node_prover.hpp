@@ -17,7 +17,7 @@ std::string describe_arithmetic(const Arithmetic& arithmetic);
 /// unchecked, out_of_time, not_proven.
 Outcome worse(Outcome a, Outcome b);
 
-/// Proves claims one by one and gathers findings, one a node at most.
+/// Proves claims one by one and gathers findings, at most one for a node's claim.
 class NodeProver {
 public:
   NodeProver(const Lane& lane, const std::vector<NodeClaim>& claims, const Prove& prove)
@@ -26,17 +26,18 @@ public:
   /// Proves theorem 1 for every precision that the graph rounds to, and that the operations whose
   /// operands have few enough digits round nothing.
   void prove_arithmetic();
-  /// The node's claim from those of its operands. Inputs and constants by exact arithmetic.
+  /// Proves the node's claim from those of its operands; checks inputs and constants by exact
+  /// arithmetic.
   void prove_node(NodeId id);
-  /// All scripts as one finding.
+  /// Proves all scripts and returns one finding, with the worst outcome.
   Finding run_scripts(std::string what, const std::vector<ConeCase>& cases) const;
 
-  /// A node's claim that is a finding is not proven again.
+  /// Whether the node's claim needs no proof any more.
   bool is_done(NodeId id) const { return done_.contains(id); }
   void mark_done(NodeId id) { done_.insert(id); }
   void add(Finding finding) { findings_.push_back(std::move(finding)); }
   std::vector<Finding> take() && { return std::move(findings_); }
-  /// The node as a user would write it.
+  /// The node's expression as a user would write it.
   std::string text(NodeId id) const;
 
 private:

@@ -14,7 +14,7 @@
 namespace mixcmp::model::proof {
 namespace {
 
-/// A finite magnitude's value, from its fields.
+/// The value of a finite magnitude, from its encoded fields.
 mpq_class value_of(FloatFormat format, Bits magnitude) {
   const Bits field = magnitude >> format.fraction_bits();
   const Bits hidden = field == 0 ? 0 : Bits{1} << format.fraction_bits();
@@ -123,7 +123,8 @@ const Range& NodeRanges::prove_range(NodeId id) {
   return ranges_[id];
 }
 
-/// An operand that is not checked is finite, or the comparison exceptional.
+/// The range of an input or a constant. An operand that is not checked counts as finite, since the
+/// comparison is exceptional otherwise.
 Range NodeRanges::given(NodeId id) const {
   const TypedNode& node = graph_.nodes[id];
   if (node.operation == Operation::input) {
@@ -135,8 +136,8 @@ Range NodeRanges::given(NodeId id) const {
   return {value, value};
 }
 
-/// Nothing is known of a quotient whose divisor lies on both sides of zero but that it is finite,
-/// or flagged.
+/// Whether nothing is known of a node but that it is finite, or flagged: a quotient whose divisor
+/// lies on both sides of zero. There is nothing to prove of it.
 bool NodeRanges::is_any_finite_quotient(NodeId id) const {
   const TypedNode& node = graph_.nodes[id];
   if (node.operation != Operation::divide || !flags_overflow(lane_, id)) return false;
@@ -167,7 +168,7 @@ std::string NodeRanges::script(NodeId id) const {
   script.comment("What an operation computes, from the ranges of its operands.");
   script.define_operator("rnd",
                          rounding_operator(node.format.precision(), graph_.arithmetic.rounding));
-  if (node.operation == Operation::square_root) {  // else exceptional
+  if (node.operation == Operation::square_root) {  // a negative operand is exceptional
     a = {std::max<mpq_class>(a.low, 0), std::max<mpq_class>(a.high, 0)};
   }
   if (same && node.operation == Operation::divide && flagged) {
@@ -194,8 +195,8 @@ std::string NodeRanges::script(NodeId id) const {
   return script.text();
 }
 
-/// One script for either operand, a, being what is selected. Numbers are divided by a power of two,
-/// which changes no choice: from 2^1024 on Gappa 1.4 narrows no interval.
+/// One script for each operand; in it, a is the operand that is selected. All numbers are divided
+/// by a power of two, which changes no choice: from 2^1024 on Gappa 1.4 narrows no interval.
 std::vector<std::string> NodeRanges::selection_scripts(NodeId id) const {
   const TypedNode& node = graph_.nodes[id];
   const bool minimum = node.operation == Operation::minimum;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Its words on one line, warnings before the error left out, where there are many the first.
+/// The beginning of Gappa's error message on one line, without the warnings before it.
 std::string first_words(const std::string& message) {
   constexpr std::size_t enough = 160;
   const std::size_t error = message.find("Error: ");

@@ -12,13 +12,13 @@
 
 namespace mixcmp::model::proof {
 
-/// Keeps nothing: runs each script once, for `budget_seconds` in all. Without Gappa every script is
-/// unchecked.
+/// A prover that keeps no files. It runs each script once, all of them within `budget_seconds`.
+/// Without Gappa every script is unchecked.
 class QuickProver {
 public:
   explicit QuickProver(double budget_seconds);
   ScriptResult operator()(const std::string& script);
-  /// Its version, or why there is none.
+  /// The version of Gappa, or why there is none.
   const Result<std::string>& gappa() const { return version_; }
 
 private:
@@ -29,14 +29,14 @@ private:
 
 /// Keeps scripts, Coq certificates and verdicts in a directory, each under the hash of its script:
 ///   HASH.g        what Gappa reads
-///   HASH.v        its proof, for coqc with the library of Gappa
-///   HASH.verdict  its verdict, its words and who gave it
-/// A verdict is written last, each file whole or not at all: an interrupted run resumes. What the
-/// same Gappa has proven is not proven again.
+///   HASH.v        the proof, for coqc with the library of Gappa
+///   HASH.verdict  Gappa's version, verdict and output
+/// A verdict is written last, and each file whole or not at all, so that an interrupted run can be
+/// resumed. A script that the same version of Gappa has proven is not proven again.
 class ProofDirectory {
 public:
-  /// Makes the directory and holds it until this object goes; `waiting` is called where another run
-  /// holds it. An error where that cannot be.
+  /// Makes the directory and locks it until this object is destroyed; `waiting` is called where
+  /// another run holds the lock. It is an error if the directory cannot be locked.
   static Result<ProofDirectory> open(const std::filesystem::path& path, double seconds_a_script,
                                      const Waiting& waiting = {});
 
@@ -45,7 +45,7 @@ public:
   Result<Done> write_report(const std::string& file_name, const std::string& text) const;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Its version, or why there is none.
+  /// The version of Gappa, or why there is none.
   const Result<std::string>& gappa() const { return version_; }
   int reused() const { return reused_; }
   /// A file that could not be written, if any: scripts are proven all the same.

@@ -10,7 +10,7 @@
 namespace mixcmp::model::proof {
 namespace {
 
-/// Every node as computed (c) and truly (t), from inputs in their ranges.
+/// Writes every node as computed (c) and in exact arithmetic (t), from inputs in their ranges.
 class RangeWriter {
 public:
   explicit RangeWriter(const Lane& lane) : graph_(lane.graph), ranges_(enforced_ranges(lane)) {}
@@ -64,7 +64,7 @@ void RangeWriter::visit(NodeId id) {
   script_.define(name('t', id), expression(node, 't'));
 }
 
-/// An operand is true by definition: both names are one number.
+/// An input is exact by definition, so that both names stand for one number.
 void RangeWriter::add_input(NodeId id) {
   const int input = graph_.nodes[id].input;
   const std::optional<Range>& range = ranges_[input];

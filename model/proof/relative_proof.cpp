@@ -10,7 +10,7 @@
 namespace mixcmp::model::proof {
 namespace {
 
-/// How wide a bound is taken.
+/// Which form of a bound is used.
 enum class Width {
   exact,     ///< as the analysis has it, in rationals
   provable,  ///< as Gappa has proven it: wider by the slack of its dyadic numbers
@@ -30,7 +30,8 @@ public:
 
 private:
   void prove_root(const std::string& name, NodeId root);
-  /// Whether nothing remains to be tried.
+  /// Tries one proof for the whole expression; false where its operations must be proven one by
+  /// one.
   bool prove_whole(const std::string& name, const Cone& cone);
   void check_guard();
   Bits guard_from(Width width) const;
@@ -57,7 +58,7 @@ std::vector<Finding> RelativeProof::run() && {
 void RelativeProof::prove_root(const std::string& name, NodeId root) {
   if (nodes_.is_done(root)) return;
   const TypedNode& node = graph_.nodes[root];
-  // A negation is proven apart: theorem 4 looks through it, at its operand's last rounding.
+  // A negation is proven by itself: theorem 4 uses the last rounding of its operand.
   if (arity(node.operation) == 0 || node.operation == Operation::negate ||
       is_inexpressible(graph_, claims_, root)) {
     nodes_.prove_node(root);
@@ -98,8 +99,8 @@ bool RelativeProof::prove_whole(const std::string& name, const Cone& cone) {
   return settled;
 }
 
-/// The bound of theorem 4, written from it and not from the analysis: of the real number whose
-/// rounding the node, of the lane's format, holds.
+/// Theorem 4's bound of the real number whose rounding to the lane's format is the node. It is
+/// written from the theorem, independently of the analysis.
 RelativeBound RelativeProof::before_rounding(NodeId id, Width width) const {
   const TypedNode& node = graph_.nodes[id];
   if (claims_[id].unrounded) return claimed(id, claims_[id].unrounded, width);
@@ -125,7 +126,7 @@ RelativeBound RelativeProof::before_rounding(NodeId id, Width width) const {
   return claimed(id, claims_[id].relative, width);
 }
 
-/// What the lane's guard would be from bounds of that width.
+/// The guard, in ulps, that follows from these bounds.
 Bits RelativeProof::guard_from(Width width) const {
   const FloatFormat format = graph_.arithmetic.format;
   const NodeClaim &f = claims_[graph_.f], &g = claims_[graph_.g];
@@ -136,8 +137,8 @@ Bits RelativeProof::guard_from(Width width) const {
 }
 
 /// Checks the guard against the proven bounds. Where f and g have the same constant factor, its
-/// error cancels exactly, and any slack, however small, takes that away: there the guard is the
-/// analysis' alone.
+/// error cancels exactly, but with any slack it does not: there the guard follows from the exact
+/// bounds only.
 void RelativeProof::check_guard() {
   const auto& decision = std::get<UlpDistanceDecision>(lane_.decision);
   const NodeClaim &f = claims_[graph_.f], &g = claims_[graph_.g];

@@ -15,7 +15,7 @@
 namespace mixcmp::model::proof {
 namespace {
 
-/// A divisor's error is at most this part of it: what the lane's condition sees to.
+/// A divisor's error is at most this fraction of it, as the lane's condition ensures.
 const mpq_class divisor_share(1, 32);
 
 using Weight = std::function<mpq_class(const BoundSample&)>;
@@ -83,7 +83,7 @@ Weight scaled(Weight a, mpq_class factor) {
   };
 }
 
-/// Any part of the whole, and the whole either way.
+/// A factor in [0, 1]; `unit` makes a factor in [-1, 1].
 const RuleVariable any_share = {"o", 0, 1};
 RuleVariable unit(const char* name) {
   return {name, -1, 1};
@@ -109,7 +109,8 @@ NodeRules RuleWriter::run() && {
   return std::move(result_);
 }
 
-/// Or of exact factors: either way a mean of both factors is the sum's.
+/// Whether the operands have one sign or exact factors. Either way the sum's factor is a mean of
+/// both.
 bool RuleWriter::is_signed_sum() const {
   const NodeBound &a = analysis_.nodes[a_], &b = analysis_.nodes[b_];
   const bool minus = node_.operation == Operation::subtract;
@@ -154,7 +155,7 @@ void RuleWriter::inherit() {
   add(error(a_), "p");
 }
 
-/// A selection moves by no more than the operand that moves more.
+/// The error of a selection is at most the larger of its operands' errors.
 void RuleWriter::select() {
   for (const NodeId operand : {a_, b_}) {
     if (!has_error(operand)) continue;
@@ -222,8 +223,8 @@ void RuleWriter::add_deviations() {
   add_largest(largest, deviation);
 }
 
-/// The bound weighs the larger magnitude by a number of its own choice, which the first sample
-/// tells.
+/// Adds the term of the larger magnitude. The bound gives it a weight of its own choice, which is
+/// derived from the first sample.
 void RuleWriter::add_largest(const Weight& largest, const std::string& deviation) {
   const BoundSample sample(graph_, 0);
   mpq_class rest = error(id_)(sample);
@@ -234,7 +235,7 @@ void RuleWriter::add_largest(const Weight& largest, const std::string& deviation
                                           share.get_den().get_str()));
 }
 
-/// How far a constant is off, or a selection among constants and exact operands.
+/// The absolute error of a constant, or of a selection among constants and exact operands.
 mpq_class RuleWriter::constant_error(NodeId id) const {
   const TypedNode& node = graph_.nodes[id];
   if (node.operation == Operation::constant) {
@@ -310,8 +311,8 @@ NodeRules rules_of(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeI
   return RuleWriter(graph, analysis, id).run();
 }
 
-/// Factors enter relative to their distance from one, so that this slack outgrows theirs by as much
-/// as an ulp is small.
+/// A factor enters by its distance from one, which is about an ulp. Relative to that distance the
+/// slack of `provable` is about 2^P times as large, and so is the slack here.
 mpq_class provable_fudge(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id) {
   const mpq_class& slack_factor = analysis.nodes[id].mixed->absolute.slack_factor;
   const long slack =

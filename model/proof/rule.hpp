@@ -10,21 +10,21 @@
 
 namespace mixcmp::model::proof {
 
-/// A number of a script that is anywhere in its interval.
+/// A variable of a script: any number in [low, high].
 struct RuleVariable {
   std::string name;
   mpq_class low;   ///< dyadic
   mpq_class high;  ///< dyadic
 };
 
-/// weight * factor, a part of an operation's absolute error. Weights are positive and what the
-/// bound is the sum of; factors are expressions in the variables.
+/// A term weight * factor of an operation's absolute error. Weights are positive, and the bound is
+/// their sum; factors are expressions in the variables.
 struct RuleTerm {
   std::function<mpq_class(const BoundSample&)> weight;
   std::string factor;
 };
 
-/// An equation between real numbers, both sides as Gappa writes them.
+/// An equation between real numbers, both sides in Gappa's syntax.
 struct Identity {
   std::string left;
   std::string right;
@@ -34,7 +34,7 @@ struct Identity {
 struct Rule {
   std::vector<RuleVariable> variables;
   std::vector<RuleTerm> terms;
-  std::optional<Identity> identity;  ///< why the error is this sum; none: by hand
+  std::optional<Identity> identity;  ///< why the error is this sum; if none, by hand
 };
 
 /// A condition that a rule needs: `bound` <= |value|. It is met where the analysis has a condition
@@ -44,8 +44,8 @@ struct RuleCondition {
   std::function<mpq_class(const BoundSample&)> bound;
 };
 
-/// The rules of one node; several where the error is one of several sums. Written from theorem 7,
-/// not from the analysis.
+/// The rules of one node; several where the error is one of several sums. They are written from
+/// theorem 7, independently of the analysis.
 struct NodeRules {
   std::vector<Rule> rules;
   std::vector<RuleCondition> conditions;
@@ -54,7 +54,7 @@ struct NodeRules {
 };
 NodeRules rules_of(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id);
 
-/// A slack_factor as it is proven: a little more than claimed, see `provable`.
+/// A node's slack_factor as it is proven: a little larger than claimed, see `provable`.
 mpq_class provable_fudge(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id);
 
 /// A script that proves that no factor exceeds `slack_factor` in magnitude, so that the sum of

@@ -23,7 +23,7 @@ std::vector<BoundSample> samples_of(const TypedGraph& graph) {
   return samples;
 }
 
-/// The factors of mixed bounds as if they were all there is.
+/// Claims with the factors of mixed bounds, without their absolute parts.
 std::vector<NodeClaim> factor_claims(const ErrorAnalysis& analysis) {
   std::vector<NodeClaim> claims;
   for (const NodeBound& bound : analysis.nodes) {
@@ -81,7 +81,8 @@ std::vector<Finding> RuleProof::run() && {
   return std::move(nodes_).take();
 }
 
-/// Theorem 1's error in units of the binade: what a sum takes of an operand that rounds once.
+/// Proves theorem 1's error relative to the binade, which a sum uses for an operand that rounds
+/// once.
 void RuleProof::prove_binade_rounding() {
   const int precision = graph_.arithmetic.format.precision();
   std::vector<ConeCase> cases;
@@ -127,7 +128,7 @@ bool RuleProof::is_the_bound(NodeId id, const Rule& rule) const {
   });
 }
 
-/// One that its format rounds to zero: its bound is a number.
+/// Checks a constant that its format rounds to zero; its bound is a number.
 void RuleProof::check_lost_constant(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
   const mpq_class computed = to_rational(node.format, node.constant);
@@ -164,8 +165,8 @@ bool stands_for(const Lane& lane, int lane_bound, const ErrorAnalysis& analysis,
   });
 }
 
-/// A guard of 0 serves a slack_factor that is no more than the proof's slack, too: numbers of P
-/// digits are further apart.
+/// Whether the guard covers the slack_factor. A guard of 0 suffices for one of the size of the
+/// proof's own slack, since numbers of P digits are further apart.
 bool guards(Bits guard, const mpq_class& slack_factor, int precision) {
   if (slack_factor <= 1 + power_of_two(-precision - 2)) return true;
   return guard >= steps_beyond(slack_factor, precision);

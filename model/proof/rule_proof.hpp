@@ -7,16 +7,17 @@
 
 namespace mixcmp::model::proof {
 
-/// The analysis of a lane with no more signs than it checks.
+/// The error analysis of a lane, assuming only the input signs that the lane checks.
 ErrorAnalysis analysis_of(const Lane& lane);
 
-/// One finding or two a node: its factor, and its absolute part as a sum of terms; then the
-/// conditions that the rules need. `analysis`: of the lane's graph.
+/// Proves the rules of theorem 7. A node has a finding for its factor, one for its absolute part as
+/// a sum of terms if it has that part, and one for each condition that its rules need. `analysis`
+/// is that of the lane's graph.
 std::vector<Finding> prove_rules(const Lane& lane, const ErrorAnalysis& analysis,
                                  const Prove& prove);
 
-/// Checks that a lane with a running bound computes the analysis' bound of f - g, guards the
-/// slack_factor, and asks for every condition.
+/// Checks that a lane with a running bound computes the analysis' bound of f - g, that its guard
+/// covers the slack_factor, and that it tests every condition.
 std::vector<Finding> check_running_decision(const Lane& lane, const ErrorAnalysis& analysis);
 
 }  // namespace mixcmp::model::proof

@@ -10,7 +10,7 @@
 namespace mixcmp::model::proof {
 namespace {
 
-/// Below every exponent of a format's results, and as low as Gappa takes.
+/// As low as Gappa accepts, and below every exponent of a format's results.
 constexpr int lowest_exponent = -65000;
 
 std::string relative_fact(const std::string& truth, const std::string& computed,
@@ -104,7 +104,7 @@ std::string Script::text() const {
 
 namespace {
 
-/// `goal` of c, the rounded y, in both binades whose least magnitude is 1.
+/// Scripts that prove `goal` of c, the rounded y, in both binades whose least magnitude is 1.
 std::vector<std::string> scripts_of_one_rounding(int precision, Rounding rounding,
                                                  const std::string& goal) {
   const mpq_class least = 1, largest = 2 - power_of_two(1 - precision);

@@ -7,10 +7,11 @@
 
 namespace mixcmp::model::proof {
 
-/// A dyadic rational as Gappa writes it: "-3b-17".
+/// A dyadic rational in Gappa's syntax: "-3b-17" is -3 * 2^-17.
 std::string dyadic(const mpq_class& value);
 
-/// Gappa's name of a rounding of `precision` digits whose exponents have no end that matters.
+/// Gappa's operator for rounding to `precision` digits, with an exponent range so wide that its end
+/// does not matter.
 std::string rounding_operator(int precision, Rounding rounding);
 
 /// Theorem 1 of docs/error_bounds.md: exact result = rounded result * t, t in this interval.
@@ -26,7 +27,7 @@ public:
   void assume(const std::string& fact);
   void assume_within(const std::string& expression, const std::string& low,
                      const std::string& high);
-  /// truth = computed * t, t in the bound.
+  /// Assumes truth = computed * t with t in the bound.
   void assume_relative(const std::string& truth, const std::string& computed,
                        const RelativeBound& bound);
   void conclude(const std::string& fact);
@@ -35,8 +36,8 @@ public:
   /// Tells Gappa that both sides are equal numbers, so that a bound of the second bounds the first.
   void hint(const std::string& from, const std::string& to);
 
-  /// What Gappa reads, its options included: enough digits, no search by splitting intervals (what
-  /// does not follow at once would be searched for hours).
+  /// The script as Gappa reads it. Its options ask for enough digits and forbid bisection, which
+  /// would search for hours where a proof does not follow at once.
   std::string text() const;
 
 private:
@@ -50,7 +51,7 @@ private:
 /// unbounded, so that every other binade is one of these times a power of two.
 std::vector<std::string> rounding_scripts(int precision, Rounding rounding);
 
-/// Scripts that bound the error of a rounding as a part of the power of two at or below the rounded
+/// Scripts that bound the error of a rounding relative to the power of two at or below the rounded
 /// value.
 std::vector<std::string> binade_scripts(int precision, Rounding rounding);
 

@@ -12,8 +12,8 @@ bool is_inner(const Cone& cone, NodeId id) {
   return !cone.is_leaf[id] && arity(cone.graph->nodes[id].operation) > 0;
 }
 
-/// Whether the sum is zero only where both operands are: not if they may cancel, which only exact
-/// ones do.
+/// Whether the sum is zero only where both operands are. Operands may cancel only if both are
+/// exact.
 bool adds_one_sign(const Cone& cone, const TypedNode& node) {
   return !(*cone.claims)[node.operands[0]].is_exact() ||
          !(*cone.claims)[node.operands[1]].is_exact();
@@ -23,7 +23,7 @@ bool is_constant(const Cone& cone, NodeId id) {
   return cone.graph->nodes[id].operation == Operation::constant;
 }
 
-/// The atoms that `id` is made of.
+/// Adds the atoms whose zeros decide whether `id` is zero.
 void add_atoms(const Cone& cone, NodeId id, std::set<NodeId>& atoms) {
   if (is_constant(cone, id)) return;
   const TypedNode& node = cone.graph->nodes[id];
@@ -52,8 +52,8 @@ void add_atoms(const Cone& cone, NodeId id, std::set<NodeId>& atoms) {
   atoms.insert(id);
 }
 
-/// A leaf that is neither positive nor negative. Of a constant that its format rounds to zero a
-/// factor says nothing: it is all absolute part.
+/// Whether a leaf is always zero: its claim excludes both signs. A constant is judged by its
+/// encoding, since one that is rounded to zero has an absolute error only.
 bool is_always_zero(const Cone& cone, NodeId id) {
   const TypedNode& node = cone.graph->nodes[id];
   if (is_constant(cone, id)) return node.format.is_zero(node.constant);
@@ -61,7 +61,8 @@ bool is_always_zero(const Cone& cone, NodeId id) {
   return claim.nonnegative && claim.nonpositive;
 }
 
-/// What its operands say; an atom's own choice is known already.
+/// Whether a node is zero because its operands are; what `pattern` says of an atom is not
+/// considered.
 bool zero_by_operands(const TypedNode& node, const Zeros& zeros) {
   const bool a = zeros[node.operands[0]];
   const bool b = node.operands[1] >= 0 && zeros[node.operands[1]];
