@@ -1,4 +1,4 @@
-// Bounds, rounded up; included once per instruction set, by kernels.cpp alone.
+// Arithmetic of bounds, rounded up. Only kernels.cpp includes this file, once per instruction set.
 #if defined(MIXCMP_EMULATOR_BOUNDS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef MIXCMP_EMULATOR_BOUNDS_INL
 #undef MIXCMP_EMULATOR_BOUNDS_INL
@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace mixcmp::model::emulator::HWY_NAMESPACE {
 
-/// The rules of model/error/bound_graph.hpp on doubles; an infinite bound is an infinity.
+/// Applies the rules of model/error/bound_graph.hpp in double; an infinite bound is an infinity.
 class Bounds {
 public:
   HWY_INLINE explicit Bounds(const Instruction& instruction)
@@ -47,7 +47,8 @@ private:
     const Vec not_below = hn::IfThenZeroElse(hn::Eq(x, hn::Zero(Tag())), hn::Max(x, smallest_));
     return hn::IfThenElse(hn::Gt(not_below, largest_), infinity_, not_below);
   }
-  /// The product may have vanished in double although no factor is 0; and 0 times infinite is NaN.
+  /// Corrects a product that underflows to 0 in double although no factor is 0, and 0 times
+  /// infinity, which is NaN in double and infinite as a bound.
   HWY_INLINE Vec product(Vec a, Vec b, Vec raised) const {
     const Vec not_zero = in_range(hn::Max(raised, smallest_));
     const Vec finite = hn::IfThenZeroElse(hn::Eq(hn::Min(a, b), hn::Zero(Tag())), not_zero);
@@ -84,7 +85,7 @@ void bound(const Instruction& instruction, const Block& block) {
       return bound_loop(instruction, block,
                         [&](Vec a, Vec b) HWY_ATTR { return bounds.add(a, b); });
     case Kernel::bound_multiply:
-      // Products of 26 digits have no error.
+      // Two factors of at most 26 digits have an exact product in double.
       if (instruction.dropped_digits >= 27) {
         return bound_loop(instruction, block,
                           [&](Vec a, Vec b) HWY_ATTR { return bounds.multiply_short(a, b); });

@@ -14,22 +14,23 @@ namespace mixcmp::model::emulator {
 namespace {
 
 constexpr int double_digits = 53;
-/// Formats of fewer exponent bits lie within, subnormal numbers of 53 digits included.
+/// Formats with at most this many exponent bits lie within double's normal numbers, subnormal
+/// numbers of 53 digits included.
 constexpr int widest_free_exponent_bits = 9;
 
 bool is_wide(FloatFormat format) {
   return format.exponent_bits() > widest_free_exponent_bits;
 }
 
-/// The results that double computes as the format would. Operands may be subnormal where lanes read
-/// those as they are. Between 2^-500 and 2^500 nothing that a single operation needs vanishes or
-/// overflows in double.
+/// The results for which double computes what the format would. Between 2^-500 and 2^500 nothing
+/// that a single operation needs underflows or overflows in double. `trusted_operands` adds the
+/// subnormal operands where lanes read those as they are.
 TrustedRange trusted(FloatFormat format) {
   const auto [least, limit] = trusted_exponents(format);
   return {.columns = {}, .least = std::ldexp(1, least), .limit = std::ldexp(1, limit)};
 }
 
-/// Bits of a double below the format's digits.
+/// The bits of a double below the format's last digit.
 std::uint64_t surplus_digits(FloatFormat format) {
   return (std::uint64_t{1} << (double_digits - format.precision())) - 1;
 }
@@ -85,9 +86,9 @@ Kernel kernel_of(Operation operation) {
   MIXCMP_CHECK(false);
 }
 
-/// Up to 25 digits in and out, rounding to 53 digits first is harmless (Figueroa). Half way cases
-/// are watched for where they are rare: not where there are few digits to drop, as in sums of
-/// numbers that have few more themselves.
+/// With up to 25 digits in and out, double rounding through 53 digits is harmless (Figueroa).
+/// Watching for results half way pays where they are rare: not where few digits are dropped, as in
+/// sums of numbers with hardly more digits than the result.
 Finish nearest_finish(Operation operation, int operand_digits, int digits) {
   constexpr int twice_rounded_digits = 25, rare_digits = 8;
   if (digits == double_digits) return Finish::hardware;
@@ -120,7 +121,8 @@ void add_instruction(Code& code, const TypedNode& node, int column, Rounding rou
                          .dropped_digits = double_digits - node.format.precision()});
 }
 
-/// Ranges that agree in everything are one, so that each is looked at once.
+/// Adds a column to the range with these limits; there is only one such range, so that columns with
+/// the same limits are tested together.
 void add_range(Code& code, const TrustedRange& range, int column) {
   const auto same = [&](const TrustedRange& other) {
     return other.least == range.least && other.limit == range.limit &&
@@ -160,8 +162,8 @@ bool fits_double(const TypedGraph& graph) {
          std::all_of(graph.nodes.begin(), graph.nodes.end(), fits);
 }
 
-/// Whether every input meets an operation that calls it exceptional if it is flushed, infinite or
-/// NaN: signs are changed without a look.
+/// Whether every input reaches an operation that is exceptional if the input is flushed, infinite
+/// or NaN. Negation and absolute value do not count: they flush nothing.
 bool inputs_are_judged(const TypedGraph& graph) {
   const int count = static_cast<int>(graph.nodes.size());
   std::vector<bool> judged(graph.nodes.size(), false);
@@ -188,8 +190,8 @@ std::uint64_t power_bits(int exponent) {
   return std::bit_cast<std::uint64_t>(std::ldexp(1, exponent));
 }
 
-/// Adds the widest window of exponents that operands may have; it spans a power of two of them and
-/// contains 1 if it can.
+/// Adds the widest window of exponents that operands may have. Their number is a power of two; the
+/// window contains 1 if it can.
 void add_window(Code& code, const TypedGraph& graph) {
   if (code.inputs.empty()) return;  // no operand would limit the search
   const std::optional<SafeOperands> safe = safe_operands(graph);

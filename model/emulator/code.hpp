@@ -9,25 +9,28 @@
 
 namespace mixcmp::model::emulator {
 
-/// A graph, and what is decided from it, as instructions on columns of doubles. Column k holds node
-/// k of the graph; those of an absolute bound follow. Why it is exact: docs/emulator.md.
+/// A graph and its decision, compiled to instructions on columns of doubles. Column k holds node k
+/// of the graph; the columns of an absolute bound follow. docs/emulator.md proves that this is
+/// exact.
 struct Code {
   int columns = 0;
   std::vector<std::pair<int, int>> inputs;        ///< column, operand
   std::vector<std::pair<int, double>> constants;  ///< column, value
   std::vector<Instruction> values;
-  std::vector<Instruction> bounds;   ///< after the values, for decisions alone
-  std::vector<TrustedRange> ranges;  ///< values outside: the golden model answers
-  /// Operands inside this window have all their values inside `ranges`; none: no window is known.
+  std::vector<Instruction> bounds;   ///< after the values, and only for decisions
+  std::vector<TrustedRange> ranges;  ///< if a value is outside, the golden model answers
+  /// If all operands are inside this window, all values are inside `ranges`. None if no such window
+  /// is known.
   std::optional<OperandWindow> window;
   int f = -1, g = -1;
   DecisionRule decision;
-  /// Outside means exceptional, and so undecided: the golden model need not be asked.
+  /// A value outside `ranges` is exceptional, so that the lane is undecided and the golden model is
+  /// not needed.
   bool doubtful_is_undecided = false;
 };
 
-/// `lane` is null for a reference, else the graph is the lane's. None where double does not hold
-/// some format, or cannot be trusted with a constant or a bound.
+/// Compiles a graph. `lane` is null for a reference; otherwise the graph is the lane's. None where
+/// double does not hold some format, or cannot reproduce a constant or the decision.
 std::optional<Code> make_code(const TypedGraph& graph, const Lane* lane);
 
 }  // namespace mixcmp::model::emulator

@@ -35,8 +35,8 @@ Kernel kernel_of(BoundOperation operation) {
   MIXCMP_CHECK(false);
 }
 
-/// Errors of products are lost where they are below 2^-1074: those of short bounds are 0, and the
-/// others must stay above.
+/// The error of a product is lost below 2^-1074. Products of bounds with few digits have no error;
+/// for others the exponents must be small enough to keep it.
 bool is_safe(BoundFormat format) {
   constexpr int error_free_digits = 26, free_exponent_bits = 9;
   return format.precision <= error_free_digits || format.exponent_bits <= free_exponent_bits;
@@ -61,7 +61,8 @@ void add_bound_node(Code& code, const BoundNode& node, BoundFormat format, int f
                          .largest = std::ldexp(above_one, format.bias())});
 }
 
-/// `guard` ulps are so many times a power of two of steps; more than there are differences is none.
+/// Sets the guard to `guard` ulps times 2^power. One that exceeds every difference becomes the
+/// largest integer: the lane then never decides.
 void set_guard(DecisionRule& decision, FloatFormat format, Bits guard, int power) {
   constexpr Bits never = std::numeric_limits<std::int64_t>::max();
   const auto zero_exponent = static_cast<std::uint64_t>(double_bias - format.bias());
@@ -112,8 +113,9 @@ Sign sign_of(RequiredSign sign) {
   MIXCMP_CHECK(false);
 }
 
-/// Encodings order magnitudes, so that limits on leading bits are limits on magnitudes: those of
-/// the encodings that end in zeros and in ones. One that is NaN lies above every number.
+/// The magnitude of an encoding; infinity for a NaN's. Encodings order magnitudes, so that limits
+/// on leading bits are limits on magnitudes: those of the encodings that continue with zeros and
+/// with ones.
 double magnitude_limit(FloatFormat format, Bits encoding) {
   const Bits magnitude = std::min(encoding, format.infinity(false));
   return to_double(format, magnitude);
@@ -128,7 +130,7 @@ OperandCheck operand_check(const RangeCheck& check, int column, FloatFormat form
   return result;
 }
 
-/// False where a check reads an operand that the graph does not.
+/// Adds the range checks; false where a check reads an operand that the graph does not.
 bool add_checks(Code& code, const Lane& lane) {
   for (const RangeCheck& check : lane.checks) {
     const auto reads = [&](const auto& input) { return input.second == check.input; };

@@ -6,12 +6,12 @@
 
 namespace mixcmp::model::emulator {
 
-/// Completes `code`, of the lane's graph, by how the lane decides. False where double cannot be
-/// trusted with its bound.
+/// Adds the lane's decision to `code`, which was compiled from the lane's graph. False where double
+/// cannot reproduce it.
 bool add_decision(Code& code, const Lane& lane);
 
-/// The nodes whose encodings the decision or its bound reads: those of subnormal numbers, which
-/// constants may be, do not follow from doubles.
+/// The nodes whose encodings the decision or its bound reads. The encoding of a subnormal number,
+/// which a constant may be, does not follow from its double.
 std::vector<NodeId> values_as_encodings(const Lane& lane);
 
 }  // namespace mixcmp::model::emulator

@@ -17,7 +17,7 @@ namespace mixcmp::model {
 using emulator::Code;
 using emulator::Execution;
 
-/// What to run, and the golden model of the same.
+/// One part of the comparison: its code, and its graph and lane for the golden model.
 class Emulator::Program {
 public:
   explicit Program(const Lane& lane)
@@ -84,7 +84,7 @@ namespace {
 constexpr std::array<std::uint8_t, 5> ranks_of_all = {0, 1, 4, 2, 3};
 constexpr std::array<std::uint8_t, 5> ranks_of_any = {4, 1, 0, 2, 3};
 
-/// Runs the code and decides; `doubtful` answers where double cannot be trusted.
+/// Runs the code and decides; `doubtful` decides where double cannot be trusted.
 template <class Doubtful>
 void run(const Code& code, const emulator::DecisionRule& decision, Execution::Scope scope,
          OperandColumns operands, std::span<Decision> decisions, Doubtful doubtful) {
@@ -143,8 +143,9 @@ Emulator::~Emulator() = default;
 Emulator::Emulator(Emulator&&) noexcept = default;
 Emulator& Emulator::operator=(Emulator&&) noexcept = default;
 
-/// Every part's decisions, and what they make together: the last of `all` in the order less, equal,
-/// unordered, undecided, greater, since nothing outweighs greater; `any` the first in its order.
+/// Combines the parts' decisions. `all` takes the last of them in the order less, equal, unordered,
+/// undecided, greater; `any` takes the first in the order less, undecided, unordered, equal,
+/// greater.
 template <class Judge>
 void Emulator::combine(std::size_t count, std::span<Decision> decisions, Judge judge) const {
   MIXCMP_CHECK(decisions.size() >= count);

@@ -19,9 +19,9 @@ enum class Decision : std::uint8_t {
   undecided = 4,
 };
 
-/// Operands of a batch: one array of doubles an input, each a number of the reference format. Every
-/// NaN stands for the format's quiet NaN. Arrays aligned to 64 bytes are fastest, and batches of
-/// some hundred comparisons or more.
+/// Operands of a batch: one array of doubles per input, each a number of the reference format.
+/// Every NaN stands for the format's quiet NaN. Arrays aligned to 64 bytes are fastest, and batches
+/// of some hundred comparisons or more.
 using OperandColumns = std::span<const double* const>;
 
 /// Evaluates lanes and references on batches of comparisons with SIMD operations in double,
@@ -48,8 +48,8 @@ public:
   /// for a NaN).
   void compare(OperandColumns operands, std::size_t count, std::span<Decision> decisions) const;
 
-  /// f and g as computed, as doubles (where the format has more digits or exponents, the nearest);
-  /// and whether anything on the way was exceptional. Of a comparison of one part.
+  /// Computes f and g as doubles (the nearest ones where the format has more digits or exponents),
+  /// and whether any operation was exceptional. The comparison must have one part only.
   void compute(OperandColumns operands, std::size_t count, std::span<double> f, std::span<double> g,
                std::span<std::uint8_t> exceptional) const;
 

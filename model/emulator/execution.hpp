@@ -18,7 +18,7 @@ public:
     values,    ///< f and g
     decision,  ///< bounds, too
   };
-  /// `operands`: one array of `count` doubles an input.
+  /// `operands` has one array of `count` doubles per input.
   Execution(const Code& code, std::span<const double* const> operands, std::size_t count,
             Scope scope);
 
@@ -30,7 +30,7 @@ public:
   std::size_t first() const { return first_; }
   std::size_t size() const { return size_; }
   const Block& block() const { return block_; }
-  /// Whether comparison k of this block is the golden model's.
+  /// Whether double cannot be trusted with comparison k of this block.
   bool doubtful(std::size_t k) const { return any_doubt_ && (doubts_[k] >> 63) != 0; }
   bool any_doubt() const { return any_doubt_; }
 

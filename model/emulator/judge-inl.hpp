@@ -1,4 +1,4 @@
-// Decisions; included once per instruction set, by kernels.cpp alone.
+// Decides comparisons. Only kernels.cpp includes this file, once per instruction set.
 #if defined(MIXCMP_EMULATOR_JUDGE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef MIXCMP_EMULATOR_JUDGE_INL
 #undef MIXCMP_EMULATOR_JUDGE_INL
@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace mixcmp::model::emulator::HWY_NAMESPACE {
 
-/// Codes of model::Decision, one a comparison.
+/// A vector of one code of model::Decision.
 HWY_INLINE IntVec code(int decision) {
   return hn::Set(Int(), decision);
 }
@@ -23,7 +23,8 @@ HWY_INLINE IntVec greater_or_less(hn::Mask<Int> greater, hn::Mask<Int> less) {
   return hn::IfThenElse(greater, code(2), rest);
 }
 
-/// 1, one more where f > g, one less where f < g.
+/// Decides by the order of f and g: the code is 1 (equal), one more where f > g, one less where f <
+/// g.
 struct Order {
   const DecisionRule& decision_rule;
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
@@ -33,8 +34,9 @@ struct Order {
   }
 };
 
-/// The magnitude bits of f and g as doubles are, up to a constant that cancels, 2^(53 - P) times
-/// those in the lane. `zero` stands for 0: one binade below the smallest normal number.
+/// Decides by the distance of the encodings of f and g, which are not negative. Their bits as
+/// doubles are, up to a constant that cancels, 2^(53 - P) times those in the lane. `zero`, one
+/// binade below the smallest normal number, stands for 0.
 class Magnitudes {
 public:
   HWY_INLINE explicit Magnitudes(const DecisionRule& decision_rule)
@@ -57,8 +59,9 @@ private:
   IntVec below_guard_, above_minus_guard_;
 };
 
-/// The order of signed numbers as integers. These keys are half of the encodings, so that their
-/// difference fits; nothing is lost, because the last bit of such a double is 0.
+/// Decides by the distance of integer keys that have the order of signed numbers. They are half of
+/// the encodings, so that their difference fits; nothing is lost, because the last bit of a double
+/// with at most 52 digits is 0.
 class SignedKeys {
 public:
   HWY_INLINE explicit SignedKeys(const DecisionRule& decision_rule)
@@ -88,8 +91,8 @@ private:
   IntVec below_guard_, above_minus_guard_;
 };
 
-/// The sign of the difference, where its encoding exceeds the bound's by more than the guard and
-/// every condition holds. An infinite bound exceeds every difference.
+/// Decides by the sign of the difference, where its encoding exceeds the bound's by more than the
+/// guard and every condition holds. An infinite bound exceeds every difference.
 class AbsoluteBound {
 public:
   HWY_INLINE explicit AbsoluteBound(const DecisionRule& decision_rule)

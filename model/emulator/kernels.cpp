@@ -1,6 +1,6 @@
 #include "model/emulator/kernels.hpp"
 
-// The baseline, AVX2 and AVX-512 (elsewhere: what Highway has) are worth their compile time.
+// On x86 only the baseline, AVX2 and AVX-512 are worth their compile time.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/emulator/kernels.cpp"
@@ -36,7 +36,7 @@ struct Squaring : Multiplication {
 struct Division {
   static constexpr bool unary = false, product = false;
   static HWY_INLINE Vec result(Vec a, Vec b) { return hn::Div(a, b); }
-  static HWY_INLINE Vec error(Vec a, Vec b, Vec r) {  // (a - r b) / b, but for its magnitude
+  static HWY_INLINE Vec error(Vec a, Vec b, Vec r) {  // has the sign of (a - r b) / b
     return hn::Xor(remainder(r, b, a), sign_bits(b));
   }
 };
@@ -64,7 +64,8 @@ HWY_INLINE void loop(const Instruction& instruction, const Block& block, Finishe
   }
 }
 
-/// Whether a result of a few vectors may lie half way: the digits dropped of a raised number are 0.
+/// Watches a few vectors for results that may lie half way: all dropped digits of the raised number
+/// are 0.
 class AnyDigit {
 public:
   HWY_INLINE AnyDigit() : half_way_(hn::MaskFromVec(hn::Zero(Int()))) {}
@@ -98,7 +99,8 @@ private:
 };
 #endif
 
-/// Four vectors at a time without errors; again with them where a result may lie half way.
+/// Rounds four vectors at a time without their errors, and once more with them where a result may
+/// lie half way.
 template <class Operation, class Watch>
 void loop_watched(const Instruction& instruction, const Block& block) {
   const Rounder rounder(instruction.dropped_digits);

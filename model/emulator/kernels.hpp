@@ -9,7 +9,7 @@
 /// by block: every node of a graph is a column of doubles, every instruction one loop over columns.
 namespace mixcmp::model::emulator {
 
-/// Blocks hold a multiple of so many comparisons: four of the widest vectors.
+/// The size of a block is a multiple of this: the comparisons in four of the widest vectors.
 inline constexpr std::size_t block_granularity = 32;
 inline constexpr std::size_t max_block_size = 128;
 
@@ -33,13 +33,13 @@ enum class Kernel : std::uint8_t {
   bound_maximum,
 };
 
-/// How an exact result x becomes one of the lane's P digits, P <= 53. Hardware gives r, x rounded
-/// to 53 digits, and at some cost the sign of the error e = x - r.
+/// How an exact result x is rounded to the lane's P digits, P <= 53. Hardware gives r, which is x
+/// rounded to 53 digits, and at some cost the sign of the error e = x - r.
 enum class Finish : std::uint8_t {
-  hardware,   ///< nearest, P = 53: r itself
-  nearest,    ///< r rounded: x = r, or rounding twice is known to be harmless
-  watched,    ///< as `nearest`; where r lies half way between numbers of P digits, `corrected`
-  corrected,  ///< e decides where r lies half way
+  hardware,   ///< r itself: P = 53 to nearest, or nothing to round
+  nearest,    ///< r rounded, where x = r or double rounding is known to be harmless
+  watched,    ///< `nearest`, but `corrected` where r lies half way between numbers of P digits
+  corrected,  ///< r rounded; e decides where r lies half way
   fused,      ///< products: rounded once, by a fused multiply-add
   truncated,  ///< toward zero, by r and e
 };
@@ -50,16 +50,18 @@ struct Instruction {
   int result = -1;
   int a = -1;
   int b = -1;              ///< equals a for one operand
-  int dropped_digits = 0;  ///< 53 - P, of lanes and bounds
-  /// Bounds: a non-zero result below is this; one above the largest is infinite.
+  int dropped_digits = 0;  ///< 53 - P, for lanes and bounds
+  /// For bounds: a non-zero result below `smallest` becomes `smallest`, one above `largest`
+  /// infinite.
   double smallest = 0;
   double largest = 0;
 };
 
-/// Magnitudes that need no second look: 0 and [least, limit), powers of two.
+/// The magnitudes with which double can be trusted in these columns: 0 and [least, limit). Both
+/// ends are powers of two.
 struct TrustedRange {
   std::vector<int> columns;
-  double least = 0;  ///< 0: small ones are not looked at
+  double least = 0;  ///< 0: no magnitude is too small
   double limit = 0;
   /// The columns may hold doubles below 2^-1022, too.
   bool any_double = false;
@@ -67,9 +69,10 @@ struct TrustedRange {
   std::uint64_t zero_bits = 0;
 };
 
-/// Numbers x that are inside where bits of x - `least` and `outside` have no bit in common: with as
-/// many exponents as a power of two from that of `least` on, those others set the exponent's
-/// leading bits, and so does what is below `least`, 0 included, by borrowing.
+/// A window of exponents, a power of two in number, that begins with the exponent of `least`. A
+/// double x is inside if (bits of x) - `least` and `outside` have no bit in common: larger
+/// exponents set leading bits of the exponent field, and numbers below `least`, 0 included, set
+/// them by borrowing. `outside` also holds the digits that must be 0.
 struct OperandWindow {
   std::vector<int> columns;
   std::uint64_t least = 0;  ///< bits of a power of two
@@ -91,7 +94,7 @@ struct OperandCheck {
 };
 
 enum class Rule : std::uint8_t {
-  order,           ///< of columns `first` and `second`: always decided
+  order,           ///< by the order of columns `first` and `second`; always decides
   magnitudes,      ///< by how many encodings `first` and `second`, not negative, differ
   signed_keys,     ///< by how many encodings `first` and `second`, of either sign, differ
   absolute_bound,  ///< by how many encodings |`first`| exceeds `second`
@@ -102,13 +105,14 @@ struct DecisionRule {
   Rule rule = Rule::order;
   int first = -1;
   int second = -1;
-  /// Ulps of the lane, times 2^(53 - P), or 2^(52 - P) for keys. So many decide, at least 1; an
-  /// absolute bound is to be exceeded by more.
+  /// The guard in ulps of the lane, times 2^(53 - P), or times 2^(52 - P) for signed_keys. Where
+  /// encodings differ by `guard` or more, which is at least 1, they decide; an absolute bound must
+  /// be exceeded by more than `guard`.
   std::int64_t guard = 1;
   /// The number whose encoding in the lane would be 0, were it normal; for the rules that count
   /// encodings.
   double zero = 0;
-  /// absolute_bound: columns with bound <= |value|.
+  /// A condition of absolute_bound, by columns: bound <= |value|.
   struct Condition {
     int bound;
     int value;
@@ -125,15 +129,15 @@ struct Block {
 
 void execute(const std::vector<Instruction>& instructions, const Block& block);
 
-/// Whether any value of the columns is outside its range; sign bits of `doubts` say where. `doubts`
-/// holds block.size words.
+/// Whether any value of the columns is outside its range; the sign bit of doubts[k] tells whether
+/// one of comparison k is. `doubts` holds block.size words.
 bool find_doubts(const std::vector<TrustedRange>& ranges, const Block& block,
                  std::uint64_t* doubts);
 
-/// Whether every value of the columns is inside.
+/// Whether every value of the window's columns is inside.
 bool all_inside(const OperandWindow& window, const Block& block);
 
-/// Codes of model::Decision.
+/// Writes one code of model::Decision per comparison.
 void judge(const DecisionRule& decision_rule, const Block& block, std::uint8_t* codes);
 
 /// The instruction set that run-time dispatch chose.

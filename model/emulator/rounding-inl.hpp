@@ -1,4 +1,4 @@
-// Rounding of doubles to fewer digits; included once per instruction set, by kernels.cpp alone.
+// Rounds doubles to fewer digits. Only kernels.cpp includes this file, once per instruction set.
 #if defined(MIXCMP_EMULATOR_ROUNDING_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef MIXCMP_EMULATOR_ROUNDING_INL
 #undef MIXCMP_EMULATOR_ROUNDING_INL
@@ -40,8 +40,9 @@ HWY_INLINE IntVec opposite_signs(Vec x, Vec y) {
   return hn::BroadcastSignBit(bits_of(hn::Xor(x, y)));
 }
 
-/// Exact errors of r = RN(a op b), op = +, -, *; of a quotient or root, a number of the error's
-/// sign that is 0 where the error is. Nothing here may underflow: docs/emulator.md.
+/// The error functions return the exact error of r = RN(a op b) for op = +, -, *. For a quotient or
+/// root, `remainder` gives a number of the error's sign that is 0 where the error is. Nothing here
+/// may underflow: docs/emulator.md.
 HWY_INLINE Vec sum_error(Vec a, Vec b, Vec r) {  // Knuth's TwoSum
   const Vec b_part = hn::Sub(r, a);
   return hn::Add(hn::Sub(a, hn::Sub(r, b_part)), hn::Sub(b, b_part));
@@ -51,7 +52,7 @@ HWY_INLINE Vec sum_error(Vec a, Vec b, Vec r) {  // Knuth's TwoSum
 HWY_INLINE Vec product_error(Vec a, Vec b, Vec r) {
   return hn::MulSub(a, b, r);
 }
-/// c - a * b, a number of 53 digits.
+/// c - a * b, which for quotients and roots is a number of 53 digits.
 HWY_INLINE Vec remainder(Vec a, Vec b, Vec c) {
   return hn::NegMulAdd(a, b, c);
 }
@@ -74,8 +75,9 @@ HWY_INLINE Vec remainder(Vec a, Vec b, Vec c) {
 }
 #endif
 
-/// Rounds r, 53 digits, to P = 53 - dropped digits. In the integer of r's bits a step of P digits
-/// is 2^dropped, and carries run into the exponent as they should; the sign bit stays.
+/// Rounds r, a number of 53 digits, to P = 53 - dropped digits. It works on the integer of r's
+/// bits, where a step of P digits is 2^dropped and a carry into the exponent gives the right
+/// number.
 class Rounder {
 public:
   HWY_INLINE explicit Rounder(int dropped_digits)
@@ -105,15 +107,17 @@ public:
     return from_bits(hn::Sub(up, hn::And(step, down)));
   }
 
-  /// Below x in magnitude: the next double below r where e points there.
+  /// Truncates x to P digits: starts from r, or from the next double toward zero where e points
+  /// there.
   HWY_INLINE Vec truncated(Vec r, Vec e) const {
     const hn::Mask<Int> inexact = hn::RebindMask(Int(), hn::Ne(e, hn::Zero(Tag())));
     const IntVec minus_one = hn::IfThenElseZero(inexact, opposite_signs(e, r));
     return from_bits(hn::And(hn::Add(bits_of(r), minus_one), kept_));
   }
 
-  /// A bound, never negative, rounded up to P digits, P <= 52: past r where e > 0. Where e < 0, r
-  /// is at most half a double's step too high, and no number of P digits lies between.
+  /// Rounds a bound, which is never negative, up to P digits, P <= 52. Where e > 0 it starts from
+  /// the next double above r. Where e < 0, r is at most half a double's step too high, and no
+  /// number of P digits lies between.
   HWY_INLINE Vec raised(Vec r, Vec e) const {
     const IntVec above = hn::BitCast(Int(), hn::VecFromMask(Tag(), hn::Gt(e, hn::Zero(Tag()))));
     return raised(from_bits(hn::Sub(bits_of(r), above)));

@@ -10,7 +10,7 @@
 namespace mixcmp::model::emulator {
 namespace {
 
-/// Far below every grid that matters.
+/// The grid of values that have none; far below every grid that matters.
 constexpr int no_grid = -1'000'000;
 
 /// What is known of a node's values x: where x is not 0, 2^low <= |x| <= 2^high; every x is a
@@ -29,7 +29,8 @@ Extent of_constant(double value, int digits) {
   return {exponent, exponent + 1, exponent - digits + 1, value > 0, true};
 }
 
-/// Powers of two and multiples of the grid round to themselves or to each other.
+/// The extent after rounding to `digits` digits. Rounding keeps the limits, which are powers of
+/// two, and makes multiples of the grid from such multiples.
 Extent rounded(Extent x, int digits) {
   x.grid = std::max(x.grid, x.low - digits + 1);
   return x;
@@ -66,7 +67,8 @@ Extent either(const Extent& a, const Extent& b, bool nonnegative) {
           a.nonzero && b.nonzero};
 }
 
-/// Before its own rounding.
+/// The extent of a node before its own rounding; none where a divisor may be 0 or a radicand
+/// negative.
 std::optional<Extent> result(const TypedNode& node, const SafeOperands& operands, const Extent& a,
                              const Extent& b) {
   const bool nonnegative = a.nonnegative && b.nonnegative;

@@ -19,9 +19,10 @@ struct TrustedExponents {
 };
 TrustedExponents trusted_exponents(FloatFormat format);
 
-/// If all operands of a comparison lie within, every node is provably 0 or within the trusted
-/// exponents of its format, nothing divides by 0 and no root is of a negative number. None where
-/// that cannot be shown of any range around 1, as for small formats. The graph has inputs.
+/// A range such that, if all operands of a comparison lie within, every node is provably 0 or
+/// within the trusted exponents of its format, no divisor is 0 and no radicand is negative. None
+/// where that cannot be shown of any range around 1, as for small formats. The graph must have
+/// inputs.
 std::optional<SafeOperands> safe_operands(const TypedGraph& graph);
 
 }  // namespace mixcmp::model::emulator
