@@ -27,14 +27,15 @@ mpfr_rnd_t mpfr_rounding(Rounding rounding) {
   MIXCMP_CHECK(false);
 }
 
-/// Sets x to the value an operation sees; says whether the operand makes the result exceptional.
+/// Sets x to the operand as an operation reads it; returns whether it makes the result exceptional.
 bool load(BigFloat& x, FloatFormat format, Subnormals subnormals, Bits bits) {
   const bool flushed = subnormals == Subnormals::flush && format.is_subnormal(bits);
   decode(x, format, flushed ? format.zero(format.sign(bits)) : bits);
   return flushed || !mpfr_number_p(x.get());
 }
 
-/// `y`, rounded to the precision with the given ternary value, is below the normal range.
+/// Brings `y`, rounded to the format's precision with this ternary value and below the normal
+/// range, into the format.
 Rounded underflow(const Arithmetic& result, BigFloat& y, int ternary) {
   const FloatFormat format = result.format;
   const bool negative = mpfr_signbit(y.get()) != 0;

@@ -23,7 +23,8 @@ public:
   mpfr_srcptr get() const { return value_; }
   mpfr_prec_t precision() const { return mpfr_get_prec(value_); }
 
-  /// Forgets the value (it becomes NaN). Allocates only when the precision outgrows every earlier.
+  /// Forgets the value (it becomes NaN). Allocates only when the precision exceeds every earlier
+  /// one.
   void reset(mpfr_prec_t precision) { mpfr_set_prec(value_, precision); }
   void swap(BigFloat& other) noexcept { mpfr_swap(value_, other.value_); }
 

@@ -8,7 +8,7 @@
 namespace mixcmp::model::golden {
 namespace {
 
-/// A number of `format` as MPFR holds it.
+/// An MPFR number with the precision of `format`.
 BigFloat number(BoundFormat format) {
   return BigFloat(format.precision);
 }

@@ -62,7 +62,7 @@ void absolute(Interval& y, const Interval& x) {
   }
 }
 
-/// The hull of the operation on all four pairs of ends: right for products, and for quotients whose
+/// The hull of the operation on all four pairs of ends: valid for products, and for quotients whose
 /// divisor keeps its sign.
 void hull(Interval& y, const Interval& a, const Interval& b, Operate operate, BigFloat& scratch) {
   operate(y.low.get(), a.low.get(), b.low.get(), MPFR_RNDD);
@@ -130,7 +130,7 @@ Knowledge Enclosure::compute(FloatFormat format, std::span<const Bits> inputs) {
     if (!operands_are_known(id)) continue;
     const Knowledge one = compute_node(id, format, inputs);
     if (one == Knowledge::undefined) return one;
-    // Beyond MPFR's exponents no digits help.
+    // An interval beyond MPFR's exponents is not finite, with any number of digits.
     known_[id] = one == Knowledge::enclosed && is_finite(values_[id]);
     if (!known_[id]) knowledge = Knowledge::uncertain;
     if (known_[id]) decide_zero(id);
@@ -169,7 +169,7 @@ const Separation& Enclosure::separation(NodeId id) {
   return *separations_[id];
 }
 
-/// A point is a number, whatever it was computed from.
+/// The separation of a point is that of the number, whatever it was computed from.
 Separation Enclosure::find_separation(NodeId id) {
   if (is_point(values_[id])) return separation_of(values_[id].low);
   const Node& node = graph_.nodes()[id];

@@ -11,7 +11,7 @@
 
 namespace mixcmp::model::golden {
 
-/// Contains a real number; of width zero where the arithmetic happened to be exact.
+/// An interval that contains a real number; a single point where the arithmetic was exact.
 struct Interval {
   BigFloat low;
   BigFloat high;
@@ -20,31 +20,31 @@ struct Interval {
 /// What is known of the real values of a graph on one comparison.
 enum class Knowledge {
   enclosed,   ///< every node has a real value, within its interval
-  uncertain,  ///< a divisor may be zero or a radicand negative: more digits may tell
+  uncertain,  ///< a divisor may be zero or a radicand negative: more digits may decide
   undefined,  ///< a divisor is zero, a radicand negative, or an input not finite
 };
 
-/// The digits after which a value counts as undetermined: four times as many as the exponents of
-/// the format span, for products of sums, and at least 2^14.
+/// The largest precision of intervals, in bits, before a value counts as undetermined: four times
+/// the number of exponents of the format, for products of sums, and at least 2^14.
 mpfr_prec_t last_precision(FloatFormat format);
 
-/// Interval arithmetic over the nodes that f and g need, every end rounded outward. A value that
-/// its interval does not tell from zero is taken for an exact zero where it is proven to be one:
-/// where the interval is narrower than the value's separation from zero.
+/// Interval arithmetic over the nodes that f and g need, every end rounded outward. A value whose
+/// interval contains zero is proven to be zero if the interval is narrower than the value's
+/// separation from zero.
 class Enclosure {
 public:
   /// Encloses the sides of `graph`'s only part, or of `part`, in intervals of `precision` digits,
-  /// at least encoding_precision. Looks at `graph` as long as it lives.
+  /// at least encoding_precision. Refers to `graph` as long as it lives.
   Enclosure(const Graph& graph, mpfr_prec_t precision);
   Enclosure(const Graph& graph, Sides part, mpfr_prec_t precision);
 
   /// `undefined` if any node is, even where another node is uncertain.
   Knowledge compute(FloatFormat format, std::span<const Bits> inputs);
 
-  /// After compute() said `enclosed`.
+  /// The intervals of f and g; valid after compute() has returned `enclosed`.
   const Interval& f() const { return values_[part_.f]; }
   const Interval& g() const { return values_[part_.g]; }
-  /// Whether f = g is proven; after compute() said `enclosed`.
+  /// Whether f = g is proven; valid after compute() has returned `enclosed`.
   bool are_equal();
 
 private:
@@ -59,7 +59,7 @@ private:
   std::vector<bool> needed_;
   std::vector<bool> known_;  ///< the node has an interval
   std::vector<Interval> values_;
-  /// Found where they are asked for, which is seldom; empty until then.
+  /// Computed on demand, which is rare; empty until then.
   std::vector<std::optional<Separation>> separations_;
   BigFloat scratch_;
 };

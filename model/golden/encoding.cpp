@@ -8,7 +8,7 @@
 namespace mixcmp::model::golden {
 namespace {
 
-/// x = integer * 2^exponent, exactly.
+/// Sets x to integer * 2^exponent, exactly.
 void set_integer(BigFloat& x, Bits integer, int exponent) {
   const auto high = static_cast<std::uint64_t>(integer >> 64);
   const auto low = static_cast<std::uint64_t>(integer);

@@ -5,7 +5,8 @@
 
 namespace mixcmp::model::golden {
 
-/// Holds every finite encoding of every format: the widest significand, in whole limbs.
+/// A precision, in bits, that holds every finite number of every format: the widest significand, in
+/// whole limbs.
 inline constexpr mpfr_prec_t encoding_precision = 128;
 
 /// Sets x to the number, infinity or NaN that `bits` encodes, exactly. The caller must have given x

@@ -67,7 +67,7 @@ Bits evaluate_bound_node(const BoundNode& node, BoundFormat format, const TypedG
   MIXCMP_CHECK(false);
 }
 
-/// What two ordered encodings say, and by how many steps.
+/// The order of two encodings, and their distance in steps.
 struct Distance {
   Verdict verdict;
   Bits ulp;
@@ -86,7 +86,7 @@ Distance distance(FloatFormat format, Bits f, Bits g) {
   return {f_larger != format.sign(f) ? Verdict::greater : Verdict::less, ulp};
 }
 
-/// What one kind of decision says of values none of which is exceptional.
+/// The result of one kind of decision, before exceptional values are considered.
 struct Decision {
   bool decided;
   Verdict verdict;
@@ -132,7 +132,7 @@ Decision decide(const IntervalDecision& decision, const TypedGraph& graph,
 
 constexpr mpfr_prec_t first_precision = 128;
 
-/// The order of one part, as far as intervals of up to `most` digits tell.
+/// The order of f and g of one part; none where intervals of up to `most` bits do not determine it.
 std::optional<Verdict> order_of(const Graph& graph, Sides part, FloatFormat format,
                                 std::span<const Bits> inputs, mpfr_prec_t most) {
   for (mpfr_prec_t precision = std::min(first_precision, most); precision <= most; precision *= 2) {
@@ -150,12 +150,13 @@ std::optional<Verdict> order_of(const Graph& graph, Sides part, FloatFormat form
   return std::nullopt;
 }
 
-/// Less and greater alone: where combining starts, since it changes nothing.
+/// The opposite of less or greater. Combining starts from the opposite of the dominating verdict,
+/// which is neutral.
 Verdict opposite(Verdict verdict) {
   return verdict == Verdict::greater ? Verdict::less : Verdict::greater;
 }
 
-/// Looks no further than a dominating verdict.
+/// Combines the parts' verdicts; stops at a dominating one.
 template <class Part, class Judge>
 Verdict combined_verdict(Combination combination, const std::vector<Part>& parts, Judge judge) {
   const Verdict dominating = dominating_verdict(combination);
@@ -219,7 +220,7 @@ LaneResult evaluate_lane(const Lane& lane, std::span<const Bits> inputs) {
   const std::vector<Rounded> values = evaluate(lane.graph, inputs);
   const Decision decision =
       std::visit([&](const auto& kind) { return decide(kind, lane.graph, values); }, lane.decision);
-  // The paper's decision knows no exceptions: that is one of its errors, kept as it is.
+  // The paper's decision ignores exceptions; that flaw is modelled as it is.
   const bool usable = !lane.certified() || !any_exceptional(values);
   return {values[lane.graph.f].bits, values[lane.graph.g].bits,
           decision.decided && usable && !breaks_a_range(lane, inputs), decision.verdict};

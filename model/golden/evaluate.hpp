@@ -10,12 +10,12 @@
 
 namespace mixcmp::model::golden {
 
-/// Every node of `graph` on one comparison; `inputs` are in graph.input_format, one per input.
-/// Negate and absolute change the sign bit only (of a NaN too) and are exceptional for NaN and
-/// infinite operands.
+/// Evaluates every node of `graph` on one comparison; `inputs` are in graph.input_format, one per
+/// input. Negate and absolute change the sign bit only (of a NaN too) and are exceptional for NaN
+/// and infinite operands.
 std::vector<Rounded> evaluate(const TypedGraph& graph, std::span<const Bits> inputs);
 
-/// Every node of `bound` for the values that `evaluate` gave for the lane's graph.
+/// Evaluates every node of `bound` on the values that `evaluate` returned for the lane's graph.
 std::vector<Bits> evaluate_bound(const BoundGraph& bound, const TypedGraph& graph,
                                  const std::vector<Rounded>& values);
 
@@ -38,29 +38,30 @@ struct CombinedResult {
 };
 CombinedResult evaluate_lane(const CombinedLane& lane, std::span<const Bits> inputs);
 
-/// What a reference datapath answers: the ordering of f and g as computed in its format.
+/// The verdict of a reference datapath: the order of f and g as computed in its format.
 Verdict evaluate_reference(const TypedGraph& reference, std::span<const Bits> inputs);
 Verdict evaluate_reference(const CombinedGraph& reference, std::span<const Bits> inputs);
 
 /// The verdict of one part that decides the whole comparison, whatever the other parts' verdicts
 /// are: `greater` for Combination::all, `less` for Combination::any.
 Verdict dominating_verdict(Combination combination);
-/// One verdict of two parts' verdicts; associative and commutative.
+/// Combines two parts' verdicts into one; associative and commutative.
 Verdict combine(Combination combination, Verdict a, Verdict b);
 
 /// The order of the real numbers f and g of these inputs, which are exact values in `format`; of
 /// several parts, their combined verdict. It is `unordered` where f or g has no value: for a NaN,
 /// an infinite input, a division by zero and the root of a negative number.
 ///
-/// Decided by interval arithmetic of growing precision; where intervals do not tell a value from
-/// zero, by the value's separation from zero (separation.hpp), so that ties and zeros hidden behind
-/// roots and roundoff are proven and never guessed. There is no verdict, "undetermined", where
-/// 2^14 bits do not suffice (2^15 to 2^17 bits for 13 to 15 exponent bits): ties of sums of about
-/// eight roots and more, and of rational numbers of that many bits.
+/// Interval arithmetic of growing precision decides. Where an interval contains zero, the value's
+/// separation from zero (separation.hpp) decides, so that ties and zeros hidden behind roots and
+/// roundoff are proven and never guessed. There is no verdict, "undetermined", where 2^14 bits do
+/// not suffice (2^15 to 2^17 bits for 13 to 15 exponent bits): ties of sums of about eight roots
+/// and more, and of rational numbers of that many bits.
 std::optional<Verdict> true_verdict(const Graph& graph, FloatFormat format,
                                     std::span<const Bits> inputs);
 
-/// As true_verdict, with intervals of at most `bits` digits; `bits` is at least 128.
+/// The verdict that true_verdict finds with intervals of at most `bits` bits, at least 128; none
+/// where that is not enough.
 std::optional<Verdict> verdict_within(const Graph& graph, FloatFormat format,
                                       std::span<const Bits> inputs, long bits);
 

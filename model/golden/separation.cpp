@@ -6,7 +6,7 @@ namespace mixcmp::model::golden {
 namespace {
 
 constexpr std::int64_t limit = std::int64_t{1} << 40;
-/// (2^20 - 1) 2^40 still is an int64_t; precision runs out long before.
+/// (2^20 - 1) 2^40 still fits an int64_t; precision runs out long before.
 constexpr std::size_t most_roots = 20;
 
 bool is_zero(const Separation& value) {
@@ -20,7 +20,8 @@ Separation checked(Separation value) {
   return value;
 }
 
-/// What two operands have in common with every value that is made of them.
+/// The parts of a separation that every value computed from two operands inherits: the roots, and
+/// whether it is bounded.
 Separation joined(const Separation& a, const Separation& b) {
   Separation joined{.bounded = a.bounded && b.bounded, .roots = a.roots};
   joined.roots.insert(b.roots.begin(), b.roots.end());
@@ -33,7 +34,7 @@ std::int64_t bits_of(const mpz_class& n, std::int64_t least) {
   return static_cast<std::int64_t>(mpz_sizeinbase(n.get_mpz_t(), 2));
 }
 
-/// Takes the powers of two out of a number that is not zero.
+/// Divides a number that is not zero by the largest power of two in it; returns its exponent.
 std::int64_t take_powers_of_two(mpz_class& n) {
   const mp_bitcnt_t zeros = mpz_scan1(n.get_mpz_t(), 0);
   mpz_tdiv_q_2exp(n.get_mpz_t(), n.get_mpz_t(), zeros);

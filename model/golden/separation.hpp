@@ -23,7 +23,7 @@ namespace mixcmp::model::golden {
 struct Separation {
   /// False once a member would reach 2^40: then nothing is known of the value.
   bool bounded = true;
-  std::int64_t numerator_bits = 0;  ///< 0 of an exact zero alone
+  std::int64_t numerator_bits = 0;  ///< 0 only for an exact zero
   std::int64_t denominator_bits = 0;
   std::int64_t exponent = 0;
   std::set<NodeId> roots;  ///< square roots in the expression; those of known value are left out

@@ -7,18 +7,18 @@
 
 namespace mixcmp::model::golden {
 
-/// The real values of f and g, computed with 500 digits, or with more where so many cancel that
-/// fewer than 128 would be right.
+/// The real values of f and g, computed with 500 bits, or with more where cancellation would leave
+/// fewer than 128 bits right.
 class TrueValues {
 public:
-  /// Looks at `graph` as long as it lives.
+  /// Refers to `graph` as long as it lives.
   TrueValues(const Graph& graph, Sides part);
 
-  /// False where f or g has no value, and where last_precision(format) digits do not tell it: zeros
-  /// that cannot be proven.
+  /// False where f or g has no value, and where last_precision(format) bits do not determine it, as
+  /// for a zero that cannot be proven.
   bool compute(FloatFormat format, std::span<const Bits> inputs);
 
-  /// Right to 128 digits, a zero exactly; after compute() returned true.
+  /// f and g, right to 128 bits, a zero exactly; valid after compute() has returned true.
   const BigFloat& f() const { return enclosure().f().low; }
   const BigFloat& g() const { return enclosure().g().low; }
 
@@ -28,7 +28,7 @@ private:
   const Graph& graph_;
   Sides part_;
   Enclosure first_;
-  std::optional<Enclosure> wider_;  ///< where the first did not tell
+  std::optional<Enclosure> wider_;  ///< used where first_ is not precise enough
 };
 
 }  // namespace mixcmp::model::golden
