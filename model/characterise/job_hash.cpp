@@ -6,7 +6,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// To be raised when synthesise() measures otherwise what the same tools say.
+/// The version of our method. Raise it when synthesise() derives other results from the same tools.
 constexpr std::string_view method = "1";
 
 void add_timing(ContentHash& hash, const Device& device, int seeds) {
@@ -14,7 +14,7 @@ void add_timing(ContentHash& hash, const Device& device, int seeds) {
   for (const std::string& argument : device.timing_arguments) hash.add(argument);
   if (!is_routed(device)) return;
   hash.add(std::to_string(seeds));
-  // What does not fit has no clock.
+  // A design that does not fit has no clock, so the device's size matters.
   for (const Resource& resource : bounded_resources) {
     hash.add(std::to_string(device.available.*resource.amount));
   }

@@ -6,8 +6,8 @@
 
 namespace mixcmp::model {
 
-/// The key of a job in a store: a hash of everything that its result depends on. `tools` as
-/// tool_versions() gives them.
+/// The key of a job in a store: a hash of everything that its result depends on. `tools` is what
+/// tool_versions() returns.
 std::string job_hash(const SynthesisJob& job, const Device& device, const SynthesisOptions& options,
                      const std::string& tools);
 

@@ -30,7 +30,7 @@ std::string replaced(std::string text, const std::string& old_part, const std::s
   return text;
 }
 
-/// Copies a folder in place of one that a run of the same job has kept before.
+/// Copies a folder to `kept`, in place of one that an earlier run of the same job has left there.
 Result<Done> copy_in_place_of(const fs::path& folder, const fs::path& kept) {
   MIXCMP_TRY(staging, ScratchFolder::make_in(kept.parent_path(), "staging"));
   MIXCMP_TRY(copied, copy_folder(folder, staging.path()));
@@ -102,8 +102,8 @@ private:
     finish(job, error, kept);
   }
 
-  /// Another run that is done may remove STORE.work, being empty, between any two steps of this
-  /// one.
+  /// Makes a folder for one job. Tries again where another run, at its end, has removed the empty
+  /// STORE.work between two steps of this one.
   Result<ScratchFolder> job_folder() const {
     while (true) {
       MIXCMP_TRY(made, make_writable_folder(work_));
@@ -112,7 +112,8 @@ private:
     }
   }
 
-  /// No exception leaves a thread: a tool's JSON of another shape ends its job alone.
+  /// Turns exceptions into errors, since none may leave a thread: unexpected JSON from a tool fails
+  /// only its own job.
   Result<Done> guarded(const PendingJob& job, const fs::path& folder) {
     try {
       return synthesise_into_store(job, folder);
@@ -136,7 +137,7 @@ private:
     return store.add(job.hash, *result, tools_);
   }
 
-  /// One job is made at a time: their maker keeps what they share.
+  /// Makes one job at a time, since the functions that make jobs share data.
   SynthesisJob make(const PendingJob& job) {
     const std::lock_guard lock(mutex_);
     return job.job();
@@ -161,11 +162,11 @@ private:
   const fs::path store_;
   const fs::path work_;
   const JobRunOptions& options_;
-  const SignalGate gate_;  ///< before the workers, which hold back the same signals
+  const SignalGate gate_;  ///< made before the workers, which inherit the blocked signals
   const Time::time_point start_time_ = Time::now();
   std::atomic<unsigned> working_ = 0;
   std::atomic<bool> cancelled_ = false;
-  std::mutex mutex_;  ///< for what follows
+  std::mutex mutex_;  ///< guards the members below
   std::size_t next_ = 0;
   JobRun run_;
 };

@@ -12,7 +12,7 @@ namespace mixcmp::model {
 struct PendingJob {
   std::string hash;
   std::string label;                  ///< for messages: "lane s12e8 exact relative"
-  std::function<SynthesisJob()> job;  ///< made when it starts: sources of all at once are large
+  std::function<SynthesisJob()> job;  ///< called at its start: all jobs' sources are large
 };
 
 struct FailedJob {
@@ -30,8 +30,9 @@ struct JobRun {
 struct JobRunOptions {
   SynthesisOptions synthesis;
   unsigned workers = 1;
-  std::filesystem::path keep = {};  ///< becomes a copy of the folder of a single job
-  /// Called now and then with what is finished (failed or not) and for how long it has run.
+  std::filesystem::path keep = {};  ///< where to copy a single job's folder; empty: nowhere
+  /// Called regularly with the number of finished jobs, failed ones included, and the seconds since
+  /// the start.
   std::function<void(int finished, double seconds)> progress = {};
 };
 

@@ -9,7 +9,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// A net's number, or -1 - c for the constant c: nets are told apart, constants are not.
+/// A net's number, or -1 - c for the constant c. An open port counts as the constant 0.
 int net_of(const nlohmann::json& cell, const char* port) {
   const auto& connections = cell.at("connections");
   const auto found = connections.find(port);
@@ -21,7 +21,7 @@ int net_of(const nlohmann::json& cell, const char* port) {
 using Adder = std::array<int, 3>;  ///< both operands and the carry that comes in
 
 struct Ice40Netlist {
-  std::map<int, int> readers;  ///< of each net: inputs of cells and ports of the module
+  std::map<int, int> readers;  ///< by net: number of cell inputs and module outputs
   std::map<int, int> lut_outputs;
   std::vector<int> register_inputs;
   std::vector<Adder> luts, carries;

@@ -88,7 +88,7 @@ constexpr std::array prefixes = std::to_array<CellArea>({
     {"RAMB36", {.memories = 2}},  // a block of 36 Kb is two of 18 Kb
 });
 
-constexpr int most_cells = 10'000'000;  ///< of a kind; no device has as many
+constexpr int most_cells = 10'000'000;  ///< of one type; no device has as many
 
 Error no_cell_count(const std::string& field, const nlohmann::json& received) {
   return {.field = field,

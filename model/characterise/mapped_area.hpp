@@ -9,11 +9,11 @@
 
 namespace mixcmp::model {
 
-/// What one cell of Yosys' technology libraries takes of the device (docs/devices.md). An error for
-/// a cell that nobody has counted yet: left out it would make a design look smaller.
+/// The area of one cell of Yosys' technology libraries (docs/devices.md). An unknown cell is an
+/// error, since leaving it out would make a design look smaller.
 Result<Area> area_of_cell(std::string_view cell);
 
-/// The sum over a design, from `stat -json` (Yosys 0.23 to 0.52).
+/// The area of a design, summed over the cells that `stat -json` (Yosys 0.23 to 0.52) counts.
 Result<Area> area_of_statistics(const nlohmann::json& statistics);
 
 }  // namespace mixcmp::model

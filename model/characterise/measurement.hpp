@@ -14,12 +14,13 @@
 namespace mixcmp::model {
 
 enum class ClockSource {
-  estimate_before_routing,  ///< Yosys' sta, no wires
+  estimate_before_routing,  ///< Yosys' sta, without wire delays
   routed,                   ///< after place and route
 };
 std::string_view to_string(ClockSource source);
 
-/// The highest clock of a component. Over several seeds of the router: the median and the extremes.
+/// The highest clock of a component. Over several seeds of the router, `mhz` is the median, and the
+/// others are the extremes.
 struct Clock {
   double mhz = 0;
   double low_mhz = 0, high_mhz = 0;
@@ -28,7 +29,7 @@ struct Clock {
 };
 
 enum class ComponentKind {
-  unit,       ///< one floating-point or bound unit; for the eye
+  unit,       ///< one floating-point or bound unit; for information only
   lane,       ///< one reduced datapath alone
   reference,  ///< one reference datapath alone
   fifo,       ///< the scoreboard or reorder buffer around one lane
@@ -36,7 +37,7 @@ enum class ComponentKind {
 };
 std::string_view to_string(ComponentKind kind);
 
-/// What was synthesised, as a row of a table names it. What does not apply is left empty or 0.
+/// Identifies a synthesised component in a table. A field that does not apply is empty or 0.
 struct ComponentKey {
   ComponentKind kind = ComponentKind::lane;
   std::string name;                  ///< of a unit its template and formats; else empty
@@ -55,26 +56,26 @@ struct Measurement {
   int latency_cycles = 0;
   Area area;  ///< before placement, unless the clock is routed
   std::optional<Clock> clock;
-  int timing_seeds = 0;  ///< of the router, that the clock was asked for with; 0: it was not
+  int timing_seeds = 0;  ///< router seeds requested; 0: no clock was requested
   std::string hash;      ///< of RTL, tools and options: the key in the store
   std::string tools;     ///< "Yosys 0.23 (git sha1 ...)"
 };
 
-/// All that is known of one scene's components on one device.
+/// The measurements of one scene's components on one device.
 struct Characterisation {
   std::string device;
   std::string scene;
-  std::string command;  ///< that makes the table again
-  /// What the RTL depends on, for the eye: "f" with its text, "target_mhz", ...
+  std::string command;  ///< the command that makes the table again
+  /// The settings on which the RTL depends, for information: "f" with its text, "target_mhz", ...
   std::vector<std::pair<std::string, std::string>> spec;
   std::vector<Measurement> rows;  ///< sorted by key
 
   const Measurement* find(const ComponentKey& key) const;
 };
 
-/// CSV (RFC 4180), one row a component, with comment lines ("# device: ...") before the header.
+/// CSV (RFC 4180) with one row per component and comment lines ("# device: ...") before the header.
 std::string to_csv(const Characterisation& table);
-/// Errors name the file, line and column.
+/// Reads such a CSV file. Errors name the file, line and column.
 Result<Characterisation> read_characterisation(const std::filesystem::path& path);
 
 }  // namespace mixcmp::model

@@ -17,7 +17,7 @@ namespace {
 /// What differs between nextpnr's two architectures.
 struct Architecture {
   const char* allow_unconstrained;
-  const char* lut;  ///< in the list of utilisation
+  const char* lut;  ///< in nextpnr's report of utilisation
 };
 
 Architecture architecture_of(const Device& device) {
@@ -40,7 +40,7 @@ Command call(const Device& device, const std::string& netlist,
   return command;
 }
 
-/// What nextpnr's architectures say of a design that is too large, or too dense to be wired.
+/// Whether nextpnr's message says that a design is too large, or too dense to be wired.
 bool is_refusal(const std::string& message) {
   static const std::regex refusal(
       "(unable|failed) to (place|find (a )?(legal )?placement|route|pack|expand)"
@@ -49,7 +49,7 @@ bool is_refusal(const std::string& message) {
   return std::regex_search(message, refusal);
 }
 
-/// nextpnr's own reason where it gave one: it is more use than the end of its log.
+/// The reason that nextpnr's log gives, if any: it is more useful than the end of the log.
 Result<Refusal> reason_of(const Error& failure, const std::filesystem::path& log) {
   const Result<std::string> text = read_file(log);
   static const std::regex reason("ERROR: ([^\n]*)");
@@ -63,7 +63,8 @@ using Attempt = std::variant<double, Refusal>;
 
 Result<Attempt> route_once(const Device& device, const std::filesystem::path& directory,
                            const std::string& netlist, int seed, const ToolLimits& limits) {
-  // The router serves the most critical path first whatever the target, as long as it is missed.
+  // As long as it is missed, the target does not matter: the router serves the most critical path
+  // first.
   constexpr const char* target_mhz = "400";
   const std::string report = fmt::format("route_{}.json", seed);
   const std::string log = fmt::format("route_{}.log", seed);

@@ -13,20 +13,21 @@
 
 namespace mixcmp::model {
 
-/// A design that cannot be packed, placed or routed: a property of it, in nextpnr's words. A tool
-/// that breaks or runs out of time is an error instead.
+/// Why a design cannot be packed, placed or routed, in nextpnr's words. That is a property of the
+/// design; a tool that fails or runs out of time is an error instead.
 struct Refusal {
   std::string reason;
 };
 using Packed = std::variant<int, Refusal>;
 using Routed = std::variant<Clock, Refusal>;
 
-/// The LUTs (iCE40: logic cells) that nextpnr packs `netlist` into, a file in `directory`.
+/// The number of LUTs (iCE40: logic cells) into which nextpnr packs `netlist`, a file in
+/// `directory`.
 Result<Packed> packed_luts(const Device& device, const std::filesystem::path& directory,
                            const std::string& netlist, const ToolLimits& limits);
 
 /// Places and routes `netlist` once for each seed 1..seeds; reports and logs stay in `directory`.
-/// Seeds that are refused are left out; a refusal where all are.
+/// Returns the clock over the seeds that succeed, or a refusal if none does.
 Result<Routed> route(const Device& device, const std::filesystem::path& directory,
                      const std::string& netlist, int seeds, const ToolLimits& limits);
 
@@ -34,7 +35,8 @@ Result<Routed> route(const Device& device, const std::filesystem::path& director
 /// where the report is not of nextpnr's form.
 Result<std::optional<double>> routed_mhz(const nlohmann::json& report);
 
-/// Median (of an even number the lower of both in the middle) and extremes.
+/// The median and the extremes of these clocks. The median of an even number of clocks is the lower
+/// of the two in the middle.
 Clock clock_over_seeds(std::vector<double> mhz);
 
 }  // namespace mixcmp::model

@@ -6,9 +6,9 @@
 
 namespace mixcmp::model {
 
-/// Holds back, while it lives, what would end the program from outside (an interrupt, a request to
-/// end, a lost terminal), so that it is taken where it suits. Threads that start meanwhile hold the
-/// same back. A signal that the program was told to ignore, as nohup does, stays ignored.
+/// Blocks SIGINT, SIGTERM and SIGHUP while it lives, so that the program takes them where it calls
+/// `wait`. Threads that start meanwhile inherit the block. A signal that the program was told to
+/// ignore, as nohup does, stays ignored.
 class SignalGate {
 public:
   SignalGate();
@@ -16,7 +16,7 @@ public:
   SignalGate(const SignalGate&) = delete;
   SignalGate& operator=(const SignalGate&) = delete;
 
-  /// The first signal held back within this time; 0: none came.
+  /// Waits at most this long for a blocked signal and returns it; 0 if none came.
   int wait(std::chrono::milliseconds patience) const;
 
 private:

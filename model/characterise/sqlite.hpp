@@ -9,14 +9,14 @@
 
 namespace mixcmp::model {
 
-/// What SQLite last complained of, as an error of the file.
+/// SQLite's last error, as an error of the file.
 Error sqlite_error(const std::filesystem::path& path, sqlite3* database);
 
-/// Statements without results.
+/// Executes statements that return no rows.
 Result<Done> execute(const std::filesystem::path& path, sqlite3* database, const std::string& sql);
 
-/// One statement with its values. Columns and parameters count as SQLite counts them: from 0 and
-/// from 1. An error of preparation shows in the first step.
+/// A prepared statement with its values. As in SQLite, columns count from 0 and parameters from 1.
+/// An error of preparation is returned by `step`.
 class Statement {
 public:
   Statement(sqlite3* database, const std::string& sql);
@@ -29,7 +29,7 @@ public:
   Statement& bind(int parameter, double number);
   Statement& bind_null(int parameter);
 
-  /// SQLITE_ROW, SQLITE_DONE or an error.
+  /// Returns SQLITE_ROW, SQLITE_DONE or an error code.
   int step();
   int integer(int column) const;
   double real(int column) const;

@@ -9,10 +9,10 @@
 namespace mixcmp::model {
 namespace {
 
-/// "mxcm", where SQLite has a place for whose file it is.
+/// SQLite's application_id, which marks a file as ours: "mxcm".
 constexpr int application_id = 0x6d78636d;
 constexpr int layout_version = 1;
-/// Another process holds the file for one insertion at a time.
+/// How long to wait for another process, which locks the file for one insertion at a time.
 constexpr int patience_ms = 60'000;
 
 constexpr const char* layout =
@@ -76,7 +76,7 @@ Result<ResultStore> ResultStore::open(const std::filesystem::path& path) {
   return store;
 }
 
-/// One look or one change at a time: two processes may both find the file empty.
+/// Checks or creates the table in one transaction: two processes may both find the file empty.
 Result<Done> ResultStore::prepare() {
   sqlite3* database = database_.get();
   if (sqlite3_errcode(database) != SQLITE_OK) return sqlite_error(path_, database);

@@ -11,16 +11,17 @@ struct sqlite3;
 
 namespace mixcmp::model {
 
-/// Results of synthesis, kept in one SQLite file under the hash of what they were made from. Every
-/// result is in it whole or not at all, whatever is interrupted; several processes may share it.
+/// Results of synthesis, kept in one SQLite file under their jobs' hashes. A result is stored whole
+/// or not at all, even if the program is interrupted; several processes may share the file.
 class ResultStore {
 public:
-  /// Makes the file and its folders where there are none. Errors name a file that is no store, a
-  /// damaged one, or one of another version.
+  /// Makes the file and its folders where there are none. It is an error if the file is no store,
+  /// is damaged, or has another version.
   static Result<ResultStore> open(const std::filesystem::path& path);
 
   Result<std::optional<SynthesisResult>> find(const std::string& hash) const;
-  /// Replaces what was there. `tools` is kept for whoever looks into the file.
+  /// Adds a result, or replaces the one with this hash. `tools` is kept for people who read the
+  /// file.
   Result<Done> add(const std::string& hash, const SynthesisResult& result,
                    const std::string& tools);
   Result<int> size() const;

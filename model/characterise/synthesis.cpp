@@ -65,7 +65,7 @@ Result<Area> map_alone(const Run& run) {
   return area;
 }
 
-/// The last line of Yosys' report: a full disk cuts files short without an error of Yosys'.
+/// The last line of Yosys' report. Yosys reports no error when a full disk cuts the file short.
 constexpr const char* end_of_timing = "end of the timing report";
 
 /// After -abc9 the carry cells in memory have lost their delays (Yosys 0.23 and 0.52): the netlist
@@ -79,8 +79,8 @@ std::string timing_script(const Run& run) {
       read_sources(run.job), run.device.timing_synthesis, top, top, top, end_of_timing);
 }
 
-/// A clock, or why there is none. What is no property of the design, a tool that breaks, is an
-/// error.
+/// A clock, or why there is none. A tool that fails is an error instead, since that is no property
+/// of the design.
 struct Timing {
   std::optional<Clock> clock;
   std::string no_clock;
@@ -104,7 +104,7 @@ Result<Timing> estimate_clock(const Run& run) {
                 ""};
 }
 
-/// The mapped module with registers around it, mapped: wrapped.json.
+/// Puts registers around the mapped module and maps the whole: wrapped.json.
 Result<Done> wrap(const Run& run) {
   const std::string name = "mixcmp_wrapper_of_" + run.job.top;
   MIXCMP_TRY(netlist, read_json(run.directory / "map.json"));
@@ -125,7 +125,8 @@ std::optional<std::string> shortage(const Area& area, const Area& available) {
   return std::nullopt;
 }
 
-/// Corrects the LUTs in `area` to what the router packs.
+/// Finds the clock by routing; also corrects the LUTs in `area` to the number that the router
+/// packs.
 Result<Timing> route_clock(const Run& run, Area& area) {
   const ToolLimits& limits = run.options.each_tool;
   const Result<std::string> version = router_version(run.device);

@@ -24,7 +24,7 @@ struct SynthesisJob {
 
 enum class TimingEffort {
   area_only,
-  timing,  ///< and the clock, where the device has a tool for it
+  timing,  ///< area and clock, where the device has a timing tool
 };
 
 struct SynthesisOptions {
@@ -36,12 +36,12 @@ struct SynthesisOptions {
 struct SynthesisResult {
   Area area;
   std::optional<Clock> clock;
-  std::string no_clock;  ///< why there is none, where there is none
+  std::string no_clock;  ///< why there is no clock; else empty
 };
 
-/// The tools a device needs, with their versions, as they go into a store's key. An error names
-/// the package to install. A router that is missing is no error: there is no clock then, and the
-/// text says "no router".
+/// The versions of the tools that a device needs, as part of a store's key. If Yosys is missing,
+/// the error names the package to install. A missing router is no error: the text says "no router",
+/// and there will be no clocks.
 Result<std::string> tool_versions(const Device& device, TimingEffort effort);
 
 /// Runs Yosys (and the router) in `directory`, which must exist; logs stay there.

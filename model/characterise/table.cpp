@@ -8,7 +8,7 @@
 namespace mixcmp::model {
 namespace {
 
-/// A field as RFC 4180 wants it.
+/// A field, quoted where RFC 4180 requires it.
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -16,7 +16,7 @@ std::string field(const std::string& text) {
   return quoted + "\"";
 }
 
-/// On the one line that a comment has.
+/// Replaces line ends by blanks, since a comment is one line.
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');

@@ -7,7 +7,7 @@
 
 namespace mixcmp::model {
 
-/// A column of a table of measurements that tells which component it is of.
+/// A column that helps to identify the component of a row.
 struct KeyColumn {
   std::string_view name;
   std::string (*get)(const ComponentKey& key);
@@ -41,7 +41,7 @@ inline const std::array<KeyColumn, 5> key_columns = {{
     text_column<&ComponentKey::multipliers>("multipliers"),
 }};
 
-/// A column of areas.
+/// A column with one resource of an area.
 struct AreaColumn {
   std::string_view name;
   int Area::*field;

@@ -12,11 +12,11 @@
 namespace mixcmp::model {
 namespace {
 
-/// A field with its place.
+/// A field with its position in the file.
 struct Field {
   std::string text;
   int line = 0;
-  int column = 0;  ///< 1-based, in characters
+  int column = 0;  ///< 1-based, in bytes
 };
 
 class TableReader {
@@ -111,7 +111,7 @@ private:
     return field;
   }
 
-  /// The next field of the record at hand; each but the last stands before a comma.
+  /// Reads the next field of the current record. A comma must follow each field but the last.
   Result<Field> next() {
     MIXCMP_TRY(field, read_field());
     if (++fields_read_ < field_count_) {
@@ -179,7 +179,8 @@ private:
     return read_provenance(std::move(row));
   }
 
-  /// What plans are made of must be words that characterise writes.
+  /// Checks the words of lanes and references, of which plans are made: only words that
+  /// `characterise` writes are accepted.
   Result<Done> check_word(const ComponentKey& key, const KeyColumn& column,
                           const Field& field) const {
     const bool is_lane = key.kind == ComponentKind::lane;
@@ -210,7 +211,7 @@ private:
     return row;
   }
 
-  /// Five fields, all of them empty where there is none.
+  /// Reads a clock's five fields, which are all empty where there is no clock.
   Result<std::optional<Clock>> read_clock() {
     if (text_.substr(place_, 5) == ",,,,,") {
       place_ += 5;
