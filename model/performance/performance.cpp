@@ -31,7 +31,7 @@ std::vector<double> capacities_of(const std::vector<Datapaths>& references) {
   return capacities;
 }
 
-/// The kinds of lanes at each reference, one entry a lane.
+/// The kinds of the lanes at each reference, one entry per lane.
 std::vector<std::vector<Datapaths>> deal(const std::vector<Datapaths>& lanes, int references) {
   std::vector<std::vector<Datapaths>> hands(static_cast<std::size_t>(references));
   std::size_t lane = 0;
@@ -41,7 +41,7 @@ std::vector<std::vector<Datapaths>> deal(const std::vector<Datapaths>& lanes, in
   return hands;
 }
 
-/// What lanes that take turns at one reference reach together.
+/// The total throughput of lanes that take turns at one reference.
 double shared_throughput(std::vector<Datapaths> lanes, double capacity) {
   std::sort(lanes.begin(), lanes.end(),
             [](const Datapaths& a, const Datapaths& b) { return rate_of(a) < rate_of(b); });

@@ -8,11 +8,11 @@
 /// with the names of its Table I. docs/performance.md says where we differ and why.
 namespace mixcmp::model {
 
-/// Many datapaths of one kind.
+/// A number of datapaths of one kind.
 struct Datapaths {
   int count = 0;                  ///< p_L or p_H
-  double throughput_per_s = 0;    ///< T(L) or T(H): comparisons a second of one datapath
-  double recomputation_rate = 0;  ///< R_R, 0..1; of lanes
+  double throughput_per_s = 0;    ///< T(L) or T(H): comparisons per second of one datapath
+  double recomputation_rate = 0;  ///< R_R, 0..1; for lanes only
 };
 
 /// Equations 5 and 6: T_A = sum of p T.
@@ -21,7 +21,7 @@ double aggregated_throughput(const std::vector<Datapaths>& kinds);
 /// Equation 7: N_RR = T_A(L) R_R, summed over the kinds of lanes.
 double recomputations_per_s(const std::vector<Datapaths>& lanes);
 
-/// Equation 8, as min: min(T_A(L), T_A(H) / R_R), with R_R the rate over all lanes.
+/// Equation 8: min(T_A(L), T_A(H) / R_R), with R_R the rate over all lanes.
 double equivalent_throughput(const std::vector<Datapaths>& lanes,
                              const std::vector<Datapaths>& references);
 
@@ -33,8 +33,8 @@ double optimal_ratio(double lane_throughput_per_s, double reference_throughput_p
 bool references_suffice(const std::vector<Datapaths>& lanes,
                         const std::vector<Datapaths>& references);
 
-/// Rates and throughputs are measured: where `demand` exceeds `capacity` in the twelfth digit
-/// alone, as 3 * 0.1 exceeds 0.3, it does not exceed it.
+/// Whether demand <= capacity, with a relative allowance of 1e-12 for rounding: 3 * 0.1 is within
+/// 0.3.
 bool is_within(double demand, double capacity);
 
 /// The right side of equation 11: A (1 - R_S), rounded down, for each resource.
@@ -44,19 +44,19 @@ Area usable(const Area& available, double slack);
 /// served by reference i mod p_H.
 std::vector<int> lanes_of_references(int lanes, int references);
 
-/// Equation 7 for each reference by itself, references in the order of their kinds, lanes dealt to
-/// them in the order of theirs: what lanes that never stall ask of it.
+/// Equation 7 for each reference by itself: recomputations per second that its lanes ask for if
+/// they never stall. Lanes, in the order of their kinds, are dealt to references round robin.
 std::vector<double> recomputations_of_references(const std::vector<Datapaths>& lanes,
                                                  int references);
 
-/// Equation 10 for each reference by itself: more than `references_suffice` where lanes do not
-/// divide evenly.
+/// Equation 10 for each reference by itself. This is stricter than `references_suffice` where lanes
+/// do not divide evenly.
 bool each_reference_suffices(const std::vector<Datapaths>& lanes,
                              const std::vector<Datapaths>& references);
 
-/// Equation 8 for each reference by itself, summed. A reference that is asked for too much serves
-/// its lanes in turn: those that ask for less than their turn get all of it, the others share what
-/// is left equally.
+/// Equation 8 for each reference by itself, summed. An overloaded reference serves its lanes in
+/// turn: those that ask for less than their turn get all that they ask for, and the others share
+/// the rest equally.
 double dealt_throughput(const std::vector<Datapaths>& lanes,
                         const std::vector<Datapaths>& references);
 

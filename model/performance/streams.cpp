@@ -16,9 +16,9 @@ constexpr int crossbar_radix = 4;
 constexpr int request_interval_cycles = 2;
 constexpr int answer_cycles = 2;  ///< through the crossbar
 
-/// From the operands to a request on offer.
+/// Cycles from accepted operands to an offered request, beside the lane's latency.
 constexpr int request_cycles = 4;
-/// From an answer at the lane until its slot may be taken again.
+/// Cycles from an answer at the lane until its slot may be taken again.
 int retire_cycles(ResultOrder order) {
   switch (order) {
     case ResultOrder::tagged: return 5;
@@ -27,7 +27,8 @@ int retire_cycles(ResultOrder order) {
   MIXCMP_CHECK(false);
 }
 
-/// A lane in time: when comparisons enter, one per cycle at most, where slots are few.
+/// Simulates in which cycles a lane accepts comparisons: one per cycle at most, each into a free
+/// slot.
 class Channel {
 public:
   explicit Channel(const LaneStreams& streams) : streams_(streams) {}
@@ -36,7 +37,7 @@ public:
   std::int64_t accept(bool undecided) {
     std::int64_t entry = last_entry_ + 1;
     if (static_cast<int>(inside_.size()) == streams_.slots) {
-      // One leaves per cycle; so does one enter, and later: no need to count the exits.
+      // At most one leaves per cycle, but at most one enters, too, and later: exits need no limit.
       entry = std::max(entry, inside_.top());
       inside_.pop();
     }
@@ -55,7 +56,7 @@ public:
 
 private:
   LaneStreams streams_;
-  /// Cycles from which on a slot could be free.
+  /// For each slot in use, the first cycle in which it may be taken again.
   std::priority_queue<std::int64_t, std::vector<std::int64_t>, std::greater<>> inside_;
   std::int64_t last_entry_ = -1;
   std::int64_t last_answer_ = std::numeric_limits<std::int64_t>::min() / 2;
@@ -93,7 +94,7 @@ double unbuffered_throughput(const LaneStreams& streams, double recomputation_ra
   return std::min(1.0, 1 / (answer_interval_cycles(streams) * recomputation_rate));
 }
 
-/// What slots allow where a request waits for `wait` cycles on average.
+/// The throughput that slots allow where a request waits for `wait` cycles on average.
 double slot_throughput(const LaneStreams& streams, double rate, double wait) {
   const double slots = streams.slots;
   const double undecided = undecided_slot_cycles(streams);
@@ -101,8 +102,9 @@ double slot_throughput(const LaneStreams& streams, double rate, double wait) {
     case ResultOrder::tagged:
       return slots / ((1 - rate) * decided_slot_cycles(streams) + rate * (undecided + wait));
     case ResultOrder::in_order: {
-      // From an undecided one to the first undecided one that is not among the next `slots`. Waits
-      // beyond what slots cover: the mean of an exponential distribution's tail.
+      // A period runs from an undecided comparison to the first undecided one that is not among the
+      // next `slots`. `beyond` is the wait that slots do not cover: the mean of an exponential
+      // distribution's tail.
       const double decided = std::max(1.0, decided_slot_cycles(streams) / slots);
       const double covered = std::max(0.0, slots * decided - undecided);
       const double beyond = wait > 0 ? wait * std::exp(-covered / wait) : 0;
@@ -161,8 +163,8 @@ double random_throughput(const LaneStreams& streams, double recomputation_rate) 
   }
   return largest(unbuffered_throughput(streams, recomputation_rate), [&](double x) {
     const double asked = x * recomputation_rate;
-    // A lane that stalls takes comparisons at intervals rather than at random: requests vary by
-    // 1 - R then instead of 1 - x R, and waits with them (Kingman).
+    // A lane that stalls takes comparisons at intervals rather than at random: the variance of its
+    // requests is then in proportion to 1 - R instead of 1 - x R, and so is the wait (Kingman).
     const double regular = (1 - recomputation_rate) / (1 - asked);
     const double wait = regular > 0 ? regular * mean_wait_cycles(streams, asked) : 0;
     return x <= slot_throughput(streams, recomputation_rate, wait);

@@ -4,8 +4,8 @@
 
 #include "model/scene/scene.hpp"
 
-/// What the streams around a lane make of the analytical model: the limits that come from slots,
-/// requests and random or clustered recomputations. All in cycles of one clock, at full rate: a
+/// How the streams around a lane limit the throughput of the analytical model: by slots, requests
+/// and random or clustered recomputations. Times are in cycles of one clock, at full rate: a
 /// comparison is always offered, a result always taken. docs/performance.md derives each.
 namespace mixcmp::model {
 
@@ -18,7 +18,7 @@ struct LaneStreams {
   int lanes_served = 1;  ///< k: lanes of the reference, this one included; 0: p_H = 0
 };
 
-/// Levels of the crossbar's tree, as many cycles on a request's way.
+/// Levels of the crossbar's tree; a request takes one cycle per level.
 int crossbar_levels(int lanes_served);
 
 /// Cycles for which a decided comparison holds a slot, if nothing waits.
@@ -30,30 +30,32 @@ int undecided_slot_cycles(const LaneStreams& streams);
 /// request per cycle, a lane sends one in two.
 int answer_interval_cycles(const LaneStreams& streams);
 
-/// Comparisons per cycle that a lane's requests alone allow, whatever serves them: above 1 where
-/// less than half is undecided. Infinite for a rate of 0.
+/// The most comparisons per cycle that a lane's requests allow, whatever serves them. It is above 1
+/// where less than half of the comparisons is undecided, and infinite for a rate of 0.
 double highest_lane_throughput(double recomputation_rate);
 
-/// Comparisons that the lane accepts per cycle where the share `recomputation_rate` is undecided,
-/// evenly spread: equation 8 of one lane, with requests and slots.
+/// Comparisons that the lane accepts per cycle where a fraction `recomputation_rate` is undecided,
+/// evenly spread: equation 8 for one lane, limited by requests and slots, too.
 double even_throughput(const LaneStreams& streams, double recomputation_rate);
 
 /// Cycles that a request waits, on average, where each of the k lanes asks in any cycle with the
-/// probability `rate`, independently: for its lane's request register, a queue with service in two
-/// cycles, then for the reference, one in one. Infinite at or above what either serves.
+/// probability `rate`, independently. It waits for its lane's request register, a queue with a
+/// service time of two cycles, then for the reference, a queue with a service time of one. Infinite
+/// where either is fully loaded.
 double mean_wait_cycles(const LaneStreams& streams, double rate);
 
-/// `even_throughput` where each comparison is undecided by itself, with this probability: waiting
-/// requests hold slots. An estimate; docs/performance.md says how good.
+/// Comparisons that the lane accepts per cycle where each is undecided independently, with this
+/// probability, so that waiting requests hold slots. An estimate; docs/performance.md has its
+/// accuracy.
 double random_throughput(const LaneStreams& streams, double recomputation_rate);
 
-/// How many undecided comparisons in a row, in all lanes of the reference at the same time, a lane
-/// takes without refusing any comparison, if only decided ones were inside before.
+/// The longest burst of undecided comparisons, in all lanes of the reference at the same time, that
+/// a lane takes without refusing any comparison, if only decided ones were inside before.
 int absorbed_burst(const LaneStreams& streams);
 
-/// Cycles that comparisons take to be accepted, of which those marked are undecided, in all lanes
-/// of the reference at the same time; over and over: the mean of a repetition. `undecided` is not
-/// empty.
+/// The mean number of cycles in which a lane accepts a sequence of comparisons that is repeated
+/// over and over, in all lanes of the reference at the same time. `undecided` marks the undecided
+/// ones of the sequence; it must not be empty.
 double repeated_cycles(const LaneStreams& streams, const std::vector<bool>& undecided);
 
 }  // namespace mixcmp::model
