@@ -44,8 +44,8 @@ public:
 
   void decide(OperandColumns operands, std::size_t count, std::span<Decision> decisions) const;
 
-  /// What the lane would say without its error bound: the order of f and g as computed (unordered
-  /// for a NaN).
+  /// Decides as the lane would without its error bound: by the order of f and g as computed
+  /// (unordered for a NaN).
   void compare(OperandColumns operands, std::size_t count, std::span<Decision> decisions) const;
 
   /// Computes f and g as doubles (the nearest ones where the format has more digits or exponents),

@@ -187,7 +187,7 @@ void select(const Instruction& instruction, const Block& block) {
     case Kernel::absolute:
       return loop<Selection>(instruction, block,
                              [&](Vec a, Vec, Vec) HWY_ATTR { return hn::AndNot(sign, a); });
-    // Of equal numbers only zeros can differ, in their signs: -0 < +0.
+    // Equal numbers can differ only if they are zeros, in their signs: -0 < +0.
     case Kernel::minimum:
       return loop<Selection>(instruction, block, [&](Vec a, Vec b, Vec) HWY_ATTR {
         return hn::IfThenElse(hn::Eq(a, b), hn::Or(a, b), hn::Min(a, b));

@@ -123,7 +123,7 @@ struct DecisionRule {
 
 struct Block {
   const double* const* columns;  ///< `size` numbers each
-  double* const* results;        ///< the same columns; null for inputs and constants
+  double* const* results;        ///< the same columns, where instructions write
   std::size_t size;              ///< a multiple of block_granularity
 };
 

@@ -98,7 +98,8 @@ public:
   }
 
   /// Numbers half way between neighbours of P digits have P + 1 <= 53 digits. As rounding to 53
-  /// digits is monotone, x lies on the same side of each as r does, unless r is one: then e tells.
+  /// digits is monotone, x lies on the same side of each as r does, unless r is one: then e
+  /// decides.
   HWY_INLINE Vec corrected(Vec r, Vec e) const {
     const IntVec raised = raised_half(r), up = kept(raised);
     const IntVec step = hn::IfThenElseZero(hn::Eq(raised, up), step_);

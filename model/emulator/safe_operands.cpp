@@ -13,8 +13,8 @@ namespace {
 /// The grid of values that have none; far below every grid that matters.
 constexpr int no_grid = -1'000'000;
 
-/// What is known of a node's values x: where x is not 0, 2^low <= |x| <= 2^high; every x is a
-/// multiple of 2^grid.
+/// Limits on a node's values x: where x is not 0, 2^low <= |x| <= 2^high; every x is a multiple of
+/// 2^grid.
 struct Extent {
   int low = 0;
   int high = 0;

@@ -29,7 +29,7 @@ struct LaneResult {
   Verdict verdict;  ///< meaningful where decided; never unordered there
 };
 
-/// What a lane of the hardware decides, bit for bit.
+/// The decision of a lane in hardware, bit for bit.
 LaneResult evaluate_lane(const Lane& lane, std::span<const Bits> inputs);
 
 struct CombinedResult {

@@ -93,7 +93,8 @@ std::vector<int> reference_order(const AllocationProblem& problem);
 
 /// Finds the best plan by integer linear programming (CBC): maximises equation 12 of the paper
 /// under its equations 10 and 11. Every solution of CBC is checked again without CBC's tolerances.
-/// `is_better` breaks ties in throughput.
+/// Among plans of the same throughput, the one with the fewest references is best, then with the
+/// fewest lanes, LUTs, registers, DSPs and memories, then with more of the kinds listed first.
 AllocationResult allocate(const AllocationProblem& problem);
 
 /// Finds the best plan by trying every one, for small problems: the oracle of the tests.

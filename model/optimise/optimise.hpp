@@ -13,7 +13,7 @@
 namespace mixcmp::model {
 
 /// The clocks behind T(L) and T(H), at an initiation interval of one cycle. A clock that is not set
-/// is the table's.
+/// is the table's, or the scene's target where the table has none.
 struct ClockChoice {
   std::optional<double> lane_mhz;       ///< of all lanes
   std::optional<double> reference_mhz;  ///< of all references

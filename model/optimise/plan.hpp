@@ -7,7 +7,7 @@
 
 namespace mixcmp::model {
 
-/// What a plan was found from.
+/// The inputs from which a plan was found, as the plan file names them.
 struct PlanSource {
   std::string scene_file;    ///< path of the scene as seen from the plan file
   Setting::Table overrides;  ///< keys given by --set, by section; the plan repeats them

@@ -5,7 +5,7 @@
 
 namespace mixcmp::model {
 
-/// What the paper published of one of its two devices, in Tables III and IV and section V.
+/// The paper's results for one of its two devices, from Tables III and IV and section V.
 struct PublishedDevice {
   const char* device;  ///< our name of it
   int technology_nm;

@@ -28,7 +28,7 @@ struct ErrorPart {
 /// One element per part of the comparison.
 using ErrorLane = std::vector<ErrorPart>;
 
-/// What all samples share: built once, read by all threads.
+/// The data that all samples share: built once, read by all threads.
 struct ErrorJob {
   const Scene& scene;
   const OperandSource& source;

@@ -117,7 +117,7 @@ NodeMagnitude magnitude_of(const std::vector<double>& values) {
       magnitude.least = std::min(magnitude.least, std::ilogb(value));
     }
   }
-  // All values are zero: any exponents hold, and with 0 no arithmetic on them overflows.
+  // All values are zero: any exponents are valid, and no arithmetic on 0 overflows.
   if (magnitude.least == -unknown) magnitude.grid = magnitude.least = 0;
   return magnitude;
 }

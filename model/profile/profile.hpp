@@ -64,7 +64,7 @@ enum class SystemKind {
   certified,
 };
 
-/// What one kind of system did at one precision.
+/// The counts of one kind of system at one precision.
 struct SystemCounts {
   bool exists = false;
   std::uint64_t undecided = 0;  ///< recomputed

@@ -9,7 +9,7 @@
 
 namespace mixcmp::model {
 
-/// What all comparisons share: built once, read by all threads.
+/// The data that all comparisons share: built once, read by all threads.
 struct RateJob {
   const Scene& scene;
   const OperandSource& source;

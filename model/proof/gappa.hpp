@@ -6,7 +6,7 @@
 
 namespace mixcmp::model::proof {
 
-/// What Gappa (https://gappa.gitlabpages.inria.fr) answers to a script. It never refutes by a
+/// The answer of Gappa (https://gappa.gitlabpages.inria.fr) to a script. It never refutes by a
 /// counterexample: `not_proven` is a search that ended without a proof.
 enum class GappaVerdict {
   proven,

@@ -39,7 +39,7 @@ public:
   NodeRanges(const Lane& lane, NodeProver& nodes);
 
   /// Proves the ranges of the node and of all nodes that it depends on, each once. Returns the
-  /// range even if the proof fails; the findings, which the NodeProver holds, tell.
+  /// range even if the proof fails; whether it is proven stands in the findings of the NodeProver.
   const Range& prove_range(NodeId id);
 
 private:

@@ -10,7 +10,8 @@
 namespace mixcmp::model::proof {
 namespace {
 
-/// As low as Gappa accepts, and below every exponent of a format's results.
+/// The lowest exponent of a rounding operator: as low as Gappa accepts, and below every exponent of
+/// a format's results.
 constexpr int lowest_exponent = -65000;
 
 std::string relative_fact(const std::string& truth, const std::string& computed,
