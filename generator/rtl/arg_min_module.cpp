@@ -100,7 +100,7 @@ Module arg_min_module(const EngineShape& engine, const SystemShape& system) {
   consume_padding("s_axis_tdata", engine.row_bits(), engine.row_bytes() * 8, items);
   Instance around = arg_min_instance(engine, system, items);
   items.push_back(std::move(around));
-  // The engine keeps the rows' tags: the system's own say nothing.
+  // The engine keeps the rows' tags itself: the system's own tags are unused zeros.
   items.push_back(system_instance(system, zeros(system.lanes * system.tag_bits)));
   return module;
 }

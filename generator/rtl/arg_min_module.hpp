@@ -4,10 +4,11 @@
 
 namespace mixcmp::gen {
 
-/// The template that makes the comparisons, unconnected.
+/// The template arg_min_engine, which makes the comparisons, with its parameters; unconnected.
 TemplateInstance arg_min_template(const EngineShape& engine, const SystemShape& system);
 
-/// Candidates and rows in, indices out, the system between.
+/// The engine's top module around the system: it takes candidates and rows, and returns the index
+/// of the best candidate for each row.
 rtl::Module arg_min_module(const EngineShape& engine, const SystemShape& system);
 
 }  // namespace mixcmp::gen

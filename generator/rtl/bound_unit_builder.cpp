@@ -91,9 +91,10 @@ std::vector<Parameter> BoundUnitBuilder::parameters(const BoundNode& node, const
   return parameters;
 }
 
-/// Whether a value that nothing exceptional led to may be subnormal. The hazards of an operation
-/// tell what it gives; where subnormal numbers are flushed, one as an operand makes its user
-/// exceptional.
+/// Tells whether a value may be subnormal although no operation before it was exceptional. Under
+/// `flush` it may not, since an operation that reads a subnormal operand is exceptional. Otherwise
+/// the result of an operation may if its hazards include underflow; inputs and constants always
+/// may.
 bool BoundUnitBuilder::may_be_subnormal(NodeId value) const {
   if (lane_.graph.arithmetic.subnormals == model::Subnormals::flush) return false;
   const bool is_result = model::arity(lane_.graph.nodes[value].operation) > 0;

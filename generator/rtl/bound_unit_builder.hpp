@@ -8,8 +8,8 @@
 
 namespace mixcmp::gen {
 
-/// Adds a part's absolute error bound to its datapath, once the nodes are built: a unit an
-/// operation of the bound graph, its operands balanced by the datapath's shared delays.
+/// Adds a part's absolute error bound to its datapath, once the nodes are built: one unit for each
+/// operation of the bound graph. The datapath's shared delays balance the units' operands.
 class BoundUnitBuilder {
 public:
   BoundUnitBuilder(DatapathBuilder& datapath, const model::SharedLane& lane,
@@ -18,9 +18,9 @@ public:
 
   void build();
 
-  /// What the difference must exceed.
+  /// The bound that the difference must exceed.
   const Signal& bound() const { return bounds_.back(); }
-  /// Flags, one a condition, set where it does not hold.
+  /// One flag per condition; it is set where the condition does not hold.
   const std::vector<Signal>& failures() const { return failures_; }
 
 private:

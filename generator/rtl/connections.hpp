@@ -5,7 +5,7 @@
 
 #include "generator/rtl/module.hpp"
 
-/// Ports and connections as the modules of streams have them.
+/// Shorthands for the ports and connections of modules with streams.
 namespace mixcmp::gen::rtl {
 
 inline void add_input(std::vector<Port>& ports, int width, const std::string& name,
@@ -18,7 +18,7 @@ inline void add_output(std::vector<Port>& ports, int width, const std::string& n
   ports.push_back({Direction::output, width, name, vector});
 }
 
-/// A port and the net of its name.
+/// Connects a port to the net of the same name.
 inline Connection same(const std::string& name) {
   return {name, net(name)};
 }

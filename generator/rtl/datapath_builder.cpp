@@ -13,7 +13,7 @@ using model::Operation;
 using model::TypedGraph;
 using model::TypedNode;
 
-/// What an integrator's ports and our own fixed nets are called in a datapath.
+/// Names that no input may take: the fixed ports and nets of a datapath.
 const std::set<std::string> reserved_names = {"aclk", "verdict", "decided", "decision"};
 
 std::set<std::string> taken_names(const std::vector<std::string>& ports) {
@@ -172,7 +172,8 @@ void DatapathBuilder::build_unit(NodeId id) {
   if (exceptional_ == ExceptionalFlags::gathered) gather_flags(id);
 }
 
-/// A root of a negative number is never ruled out.
+/// Tells whether the unit's `exceptional` output is read. That of a square root is, whatever the
+/// hazards say: they never rule out a negative operand.
 bool DatapathBuilder::gathers_flag(NodeId id) const {
   if (exceptional_ == ExceptionalFlags::unused) return false;
   if (hazards_.empty() || graph_.nodes[id].operation == Operation::square_root) return true;
@@ -188,8 +189,8 @@ Operand DatapathBuilder::flag_output(NodeId id) {
   return net(name);
 }
 
-/// A flag travels with the value: it is set where this operation or one before it was
-/// exceptional.
+/// Builds the flag that travels with the value: it is set where this operation or one before it
+/// was exceptional.
 void DatapathBuilder::gather_flags(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
   const int cycle = schedule_.steps[id].ready_cycle;

@@ -23,40 +23,42 @@ struct Signal {
 /// The later cycles in which each signal is needed.
 using DelayPlan = std::map<std::string, std::set<int>>;
 
-/// What becomes of the units' `exceptional` outputs.
+/// How a datapath uses the `exceptional` outputs of its units.
 enum class ExceptionalFlags {
   gathered,  ///< a flag travels with each value
-  unused,
+  unused,    ///< no flag is read
 };
 
 /// Collects the items of one datapath. Delays are shared: a value needed in several later cycles
-/// goes through one chain of delay lines with taps. So that a tap can be laid before a later one, a
-/// first pass over the datapath (with an empty plan) learns the plan for the second.
+/// goes through one chain of delay lines with a tap for each of these cycles. The chain is built
+/// from its earliest tap on, so all cycles must be known before: a first pass over the datapath,
+/// with an empty plan, collects them in the plan for the second.
 class DatapathBuilder {
 public:
-  /// `parts`: which nodes are compared. `hazards`: of each operation, or empty where nothing is
+  /// `parts`: the nodes f and g of each part. `hazards`: one per node, or empty where nothing is
   /// ruled out.
   DatapathBuilder(const std::vector<std::string>& inputs, const model::TypedGraph& graph,
                   const std::vector<model::Sides>& parts, std::vector<model::Hazards> hazards,
                   const Schedule& schedule, ExceptionalFlags exceptional, DelayPlan plan);
 
-  /// aclk and the operands.
+  /// The ports aclk and one per operand.
   std::vector<rtl::Port> data_ports() const;
 
-  /// Every operation of the graph, with the delays that balance its operands.
+  /// Builds every operation of the graph, with the delays that balance its operands.
   void build_nodes();
 
   const Signal& value(model::NodeId node) const { return values_[node]; }
-  /// Set where the node or one before it was exceptional; only where flags are gathered.
+  /// A flag that is set where the node or one before it was exceptional. It is constantly 0 where
+  /// flags are not gathered.
   const Signal& flag(model::NodeId node) const { return flags_[node]; }
 
   const std::string& port(int input) const { return ports_[input]; }
   const std::string& name(model::NodeId node) const { return names_[node]; }
-  /// One name a node.
+  /// One name per node.
   const std::vector<std::string>& names() const { return names_; }
   NamePool& pool() { return pool_; }
 
-  /// `signal` as it was, delayed to `cycle`.
+  /// `signal` delayed to `cycle`, which must not be earlier than signal.cycle.
   rtl::Operand at(const Signal& signal, int cycle);
   /// One flag that is set where any of `signals` is, in `cycle`.
   rtl::Operand any_at(const std::vector<Signal>& signals, int cycle);
@@ -92,8 +94,8 @@ private:
   std::vector<rtl::Item> items_;
 };
 
-/// The ports that a datapath gives its inputs: one that bears the name of another port gets "_2"
-/// appended.
+/// The port names that a datapath gives its inputs: an input with a reserved name, such as "aclk",
+/// gets "_2" appended.
 std::vector<std::string> input_ports(const std::vector<std::string>& inputs);
 
 /// The value of a unit's CUTS parameter.

@@ -19,16 +19,16 @@ std::vector<Parameter> format_parameters(FloatFormat format) {
   return {{"EXPONENT_BITS", format.exponent_bits()}, {"PRECISION", format.precision()}};
 }
 
-/// The decision of one part: the module's own outputs where there is one part.
+/// The signals of one part's decision; with a single part they are the module's own outputs.
 struct PartDecision {
   std::string instance;
   Signal verdict;
-  Signal decided;  ///< of a reference: nothing
+  Signal decided;  ///< null in a reference, which always decides
 };
 
 enum class Decides { sometimes, always };
 
-/// The comment and the nets of a part's decision.
+/// Adds the comment and the nets of a part's decision.
 PartDecision begin_decision(DatapathBuilder& builder, const Step& step, std::size_t part,
                             std::size_t parts, Decides decides, std::string_view what) {
   const bool alone = parts == 1;
@@ -47,7 +47,7 @@ PartDecision begin_decision(DatapathBuilder& builder, const Step& step, std::siz
   return decision;
 }
 
-/// Builds a lane part by part.
+/// Builds the decisions of a lane, part by part.
 class LaneDecisions {
 public:
   LaneDecisions(DatapathBuilder& builder, const model::SharedLane& lane, const Schedule& schedule)
@@ -120,7 +120,7 @@ private:
 
   PartDecision build(std::size_t part, const model::IntervalDecision& decision,
                      const Signal& out_of_range) {
-    // The paper's decision has no input for doubts.
+    // The unit of the paper's decision has no `exceptional` input.
     MIXCMP_CHECK(out_of_range.value == nullptr);
     const Step& step = schedule_.parts[part].decision;
     const Operand minimum = builder_.at(builder_.value(decision.minimum), step.start_cycle);
@@ -169,7 +169,7 @@ PartDecision build_comparison(DatapathBuilder& builder, const model::SharedGraph
   return made;
 }
 
-/// One signal of every part in `cycle`, part 0 in the lowest bits.
+/// Concatenates one signal of every part, delayed to `cycle`; part 0 is in the lowest bits.
 Operand gathered(DatapathBuilder& builder, const std::vector<PartDecision>& parts,
                  Signal PartDecision::*signal, int cycle) {
   std::vector<Operand> fields;
@@ -177,7 +177,7 @@ Operand gathered(DatapathBuilder& builder, const std::vector<PartDecision>& part
   return concatenation({fields.rbegin(), fields.rend()});
 }
 
-/// One verdict of several parts'; nothing to do for one.
+/// Combines the parts' verdicts into one. A single part needs no combination.
 void build_combination(DatapathBuilder& builder, model::Combination combination,
                        const std::vector<PartDecision>& parts, const Step& step) {
   if (parts.size() == 1) return;

@@ -14,7 +14,8 @@ namespace mixcmp::gen {
 rtl::Module lane_module(std::string name, const std::vector<std::string>& inputs,
                         const model::CombinedLane& lane, const Schedule& schedule);
 
-/// The reference datapath: ports aclk, one per input, verdict[1:0]. As above.
+/// The reference datapath: ports aclk, one per input, verdict[1:0]. Timing, reset and `header` are
+/// those of lane_module.
 rtl::Module reference_module(std::string name, const std::vector<std::string>& inputs,
                              const model::CombinedGraph& reference, const Schedule& schedule);
 

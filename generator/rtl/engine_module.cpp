@@ -9,7 +9,7 @@
 namespace mixcmp::gen {
 namespace {
 
-/// The column of the engine's items that holds this input; it is added where it is new.
+/// Finds the column of the items or of the rows that holds this input; adds it where it is new.
 EngineShape::Source source_of(const std::string& input, EngineShape& engine) {
   const auto of_item = model::item_column(input);
   const bool pairwise = engine.spec.kind == model::EngineKind::pairwise;

@@ -10,20 +10,20 @@
 
 namespace mixcmp::gen {
 
-/// What an engine and the system inside it agree on.
+/// Names and widths that an engine and the system inside it agree on.
 struct EngineShape {
-  /// The place of an operand of the comparison.
+  /// Where an operand of the comparison comes from: a column of one of its items.
   struct Source {
-    std::size_t column;  ///< of its item's
+    std::size_t column;  ///< index in the columns of the item
     model::Item item;
   };
 
   std::string top;
   model::EngineSpec spec;
   int capacity = 0;                  ///< items of a set, or candidates
-  std::vector<std::string> columns;  ///< of an item, the first lowest, in the order of first use
-  std::vector<std::string> row_columns;  ///< of a row, likewise; none of a pairwise engine
-  std::vector<Source> sources;           ///< one an input
+  std::vector<std::string> columns;  ///< of an item, lowest bits first, in the order of first use
+  std::vector<std::string> row_columns;  ///< of a row, as `columns`; empty for a pairwise engine
+  std::vector<Source> sources;           ///< one per input
   int column_width = 0;                  ///< bits of one column
 
   const std::vector<std::string>& columns_of(model::Item item) const {
@@ -34,16 +34,17 @@ struct EngineShape {
   int row_bytes() const { return (row_bits() + 7) / 8; }
   int item_bits() const { return column_width * static_cast<int>(columns.size()); }
   int item_bytes() const { return (item_bits() + 7) / 8; }
-  /// Width in bits of an item's number in a report, padded to bytes.
+  /// Width in bits of an item's number on an output stream, padded to bytes.
   int index_field_bits() const { return (index_bits() + 7) / 8 * 8; }
 };
 
-/// The engine of a scene; none where it asks for none. `inputs`: the expression's.
+/// The engine that `spec` asks for; nullopt if it asks for none. `inputs`: the names of the
+/// expression's inputs.
 std::optional<EngineShape> engine_shape(const SystemShape& system,
                                         const std::vector<std::string>& inputs,
                                         const model::EngineSpec& spec);
 
-/// The whole: the engine around the system. Each kind has a file of its own.
+/// The engine's top module, with the system inside. Each kind of engine has its own source file.
 rtl::Module engine_module(const EngineShape& engine, const SystemShape& system);
 
 }  // namespace mixcmp::gen

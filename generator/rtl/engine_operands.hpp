@@ -7,7 +7,8 @@
 
 #include "generator/rtl/engine_module.hpp"
 
-/// What the modules of all engines need: operands out of items, and the system they feed.
+/// Parts that the modules of all engines share: operands taken out of items, counters, and the
+/// instance of the system.
 namespace mixcmp::gen {
 
 /// The nets that hold the items of a comparison, by model::Item; empty where there is none.
@@ -18,24 +19,26 @@ using ItemNets = std::array<std::string, 3>;
 void map_operands(const EngineShape& engine, const SystemShape& system, const ItemNets& nets,
                   const rtl::Operand& target, std::vector<rtl::Item>& items);
 
+/// A generate loop with `variable` from 0 to count - 1.
 std::shared_ptr<const rtl::ForGenerate> loop(const std::string& variable, int count,
                                              const std::string& label,
                                              std::vector<rtl::Item> items);
 
-/// Consumes the bits of `port` above `bits`, if it has some.
+/// Consumes the bits of `port` above its lowest `bits`, if there are any.
 void consume_padding(const std::string& port, int bits, int port_bits,
                      std::vector<rtl::Item>& items);
 
-/// The counters of each lane, and all counters as ports of an engine.
+/// The names of the counters that each lane has.
 const std::vector<std::string>& lane_counters();
+/// Adds the counters of the lanes and of the engine to its ports, if the system counts at all.
 void add_counters(const SystemShape& system, const std::vector<std::string>& engine_counters,
                   std::vector<rtl::Port>& ports);
-/// To the engine's ports, or to nets that say that nobody counts.
+/// Connects the engine's counters to its ports or, if the system does not count, to unused nets.
 void connect_counters(const SystemShape& system, const std::vector<std::string>& engine_counters,
                       std::vector<rtl::Item>& items, std::vector<rtl::Connection>& connections);
 
-/// The system, its streams connected to pair_*, operands and result_*; `tag` goes in with each
-/// pair.
+/// An instance of the system: its streams are connected to the nets pair_*, operands and result_*,
+/// its s_axis_tuser to `tag`.
 rtl::Instance system_instance(const SystemShape& system, const rtl::Operand& tag);
 
 }  // namespace mixcmp::gen

@@ -35,7 +35,7 @@ struct Literal {
   int width;
   model::Bits value;
 };
-/// `width` zeros; wider than a Literal may be.
+/// `width` zero bits; `width` may exceed what a Literal holds.
 struct Zeros {
   int width;
 };
@@ -94,7 +94,7 @@ struct Comment {
 struct Wire {
   int width;
   std::string name;
-  Operand value;  ///< may be null
+  Operand value;  ///< null: driven by an instance or an assignment
   bool vector = false;
 };
 struct Assignment {
@@ -110,7 +110,7 @@ struct Instance {
 struct ForGenerate;
 using Item = std::variant<Comment, Wire, Assignment, Instance, std::shared_ptr<const ForGenerate>>;
 
-/// The items once for each of `count` values of `variable`, from `first` on.
+/// A generate loop: `items` repeated for `count` values of `variable`, from `first` on.
 struct ForGenerate {
   std::string variable;
   int first;
@@ -126,12 +126,13 @@ struct Module {
   std::vector<Item> items;
 };
 
-/// Every instance, those in loops included.
+/// All instances in the module, those inside loops included.
 std::vector<const Instance*> instances(const Module& module);
-/// The names of the modules it instantiates.
+/// The names of the modules that `module` instantiates.
 std::set<std::string> instantiated_modules(const Module& module);
 
-/// The items with other modules' names in the instances, those in loops included.
+/// Returns `items` with the module name of every instance, those inside loops included, replaced
+/// by new_name(name).
 std::vector<Item> with_modules_renamed(std::vector<Item> items,
                                        const std::function<std::string(std::string)>& new_name);
 

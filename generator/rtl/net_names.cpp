@@ -18,7 +18,7 @@ using model::Operation;
 using model::TypedGraph;
 using model::TypedNode;
 
-/// Beyond this an identifier is no longer read but skipped.
+/// The most characters of a spelled-out name: readers skip longer identifiers.
 constexpr std::size_t longest_spelled_name = 28;
 
 std::string spelled(const TypedNode& node, const std::string& a, const std::string& b) {

@@ -19,22 +19,22 @@ private:
   std::set<std::string> taken_;
 };
 
-/// A role word for every node: inputs bear their ports' names, f and g are "f" and "g" (of several
-/// parts "f_0", "g_0", "f_1", ...), short expressions spell themselves out
-/// ("cxi_minus_cxj_squared"), longer ones say what they are ("sum").
+/// A name for every node: inputs bear their ports' names; f and g are "f" and "g" (with several
+/// parts "f_0", "g_0", "f_1", ...); short expressions are spelled out ("cxi_minus_cxj_squared");
+/// longer ones are named after their operation ("sum").
 std::vector<std::string> name_nodes(const model::TypedGraph& graph,
                                     const std::vector<model::Sides>& parts,
                                     const std::vector<std::string>& ports, NamePool& pool);
 
-/// What tells the nets of a part from those of another: "_2"; nothing where there is one part.
+/// The suffix of the nets that belong to one part: "_2"; empty where there is only one part.
 std::string part_suffix(std::size_t part, std::size_t parts);
 
 /// The operation in words of its operands' names: "cxi - cxj".
 std::string formula(const model::TypedGraph& graph, model::NodeId node,
                     const std::vector<std::string>& names);
 
-/// A role word for every node of an error bound, in words of the values' names: the last is
-/// "error_bound" and its part's suffix, what depends on a value says how ("cxi_rounded_binade").
+/// A name for every node of an error bound. The last is "error_bound" with its part's suffix; a
+/// node that reads a value of the lane is named after it ("cxi_rounded_binade").
 std::vector<std::string> name_bounds(const model::BoundGraph& bound, const std::string& suffix,
                                      const std::vector<std::string>& values, NamePool& pool);
 

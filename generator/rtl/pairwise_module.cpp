@@ -28,7 +28,7 @@ std::vector<Port> pairwise_ports(const EngineShape& engine, const SystemShape& s
   return ports;
 }
 
-/// The operands of a pair, from its two items: `pair` to `target`.
+/// Assigns to `target` the operands of the two items in `pair`; item i is in its lower half.
 void map_pair(const EngineShape& engine, const SystemShape& system, const Operand& pair,
               const Operand& target, std::vector<Item>& items) {
   const int bits = engine.item_bits();
@@ -91,7 +91,8 @@ void declare_refetch_streams(const EngineShape& engine, const SystemShape& syste
   items.push_back(loop("reference", references, "reference_operands", std::move(mapping)));
 }
 
-/// The engine's side of the references, or of none.
+/// Connects the engine's refetch ports to the references' streams, or ties them off if there is no
+/// reference.
 void connect_refetch(const EngineShape& engine, const SystemShape& system, std::vector<Item>& items,
                      std::vector<Connection>& connections) {
   if (system.recomputes()) {

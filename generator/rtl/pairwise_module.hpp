@@ -4,10 +4,10 @@
 
 namespace mixcmp::gen {
 
-/// The template that makes the comparisons, unconnected.
+/// The template pairwise_engine, which makes the comparisons, with its parameters; unconnected.
 TemplateInstance pairwise_template(const EngineShape& engine, const SystemShape& system);
 
-/// Items in, reports out, the system between.
+/// The engine's top module around the system: it takes items and returns reports of pairs.
 rtl::Module pairwise_module(const EngineShape& engine, const SystemShape& system);
 
 }  // namespace mixcmp::gen

@@ -41,7 +41,7 @@ Signal build_check(DatapathBuilder& builder, const RangeCheck& check, FloatForma
   return {net(name), name, 1, step.ready_cycle};
 }
 
-/// One a check; nothing where it is a sign alone.
+/// One flag per check; an empty Signal for a check of the sign alone.
 std::vector<Signal> build_magnitude_checks(DatapathBuilder& builder, const model::SharedLane& lane,
                                            const Schedule& schedule) {
   std::vector<Signal> flags;
@@ -60,7 +60,7 @@ std::vector<Signal> build_magnitude_checks(DatapathBuilder& builder, const model
   return flags;
 }
 
-/// The checks of one part after another, with what they share.
+/// Builds the checks part by part. Parts with the same checks share one flag.
 class PartChecks {
 public:
   PartChecks(DatapathBuilder& builder, const model::SharedLane& lane, const Schedule& schedule)
@@ -93,7 +93,7 @@ private:
     return {net(name), name, 1, cycle};
   }
 
-  /// The sign bits that must not be set, and those inverted that must.
+  /// Builds a flag that is set where an operand has a wrong sign, for checks of the sign alone.
   Signal build_signs(const std::vector<std::size_t>& checks, const std::string& suffix) {
     std::vector<Operand> wrong;
     for (const std::size_t index : checks) {

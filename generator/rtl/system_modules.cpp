@@ -55,8 +55,8 @@ std::vector<Port> lane_channel_ports(const SystemShape& shape) {
   return ports;
 }
 
-/// What the scoreboard offers and nobody takes: requests where there is no reference, counters
-/// where none are wanted.
+/// Connects the requests, answers and counters of a lane's tracker. Requests and answers are tied
+/// off where there is no reference, counters where none are wanted.
 void tie_off(const SystemShape& shape, std::vector<Item>& items,
              std::vector<Connection>& connections) {
   if (shape.recomputes()) {
@@ -94,7 +94,8 @@ void add_per_reference_refetch(std::vector<Port>& ports, const SystemShape& shap
   add_input(ports, count * bits, "s_refetch_tdata", vector);
 }
 
-/// The refetch streams of a reference_port, to the channel's ports or to nowhere.
+/// Connects the refetch streams of a reference_port to the channel's ports, or ties them off where
+/// operands are carried.
 void connect_refetch(const SystemShape& shape, std::vector<Item>& items,
                      std::vector<Connection>& connections) {
   if (shape.refetches()) {
@@ -141,8 +142,9 @@ std::vector<Port> top_ports(const SystemShape& shape) {
   return ports;
 }
 
-/// A wire of the top between the crossbar and the channels: one field a lane or reference, named
-/// after the channel's port behind a prefix.
+/// A wire of the top between the crossbar and the channels, with one field per lane or reference.
+/// Its name is that of the channel's port with the side, "lane" or "reference", for the first
+/// letter.
 struct Bundle {
   std::string port;
   int width;
@@ -175,7 +177,8 @@ void declare(std::vector<Item>& items, const std::vector<Bundle>& bundles, const
   }
 }
 
-/// The padding bits of one comparison's tdata are not looked at: a name says so to the linters.
+/// Consumes the padding bits of one comparison's tdata, so that linters accept that they are
+/// unread.
 void consume_padding(const SystemShape& shape, std::vector<Item>& items, const std::string& word,
                      const std::string& unused_name) {
   const int padding = shape.tdata_bytes() * 8 - shape.operand_bits();
@@ -186,7 +189,7 @@ void consume_padding(const SystemShape& shape, std::vector<Item>& items, const s
            all_bits(concatenation({literal(1, 0), slice(word, top, top - padding + 1)}))});
 }
 
-/// The group's channels, one for each value of `variable`, beside `items`.
+/// A generate loop over the group's channels; each iteration holds `items` and one channel.
 Item channel_loop(const std::string& variable, const DatapathGroup& group, std::vector<Item> items,
                   std::vector<Connection> connections) {
   items.push_back(Instance{group.channel, "channel", {}, std::move(connections)});
@@ -246,7 +249,7 @@ Item reference_loop(const SystemShape& shape, const DatapathGroup& group) {
   return channel_loop("reference", group, std::move(items), std::move(connections));
 }
 
-/// The crossbar faces both sides: what a channel sends, it receives.
+/// Connects a port of the crossbar, which mirrors the channel's: what a channel sends, it receives.
 Connection facing(const Bundle& bundle, const std::string& side) {
   const std::string mirrored = bundle.port[0] == 'm' ? "s" : "m";
   return {mirrored + bundle.port.substr(1), net(bundle.wire(side))};

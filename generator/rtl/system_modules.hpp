@@ -11,10 +11,10 @@ namespace mixcmp::gen {
 /// Lanes or references of one kind.
 struct DatapathGroup {
   std::string datapath;  ///< the module's name
-  std::string channel;   ///< the same with its streams
+  std::string channel;   ///< the module that surrounds the datapath with its streams
   std::string label;     ///< of the loop that instantiates the channels
   int latency_cycles = 0;
-  int first = 0;  ///< the number of its first
+  int first = 0;  ///< the number of the group's first lane or reference
   int count = 0;
 };
 
@@ -37,10 +37,10 @@ struct SystemShape {
   int tdata_bytes() const { return (operand_bits() + 7) / 8; }
   /// Bits of a tag on the refetch stream, padded to bytes as AXI4-Stream wants it.
   int refetch_bits() const { return (tag_bits + 7) / 8 * 8; }
-  int lane_bits() const;     ///< to number the lanes, at least 1
-  int payload_bits() const;  ///< of a recomputation request
+  int lane_bits() const;     ///< width of a lane's number, at least 1
+  int payload_bits() const;  ///< width of a recomputation request's operands or tag
   int counter_port_bits() const { return counter_bits == 0 ? 1 : counter_bits; }
-  /// From in to out beside the lane, of a decided comparison that never waits.
+  /// Cycles that the channel adds to its lane's latency, for a decided comparison that never waits.
   int channel_latency_cycles() const;
   bool recomputes() const { return references > 0; }
   bool refetches() const { return recomputes() && operands == model::OperandStore::refetched; }
@@ -51,16 +51,16 @@ struct TemplateInstance {
   std::string module;
   std::vector<rtl::Parameter> parameters;
 };
-/// The scoreboard or reorder buffer around one lane of that latency.
+/// The scoreboard or reorder buffer around a lane with this latency.
 TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cycles);
-/// Between all lanes and all references.
+/// The crossbar between all lanes and all references.
 TemplateInstance crossbar_template(const SystemShape& shape);
 
 /// A lane with its scoreboard or reorder buffer: one stream of comparisons in, one of results out,
 /// requests for recomputation out, answers in.
 rtl::Module lane_channel_module(const SystemShape& shape, const DatapathGroup& lane);
 
-/// A reference datapath with the port that feeds it. Only where shape.recomputes().
+/// A reference datapath with the reference_port that feeds it; only for a shape that recomputes().
 rtl::Module reference_channel_module(const SystemShape& shape, const DatapathGroup& reference);
 
 /// The whole system: lanes, crossbar, references.
