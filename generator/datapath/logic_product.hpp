@@ -4,7 +4,8 @@
 
 namespace mixcmp::gen {
 
-/// How long the carry chains of rtl_templates/fp/fp_logic_product.v are: the same rows and levels.
+/// Lengths of the carry chains in rtl_templates/fp/fp_logic_product.v, whose rows and levels this
+/// class repeats.
 class LogicProduct {
 public:
   static constexpr int levels = 7;
@@ -23,7 +24,7 @@ public:
     return longest;
   }
 
-  /// How many low bits of a sum are final, for its upper addend begins above them.
+  /// The low bits of a sum that are final at once, since its upper addend begins above them.
   static int shift_bits(int level) { return 2 * rows_below(level); }
 
 private:

@@ -57,7 +57,7 @@ public:
     }
   }
 
-  /// One part of a lane.
+  /// Places the bound, the conditions and the decision of one part of a lane.
   void decide(const model::SharedPart& part, FloatFormat format) {
     PartSchedule schedule;
     int start = 0;
@@ -81,7 +81,7 @@ public:
            start);
   }
 
-  /// One part of a reference.
+  /// Places the comparison of one part of a reference.
   void compare(const model::Sides& part, FloatFormat format) {
     decide({}, compare_unit(format, delays_), {part.f, part.g}, 0);
   }
@@ -119,7 +119,7 @@ private:
     }
   }
 
-  /// Once these nodes are there, and not before cycle `start`.
+  /// Places a decision as soon as the nodes `decided_from` are ready, but not before cycle `start`.
   void decide(PartSchedule schedule, Unit decision, const std::vector<NodeId>& decided_from,
               int start) {
     start = std::max(start, latest(schedule_.steps, decided_from));
@@ -156,8 +156,9 @@ private:
     return cuts;
   }
 
-  /// From the operands on: a register goes behind the stage `forced` and in front of the first
-  /// stage that would not fit. For a chain of stages this needs the fewest registers.
+  /// Places registers from the operands on: one behind the stage `forced` (-1: none), and one in
+  /// front of each stage that would not fit into the period. For a chain of stages this needs the
+  /// fewest registers.
   std::vector<bool> greedy_cuts(const Unit& unit, int forced) const {
     MIXCMP_CHECK(!unit.stages.empty());
     std::vector<bool> cuts(unit.stages.size(), false);

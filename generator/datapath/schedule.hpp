@@ -14,24 +14,24 @@ namespace mixcmp::gen {
 struct Step {
   Unit unit;               ///< module is empty where the operation is only wires
   std::vector<bool> cuts;  ///< which cut points are registered; the last always is
-  int start_cycle = 0;     ///< operands are read
-  int ready_cycle = 0;     ///< the result is there
+  int start_cycle = 0;     ///< the cycle in which the operands are read
+  int ready_cycle = 0;     ///< the cycle in which the result is at the output
 };
 
-/// What turns f and g of one part into a verdict.
+/// The schedule of the units that turn f and g of one part into a verdict.
 struct PartSchedule {
   std::vector<Step> bounds;      ///< one per node of a lane's absolute bound
   std::vector<Step> conditions;  ///< one per condition of that bound
   Step decision;
 };
 
-/// When each node of a graph is computed; every path is balanced by delays of
-/// start_cycle - (ready_cycle of the operand).
+/// When each node of a graph is computed. All paths are balanced: an operand is delayed by
+/// start_cycle of the operation that reads it, less its own ready_cycle.
 struct Schedule {
   std::vector<Step> steps;   ///< one per node of the graph that all parts share
-  std::vector<Step> checks;  ///< one per range check of a lane; wires where it is a sign alone
+  std::vector<Step> checks;  ///< one per range check of a lane; a check of a sign alone is wires
   std::vector<PartSchedule> parts;
-  Step combination;        ///< of several parts' verdicts, once all are there; else nothing
+  Step combination;        ///< of the verdicts of several parts; no unit if there is one part
   int latency_cycles = 0;  ///< from operands to verdict
   /// Stages that no cut can bring under the period, as estimated from the delay table.
   std::vector<std::string> slow_stages;

@@ -15,25 +15,25 @@ inline int bits_for(int value) {
   return std::bit_width(static_cast<unsigned>(value));
 }
 
-/// LUTs in a row that reduce `bits` to one.
+/// Depth in LUTs, of six inputs each, of a tree that reduces `bits` bits to one.
 inline int reduction_levels(int bits) {
   int levels = 0;
   for (int left = bits; left > 1; left = (left + 5) / 6) ++levels;
   return levels;
 }
 
-/// LUTs in a row of a shifter by an amount of so many bits: a LUT is a choice of four.
+/// Depth in LUTs of a shifter whose amount has `amount_bits` bits: a LUT is a multiplexer of four.
 inline int shift_levels(int amount_bits) {
   return (amount_bits + 1) / 2;
 }
 
-/// LUTs in a row that count the leading zeros of `bits`: a tree whose nodes join two halves, two
-/// of its levels to three LUTs.
+/// Depth in LUTs of a leading-zero counter of `bits` bits: a binary tree, three levels of which are
+/// two LUTs deep.
 inline int count_levels(int bits) {
   return (2 * bits_for(bits) + 2) / 3;
 }
 
-/// The stages of one unit, in order; the arithmetic of delays in one place.
+/// Collects the stages of one unit in order, with their delays by a device's delay table.
 class StageList {
 public:
   explicit StageList(const DelayTable& delays) : delays_(delays) {}
@@ -56,7 +56,7 @@ private:
   std::vector<Stage> stages_;
 };
 
-/// fp_operand: nothing but wires where subnormals are flushed.
+/// The stages of fp_operand; they are only wires where subnormals are flushed.
 inline void StageList::add_operand(model::FloatFormat operands, model::Subnormals subnormals) {
   const bool normalises = subnormals == model::Subnormals::gradual;
   const int precision = operands.precision();
@@ -65,9 +65,10 @@ inline void StageList::add_operand(model::FloatFormat operands, model::Subnormal
   add("normalise", normalises ? luts(shift_levels(bits_for(precision))) : 0);
 }
 
-/// fp_embedded_product. A cut between rows delays the operands of the rows above: their multipliers
-/// work beside the adders of the rows below only with a register behind them. What has no cut of
-/// its own, rows above the fourth and columns after the third, is part of the stage that it is in.
+/// The stages of fp_embedded_product. A cut between two rows delays the operands of the rows above
+/// it. Without a register behind the multipliers, those rows would then multiply and add in one
+/// cycle, so such a cut needs the cut behind "multiply". Rows above the fourth and columns after the
+/// third have no cut of their own; their delays are part of the two last stages.
 inline void StageList::add_embedded_product(int precision) {
   constexpr int cut_rows = 4;
   const auto [a_bits, b_bits] = delays_.multiplier;
@@ -86,8 +87,9 @@ inline void StageList::add_embedded_product(int precision) {
   add("other sums", std::max(0, columns - 2) * sum);
 }
 
-/// The first row is gates in front of the first chain. A chain that follows another starts when
-/// that one has come to where it begins.
+/// The stages of fp_logic_product. The first row is one level of gates in front of the first carry
+/// chain. Without a register between them, a chain starts as soon as the chain before it has
+/// reached the place of its lowest bit.
 inline void StageList::add_logic_product(LogicProduct product) {
   int bits_before = 0, shift_before = 0;
   for (int level = 0; level < LogicProduct::levels; ++level) {
@@ -103,8 +105,8 @@ inline void StageList::add_logic_product(LogicProduct product) {
   }
 }
 
-/// fp_round; a fraction that arrives `dropped_bits` too wide is ORed into the sticky bit on the
-/// way.
+/// The stages of fp_round. The last `dropped_bits` bits of a fraction that arrives too wide are ORed
+/// into the sticky bit.
 inline void StageList::add_round(model::FloatFormat result, bool denormalises, int dropped_bits) {
   const int amount_bits = bits_for(result.precision() + 2);
   const double distance = carry(result.exponent_bits() + 2) + luts(1);

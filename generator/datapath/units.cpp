@@ -39,7 +39,7 @@ Unit add_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
   return std::move(stages).unit("fp_add");
 }
 
-/// The square of every subnormal operand is less than half the smallest result.
+/// Tells whether the square of every subnormal operand is less than half the smallest result.
 bool squares_vanish(FloatFormat operands, FloatFormat result) {
   return 2 * operands.bias() > result.bias() + result.precision();
 }
@@ -134,7 +134,7 @@ Unit bound_add_unit(BoundFormat bound, const DelayTable& delays) {
   return std::move(stages).unit("bound_add");
 }
 
-/// The significands' product is a row of additions a digit.
+/// The product of the significands is precision - 1 rows of additions.
 Unit bound_multiply_unit(BoundFormat bound, const DelayTable& delays) {
   StageList stages(delays);
   const double product = (bound.precision - 1) * stages.carry(bound.precision + 1);
@@ -151,7 +151,7 @@ Unit bound_magnitude_unit(FloatFormat lane, BoundFormat bound, const DelayTable&
   return std::move(stages).unit("bound_magnitude");
 }
 
-/// The units of a single stage.
+/// A unit of a single stage.
 Unit single_stage_unit(std::string module, std::string stage, double delay_ns) {
   return {.module = std::move(module), .stages = {{std::move(stage), delay_ns}}};
 }

@@ -17,10 +17,10 @@ using model::DelayTable;
 struct Stage {
   std::string name;  ///< as in the comment of the template
   double delay_ns;
-  /// What of delay_ns passes while the stage before is still at work, if no register is between
-  /// them: one carry chain runs along another. At most that stage's delay.
+  /// The part of delay_ns that passes while the stage before is still at work, if no register is
+  /// between the two: one carry chain runs along another. At most the delay of the stage before.
   double overlap_ns = 0;
-  /// A cut at the end of this stage asks for one at the end of that stage, too; -1: of none.
+  /// Index of an earlier stage that must end in a cut if this one does; -1: no such stage.
   int cut_needs = -1;
 };
 
@@ -29,23 +29,25 @@ struct Unit {
   std::string module;
   std::vector<Stage> stages;
   model::Multipliers multipliers = model::Multipliers::embedded;  ///< logic: print EMBEDDED = 0
-  model::MultiplierSize multiplier;  ///< of an embedded product: FACTOR_A, FACTOR_B
+  model::MultiplierSize multiplier;  ///< embedded multipliers only: FACTOR_A, FACTOR_B
 };
 
-/// A product with 2^exponent.
+/// A multiplication of the node `operand` by 2^exponent.
 struct Scaling {
   model::NodeId operand;
   int exponent;
 };
-/// What a multiplication does whose other operand is a power of two, encoded as a normal number. It
-/// takes no multiplier: its unit is a conversion that adds to the exponent.
+/// Recognises a multiplication by a constant power of two that is encoded as a normal number;
+/// nullopt for any other node. It takes no multiplier: its unit is a conversion that adds to the
+/// exponent.
 std::optional<Scaling> scaling_of(const model::TypedGraph& graph, const model::TypedNode& node);
 
 /// The unit that computes `node` of `graph` (not for input, constant, negate, absolute: those are
 /// wires).
 Unit unit_for(const model::TypedGraph& graph, const model::TypedNode& node,
               model::Multipliers multipliers, const DelayTable& delays);
-/// Likewise, whatever the operands are.
+/// The unit that computes `node` if nothing is known of its operands: a multiplication by a power
+/// of two takes a multiplier here.
 Unit unit_for(const model::TypedNode& node, model::Subnormals subnormals,
               model::Multipliers multipliers, const DelayTable& delays);
 Unit compare_unit(model::FloatFormat format, const DelayTable& delays);
@@ -60,7 +62,7 @@ Unit bound_unit(model::BoundOperation operation, model::FloatFormat lane, model:
 Unit bound_at_most_unit(model::BoundFormat bound, const DelayTable& delays);
 Unit bound_decision_unit(model::FloatFormat lane, model::BoundFormat bound,
                          const DelayTable& delays);
-/// Not for a sign alone: that is a wire.
+/// The unit of a range check (not for a check of the sign alone: that is a wire).
 Unit range_check_unit(const model::RangeCheck& check, const DelayTable& delays);
 
 }  // namespace mixcmp::gen
