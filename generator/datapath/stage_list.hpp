@@ -67,8 +67,8 @@ inline void StageList::add_operand(model::FloatFormat operands, model::Subnormal
 
 /// The stages of fp_embedded_product. A cut between two rows delays the operands of the rows above
 /// it. Without a register behind the multipliers, those rows would then multiply and add in one
-/// cycle, so such a cut needs the cut behind "multiply". Rows above the fourth and columns after the
-/// third have no cut of their own; their delays are part of the two last stages.
+/// cycle, so such a cut needs the cut behind "multiply". Rows above the fourth and columns after
+/// the third have no cut of their own; their delays are part of the two last stages.
 inline void StageList::add_embedded_product(int precision) {
   constexpr int cut_rows = 4;
   const auto [a_bits, b_bits] = delays_.multiplier;
@@ -105,8 +105,8 @@ inline void StageList::add_logic_product(LogicProduct product) {
   }
 }
 
-/// The stages of fp_round. The last `dropped_bits` bits of a fraction that arrives too wide are ORed
-/// into the sticky bit.
+/// The stages of fp_round. The last `dropped_bits` bits of a fraction that arrives too wide are
+/// ORed into the sticky bit.
 inline void StageList::add_round(model::FloatFormat result, bool denormalises, int dropped_bits) {
   const int amount_bits = bits_for(result.precision() + 2);
   const double distance = carry(result.exponent_bits() + 2) + luts(1);

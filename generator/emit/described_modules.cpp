@@ -19,7 +19,7 @@ std::string arithmetic_fact(const model::Arithmetic& arithmetic) {
                      model::to_string(arithmetic.subnormals));
 }
 
-/// What the comparison asks, in words and formulas of its parts.
+/// What the comparison computes, in words: "the sign of f - g".
 std::string what_is_asked(const Design& design) {
   const std::size_t parts = design.reference.parts.size();
   if (parts == 1) return "the sign of f - g";
@@ -83,7 +83,8 @@ Described describe_reference_channel(const SystemShape& shape, const DatapathGro
            "Reset: aresetn, synchronous, active low."}};
 }
 
-/// One kind of each is told in a sentence, several in a line each.
+/// Counts and formats of lanes and references: one sentence if there is one kind of each, otherwise
+/// a line for each group, too.
 std::vector<std::string> count_facts(const Design& design, const SystemShape& shape) {
   const std::string reference = design.reference.arithmetic().format.name();
   if (design.lanes.size() == 1 && design.references.size() <= 1) {

@@ -7,7 +7,7 @@
 
 namespace mixcmp::gen {
 
-/// One module with what its header says of it.
+/// A module and the facts that its header comment states.
 struct Described {
   rtl::Module module;
   std::vector<std::string> facts;

@@ -102,7 +102,7 @@ public:
     return names[0].value;
   }
 
-  /// What `read_group` makes of each entry of a list of objects.
+  /// Reads a list of objects, each entry by `read_group`.
   template <class Group>
   std::vector<Group> groups(const char* field, Group (*read_group)(Reader&)) {
     std::vector<Group> groups;
@@ -115,7 +115,7 @@ public:
     return groups;
   }
 
-  /// What `read_part` makes of an object; none where the field is absent.
+  /// Reads an object by `read_part`; nullopt where the field is absent.
   template <class Part>
   std::optional<Part> part(const char* field, Part (*read_part)(Reader&)) {
     if (!object_.is_object() || !object_.contains(field)) return std::nullopt;

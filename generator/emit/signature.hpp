@@ -37,18 +37,18 @@ struct SignatureReferences {
   model::Multipliers multipliers = model::Multipliers::embedded;
 };
 
-/// What stands around the system and makes its comparisons.
+/// The engine around the system, which makes the comparisons that the system decides.
 struct SignatureEngine {
   model::EngineKind kind = model::EngineKind::none;
   std::string top;                            ///< the module; the system is inside
   int capacity = 0;                           ///< items of a set, or candidates, at most
-  int index_bits = 0;                         ///< to number them
+  int index_bits = 0;                         ///< width of an item's or candidate's number
   std::vector<std::string> columns;           ///< column k of an item is tdata[k * width +: width]
   int item_bytes = 0;                         ///< of an item, padded
-  std::vector<std::string> report;            ///< of pairwise: verdicts that leave
-  std::vector<std::string> row_columns = {};  ///< of arg_min, as columns
-  int row_bytes = 0;                          ///< of arg_min, padded
-  int tag_bits = 0;                           ///< of arg_min: of a row's tag
+  std::vector<std::string> report;            ///< pairwise: the verdicts whose pairs are reported
+  std::vector<std::string> row_columns = {};  ///< arg_min: of a row, packed as `columns`
+  int row_bytes = 0;                          ///< arg_min: of a row, padded
+  int tag_bits = 0;                           ///< arg_min: width of a row's tag
   std::vector<SignaturePort> ports;
 };
 
@@ -56,7 +56,7 @@ struct SignatureEngine {
 struct Signature {
   std::string top;
   std::string generator_version;
-  std::string spec_hash;  ///< of everything that decides the output's bytes
+  std::string spec_hash;  ///< hash of everything that decides the output's bytes
   model::FloatFormat reference_format;
   bool certified = false;           ///< all lanes are
   std::vector<std::string> inputs;  ///< input k is tdata[k * width +: width]
@@ -80,7 +80,7 @@ struct Signature {
 };
 
 std::string to_json(const Signature& signature);
-/// Errors name the file and the field.
+/// Reads the file that to_json was printed to. Errors name the file and the field.
 model::Result<Signature> read_signature(const std::filesystem::path& path);
 
 }  // namespace mixcmp::gen

@@ -67,7 +67,7 @@ Signature signature_of(const Design& design, const SystemShape& shape) {
           .files = {}};
 }
 
-/// Stages that the delay table cannot bring under the period, each with where it is.
+/// Notes on stages that no cut brings under the period by the delay table, each with its datapath.
 std::vector<std::string> slow_stages(const SystemPlan& plan) {
   std::vector<std::string> notes;
   const auto add_notes = [&notes](const std::string& what, const std::vector<DatapathGroup>& groups,
@@ -145,7 +145,7 @@ GeneratedFile verilog_file(Described described, const Signature& signature,
   return {described.module.name + ".v", to_verilog(described.module)};
 }
 
-/// Instances of templates take the names that the templates have in the output.
+/// Gives instances of templates the prefixed names that the templates have in the output.
 void add_prefix(std::vector<Described>& modules, const std::string& prefix) {
   for (Described& described : modules) {
     described.module.items = rtl::with_modules_renamed(
@@ -162,7 +162,7 @@ GeneratedFile template_file(const std::string& name, const std::string& prefix) 
 }
 
 /// Names are relative to the list's own folder: absolute ones would make other bytes in another
-/// place. Which option says so, or what does without the list, is each tool's own matter.
+/// place. Tools differ in how they read such a list, so its head gives a command for each;
 /// tests/system/lint_test.cpp runs these commands.
 GeneratedFile file_list(const Signature& signature) {
   const std::string& top = signature.engine ? signature.engine->top : signature.top;

@@ -22,8 +22,8 @@ struct GeneratedSystem {
   std::vector<std::string> notes;
 };
 
-/// The Verilog of a design. `command` is printed in each header as what regenerates it: it must
-/// name no path, host or date.
+/// Generates all files of a design. `command` is printed in each header as the command that
+/// regenerates the file: it must name no path, host or date.
 model::Result<GeneratedSystem> generate_system(const model::Design& design,
                                                const std::string& command);
 

@@ -16,8 +16,8 @@
 namespace mixcmp::gen {
 namespace {
 
-/// Gives each group its module's name: lanes that are the same hardware share one, and where the
-/// group's name does not tell two apart, a number does.
+/// Gives each group the name of its module. Groups of the same hardware share one name; different
+/// hardware that asks for the same name gets a number appended.
 class ModuleNames {
 public:
   std::string unique(const std::string& wanted, const std::string& hardware) {
@@ -33,7 +33,8 @@ private:
   std::map<std::string, std::string> hardware_;
 };
 
-/// What a lane is, whatever its name.
+/// What identifies the hardware of a group's lanes: their Verilog under a fixed name. Empty where
+/// there is only one group.
 std::string hardware_of(const model::Design& design, std::size_t group, const Schedule& schedule) {
   if (design.lanes.size() == 1) return "";
   return to_verilog(lane_module("lane", design.inputs, design.lanes[group].lane, schedule));

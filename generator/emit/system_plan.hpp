@@ -10,20 +10,21 @@
 
 namespace mixcmp::gen {
 
-/// A design with its datapaths placed in time, and what the modules around them agree on.
+/// A design with its datapaths scheduled, and the names and widths that the modules around them
+/// agree on.
 struct SystemPlan {
-  std::vector<Schedule> lanes;       ///< one a group
-  std::vector<Schedule> references;  ///< one a group
+  std::vector<Schedule> lanes;       ///< one per group
+  std::vector<Schedule> references;  ///< one per group
   SystemShape shape;
   std::optional<EngineShape> engine;
 };
 
-/// What the streams carry, whatever the datapaths between them compute: names, counts and latencies
-/// are left to the caller. `format`: of the operands.
+/// The part of a SystemShape that the streams alone decide; names, counts and latencies are left to
+/// the caller. `format`: of the operands that arrive.
 SystemShape stream_shape(const std::vector<std::string>& inputs, model::FloatFormat format,
                          const model::SystemSpec& system);
 
-/// An error where the device is unknown.
+/// Schedules the datapaths and names the modules. An error means that the device is unknown.
 model::Result<SystemPlan> plan_system(const model::Design& design);
 
 }  // namespace mixcmp::gen

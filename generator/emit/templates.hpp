@@ -10,8 +10,8 @@ namespace mixcmp::gen {
 /// The Verilog of a hand-written module of rtl_templates/; the module must exist.
 std::string_view template_text(const std::string& module);
 
-/// `modules` and every template they instantiate, directly or not, in alphabetical order. Names
-/// that are no templates are left out.
+/// The templates among `modules` and every template that they instantiate, directly or indirectly,
+/// in alphabetical order.
 std::vector<std::string> template_closure(const std::set<std::string>& modules);
 
 bool is_template(const std::string& module);

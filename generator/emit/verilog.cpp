@@ -97,7 +97,8 @@ std::string print(const Instance& instance, const std::string& indent) {
   return text + " " + instance.name + " " + argument_list(indent, connections) + ";\n";
 }
 
-/// `range_width`: of the widest range among its neighbours, which its name stands clear of.
+/// Prints one wire. `range_width`: characters of the longest range among its neighbours, by which
+/// their names are aligned.
 std::string print(const Wire& wire, std::size_t range_width, const std::string& indent) {
   const std::string declared =
       fmt::format("{}wire {:<{}}{}{}", indent, range(wire.width, wire.vector), range_width,
@@ -115,7 +116,8 @@ std::string print(const Wire& wire, std::size_t range_width, const std::string& 
       any == nullptr || fits_alone ? value : print_all(any->operands, next_line + "| "));
 }
 
-/// A concatenation that is too long for a line stands below it, as many parts a line as fit.
+/// Prints one assignment. A concatenation that does not fit on the line follows below, with as many
+/// parts on each line as fit.
 std::string print(const Assignment& assignment, const std::string& indent) {
   const std::string target = fmt::format("{}assign {} =", indent, print(assignment.target));
   const std::string value = print(assignment.value);
@@ -155,7 +157,8 @@ const ForGenerate* as_loop(const Item& item) {
   return loop == nullptr ? nullptr : loop->get();
 }
 
-/// The first loop over a variable declares it.
+/// The genvar declaration in front of item `k`; empty unless it is the first loop over its
+/// variable.
 std::string declaration(const std::vector<Item>& items, std::size_t k, const std::string& indent) {
   const ForGenerate* loop = as_loop(items[k]);
   if (loop == nullptr) return "";
@@ -179,7 +182,8 @@ std::string print(const Item& item, std::size_t range_width, const std::string& 
       item);
 }
 
-/// The widest range in the run of wires that starts at `first`; 0 where it is no wire.
+/// Characters of the longest range in the run of wires that starts at `first`; 0 if item `first` is
+/// no wire.
 std::size_t range_width_of_run(const std::vector<Item>& items, std::size_t first) {
   std::size_t widest = 0;
   for (std::size_t k = first; k < items.size(); ++k) {
@@ -190,7 +194,7 @@ std::size_t range_width_of_run(const std::vector<Item>& items, std::size_t first
   return widest;
 }
 
-/// An instance or a loop, which stands apart from what follows it.
+/// Tells whether an item is an instance or a loop, which a blank line separates from the next item.
 bool is_block(const Item& item) {
   return !std::holds_alternative<Wire>(item) && !std::holds_alternative<Comment>(item) &&
          !std::holds_alternative<Assignment>(item);

@@ -6,8 +6,7 @@
 
 namespace mixcmp::gen {
 
-/// The module as Verilog-2001, one file's text: this header is the only place that knows the
-/// syntax.
+/// Prints a module as the text of one Verilog-2001 file. The rtl:: tree itself knows no syntax.
 std::string to_verilog(const rtl::Module& module);
 
 /// The value of a parameter as an expression: "12", "9'h01f".

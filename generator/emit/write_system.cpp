@@ -17,8 +17,8 @@ using model::Error;
 using model::Result;
 using model::ScratchFolder;
 
-/// The file names that a previous output's signature claims, itself and its companions included.
-/// Of another version's signature, whatever else it holds, these fields are enough.
+/// The files that the signature of a previous output names, with the signature, the file list and
+/// the constraint. It reads only two fields, so signatures of other versions serve as well.
 std::set<std::string> files_of_previous_output(const fs::path& directory) {
   std::set<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
@@ -35,7 +35,8 @@ std::set<std::string> files_of_previous_output(const fs::path& directory) {
   return names;
 }
 
-/// Nothing of the user's may be lost: only what this program wrote is replaced.
+/// Refuses what must not be replaced, such as a folder with a file that this program did not write:
+/// no file of the user may be lost.
 Result<Done> check_replaceable(const fs::path& directory) {
   std::error_code failed;
   const fs::file_status status = fs::status(directory, failed);
@@ -64,8 +65,8 @@ Result<Done> check_replaceable(const fs::path& directory) {
   return Done{};
 }
 
-/// Gives the staged folder the permissions of the folder that it replaces, or those that the user's
-/// mask leaves a new one.
+/// Gives the staged folder the permissions of the folder that it replaces, or those that the umask
+/// gives a new folder.
 Result<Done> set_permissions(const fs::path& staged, const fs::path& directory) {
   std::error_code failed;
   const fs::file_status before = fs::status(directory, failed);
@@ -83,7 +84,7 @@ Result<Done> set_permissions(const fs::path& staged, const fs::path& directory) 
 
 Result<Done> write_system(const GeneratedSystem& system, const fs::path& requested) {
   std::error_code failed;
-  // As the kernel finds it: ".." behind a symbolic link leaves the folder that the link leads to.
+  // Resolve the path as the kernel does: ".." behind a symbolic link is the parent of its target.
   fs::path named = fs::weakly_canonical(fs::absolute(requested), failed);
   if (failed) return cannot_write(requested, failed.value());
   // The path ends with the folder's name, whether or not the user wrote a final slash.
