@@ -19,8 +19,9 @@ ArgMinJudge::ArgMinJudge(const gen::Signature& signature, const model::Design& d
                                   .rows = comparisons.table().rows()};
 }
 
-/// What the lanes must make of a row, one after the other. Of a short load, the last candidate
-/// stands for those that are missing; one longer than the data starts again with their first.
+/// Computes the candidate that the chain of lanes must choose for a row, and counts what each lane
+/// does. In a short load the last candidate stands in for those that are missing; a load longer
+/// than the data starts again with their first candidate.
 std::uint64_t ArgMinJudge::chain(const LoadRange& load, std::uint64_t row, Use use) {
   const std::uint64_t all = report_.arg_min->candidates;
   std::uint64_t best = 0;
@@ -51,8 +52,8 @@ void ArgMinJudge::count(std::uint64_t row, std::uint64_t best, std::uint64_t own
     check_against_truth(*options_.truth, design_, operands_, tdata, *report_.truth, group);
   }
   if (!options_.on_result) return;
-  // A lane that errs, as profiled ones may, has the chain go on with another candidate than the
-  // data's.
+  // After a wrong verdict, which a profiled lane may give, the chain goes on with another candidate
+  // than the comparisons of the data: those comparisons have no index.
   const std::uint64_t index = row * (report_.arg_min->candidates - 1) + own - 1;
   if (comparisons_.items(index).first == best) {
     options_.on_result({index, verdict, recomputed, false});
@@ -104,7 +105,7 @@ void ArgMinJudge::judge_end(const LoadRange& load, const LoadAnswer& answer, Use
   report_.arg_min->loading_cycles = answer.response.loading_cycles;
 }
 
-/// After every load, since reset; the last totals stay in the report.
+/// Judges, after each load, the counters, which run since reset. The report keeps the last totals.
 void ArgMinJudge::judge_counters(const LoadAnswer& answer, Use use) {
   if (signature_.counter_bits == 0) return;
   const wire::LaneEnd& counters = answer.response.counters;

@@ -7,7 +7,8 @@
 
 namespace mixcmp::tb {
 
-/// Candidates 0 .. candidates - 1 of the scene's and rows first .. first + rows - 1.
+/// The part of the scene's data in one load: candidates 0 .. candidates - 1, and rows
+/// first .. first + rows - 1.
 struct LoadRange {
   std::uint64_t candidates = 0;
   std::uint64_t first = 0;

@@ -15,7 +15,7 @@ struct CandidateLoad {
   std::vector<std::uint8_t> rows;
 };
 
-/// What came of it.
+/// The engine's answer to one load.
 struct LoadAnswer {
   wire::LoadResponse response = {};
   std::vector<wire::RowResult> rows;

@@ -19,7 +19,8 @@ struct Trial {
   ArgMinJudge::Use use = ArgMinJudge::Use::check;
 };
 
-/// Loads of 1, 2 and one too few, one with a candidate too many; then everything.
+/// Plans the loads: first those that a reset breaks off; then loads of one, two, one too few and
+/// one too many candidates; last, twice, all candidates and rows.
 std::vector<Trial> plan_trials(const System& system, const model::Comparisons& comparisons,
                                const VerifyOptions& options) {
   const std::uint64_t rows = comparisons.table().rows();

@@ -18,12 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Two lanes are built as fast at once; of more, each kind of channel is verilated once.
+/// Up to two lanes build as fast in one piece; with more, each kind of channel is verilated once.
 bool is_hierarchical(const System& system) {
   return system.signature.lanes > 2;
 }
 
-/// The constants and ports of one top, for its harness.
+/// Prints system_ports.hpp: the constants and ports of one top, for its harness.
 class PortsHeader {
 public:
   PortsHeader& constant(const char* type, const char* name, int value) {
@@ -103,7 +103,7 @@ std::string arg_min_ports(const gen::Signature& s, const gen::SignatureEngine& e
   return header.text("ArgMinPorts");
 }
 
-/// What of a generated system is simulated, by which harness.
+/// The top module that is simulated, and the harness that drives it.
 struct Bench {
   std::string top;
   const char* main;
@@ -137,9 +137,10 @@ Command verilator_command(const System& system, const Bench& bench, Waves waves,
   Command command = {
       "verilator", "--cc", "--exe", "--build", "-j", "0", "--prefix", "Vsystem", "--top-module",
       bench.top, "--Mdir", "obj",
-      // Uninitialised state starts at random: what reset forgets shows itself.
+      // Uninitialised state starts at random, so that state which reset forgets shows itself.
       "--x-initial", "unique", "--x-assign", "unique", "-Wno-fatal", "-O3",
-      // Wrong in Verilator 5.006 to 5.020 on some widths (its issues 4059, 4841, 4842).
+      // This optimisation is wrong in Verilator 5.006 to 5.020 on some widths (its issues 4059,
+      // 4841, 4842).
       "-fno-const-bit-op-tree", "--timescale-override", "1ns/1ns", "-CFLAGS", "-std=c++20",
       "-MAKEFLAGS", ccache ? "OPT_FAST=-O2 OBJCACHE=ccache" : "OPT_FAST=-O2"};
   if (waves == Waves::on) command.push_back("--trace-fst");
@@ -153,7 +154,7 @@ Command verilator_command(const System& system, const Bench& bench, Waves waves,
   return command;
 }
 
-/// Whether there is a ccache, and a folder that it can keep its files in.
+/// Tells whether ccache is installed and can write its temporary folder.
 bool is_ccache_usable() {
   const auto folder = model::capture({"ccache", "--get-config", "temporary_dir"});
   if (!folder.ok() || !folder->succeeded()) return false;
@@ -228,7 +229,8 @@ model::Result<Executable> build_simulator(const System& system, const BuildOptio
   if (fs::exists(stamp) && fs::exists(executable.path)) return executable;
 
   const auto start = std::chrono::steady_clock::now();
-  // What a killed compiler or linker leaves is half of a file, and newer than what it is made of.
+  // A killed compiler or linker leaves half a file that is newer than its sources: make would keep
+  // it.
   std::error_code failure;
   fs::remove_all(folder / "obj", failure);
   if (failure) return model::cannot_write(folder / "obj", failure.value());

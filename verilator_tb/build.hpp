@@ -22,7 +22,7 @@ struct System {
   std::filesystem::path directory;
   gen::Signature signature;
 
-  /// Absolute, in compile order.
+  /// Absolute paths of the Verilog files, in compile order.
   std::vector<std::filesystem::path> sources() const;
 };
 
@@ -46,8 +46,8 @@ struct Executable {
   double build_seconds = 0;  ///< 0: it was there already
 };
 
-/// Files that a simulator reads, names and texts. They lie side by side in the build's own folder,
-/// so that a system generated anew in the meantime does not mix with it.
+/// Names and texts of the files that a simulator reads. The build has its own copies in one folder,
+/// so that a system generated anew in the meantime does not mix with them.
 using SourceFiles = std::vector<std::pair<std::string, std::string>>;
 
 /// The Verilog files that the system's signature names; an error names a missing one.
@@ -60,8 +60,8 @@ std::filesystem::path work_folder(const std::filesystem::path& work, const std::
 
 /// Runs Verilator on the system together with our harness. A build is found again by the content of
 /// everything that went into it; one that was interrupted starts anew (ccache keeps its objects).
-/// Channels and references are verilated once each (hierarchical blocks). Of those, 5.006 traces
-/// the first channel and the first reference inside, and the ports of all.
+/// Channels and references are verilated once each (hierarchical blocks). Verilator 5.006 traces
+/// the ports of all of them, but the inside of the first channel and the first reference alone.
 model::Result<Executable> build_simulator(const System& system, const BuildOptions& options);
 
 }  // namespace mixcmp::tb

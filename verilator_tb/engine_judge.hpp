@@ -9,11 +9,11 @@
 
 namespace mixcmp::tb {
 
-/// What the judges of all engines have in common: the report, the lanes' counters since reset, and
-/// how a fault is kept.
+/// The base of the judges of all engines: the report, the lanes' counters since reset, and how a
+/// fault is recorded.
 class EngineJudge {
 public:
-  /// What becomes of a trial's findings.
+  /// Which findings of a trial enter the report.
   enum class Use {
     check,    ///< mismatches and violations alone
     figures,  ///< the report's numbers, too; for the one trial that is the scene's data
@@ -25,7 +25,7 @@ protected:
   EngineJudge(const gen::Signature& signature, const model::Design& design,
               const model::Comparisons& comparisons, const VerifyOptions& options);
 
-  /// Holds what the lanes' own counters say against `lanes_`; the totals, by name.
+  /// Compares the lanes' own counters with `lanes_`. Returns the totals, by name.
   std::vector<CounterTotal> check_lanes(const std::vector<wire::LaneEnd>& counted);
   void check_counter(const std::string& name, std::uint64_t counted, std::uint64_t observed,
                      CounterTotal& total);
@@ -39,9 +39,9 @@ protected:
   const model::Comparisons& comparisons_;
   const VerifyOptions& options_;
   std::vector<std::size_t> group_of_lane_;
-  std::vector<wire::LaneEnd> lanes_;  ///< since reset: what the model makes of their pairs
+  std::vector<wire::LaneEnd> lanes_;  ///< `observed`: by the golden model, since reset
   std::vector<model::Bits> operands_;
-  std::uint64_t stalled_before_ = 0;  ///< the counter, after the last trial
+  std::uint64_t stalled_before_ = 0;  ///< the stall counter after the last trial
   VerifyReport report_;
 };
 

@@ -75,8 +75,8 @@ Command run_command(const SimulationOptions& options) {
   return command;
 }
 
-/// "result lane position tdata accepted left", "violation fault lane position tag cycle",
-/// "end" with three pairs of counted and observed, "state n cycles".
+/// Reads one line of the testbench: "result lane position tdata accepted left", "violation fault
+/// lane position tag cycle", "end" with three pairs of counted and observed, or "state n cycles".
 bool parse_line(const std::string& line, Answer& answer) {
   std::istringstream words(line);
   std::string kind;
@@ -108,7 +108,8 @@ bool parse_line(const std::string& line, Answer& answer) {
   return !words.fail();
 }
 
-/// The judge relies on it that each comparison leaves once at most, and that it was offered.
+/// Checks what the judge relies on: each result is that of a comparison which was offered, and no
+/// comparison has two results.
 model::Result<model::Done> check_results(const Answer& answer, const Block& block,
                                          const gen::Signature& signature, const fs::path& path) {
   std::vector<bool> has_left(block.comparisons);

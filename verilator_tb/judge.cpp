@@ -47,7 +47,7 @@ void Judge::take_result(const wire::Result& result) {
   MIXCMP_CHECK(result.position >= window_start_ &&
                result.position - window_start_ < window_.size());
   Fate& fate = window_[result.position - window_start_];
-  MIXCMP_CHECK(!fate.has_left);  // the simulator reports doubles as violations
+  MIXCMP_CHECK(!fate.has_left);  // the simulator reports duplicates as violations
   fate.has_left = true;
   fate.lane = result.lane;
   fate.tdata = result.tdata;

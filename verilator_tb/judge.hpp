@@ -7,18 +7,18 @@
 
 namespace mixcmp::tb {
 
-/// Holds results against the golden model, in whatever order and from whichever simulator they
-/// come. Keeps only the comparisons between the oldest missing result and the newest one under way.
+/// Compares results with the golden model, in whatever order and from whichever simulator they
+/// come. It remembers only the comparisons from the oldest missing result to the newest announced.
 class Judge {
 public:
   Judge(const gen::Signature& signature, const model::Design& design,
         const model::Comparisons& comparisons, const Selection& selection,
         const VerifyOptions& options);
 
-  /// The next `count` positions are on their way.
+  /// Announces that the next `count` positions are on their way.
   void announce(std::uint64_t count);
-  /// Only for positions that were announced. Computes what each must be, by its lane's golden
-  /// model.
+  /// Judges an answer, whose positions must have been announced. The golden model of each result's
+  /// lane says what it must be.
   void take(const Answer& answer);
 
   VerifyReport& report() { return report_; }

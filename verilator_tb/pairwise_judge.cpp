@@ -12,7 +12,8 @@ namespace mixcmp::tb {
 
 using model::Verdict;
 
-/// Walks with the pairs: what it holds is in their order.
+/// The reports of one set, sorted by pair, and how far a judge has come that visits the pairs in
+/// this order.
 class PairwiseJudge::Reports {
 public:
   explicit Reports(std::vector<wire::Report> reports) : reports_(std::move(reports)) {
@@ -20,7 +21,8 @@ public:
                      [](const wire::Report& a, const wire::Report& b) { return key(a) < key(b); });
   }
 
-  /// The first report of this pair; those before it, and further ones of it, are told to `stray`.
+  /// Returns the first report of this pair, or null. Skipped reports of earlier pairs, and further
+  /// reports of this pair, are passed to `stray`.
   template <class Stray>
   const wire::Report* find(std::uint64_t i, std::uint64_t j, const Stray& stray) {
     const wire::Report* found = nullptr;
@@ -126,7 +128,7 @@ void PairwiseJudge::judge_pair(const SetRange& set, std::uint64_t i, std::uint64
   if (use == Use::figures) count(set, i, j, tdata);
 }
 
-/// A reset came: pairs may be missing, but what is there is right.
+/// Judges a set that a reset broke off: reports may be missing, but those that left must be right.
 void PairwiseJudge::judge_interrupted(const SetRange& set, const SetAnswer& answer) {
   const Reports reports(answer.reports);
   const wire::Report* before = nullptr;
@@ -156,7 +158,7 @@ void PairwiseJudge::judge_closing_beat(const SetAnswer& answer, std::uint64_t du
                             response.closing_tdata, response.closing_tuser, due, closing_tuser));
 }
 
-/// After every set, since reset; the last totals stay in the report.
+/// Judges, after each set, the counters, which run since reset. The report keeps the last totals.
 void PairwiseJudge::judge_counters(const SetAnswer& answer, Use use) {
   if (signature_.counter_bits == 0) return;
   const wire::LaneEnd& counters = answer.response.counters;

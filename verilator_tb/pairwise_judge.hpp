@@ -7,14 +7,15 @@
 
 namespace mixcmp::tb {
 
-/// Items first .. first + count - 1 of the scene's table as one set.
+/// A set that consists of items first .. first + count - 1 of the scene's table.
 struct SetRange {
   std::uint64_t first = 0;
   std::uint64_t count = 0;
 };
 
-/// Holds what a pairwise engine reports against the golden model: of every pair of a set, whether
-/// it is reported, once, and what is said of it; the closing beat; the counters.
+/// Compares the reports of a pairwise engine with the golden model: each pair of a set must be
+/// reported once if its verdict asks for it, else not at all, and with the right result. Judges the
+/// closing beat and the counters, too.
 class PairwiseJudge : public EngineJudge {
 public:
   PairwiseJudge(const gen::Signature& signature, const model::Design& design,

@@ -11,12 +11,12 @@ namespace mixcmp::tb {
 /// One set for a pairwise engine.
 struct ItemSet {
   std::uint64_t items = 0;
-  std::vector<std::uint8_t> bytes;  ///< of all of them
+  std::vector<std::uint8_t> bytes;  ///< of all items
   std::uint64_t reset_after = 0;    ///< not 0: reset in that cycle of the set
   bool last = false;
 };
 
-/// What came of it.
+/// The engine's answer to one set.
 struct SetAnswer {
   wire::SetResponse response = {};
   std::vector<wire::Report> reports;

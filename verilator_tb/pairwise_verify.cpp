@@ -18,7 +18,7 @@ struct Trial {
   PairwiseJudge::Use use = PairwiseJudge::Use::check;
 };
 
-/// Words that pass the first lane.
+/// How many words (items, repeated for every block) pass the first lane for a set of `items`.
 std::uint64_t words_of(std::uint64_t items, std::uint64_t lanes) {
   std::uint64_t words = 0;
   for (std::uint64_t base = 0; base < items; base += lanes) words += items - base;

@@ -148,7 +148,7 @@ std::string group_lines(const VerifyReport& r) {
   return text;
 }
 
-/// What lanes of one kind did that no count of mismatches shows.
+/// Adds remarks on what lanes of one kind did that no count of mismatches shows.
 void add_notes(std::vector<std::string>& notes, const GroupReport& group) {
   if (group.comparisons == 0) {
     notes.push_back(fmt::format("no comparison went through the lanes {}", group.name));
@@ -226,7 +226,7 @@ Json to_json(const GroupReport& group) {
           {"wrong_by_lane", group.wrong_by_lane}};
 }
 
-/// What only a system with an engine has.
+/// Adds the figures that only a system with an engine has.
 void add_engines(Json& json, const VerifyReport& r) {
   if (r.engine) {
     json["engine"] = {{"top", r.engine->top},

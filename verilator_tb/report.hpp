@@ -12,7 +12,7 @@
 
 namespace mixcmp::tb {
 
-/// A result that is not what the golden model says.
+/// A result that differs from the golden model's.
 struct Mismatch {
   struct Operand {
     std::string input;
@@ -26,11 +26,11 @@ struct Mismatch {
   std::string expected;  ///< "less, decided by the lane"
   std::string got;
   std::uint32_t lane = 0;
-  std::uint64_t cycle = 0;  ///< in which it left
+  std::uint64_t cycle = 0;  ///< in which the result left
   std::string repeat;       ///< the command that repeats this comparison alone
 };
 
-/// The system broke the contract of its streams.
+/// One violation of the streams' contract by the system.
 struct ProtocolViolation {
   std::string fault;
   std::uint32_t lane = 0;
@@ -49,11 +49,11 @@ struct Latency {
   double mean_cycles() const;
 };
 
-/// Latencies by what became of the comparisons.
+/// Latencies, for each outcome of a comparison by itself.
 struct Latencies {
   Latency decided;
   Latency recomputed;
-  Latency undecided;  ///< without references: left as they were
+  Latency undecided;  ///< of systems without references
 };
 
 /// One of the hardware's counters, summed over the lanes, since the last reset.
@@ -86,7 +86,7 @@ struct TruthCount {
   }
 };
 
-/// What went through the lanes of one kind.
+/// Counts and latencies of all lanes of one kind.
 struct GroupReport {
   std::string name;  ///< model::lane_group_names
   int lanes = 0;
@@ -99,15 +99,15 @@ struct GroupReport {
   Latencies latencies;
 };
 
-/// What an engine adds: of the scene's items as one set.
+/// The figures of a pairwise engine on all of the scene's items as one set.
 struct PairwiseFigures {
   std::string top;
   std::uint64_t items = 0;
   std::uint64_t item_bytes = 0;      ///< of an item on its stream
-  std::uint64_t pair_bytes = 0;      ///< of a comparison, were it streamed
+  std::uint64_t pair_bytes = 0;      ///< of a comparison on a stream without an engine
   std::uint64_t reported = 0;        ///< pairs
   std::uint64_t stalled_cycles = 0;  ///< in which the lanes took no item; 0 without counters
-  std::uint64_t sets = 0;            ///< in all, small ones and broken ones included
+  std::uint64_t sets = 0;            ///< sets simulated, small and interrupted ones included
 };
 
 /// The figures of an arg-min engine, whose rows meet all of the scene's candidates.
@@ -115,11 +115,11 @@ struct ArgMinFigures {
   std::string top;
   std::uint64_t candidates = 0;
   std::uint64_t rows = 0;
-  std::uint64_t wrong_rows = 0;      ///< whose candidate is not that of the reference alone
+  std::uint64_t wrong_rows = 0;      ///< rows whose candidate is not that of the reference alone
   std::uint64_t loading_cycles = 0;  ///< from the first candidate to the first row
   std::uint64_t stalled_cycles =
       0;                    ///< in which a row was offered and not taken; 0 without counters
-  std::uint64_t loads = 0;  ///< in all, short ones and broken ones included
+  std::uint64_t loads = 0;  ///< loads simulated, short and interrupted ones included
   Latency latency;          ///< of a row
 };
 
@@ -152,8 +152,8 @@ struct VerifyReport {
   double build_seconds = 0;
   double run_seconds = 0;
 
-  /// Every comparison asked for came back once, as the golden model says, by the rules; and where
-  /// the truth was asked for, no certified lane was wrong.
+  /// Tells whether every requested comparison came back once, with the golden model's result and
+  /// without a protocol violation; and, if the truth was asked for, no certified lane was wrong.
   bool passed() const;
   double recomputation_rate() const;
   double comparisons_per_cycle() const;
@@ -161,7 +161,7 @@ struct VerifyReport {
   double item_bytes_per_pair() const;
 };
 
-/// What passes and yet deserves a word, such as lanes that decided nothing; a sentence each.
+/// Remarks on a run that may have passed, such as on lanes that decided nothing; a sentence each.
 std::vector<std::string> notes_on(const VerifyReport& report);
 
 std::string to_text(const VerifyReport& report);

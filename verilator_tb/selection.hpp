@@ -14,8 +14,8 @@ enum class Sampling {
   random,  ///< one from each of `limit` equal strata: spread over all, without repetition
 };
 
-/// Which comparisons of a scene a run takes. Positions 0 .. size() - 1 map to rising indices, so a
-/// run in order of position tells its results in order of index.
+/// Which comparisons of a scene a run takes. Positions 0 .. size() - 1 map to rising indices, so
+/// results in order of position are in order of index, too.
 class Selection {
 public:
   struct Options {
@@ -38,11 +38,11 @@ private:
   std::uint64_t size_;
 };
 
-/// SplitMix64's output for a counter: the same for however the work is split.
+/// SplitMix64's output for a counter: the same however the work is split.
 std::uint64_t counter_random(std::uint64_t seed, std::uint64_t counter);
 
-/// Packs operand k to bits [k * width, (k + 1) * width) of `tdata`. What is left at its top is
-/// padding, set to `padding` so that a system that looks at it is found out.
+/// Packs operand k to bits [k * width, (k + 1) * width) of `tdata`. The bits above are padding; all
+/// are set to `padding`, so that a system that reads them fails.
 void pack_operands(std::span<const model::Bits> operands, int width, bool padding,
                    std::span<std::uint8_t> tdata);
 

@@ -18,7 +18,7 @@ enum class TrafficKind {
 struct SimulationOptions {
   TrafficKind traffic = TrafficKind::full_rate;
   std::uint64_t seed = 1;
-  std::uint64_t hang_cycles = 50'000;  ///< without a result: lost, or the lane hangs
+  std::uint64_t hang_cycles = 50'000;  ///< limit for a result; then it is lost or its lane hangs
   std::filesystem::path waves;         ///< FST file to write; needs a build with waves
   std::vector<std::string> plusargs;   ///< for $test$plusargs and $value$plusargs
 };
@@ -27,15 +27,15 @@ struct SimulationOptions {
 struct Block {
   std::uint64_t comparisons = 0;
   std::vector<std::uint8_t> operands;
-  std::vector<std::uint64_t> resets;  ///< rising; reset when so many comparisons were offered
+  std::vector<std::uint64_t> resets;  ///< rising; a reset once so many comparisons were offered
   bool last = false;
 };
 
-/// What came back for a block.
+/// The simulator's answer to one block.
 struct Answer {
   std::vector<wire::Result> results;
   std::vector<wire::Violation> violations;
-  std::vector<wire::LaneEnd> lanes;  ///< of the last block
+  std::vector<wire::LaneEnd> lanes;  ///< only in the answer to the last block
   std::uint64_t cycles = 0;          ///< so far
   wire::State state = wire::State::running;
 };
@@ -46,7 +46,7 @@ public:
   static model::Result<SimulatorProcess> start(const Executable& executable,
                                                const SimulationOptions& options);
 
-  /// False if it is gone.
+  /// Returns false if the simulator is gone, as receive does.
   template <class T, std::size_t extent>
   bool send(std::span<T, extent> items) {
     return child_.send(std::as_bytes(items));
@@ -55,10 +55,10 @@ public:
   bool receive(std::span<T, extent> items) {
     return child_.receive(std::as_writable_bytes(items));
   }
-  /// Waits until the simulator, having answered its last request, has ended: its waves are whole
-  /// then.
+  /// Waits until the simulator, which has answered its last request, has ended: only then are its
+  /// waves complete.
   model::Result<model::Done> finish();
-  /// The log is kept for the user to look at.
+  /// The error of a simulator that is gone; keeps its log for the user.
   model::Error ended_unexpectedly();
 
 private:
@@ -75,7 +75,7 @@ public:
   static model::Result<SystemSimulation> start(const Executable& executable,
                                                const SimulationOptions& options);
 
-  /// Sends a block and waits for what it has led to.
+  /// Sends a block and waits for the simulator's answer.
   model::Result<Answer> exchange(const Block& block, int lanes);
   model::Result<model::Done> finish() { return process_.finish(); }
 

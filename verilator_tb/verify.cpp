@@ -53,7 +53,7 @@ std::string groups_in(const model::Design& design) {
   return groups;
 }
 
-/// The system in the folder must be the one that the design describes.
+/// Checks that the system in the folder is the one that the design describes.
 model::Result<model::Done> check_signature(const System& system, const model::Design& design) {
   const gen::Signature& s = system.signature;
   const auto differs = [&](const char* field, const std::string& there, const std::string& here) {
@@ -112,7 +112,7 @@ model::Result<model::Done> check_selection(const model::Comparisons& comparisons
                       .accepted = fmt::format("an index below {}", comparisons.size())};
 }
 
-/// Somewhere inside each of `resets` equal parts of the run.
+/// One random position in each of options.resets equal parts of the run.
 std::vector<std::uint64_t> reset_positions(const Run& run) {
   std::vector<std::uint64_t> positions;
   const auto resets = static_cast<std::uint64_t>(std::max(run.options.resets, 0));
@@ -153,10 +153,10 @@ model::Result<model::Done> run_verilator(const Run& run) {
   run.judge.report().build_seconds = executable.build_seconds;
   MIXCMP_TRY(simulation, SystemSimulation::start(executable, simulation_options(run.options)));
   const std::vector<std::uint64_t> resets = reset_positions(run);
-  Answer answer;  // to the block before
+  Answer answer;  // to the previous block
   for (std::uint64_t first = 0; answer.state == wire::State::running;) {
     const Block block = make_block(run, resets, first);
-    // The simulator has one core, the golden model, which judges what it said last, the other.
+    // The simulator works on one core while the golden model judges its last answer on another.
     auto exchange = std::async(
         std::launch::async, [&] { return simulation.exchange(block, run.system.signature.lanes); });
     run.judge.take(answer);

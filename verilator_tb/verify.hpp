@@ -22,17 +22,17 @@ enum class SimulatorKind {
 };
 
 enum class TruthScope {
-  recomputed,  ///< verdicts of references
+  recomputed,  ///< only the verdicts of references
   all,
 };
 
-/// Hold verdicts also against the real numbers f and g.
+/// Asks `verify` to compare verdicts with the order of the real numbers f and g, too.
 struct TruthCheck {
   const model::Graph* graph;
   TruthScope scope = TruthScope::all;
 };
 
-/// What the hardware said of one comparison.
+/// The hardware's result for one comparison.
 struct VerifiedResult {
   std::uint64_t index;
   model::Verdict verdict;
@@ -53,7 +53,7 @@ struct VerifyOptions {
   std::filesystem::path waves;
   WaveFile* wave_file = nullptr;  ///< set by `verify` where there are waves to write
   std::optional<TruthCheck> truth;
-  std::string repeat_command;         ///< to which " --only INDEX" is added in the report
+  std::string repeat_command;         ///< the report prints it with " --only INDEX" added
   std::vector<std::string> plusargs;  ///< for the simulator, without their plus
   std::function<void(const VerifiedResult&)> on_result;  ///< in order of index
   Progress progress;
@@ -69,8 +69,8 @@ model::Result<model::Done> check_request(const model::Design& design,
                                          const model::Comparisons& comparisons,
                                          const VerifyOptions& options);
 
-/// Runs the system in `generated_dir` on the comparisons and holds every result against the golden
-/// model. An error means that it could not be run; what it did wrong is in the report.
+/// Runs the system in `generated_dir` on the comparisons and compares every result with the golden
+/// model. An error means that the system could not be run; wrong results are in the report.
 model::Result<VerifyReport> verify(const model::Design& design,
                                    const model::Comparisons& comparisons,
                                    const std::filesystem::path& generated_dir,

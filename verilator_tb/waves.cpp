@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that nobody may write would be found out after the simulation.
+/// Checks that waves can be written to `path`; otherwise a long simulation would end in this error.
 model::Result<model::Done> check_place(const fs::path& path) {
   std::error_code failed;
   if (!fs::exists(path, failed)) return model::Done{};

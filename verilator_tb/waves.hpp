@@ -23,9 +23,9 @@ std::string gtkwave_save_file(const gen::Signature& signature, const SaveFile& o
 /// A save file that shows all ports of an engine.
 std::string gtkwave_save_file(const gen::SignatureEngine& engine, const SaveFile& options);
 
-/// Whether a file is an FST that its writer has closed: its blocks follow one another to the end of
-/// the file, and header, geometry and hierarchy are among them (GTKWave's fstapi). Simulators do
-/// not say that a disk was full.
+/// Tells whether a file is an FST that its writer has closed: its blocks follow one another to the
+/// end of the file, and header, geometry and hierarchy are among them (GTKWave's fstapi). This
+/// finds a full disk, which simulators do not report.
 bool is_whole_fst(const std::filesystem::path& path);
 
 /// Waves and the GTKWave save file that goes with them. Until both are whole, what a simulator

@@ -33,9 +33,9 @@ public:
   }
 
 private:
-  /// After a load's last row: long enough for one too many to show itself.
+  /// Cycles simulated after a load's last row, so that a surplus row shows itself.
   static constexpr int quiet_cycles = 64;
-  /// Streams of the traffic.
+  /// Stream numbers for Traffic.
   static constexpr std::uint64_t candidate_stream = 0;
   static constexpr std::uint64_t row_stream = 1;
   static constexpr std::uint64_t result_stream = 2;
@@ -70,7 +70,7 @@ private:
   void step() {
     drive();
     clocked_.settle(cycle_);
-    // What leaves has come in before this cycle.
+    // Results come first: a row that leaves in this cycle came in before it.
     sample_results();
     sample_candidates();
     sample_rows();
@@ -110,7 +110,7 @@ private:
 
   void sample_candidates() {
     if (!loading_ || !ports_.s_candidate_tready.bit(0)) return;
-    // The row of which candidates would compare it is not defined.
+    // It is not defined with which candidates a row inside would be compared.
     if (!inside_.empty()) violate(wire::Fault::loaded_among_rows, next_candidate_);
     if (next_row_ == 0 && next_candidate_ == 0) load_cycle_ = cycle_;
     ++next_candidate_;
@@ -183,18 +183,18 @@ private:
   wire::LoadRequest request_ = {};
   std::vector<std::uint8_t> candidates_;
   std::vector<std::uint8_t> rows_;
-  std::uint64_t next_candidate_ = 0;  ///< to be offered
+  std::uint64_t next_candidate_ = 0;  ///< the candidate to be offered next
   std::uint64_t next_row_ = 0;
   std::uint64_t reload_ = 0;  ///< the request's reload_after, until it is done
   bool loading_ = false;      ///< a candidate is on offer
-  bool offering_ = false;     ///< a row is
+  bool offering_ = false;     ///< a row is on offer
   bool ready_ = false;
   std::deque<Inside> inside_;
   std::uint64_t accepted_ = 0;  ///< rows ever; tags follow from it
   std::uint64_t load_cycle_ = 0;
   std::uint64_t first_cycle_ = 0;
   std::uint64_t progress_ = 0;
-  std::uint64_t observed_rows_ = 0;  ///< left since reset
+  std::uint64_t observed_rows_ = 0;  ///< rows that left since reset
   std::vector<wire::RowResult> results_;
   wire::LoadResponse response_ = {};
   wire::LoadState state_ = wire::LoadState::complete;

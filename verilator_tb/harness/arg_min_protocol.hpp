@@ -4,11 +4,12 @@
 
 #include "protocol.hpp"
 
-/// What the host and the simulator of an arg-min engine exchange, in the way of protocol.hpp: a
-/// request is one load of candidates and the rows behind it, its response the rows that left.
+/// What the host and the simulator of an arg-min engine exchange, by the rules of protocol.hpp: a
+/// request is one load of candidates and the rows after it; its response holds the rows that left.
 namespace mixcmp::tb::wire {
 
-/// Followed by the candidates, item_bytes for each, and the rows, row_bytes for each.
+/// The head of a request, followed by the candidates, item_bytes for each, and the rows, row_bytes
+/// for each.
 struct LoadRequest {
   std::uint64_t candidates;
   std::uint64_t rows;
@@ -21,19 +22,19 @@ struct LoadRequest {
 
 enum class LoadState : std::uint64_t {
   complete,     ///< every row has left
-  interrupted,  ///< by the reset, before that
+  interrupted,  ///< the reset came before all rows had left
   stopped,      ///< the engine stands still, or max_violations were seen; the simulator ends
 };
 
-/// Followed by the rows that left, in that order, the violations and by one LaneEnd for each lane,
-/// of which only `counted` is set.
+/// The head of a response, followed by the rows that left, in the order of leaving, by the
+/// violations, and by one LaneEnd for each lane, of which only `counted` is set.
 struct LoadResponse {
   std::uint64_t rows;
   std::uint64_t violations;
   std::uint64_t loading_cycles;  ///< from the first candidate's acceptance to the first row's
   std::uint64_t cycles;          ///< from the first row's acceptance to the last one's departure
   std::uint64_t overrun;         ///< the port, when the last row had left
-  /// Since reset: rows, stalled cycles; of the last only `counted` is set.
+  /// The engine's counters since reset: rows, stalled cycles; of the latter only `counted` is set.
   LaneEnd counters;
   LoadState state;
 };

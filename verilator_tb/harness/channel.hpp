@@ -7,11 +7,11 @@
 
 namespace mixcmp::tb {
 
-/// The host's end of the socket. It going away ends the simulator.
+/// The socket to the host. The simulator ends when the host closes it.
 class Channel {
 public:
-  /// Takes standard input, and standard output out of the way: what the model may print must not
-  /// mix with the answers.
+  /// Takes over standard input, which is the socket, and sends standard output to standard error:
+  /// what the model prints must not mix with the answers.
   Channel() : descriptor_(dup(STDIN_FILENO)) { dup2(STDERR_FILENO, STDOUT_FILENO); }
 
   template <class T>

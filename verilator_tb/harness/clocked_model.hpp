@@ -35,7 +35,7 @@ public:
     return *model_;
   }
 
-  /// Inputs have changed while the clock was high; outputs are to be read while it is low.
+  /// Lowers the clock. Inputs are changed while it is high, outputs are read while it is low.
   void settle(std::uint64_t cycle) {
     model_->aclk = 0;
     evaluate(2 * cycle);
@@ -49,7 +49,7 @@ public:
 #if VM_TRACE
     if (path.empty()) return;
     context_.traceEverOn(true);
-    model_->eval();  // hierarchical blocks are made in it, and trace() needs them
+    model_->eval();  // creates the hierarchical blocks, which trace() needs
     trace_ = std::make_unique<VerilatedFstC>();
     model_->trace(trace_.get(), 99);
     trace_->open(path.c_str());

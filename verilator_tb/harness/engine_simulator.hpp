@@ -14,8 +14,8 @@
 
 namespace mixcmp::tb {
 
-/// What the simulators of all engines have in common: the model and its clock, resets, what breaks
-/// the protocol, the lanes' counters.
+/// The base of the simulators of all engines: the model and its clock, resets, protocol violations,
+/// counters.
 class EngineSimulator {
 protected:
   using EnginePorts = decltype(system::bind(std::declval<system::Model&>()));
@@ -28,13 +28,13 @@ protected:
         clocked_(settings_, count, words),
         ports_(system::bind(clocked_.model())) {
     clocked_.open_trace(settings_.trace);
-    // Verilated hierarchical blocks are made in the first cycle, and miss it.
+    // Verilator creates hierarchical blocks in the first cycle, so that they miss it.
     ports_.aresetn.set_bit(0, false);
     clocked_.settle(cycle_);
     rise();
   }
 
-  /// The streams that enter, by their tvalid, are quiet meanwhile.
+  /// Resets the engine. `entering`: the tvalid of each input stream; they are low meanwhile.
   void reset_engine(std::initializer_list<Port*> entering) {
     hold_.reset();
     for (Port* tvalid : entering) tvalid->set_bit(0, false);
@@ -76,7 +76,7 @@ protected:
     return ends;
   }
 
-  /// The engine's own counters, into the first places.
+  /// Reads the engine's own counters into end.counted, from its first place on.
   void read_counters(wire::LaneEnd& end, std::initializer_list<const Port*> counters) const {
     if (system::counter_bits == 0) return;
     int place = 0;
@@ -92,7 +92,7 @@ protected:
   HoldChecker hold_;
   std::vector<wire::Violation> violations_;  ///< since the last response
   std::uint64_t cycle_ = 0;
-  bool stopped_ = false;  ///< nothing more is to be expected of the engine
+  bool stopped_ = false;  ///< the engine hung, or max_violations were seen
 
 private:
   static constexpr int reset_cycles = 1;  ///< as few as docs/ports.md promises

@@ -11,7 +11,8 @@
 
 namespace mixcmp::tb {
 
-/// The comparisons that no lane has been offered yet. Those that a reset threw out go first.
+/// The queue of comparisons for the lanes. Those that a reset has discarded are offered again
+/// first.
 class Feed {
 public:
   explicit Feed(std::size_t bytes_per_comparison) : bytes_(bytes_per_comparison) {}
@@ -24,7 +25,7 @@ public:
 
   std::size_t size() const { return returned_.size() + (fresh_.size() - cursor_) / bytes_; }
 
-  /// Fresh comparisons taken so far.
+  /// How many comparisons were taken so far; one that is offered again counts once.
   std::uint64_t taken() const { return next_position_; }
 
   void take(Entry& entry) {
@@ -42,7 +43,7 @@ public:
 
   void give_back(const Entry& entry) { returned_.emplace_back(entry.position, entry.operands); }
 
-  /// After a reset: the earliest first, whichever lanes they were in.
+  /// Sorts the comparisons given back after a reset by position, whichever lanes they were in.
   void sort_returned() {
     std::sort(returned_.begin(), returned_.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });

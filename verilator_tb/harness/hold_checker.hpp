@@ -7,7 +7,8 @@
 
 namespace mixcmp::tb {
 
-/// AXI4-Stream: once raised, valid and payload hold until accepted. Watches one stream.
+/// Watches one stream for a rule of AXI4-Stream: once raised, valid and payload hold until
+/// accepted.
 class HoldChecker {
 public:
   std::optional<wire::Fault> observe(bool valid, bool ready, std::uint64_t data,

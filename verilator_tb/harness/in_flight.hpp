@@ -11,9 +11,9 @@ struct Entry {
 
   State state = State::unused;
   std::uint64_t number = 0;    ///< the running number that became the tag
-  std::uint64_t position = 0;  ///< of the run
+  std::uint64_t position = 0;  ///< in the run
   std::uint64_t sequence = 0;  ///< order of acceptance in its lane
-  std::uint64_t cycle = 0;     ///< offered, then accepted
+  std::uint64_t cycle = 0;     ///< of the offer; once accepted, of the acceptance
   std::vector<std::uint8_t> operands;
 
   bool busy() const { return state == State::offered || state == State::inside; }
@@ -31,7 +31,7 @@ public:
         count_(count),
         ring_(ring_size) {}
 
-  /// An entry with a fresh number, or null while all that would serve are inside.
+  /// Returns an entry with a fresh number, or null while all entries that it tries are in use.
   Entry* allocate() {
     for (std::size_t attempt = 0; attempt < ring_.size(); ++attempt) {
       const std::uint64_t number = next_;
@@ -46,7 +46,7 @@ public:
 
   std::uint64_t tag(const Entry& entry) const { return (base_ + entry.number) * scramble & mask_; }
 
-  /// The entry that carries, or last carried, this tag; null if none that is remembered did.
+  /// The entry that carries, or last carried, this tag; null if no remembered entry did.
   Entry* find(std::uint64_t tag) {
     const std::uint64_t number = (tag * unscramble() - base_) & mask_;
     Entry& entry = ring_[number % ring_.size()];

@@ -43,7 +43,8 @@ public:
     if (valid && ready_) deliver(tag, static_cast<std::uint32_t>(tdata), cycle);
   }
 
-  /// The system is held in reset: what was inside is lost to it and must be offered again.
+  /// Gives the comparisons that were offered or inside back to `feed`, for the system is held in
+  /// reset and has lost them.
   void discard(Feed& feed) {
     for (Entry& entry : in_flight_.entries()) {
       if (!entry.busy()) continue;
@@ -63,7 +64,7 @@ public:
     report(wire::Fault::valid_in_reset, wire::no_position, 0, cycle);
   }
 
-  /// Reports what has been waiting for more than `limit` cycles; true if the lane stands still.
+  /// Reports comparisons that have waited for more than `limit` cycles; true if the lane hangs.
   bool check_overdue(std::uint64_t cycle, std::uint64_t limit) {
     bool hung = false;
     for (Entry& entry : in_flight_.entries()) {
@@ -107,7 +108,8 @@ private:
     std::uint64_t stalls = 0;
   };
 
-  /// Room for what is inside and, for a while, for what has left, so that doubles are recognised.
+  /// Room for the comparisons inside and, for a while, for those that have left, so that duplicate
+  /// results are recognised.
   static constexpr std::size_t ring_size = 4 * system::slots;
 
   /// A memory finds refetched operands by tag alone: lanes may not share tags then.

@@ -33,9 +33,9 @@ public:
   }
 
 private:
-  /// After a set: long enough for what comes behind its closing beat to show itself.
+  /// Cycles simulated after a set, so that a report behind its closing beat shows itself.
   static constexpr int quiet_cycles = 64 + 4 * system::lanes;
-  /// Streams of the traffic.
+  /// Stream numbers for Traffic.
   static constexpr std::uint64_t item_stream = 0;
   static constexpr std::uint64_t report_stream = 1;
 

@@ -4,11 +4,11 @@
 
 #include "protocol.hpp"
 
-/// What the host and the simulator of a pairwise engine exchange, in the way of protocol.hpp: a
-/// request is one set of items, its response what left.
+/// What the host and the simulator of a pairwise engine exchange, by the rules of protocol.hpp: a
+/// request is one set of items; its response holds the reports that left.
 namespace mixcmp::tb::wire {
 
-/// Followed by the items, item_bytes for each.
+/// The head of a request, followed by the items, item_bytes for each.
 struct SetRequest {
   std::uint64_t items;
   /// Not 0: reset the engine so many cycles after the first item was offered.
@@ -18,19 +18,20 @@ struct SetRequest {
 
 enum class SetState : std::uint64_t {
   closed,       ///< the closing beat has left
-  interrupted,  ///< by the reset, before that
+  interrupted,  ///< the reset came before the closing beat
   stopped,      ///< the engine stands still, or max_violations were seen; the simulator ends
 };
 
-/// Followed by the reports, the violations and by one LaneEnd for each lane, of which only
-/// `counted` is set.
+/// The head of a response, followed by the reports, the violations and one LaneEnd for each lane,
+/// of which only `counted` is set.
 struct SetResponse {
   std::uint64_t reports;
   std::uint64_t violations;
   std::uint64_t cycles;         ///< from the first item's acceptance to the closing beat's
   std::uint64_t closing_tdata;  ///< of the closing beat
   std::uint64_t closing_tuser;
-  /// Since reset: reports, busy cycles, stalled cycles; of the last only `counted` is set.
+  /// The engine's counters since reset: reports, busy cycles, stalled cycles; of the last only
+  /// `counted` is set.
   LaneEnd counters;
   SetState state;
 };

@@ -8,8 +8,8 @@
 /// response to its own block or in a later one, in any order.
 namespace mixcmp::tb::wire {
 
-/// Followed by `resets` positions (each std::uint64_t: reset the system as soon as so many
-/// comparisons were offered) and by the operands, tdata_bytes for each comparison.
+/// The head of a request, followed by `resets` positions (each std::uint64_t: reset the system as
+/// soon as so many comparisons were offered) and by the operands, tdata_bytes for each comparison.
 struct Request {
   std::uint64_t comparisons;
   std::uint64_t resets;
@@ -22,7 +22,8 @@ enum class State : std::uint64_t {
   stopped,  ///< a lane stands still, or max_violations were seen; the simulator ends
 };
 
-/// Followed by the results, the violations and, when drained, by one LaneEnd for each lane.
+/// The head of a response, followed by the results, the violations and, when drained, one LaneEnd
+/// for each lane.
 struct Response {
   std::uint64_t results;
   std::uint64_t violations;
@@ -41,27 +42,27 @@ struct Result {
   std::uint32_t tdata;  ///< as on m_axis_tdata
 };
 
-/// icarus/testbench.v numbers them alike.
+/// How a system can violate its protocol. icarus/testbench.v uses the same numbers.
 enum class Fault : std::uint32_t {
   valid_dropped,    ///< tvalid fell before tready
-  payload_changed,  ///< while waiting for tready
+  payload_changed,  ///< the payload changed before tready
   unknown_tag,
-  duplicate_tag,      ///< a result that had left already
+  duplicate_tag,      ///< a second result of one comparison
   stale_after_reset,  ///< a result of a comparison that a reset had discarded
   valid_in_reset,
-  order_broken,  ///< of a system that promises order
+  order_broken,  ///< results out of order, in a system that promises order
   lost,          ///< never left, though its lane goes on
   hung,          ///< never left, and its lane takes nothing more
   unknown_refetch,
   unknown_value,      ///< x on a handshake or a result; only an event-driven simulator sees it
-  after_the_end,      ///< of an engine: a report behind the closing beat
-  closed_early,       ///< of an engine: a closing beat before the last item
-  loaded_among_rows,  ///< of an engine: a candidate accepted while a row is inside
+  after_the_end,      ///< pairwise engine: a report behind the closing beat
+  closed_early,       ///< pairwise engine: a closing beat before the last item
+  loaded_among_rows,  ///< arg-min engine: a candidate accepted while a row is inside
 };
 
 struct Violation {
   Fault fault;
-  std::uint32_t lane;      ///< of a refetch: the reference
+  std::uint32_t lane;      ///< on a refetch stream: the reference
   std::uint64_t position;  ///< of the comparison, or no_position
   std::uint64_t tag;
   std::uint64_t cycle;
@@ -69,7 +70,7 @@ struct Violation {
 
 inline constexpr std::uint64_t no_position = ~std::uint64_t{0};
 
-/// Since the last reset: the three counters, as the hardware has them and as they were observed.
+/// The three counters of a lane since the last reset, by the hardware and by the harness.
 struct LaneEnd {
   std::uint64_t counted[3];
   std::uint64_t observed[3];

@@ -8,7 +8,7 @@
 
 namespace mixcmp::tb {
 
-/// What happened since the last response.
+/// Records the results and violations since the last response.
 class Recorder {
 public:
   void result(const wire::Result& result) {
@@ -22,7 +22,7 @@ public:
     ++violation_count_;
   }
 
-  /// Whether so much went wrong that going on would add nothing.
+  /// Tells whether there were so many violations that more would say nothing new.
   bool full() const { return violation_count_ >= wire::max_violations; }
 
   std::uint64_t last_result_cycle() const { return last_result_cycle_; }

@@ -49,7 +49,7 @@ public:
 
 private:
   struct Answer {
-    std::uint64_t cycle;  ///< not before
+    std::uint64_t cycle;  ///< earliest cycle in which it is offered
     std::vector<std::uint8_t> operands;
   };
 

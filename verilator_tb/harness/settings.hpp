@@ -14,7 +14,7 @@ struct Settings {
   std::string trace;
 };
 
-/// "name=value" words, written by the host alone.
+/// Reads the command line's "name=value" words. Only the host writes them.
 inline Settings read_settings(int count, char** words) {
   Settings settings;
   for (int k = 1; k < count; ++k) {

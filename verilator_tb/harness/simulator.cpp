@@ -47,13 +47,14 @@ public:
   }
 
 private:
-  /// Until the feed would run dry or, after the last request, until all has left.
+  /// Runs until the feed holds fewer comparisons than there are lanes or, after the last request,
+  /// until all results have left.
   void run(bool last) {
     const std::size_t enough = last ? 1 : system::lanes;
     while (!stopped() && feed_.size() >= enough) step();
     if (!last) return;
     while (!stopped() && (feed_.size() > 0 || is_busy())) step();
-    // Long enough for a double of the last result to show itself.
+    // Long enough for a duplicate of the last result to show itself.
     for (int k = 0; !stopped() && k < 4 * system::slots; ++k) step();
     if (!stopped()) state_ = wire::State::drained;
   }

@@ -4,8 +4,8 @@
 
 namespace mixcmp::tb {
 
-/// When the two sides of a stream are willing. Counter-based: a decision depends on the seed, the
-/// stream and the cycle alone.
+/// Decides in which cycles the two sides of a stream are ready to transfer. A decision depends on
+/// the seed, the stream and the cycle alone.
 class Traffic {
 public:
   enum class Kind { full_rate, stressed };
@@ -15,7 +15,7 @@ public:
   /// `stream` numbers the streams of a system, each direction by itself.
   bool willing(std::uint64_t stream, std::uint64_t cycle) const {
     if (kind_ == Kind::full_rate) return true;
-    // Every 64 cycles another density, so that FIFOs run empty, run full, and sit in between.
+    // The density changes every 64 cycles, so that FIFOs run empty, run full, and sit in between.
     constexpr unsigned densities[8] = {256, 256, 224, 160, 128, 64, 16, 0};
     const unsigned density = densities[random(2 * stream, cycle / 64) % 8];
     return random(2 * stream + 1, cycle) % 256 < density;
