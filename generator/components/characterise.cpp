@@ -28,7 +28,7 @@ std::string label(const ComponentKey& key) {
   return key.ports == 0 ? text : fmt::format("{} {} ports", text, key.ports);
 }
 
-/// What the row was asked for with.
+/// The options with which a row was measured.
 SynthesisOptions options_of(const Measurement& row) {
   if (row.timing_seeds == 0) return {.effort = TimingEffort::area_only};
   return {.effort = TimingEffort::timing, .seeds = row.timing_seeds};
@@ -105,7 +105,7 @@ private:
            is_current(row, maker_, device_);
   }
 
-  /// Closes the store before processes are made.
+  /// Lists the jobs whose results the store lacks. The store is closed before processes are forked.
   Result<std::vector<model::PendingJob>> pending_jobs() {
     MIXCMP_TRY(store, model::ResultStore::open(options_.store));
     std::vector<model::PendingJob> jobs;
@@ -136,7 +136,8 @@ private:
     return Done{};
   }
 
-  /// Jobs that failed, or that an interrupt left out, have no row.
+  /// Makes the table's rows from the store. Jobs that failed, or that an interrupt left out, have
+  /// none.
   Result<Done> collect() {
     MIXCMP_TRY(store, model::ResultStore::open(options_.store));
     for (Measurement& row : planned_) {

@@ -51,7 +51,7 @@ Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQ
   return keys;
 }
 
-/// One walk through a query.
+/// Visits the components of one query.
 class Walk {
 public:
   Walk(ComponentMaker& maker, const ComponentQuery& query,
@@ -89,7 +89,7 @@ private:
     return Done{};
   }
 
-  /// Keys that come out the same are one component.
+  /// Visits a component unless one with the same key was visited before.
   void take(const Component& component) {
     units_.insert(component.units.begin(), component.units.end());
     if (asked(component.key.kind) && seen_.insert(component.key).second) use_(component);

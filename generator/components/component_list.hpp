@@ -10,13 +10,13 @@
 
 namespace mixcmp::gen {
 
-/// How many exponent bits lanes have.
+/// How the number of a lane's exponent bits is chosen.
 enum class LaneExponents {
   reference,  ///< as many as the reference's
   ranges,     ///< the fewest that the declared ranges allow
 };
 
-/// Which components of a scene.
+/// The components of a scene that are asked for.
 struct ComponentQuery {
   std::set<model::ComponentKind> kinds = {
       model::ComponentKind::unit, model::ComponentKind::lane, model::ComponentKind::reference,
@@ -27,7 +27,7 @@ struct ComponentQuery {
   std::vector<model::Multipliers> multipliers = {model::Multipliers::embedded,
                                                  model::Multipliers::logic};
   std::vector<int> ports;  ///< of crossbars
-  /// None: as reduced.format says; the reference's where that is "auto".
+  /// If absent: as reduced.format says, or as many as the reference's where that is "auto".
   std::optional<LaneExponents> exponents;
 };
 
@@ -37,8 +37,9 @@ struct MissingLane {
   model::Error reason;
 };
 
-/// Calls `use` with every component, each once. Fifos and units are those that the query's lanes
-/// need, whether or not lanes are asked for themselves. Errors name what a scene cannot have.
+/// Calls `use` with every component of the query, each once. Returns the lanes that do not exist.
+/// Fifos and units are those that the query's lanes need, whether or not the query asks for lanes.
+/// Errors name what a scene cannot have.
 model::Result<std::vector<MissingLane>> for_each_component(
     ComponentMaker& maker, const ComponentQuery& query,
     const std::function<void(const Component&)>& use);

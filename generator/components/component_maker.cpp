@@ -28,7 +28,8 @@ using model::Result;
 
 /// Comparisons that the constants of profiled lanes are measured on: as many as for `generate`.
 constexpr std::uint64_t constant_samples = 100'000;
-/// Lanes of 11 to 42 cycles need these; where others do, a request is a bit shorter or longer.
+/// Lanes of 11 to 42 cycles need so many slots; for other lanes a request is a bit narrower or
+/// wider.
 constexpr int crossbar_slots = 64;
 constexpr int crossbar_radix = 4;
 constexpr int answer_cycles = 2;
@@ -56,7 +57,8 @@ bool has_product(const model::TypedGraph& graph) {
   });
 }
 
-/// Arithmetic alone: what a delay line takes is known without synthesis.
+/// The units of a module, each once. Delay lines are left out: their area is known without
+/// synthesis.
 std::vector<ComponentKey> units_of(const rtl::Module& module) {
   std::vector<ComponentKey> units;
   for (const rtl::Instance* instance : instances(module)) {

@@ -13,8 +13,8 @@
 
 namespace mixcmp::gen {
 
-/// Lanes at a reference whose crossbar is measured alone. Yosys maps 128 in a minute and not 512 in
-/// five; what is generated may have more.
+/// How many lanes per reference a crossbar may have that is measured alone. Yosys maps 128 in a
+/// minute but not 512 in five. Generated systems may have more.
 inline constexpr model::Limits measured_ports{1, 128};
 
 /// One component of a scene's systems, ready to be synthesised alone.
@@ -22,27 +22,28 @@ struct Component {
   model::ComponentKey key;
   int latency_cycles = 0;
   model::SynthesisJob job;
-  std::vector<model::ComponentKey> units;  ///< of a lane or reference: what it is made of
+  std::vector<model::ComponentKey> units;  ///< the units of a lane or reference; else empty
 };
 
-/// A reduced datapath alone, whatever scene it is of.
+/// The datapath of one lane alone.
 struct LaneRtl {
   int latency_cycles = 0;
   rtl::Module module;
 };
-/// An error where the device is unknown.
+/// Generates the datapath of `lane` for the device and clock of `system`. An error means that the
+/// device is unknown.
 model::Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs,
                                 const model::CombinedLane& lane, model::Multipliers multipliers,
                                 const model::SystemSpec& system);
 
-/// Writes the RTL of a scene's components, one at a time, by the keys of a table's rows.
+/// Generates the RTL of a scene's components, one at a time, by the keys of a table's rows.
 class ComponentMaker {
 public:
   /// `data` may be null; only a profiled lane whose constants the scene does not give needs it.
   ComponentMaker(const model::Scene& scene, const model::Comparisons* data);
 
-  /// The component of a key, or why there is none. The key that comes back may say less: without a
-  /// product there is nothing to make multipliers of.
+  /// The component of a key, or why there is none. A component without a product has no kind of
+  /// multipliers in its key, even if the given key has one.
   model::Result<Component> make(const model::ComponentKey& key);
 
   const model::Scene& scene() const { return scene_; }

@@ -37,7 +37,8 @@ void add_templates(SynthesisJob& job, const std::set<std::string>& modules) {
   }
 }
 
-/// False where the text declares no such parameter.
+/// Replaces a parameter's default in a module's text; false where the text declares no such
+/// parameter.
 bool set_default(std::string& text, const Setting& setting) {
   const std::regex declaration("(\\bparameter\\s+(?:\\[[^\\]]*\\]\\s*)?" + setting.name +
                                "\\s*=\\s*)([^,\\n)]+)");

@@ -8,16 +8,16 @@
 
 namespace mixcmp::gen {
 
-/// A module alone with the templates under it. Sources come without comments, so that nothing but
-/// hardware is in a hash of them.
+/// Synthesises a module alone, with the templates that it instantiates. Its sources have no
+/// comments, so that only the hardware decides their hash.
 model::SynthesisJob module_job(const rtl::Module& module);
 
-/// A template alone: its parameters' defaults are replaced by the instance's values.
+/// Synthesises a template alone: its parameters' defaults are replaced by the instance's values.
 model::SynthesisJob template_job(const TemplateInstance& instance);
 
 /// "fp_add EXPONENT_BITS=8 PRECISION=12 CUTS=9'h01f": all that template_job needs.
 std::string instance_name(const TemplateInstance& instance);
-/// The reverse; an error where the template or a parameter does not exist.
+/// The template_job of an instance_name; an error where the template or a parameter does not exist.
 model::Result<model::SynthesisJob> job_of_instance_name(std::string_view name);
 
 /// Verilog without `//` comments, blanks at line ends and empty lines.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view alone = "mixcmp_references_alone";
 
-/// Reference k: slice k of every operand and of the verdicts.
+/// The instance of reference k, connected to slice k of every operand and of the verdicts.
 std::string instance(const model::SynthesisJob& reference, const std::vector<std::string>& inputs,
                      int width, int k) {
   std::string text = fmt::format("\n  {} reference_{} (\n    .aclk(aclk),\n", reference.top, k);

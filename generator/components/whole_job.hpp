@@ -5,12 +5,11 @@
 
 namespace mixcmp::gen {
 
-/// A generated system as it is.
+/// Synthesises a whole generated system.
 model::SynthesisJob system_job(const GeneratedSystem& system);
 
-/// What a mixed-precision system has to be better than: `count` (1 or more) reference datapaths
-/// alone, without streams, tags or anything else around them, each with operands and verdict of its
-/// own.
+/// Synthesises `count` (1 or more) reference datapaths alone, which a mixed-precision system has to
+/// beat. They have no streams or tags around them; each has its own operands and verdict.
 model::Result<model::SynthesisJob> references_job(const model::Scene& scene, int count);
 
 }  // namespace mixcmp::gen
