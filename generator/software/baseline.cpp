@@ -17,7 +17,7 @@ namespace {
 using model::Bits;
 using model::Verdict;
 
-// Their operands fill memory.
+// The most comparisons that are written out, since their operands fill memory.
 constexpr std::uint64_t most_written_out = std::uint64_t{1} << 22;
 
 model::Error no_doubles(const model::Scene& scene) {
@@ -41,7 +41,7 @@ model::Table some_rows(const model::Table& table, std::uint64_t count) {
   return sample;
 }
 
-/// Comparisons, evenly spaced, each a row that holds its operands.
+/// At most `most` comparisons, evenly spaced, each written out as a row of its operands.
 model::Result<model::Comparisons> written_out(const model::Scene& scene,
                                               const model::Comparisons& data, std::uint64_t most) {
   const std::uint64_t taken = std::min(most, data.size());
@@ -56,7 +56,7 @@ model::Result<model::Comparisons> written_out(const model::Scene& scene,
   return model::Comparisons::rows(std::move(rows), scene.graph.inputs());
 }
 
-/// Data of the same form, about `wanted` comparisons of theirs.
+/// A sample of the data, of the same form, with about `wanted` comparisons.
 model::Result<model::Comparisons> sample_of(const model::Scene& scene,
                                             const model::Comparisons& data, std::uint64_t wanted) {
   const std::vector<std::string>& inputs = scene.graph.inputs();
@@ -100,7 +100,7 @@ VerdictCounts count_letters(const std::string& letters) {
   return {count('<'), count('='), count('>'), count('u')};
 }
 
-/// What every judge says of one comparison.
+/// The letter that every judge gives one comparison.
 struct ExpectedLetters {
   char golden, reference, truth;
 };
@@ -155,7 +155,8 @@ model::Result<BaselineCheck> check_sample(const SoftwareProgram& program, const 
     sample.fetch(index, operands);
     count(check, kernels, index, judges.judge(operands));
   }
-  // One comparison at a time is not the code that a long run goes through.
+  // The letters are computed one comparison at a time. Long runs, which go through other code, must
+  // count the same verdicts.
   const VerdictCounts expected = count_letters(kernels.front().letters);
   for (const KernelOutput& kernel : kernels) check.wrong += kernel.verdicts == expected ? 0 : 1;
   return check;

@@ -15,10 +15,10 @@ namespace mixcmp::gen {
 
 struct BaselineOptions {
   std::filesystem::path work;  ///< an existing folder for source, program, data and logs
-  unsigned threads = 0;        ///< "all cores"; 0: as many as the machine has
+  unsigned threads = 0;        ///< of the measurement on all cores; 0: as many as there are cores
   int rounds = 5;
-  double seconds = 0.5;         ///< that one kernel runs in one round
-  std::uint64_t sample = 4096;  ///< comparisons held against the golden model, about
+  double seconds = 0.5;         ///< run time of one kernel in one round
+  std::uint64_t sample = 4096;  ///< about how many comparisons the golden model checks
   model::Progress progress = {};
 };
 
@@ -27,30 +27,31 @@ struct VerdictCounts {
   friend bool operator==(const VerdictCounts&, const VerdictCounts&) = default;
 };
 
-/// Comparisons per second of one kernel on some threads, over all rounds: of processor time, which
-/// is that of the clock where nothing else runs, and the sum over the threads.
+/// Comparisons per second of one kernel over all rounds, summed over its threads. A second is one
+/// of the thread's processor time, which equals wall-clock time where nothing else runs.
 struct MeasuredRate {
   unsigned threads = 1;
   double best_per_s = 0, median_per_s = 0;
-  /// What other programs left of the processors in the best round.
+  /// The share of the processors that other programs left in the best round: processor time by
+  /// wall-clock time.
   double processor_share = 0;
 };
 
 struct BaselineKernel {
   std::optional<model::ErrorBoundKind> filter;  ///< none: double throughout
   VerdictCounts verdicts;                       ///< of all comparisons
-  std::uint64_t recomputed = 0;                 ///< in double, by a filter
+  std::uint64_t recomputed = 0;                 ///< comparisons that a filter left to doubles
   MeasuredRate one_core, all_cores;
 };
 
-/// The sample held against the golden model, verdict by verdict.
+/// The verdicts of the sample, compared one by one with those of the golden model.
 struct BaselineCheck {
   std::uint64_t comparisons = 0;
-  std::uint64_t wrong = 0;             ///< differ from the golden model's binary64
-  std::uint64_t decided_wrongly = 0;   ///< by a filter, against the order of the real numbers
-  std::uint64_t not_true = 0;          ///< of the doubles, against the order of the real numbers
-  std::uint64_t undetermined = 0;      ///< truths; nobody is called untrue or wrong there
-  std::uint64_t unlike_reference = 0;  ///< of the doubles, against the scene's reference
+  std::uint64_t wrong = 0;             ///< verdicts in double unlike the golden model's binary64
+  std::uint64_t decided_wrongly = 0;   ///< verdicts of filters unlike the order of the real numbers
+  std::uint64_t not_true = 0;          ///< verdicts in double unlike the order of the real numbers
+  std::uint64_t undetermined = 0;      ///< true order unknown: in neither of the two counts above
+  std::uint64_t unlike_reference = 0;  ///< verdicts in double unlike those of the scene's reference
 };
 
 /// A scene's comparison in software, measured on this machine.
@@ -65,7 +66,7 @@ struct Baseline {
   std::vector<MissingFilter> missing;
   BaselineCheck check;
 
-  /// The golden model agrees, and every kernel counts the same verdicts.
+  /// Tells whether the golden model agrees and every kernel counts the same verdicts.
   bool passed() const;
   const BaselineKernel& exact() const { return kernels.front(); }
   /// The kernel that is fastest on all cores: what hardware has to beat.

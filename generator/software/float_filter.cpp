@@ -53,8 +53,8 @@ std::vector<int> bound_roundings(const model::BoundGraph& bound) {
   return roundings;
 }
 
-/// gamma of docs/error_bounds.md, theorem 2: what `steps` of the encoding multiply at least; no
-/// less than the ratio that the steps were made for.
+/// gamma(steps) of docs/error_bounds.md, theorem 2: the least factor between two numbers whose
+/// encodings are `steps` apart. It is no less than the ratio that the steps were chosen for.
 mpq_class ratio_of_steps(model::Bits steps) {
   const auto doublings = static_cast<unsigned long>(steps >> (float_digits - 1));
   const auto rest = static_cast<unsigned long>(steps & model::low_mask(float_digits - 1));
@@ -74,8 +74,8 @@ bool all_finite(const ThresholdDecision& decision) {
                      });
 }
 
-/// The decision in binary32; none where that cannot hold the factors: more steps than it has
-/// doublings.
+/// The decision in binary32; nullopt where the guard has so many steps that binary32 cannot hold
+/// their factor.
 std::optional<ThresholdDecision> threshold_of(const model::AbsoluteBoundDecision& decision) {
   constexpr model::Bits most_steps = model::Bits{1} << (float_digits + 6);
   if (decision.guard_ulp > most_steps) return std::nullopt;
@@ -95,7 +95,7 @@ std::optional<ThresholdDecision> threshold_of(const model::AbsoluteBoundDecision
   return threshold;
 }
 
-/// A constant needs no product: the whole threshold is one literal.
+/// Multiplies a constant bound by its factor here, so that the whole threshold is one literal.
 void fold_constant(ThresholdDecision& decision) {
   model::BoundNode& last = decision.bound.nodes.back();
   if (last.operation != BoundOperation::constant) return;
@@ -105,7 +105,7 @@ void fold_constant(ThresholdDecision& decision) {
 
 model::Result<PartFilter> threshold_filter(ErrorBoundKind kind, const model::TypedGraph& graph,
                                            const model::Scene& scene) {
-  // What ranges rule out is of no use to a CPU: its flags tell when something happens.
+  // A CPU gains nothing from hazards that ranges rule out: its flags tell when one occurs.
   MIXCMP_TRY(lane, certified_lane(graph, {.kind = kind,
                                           .ranges = scene.ranges,
                                           .hazards = model::HazardRemoval::keep}));

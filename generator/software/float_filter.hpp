@@ -9,14 +9,14 @@
 
 namespace mixcmp::gen {
 
-/// What the operands of software are: the scene's numbers as doubles, exactly.
+/// The format of the software's operands, binary64: it must hold the scene's numbers exactly.
 model::FloatFormat software_format();
 
 /// The least normal binary32 that is not below `value` >= 0; infinite where there is none.
 float float_at_least(const mpq_class& value);
 
-/// f and g are never negative: less iff f * ratio < g, greater iff g * ratio < f. `ratio` is at
-/// least that of the errors of f and g (docs/error_bounds.md, theorem 3).
+/// Decides for f and g that are never negative: less iff f * ratio < g, greater iff g * ratio < f.
+/// `ratio` is at least R of docs/error_bounds.md, theorem 3.
 struct RatioDecision {
   float ratio;
 };
@@ -28,12 +28,12 @@ struct FloatCondition {
   float factor;
 };
 
-/// less iff difference < -threshold, greater iff difference > threshold, where every condition
-/// holds; threshold = factor * the last bound node. The factors make up for the roundings to
+/// Decides, where every condition holds, less iff difference < -threshold, greater iff difference >
+/// threshold; threshold = factor * the last bound node. The factors make up for the roundings to
 /// nearest of the bound itself, and for the guard of theorem 8.
 struct ThresholdDecision {
   model::NodeId difference;
-  model::BoundGraph bound;  ///< its format means nothing here: nodes are binary32
+  model::BoundGraph bound;  ///< its nodes are computed in binary32; its own format is not used
   float factor;
   std::vector<FloatCondition> conditions;
 };
@@ -53,7 +53,7 @@ struct FloatFilter {
   std::vector<PartFilter> parts;
 };
 
-/// Why a scene has no filter of some kind.
+/// A kind of filter that a scene cannot have, and why.
 struct MissingFilter {
   model::ErrorBoundKind kind;
   std::string reason;
@@ -64,8 +64,8 @@ struct FloatFilters {
   std::vector<MissingFilter> missing;
 };
 
-/// Every certified filter of the scene's comparison, of each kind at most one; whatever the scene's
-/// own lanes are.
+/// The certified filters of the scene's comparison, at most one of each kind. The scene's own lanes
+/// have no influence on them.
 FloatFilters float_filters(const model::Scene& scene);
 
 }  // namespace mixcmp::gen

@@ -16,8 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Multiply-adds must not be contracted: proofs and golden model round every operation. The other
-/// two let g++ vectorise roots and conditions, and change no result.
+/// Multiply-adds must not be contracted: proofs and golden model round every operation.
+/// -fno-math-errno and -fno-trapping-math let g++ vectorise roots and conditions, and change no
+/// result.
 const model::Command compile_command = {"g++",
                                         "-std=c++20",
                                         "-O3",
@@ -34,7 +35,7 @@ void write_word(model::OutputFile& file, std::uint64_t word) {
   file.write({reinterpret_cast<const char*>(&word), sizeof word});
 }
 
-/// The numbers of items, then the columns as doubles: program/harness.hpp reads them.
+/// Writes the numbers of items, then the columns as doubles; program/harness.hpp reads them.
 model::Result<model::Done> write_data(const fs::path& path, const model::Comparisons& data) {
   const model::OperandSource operands(data);
   const SoftwareColumns columns = software_columns(data);
@@ -49,7 +50,7 @@ model::Result<model::Done> write_data(const fs::path& path, const model::Compari
   return file.commit();
 }
 
-/// The lines of one kernel, found or added.
+/// Finds the output of one kernel, or adds an empty one.
 KernelOutput& kernel_of(std::vector<KernelOutput>& kernels, const std::string& name) {
   for (KernelOutput& kernel : kernels) {
     if (kernel.name == name) return kernel;
@@ -85,7 +86,7 @@ model::Error unusable(const fs::path& log, const char* what, std::string receive
           .received = std::move(received)};
 }
 
-/// The lines of a log, whose last is "end".
+/// Reads the program's log, whose last line must be "end".
 model::Result<std::vector<KernelOutput>> parse(const fs::path& log) {
   MIXCMP_TRY(text, model::read_file(log));
   std::istringstream lines(text);
@@ -102,7 +103,7 @@ model::Result<std::vector<KernelOutput>> parse(const fs::path& log) {
   return unusable(log, "did not print all", fmt::format("{} kernels", kernels.size()));
 }
 
-/// Whether each kernel was measured as often as it was asked to.
+/// Tells whether the kernel has a rate for every round, on one thread and on all.
 bool has_all_rates(const KernelOutput& kernel, unsigned threads, int rounds) {
   const auto measured = [&](unsigned with) {
     return std::count_if(kernel.rates.begin(), kernel.rates.end(),
@@ -124,7 +125,7 @@ model::Result<SoftwareProgram> SoftwareProgram::compile(const model::Scene& scen
   MIXCMP_TRY(compiler, model::tool_version({"g++", "--version"}, "g++"));
   const fs::path& work = options.work;
   std::error_code absent;
-  fs::remove(work / "comparison", absent);  // what is run is what this scene makes
+  fs::remove(work / "comparison", absent);  // so that no older program is run
   MIXCMP_TRY(written,
              model::write_file(work / "comparison.cpp", software_source(scene, data, filters)));
   MIXCMP_TRY(compiled, model::run_tool({.command = compile_command,

@@ -4,13 +4,13 @@
 
 namespace mixcmp::gen {
 
-/// What the program said of one kernel.
+/// The program's output for one kernel.
 struct KernelOutput {
   std::string name;  ///< "double", or the kind of a filter's bound
   VerdictCounts verdicts;
   std::uint64_t recomputed = 0;
-  std::string letters;              ///< one a comparison: <, =, >, u; ?: undecided by the filter
-  std::vector<MeasuredRate> rates;  ///< one a round and number of threads, in order
+  std::string letters;              ///< one per comparison: <, =, >, u; ?: undecided by the filter
+  std::vector<MeasuredRate> rates;  ///< one per round and number of threads, in order
 };
 
 /// The compiled comparison of one scene.
@@ -24,7 +24,7 @@ public:
   const std::string& compiler() const { return compiler_; }
   static const model::Command& command();
 
-  /// Every verdict on (small) data that has the columns of the scene's.
+  /// Runs the program on small data with the scene's columns, and returns every verdict.
   model::Result<std::vector<KernelOutput>> verdicts(const model::Comparisons& data) const;
   model::Result<std::vector<KernelOutput>> measure(const model::Comparisons& data,
                                                    unsigned threads) const;

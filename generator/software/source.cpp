@@ -17,7 +17,7 @@ using model::NodeId;
 using model::Operation;
 using model::TypedGraph;
 
-/// A finite number of the graph's format, exactly.
+/// A finite number of the graph's format as an exact C++ literal.
 std::string literal(model::FloatFormat format, model::Bits bits) {
   const double value = model::to_rational(format, bits).get_d();
   return fmt::format("{:a}{}", value, format == software_format() ? "" : "f");
@@ -27,7 +27,7 @@ std::string literal(float value) {
   return fmt::format("{:a}f", value);
 }
 
-/// The loops of one kernel in local variables: how an input is found, and the nodes' names.
+/// The names in the loop body of one kernel: the nodes' local variables and the loads of inputs.
 struct Body {
   const model::Comparisons& data;
   const TypedGraph& graph;
@@ -56,7 +56,7 @@ struct Body {
   }
 };
 
-/// The operation in C++; inputs and conversions of inputs are loads: columns are rounded already.
+/// The operation in C++. Inputs and conversions of inputs are loads: columns are rounded already.
 std::string expression(const Body& body, NodeId id) {
   const model::TypedNode& node = body.graph.nodes[static_cast<std::size_t>(id)];
   const auto operand = [&](int k) {
@@ -113,7 +113,8 @@ std::string over_parts(const Body& body, const std::vector<model::Sides>& parts,
   return text;
 }
 
-/// less, equal, greater: none of them where a part that no other outweighs is unordered.
+/// The call use(less, equal, greater). All three are false where a part is unordered and no other
+/// part outweighs it.
 std::string exact_verdict(const Body& body, const model::SharedGraph& graph,
                           model::Combination combination) {
   const std::vector<model::Sides>& parts = graph.sides;
@@ -170,7 +171,7 @@ std::string scaled(const std::string& bound, float factor) {
   return factor == 1 ? bound : fmt::format("{} * {}", bound, literal(factor));
 }
 
-/// What decides one part, and what it says: two conditions.
+/// The C++ text that decides one part: statements, then the conditions for less and for greater.
 struct PartText {
   std::string statements;
   std::string less;
@@ -244,7 +245,7 @@ std::string filter_type(model::ErrorBoundKind kind) {
   MIXCMP_CHECK(false);
 }
 
-/// The only part decides by itself.
+/// The kernel of a comparison of a single part.
 std::string text_of_part(const model::Comparisons& data, const PartFilter& part) {
   Body body(data, part.graph);
   const std::string values = nodes(body);
@@ -263,7 +264,8 @@ std::string indented(const std::string& text) {
   return result;
 }
 
-/// The kernel of a comparison of several parts, a block each: compilers find what they share.
+/// The kernel of a comparison of several parts, one block for each. The compiler finds their common
+/// subexpressions.
 std::string text_of_parts(const model::Comparisons& data, const FloatFilter& filter,
                           model::Combination combination) {
   std::string text =
@@ -303,7 +305,7 @@ struct {} {{
       alone ? text_of_part(data, filter.parts.front()) : text_of_parts(data, filter, combination));
 }
 
-/// Expressions may have several lines; a comment's line has one.
+/// Puts an expression, which may have several lines, on one line for a comment.
 std::string on_one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');

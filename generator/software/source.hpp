@@ -14,14 +14,14 @@ struct SoftwareColumns {
 };
 SoftwareColumns software_columns(const model::Comparisons& data);
 
-/// Whether software_source has loops for data of this form; other comparisons are rows once they
-/// are written out.
+/// Tells whether software_source has loops for data of this form. Comparisons of other data are
+/// written out as rows.
 bool has_software_loops(model::Pairing pairing);
 
 /// One C++20 file for a POSIX system: the scene's comparison on doubles, and for each filter on
 /// floats with doubles where it does not decide, as loops that a compiler vectorises, in a program
-/// that measures itself (generator/software/harness.cpp says how to call it). It must be compiled
-/// without contraction of multiply-adds and without -ffast-math.
+/// that measures itself (generator/software/program/harness.hpp says how to call it). It must be
+/// compiled without contraction of multiply-adds and without -ffast-math.
 std::string software_source(const model::Scene& scene, const model::Comparisons& data,
                             const FloatFilters& filters);
 

@@ -40,7 +40,8 @@ inline double square_root(double x) {
   return std::sqrt(x);
 }
 
-/// IEEE 754-2019: NaN wins, -0 < +0. Of equal numbers only zeros differ, in their signs.
+/// minimum of IEEE 754-2019: a NaN operand gives a NaN, and -0 < +0. Equal numbers have the same
+/// bits, but for the signs of zeros.
 template <class Real>
 inline Real minimum(Real a, Real b) {
   using Bits = BitsOf<Real>;
@@ -59,13 +60,14 @@ inline Real maximum(Real a, Real b) {
   return a != a ? a : ordered;
 }
 
-/// 2^floor(log2 |x|) of a normal number, 0 of zeros and subnormal ones: those are exact here.
+/// 2^floor(log2 |x|) of a normal number. It is 0 of zeros and subnormal numbers, which are exact
+/// here: an inexact one is exceptional.
 inline float binade(float x) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) & 0x7f800000u);
 }
 
-/// What a filter asks of an operand: its sign (0: any, 1: sign bit clear, 2: set), and the leading
-/// bits of its magnitude within limits.
+/// What a filter requires of an operand: its sign (0: any, 1: sign bit clear, 2: set), and limits
+/// for the leading bits of its magnitude.
 struct Check {
   std::size_t input;
   int sign;

@@ -26,7 +26,8 @@ using Columns = std::vector<Column<double>>;
   std::exit(1);
 }
 
-/// Items i and items j, the same where they are of one table; rows are items j.
+/// The data of a run. Items i and items j are the same where both are of one table; where a
+/// comparison is a row, the rows are items j.
 struct Data {
   std::uint64_t first_items = 0, second_items = 0;
   Columns columns;
@@ -38,7 +39,7 @@ std::uint64_t read_word(std::ifstream& file) {
   return word;
 }
 
-/// A file of 64-bit words: the numbers of items, then each column's length and doubles.
+/// Reads a file of 64-bit words: the numbers of items, then each column's length and doubles.
 Data read_data(const char* path) {
   std::ifstream file(path, std::ios::binary);
   Data data{read_word(file), read_word(file), Columns(file_columns)};
@@ -62,7 +63,8 @@ bool passes(const Check& check, double operand) {
   return check.least <= leading && leading <= check.greatest;
 }
 
-/// NaN, which leaves the comparison undecided, where rounding to float is exceptional.
+/// Rounds an operand to float. Where that is exceptional the result is NaN, which leaves the
+/// comparison undecided.
 float rounded(double operand) {
   const float nearest = static_cast<float>(operand);
   const bool tiny = std::fabs(nearest) <= std::numeric_limits<float>::min();
@@ -71,7 +73,7 @@ float rounded(double operand) {
   return exceptional ? std::numeric_limits<float>::quiet_NaN() : nearest;
 }
 
-/// One column an input, for one filter: what fails a check is NaN, too.
+/// One column per input, rounded for one filter. An operand that fails a check is NaN, too.
 template <class Filter>
 std::vector<Column<float>> rounded_columns(const Columns& columns) {
   std::vector<Column<float>> inputs;
@@ -127,8 +129,8 @@ template <class Kernel>
   return equal;
 }
 
-/// Never inlined: what raises floating-point flags is over when it returns. Equal and unordered
-/// ones are looked for where there are some.
+/// Never inlined: all operations that raise floating-point flags are over when it returns. Equal
+/// comparisons are counted in a second pass, only where some are neither less nor greater.
 template <class Kernel>
 [[gnu::noinline]] Tally count_orders(const double* const* columns, Run run) {
   const Kernel compare{columns, run.i};
@@ -157,7 +159,7 @@ template <class Filter>
   return {less, 0, greater, 0, 0};
 }
 
-/// open[k] = 1 where comparison run.first + k is undecided.
+/// Sets open[k] to 1 where comparison run.first + k is undecided, else to 0.
 template <class Filter>
 [[gnu::noinline]] void mark_open(const float* const* columns, Run run, std::uint32_t* open) {
   const Filter decide{columns, run.i};
@@ -180,8 +182,9 @@ private:
   std::vector<const double*> inputs_;
 };
 
-/// Floats where they decide, doubles where not. Flags are sticky, so one look after a run tells
-/// whether any operation of it was exceptional; then doubles do all of it.
+/// Compares in floats where they decide, else in doubles. Floating-point flags are sticky, so one
+/// look after a run tells whether any operation in it was exceptional; then doubles compute the
+/// whole run.
 template <class Filter>
 class FilteredComparison {
 public:
@@ -232,9 +235,8 @@ constexpr std::size_t first_partner(std::size_t i) {
   return form == Form::all_pairs ? i + 1 : 0;
 }
 
-/// All of the data's comparisons in units of some ten thousand to some millions, so that threads
-/// share them. A unit is one run's worth of items j with some thousand items i, or some runs of
-/// rows.
+/// Divides the data's comparisons into units of some ten thousand to some millions, which threads
+/// share. A unit is one run of items j with each of some thousand items i, or some runs of rows.
 class Work {
 public:
   explicit Work(const Data& data)
@@ -285,7 +287,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// One thread's part: units until the time is over.
+/// The part of one thread: takes units until the time is over.
 template <class Kernel>
 void take_units(const Kernel& kernel, const Work& work, std::atomic<std::uint64_t>& next,
                 double seconds, Measured& measured) {
@@ -320,7 +322,7 @@ void measure(const char* name, const Kernel& kernel, const Work& work, unsigned 
   std::printf("rate %s %u %.6e %.4f\n", name, threads, per_second, share);
 }
 
-/// Each comparison once, by every thread that there is.
+/// Makes each comparison once, on all threads together, and prints the counts.
 template <class Kernel>
 void tally(const char* name, const Kernel& kernel, const Work& work, unsigned threads) {
   std::atomic<std::uint64_t> next = 0;
@@ -342,7 +344,7 @@ void tally(const char* name, const Kernel& kernel, const Work& work, unsigned th
               number(all.greater), number(all.unordered), number(all.recomputed));
 }
 
-/// One letter a comparison, in order: <, =, >, u; ? where the filter did not decide.
+/// Prints one letter per comparison, in order: <, =, >, u; ? where the filter did not decide.
 template <class Kernel>
 void print_verdicts(const char* name, const Kernel& kernel, const Data& data) {
   std::string letters;
@@ -358,8 +360,8 @@ void print_verdicts(const char* name, const Kernel& kernel, const Data& data) {
   std::printf("verdicts %s %s\n", name, letters.c_str());
 }
 
-/// What the filters' proofs rest on: gradual underflow, rounding to nearest, and flags that are
-/// raised by inexact underflow and overflow alone.
+/// Checks what the filters' proofs rest on: gradual underflow, rounding to nearest, and flags that
+/// are raised by inexact underflow and overflow alone.
 bool arithmetic_is_ieee() {
   volatile float smallest = std::numeric_limits<float>::min(), one = 1;
   std::feclearexcept(FE_ALL_EXCEPT);
@@ -396,7 +398,7 @@ private:
   decltype(filtered(std::declval<const Columns&>(), Filters())) filtered_;
 };
 
-/// The last line says that nothing is missing.
+/// Prints the last line, which says that nothing is missing.
 int end() {
   const bool printed = std::printf("end\n") > 0 && std::fflush(stdout) == 0;
   if (!printed || std::ferror(stdout) != 0) fail("the results cannot be written");
@@ -405,7 +407,7 @@ int end() {
 
 }  // namespace
 
-/// program DATA verdicts: every comparison's, for small data.
+/// program DATA verdicts: prints the verdict of every comparison, for small data.
 /// program DATA measure THREADS ROUNDS SECONDS: tallies, then rates with one thread and with all;
 /// each kernel in turn, so that what disturbs a measurement disturbs all of them.
 int main(int argc, char** argv) {
