@@ -29,7 +29,7 @@ void tell_progress(int finished, int jobs, double seconds) {
   show_progress(fmt::format("{} of {} jobs, {}{}", finished, jobs, duration(seconds), left));
 }
 
-/// What the components' RTL depends on.
+/// The settings on which the components' RTL and its measurement depend, by name.
 std::vector<std::pair<std::string, std::string>> spec_of(const model::Scene& scene,
                                                          const std::string& tools) {
   const model::ReducedSpec& reduced = scene.reduced;
@@ -148,7 +148,8 @@ void print_json(const CharacteriseReport& report, const fs::path& table) {
   print(fmt::format("{}\n", json.dump(2)));
 }
 
-/// All RTL depends on where registers go.
+/// Refuses a table that was measured for another target_mhz: it decides where registers go in all
+/// RTL.
 model::Result<model::Done> check_target(const model::Characterisation& table, const fs::path& path,
                                         const model::Scene& scene) {
   const std::string wanted = fmt::format("{}", scene.system.target_mhz);
@@ -190,8 +191,8 @@ bool is_same_measurement(const model::Measurement* one, const model::Measurement
          one->timing_seeds == other->timing_seeds;
 }
 
-/// Rows that another run has put into the table while this one measured stay there, unless this run
-/// has measured the same components anew.
+/// Keeps rows that another run has put into the table while this one measured, unless this run has
+/// measured the same components anew.
 void adopt_new_rows(model::Characterisation& table, const model::Characterisation& now,
                     const model::Characterisation& before) {
   std::vector<model::Measurement> others;

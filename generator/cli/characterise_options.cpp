@@ -43,7 +43,7 @@ std::optional<int> number(std::string_view text) {
   return failed == std::errc() && stop == end ? std::optional(value) : std::nullopt;
 }
 
-/// "both", or one of two by its word.
+/// Reads an option that is "both" or the word of one of two choices.
 template <class Choice>
 Result<std::vector<Choice>> one_or_both(const std::string& option, const std::string& word,
                                         Choice first, Choice second) {

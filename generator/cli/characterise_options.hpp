@@ -5,7 +5,7 @@
 
 namespace mixcmp::cli {
 
-/// What a user may say to `characterise`, as it was said.
+/// The options of `characterise` as the user wrote them.
 struct CharacteriseCommand {
   SceneOptions scene;
   std::string precisions;  ///< empty: all that the scene can have
@@ -17,7 +17,7 @@ struct CharacteriseCommand {
   std::string exponents;  ///< empty: as the scene says
   bool area_only = false;
   int seeds = 3;
-  unsigned jobs = 0;  ///< 0: one a processor
+  unsigned jobs = 0;  ///< 0: one per processor
   std::filesystem::path output;
   std::filesystem::path store;
 };
@@ -28,11 +28,12 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command);
 model::Result<gen::CharacteriseOptions> characterise_options(const CharacteriseCommand& command,
                                                              const model::Scene& scene);
 
-/// "4-9,12" as numbers that are `allowed`, each once, in order. Errors name `option`.
+/// Reads a list such as "4-9,12": numbers that are `allowed`, each once, in rising order. Errors
+/// name `option`.
 model::Result<std::vector<int>> number_list(const std::string& option, const std::string& text,
                                             model::Limits allowed);
 
-/// The command that makes the same table, the scene by its file name alone.
+/// The command that makes the same table; it names the scene by its file name alone.
 std::string characterise_command_line(const CharacteriseCommand& command);
 
 }  // namespace mixcmp::cli

@@ -17,7 +17,7 @@
 namespace mixcmp::cli {
 namespace {
 
-/// What `generate` would write, or why it would refuse.
+/// The system that `generate` would write, or why it would refuse.
 struct Outlook {
   model::Result<gen::GeneratedSystem> system;
 };
@@ -156,7 +156,7 @@ bool any_differs(const std::vector<model::VariantCheck>& checks) {
   });
 }
 
-/// A proof of a lane that does not exist was asked for by mistake.
+/// Ends the program if a proof was asked for of a lane that does not exist: a mistake of the user.
 void end_without_lanes(const std::vector<ProvenLane>& proven) {
   bool all_exist = true;
   for (const ProvenLane& lane : proven) {
@@ -167,7 +167,7 @@ void end_without_lanes(const std::vector<ProvenLane>& proven) {
   if (!all_exist) throw Exit(ExitCode::mistake);
 }
 
-/// Why not all of a lane was proven; empty where it was, as far as Gappa's theory goes.
+/// Why a required part of a lane's proof is missing; empty if none is.
 std::string unproven_part(const ProvenLane& lane) {
   for (const model::proof::Finding& finding : lane.proof.findings) {
     const bool open = finding.outcome == model::proof::Outcome::out_of_time ||
@@ -177,7 +177,7 @@ std::string unproven_part(const ProvenLane& lane) {
   return "";
 }
 
-/// Parts of what was asked for that are missing from the report.
+/// The parts of the report that were asked for and are missing, each with its reason.
 std::vector<std::string> not_done(const CheckOptions& options,
                                   const std::vector<ProvenLane>& proven,
                                   const std::optional<BoundCosts>& costs) {

@@ -22,7 +22,7 @@ using model::ReducedSpec;
 using model::Result;
 using model::Scene;
 
-/// One lane alone on the scene's device.
+/// The area of one lane alone on the scene's device.
 Result<Area> lane_area(const Scene& scene, const CombinedLane& lane) {
   MIXCMP_TRY(device, model::find_device(scene.system.device));
   MIXCMP_TRY(tools, model::tool_versions(device, model::TimingEffort::area_only));
@@ -52,7 +52,7 @@ std::optional<Area> area_of_all_built(const Scene& scene, const ReducedSpec& red
   return area.ok() ? std::optional(*area) : std::nullopt;
 }
 
-/// Whether `generate` takes a lane that decides so.
+/// Tells whether `generate` takes the bound of `tried`, whose lane has this decision.
 bool is_chosen(const LoadedScene& loaded, const ReducedSpec& tried, const std::string& decision) {
   const ReducedSpec& reduced = loaded.scene.reduced;
   if (reduced.bound != tried.bound) return false;

@@ -7,14 +7,14 @@
 
 namespace mixcmp::cli {
 
-/// One way to bound the errors of the scene's lane: what it costs.
+/// The costs of the scene's lane with one kind of error bound.
 struct BoundCost {
   std::string name;
-  bool chosen = false;                       ///< what `generate` takes
-  std::string decision;                      ///< or why it does not exist
+  bool chosen = false;                       ///< `generate` takes this bound
+  std::string decision;                      ///< when the lane decides, or why there is none
   std::optional<double> recomputation_rate;  ///< on the scene's data
   std::optional<model::Area> area;
-  std::optional<model::Area> all_built;  ///< nothing left out for the ranges' sake
+  std::optional<model::Area> all_built;  ///< area with the hardware that ranges make unnecessary
 };
 
 struct BoundCosts {
@@ -23,8 +23,8 @@ struct BoundCosts {
   std::string why_no_rate;
 };
 
-/// Every certified bound of the scene's lane, and the profiled one where its constants are known or
-/// can be measured. Takes seconds a lane: Yosys maps each.
+/// Measures every certified bound of the scene's lane, and the profiled one where its constants are
+/// known or can be measured. It takes seconds per lane, since Yosys maps each.
 /// An error where the scene leaves the lane's format open.
 model::Result<BoundCosts> measure_costs(const LoadedScene& loaded);
 

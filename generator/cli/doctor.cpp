@@ -22,8 +22,8 @@ enum class Need {
 
 struct Tool {
   const char* name;
-  std::function<model::Result<std::string>()> version;  ///< or why the tool is of no use
-  const char* package;                                  ///< of Debian
+  std::function<model::Result<std::string>()> version;  ///< an error says why the tool is unusable
+  const char* package;                                  ///< the Debian package
   const char* disables;                                 ///< what is missing without it
   Need need = Need::required;
 };
@@ -32,7 +32,7 @@ std::function<model::Result<std::string>()> asks(model::Command command, const c
   return [command = std::move(command), package] { return model::tool_version(command, package); };
 }
 
-/// gtkwave answers on a display alone.
+/// Looks for gtkwave without running it: it prints its version only where there is a display.
 model::Result<std::string> find_gtkwave() {
   const auto found = model::capture({"which", "gtkwave"});
   if (found.ok() && found->succeeded()) return std::string("there; not asked for its version");

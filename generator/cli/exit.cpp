@@ -46,7 +46,7 @@ void end_if_incomplete(const std::vector<std::string>& not_done) {
   if (!not_done.empty()) throw Exit(ExitCode::incomplete);
 }
 
-// What cannot be told is lost: there is nobody left to tell it to.
+// A failed write is ignored: there is no other place to report it.
 void tell(const std::string& line) {
   const std::string text = "mixcmp: " + line + "\n";
   std::fwrite(text.data(), 1, text.size(), stderr);

@@ -8,7 +8,7 @@
 
 namespace mixcmp::cli {
 
-/// What the program's exit code means.
+/// The exit codes of the program.
 enum class ExitCode {
   done = 0,        ///< all that was asked for was done
   mistake = 1,     ///< it was not done: a mistake of the user's, a disk that is full
@@ -46,10 +46,10 @@ void print(const std::string& text);
 /// Writes "mixcmp: " and a line to stderr.
 void tell(const std::string& line);
 
-/// Tells what was asked for and not done.
+/// Lists on stderr the parts that were asked for and not done.
 void tell_not_done(const std::vector<std::string>& parts);
-/// Tells what was asked for and not done, and ends the program with ExitCode::incomplete; nothing
-/// happens where the list is empty.
+/// Lists the parts as tell_not_done does, and ends the program with ExitCode::incomplete. An empty
+/// list has no effect.
 void end_if_incomplete(const std::vector<std::string>& not_done);
 
 /// Shows a line on stderr that the next one overwrites, on a terminal only; an empty one clears it.

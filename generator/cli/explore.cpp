@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 using model::Error;
 using model::Result;
 
-constexpr const char* own_data = "own";  ///< the scene's, without --over
+constexpr const char* own_data = "own";  ///< the name of the scene's data set, without --over
 
 struct ExploreCommand {
   PlanningOptions planning;
@@ -43,7 +43,7 @@ struct ExploreCommand {
   bool software = false;
 };
 
-/// The settings of --over, one a data set; one empty one without it.
+/// The settings of --over, one per data set; without --over, one empty setting.
 Result<std::vector<std::string>> data_sets(const std::string& over) {
   if (over.empty()) return std::vector<std::string>{""};
   const std::size_t equals = over.find('=');
@@ -62,15 +62,15 @@ Result<std::vector<std::string>> data_sets(const std::string& over) {
                .accepted = "a key of [data] with values, such as data.radius_max=5,10,25"};
 }
 
-/// The numbers of a table and where they belong.
+/// Adds a table's format, column names and numbers to a hash.
 void add_to(model::ContentHash& hash, const model::Table& table) {
   hash.add(table.format.name());
   for (const std::string& column : table.columns) hash.add(column);
   for (const model::Bits value : table.values) hash.add(model::to_hex(value, table.format.width()));
 }
 
-/// Names all that rates depend on: the scene as it is read through its plans, without what says how
-/// many datapaths and where, the data and the precisions.
+/// A hash of all that rates depend on: the data, the precisions, and the scene's settings, those of
+/// its plans included, without the numbers of datapaths and the system around them.
 std::string rates_hash(const LoadedScene& loaded, const SceneOptions& options,
                        const model::OptimiseOptions& choice) {
   model::ContentHash hash;
@@ -85,7 +85,7 @@ std::string rates_hash(const LoadedScene& loaded, const SceneOptions& options,
   return hash.hex().substr(0, 8);
 }
 
-/// The scene of one data set. Its mistakes are those of --over.
+/// The scene's options with one data set. Errors in its setting name --over.
 SceneOptions with_set(const ExploreCommand& command, const std::string& set) {
   SceneOptions options = command.planning.scene;
   if (set.empty()) return options;
@@ -94,7 +94,8 @@ SceneOptions with_set(const ExploreCommand& command, const std::string& set) {
   return options;
 }
 
-/// Rates are kept in the output folder, so that a run that was interrupted goes on where it was.
+/// The rates of one data set. They are kept in the output folder, so that an interrupted run can be
+/// continued.
 model::Rates rates_of(const ExploreCommand& command, const std::string& set) {
   const SceneOptions options = with_set(command, set);
   const LoadedScene loaded = value_or_exit(load(options));
@@ -139,7 +140,7 @@ std::vector<report::SoftwareThroughput> measure_software(const LoadedScene& load
 
 using Columns = std::vector<std::pair<std::string, model::ClockChoice>>;
 
-/// The clocks that T(equ) is counted with.
+/// The columns of the tables: the clocks with which T(equ) is computed.
 Columns columns_for(const std::optional<model::PublishedDevice>& published) {
   Columns columns;
   if (published) {
@@ -161,7 +162,7 @@ std::string command_of(const ExploreCommand& command) {
   return line;
 }
 
-/// `set` is the data that the plan is for; empty: for all.
+/// Adds the best plan to the results. `set`: the data set that it is for; empty: for all.
 void add_plan(ResultFiles& results, const ExploreCommand& command, const std::string& device,
               const std::string& set, const fs::path& path, const model::Optimisation& found) {
   const model::PrecisionPlan* best = found.best();
@@ -177,8 +178,8 @@ constexpr std::array result_names = {
     "figure3.svg", "figure7.csv", "figure7.svg",          "figure8.svg",          "figure9.csv",
     "figure9.svg", "tables.md",   "plan_scenario_1.toml", "plan_scenario_2.toml", "scenarios.csv"};
 
-/// All that is written for the devices, but for kept rates, which no scene and no table is named
-/// like.
+/// All files that the run writes, except for the kept rates: no scene and no table has a name like
+/// theirs.
 std::vector<fs::path> output_paths(const ExploreCommand& command,
                                    const std::vector<Planning>& known) {
   std::vector<fs::path> paths = {command.output / "report.md"};
@@ -222,7 +223,7 @@ void print_notes(const model::Exploration& exploration) {
   }
 }
 
-/// Each once.
+/// The devices of --on, each once; without it, the scene's.
 std::vector<std::string> devices_of(const ExploreCommand& command, const model::Scene& scene) {
   if (command.devices.empty()) return {scene.system.device};
   std::vector<std::string> devices;
@@ -233,7 +234,7 @@ std::vector<std::string> devices_of(const ExploreCommand& command, const model::
   return devices;
 }
 
-/// A device with its table.
+/// What plans for one device are made of: the device and its table.
 Planning planning_for(const ExploreCommand& command, const std::string& device,
                       const model::Comparisons* data) {
   PlanningOptions planning = command.planning;
@@ -261,7 +262,7 @@ std::vector<model::DataSet> measure_sets(const ExploreCommand& command,
   return sets;
 }
 
-/// Each device has a folder with its name.
+/// Refuses two devices of one name, since each has a folder with its name.
 void check_device_names(const std::vector<Planning>& known) {
   std::set<std::string> names;
   for (const Planning& each : known) {
@@ -273,7 +274,7 @@ void check_device_names(const std::vector<Planning>& known) {
   }
 }
 
-/// The scenes of the data sets, before any of them is measured.
+/// Loads the scenes of all data sets, so that mistakes are found before any of them is measured.
 std::vector<model::Scene> scenes_of(const ExploreCommand& command,
                                     const std::vector<std::string>& settings) {
   std::vector<model::Scene> scenes;
@@ -286,7 +287,7 @@ std::vector<model::Scene> scenes_of(const ExploreCommand& command,
   return scenes;
 }
 
-/// Everything that the run reads.
+/// All files that the run reads.
 std::vector<fs::path> inputs_of(const ExploreCommand& command,
                                 const std::vector<model::Scene>& scenes,
                                 const std::vector<Planning>& known) {

@@ -6,8 +6,8 @@
 namespace mixcmp::cli {
 namespace {
 
-/// The table beside the scene. A note needs none: one that is absent, unreadable or of something
-/// else is as good as none here, and `optimise` says what is wrong with it.
+/// The table beside the scene; nullopt where it is absent, unreadable or of another scene or
+/// device. None of these is an error here; `optimise` reports what is wrong.
 std::optional<model::Characterisation> table_beside(const std::filesystem::path& path,
                                                     const model::Scene& scene,
                                                     const model::Device& device) {

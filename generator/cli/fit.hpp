@@ -7,8 +7,8 @@
 
 namespace mixcmp::cli {
 
-/// Why a design plainly does not fit the scene's device: by the table of areas beside the scene,
-/// else by the rough cost model. None where it may fit.
+/// A note that a design plainly does not fit the scene's device, by the table of areas beside the
+/// scene or, without a table, by the rough cost model; nullopt where it may fit.
 std::optional<std::string> fit_note(const LoadedScene& loaded, const model::Design& design);
 
 }  // namespace mixcmp::cli

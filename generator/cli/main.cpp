@@ -21,8 +21,8 @@ namespace {
 using mixcmp::cli::Exit;
 using mixcmp::cli::ExitCode;
 
-/// Opens /dev/null, for reading alone, in place of standard streams that are closed: else the first
-/// output file would get the descriptor of standard output and take what is printed.
+/// Opens /dev/null, for reading alone, in place of standard streams that are closed. Otherwise the
+/// first output file would get the descriptor of standard output, and receive what is printed.
 void occupy_standard_streams() {
   while (true) {
     const int descriptor = open("/dev/null", O_RDONLY);
@@ -52,9 +52,9 @@ void run(CLI::App& app, int argc, char** argv) {
   }
 }
 
-/// Arguments stand in comments of the generated files, in plans and in JSON: each is one line of
-/// UTF-8. No option and no argument is ever an empty text: what seems to be none would not be
-/// written.
+/// Checks that each argument is one line of UTF-8, since arguments are written into comments of
+/// generated files, into plans and into JSON. An empty argument is refused, too: an empty path
+/// would count as an absent option, and its file would not be written.
 void check_arguments(int argc, char** argv) {
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
@@ -77,7 +77,7 @@ void check_working_directory() {
                      .accepted = "one that exists"});
 }
 
-/// What no verb expects: no memory, a file system that fails in an unusual place.
+/// Ends the program on a failure that no verb expects, such as no memory or a failing file system.
 int end_unexpectedly(const char* why) {
   mixcmp::cli::tell(std::string("ended before its time: ") + why);
   return Exit(ExitCode::mistake).code;

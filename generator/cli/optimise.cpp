@@ -39,7 +39,7 @@ std::string name_of(const model::Scene& scene) {
   return scene.variant.empty() ? "[comparison]" : "variant " + scene.variant;
 }
 
-/// The best plans of one way to put the comparison.
+/// The plans of one formulation of the comparison.
 struct Candidate {
   Planning known;
   model::Optimisation found;
@@ -50,8 +50,8 @@ struct Candidate {
   std::string name() const { return name_of(known.scene); }
 };
 
-/// The scene as it is and, where it names no variant, its variants: a table and rates given by hand
-/// are of one formulation.
+/// The scene as it is and, where it names no variant, its variants. With a table or rates given by
+/// hand, which are of one formulation, it is the scene alone.
 std::vector<LoadedScene> formulations_of(const OptimiseCommand& command,
                                          const LoadedScene& loaded) {
   const bool by_hand = !command.planning.table.empty() || !command.rates.empty();
@@ -71,8 +71,8 @@ model::Result<Candidate> find_plans(const OptimiseCommand& command, const Loaded
   return Candidate{std::move(known), std::move(found)};
 }
 
-/// The plans of all formulations. One that cannot be planned is left out, with a note that says
-/// why, unless none can.
+/// The plans of all formulations. A formulation that cannot be planned is left out with a note; if
+/// none can be planned, the program ends with an error.
 std::vector<Candidate> find_candidates(const OptimiseCommand& command,
                                        const std::vector<LoadedScene>& formulations) {
   std::vector<Candidate> candidates;
@@ -109,7 +109,7 @@ void write_files(const OptimiseCommand& command, const Candidate& chosen) {
   value_or_exit(model::write_file(command.plan, plan_toml(found, *best, source)));
 }
 
-/// Which formulation is best, and by how much.
+/// A table that compares the best plans of all formulations; empty for a single one.
 std::string compare_variants(const std::vector<Candidate>& candidates, std::size_t chosen) {
   if (candidates.size() < 2) return "";
   std::string text = "formulations, the best plan of each\n";
@@ -127,7 +127,7 @@ std::string compare_variants(const std::vector<Candidate>& candidates, std::size
   return text + "\n";
 }
 
-/// The variant's name; null: [comparison]'s own.
+/// The variant's name; null for the formulation in [comparison] itself.
 nlohmann::ordered_json json_name(const Candidate& candidate) {
   const std::string& variant = candidate.known.scene.variant;
   return variant.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(variant);

@@ -23,7 +23,7 @@
 namespace mixcmp::cli {
 namespace {
 
-/// --flag VALUE means --set key=VALUE.
+/// An option for a key: --flag VALUE means --set key=VALUE.
 struct Shortcut {
   const char* flag;
   const char* key;
@@ -43,7 +43,8 @@ constexpr std::array<Shortcut, 9> shortcuts = {{
     {"--prefix", "system.prefix", "of the names of the modules, the top's excepted"},
 }};
 
-/// Mistakes in a data file are the file's own; others may come from an override.
+/// An error of the data with the place where the user wrote its cause. Errors in a data file stay
+/// as they are; others may come from an override.
 model::Error as_user_data_error(const model::Error& error, const model::DataSpec& data,
                                 const SceneOptions& options) {
   if (error.file == data.file.string() || error.file == data.with.string()) return error;
@@ -57,7 +58,7 @@ model::Error as_user_data_error(const model::Error& error, const model::DataSpec
   return as_user_error(with_setting(error, options.settings, attempt), options);
 }
 
-/// A search of many contests takes long enough to be asked about.
+/// Shows the progress of a search for arg-mins, if it has many comparisons and so takes long.
 model::ContestProgress contest_progress() {
   return [shown = std::uint64_t{0}](std::uint64_t done, std::uint64_t all) mutable {
     constexpr std::uint64_t many = 1'000'000;
@@ -77,7 +78,7 @@ bool needs_quotes(const std::string& text) {
   return text.find_first_of(" \t\"'$&|;<>()[]{}*?!#~`\\") != std::string::npos;
 }
 
-/// A number without sign, and without zeros in front.
+/// Reads a number without sign and without leading zeros.
 std::optional<std::uint64_t> decimal_integer(const std::string& text) {
   std::uint64_t value = 0;
   const char* const last = text.data() + text.size();
@@ -201,7 +202,7 @@ model::Result<model::Design> design_of(const SceneOptions& options, const Loaded
       make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr, model::profile_error);
   if (design.ok()) return design;
   const model::Error error = as_user_error(design.error(), options);
-  // The errors of a profiled bound are measured on the data: too long to be found again.
+  // The errors of a profiled bound are measured on the data, which takes too long to do again.
   const std::vector<model::LaneGroupSpec> groups = loaded.scene.lane_groups();
   const bool certified = std::all_of(groups.begin(), groups.end(), [](const auto& group) {
     return group.reduced.bound == model::BoundKind::certified;

@@ -14,11 +14,11 @@
 
 namespace mixcmp::cli {
 
-/// What every verb that takes a scene shares.
+/// The options that all verbs with a scene share.
 struct SceneOptions {
   std::filesystem::path scene;
   std::vector<std::string> settings;  ///< "section.key=value", shortcuts included
-  /// Which shortcut set a key, if one did: errors name it.
+  /// The shortcut that has set a key, by key: errors name it.
   std::map<std::string, std::string> shortcuts;
   bool json = false;
 };
@@ -28,18 +28,18 @@ struct SceneOptions {
 void add_scene_options(const Verb& verb, SceneOptions& options,
                        const std::set<std::string>& left_out = {});
 
-/// A scene with its data (none where the scene names none).
+/// A scene with its data, if it names any.
 struct LoadedScene {
   model::Scene scene;
   std::optional<model::Comparisons> data;
 };
 model::Result<LoadedScene> load(const SceneOptions& options);
 
-/// `why`: the message of the error where there are none, such as "verify needs data to run on".
+/// An error if there are no data. `why`: its message, such as "verify needs data to run on".
 model::Result<model::Done> check_has_data(const LoadedScene& loaded, const std::string& why);
 
-/// The mistake with the place where the user wrote what is at fault: a key's line, or the shortcut
-/// that set it.
+/// The error with the place where the user wrote the value at fault: the key's line in a file, or
+/// the shortcut that set it.
 model::Error as_user_error(const model::Error& found, const SceneOptions& options);
 
 /// Accepts a whole number in these limits, which help and errors then state. It is decimal, without
@@ -53,7 +53,7 @@ std::optional<double> number(const std::string& text);
 /// Accepts a number in these limits, NaN none of them.
 Check between(double least, double most, const std::string& unit);
 
-/// What the scene's system is made of. Errors, of both, name the file and line of the key at fault.
+/// The design of the scene's system. Errors name the file and line of the key at fault.
 model::Result<model::Design> design_of(const SceneOptions& options, const LoadedScene& loaded);
 
 /// The scene as it was loaded and, where it names no variant, each of its variants with the same
@@ -68,8 +68,8 @@ std::vector<std::filesystem::path> inputs_of(const SceneOptions& options,
 /// One word of a POSIX shell's command line, quoted where it must be.
 std::string quoted(const std::string& text);
 
-/// The verb and its settings as a command that gives the same result, the scene by its file name
-/// alone: it is printed into generated files.
+/// The verb and its settings as a command that gives the same result. It names the scene by its
+/// file name alone, since it is printed into generated files.
 std::string command_line(const std::string& verb, const SceneOptions& options);
 
 }  // namespace mixcmp::cli

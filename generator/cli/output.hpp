@@ -22,14 +22,13 @@ model::Result<model::Done> check_outputs(const std::vector<std::filesystem::path
 model::Result<model::Done> check_replaced_folder(const std::filesystem::path& folder,
                                                  const std::vector<std::filesystem::path>& inputs);
 
-/// Locks a work folder, which is made where there is none, for as long as the result lives. The
-/// user is told where another run must end first.
+/// Locks a work folder, which is made where there is none, for as long as the result lives. Tells
+/// the user if another run must end first.
 model::FolderLock lock_folder(const std::filesystem::path& folder);
 void tell_waiting(const std::filesystem::path& folder);
 
-/// Files of one folder that tell of the same data. They are written when all of them are made, and
-/// take their places when all of them are written, so that none stands beside those of a run
-/// before.
+/// The result files of one run in one folder. They are written when all of them are made, and take
+/// their places when all of them are written, so that results of two runs never mix.
 class ResultFiles {
 public:
   using Names = std::span<const char* const>;
@@ -38,25 +37,25 @@ public:
   ResultFiles(std::filesystem::path folder, Names names)
       : folder_(std::move(folder)), names_(names) {}
 
-  /// Where the files of a folder come to lie: outputs for `check_outputs`.
+  /// The final paths of the files of a folder, as outputs for `check_outputs`.
   static std::vector<std::filesystem::path> paths(const std::filesystem::path& folder, Names names);
 
   void add(const std::string& name, std::string text);
-  /// Draws what the gnuplot script says. Ends the program where gnuplot fails; where there is none,
-  /// `commit` says so.
+  /// Adds the picture that a gnuplot script draws. Ends the program where gnuplot fails. Where
+  /// there is no gnuplot, `commit` returns this picture as not done.
   void add_picture(const std::string& name, const std::string& script);
-  /// A file that a run before may have made, and this one does not.
+  /// Declares that this run does not make the file: `commit` removes that of an earlier run.
   void leave_out(const std::string& name);
 
   /// Writes all files beside their places. Ends the program where one cannot be written.
   void write_out();
-  /// Puts all files in their places. Returns what was not done.
+  /// Puts all files in their places. Returns descriptions of what was not done.
   std::vector<std::string> commit();
 
 private:
   struct File {
     std::string name;
-    std::optional<std::string> text;  ///< none: what stands there is removed
+    std::optional<std::string> text;  ///< nullopt: the file of an earlier run is removed
   };
 
   void put(const std::string& name, std::optional<std::string> text);
@@ -68,8 +67,8 @@ private:
   std::vector<std::string> not_done_;
 };
 
-/// Ends the program with ExitCode::incomplete where the device has a router and this machine has
-/// not.
+/// Ends the program with ExitCode::incomplete where there is a router for the device but it is not
+/// installed here.
 void end_if_router_is_missing(const model::Device& device);
 
 }  // namespace mixcmp::cli

@@ -38,8 +38,8 @@ bool is_set(const SceneOptions& options, const std::string& key) {
                      [&](const std::string& setting) { return setting.starts_with(key + "="); });
 }
 
-/// Registers are placed for a clock: what is generated later must have them where they were when
-/// its area was measured.
+/// Gives the scene the table's target_mhz. It decides where registers go, so what is generated
+/// later must have the same as what was measured.
 Result<model::Done> adopt_target(Planning& planning, const std::filesystem::path& path,
                                  const SceneOptions& options) {
   for (const auto& [name, text] : planning.table.spec) {
@@ -73,7 +73,8 @@ void warn_of_outdated(const Planning& planning, const model::Comparisons* data) 
                   currency.outdated, currency.rows, planning.device.name));
 }
 
-/// Lanes of a plan have the constants that the scene gives, at whatever precision.
+/// Replaces measured errors by the constants that the scene gives: lanes of a plan have these at
+/// every precision.
 void use_given_constants(const model::ReducedSpec& reduced, model::ErrorProfile& errors) {
   for (model::ErrorAtPrecision& error : errors.precisions) {
     error.f = reduced.relative_error_f.value_or(error.f);
@@ -81,7 +82,7 @@ void use_given_constants(const model::ReducedSpec& reduced, model::ErrorProfile&
   }
 }
 
-/// Errors end the program.
+/// Reads the names of error bounds. An error ends the program.
 std::vector<model::BoundChoice> parse_bounds(const std::vector<std::string>& names) {
   std::vector<model::BoundChoice> choices;
   for (const std::string& name : names) {
@@ -97,7 +98,7 @@ std::vector<model::BoundChoice> parse_bounds(const std::vector<std::string>& nam
   return choices;
 }
 
-/// Refuses the chain of an arg-min engine: there is nothing to choose.
+/// Refuses an arg-min engine, whose chain of lanes leaves nothing to choose.
 Result<model::Done> check_no_chain(const model::Scene& scene) {
   if (scene.system.engine.kind != model::EngineKind::arg_min) return model::Done{};
   return Error{.field = "engine.kind",

@@ -11,7 +11,7 @@
 
 namespace mixcmp::cli {
 
-/// What `optimise` and `explore` share.
+/// The options that `optimise` and `explore` share.
 struct PlanningOptions {
   SceneOptions scene;
   std::filesystem::path table;  ///< empty: beside the scene, see default_table
@@ -21,31 +21,31 @@ struct PlanningOptions {
 
 void add_planning_options(const Verb& verb, PlanningOptions& options);
 
-/// The verb, its scene and what of these options is not as usual, as a command.
+/// The verb with its scene and those options that differ from their defaults, as a command.
 std::string planning_command_line(const std::string& verb, const PlanningOptions& options);
 
-/// What plans say of where they come from, for a plan file at `plan`.
+/// What a plan file at `plan` states about its origin.
 model::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
                               const std::filesystem::path& plan, std::string command);
 
-/// characterisation/SCENE-DEVICE.csv beside the scene file, SCENE-VARIANT-DEVICE.csv of a variant:
-/// where `characterise` writes, too.
+/// The default path of a table, to which `characterise` writes, too: beside the scene file,
+/// characterisation/SCENE-DEVICE.csv, or SCENE-VARIANT-DEVICE.csv for a variant.
 std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& variant,
                                     const std::string& device);
 
 /// The table that `options` names, or the default one.
 std::filesystem::path table_of(const PlanningOptions& options, const model::Scene& scene);
 
-/// What plans are made of.
+/// The inputs from which plans are made.
 struct Planning {
   model::Scene scene;  ///< with the target_mhz that the table was measured for
   model::Device device;
   model::Characterisation table;
   std::filesystem::path table_path;
 };
-/// Notes on stderr how many rows were measured on other RTL than today's, and a target_mhz that is
-/// set and not the table's. `data` may be null. Errors where the table is of another device or
-/// scene.
+/// Loads the device and the table. Notes on stderr how many rows were measured on other RTL than
+/// today's, and a target_mhz that is set and differs from the table's. `data` may be null. It is an
+/// error if the table is of another device or scene.
 model::Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene,
                                       const model::Comparisons* data);
 

@@ -83,7 +83,7 @@ report::ProfileReport measure(const LoadedScene& loaded, const ProfileCommand& c
   return report;
 }
 
-/// The files of -o.
+/// The files in the folder of -o.
 constexpr std::array result_names = {"profile.json", "figure4.csv", "figure4.svg", "figure5.csv",
                                      "figure5.svg",  "trade.csv",   "trade.svg"};
 
@@ -114,7 +114,7 @@ nlohmann::ordered_json json_of(const report::ProfileReport& report, const Trades
   return all;
 }
 
-/// Returns what could not be made.
+/// Writes the files of -o. Returns descriptions of those that could not be made.
 std::vector<std::string> write_results(const report::ProfileReport& report, const Trades& weighed,
                                        const fs::path& folder) {
   const model::FolderLock held = lock_folder(folder);

@@ -17,10 +17,10 @@ namespace {
 
 namespace proof = model::proof;
 
-/// All of a quick proof's scripts together; a script takes some 10 ms.
+/// Time limit for all scripts of a quick proof together; a script takes some 10 ms.
 constexpr double quick_seconds = 5;
 
-/// The scene with lanes of [reduced] in another precision.
+/// The scene with one kind of lane, that of [reduced], in the given precision.
 model::Result<model::Scene> with_precision(const model::Scene& scene, int precision) {
   model::Scene one_kind = scene.with_one_kind();
   const model::FloatFormat& known = scene.reduced.format.value_or(scene.reference.format);
@@ -39,7 +39,8 @@ std::string format_name(const model::ReducedSpec& reduced) {
   return reduced.format ? reduced.format->name() : "auto";
 }
 
-/// One lane of each kind; a proof needs no number of lanes, and nothing around them.
+/// One lane of each kind, or why there is none. A proof does not depend on the number of lanes or
+/// on the engine around them.
 std::vector<Candidate> candidates(model::Scene scene, const model::Comparisons* data) {
   scene.system.lanes = scene.system.lanes.value_or(1);
   scene.system.references = scene.system.references.value_or(1);
@@ -62,7 +63,7 @@ std::vector<Candidate> candidates(model::Scene scene, const model::Comparisons* 
   return found;
 }
 
-/// Empty where there is none.
+/// The version of a tool; empty where the tool is missing.
 std::string version_text(const model::Result<std::string>& version) {
   return version.ok() ? *version : "";
 }

@@ -7,7 +7,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// RFC 4180: a field with a comma, a quote or a line end stands in quotes, its quotes doubled.
+/// A CSV field by RFC 4180: text with a comma, a quote or a line end is quoted, its quotes doubled.
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -15,14 +15,15 @@ std::string field(const std::string& text) {
   return quoted + "\"";
 }
 
-/// What a comparison is about, and the column that says so.
+/// An item of a comparison, and the name of its column in the CSV.
 struct NamedItem {
   const char* name;
   model::Item item;
   const model::Table* table;
 };
 
-/// The items that a row of the table names; none for comparisons of rows, whose index is the row.
+/// The items that each line of the CSV names; none where comparisons are rows, since then the index
+/// names the row.
 std::vector<NamedItem> named_items(const model::Comparisons& data) {
   const auto& tables = data.tables();
   const NamedItem row = {"row", model::Item::row, &tables.front()};

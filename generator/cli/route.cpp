@@ -82,8 +82,7 @@ void print_json(const model::SynthesisJob& job, const model::Device& device,
   print(fmt::format("{}\n", report.dump(2)));
 }
 
-/// Where --work keeps a job's files: runs of other jobs keep theirs beside it. Empty without
-/// --work.
+/// The folder in which --work keeps a job's files; each job has its own. Empty without --work.
 fs::path kept_folder(const RouteCommand& command, const model::SynthesisJob& job,
                      const model::Device& device, const std::string& tools) {
   if (command.work.empty()) return {};
@@ -91,7 +90,8 @@ fs::path kept_folder(const RouteCommand& command, const model::SynthesisJob& job
   return fs::absolute(command.work) / fmt::format("{}-{}", job.top, hash.substr(0, 12));
 }
 
-/// The job's message, with the names of its files in the folder that keeps them.
+/// The message of a failed job, with its scratch folder replaced by the folder that keeps its
+/// files.
 std::string with_kept_names(const model::FailedJob& job, const std::string& kept) {
   const std::string scratch = job.directory.string();
   std::string message = job.message;
@@ -102,8 +102,8 @@ std::string with_kept_names(const model::FailedJob& job, const std::string& kept
   return message;
 }
 
-/// Runs the one job; an interrupt ends its tools. What a failure leaves stays in `kept`, or else in
-/// a scratch folder until the next run.
+/// Runs one job; an interrupt ends its tools. The files of a job that failed stay in `kept` or, if
+/// that is empty, in a scratch folder until the next run.
 model::SynthesisResult result_of(const RouteCommand& command, const model::SynthesisJob& job,
                                  const model::Device& device, const std::string& tools,
                                  const fs::path& kept) {
