@@ -9,7 +9,8 @@ namespace mixcmp::report {
 
 nlohmann::ordered_json to_json(const model::Exploration& exploration);
 
-/// data_set,column,scenario,precision,lanes,references,clock_mhz,recomputation_rate,throughput_per_s,gain
+/// CSV with the columns data_set, clocks, scenario, precision, lanes, references, clock_mhz,
+/// recomputation_rate, throughput_per_s, gain.
 std::string scenarios_csv(const model::Exploration& exploration);
 
 }  // namespace mixcmp::report

@@ -20,7 +20,7 @@ namespace {
 constexpr double giga = 1e9;
 constexpr const char* nothing = "-";
 
-/// Lines of cells as Markdown; the first is the header.
+/// Prints rows of cells as a Markdown table; the first row is the header.
 class MarkdownTable {
 public:
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
@@ -41,7 +41,7 @@ private:
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// The range of a value over plans: "87-108", or "87" where it is one.
+/// The range of a value over plans: "87-108", or "87" where both ends print alike.
 std::string range_of(const std::vector<PlanSummary>& plans,
                      const std::function<double(const PlanSummary&)>& value, const char* format) {
   std::vector<double> values;
@@ -58,7 +58,7 @@ std::string range_text(double low, double high, const char* format) {
   return from == to ? from : from + "-" + to;
 }
 
-/// One line of Table IV: what the paper has, and what a column of ours has.
+/// One line of Table IV: its name, the cell of the paper, and the cell of each column of ours.
 struct TableLine {
   std::string name;
   std::function<std::string(const PublishedDevice&)> of_paper;
@@ -108,7 +108,7 @@ std::vector<TableLine> baseline_lines() {
   };
 }
 
-/// A plan for each data set.
+/// The lines of scenario I, which has a plan for each data set.
 std::vector<TableLine> scenario_1_lines() {
   const auto throughput = [](const PlanSummary& s) { return s.throughput_per_s / giga; };
   const auto lanes = [](const PlanSummary& s) { return static_cast<double>(s.lanes); };
@@ -151,7 +151,7 @@ std::vector<TableLine> scenario_1_lines() {
   };
 }
 
-/// One plan for the worst of all.
+/// The lines of scenario II, which has one plan for the worst of all data sets.
 std::vector<TableLine> scenario_2_lines() {
   return {
       {"scenario II: L", [](const PublishedDevice&) { return nothing; },

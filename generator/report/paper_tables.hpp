@@ -9,7 +9,7 @@
 
 namespace mixcmp::report {
 
-/// Comparisons a second of software, for the normalised speed-ups of Table IV.
+/// The throughput of software in comparisons per second, for the normalised speed-ups of Table IV.
 struct SoftwareThroughput {
   std::string title;  ///< "AMD EPYC ..., 2 cores, double"
   double one_core_per_s = 0;

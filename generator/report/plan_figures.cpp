@@ -30,7 +30,7 @@ namespace {
 constexpr const char* x_label = "L: digits of the reduced precision";
 constexpr double giga = 1e9;
 
-/// One curve a kind of lane, with what `value` gives of each of its rows; 0 is left out.
+/// One curve per kind of lane, of `value` for each of its rows; rows with value 0 are left out.
 template <class Value>
 std::vector<Curve> curves_by_kind(const Optimisation& optimisation, Value value) {
   std::map<std::string, Curve> curves;
@@ -75,8 +75,8 @@ Curve curve_of_plans(const Optimisation& optimisation, const std::string& title,
   return curve;
 }
 
-/// Devices that are filled otherwise than by a plan: its mix of lanes beside other numbers of the
-/// kind of reference that it has most of.
+/// The plan's device filled with other ratios p_L / p_H: the plan's mix of lanes, and any number of
+/// references of the kind that the plan has most of.
 class OtherRatios {
 public:
   explicit OtherRatios(const Optimisation& optimisation, const PrecisionPlan& plan)
@@ -95,8 +95,8 @@ public:
     }
   }
 
-  /// Lanes, each as the plan's are on average, streams included, that fit beside so many
-  /// references and that their crossbars can connect.
+  /// How many lanes fit beside so many references and can be connected by their crossbars. Each
+  /// lane has the average area of the plan's lanes, streams included.
   int lanes_beside(int references) const {
     const Area room = usable(optimisation_.device.available, optimisation_.slack);
     const std::size_t ports = plan_.problem.communication.crossbar.size();
@@ -112,7 +112,7 @@ public:
     return std::max(0, static_cast<int>(lanes));
   }
 
-  /// T(equ); in one clock domain references run at the plan's clock, too.
+  /// The equivalent throughput T(equ). In one clock domain references run at the plan's clock, too.
   double throughput_per_s(int lanes, int references) const {
     const double lane = plan_.throughput_per_s() / chosen_.lane_count();
     const bool one_clock = plan_.problem.clocks == ClockDomains::single;
@@ -129,7 +129,7 @@ private:
   const PrecisionPlan& plan_;
   const Allocation& chosen_;
   ReferenceKind reference_;
-  Area of_lanes_;  ///< of the plan: all but its references
+  Area of_lanes_;  ///< the plan's area without its references
 };
 
 }  // namespace

@@ -33,7 +33,7 @@ std::string why_infeasible(const PrecisionPlan& plan) {
   return "infeasible: " + std::get<Infeasible>(plan.result).message;
 }
 
-/// "lut 97 %, ff 40 %, dsp 100 %" of what the slack leaves.
+/// The used shares of the area that the slack leaves: "lut 97 %, ff 40 %, dsp 100 %".
 std::string shares(const Area& used, const Optimisation& optimisation) {
   const Area all = usable(optimisation.device.available, optimisation.slack);
   std::string text;

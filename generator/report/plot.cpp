@@ -41,7 +41,7 @@ std::string script(const Picture& picture) {
                          quoted(curve.title));
     ++number;
   }
-  // Without a point there are still axes.
+  // A picture without points still has axes.
   if (plots.empty()) plots = " [4:52] [1e-9:1] 1e-10 notitle";
   return text + "plot" + plots + "\n";
 }

@@ -6,10 +6,10 @@
 
 namespace mixcmp::report {
 
-/// One line of a picture.
+/// One curve of a picture.
 struct Curve {
   std::string title;
-  std::string style;  ///< of gnuplot
+  std::string style;  ///< gnuplot's style, see measured_style
   std::vector<std::pair<double, double>> points;
 };
 
@@ -20,17 +20,16 @@ enum class Axis {
 
 struct Picture {
   std::string title, x_label, y_label;
-  std::string axes;  ///< further lines of gnuplot
+  std::string axes;  ///< further commands of gnuplot, a line each
   std::vector<Curve> curves;
   Axis y_axis = Axis::logarithmic;
 };
 
-/// A gnuplot script that writes an SVG to standard output. Points are written into it, those that a
-/// logarithmic axis has no place for must have been left out: gnuplot breaks lines at what it
-/// cannot draw.
+/// A gnuplot script, points included, that writes an SVG to standard output. The caller leaves out
+/// points that a logarithmic axis cannot show: gnuplot would break the line there.
 std::string script(const Picture& picture);
 
-/// Styles of what is measured and of what is proven, in one of a few colours.
+/// The styles of measured and of proven curves, in one of a few colours.
 std::string measured_style(int color, int point);
 std::string proven_style(int color);
 

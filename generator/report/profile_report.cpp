@@ -71,7 +71,8 @@ bool exists(const SystemProfile& system) {
   return false;
 }
 
-/// Up to the last precision at which some system recomputes or errs, or does not exist.
+/// The number of rows up to the last precision at which some system recomputes, errs or does not
+/// exist.
 std::size_t interesting_rows(const RateProfile& profile) {
   std::size_t rows = 0;
   for (const SystemProfile& system : profile.systems) {

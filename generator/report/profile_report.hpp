@@ -8,7 +8,7 @@
 
 namespace mixcmp::report {
 
-/// All that one run of a profile found.
+/// The results of one run of `profile`.
 struct ProfileReport {
   std::string scene;
   model::FloatFormat reference;
@@ -20,13 +20,15 @@ struct ProfileReport {
 std::string to_text(const ProfileReport& report);
 nlohmann::ordered_json to_json(const ProfileReport& report);
 
-/// inputs,precision,f_error,g_error,f_bound,g_bound; a bound that does not exist is empty.
+/// CSV with the columns inputs, precision, f_error, g_error, f_bound, g_bound. A bound that does
+/// not exist is empty.
 std::string figure4_csv(const ProfileReport& report);
-/// inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane; the reference alone has
-/// precision of its own and nothing undecided. Systems that do not exist have no rows.
+/// CSV with the columns inputs, precision, system, comparisons, undecided, rate, wrong,
+/// wrong_by_lane. The reference alone has its own precision and nothing undecided. Systems that do
+/// not exist have no rows.
 std::string figure5_csv(const ProfileReport& report);
 
-/// Gnuplot scripts that write SVG to `path`.
+/// Gnuplot scripts that write an SVG to standard output.
 std::string figure4_script(const ProfileReport& report);
 std::string figure5_script(const ProfileReport& report);
 

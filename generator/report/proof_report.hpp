@@ -7,8 +7,8 @@
 
 namespace mixcmp::report {
 
-/// A line per finding, then the verdict and what remains by hand. `gappa`: its version; empty:
-/// there is none.
+/// A line per finding, then the verdict and what remains proven by hand alone. `gappa`: its
+/// version; empty if it is not installed.
 std::string to_text(const model::proof::LaneProof& proof, const std::string& gappa);
 nlohmann::ordered_json to_json(const model::proof::LaneProof& proof, const std::string& gappa);
 

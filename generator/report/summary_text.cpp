@@ -47,7 +47,7 @@ std::string formats_of(const OperatorCount& count) {
   return fmt::format("{} -> {}", count.operand_format.name(), count.format.name());
 }
 
-/// Collects lines "name    text" in sections.
+/// Collects sections of lines, each a name and a text in two columns.
 class Page {
 public:
   void section(std::string_view title) { append("{}\n", title); }
@@ -188,7 +188,8 @@ void print_savings(Page& page, const std::string& lane, const LaneSavings& savin
   left_out("cancellation", savings.without_cancellation, savings.sums, "sums");
 }
 
-/// Nobody expects a reference to be exact who has declared no grid.
+/// Tells whether the reference rounds, but only if the scene declares a grid: otherwise nobody
+/// expects it to be exact.
 void print_exactness(Page& page, const Summary& summary) {
   const auto& grids = summary.scene->grids;
   const bool any = std::any_of(grids.begin(), grids.end(), [](const auto& grid) { return !!grid; });

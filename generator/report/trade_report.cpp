@@ -30,7 +30,8 @@ std::string_view to_string(SystemKind kind) {
   return "";
 }
 
-/// Below the axis of numbers: a band for points without a wrong verdict, a row a system.
+/// Gnuplot commands for a band below the numbers of the axis, in which points without a wrong
+/// verdict are drawn.
 std::string none_band(double floor) {
   const int lowest = static_cast<int>(std::ceil(std::log10(floor)));
   std::string tics;
@@ -56,8 +57,8 @@ std::string cell(const TradePoint& point) {
                      point.wrong_per_million);
 }
 
-/// The height at which points without a wrong verdict are drawn: below one wrong verdict in all the
-/// data.
+/// The upper edge of the band for points without a wrong verdict, in wrong verdicts per million: a
+/// tenth of the least number above 0, at most 0.1.
 double floor_of(const std::vector<Trade>& trades) {
   double least = 1;
   for (const Trade& trade : trades) {
@@ -158,7 +159,7 @@ std::string trade_script(const std::vector<Trade>& trades, const std::string& sc
     for (const TradePoint& point : trade.points) {
       if (before == nullptr || before->system != point.system) {
         const int mark = trade.inputs == LaneInputs::exact ? 7 : 6;
-        // Each system has a height of its own for points without a wrong verdict.
+        // Points without a wrong verdict have another height for each system.
         none *= 0.6;
         picture.curves.push_back(
             {fmt::format("{}, {} inputs", point.system, to_string(trade.inputs)),
