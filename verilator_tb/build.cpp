@@ -229,8 +229,7 @@ model::Result<Executable> build_simulator(const System& system, const BuildOptio
   if (fs::exists(stamp) && fs::exists(executable.path)) return executable;
 
   const auto start = std::chrono::steady_clock::now();
-  // A killed compiler or linker leaves half a file that is newer than its sources: make would keep
-  // it.
+  // A killed compiler or linker leaves half a file newer than its sources, which make would keep.
   std::error_code failure;
   fs::remove_all(folder / "obj", failure);
   if (failure) return model::cannot_write(folder / "obj", failure.value());

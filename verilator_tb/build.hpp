@@ -53,7 +53,8 @@ using SourceFiles = std::vector<std::pair<std::string, std::string>>;
 /// The Verilog files that the system's signature names; an error names a missing one.
 model::Result<SourceFiles> system_sources(const System& system);
 
-/// WORK/NAME-HASH, the hash being of the command, the tool's version and all that the tool reads.
+/// The folder WORK/NAME-HASH. The hash is that of the command, the tool's version and all files
+/// that the tool reads.
 std::filesystem::path work_folder(const std::filesystem::path& work, const std::string& name,
                                   const std::string& version, const Command& command,
                                   const SourceFiles& inputs);

@@ -30,7 +30,7 @@ private:
     bool has_left = false;
     bool lost = false;
     std::uint32_t lane = 0;
-    std::uint32_t tdata = 0;  ///< as it came
+    std::uint32_t tdata = 0;  ///< as received
   };
 
   GroupReport& group_of(std::uint32_t lane) { return report_.groups[group_of_lane_[lane]]; }

@@ -110,7 +110,7 @@ void check_against_truth(const TruthCheck& check, const model::Design& design,
     return;
   }
   const bool has_order = *verdict != Verdict::unordered;
-  // Without real values of f and g no answer is true: a reference is not counted as wrong there.
+  // If f or g has no real value, no answer is true: a reference is not counted as wrong.
   if (recomputed && !has_order) {
     ++truth.undefined;
     return;

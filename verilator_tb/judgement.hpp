@@ -34,8 +34,8 @@ std::string to_text(wire::Fault fault);
 Mismatch describe_comparison(const model::Design& design, const model::Comparisons& comparisons,
                              std::uint64_t index);
 
-/// Holds a result against the order of the real numbers f and g: counts it in `truth`, as checked
-/// or by the reason why it is not, and a wrong verdict of a lane in `group`, too.
+/// Compares a result with the order of the real numbers f and g. Counts it in `truth`, as checked
+/// or under the reason why it is not; counts a wrong verdict of a lane in `group`, too.
 void check_against_truth(const TruthCheck& check, const model::Design& design,
                          std::span<const model::Bits> operands, std::uint32_t tdata,
                          TruthCount& truth, GroupReport& group);

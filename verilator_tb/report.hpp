@@ -63,8 +63,8 @@ struct CounterTotal {
   std::uint64_t observed = 0;
 };
 
-/// Verdicts against the order of the real numbers f and g. Every comparison is either checked or
-/// counted under the reason why it was not.
+/// Counts of verdicts compared with the order of the real numbers f and g. Every comparison is
+/// either checked or counted under the reason why it was not.
 struct TruthCount {
   std::uint64_t checked = 0;
   std::uint64_t wrong_by_lane = 0;
@@ -95,7 +95,7 @@ struct GroupReport {
   std::uint64_t recomputations = 0;
   std::uint64_t undecided = 0;
   std::uint64_t mismatches = 0;
-  std::uint64_t wrong_by_lane = 0;  ///< where the truth was asked for
+  std::uint64_t wrong_by_lane = 0;  ///< counted only where the truth was asked for
   Latencies latencies;
 };
 
@@ -103,11 +103,12 @@ struct GroupReport {
 struct PairwiseFigures {
   std::string top;
   std::uint64_t items = 0;
-  std::uint64_t item_bytes = 0;      ///< of an item on its stream
-  std::uint64_t pair_bytes = 0;      ///< of a comparison on a stream without an engine
-  std::uint64_t reported = 0;        ///< pairs
-  std::uint64_t stalled_cycles = 0;  ///< in which the lanes took no item; 0 without counters
-  std::uint64_t sets = 0;            ///< sets simulated, small and interrupted ones included
+  std::uint64_t item_bytes = 0;  ///< bytes of an item on its stream
+  std::uint64_t pair_bytes = 0;  ///< bytes of a comparison on a stream without an engine
+  std::uint64_t reported = 0;    ///< pairs reported
+  std::uint64_t stalled_cycles =
+      0;                   ///< cycles in which a ready item was not taken; 0 without counters
+  std::uint64_t sets = 0;  ///< sets simulated, small and interrupted ones included
 };
 
 /// The figures of an arg-min engine, whose rows meet all of the scene's candidates.
@@ -118,13 +119,13 @@ struct ArgMinFigures {
   std::uint64_t wrong_rows = 0;      ///< rows whose candidate is not that of the reference alone
   std::uint64_t loading_cycles = 0;  ///< from the first candidate to the first row
   std::uint64_t stalled_cycles =
-      0;                    ///< in which a row was offered and not taken; 0 without counters
+      0;                    ///< cycles in which an offered row was not taken; 0 without counters
   std::uint64_t loads = 0;  ///< loads simulated, short and interrupted ones included
-  Latency latency;          ///< of a row
+  Latency latency;          ///< cycles from a row's acceptance to its departure
 };
 
 struct VerifyReport {
-  static constexpr std::size_t kept = 20;  ///< of mismatches and violations
+  static constexpr std::size_t kept = 20;  ///< the most mismatches and violations in the lists
 
   std::string system;
   std::string simulator;
@@ -135,7 +136,7 @@ struct VerifyReport {
   std::vector<GroupReport> groups;             ///< lanes are numbered through them, in order
   std::uint64_t requested = 0;                 ///< comparisons to be made
   std::uint64_t comparisons = 0;               ///< results judged
-  std::array<std::uint64_t, 4> verdicts = {};  ///< by Verdict; without undecided ones
+  std::array<std::uint64_t, 4> verdicts = {};  ///< counts by Verdict; undecided ones left out
   std::uint64_t recomputations = 0;
   std::uint64_t undecided = 0;
   std::uint64_t resets = 0;

@@ -36,7 +36,7 @@ struct Answer {
   std::vector<wire::Result> results;
   std::vector<wire::Violation> violations;
   std::vector<wire::LaneEnd> lanes;  ///< only in the answer to the last block
-  std::uint64_t cycles = 0;          ///< so far
+  std::uint64_t cycles = 0;          ///< cycles simulated so far
   wire::State state = wire::State::running;
 };
 
@@ -65,7 +65,7 @@ private:
   SimulatorProcess(model::ScratchFolder folder, Child child)
       : folder_(std::move(folder)), child_(std::move(child)) {}
 
-  model::ScratchFolder folder_;  ///< of this run, beside the executable
+  model::ScratchFolder folder_;  ///< the run's own folder, beside the executable
   Child child_;
 };
 

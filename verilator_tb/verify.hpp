@@ -46,7 +46,7 @@ struct VerifyOptions {
   Selection::Options selection;
   TrafficKind traffic = TrafficKind::full_rate;
   std::uint64_t traffic_seed = 1;
-  int resets = 0;  ///< in mid-stream, spread over the run
+  int resets = 0;  ///< resets in mid-stream, spread over the run
   std::uint64_t hang_cycles = 50'000;
   std::uint64_t block_size = 16'384;  ///< comparisons exchanged at a time
   /// FST file to write; beside it goes a GTKWave save file, .gtkw.
@@ -55,7 +55,7 @@ struct VerifyOptions {
   std::optional<TruthCheck> truth;
   std::string repeat_command;         ///< the report prints it with " --only INDEX" added
   std::vector<std::string> plusargs;  ///< for the simulator, without their plus
-  std::function<void(const VerifiedResult&)> on_result;  ///< in order of index
+  std::function<void(const VerifiedResult&)> on_result;  ///< called in order of index
   Progress progress;
   model::Waiting waiting;
 };

@@ -11,11 +11,11 @@
 namespace mixcmp::tb {
 
 /// A GTKWave save file: the streams of one lane, grouped, and the counters. `marked` chooses the
-/// lane (0 without it) and sets marker A where it was accepted and B where it left.
+/// lane (0 without it) and sets marker A where that comparison was accepted and B where it left.
 struct SaveFile {
   std::filesystem::path waves;
-  std::string scope;             ///< of the system's ports, "TOP.top"
-  std::uint64_t time_per_cycle;  ///< in the wave file's unit
+  std::string scope;             ///< scope of the system's ports in the wave file, "TOP.top"
+  std::uint64_t time_per_cycle;  ///< clock period in the wave file's time unit
   std::optional<wire::Result> marked;
 };
 
@@ -28,8 +28,8 @@ std::string gtkwave_save_file(const gen::SignatureEngine& engine, const SaveFile
 /// finds a full disk, which simulators do not report.
 bool is_whole_fst(const std::filesystem::path& path);
 
-/// Waves and the GTKWave save file that goes with them. Until both are whole, what a simulator
-/// writes is in a folder of its own, beside the final path.
+/// A wave file and the GTKWave save file that goes with it. Until both are complete, the simulator
+/// writes into a folder of its own, beside the final path.
 class WaveFile {
 public:
   static model::Result<WaveFile> open(const std::filesystem::path& path);

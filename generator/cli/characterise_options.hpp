@@ -24,7 +24,7 @@ struct CharacteriseCommand {
 
 void add_characterise_options(const Verb& verb, CharacteriseCommand& command);
 
-/// Errors name the option.
+/// Converts the options of `characterise`. Errors name the option.
 model::Result<gen::CharacteriseOptions> characterise_options(const CharacteriseCommand& command,
                                                              const model::Scene& scene);
 

@@ -25,7 +25,7 @@ struct BoundCosts {
 
 /// Measures every certified bound of the scene's lane, and the profiled one where its constants are
 /// known or can be measured. It takes seconds per lane, since Yosys maps each.
-/// An error where the scene leaves the lane's format open.
+/// It is an error if the scene leaves the lane's format open.
 model::Result<BoundCosts> measure_costs(const LoadedScene& loaded);
 
 std::string to_text(const BoundCosts& costs);

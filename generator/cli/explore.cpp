@@ -194,7 +194,7 @@ ResultFiles results_for(const ExploreCommand& command, const std::string& device
                         const model::Exploration& exploration, const std::string& tables) {
   const fs::path folder = command.output / exploration.device.name;
   const model::ResultsAtClocks& ours = exploration.columns.back();
-  // With given clocks every lane counts, timed or not.
+  // The first column has given clocks, if any has: then lanes without a measured clock count, too.
   const model::Optimisation& areas = exploration.columns.front().example;
   const std::string& first = exploration.data_sets.front();
   ResultFiles results(folder, result_names);

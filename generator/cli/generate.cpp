@@ -35,8 +35,7 @@ std::string counted(int count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// Prints lanes and references: in one line if there is one kind of each, else a line for each
-/// kind.
+/// Prints lanes and references, in one line if there is one kind of each, else one line per kind.
 void print_parts(const gen::Signature& s) {
   if (s.lane_groups.size() == 1 && s.reference_groups.size() <= 1) {
     const gen::SignatureLanes& lanes = s.lane_groups.front();

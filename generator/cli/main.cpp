@@ -87,7 +87,7 @@ int end_unexpectedly(const char* why) {
 
 int main(int argc, char** argv) {
   occupy_standard_streams();
-  signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of whoever writes it
+  signal(SIGXFSZ, SIG_IGN);  // at a file size limit, write() fails: whoever writes reports it
   CLI::App app("Turns a numerical comparison, the sign of f(x) - g(y), into verified Verilog.",
                "mixcmp");
   app.set_version_flag("--version", std::string(mixcmp::gen::version));

@@ -175,7 +175,7 @@ model::Result<LoadedScene> load(const SceneOptions& options) {
   model::Scene scene = std::move(loaded_scene).value();
   if (const auto delays = gen::delays_of(scene.system.device); !delays.ok()) {
     model::Error error = delays.error();
-    if (!error.file.empty()) return error;  // the device file's own
+    if (!error.file.empty()) return error;  // an error in the device file
     error.file = options.scene.string();
     return as_user_error(error, options);
   }

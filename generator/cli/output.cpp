@@ -17,12 +17,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The file that a path leads to; none for a pipe or a device, which several may share.
+/// The file that a path leads to; nullopt for a pipe or a device, which several outputs may share.
 std::optional<fs::path> file_at(const fs::path& path) {
   std::error_code failed;
   const fs::file_status status = fs::status(path, failed);
   if (fs::exists(status) && !fs::is_regular_file(status)) return std::nullopt;
-  // A link may lead to what is not there yet: OutputFile makes it there.
+  // A link may lead to a file that does not exist yet: OutputFile creates it there.
   const auto target = model::follow_links(fs::absolute(path));
   const fs::path named = target.ok() ? *target : fs::absolute(path);
   const fs::path place = fs::weakly_canonical(named, failed);

@@ -176,7 +176,7 @@ model::PlanSource plan_source(const PlanningOptions& options, const std::string&
                               const std::filesystem::path& plan, std::string command) {
   namespace fs = std::filesystem;
   // Symbolic links are followed, since the plan is read again from the folder that it lies in.
-  // A pipe's reader is told names relative to the working directory.
+  // In a plan that goes to a pipe, names are relative to the working directory.
   std::error_code failed;
   const fs::path place = fs::weakly_canonical(fs::absolute(plan), failed);
   const fs::path folder = failed ? fs::current_path() : place.parent_path();

@@ -50,7 +50,7 @@ model::Result<Planning> load_planning(const PlanningOptions& options, const mode
                                       const model::Comparisons* data);
 
 /// Recomputation rates of every kind of lane on the scene's data, for exact and for rounded inputs,
-/// at the precisions of `choice`. Errors where the scene has no data.
+/// at the precisions of `choice`. It is an error if the scene has no data.
 model::Result<std::vector<model::RateProfile>> measure_rates(const LoadedScene& loaded,
                                                              const model::OptimiseOptions& choice);
 

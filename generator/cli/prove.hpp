@@ -25,7 +25,7 @@ struct ProvenLane {
   std::string error;  ///< why there is no such lane; empty if there is one
   model::proof::LaneProof proof;
   std::string gappa;                ///< version; empty: Gappa is not installed
-  std::filesystem::path directory;  ///< of scripts, certificates and verdicts
+  std::filesystem::path directory;  ///< folder of scripts, certificates and verdicts
   int reused = 0;                   ///< scripts that an earlier run has proven
 };
 /// Proves the scene's lanes as `options` say; an error ends the program. `inputs`: files that no

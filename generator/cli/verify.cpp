@@ -49,7 +49,8 @@ void add_choice(const Verb& verb, const std::string& flag, Value& value,
       .one_of(names);
 }
 
-/// Both simulators write FST, and the save file takes the same name with another ending.
+/// An error text unless the name ends in .fst: both simulators write FST, and the save file takes
+/// the same name with another ending.
 std::string fst_path(const std::string& text) {
   if (fs::path(text).extension() == ".fst") return "";
   return fmt::format("received {}; accepted a file that ends in .fst", text);
@@ -143,7 +144,7 @@ tb::VerifyReport run_with_table(const model::Design& design, const model::Compar
   return report;
 }
 
-/// The makefiles of Verilator refuse blanks in the path of the folder that they build in.
+/// Refuses a work folder in which Verilator cannot build: its makefiles take no path with blanks.
 model::Result<model::Done> check_work(const VerifyCommand& command, const fs::path& work) {
   const std::string path = fs::absolute(work).string();
   const bool blanks = path.find_first_of(" \t\n") != std::string::npos;
@@ -154,15 +155,15 @@ model::Result<model::Done> check_work(const VerifyCommand& command, const fs::pa
                       .accepted = "--work with a path without blanks, or --simulator icarus"};
 }
 
-/// A trace that cannot be written should not cost a simulation first.
+/// Checks that the trace can be written, before the simulation takes its time.
 model::Result<model::Done> check_trace(const fs::path& trace) {
   if (trace.empty()) return model::Done{};
   MIXCMP_TRY(possible, tb::WaveFile::open(trace));
   return model::Done{};
 }
 
-/// The system in a folder of WORK/rtl that is named by all of its bytes: runs of different systems
-/// share a work folder and never a system.
+/// Writes the system into a folder of WORK/rtl whose name holds a hash of all its bytes. Runs of
+/// different systems may so share a work folder.
 fs::path write_rtl(const gen::GeneratedSystem& system, const fs::path& work) {
   model::ContentHash hash;
   for (const gen::GeneratedFile& file : system.files) hash.add(file.name).add(file.text);

@@ -97,8 +97,8 @@ private:
     planned_.erase(std::remove_if(planned_.begin(), planned_.end(), known), planned_.end());
   }
 
-  /// Whether neither the RTL nor the tools nor the device's synthesis have changed since the row
-  /// was measured.
+  /// Tells whether neither the RTL nor the tools nor the device's synthesis have changed since the
+  /// row was measured.
   bool is_kept(const Measurement& row) {
     const auto tools = tools_here_.find(options_of(row).effort);
     return tools != tools_here_.end() && row.tools == tools->second &&
@@ -136,8 +136,7 @@ private:
     return Done{};
   }
 
-  /// Makes the table's rows from the store. Jobs that failed, or that an interrupt left out, have
-  /// none.
+  /// Makes the table's rows from the store; jobs that failed or were interrupted have no row.
   Result<Done> collect() {
     MIXCMP_TRY(store, model::ResultStore::open(options_.store));
     for (Measurement& row : planned_) {

@@ -30,7 +30,7 @@ struct CharacteriseReport {
   std::vector<model::FailedJob> failed;
   /// Reasons why there is no clock where one was asked for, each with its components.
   std::map<std::string, std::vector<std::string>> no_clock;
-  int interrupted_by = 0;  ///< a signal; 0: none
+  int interrupted_by = 0;  ///< number of the signal that interrupted the run; 0: none
 };
 
 /// Measures the components that the store lacks, and makes a table of all that are asked for. Rows

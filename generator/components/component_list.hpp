@@ -12,7 +12,7 @@ namespace mixcmp::gen {
 
 /// How the number of a lane's exponent bits is chosen.
 enum class LaneExponents {
-  reference,  ///< as many as the reference's
+  reference,  ///< as many as the reference has
   ranges,     ///< the fewest that the declared ranges allow
 };
 
@@ -21,12 +21,12 @@ struct ComponentQuery {
   std::set<model::ComponentKind> kinds = {
       model::ComponentKind::unit, model::ComponentKind::lane, model::ComponentKind::reference,
       model::ComponentKind::fifo, model::ComponentKind::crossbar};
-  std::vector<int> precisions;  ///< of lanes
+  std::vector<int> precisions;  ///< precisions of lanes
   std::vector<model::BoundChoice> bounds;
   std::vector<model::LaneInputs> inputs = {model::LaneInputs::exact, model::LaneInputs::rounded};
   std::vector<model::Multipliers> multipliers = {model::Multipliers::embedded,
                                                  model::Multipliers::logic};
-  std::vector<int> ports;  ///< of crossbars
+  std::vector<int> ports;  ///< numbers of lanes at a crossbar with one reference
   /// If absent: as reduced.format says, or as many as the reference's where that is "auto".
   std::optional<LaneExponents> exponents;
 };

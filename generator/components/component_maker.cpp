@@ -28,8 +28,7 @@ using model::Result;
 
 /// Comparisons that the constants of profiled lanes are measured on: as many as for `generate`.
 constexpr std::uint64_t constant_samples = 100'000;
-/// Lanes of 11 to 42 cycles need so many slots; for other lanes a request is a bit narrower or
-/// wider.
+/// The slots of lanes with 11 to 42 cycles. For other lanes a request is a bit narrower or wider.
 constexpr int crossbar_slots = 64;
 constexpr int crossbar_radix = 4;
 constexpr int answer_cycles = 2;

@@ -37,9 +37,8 @@ struct Scaling {
   model::NodeId operand;
   int exponent;
 };
-/// Recognises a multiplication by a constant power of two that is encoded as a normal number;
-/// nullopt for any other node. It takes no multiplier: its unit is a conversion that adds to the
-/// exponent.
+/// Recognises a multiplication by a constant power of two that is encoded as a normal number, else
+/// nullopt. Such a node takes no multiplier: its unit is a conversion that adds to the exponent.
 std::optional<Scaling> scaling_of(const model::TypedGraph& graph, const model::TypedNode& node);
 
 /// The unit that computes `node` of `graph` (not for input, constant, negate, absolute: those are

@@ -41,13 +41,13 @@ struct SignatureReferences {
 struct SignatureEngine {
   model::EngineKind kind = model::EngineKind::none;
   std::string top;                            ///< the module; the system is inside
-  int capacity = 0;                           ///< items of a set, or candidates, at most
+  int capacity = 0;                           ///< the most items of a set, or candidates
   int index_bits = 0;                         ///< width of an item's or candidate's number
   std::vector<std::string> columns;           ///< column k of an item is tdata[k * width +: width]
-  int item_bytes = 0;                         ///< of an item, padded
+  int item_bytes = 0;                         ///< bytes of an item, padded
   std::vector<std::string> report;            ///< pairwise: the verdicts whose pairs are reported
   std::vector<std::string> row_columns = {};  ///< arg_min: of a row, packed as `columns`
-  int row_bytes = 0;                          ///< arg_min: of a row, padded
+  int row_bytes = 0;                          ///< arg_min: bytes of a row, padded
   int tag_bits = 0;                           ///< arg_min: width of a row's tag
   std::vector<SignaturePort> ports;
 };

@@ -26,7 +26,7 @@ std::size_t end_of_identifier(std::string_view text, std::size_t start) {
   return static_cast<std::size_t>(end - text.begin());
 }
 
-/// Every identifier outside of `//` comments.
+/// All identifiers of a Verilog text outside of `//` comments.
 std::set<std::string> identifiers(std::string_view text) {
   std::set<std::string> words;
   for (std::size_t k = 0; k < text.size();) {

@@ -157,8 +157,7 @@ const ForGenerate* as_loop(const Item& item) {
   return loop == nullptr ? nullptr : loop->get();
 }
 
-/// The genvar declaration in front of item `k`; empty unless it is the first loop over its
-/// variable.
+/// The genvar declaration in front of item `k`, if it is the first loop over its variable.
 std::string declaration(const std::vector<Item>& items, std::size_t k, const std::string& indent) {
   const ForGenerate* loop = as_loop(items[k]);
   if (loop == nullptr) return "";

@@ -93,8 +93,7 @@ std::vector<Parameter> BoundUnitBuilder::parameters(const BoundNode& node, const
 
 /// Tells whether a value may be subnormal although no operation before it was exceptional. Under
 /// `flush` it may not, since an operation that reads a subnormal operand is exceptional. Otherwise
-/// the result of an operation may if its hazards include underflow; inputs and constants always
-/// may.
+/// inputs and constants may, and the result of an operation whose hazards include underflow.
 bool BoundUnitBuilder::may_be_subnormal(NodeId value) const {
   if (lane_.graph.arithmetic.subnormals == model::Subnormals::flush) return false;
   const bool is_result = model::arity(lane_.graph.nodes[value].operation) > 0;

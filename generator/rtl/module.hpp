@@ -48,7 +48,8 @@ struct Not {
 struct Or {
   std::vector<Operand> operands;
 };
-/// 1'b1 where every bit is one; used to consume nets that are deliberately unread.
+/// The AND of all bits of a net. It serves to consume nets that are deliberately unread, for which
+/// linters would warn otherwise.
 struct AndReduce {
   Operand operand;
 };

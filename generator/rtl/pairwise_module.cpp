@@ -91,8 +91,7 @@ void declare_refetch_streams(const EngineShape& engine, const SystemShape& syste
   items.push_back(loop("reference", references, "reference_operands", std::move(mapping)));
 }
 
-/// Connects the engine's refetch ports to the references' streams, or ties them off if there is no
-/// reference.
+/// Connects the refetch ports of the engine to the references, or ties them off if there is none.
 void connect_refetch(const EngineShape& engine, const SystemShape& system, std::vector<Item>& items,
                      std::vector<Connection>& connections) {
   if (system.recomputes()) {

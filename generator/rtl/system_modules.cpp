@@ -11,10 +11,11 @@ using namespace rtl;
 
 constexpr int verdict_bits = 2;
 constexpr int result_bits = 8;
-/// 2^4 operands may be on their way back from the user's memory, per reference.
+/// OUTSTANDING_BITS of reference_port: the operands of 2^4 comparisons may be on their way from the
+/// user's memory to each reference.
 constexpr int outstanding_bits = 4;
 
-/// The operands of one comparison, sliced for the datapath's ports.
+/// Connects each operand port of a datapath to its slice of `packed`.
 void append_operands(std::vector<Connection>& connections, const SystemShape& shape,
                      const std::string& packed) {
   for (std::size_t k = 0; k < shape.input_ports.size(); ++k) {
@@ -143,8 +144,7 @@ std::vector<Port> top_ports(const SystemShape& shape) {
 }
 
 /// A wire of the top between the crossbar and the channels, with one field per lane or reference.
-/// Its name is that of the channel's port with the side, "lane" or "reference", for the first
-/// letter.
+/// Its name is that of the channel's port, with "lane" or "reference" in place of the first letter.
 struct Bundle {
   std::string port;
   int width;
@@ -177,8 +177,7 @@ void declare(std::vector<Item>& items, const std::vector<Bundle>& bundles, const
   }
 }
 
-/// Consumes the padding bits of one comparison's tdata, so that linters accept that they are
-/// unread.
+/// Consumes the padding bits of one comparison's tdata, which nothing else reads.
 void consume_padding(const SystemShape& shape, std::vector<Item>& items, const std::string& word,
                      const std::string& unused_name) {
   const int padding = shape.tdata_bytes() * 8 - shape.operand_bits();

@@ -12,7 +12,7 @@ namespace mixcmp::gen {
 struct DatapathGroup {
   std::string datapath;  ///< the module's name
   std::string channel;   ///< the module that surrounds the datapath with its streams
-  std::string label;     ///< of the loop that instantiates the channels
+  std::string label;     ///< label of the loop that instantiates the channels
   int latency_cycles = 0;
   int first = 0;  ///< the number of the group's first lane or reference
   int count = 0;
@@ -23,7 +23,7 @@ struct SystemShape {
   std::string top;
   std::vector<DatapathGroup> lane_groups;
   std::vector<DatapathGroup> reference_groups;  ///< none where p_H = 0
-  std::vector<std::string> input_ports;         ///< of the datapaths, in packing order
+  std::vector<std::string> input_ports;         ///< the datapaths' operand ports, in packing order
   int input_width = 0;                          ///< bits of one operand
   int lanes = 0;                                ///< p_L
   int references = 0;                           ///< p_H
@@ -56,8 +56,8 @@ TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cyc
 /// The crossbar between all lanes and all references.
 TemplateInstance crossbar_template(const SystemShape& shape);
 
-/// A lane with its scoreboard or reorder buffer: one stream of comparisons in, one of results out,
-/// requests for recomputation out, answers in.
+/// A lane with its scoreboard or reorder buffer. It takes a stream of comparisons and the answers
+/// of the references; it gives a stream of results and one of requests for recomputation.
 rtl::Module lane_channel_module(const SystemShape& shape, const DatapathGroup& lane);
 
 /// A reference datapath with the reference_port that feeds it; only for a shape that recomputes().

@@ -38,7 +38,7 @@ struct MeasuredRate {
 };
 
 struct BaselineKernel {
-  std::optional<model::ErrorBoundKind> filter;  ///< none: double throughout
+  std::optional<model::ErrorBoundKind> filter;  ///< nullopt: double throughout
   VerdictCounts verdicts;                       ///< of all comparisons
   std::uint64_t recomputed = 0;                 ///< comparisons that a filter left to doubles
   MeasuredRate one_core, all_cores;

@@ -264,8 +264,8 @@ std::string indented(const std::string& text) {
   return result;
 }
 
-/// The kernel of a comparison of several parts, one block for each. The compiler finds their common
-/// subexpressions.
+/// The kernel of a comparison of several parts, one block for each. The compiler merges what the
+/// blocks have in common.
 std::string text_of_parts(const model::Comparisons& data, const FloatFilter& filter,
                           model::Combination combination) {
   std::string text =

@@ -9,7 +9,7 @@ namespace mixcmp::gen {
 
 /// Which columns of the data the software reads, each once.
 struct SoftwareColumns {
-  std::vector<std::size_t> inputs;     ///< in the order of the data file: an input that reads it
+  std::vector<std::size_t> inputs;     ///< one per column of the data file: an input that reads it
   std::vector<std::size_t> of_inputs;  ///< one per input: index into the data file's columns
 };
 SoftwareColumns software_columns(const model::Comparisons& data);
@@ -18,10 +18,11 @@ SoftwareColumns software_columns(const model::Comparisons& data);
 /// written out as rows.
 bool has_software_loops(model::Pairing pairing);
 
-/// One C++20 file for a POSIX system: the scene's comparison on doubles, and for each filter on
-/// floats with doubles where it does not decide, as loops that a compiler vectorises, in a program
-/// that measures itself (generator/software/program/harness.hpp says how to call it). It must be
-/// compiled without contraction of multiply-adds and without -ffast-math.
+/// Prints a program, one C++20 file for a POSIX system, that measures itself
+/// (generator/software/program/harness.hpp says how to call it). It computes the scene's comparison
+/// on doubles and, for each filter, on floats with doubles where the filter does not decide, in
+/// loops that a compiler vectorises. It must be compiled without contraction of multiply-adds and
+/// without -ffast-math.
 std::string software_source(const model::Scene& scene, const model::Comparisons& data,
                             const FloatFilters& filters);
 

@@ -190,7 +190,7 @@ private:
   bool offering_ = false;     ///< a row is on offer
   bool ready_ = false;
   std::deque<Inside> inside_;
-  std::uint64_t accepted_ = 0;  ///< rows ever; tags follow from it
+  std::uint64_t accepted_ = 0;  ///< rows accepted in the whole run; tags follow from it
   std::uint64_t load_cycle_ = 0;
   std::uint64_t first_cycle_ = 0;
   std::uint64_t progress_ = 0;

@@ -33,7 +33,7 @@ struct LoadResponse {
   std::uint64_t violations;
   std::uint64_t loading_cycles;  ///< from the first candidate's acceptance to the first row's
   std::uint64_t cycles;          ///< from the first row's acceptance to the last one's departure
-  std::uint64_t overrun;         ///< the port, when the last row had left
+  std::uint64_t overrun;         ///< value of the port when the last row had left
   /// The engine's counters since reset: rows, stalled cycles; of the latter only `counted` is set.
   LaneEnd counters;
   LoadState state;

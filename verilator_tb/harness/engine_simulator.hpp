@@ -14,7 +14,7 @@
 
 namespace mixcmp::tb {
 
-/// The base of the simulators of all engines: the model and its clock, resets, protocol violations,
+/// The base of all engines' simulators: the model, its clock, resets, protocol violations,
 /// counters.
 class EngineSimulator {
 protected:

@@ -11,8 +11,7 @@
 
 namespace mixcmp::tb {
 
-/// The queue of comparisons for the lanes. Those that a reset has discarded are offered again
-/// first.
+/// The queue of comparisons for the lanes. Those that a reset has discarded come first.
 class Feed {
 public:
   explicit Feed(std::size_t bytes_per_comparison) : bytes_(bytes_per_comparison) {}

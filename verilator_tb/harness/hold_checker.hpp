@@ -7,7 +7,7 @@
 
 namespace mixcmp::tb {
 
-/// Watches one stream for a rule of AXI4-Stream: once raised, valid and payload hold until
+/// Checks on one stream the AXI4-Stream rule that valid and payload, once raised, hold until
 /// accepted.
 class HoldChecker {
 public:

@@ -112,7 +112,7 @@ private:
   /// results are recognised.
   static constexpr std::size_t ring_size = 4 * system::slots;
 
-  /// A memory finds refetched operands by tag alone: lanes may not share tags then.
+  /// A memory finds refetched operands by tag alone: with refetched operands, lanes share no tags.
   static constexpr std::uint64_t tag_space = std::uint64_t{1}
                                              << (system::tag_bits < 63 ? system::tag_bits : 63);
   static constexpr std::uint64_t tags_of_a_lane() {

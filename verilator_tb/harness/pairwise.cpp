@@ -146,14 +146,14 @@ private:
   static constexpr std::uint64_t index_mask = (std::uint64_t{1} << index_field_bits) - 1;
 
   std::vector<std::uint8_t> items_;
-  std::uint64_t next_ = 0;  ///< item to be offered
+  std::uint64_t next_ = 0;  ///< the item to be offered next
   bool offering_ = false;
   bool ready_ = false;
   bool open_ = false;  ///< the closing beat is still to come
   bool busy_ = false;  ///< an item was accepted and the closing beat was not
   std::uint64_t first_cycle_ = 0;
   std::uint64_t progress_ = 0;
-  std::uint64_t observed_reports_ = 0;  ///< since reset, as observed_busy_
+  std::uint64_t observed_reports_ = 0;  ///< reports since reset
   std::uint64_t observed_busy_ = 0;
   std::vector<wire::Report> reports_;
   wire::SetResponse response_ = {};

@@ -3,9 +3,9 @@
 #include <cstdint>
 
 /// What the host and a simulator exchange over the simulator's standard input, in the machine's
-/// byte order. Compiled into both. A position numbers the comparisons of a run from 0, in the order
-/// the host sends them. Every request gets one response; the result of a comparison comes in the
-/// response to its own block or in a later one, in any order.
+/// byte order. This file is compiled into both. Positions number the comparisons of a run from 0,
+/// in the order the host sends them. Every request gets one response; a comparison's result is in
+/// the response to its own block or in a later one, in any order.
 namespace mixcmp::tb::wire {
 
 /// The head of a request, followed by `resets` positions (each std::uint64_t: reset the system as
