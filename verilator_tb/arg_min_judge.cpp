@@ -52,8 +52,8 @@ void ArgMinJudge::count(std::uint64_t row, std::uint64_t best, std::uint64_t own
     check_against_truth(*options_.truth, design_, operands_, tdata, *report_.truth, group);
   }
   if (!options_.on_result) return;
-  // After a wrong verdict, which a profiled lane may give, the chain goes on with another candidate
-  // than the comparisons of the data: those comparisons have no index.
+  // After a wrong verdict, which a profiled lane may give, the chain makes comparisons that are not
+  // among those of the data and have no index.
   const std::uint64_t index = row * (report_.arg_min->candidates - 1) + own - 1;
   if (comparisons_.items(index).first == best) {
     options_.on_result({index, verdict, recomputed, false});

@@ -103,12 +103,11 @@ struct GroupReport {
 struct PairwiseFigures {
   std::string top;
   std::uint64_t items = 0;
-  std::uint64_t item_bytes = 0;  ///< bytes of an item on its stream
-  std::uint64_t pair_bytes = 0;  ///< bytes of a comparison on a stream without an engine
-  std::uint64_t reported = 0;    ///< pairs reported
-  std::uint64_t stalled_cycles =
-      0;                   ///< cycles in which a ready item was not taken; 0 without counters
-  std::uint64_t sets = 0;  ///< sets simulated, small and interrupted ones included
+  std::uint64_t item_bytes = 0;      ///< bytes of an item on its stream
+  std::uint64_t pair_bytes = 0;      ///< bytes of a comparison on a stream without an engine
+  std::uint64_t reported = 0;        ///< pairs reported
+  std::uint64_t stalled_cycles = 0;  ///< cycles with a ready item not taken; 0 without counters
+  std::uint64_t sets = 0;            ///< sets simulated, small and interrupted ones included
 };
 
 /// The figures of an arg-min engine, whose rows meet all of the scene's candidates.
@@ -118,10 +117,9 @@ struct ArgMinFigures {
   std::uint64_t rows = 0;
   std::uint64_t wrong_rows = 0;      ///< rows whose candidate is not that of the reference alone
   std::uint64_t loading_cycles = 0;  ///< from the first candidate to the first row
-  std::uint64_t stalled_cycles =
-      0;                    ///< cycles in which an offered row was not taken; 0 without counters
-  std::uint64_t loads = 0;  ///< loads simulated, short and interrupted ones included
-  Latency latency;          ///< cycles from a row's acceptance to its departure
+  std::uint64_t stalled_cycles = 0;  ///< cycles with an offered row not taken; 0 without counters
+  std::uint64_t loads = 0;           ///< loads simulated, short and interrupted ones included
+  Latency latency;                   ///< cycles from a row's acceptance to its departure
 };
 
 struct VerifyReport {

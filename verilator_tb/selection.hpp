@@ -42,7 +42,7 @@ private:
 std::uint64_t counter_random(std::uint64_t seed, std::uint64_t counter);
 
 /// Packs operand k to bits [k * width, (k + 1) * width) of `tdata`. The bits above are padding; all
-/// are set to `padding`, so that a system that reads them fails.
+/// are set to `padding`, so that a system that reads them is detected.
 void pack_operands(std::span<const model::Bits> operands, int width, bool padding,
                    std::span<std::uint8_t> tdata);
 

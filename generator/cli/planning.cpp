@@ -38,8 +38,8 @@ bool is_set(const SceneOptions& options, const std::string& key) {
                      [&](const std::string& setting) { return setting.starts_with(key + "="); });
 }
 
-/// Gives the scene the table's target_mhz. It decides where registers go, so what is generated
-/// later must have the same as what was measured.
+/// Gives the scene the table's target_mhz. It decides where registers go: what is generated later
+/// must have them where they were when the areas were measured.
 Result<model::Done> adopt_target(Planning& planning, const std::filesystem::path& path,
                                  const SceneOptions& options) {
   for (const auto& [name, text] : planning.table.spec) {

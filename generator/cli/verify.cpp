@@ -163,7 +163,7 @@ model::Result<model::Done> check_trace(const fs::path& trace) {
 }
 
 /// Writes the system into a folder of WORK/rtl whose name holds a hash of all its bytes. Runs of
-/// different systems may so share a work folder.
+/// different systems can thus share a work folder.
 fs::path write_rtl(const gen::GeneratedSystem& system, const fs::path& work) {
   model::ContentHash hash;
   for (const gen::GeneratedFile& file : system.files) hash.add(file.name).add(file.text);

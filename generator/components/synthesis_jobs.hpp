@@ -8,11 +8,12 @@
 
 namespace mixcmp::gen {
 
-/// Synthesises a module alone, with the templates that it instantiates. Its sources have no
-/// comments, so that only the hardware decides their hash.
+/// The job that synthesises a module alone, with the templates that it instantiates. Its sources
+/// have no comments, so that only the hardware decides their hash.
 model::SynthesisJob module_job(const rtl::Module& module);
 
-/// Synthesises a template alone: its parameters' defaults are replaced by the instance's values.
+/// The job that synthesises a template alone: its parameters' defaults are replaced by the
+/// instance's values.
 model::SynthesisJob template_job(const TemplateInstance& instance);
 
 /// "fp_add EXPONENT_BITS=8 PRECISION=12 CUTS=9'h01f": all that template_job needs.

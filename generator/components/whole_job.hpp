@@ -5,11 +5,12 @@
 
 namespace mixcmp::gen {
 
-/// Synthesises a whole generated system.
+/// The job that synthesises a whole generated system.
 model::SynthesisJob system_job(const GeneratedSystem& system);
 
-/// Synthesises `count` (1 or more) reference datapaths alone, which a mixed-precision system has to
-/// beat. They have no streams or tags around them; each has its own operands and verdict.
+/// The job that synthesises `count` (1 or more) reference datapaths alone, which a mixed-precision
+/// system has to beat. They have no streams or tags around them; each has its own operands and
+/// verdict.
 model::Result<model::SynthesisJob> references_job(const model::Scene& scene, int count);
 
 }  // namespace mixcmp::gen

@@ -37,7 +37,7 @@ struct SignatureReferences {
   model::Multipliers multipliers = model::Multipliers::embedded;
 };
 
-/// The engine around the system, which makes the comparisons that the system decides.
+/// The engine around the system: it generates the comparisons that the system's lanes take.
 struct SignatureEngine {
   model::EngineKind kind = model::EngineKind::none;
   std::string top;                            ///< the module; the system is inside

@@ -67,7 +67,8 @@ Signature signature_of(const Design& design, const SystemShape& shape) {
           .files = {}};
 }
 
-/// Notes on stages that no cut brings under the period by the delay table, each with its datapath.
+/// Notes on stages that, by the delay table, no cut brings under the period. Each names its
+/// datapath.
 std::vector<std::string> slow_stages(const SystemPlan& plan) {
   std::vector<std::string> notes;
   const auto add_notes = [&notes](const std::string& what, const std::vector<DatapathGroup>& groups,

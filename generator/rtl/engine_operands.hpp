@@ -30,7 +30,7 @@ void consume_padding(const std::string& port, int bits, int port_bits,
 
 /// The names of the counters that each lane has.
 const std::vector<std::string>& lane_counters();
-/// Adds the counters of the lanes and of the engine to its ports, if the system counts at all.
+/// Adds the counters of the lanes and of the engine to the engine's ports, if the system counts.
 void add_counters(const SystemShape& system, const std::vector<std::string>& engine_counters,
                   std::vector<rtl::Port>& ports);
 /// Connects the engine's counters to its ports or, if the system does not count, to unused nets.

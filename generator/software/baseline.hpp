@@ -32,8 +32,8 @@ struct VerdictCounts {
 struct MeasuredRate {
   unsigned threads = 1;
   double best_per_s = 0, median_per_s = 0;
-  /// The share of the processors that other programs left in the best round: processor time by
-  /// wall-clock time.
+  /// The share of the processors that other programs left in the best round: processor time divided
+  /// by wall-clock time.
   double processor_share = 0;
 };
 
