@@ -19,6 +19,7 @@ std::vector<const double*> OperandBlock::columns(std::size_t first) const {
 }
 
 void OperandBlock::append(const OperandBlock& from, std::size_t row) {
+  MIXCMP_CHECK(!full());
   std::size_t theirs = row;
   for (std::size_t ours = size_; ours < values_.size(); ours += capacity_) {
     values_[ours] = from.values_[theirs];

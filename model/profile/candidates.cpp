@@ -10,6 +10,7 @@ Candidates::Candidates(std::size_t inputs, std::size_t capacity)
       operands_(inputs, capacity) {}
 
 void Candidates::append(const Candidates& from, std::size_t row, std::uint32_t systems_left) {
+  MIXCMP_CHECK(size() < capacity());
   const std::size_t place = size();
   truth[place] = from.truth[row];
   reference[place] = from.reference[row];

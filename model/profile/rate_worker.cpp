@@ -109,6 +109,7 @@ void RateWorker::find_true_verdicts(std::uint64_t first, Candidates& candidates)
 void RateWorker::process(std::size_t index) {
   const PrecisionBand& band = job_.bands[index];
   Candidates& candidates = pending_[index];
+  make_room(index + 1, candidates.size());
   if (index > 0) look(band, candidates, false);
   settle_finished(band, candidates);
   for (std::size_t system = 0; system < band.system_count(); ++system) {
@@ -117,6 +118,13 @@ void RateWorker::process(std::size_t index) {
   if (index + 1 < pending_.size()) pass_on(band, candidates, pending_[index + 1]);
   candidates.operands().resize(0);
   if (index + 1 < pending_.size() && pending_[index + 1].size() >= block) process(index + 1);
+}
+
+/// Empties a band's queue where it has no room for `count` more. The bands share their working
+/// memory, so this comes before another band begins. The first band never needs it: its queue holds
+/// one block, and that of the second band less than one.
+void RateWorker::make_room(std::size_t index, std::size_t count) {
+  if (index < pending_.size() && pending_[index].size() + count > capacity) process(index);
 }
 
 /// Corrects the findings on comparisons that this band's envelope cannot judge: a failing range

@@ -48,11 +48,13 @@ public:
   const RateTally& tally() const { return tally_; }
 
 private:
-  /// A band's queue is emptied when it holds `block`, and one more block may have been added.
+  /// A band is processed as soon as its queue holds `block` comparisons, or before the queue of the
+  /// band below it, which may be full, would make it longer than this.
   static constexpr std::size_t capacity = 2 * block;
 
   void start(std::uint64_t first, std::size_t count);
   void process(std::size_t band);
+  void make_room(std::size_t band, std::size_t count);
   void look(const PrecisionBand& band, Candidates& candidates, bool is_first);
   void find_true_verdicts(std::uint64_t first, Candidates& candidates);
   void settle_finished(const PrecisionBand& band, const Candidates& candidates);

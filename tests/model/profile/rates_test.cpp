@@ -8,8 +8,10 @@
 #include "model/data/sphere_family.hpp"
 #include "model/data/uniform_spheres.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/number/double.hpp"
 #include "model/number/exact.hpp"
 #include "model/number/verdict.hpp"
+#include "model/profile/rate_worker.hpp"
 #include "model/profile/systems.hpp"
 #include "model/workload/reference_contest.hpp"
 #include "tests/model/profile/profile_cases.hpp"
@@ -255,6 +257,38 @@ TEST(Rates, CountDifferencesThatUnderflow) {
                                     [](const auto& system) { return system.name == "running_4"; });
   ASSERT_NE(running, profile.systems.end());
   EXPECT_GT(running->counts.back().undecided, 10u);
+}
+
+/// Ties stay open through every band, near ties for some. In this order the second band passes on
+/// nearly two blocks at once, where the third one's queue holds nearly one.
+TEST(Rates, OfBlocksThatFillTheQueuesOfAllBandsAreThoseOfOneByOne) {
+  const auto block = static_cast<int>(model::RateWorker::block);
+  const FloatFormat format = format_of(53, 8);
+  const Scene scene = scene_of(graph_of("x * x", "y * y"), format, {format_of(8, 8)});
+  const auto number = [&](double value) { return model::from_double(format, value); };
+  std::vector<Bits> values;
+  const auto add = [&](double x, double y, int count) {
+    for (int k = 0; k < count; ++k) values.insert(values.end(), {number(x), number(y)});
+  };
+  const double tie = 1.1, near = 1.11, far = 100.3;
+  add(tie, tie, block - 1), add(tie, far, 1);
+  add(tie, near, 1), add(tie, far, block - 1);
+  add(tie, tie, block - 1), add(tie, far, 1);
+  add(tie, tie, block);
+  const Comparisons data = rows_of(scene.graph, format, values);
+  ProfileOptions options{.error_samples = 100, .threads = 1};
+  const ErrorProfile errors = profile_errors(scene, data, {LaneInputs::exact}, options).front();
+  const RateProfile fast = profile_rates(scene, data, errors, options);
+  options.method = model::ProfileMethod::brute_force;
+  options.threads = 2;
+  const RateProfile slow = profile_rates(scene, data, errors, options);
+  for (std::size_t system = 0; system < fast.systems.size(); ++system) {
+    const auto &one = fast.systems[system].counts, &other = slow.systems[system].counts;
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      EXPECT_EQ(one[k].undecided, other[k].undecided) << fast.systems[system].name << " " << k;
+      EXPECT_EQ(one[k].wrong, other[k].wrong) << fast.systems[system].name << " " << k;
+    }
+  }
 }
 
 TEST(Rates, DoNotDependOnThreadsOrMethod) {
