@@ -234,7 +234,7 @@ std::vector<std::string> devices_of(const ExploreCommand& command, const model::
   return devices;
 }
 
-/// What plans for one device are made of: the device and its table.
+/// Loads a device and its table, from which its plans are made.
 Planning planning_for(const ExploreCommand& command, const std::string& device,
                       const model::Comparisons* data) {
   PlanningOptions planning = command.planning;

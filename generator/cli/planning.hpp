@@ -24,7 +24,7 @@ void add_planning_options(const Verb& verb, PlanningOptions& options);
 /// The verb with its scene and those options that differ from their defaults, as a command.
 std::string planning_command_line(const std::string& verb, const PlanningOptions& options);
 
-/// What a plan file at `plan` states about its origin.
+/// The origin that a plan file at `plan` states: its scene, overrides, device and command.
 model::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
                               const std::filesystem::path& plan, std::string command);
 

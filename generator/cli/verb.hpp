@@ -11,7 +11,7 @@ class Option;
 
 namespace mixcmp::cli {
 
-/// What the text of an option must be.
+/// A condition on the text of an option.
 struct Check {
   std::function<std::string(const std::string& text)> problem;  ///< empty where the text will do
   std::string description;                                      ///< for --help

@@ -19,7 +19,7 @@ std::string arithmetic_fact(const model::Arithmetic& arithmetic) {
                      model::to_string(arithmetic.subnormals));
 }
 
-/// What the comparison computes, in words: "the sign of f - g".
+/// The question that a comparison answers, in words: "the sign of f - g".
 std::string what_is_asked(const Design& design) {
   const std::size_t parts = design.reference.parts.size();
   if (parts == 1) return "the sign of f - g";

@@ -33,8 +33,8 @@ private:
   std::map<std::string, std::string> hardware_;
 };
 
-/// What identifies the hardware of a group's lanes: their Verilog under a fixed name. Empty where
-/// there is only one group.
+/// The Verilog of a group's lanes under a fixed name: equal texts are equal hardware. The text is
+/// empty if there is only one group.
 std::string hardware_of(const model::Design& design, std::size_t group, const Schedule& schedule) {
   if (design.lanes.size() == 1) return "";
   return to_verilog(lane_module("lane", design.inputs, design.lanes[group].lane, schedule));

@@ -12,7 +12,7 @@ namespace mixcmp::gen {
 
 /// Names and widths that an engine and the system inside it agree on.
 struct EngineShape {
-  /// Where an operand of the comparison comes from: a column of one of its items.
+  /// The source of an operand of the comparison: a column of one of its items.
   struct Source {
     std::size_t column;  ///< index in the columns of the item
     model::Item item;

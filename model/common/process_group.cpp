@@ -63,7 +63,7 @@ constexpr rlim_t most_file_bytes = rlim_t{16} << 30;
 
 enum class FailedStep { machine, directory, program };
 
-/// What a child reports through a pipe if it cannot become the program.
+/// A child sends this through a pipe if it cannot become the program.
 struct StartFailure {
   int error = 0;  ///< errno
   FailedStep step = FailedStep::machine;

@@ -161,8 +161,8 @@ private:
     return {-largest, largest};
   }
 
-  /// Where the divisor's range contains zero, the quotient's range reaches beyond the largest
-  /// number of the format.
+  /// The range of a / b. It reaches beyond the format's largest number if the range of b contains
+  /// zero.
   static Range quotient(FloatFormat format, const Range& a, const Range& b) {
     if (!contains_zero(b)) return product(a, {1 / b.high, 1 / b.low});
     const mpq_class beyond = 2 * largest_of(format);

@@ -32,7 +32,7 @@ struct OptimiseOptions {
   std::optional<Area> fixed_communication;
 };
 
-/// Where the clock of a plan comes from, the most reliable source first.
+/// The source of a plan's clock, the most reliable source first.
 enum class ClockBasis {
   given,                    ///< by the user, such as the paper's clocks
   routed,                   ///< after place and route

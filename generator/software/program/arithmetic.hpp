@@ -66,8 +66,8 @@ inline float binade(float x) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) & 0x7f800000u);
 }
 
-/// What a filter requires of an operand: its sign (0: any, 1: sign bit clear, 2: set), and limits
-/// for the leading bits of its magnitude.
+/// A filter's condition on an operand: its sign (0: any, 1: sign bit clear, 2: set), and limits for
+/// the leading bits of its magnitude.
 struct Check {
   std::size_t input;
   int sign;
