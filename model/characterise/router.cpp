@@ -63,8 +63,8 @@ using Attempt = std::variant<double, Refusal>;
 
 Result<Attempt> route_once(const Device& device, const std::filesystem::path& directory,
                            const std::string& netlist, int seed, const ToolLimits& limits) {
-  // The router serves the most critical path first, so any target that no design meets gives the
-  // same result.
+  // The router serves the most critical path first, so a target that no design meets is as good as
+  // any other.
   constexpr const char* target_mhz = "400";
   const std::string report = fmt::format("route_{}.json", seed);
   const std::string log = fmt::format("route_{}.log", seed);

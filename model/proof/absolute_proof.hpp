@@ -11,8 +11,7 @@ namespace mixcmp::model::proof {
 
 /// A script that bounds |(true f - true g) - (computed f - computed g)| wherever every operand
 /// passes its check, for the whole expression at once, from the ranges that the checks enforce.
-/// A script for Gappa, or the `obstacle` that prevents one. The `bound` of `range_script` is a
-/// dyadic rational.
+/// If there is none, `obstacle` says why. The `bound` of `range_script` is a dyadic rational.
 struct RangeScript {
   std::optional<std::string> script;
   std::string obstacle;
