@@ -154,12 +154,15 @@ Command verilator_command(const System& system, const Bench& bench, Waves waves,
   return command;
 }
 
-/// Tells whether ccache is installed and can write its temporary folder.
+/// Tells whether ccache is installed and can write its folders.
 bool is_ccache_usable() {
-  const auto folder = model::capture({"ccache", "--get-config", "temporary_dir"});
-  if (!folder.ok() || !folder->succeeded()) return false;
-  const std::string path = folder->output.substr(0, folder->output.find('\n'));
-  return !path.empty() && model::make_writable_folder(path).ok();
+  for (const char* setting : {"cache_dir", "temporary_dir"}) {
+    const auto folder = model::capture({"ccache", "--get-config", setting});
+    if (!folder.ok() || !folder->succeeded()) return false;
+    const std::string path = folder->output.substr(0, folder->output.find('\n'));
+    if (path.empty() || !model::make_writable_folder(path).ok()) return false;
+  }
+  return true;
 }
 
 model::Result<SourceFiles> gather_inputs(const System& system, const Bench& bench) {
