@@ -40,7 +40,7 @@ model::Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs,
 class ComponentMaker {
 public:
   /// `data` may be null; only a profiled lane whose constants the scene does not give needs it.
-  ComponentMaker(const model::Scene& scene, const model::Comparisons* data);
+  ComponentMaker(model::Scene scene, const model::Comparisons* data);
 
   /// The component of a key, or why there is none. A component without a product has no kind of
   /// multipliers in its key, even if the given key has one.

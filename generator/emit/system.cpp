@@ -151,7 +151,7 @@ void add_prefix(std::vector<Described>& modules, const std::string& prefix) {
   for (Described& described : modules) {
     described.module.items = rtl::with_modules_renamed(
         std::move(described.module.items),
-        [&](std::string name) { return is_template(name) ? prefix + name : name; });
+        [&](const std::string& name) { return is_template(name) ? prefix + name : name; });
   }
 }
 

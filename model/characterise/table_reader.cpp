@@ -114,7 +114,7 @@ private:
   /// Reads the next field of the current record. A comma must follow each field but the last.
   Result<Field> next() {
     MIXCMP_TRY(field, read_field());
-    if (++fields_read_ < field_count_) {
+    if (++fields_read_ < field_count) {
       if (peek() != ',') return error(field, "the record ends here", "22 fields a record");
       ++place_;
     } else if (peek() == ',') {
@@ -243,7 +243,7 @@ private:
         .accepted = "one"};
   }
 
-  static constexpr int field_count_ = 22;
+  static constexpr int field_count = 22;
 
   const std::filesystem::path& path_;
   std::string_view text_;

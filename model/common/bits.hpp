@@ -5,7 +5,7 @@
 namespace mixcmp::model {
 
 /// A packed floating-point encoding in its low bits; wide enough for binary128.
-__extension__ typedef unsigned __int128 Bits;
+__extension__ using Bits = unsigned __int128;
 
 /// The low `count` bits set, 0 <= count <= 128.
 constexpr Bits low_mask(int count) {

@@ -131,7 +131,7 @@ Result<std::size_t> find_column(const WantedColumn& wanted, std::span<const std:
   if (const auto* number = std::get_if<std::uint64_t>(&wanted.column)) {
     return numbered_column(wanted, *number, known.size(), source);
   }
-  const std::string& name = std::get<std::string>(wanted.column);
+  const auto& name = std::get<std::string>(wanted.column);
   const auto found = std::find(known.begin(), known.end(), name);
   if (found == known.end()) return missing_column(name, known);
   return static_cast<std::size_t>(found - known.begin());

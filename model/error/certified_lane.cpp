@@ -112,7 +112,7 @@ Result<Lane> relative_lane(TypedGraph graph, const CertifiedOptions& options) {
   UlpDistanceDecision decision{
       .guard_ulp = std::min(smallest_guard(f, g, format.precision()), never(format)),
       .nonnegative = f.nonnegative && g.nonnegative};
-  return Lane{std::move(graph), std::move(decision), sign_checks(analysis)};
+  return Lane{std::move(graph), decision, sign_checks(analysis)};
 }
 
 /// Appends f - g, rounded, and returns its node.

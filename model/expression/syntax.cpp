@@ -176,6 +176,8 @@ namespace rules {
 
 using namespace pegtl;
 
+// Rules have the names of a grammar.
+// NOLINTBEGIN(readability-identifier-naming)
 struct gap : star<space> {};
 struct identifier_letter : ranges<'a', 'z', 'A', 'Z', '0', '9', '_'> {};
 struct identifier : seq<ranges<'a', 'z', 'A', 'Z', '_'>, star<identifier_letter>> {};
@@ -229,6 +231,7 @@ struct subtraction : if_must<one<'-'>, gap, product> {};
 struct expression : seq<product, star<sor<addition, subtraction>>> {};
 struct whole : must<gap, expression, eof> {};
 struct whole_range : must<gap, index_range, eof> {};
+// NOLINTEND(readability-identifier-naming)
 
 constexpr std::string_view operand = "a number, a name, a function call, '(' or '-'";
 

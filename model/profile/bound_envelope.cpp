@@ -121,7 +121,7 @@ void BoundEnvelope::round_up(EnvelopeRow& row, double least, EnvelopeRow& wild) 
   const std::uint64_t below = (std::uint64_t{1} << (53 - digits_)) - 1;
   for_each_lane([&](std::size_t k) {
     const double value = row[k] > least ? row[k] : least;
-    const double rounded =
+    const auto rounded =
         std::bit_cast<double>((std::bit_cast<std::uint64_t>(value) + below) & ~below);
     wild[k] = rounded < largest_ ? wild[k] : 1;
     row[k] = rounded;

@@ -95,7 +95,7 @@ void Envelope::check(const Step& step, const NodeEnvelope& node, EnvelopeRow& wi
     kernels::for_each_lane([&](std::size_t k) {
       const double size = std::fabs(node.value[k]), error = node.error[k];
       const bool tame = size >= (tiny + factor * error) * kernels::outward;
-      wild[k] = tame | (size + error == 0) ? wild[k] : 1;
+      wild[k] = (tame | (size + error == 0)) ? wild[k] : 1;
     });
   }
 }

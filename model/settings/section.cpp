@@ -189,7 +189,7 @@ void Section::choose(const std::string& key, std::span<const std::string> accept
                      std::optional<std::size_t>& chosen) {
   const Setting* setting = find_string(key);
   if (setting == nullptr) return;
-  const std::string& word = std::get<std::string>(setting->value);
+  const auto& word = std::get<std::string>(setting->value);
   const auto found = std::find(accepted.begin(), accepted.end(), word);
   if (found == accepted.end()) {
     return fail(key, "not a choice", setting->shown(), list_with_nearest(word, accepted));

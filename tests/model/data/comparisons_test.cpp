@@ -49,7 +49,7 @@ TEST(PairItems, EnumerateEveryPairOfSmallSetsInOrder) {
 TEST(PairItems, AreExactAtTheEdgesOfRowsOfTheLargestSets) {
   for (const std::uint64_t count :
        {max_paired_items, max_paired_items - 1, std::uint64_t{94906267}}) {
-    __extension__ typedef unsigned __int128 Wide;
+    __extension__ using Wide = unsigned __int128;
     for (const std::uint64_t i : {std::uint64_t{0}, std::uint64_t{1}, count / 3, count / 2,
                                   count - 67108864 / 2, count - 3, count - 2}) {
       const Wide first = Wide{i} * (2 * Wide{count} - i - 1) / 2;
