@@ -9,6 +9,7 @@
 
 namespace mixcmp::tb {
 
+using model::ResultWord;
 using model::Verdict;
 
 ArgMinJudge::ArgMinJudge(const gen::Signature& signature, const model::Design& design,
@@ -30,33 +31,30 @@ std::uint64_t ArgMinJudge::chain(const LoadRange& load, std::uint64_t row, Use u
     const std::uint64_t own = std::min(lane + 1, last);
     comparisons_.fetch({.row = row, .first = std::min(best, last) % all, .second = own % all},
                        operands_);
-    const std::uint32_t tdata = expected_tdata(design_, group_of_lane_[lane], operands_);
+    const ResultWord word = expected_word(design_, group_of_lane_[lane], operands_);
     ++lanes_[lane].observed[0];
-    if ((tdata & recomputed_flag) != 0) ++lanes_[lane].observed[1];
-    if (use == Use::figures && lane < last) count(row, best, own, tdata);
-    if (static_cast<Verdict>(tdata & 3) == Verdict::greater) best = lane + 1;
+    if (word.is_recomputed()) ++lanes_[lane].observed[1];
+    if (use == Use::figures && lane < last) count(row, best, own, word);
+    if (word.verdict() == Verdict::greater) best = lane + 1;
   }
   return best;
 }
 
-void ArgMinJudge::count(std::uint64_t row, std::uint64_t best, std::uint64_t own,
-                        std::uint32_t tdata) {
-  const bool recomputed = (tdata & recomputed_flag) != 0;
-  const auto verdict = static_cast<Verdict>(tdata & 3);
+void ArgMinJudge::count(std::uint64_t row, std::uint64_t best, std::uint64_t own, ResultWord word) {
   GroupReport& group = report_.groups[group_of_lane_[own - 1]];
   ++report_.comparisons;
   ++group.comparisons;
-  if (recomputed) ++report_.recomputations, ++group.recomputations;
-  ++report_.verdicts[static_cast<std::size_t>(verdict)];
+  if (word.is_recomputed()) ++report_.recomputations, ++group.recomputations;
+  ++report_.verdicts[static_cast<std::size_t>(word.verdict())];
   if (options_.truth) {
-    check_against_truth(*options_.truth, design_, operands_, tdata, *report_.truth, group);
+    check_against_truth(*options_.truth, design_, operands_, word, *report_.truth, group);
   }
   if (!options_.on_result) return;
   // After a wrong verdict, which a profiled lane may give, the chain makes comparisons that are not
   // among those of the data and have no index.
   const std::uint64_t index = row * (report_.arg_min->candidates - 1) + own - 1;
   if (comparisons_.items(index).first == best) {
-    options_.on_result({index, verdict, recomputed, false});
+    options_.on_result({index, word});
   }
 }
 

@@ -27,7 +27,7 @@ public:
 
 private:
   std::uint64_t chain(const LoadRange& load, std::uint64_t row, Use use);
-  void count(std::uint64_t row, std::uint64_t best, std::uint64_t own, std::uint32_t tdata);
+  void count(std::uint64_t row, std::uint64_t best, std::uint64_t own, model::ResultWord word);
   void judge_row(const LoadRange& load, std::uint64_t row, const wire::RowResult& got, Use use);
   void judge_end(const LoadRange& load, const LoadAnswer& answer, Use use);
   void judge_counters(const LoadAnswer& answer, Use use);

@@ -201,7 +201,7 @@ model::Result<System> load_system(const fs::path& directory) {
 model::Result<SourceFiles> system_sources(const System& system) {
   SourceFiles inputs;
   for (const fs::path& source : system.sources()) {
-    if (!fs::exists(source)) {
+    if (!model::path_exists(source)) {
       return model::Error{.file = source.string(),
                           .message = "named by the system's signature, but not there"};
     }

@@ -12,7 +12,7 @@ namespace mixcmp::tb {
 
 namespace {
 
-using model::Verdict;
+using model::ResultWord;
 
 }  // namespace
 
@@ -50,39 +50,38 @@ void Judge::take_result(const wire::Result& result) {
   MIXCMP_CHECK(!fate.has_left);  // the simulator reports duplicates as violations
   fate.has_left = true;
   fate.lane = result.lane;
-  fate.tdata = result.tdata;
+  fate.word = ResultWord(result.tdata);
   ++report_.comparisons;
   GroupReport& group = group_of(result.lane);
   ++group.comparisons;
-  const bool decided = (result.tdata & (recomputed_flag | undecided_flag)) == 0;
-  const bool undecided = (result.tdata & undecided_flag) != 0;
+  const bool decided = fate.word.is_decided_by_lane();
   if (!decided && !first_undecided_) first_undecided_ = result;
   const std::uint64_t cycles = result.cycle_left - result.cycle_accepted;
-  const auto latency = decided     ? &Latencies::decided
-                       : undecided ? &Latencies::undecided
-                                   : &Latencies::recomputed;
+  const auto latency = decided                    ? &Latencies::decided
+                       : fate.word.is_undecided() ? &Latencies::undecided
+                                                  : &Latencies::recomputed;
   (report_.latencies.*latency).add(cycles);
   (group.latencies.*latency).add(cycles);
 
   std::vector<model::Bits> operands(comparisons_.input_count());
   comparisons_.fetch(selection_.index(result.position), operands);
   if (options_.truth) {
-    check_against_truth(*options_.truth, design_, operands, result.tdata, *report_.truth, group);
+    check_against_truth(*options_.truth, design_, operands, fate.word, *report_.truth, group);
   }
-  const std::uint32_t expected = expected_tdata(design_, group_of_lane_[result.lane], operands);
-  if (verdict_bits(result.tdata) == expected) return;
+  const ResultWord expected = expected_word(design_, group_of_lane_[result.lane], operands);
+  if (fate.word == expected) return;
   ++report_.mismatch_count;
   ++group.mismatches;
   if (report_.mismatches.size() < VerifyReport::kept) {
-    report_.mismatches.push_back(describe(result, expected));
+    report_.mismatches.push_back(mismatch_of(result, expected));
   }
 }
 
-Mismatch Judge::describe(const wire::Result& result, std::uint32_t expected) const {
+Mismatch Judge::mismatch_of(const wire::Result& result, ResultWord expected) const {
   const std::uint64_t index = selection_.index(result.position);
   Mismatch mismatch = describe_comparison(design_, comparisons_, index);
-  mismatch.expected = describe_tdata(expected);
-  mismatch.got = describe_tdata(result.tdata);
+  mismatch.expected = describe(expected);
+  mismatch.got = describe(ResultWord(result.tdata));
   mismatch.lane = result.lane;
   mismatch.cycle = result.cycle_left;
   if (!options_.repeat_command.empty()) {
@@ -139,21 +138,18 @@ void Judge::retire() {
 }
 
 void Judge::count(std::uint64_t index, const Fate& fate) {
-  const auto verdict = static_cast<Verdict>(fate.tdata & 3);
-  const bool undecided = (fate.tdata & undecided_flag) != 0;
-  const bool recomputed = (fate.tdata & recomputed_flag) != 0;
   GroupReport& group = group_of(fate.lane);
-  if (recomputed) {
+  if (fate.word.is_recomputed()) {
     ++report_.recomputations;
     ++group.recomputations;
   }
-  if (undecided) {
+  if (fate.word.is_undecided()) {
     ++report_.undecided;
     ++group.undecided;
   } else {
-    ++report_.verdicts[static_cast<std::size_t>(verdict)];
+    ++report_.verdicts[static_cast<std::size_t>(fate.word.verdict())];
   }
-  if (options_.on_result) options_.on_result({index, verdict, recomputed, undecided});
+  if (options_.on_result) options_.on_result({index, fate.word});
 }
 
 }  // namespace mixcmp::tb

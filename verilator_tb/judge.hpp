@@ -30,7 +30,7 @@ private:
     bool has_left = false;
     bool lost = false;
     std::uint32_t lane = 0;
-    std::uint32_t tdata = 0;  ///< as received
+    model::ResultWord word = model::ResultWord::undecided();  ///< as received
   };
 
   GroupReport& group_of(std::uint32_t lane) { return report_.groups[group_of_lane_[lane]]; }
@@ -39,7 +39,7 @@ private:
   void take_counters(const std::vector<wire::LaneEnd>& lanes);
   void report_wrong_counter(const char* name, std::uint32_t lane, std::uint64_t counted,
                             std::uint64_t observed);
-  Mismatch describe(const wire::Result& result, std::uint32_t expected) const;
+  Mismatch mismatch_of(const wire::Result& result, model::ResultWord expected) const;
   void retire();
   void count(std::uint64_t index, const Fate& fate);
 

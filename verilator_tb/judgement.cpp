@@ -12,6 +12,7 @@ namespace mixcmp::tb {
 
 namespace {
 
+using model::ResultWord;
 using model::Verdict;
 
 }  // namespace
@@ -34,26 +35,19 @@ VerifyReport empty_report(const gen::Signature& signature, const model::Design& 
   return report;
 }
 
-std::uint32_t expected_tdata(const model::Design& design, std::size_t group,
-                             std::span<const model::Bits> operands) {
+ResultWord expected_word(const model::Design& design, std::size_t group,
+                         std::span<const model::Bits> operands) {
   const auto decision = model::golden::evaluate_lane(design.lanes[group].lane, operands);
-  if (decision.decided) return static_cast<std::uint32_t>(decision.verdict);
-  if (design.references.empty()) return undecided_flag;
-  return recomputed_flag |
-         static_cast<std::uint32_t>(model::golden::evaluate_reference(design.reference, operands));
+  if (decision.decided) return ResultWord::decided(decision.verdict);
+  if (design.references.empty()) return ResultWord::undecided();
+  return ResultWord::recomputed(model::golden::evaluate_reference(design.reference, operands));
 }
 
-std::uint32_t verdict_bits(std::uint32_t tdata) {
-  return (tdata & undecided_flag) != 0 ? tdata & ~3u : tdata;
-}
-
-std::string describe_tdata(std::uint32_t tdata) {
-  if ((tdata & ~0xfu) != 0 || (tdata & 0xc) == 0xc) {
-    return fmt::format("the impossible tdata 0x{:02x}", tdata);
-  }
-  if ((tdata & undecided_flag) != 0) return "undecided";
-  return fmt::format("{}, {}", to_string(static_cast<Verdict>(tdata & 3)),
-                     (tdata & recomputed_flag) != 0 ? "recomputed" : "decided by the lane");
+std::string describe(ResultWord word) {
+  if (!word.is_possible()) return fmt::format("the impossible tdata 0x{:02x}", word.bits());
+  if (word.is_undecided()) return "undecided";
+  return fmt::format("{}, {}", to_string(word.verdict()),
+                     word.is_recomputed() ? "recomputed" : "decided by the lane");
 }
 
 std::string to_text(wire::Fault fault) {
@@ -92,13 +86,13 @@ Mismatch describe_comparison(const model::Design& design, const model::Compariso
 }
 
 void check_against_truth(const TruthCheck& check, const model::Design& design,
-                         std::span<const model::Bits> operands, std::uint32_t tdata,
-                         TruthCount& truth, GroupReport& group) {
-  if ((tdata & undecided_flag) != 0) {
+                         std::span<const model::Bits> operands, ResultWord word, TruthCount& truth,
+                         GroupReport& group) {
+  if (word.is_undecided()) {
     ++truth.undecided;
     return;
   }
-  const bool recomputed = (tdata & recomputed_flag) != 0;
+  const bool recomputed = word.is_recomputed();
   if (check.scope == TruthScope::recomputed && !recomputed) {
     ++truth.decided_by_lane;
     return;
@@ -121,7 +115,7 @@ void check_against_truth(const TruthCheck& check, const model::Design& design,
     const Verdict reference = model::golden::evaluate_reference(design.reference, operands);
     truth.reference_alone_wrong += reference == *verdict ? 0 : 1;
   }
-  if (static_cast<Verdict>(tdata & 3) == *verdict) return;
+  if (word.verdict() == *verdict) return;
   if (recomputed) {
     ++truth.wrong_by_reference;
   } else {

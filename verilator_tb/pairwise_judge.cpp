@@ -10,7 +10,7 @@
 
 namespace mixcmp::tb {
 
-using model::Verdict;
+using model::ResultWord;
 
 /// The reports of one set, sorted by pair, and how far a judge has come that visits the pairs in
 /// this order.
@@ -53,6 +53,10 @@ namespace {
 
 constexpr std::uint64_t closing_tuser = 0x80;
 
+ResultWord word_of(const wire::Report& report) {
+  return ResultWord(static_cast<std::uint32_t>(report.tuser));
+}
+
 std::string pair_text(const wire::Report& report) {
   return fmt::format("items {} and {}, tuser 0x{:02x}", report.i, report.j, report.tuser);
 }
@@ -73,13 +77,13 @@ std::uint64_t PairwiseJudge::pair_of(const SetRange& set, std::uint64_t i, std::
   return model::pair_index(set.first + i, set.first + j, comparisons_.table().rows());
 }
 
-std::uint32_t PairwiseJudge::expected(const SetRange& set, std::uint64_t i, std::uint64_t j) {
+ResultWord PairwiseJudge::expected(const SetRange& set, std::uint64_t i, std::uint64_t j) {
   comparisons_.fetch({.row = 0, .first = set.first + i, .second = set.first + j}, operands_);
-  return expected_tdata(design_, group_of_lane_[lane_of(i)], operands_);
+  return expected_word(design_, group_of_lane_[lane_of(i)], operands_);
 }
 
-bool PairwiseJudge::is_reported(std::uint32_t tdata) const {
-  return (tdata & undecided_flag) != 0 || design_.system.engine.report[tdata & 3];
+bool PairwiseJudge::is_reported(ResultWord word) const {
+  return word.is_undecided() || design_.system.engine.report.contains(word.verdict());
 }
 
 void PairwiseJudge::take(const SetRange& set, const SetAnswer& answer, Use use) {
@@ -113,19 +117,18 @@ void PairwiseJudge::judge_closed(const SetRange& set, const SetAnswer& answer, U
 
 void PairwiseJudge::judge_pair(const SetRange& set, std::uint64_t i, std::uint64_t j,
                                Reports& reports, Use use) {
-  const std::uint32_t tdata = expected(set, i, j);
+  const ResultWord word = expected(set, i, j);
   const wire::Report* got = reports.find(i, j, [this](const wire::Report& report, bool again) {
     add_violation(again ? "pair reported twice" : "report of no pair", report.cycle,
                   pair_text(report));
   });
   wire::LaneEnd& lane = lanes_[lane_of(i)];
   ++lane.observed[0];
-  if ((tdata & (recomputed_flag | undecided_flag)) != 0) ++lane.observed[1];
-  const bool due = is_reported(tdata);
-  const bool as_due =
-      got == nullptr ? !due : due && verdict_bits(static_cast<std::uint32_t>(got->tuser)) == tdata;
-  if (!as_due) return add_mismatch(set, i, j, tdata, got);
-  if (use == Use::figures) count(set, i, j, tdata);
+  if (!word.is_decided_by_lane()) ++lane.observed[1];
+  const bool due = is_reported(word);
+  const bool as_due = got == nullptr ? !due : due && word_of(*got) == word;
+  if (!as_due) return add_mismatch(set, i, j, word, got);
+  if (use == Use::figures) count(set, i, j, word);
 }
 
 /// Judges a set that a reset broke off: reports may be missing, but those that left must be right.
@@ -141,9 +144,9 @@ void PairwiseJudge::judge_interrupted(const SetRange& set, const SetAnswer& answ
       add_violation("pair reported twice", report.cycle, pair_text(report));
     }
     before = &report;
-    const std::uint32_t tdata = expected(set, report.i, report.j);
-    if (!is_reported(tdata) || verdict_bits(static_cast<std::uint32_t>(report.tuser)) != tdata) {
-      add_mismatch(set, report.i, report.j, tdata, &report);
+    const ResultWord word = expected(set, report.i, report.j);
+    if (!is_reported(word) || word_of(report) != word) {
+      add_mismatch(set, report.i, report.j, word, &report);
     }
   }
   lanes_.assign(lanes_.size(), {});
@@ -172,38 +175,33 @@ void PairwiseJudge::judge_counters(const SetAnswer& answer, Use use) {
   report_.counters = std::move(totals);
 }
 
-void PairwiseJudge::count(const SetRange& set, std::uint64_t i, std::uint64_t j,
-                          std::uint32_t tdata) {
-  const bool undecided = (tdata & undecided_flag) != 0;
-  const bool recomputed = (tdata & recomputed_flag) != 0;
-  const auto verdict = static_cast<Verdict>(tdata & 3);
+void PairwiseJudge::count(const SetRange& set, std::uint64_t i, std::uint64_t j, ResultWord word) {
   GroupReport& group = report_.groups[group_of_lane_[lane_of(i)]];
   ++report_.comparisons;
   ++group.comparisons;
-  if (recomputed) ++report_.recomputations, ++group.recomputations;
-  if (undecided) {
+  if (word.is_recomputed()) ++report_.recomputations, ++group.recomputations;
+  if (word.is_undecided()) {
     ++report_.undecided;
     ++group.undecided;
   } else {
-    ++report_.verdicts[static_cast<std::size_t>(verdict)];
+    ++report_.verdicts[static_cast<std::size_t>(word.verdict())];
   }
   if (options_.truth) {
-    check_against_truth(*options_.truth, design_, operands_, tdata, *report_.truth, group);
+    check_against_truth(*options_.truth, design_, operands_, word, *report_.truth, group);
   }
-  if (options_.on_result && is_reported(tdata)) {
-    options_.on_result({pair_of(set, i, j), verdict, recomputed, undecided});
+  if (options_.on_result && is_reported(word)) {
+    options_.on_result({pair_of(set, i, j), word});
   }
 }
 
 void PairwiseJudge::add_mismatch(const SetRange& set, std::uint64_t i, std::uint64_t j,
-                                 std::uint32_t expected, const wire::Report* got) {
+                                 ResultWord expected, const wire::Report* got) {
   ++report_.mismatch_count;
   ++report_.groups[group_of_lane_[lane_of(i)]].mismatches;
   if (report_.mismatches.size() >= VerifyReport::kept) return;
   Mismatch mismatch = describe_comparison(design_, comparisons_, pair_of(set, i, j));
-  mismatch.expected = describe_tdata(expected) + (is_reported(expected) ? "" : ", not reported");
-  mismatch.got = got == nullptr ? std::string("not reported")
-                                : describe_tdata(static_cast<std::uint32_t>(got->tuser));
+  mismatch.expected = describe(expected) + (is_reported(expected) ? "" : ", not reported");
+  mismatch.got = got == nullptr ? std::string("not reported") : describe(word_of(*got));
   mismatch.lane = static_cast<std::uint32_t>(lane_of(i));
   mismatch.cycle = got == nullptr ? 0 : got->cycle;
   report_.mismatches.push_back(std::move(mismatch));

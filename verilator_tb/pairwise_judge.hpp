@@ -32,11 +32,11 @@ private:
   void judge_pair(const SetRange& set, std::uint64_t i, std::uint64_t j, Reports& reports, Use use);
   void judge_closing_beat(const SetAnswer& answer, std::uint64_t due);
   void judge_counters(const SetAnswer& answer, Use use);
-  std::uint32_t expected(const SetRange& set, std::uint64_t i, std::uint64_t j);
-  bool is_reported(std::uint32_t tdata) const;
-  void add_mismatch(const SetRange& set, std::uint64_t i, std::uint64_t j, std::uint32_t expected,
-                    const wire::Report* got);
-  void count(const SetRange& set, std::uint64_t i, std::uint64_t j, std::uint32_t tdata);
+  model::ResultWord expected(const SetRange& set, std::uint64_t i, std::uint64_t j);
+  bool is_reported(model::ResultWord word) const;
+  void add_mismatch(const SetRange& set, std::uint64_t i, std::uint64_t j,
+                    model::ResultWord expected, const wire::Report* got);
+  void count(const SetRange& set, std::uint64_t i, std::uint64_t j, model::ResultWord word);
   std::uint64_t pair_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const;
   std::size_t lane_of(std::uint64_t i) const { return i % group_of_lane_.size(); }
 };

@@ -35,9 +35,7 @@ struct TruthCheck {
 /// The hardware's result for one comparison.
 struct VerifiedResult {
   std::uint64_t index;
-  model::Verdict verdict;
-  bool recomputed;
-  bool undecided;
+  model::ResultWord word;
 };
 
 struct VerifyOptions {

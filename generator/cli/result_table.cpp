@@ -54,7 +54,8 @@ model::Result<ResultTable> ResultTable::open(const fs::path& path, const model::
 }
 
 void ResultTable::add(const tb::VerifiedResult& result) {
-  const std::string verdict(result.undecided ? undecided : to_string(result.verdict));
+  const std::string verdict(result.word.is_undecided() ? undecided
+                                                       : to_string(result.word.verdict()));
   if (kept_.count(verdict) == 0) return;
   std::string row = std::to_string(result.index);
   const std::vector<NamedItem> named = named_items(*data_);
@@ -64,7 +65,7 @@ void ResultTable::add(const tb::VerifiedResult& result) {
     if (item.table->labels.empty()) continue;
     row += "," + field(item.table->labels[items.of(item.item)]);
   }
-  file_.write(fmt::format("{},{},{}\n", row, verdict, result.recomputed ? 1 : 0));
+  file_.write(fmt::format("{},{},{}\n", row, verdict, result.word.is_recomputed() ? 1 : 0));
 }
 
 model::Result<model::Done> ResultTable::finish() {

@@ -133,12 +133,6 @@ Instance pairwise_instance(const EngineShape& engine, const SystemShape& system,
   return {around.module, "engine", std::move(around.parameters), std::move(connections)};
 }
 
-long long report_mask(const model::EngineSpec& spec) {
-  long long mask = 0;
-  for (std::size_t k = 0; k < spec.report.size(); ++k) mask |= (spec.report[k] ? 1LL : 0LL) << k;
-  return mask;
-}
-
 }  // namespace
 
 TemplateInstance pairwise_template(const EngineShape& engine, const SystemShape& system) {
@@ -149,7 +143,7 @@ TemplateInstance pairwise_template(const EngineShape& engine, const SystemShape&
            {"ITEM_BITS", engine.item_bits()},
            {"INDEX_BITS", engine.index_bits()},
            {"SLOT_BITS", system.slot_bits},
-           {"REPORT", report_mask(engine.spec)},
+           {"REPORT", engine.spec.report.mask()},
            {"COUNTER_BITS", system.counter_bits}}};
 }
 

@@ -22,8 +22,8 @@ class Emulator::Program {
 public:
   explicit Program(const Lane& lane)
       : graph_(lane.graph), lane_(lane), code_(emulator::make_code(graph_, &lane)) {}
-  explicit Program(const TypedGraph& reference)
-      : graph_(reference), code_(emulator::make_code(graph_, nullptr)) {}
+  explicit Program(TypedGraph reference)
+      : graph_(std::move(reference)), code_(emulator::make_code(graph_, nullptr)) {}
 
   const std::optional<Code>& code() const { return code_; }
   int input_count() const { return graph_.input_count; }
@@ -61,13 +61,13 @@ std::vector<Bits> Emulator::Program::encoded(OperandColumns operands, std::size_
 
 Decision Emulator::Program::golden_decision(OperandColumns operands, std::size_t index) const {
   const std::vector<Bits> inputs = encoded(operands, index);
-  if (!lane_) return static_cast<Decision>(golden::evaluate_reference(graph_, inputs));
+  if (!lane_) return decision_of(golden::evaluate_reference(graph_, inputs));
   const golden::LaneResult result = golden::evaluate_lane(*lane_, inputs);
-  return result.decided ? static_cast<Decision>(result.verdict) : Decision::undecided;
+  return result.decided ? decision_of(result.verdict) : Decision::undecided;
 }
 
 Decision Emulator::Program::golden_order(OperandColumns operands, std::size_t index) const {
-  return static_cast<Decision>(golden::evaluate_reference(graph_, encoded(operands, index)));
+  return decision_of(golden::evaluate_reference(graph_, encoded(operands, index)));
 }
 
 Emulator::Program::Values Emulator::Program::compute(OperandColumns operands,

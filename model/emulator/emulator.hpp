@@ -7,17 +7,9 @@
 #include <vector>
 
 #include "model/error/combined_lane.hpp"
+#include "model/number/verdict.hpp"
 
 namespace mixcmp::model {
-
-/// The answer of a lane or a reference to one comparison: a Verdict, or that it stays undecided.
-enum class Decision : std::uint8_t {
-  less = 0,
-  equal = 1,
-  greater = 2,
-  unordered = 3,
-  undecided = 4,
-};
 
 /// Operands of a batch: one array of doubles per input, each a number of the reference format.
 /// Every NaN stands for the format's quiet NaN. Arrays aligned to 64 bytes are fastest, and batches

@@ -99,7 +99,7 @@ void RateWorker::find_true_verdicts(std::uint64_t first, Candidates& candidates)
     candidates.reference[k] = decisions_[n];
     const auto truth =
         golden::true_verdict(job_.scene.graph, job_.scene.reference.format, operands);
-    candidates.truth[k] = truth ? static_cast<Decision>(*truth) : Decision::undecided;
+    candidates.truth[k] = decision_of(truth);
     if (!truth) ++tally_.undetermined;
     if (is_wrong(candidates.reference[k], candidates.truth[k])) ++tally_.reference_wrong;
   }

@@ -26,7 +26,7 @@ struct EngineSpec {
   int row_tag_bits = 16;  ///< width of the tag that goes with an arg_min engine's row, 1..64
   /// Which verdicts leave a pairwise engine, indexed by Verdict. By default these are all but
   /// `greater`, that is, all pairs that are not certainly apart.
-  std::array<bool, 4> report = {true, true, false, true};
+  VerdictSet report = {Verdict::less, Verdict::equal, Verdict::unordered};
 
   /// Width in bits of a comparison's tag inside the system. The tag of a pair is {j, i}. An arg_min
   /// engine keeps the row's tag (row_tag_bits) to itself: its comparisons have a tag of one bit,

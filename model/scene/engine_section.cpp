@@ -128,7 +128,7 @@ void read_pairwise_keys(Section& section, EngineSpec& engine) {
   section.choices("report", report,
                   {Verdict::less, Verdict::equal, Verdict::greater, Verdict::unordered});
   if (!report.empty()) engine.report = {};
-  for (const Verdict verdict : report) engine.report[static_cast<std::size_t>(verdict)] = true;
+  for (const Verdict verdict : report) engine.report.insert(verdict);
 }
 
 }  // namespace
@@ -166,8 +166,8 @@ std::string_view to_string(EngineKind kind) {
 
 std::vector<std::string_view> reported_verdicts(const EngineSpec& engine) {
   std::vector<std::string_view> words;
-  for (std::size_t k = 0; k < engine.report.size(); ++k) {
-    if (engine.report[k]) words.push_back(to_string(static_cast<Verdict>(k)));
+  for (const Verdict verdict : all_verdicts) {
+    if (engine.report.contains(verdict)) words.push_back(to_string(verdict));
   }
   return words;
 }

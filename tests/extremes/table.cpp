@@ -44,7 +44,7 @@ public:
     std::vector<model::Bits> operands(data.input_count());
     for (std::uint64_t row = 0; row < data.size(); ++row) {
       data.fetch(row, operands);
-      truth_.push_back(static_cast<Decision>(
+      truth_.push_back(decision_of(
           model::golden::true_verdict(scene.graph, data.table().format, operands).value()));
     }
     reference_ = decisions(model::Emulator(reference_graph(scene.graph, scene.reference)));

@@ -22,10 +22,9 @@ GeneratedSystem generated(const model::Design& design) {
 }
 
 model::Design spheres(int lanes, int references) {
-  return with_pairs(test::sphere_design(format("s17e8"), format("s53e8"), lanes, references),
-                    {.kind = model::EngineKind::pairwise,
-                     .capacity = 1000,
-                     .report = {true, false, false, false}});
+  return with_pairs(
+      test::sphere_design(format("s17e8"), format("s53e8"), lanes, references),
+      {.kind = model::EngineKind::pairwise, .capacity = 1000, .report = {model::Verdict::less}});
 }
 
 /// One lane and a reference for `f` against `g`.

@@ -18,7 +18,12 @@ namespace {
 using model::Verdict;
 using test::graph_of;
 
-constexpr std::uint32_t less = 0, equal = 1, greater = 2, unordered = 3;
+constexpr auto less = Verdict::less, equal = Verdict::equal, greater = Verdict::greater,
+               unordered = Verdict::unordered;
+
+constexpr ResultWord recomputed(Verdict verdict) {
+  return ResultWord::recomputed(verdict);
+}
 
 /// Results of a fake system, whose reference compares a with b, held against another truth.
 class Truths {
@@ -26,11 +31,15 @@ public:
   explicit Truths(model::Graph truth, TruthScope scope = TruthScope::all, FakeSystem fake = {})
       : graph_(std::move(truth)), scope_(scope), design_(fake_design(fake)) {}
 
-  Truths& hold(const std::string& a, const std::string& b, std::uint32_t tdata) {
+  Truths& hold(const std::string& a, const std::string& b, Verdict verdict) {
+    return hold(a, b, ResultWord::decided(verdict));
+  }
+
+  Truths& hold(const std::string& a, const std::string& b, ResultWord word) {
     const auto format = design_.reference.input_format();
     const std::vector<model::Bits> operands = {model::from_text(format, a).value(),
                                                model::from_text(format, b).value()};
-    check_against_truth({&graph_, scope_}, design_, operands, tdata, count, group);
+    check_against_truth({&graph_, scope_}, design_, operands, word, count, group);
     ++comparisons;
     EXPECT_EQ(count.checked + count.not_checked(), comparisons);
     return *this;
@@ -48,10 +57,10 @@ private:
 
 TEST(HoldAgainstTruth, BlamesNobodyForTheRootOfAHiddenZero) {
   Truths truths(graph_of("sqrt(a / b - a / b)", "b"));
-  truths.hold("3", "1", recomputed_flag | less).hold("3", "1", less);
+  truths.hold("3", "1", recomputed(less)).hold("3", "1", less);
   EXPECT_EQ(truths.count.checked, 2u);
   EXPECT_EQ(truths.count.wrong_by_lane + truths.count.wrong_by_reference, 0u);
-  truths.hold("3", "1", recomputed_flag | unordered).hold("3", "1", greater);
+  truths.hold("3", "1", recomputed(unordered)).hold("3", "1", greater);
   EXPECT_EQ(truths.count.wrong_by_reference, 1u);
   EXPECT_EQ(truths.count.wrong_by_lane, 1u);
   EXPECT_EQ(truths.group.wrong_by_lane, 1u);
@@ -60,8 +69,8 @@ TEST(HoldAgainstTruth, BlamesNobodyForTheRootOfAHiddenZero) {
 TEST(HoldAgainstTruth, BlamesNobodyForWhatIsUndetermined) {
   const auto [f, g] = test::unproven_tie();
   Truths truths(graph_of(f, g));
-  for (const std::uint32_t verdict : {less, equal, greater, unordered}) {
-    truths.hold("0.3", "0.7", verdict).hold("0.3", "0.7", recomputed_flag | verdict);
+  for (const Verdict verdict : model::all_verdicts) {
+    truths.hold("0.3", "0.7", verdict).hold("0.3", "0.7", recomputed(verdict));
   }
   EXPECT_EQ(truths.count.undetermined, 8u);
   EXPECT_EQ(truths.count.checked, 0u);
@@ -73,7 +82,7 @@ TEST(HoldAgainstTruth, HoldsLanesButNoReferenceWhereThereIsNoValue) {
   for (const char* f : {"a + b", "a / (b - 1)", "a + sqrt(-b)"}) {
     Truths truths(graph_of(f, "b"));
     const std::string a = f == std::string("a + b") ? "inf" : "3";
-    truths.hold(a, "1", recomputed_flag | greater).hold(a, "1", recomputed_flag | unordered);
+    truths.hold(a, "1", recomputed(greater)).hold(a, "1", recomputed(unordered));
     EXPECT_EQ(truths.count.undefined, 2u) << f;
     truths.hold(a, "1", greater);
     EXPECT_EQ(truths.count.wrong_by_lane, 1u) << f;
@@ -83,7 +92,7 @@ TEST(HoldAgainstTruth, HoldsLanesButNoReferenceWhereThereIsNoValue) {
 
 TEST(HoldAgainstTruth, SaysWhatItsScopeLeavesOut) {
   Truths truths(graph_of("a", "b"), TruthScope::recomputed);
-  truths.hold("1", "2", greater).hold("1", "2", recomputed_flag | less);
+  truths.hold("1", "2", greater).hold("1", "2", recomputed(less));
   EXPECT_EQ(truths.count.decided_by_lane, 1u);
   EXPECT_EQ(truths.count.checked, 1u);
   EXPECT_EQ(truths.count.wrong_by_lane, 0u);
@@ -91,7 +100,7 @@ TEST(HoldAgainstTruth, SaysWhatItsScopeLeavesOut) {
 
 TEST(HoldAgainstTruth, CountsTheUndecided) {
   Truths truths(graph_of("a", "b"), TruthScope::all, {.route = FakeRoute::none});
-  truths.hold("1", "2", undecided_flag | greater).hold("1", "2", less);
+  truths.hold("1", "2", ResultWord(8 | 2)).hold("1", "2", less);
   EXPECT_EQ(truths.count.undecided, 1u);
   EXPECT_EQ(truths.count.checked, 1u);
   EXPECT_EQ(truths.count.reference_alone_checked, 0u) << "there is no reference";
@@ -99,7 +108,7 @@ TEST(HoldAgainstTruth, CountsTheUndecided) {
 
 TEST(HoldAgainstTruth, HoldsTheReferenceWhereALaneDecided) {
   Truths truths(graph_of("a + 0.0001", "b"));  // the reference compares a with b
-  truths.hold("1", "1", greater).hold("1", "2", less).hold("1", "1", recomputed_flag | equal);
+  truths.hold("1", "1", greater).hold("1", "2", less).hold("1", "1", recomputed(equal));
   EXPECT_EQ(truths.count.reference_alone_checked, 3u);
   EXPECT_EQ(truths.count.reference_alone_wrong, 2u);
   EXPECT_EQ(truths.count.wrong_by_lane, 0u);

@@ -154,7 +154,7 @@ TEST(Verify, TellsResultsInOrderOfIndex) {
   for (const VerifiedResult& result : results) {
     model::Bits operands[2];
     comparisons.fetch(result.index, operands);
-    EXPECT_EQ(result.verdict == model::Verdict::less, operands[0] < operands[1]);
+    EXPECT_EQ(result.word.verdict() == model::Verdict::less, operands[0] < operands[1]);
   }
 }
 

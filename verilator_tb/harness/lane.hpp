@@ -10,6 +10,7 @@
 #include "recorder.hpp"
 #include "system_ports.hpp"
 #include "traffic.hpp"
+#include "verdict.hpp"
 
 namespace mixcmp::tb {
 
@@ -159,7 +160,7 @@ private:
     entry->state = Entry::State::left;
     last_left_ = std::max(last_left_, entry->sequence);
     --inside_;
-    if ((tdata & 0xc) != 0) ++observed_.recomputations;
+    if (!model::ResultWord(tdata).is_decided_by_lane()) ++observed_.recomputations;
     recorder_.result({entry->position, entry->cycle, cycle, index_, tdata});
   }
 

@@ -54,9 +54,9 @@ Answer golden_values(const TypedGraph& graph, const std::vector<Bits>& inputs) {
   };
   Answer answer{.f = value(graph.f), .g = value(graph.g)};
   for (const auto& node : values) answer.exceptional |= node.exceptional;
-  answer.order = static_cast<Decision>(
-      model::golden::compare(graph.arithmetic.format, graph.arithmetic.subnormals,
-                             values[graph.f].bits, values[graph.g].bits));
+  answer.order =
+      decision_of(model::golden::compare(graph.arithmetic.format, graph.arithmetic.subnormals,
+                                         values[graph.f].bits, values[graph.g].bits));
   return answer;
 }
 
@@ -156,15 +156,15 @@ void for_each_instruction_set(const std::function<void()>& test) {
 void expect_golden(const model::CombinedLane& lane, const Operands& operands) {
   expect_decisions(Emulator(lane), lane.input_format(), operands, [&](std::span<const Bits> row) {
     const model::golden::CombinedResult result = model::golden::evaluate_lane(lane, row);
-    return result.decided ? static_cast<Decision>(result.verdict) : Decision::undecided;
+    return result.decided ? decision_of(result.verdict) : Decision::undecided;
   });
 }
 
 void expect_golden(const model::CombinedGraph& reference, const Operands& operands) {
-  expect_decisions(
-      Emulator(reference), reference.input_format(), operands, [&](std::span<const Bits> row) {
-        return static_cast<Decision>(model::golden::evaluate_reference(reference, row));
-      });
+  expect_decisions(Emulator(reference), reference.input_format(), operands,
+                   [&](std::span<const Bits> row) {
+                     return decision_of(model::golden::evaluate_reference(reference, row));
+                   });
 }
 
 std::uint64_t expect_golden(const model::Lane& lane, const Operands& operands) {
@@ -173,7 +173,7 @@ std::uint64_t expect_golden(const model::Lane& lane, const Operands& operands) {
     const std::vector<Bits> inputs = row(operands, k);
     const model::golden::LaneResult result = model::golden::evaluate_lane(lane, inputs);
     Answer answer = golden_values(lane.graph, inputs);
-    answer.decision = result.decided ? static_cast<Decision>(result.verdict) : Decision::undecided;
+    answer.decision = result.decided ? decision_of(result.verdict) : Decision::undecided;
     expected.push_back(answer);
   }
   return judge(Emulator(lane), lane.graph, operands, expected, describe_decision(lane));

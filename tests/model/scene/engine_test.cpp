@@ -51,12 +51,12 @@ TEST_F(EngineSection, DecidesOperandsAndTag) {
 }
 
 TEST_F(EngineSection, ReportsAllButGreaterUnlessToldOtherwise) {
-  using Report = std::array<bool, 4>;
   const auto report = [this](const std::string& more) {
     return load("[engine]\nkind = \"pairwise\"\n" + more)->system.engine.report;
   };
-  EXPECT_EQ(report(""), (Report{true, true, false, true}));
-  EXPECT_EQ(report("report = [\"greater\", \"less\"]\n"), (Report{true, false, true, false}));
+  EXPECT_EQ(report(""), (VerdictSet{Verdict::less, Verdict::equal, Verdict::unordered}));
+  EXPECT_EQ(report("report = [\"greater\", \"less\"]\n"),
+            (VerdictSet{Verdict::less, Verdict::greater}));
 }
 
 TEST_F(EngineSection, WhatTheEngineDecidesMayBeRepeated) {
