@@ -31,19 +31,21 @@ public:
                    .value = {}});
   }
 
-  NodeId constant(const mpq_class& value) {
+  /// The smallest number of the format that is not below `value` >= 0.
+  NodeId constant_above(const mpq_class& value) {
     const FloatFormat format = graph_.arithmetic.format;
+    const Bits rounded = round_up(graph_.arithmetic, value);
     return append({.operation = Operation::constant,
                    .operand_format = format,
                    .format = format,
-                   .constant = round_up(graph_.arithmetic, value),
-                   .value = value});
+                   .constant = rounded,
+                   .value = to_rational(format, rounded)});
   }
 
   /// |computed| * relative_error.
   NodeId error(NodeId computed, bool nonnegative, const mpq_class& relative_error) {
     const NodeId magnitude = nonnegative ? computed : operation(Operation::absolute, computed);
-    return operation(Operation::multiply, magnitude, constant(relative_error));
+    return operation(Operation::multiply, magnitude, constant_above(relative_error));
   }
 
 private:

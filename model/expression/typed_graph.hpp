@@ -17,8 +17,10 @@ struct TypedNode {
   FloatFormat operand_format;  ///< equals `format` for inputs and constants
   FloatFormat format;          ///< format of the result
   int input = -1;              ///< for Operation::input
-  Bits constant = 0;           ///< for Operation::constant: rounded to nearest, ties to even
-  mpq_class value;             ///< for Operation::constant: exactly as written
+  /// For Operation::constant: `value`, rounded to nearest, ties to even. The golden model does not
+  /// read this encoding; it rounds `value` itself.
+  Bits constant = 0;
+  mpq_class value;  ///< for Operation::constant: exactly as written
 };
 
 /// A graph whose every node has a format: what the golden model evaluates and the generator builds.

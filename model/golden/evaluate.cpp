@@ -21,7 +21,7 @@ Rounded evaluate_node(const TypedNode& node, const Arithmetic& arithmetic,
   const Bits b = node.operands[1] < 0 ? 0 : values[node.operands[1]].bits;
   switch (node.operation) {
     case Operation::input: return {inputs[node.input], false};
-    case Operation::constant: return {node.constant, false};
+    case Operation::constant: return {from_rational(node.format, node.value), false};
     case Operation::convert: return convert(result, operands, a);
     case Operation::negate: return change_sign(operands, a, a ^ operands.zero(true));
     case Operation::absolute: return change_sign(operands, a, operands.magnitude(a));

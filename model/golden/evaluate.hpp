@@ -11,8 +11,9 @@
 namespace mixcmp::model::golden {
 
 /// Evaluates every node of `graph` on one comparison; `inputs` are in graph.input_format, one per
-/// input. Negate and absolute change the sign bit only (of a NaN too) and are exceptional for NaN
-/// and infinite operands.
+/// input. Constants are rounded here, from their exact values: the encodings in the graph, of which
+/// the Verilog's literals are made, are not read. Negate and absolute change the sign bit only (of
+/// a NaN too) and are exceptional for NaN and infinite operands.
 std::vector<Rounded> evaluate(const TypedGraph& graph, std::span<const Bits> inputs);
 
 /// Evaluates every node of `bound` on the values that `evaluate` returned for the lane's graph.

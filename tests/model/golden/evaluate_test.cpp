@@ -68,6 +68,13 @@ TEST(Evaluate, ComputesAsTheMachineDoes) {
   }
 }
 
+TEST(Evaluate, RoundsConstantsFromTheirValuesNotAsTheVerilogDoes) {
+  TypedGraph typed = reference_graph(graph_of("a", "0.1"), {binary64});
+  typed.nodes[typed.g].constant += 1;  // a wrong literal
+  const std::vector<Rounded> values = evaluate(typed, encode(binary64, {"1"}));
+  EXPECT_EQ(real(values[typed.g].bits), 0.1);
+}
+
 TEST(Evaluate, ChangesSignsOfNansAndInfinitiesAndSaysSo) {
   const TypedGraph typed = reference_graph(graph_of("-a", "abs(a)"), {binary64});
   const auto f_and_g = [&](Bits a) {
