@@ -24,7 +24,7 @@ mpq_class round_up(FloatFormat format, const mpq_class& value) {
 /// Square root rounded down, with more bits than any format has; 0 for a negative value.
 mpq_class root_down(const mpq_class& value) {
   if (value <= 0) return 0;
-  constexpr long spare_bits = 2 * FloatFormat::max_precision;
+  constexpr long spare_bits = 2L * FloatFormat::max_precision;
   const long scale = spare_bits - floor_log2(value) / 2;
   mpz_class root = floor_of(value * power_of_two(2 * scale));
   mpz_sqrt(root.get_mpz_t(), root.get_mpz_t());
@@ -63,8 +63,9 @@ Range square(const Range& a) {
 
 class Analysis {
 public:
-  Analysis(const TypedGraph& graph, const std::vector<std::optional<Range>>& ranges)
-      : graph_(graph), ranges_(ranges) {}
+  Analysis(const TypedGraph& graph, const std::vector<std::optional<Range>>& ranges,
+           Infinities infinities)
+      : graph_(graph), ranges_(ranges), infinities_(infinities) {}
 
   std::vector<NodeRange> run() {
     for (const TypedNode& node : graph_.nodes) nodes_.push_back(analyse(node));
@@ -93,7 +94,49 @@ private:
       mark(Event::underflow, underflows(node, result.value));
     }
     result.value = settled(node.format, result.value);
+    if (infinities_ == Infinities::followed) follow_infinities(node, result);
     return result;
+  }
+
+  bool may_be_infinite(const TypedNode& node, std::size_t k) const {
+    return nodes_[static_cast<std::size_t>(node.operands[k])].may_be_infinite;
+  }
+
+  /// Adds what the node computes from infinite operands: a / inf is zero, the smaller of x and inf
+  /// is x, and after a division by a zero of either sign, an infinity has either sign, too.
+  void follow_infinities(const TypedNode& node, NodeRange& result) const {
+    bool infinite_operand = false;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(arity(node.operation)); ++k) {
+      infinite_operand = infinite_operand || may_be_infinite(node, k);
+    }
+    result.may_be_infinite =
+        infinite_operand || result.may(Event::overflow) || result.may(Event::division_by_zero);
+    if (!infinite_operand) return;
+    const auto include = [&result](const Range& range) {
+      result.value = hull({result.value.low, result.value.high, range.low, range.high});
+    };
+    switch (node.operation) {
+      case Operation::divide:
+        if (may_be_infinite(node, 1)) include({0, 0});
+        return;
+      case Operation::minimum:
+      case Operation::maximum:
+        include(operand(node, 0));
+        include(operand(node, 1));
+        return;
+      case Operation::square_root:
+        result.may_happen[static_cast<std::size_t>(Event::root_of_negative)] = true;
+        return;
+      case Operation::input:
+      case Operation::constant:
+      case Operation::convert:
+      case Operation::negate:
+      case Operation::absolute:
+      case Operation::square:
+      case Operation::add:
+      case Operation::subtract:
+      case Operation::multiply: return;
+    }
   }
 
   std::vector<int> rangeless(const TypedNode& node) const {
@@ -206,6 +249,7 @@ private:
 
   const TypedGraph& graph_;
   const std::vector<std::optional<Range>>& ranges_;
+  Infinities infinities_;
   std::vector<NodeRange> nodes_;
 };
 
@@ -222,9 +266,10 @@ std::string_view to_string(Event event) {
 }
 
 std::vector<NodeRange> analyse_ranges(const TypedGraph& graph,
-                                      const std::vector<std::optional<Range>>& ranges) {
+                                      const std::vector<std::optional<Range>>& ranges,
+                                      Infinities infinities) {
   MIXCMP_CHECK(ranges.size() == static_cast<std::size_t>(graph.input_count));
-  return Analysis(graph, ranges).run();
+  return Analysis(graph, ranges, infinities).run();
 }
 
 }  // namespace mixcmp::model

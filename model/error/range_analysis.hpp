@@ -21,12 +21,20 @@ constexpr std::array<Event, 4> all_events = {Event::overflow, Event::underflow,
                                              Event::division_by_zero, Event::root_of_negative};
 std::string_view to_string(Event event);
 
+/// Whether values count that are computed from an infinite operand, such as 1 / inf = 0. A
+/// certified lane never uses them: it is undecided after an overflow. A reference goes on with
+/// them.
+enum class Infinities { excluded, followed };
+
 /// What the declared ranges say of one node of a typed graph.
 struct NodeRange {
-  /// Encloses every finite value that the node can compute, its own rounding included.
+  /// Encloses every finite value that the node can compute, its own rounding included; with
+  /// Infinities::excluded, as long as no operand below it is infinite.
   Range value;
   /// Which of all_events are not ruled out.
   std::array<bool, all_events.size()> may_happen = {};
+  /// Whether the node may be infinite, after an overflow or a division by zero in or under it.
+  bool may_be_infinite = false;
   /// Inputs under the node that have no declared range, sorted; they count as any finite number.
   std::vector<int> rangeless_inputs;
 
@@ -38,6 +46,7 @@ struct NodeRange {
 /// computed value. Operands are treated as independent, except those of x - x and x / x. `ranges`:
 /// one per input of the graph.
 std::vector<NodeRange> analyse_ranges(const TypedGraph& graph,
-                                      const std::vector<std::optional<Range>>& ranges);
+                                      const std::vector<std::optional<Range>>& ranges,
+                                      Infinities infinities = Infinities::excluded);
 
 }  // namespace mixcmp::model

@@ -67,7 +67,7 @@ DatapathSummary summarise_datapath(const std::string& name, const TypedGraph& gr
                                    const std::vector<std::optional<Range>>& ranges) {
   DatapathSummary summary{
       .name = name, .arithmetic = graph.arithmetic, .operators = count_operators(graph)};
-  const std::vector<NodeRange> nodes = analyse_ranges(graph, ranges);
+  const std::vector<NodeRange> nodes = analyse_ranges(graph, ranges, Infinities::followed);
   for (const Event event : all_events) {
     if (!knows(graph, event)) continue;
     RangeQuestion& finding = summary.events.emplace_back();
@@ -257,7 +257,8 @@ DatapathSummary summarise_lane(const std::string& name, const Scene& scene,
 
 /// The sides of the comparison: f and g of a single part, f[0], g[0], f[1], ... of several.
 std::vector<SideSummary> summarise_sides(const Scene& scene, const SharedGraph& reference) {
-  const std::vector<NodeRange> ranges = analyse_ranges(reference.graph, scene.ranges);
+  const std::vector<NodeRange> ranges =
+      analyse_ranges(reference.graph, scene.ranges, Infinities::followed);
   std::vector<SideSummary> sides;
   for (std::size_t k = 0; k < reference.sides.size(); ++k) {
     const std::string index = reference.sides.size() == 1 ? "" : fmt::format("[{}]", k);

@@ -119,10 +119,26 @@ Bits draw(FloatFormat format, const std::optional<Range>& range, std::mt19937_64
   }
 }
 
+/// Holds all finite values of one evaluation by the golden model against an analysis that follows
+/// infinities.
+void check_followed(const TypedGraph& graph, const std::vector<NodeRange>& ranges,
+                    const std::vector<golden::Rounded>& results, const std::string& text) {
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    const FloatFormat format = graph.nodes[k].format;
+    if (format.is_nan(results[k].bits)) continue;
+    if (format.is_infinite(results[k].bits)) {
+      ASSERT_TRUE(ranges[k].may_be_infinite) << text << ", node " << k;
+      continue;
+    }
+    const mpq_class value = to_rational(format, results[k].bits);
+    ASSERT_TRUE(ranges[k].value.low <= value && value <= ranges[k].value.high)
+        << text << ", node " << k << ": " << value;
+  }
+}
+
 /// Holds one evaluation by the golden model against the analysis.
 void check_evaluation(const TypedGraph& graph, const std::vector<NodeRange>& ranges,
-                      const std::vector<Bits>& inputs, const std::string& text) {
-  const std::vector<golden::Rounded> results = golden::evaluate(graph, inputs);
+                      const std::vector<golden::Rounded>& results, const std::string& text) {
   std::vector<bool> exceptional_below(results.size());
   for (std::size_t k = 0; k < results.size(); ++k) {
     const TypedNode& node = graph.nodes[k];
@@ -158,11 +174,23 @@ void check_evaluation(const TypedGraph& graph, const std::vector<NodeRange>& ran
   }
 }
 
+TEST(RangeAnalysis, FollowsInfinitiesWhereItIsAsked) {
+  const Case scene{"x / (1 / (y * z))", {{{0, 1}}, {{1, 300}}, {{1, 300}}}};
+  const TypedGraph graph = typed(scene.text, arithmetic("binary16", Subnormals::gradual));
+  const auto root = [&](Infinities infinities) {
+    return analyse_ranges(graph, scene.ranges, infinities)[static_cast<std::size_t>(graph.f)];
+  };
+  EXPECT_FALSE(root(Infinities::excluded).may(Event::division_by_zero));
+  EXPECT_TRUE(root(Infinities::followed).may(Event::division_by_zero));
+}
+
 TEST(RangeAnalysis, NothingTheGoldenModelComputesEscapesIt) {
   const std::vector<Case> cases = {
       {"(x - y)^2 + z * x - w / y", {{{0, 3}}, {{mpq_class(-1, 2), 5}}, std::nullopt, {{-2, -1}}}},
       {"sqrt(x) * y + abs(z) - min(w, x * x)", {{{0, 7}}, {{-3, 3}}, {{-1, 0}}, {{2, 9}}}},
       {"max(x / y, z) / (w + 0.3)", {{{-4, 4}}, {{mpq_class(1, 9), 6}}, {{-2, 2}}, {{0, 1}}}},
+      {"x / (1 / (y * z)) - w / (x * x)", {{{0, 1}}, {{1, 200}}, {{1, 200}}, {{1, 3}}}},
+      {"max(x / y, z) + sqrt(min(w / x, y))", {{{0, 4}}, {{0, 4}}, {{-2, 2}}, {{1, 2}}}},
       {"x^5 - y^3 * z / w", {{{-2, 2}}, {{1, 3}}, {{-1, 1}}, {{mpq_class(1, 1000), 1}}}},
   };
   std::mt19937_64 random(1);
@@ -174,12 +202,16 @@ TEST(RangeAnalysis, NothingTheGoldenModelComputesEscapesIt) {
           rules.rounding = rounding;
           const TypedGraph graph = typed(scene.text, rules);
           const std::vector<NodeRange> ranges = analyse_ranges(graph, scene.ranges);
+          const std::vector<NodeRange> followed =
+              analyse_ranges(graph, scene.ranges, Infinities::followed);
           for (int round = 0; round < 300; ++round) {
             std::vector<Bits> inputs;
             for (const auto& range : scene.ranges) {
               inputs.push_back(draw(rules.format, range, random));
             }
-            check_evaluation(graph, ranges, inputs, scene.text + " in " + format);
+            const std::vector<golden::Rounded> results = golden::evaluate(graph, inputs);
+            check_evaluation(graph, ranges, results, scene.text + " in " + format);
+            check_followed(graph, followed, results, scene.text + " in " + format);
           }
         }
       }

@@ -70,6 +70,20 @@ TEST(Summary, TellsWhatTheRangesRuleOut) {
   EXPECT_EQ(summary.datapaths[0].events.size(), 2U);  // no division, no root
 }
 
+/// Where a * b overflows, the reference goes on with 1 / inf = 0, and divides by it.
+TEST(Summary, FollowsTheReferencePastAnOverflow) {
+  const test::ScratchDirectory directory;
+  const auto path = directory.path() / "scene.toml";
+  std::ofstream(path)
+      << "[comparison]\nname = \"n\"\nf = \"c / (1 / (a * b))\"\n"
+         "g = \"1 / (a * b)\"\n[inputs]\nc = { range = [0, 1] }\n"
+         "a = { range = [1, 1e30] }\nb = { range = [1, 1e30] }\n[reference]\nformat = \"s24e8\"\n";
+  const Summary summary = summarise(load(path), nullptr);
+  EXPECT_EQ(event(summary.datapaths[0], "division by zero").answer, Possibility::possible);
+  EXPECT_EQ(summary.sides[1].zero.answer, Possibility::possible);
+  EXPECT_EQ(summary.sides[1].value.low, 0);
+}
+
 TEST(Summary, MissingRangesLeaveItUnknown) {
   const test::ScratchDirectory directory;
   const auto path = directory.path() / "scene.toml";
