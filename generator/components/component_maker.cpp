@@ -107,8 +107,8 @@ Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const model::Co
   return LaneRtl{schedule.latency_cycles, lane_module("lane", inputs, lane, schedule)};
 }
 
-ComponentMaker::ComponentMaker(const model::Scene& scene, const model::Comparisons* data)
-    : scene_(scene), data_(data) {}
+ComponentMaker::ComponentMaker(model::Scene scene, const model::Comparisons* data)
+    : scene_(std::move(scene)), data_(data) {}
 
 Result<Component> ComponentMaker::make(const ComponentKey& key) {
   switch (key.kind) {
@@ -226,6 +226,7 @@ Result<Done> ComponentMaker::measure_constants() {
   for (const model::ErrorProfile& profile :
        profile_errors(scene, *data_, {LaneInputs::rounded, LaneInputs::exact}, options)) {
     for (const model::ErrorAtPrecision& error : profile.precisions) {
+      if (!error.known(profile.comparisons)) continue;
       constants_[{error.precision, profile.inputs}] = {error.f, error.g};
     }
   }

@@ -53,8 +53,19 @@ ProfiledError profile_parts(const Scene& scene, const CombinedGraph& graph, cons
     largest.f = std::max(largest.f, part.f);
     largest.g = std::max(largest.g, part.g);
     largest.comparisons += part.comparisons;
+    largest.f_unbounded += part.f_unbounded;
+    largest.g_unbounded += part.g_unbounded;
   }
   return largest;
+}
+
+/// The key of a constant that the scene does not give and no comparison could tell.
+std::optional<std::string> unmeasured_constant(const ReducedSpec& reduced,
+                                               const ProfiledError& profiled) {
+  const std::uint64_t all = profiled.comparisons;
+  if (!reduced.relative_error_f && profiled.f_unbounded == all) return "reduced.relative_error_f";
+  if (!reduced.relative_error_g && profiled.g_unbounded == all) return "reduced.relative_error_g";
+  return std::nullopt;
 }
 
 Result<CombinedLane> design_profiled_lane(const Scene& scene, const ReducedSpec& reduced,
@@ -75,6 +86,12 @@ Result<CombinedLane> design_profiled_lane(const Scene& scene, const ReducedSpec&
                  .message = "no comparison of the data could be measured for the profile",
                  .received = fmt::format("{} comparisons, none with finite f and g", data->size()),
                  .accepted = "other data, or reduced.relative_error_f and relative_error_g"};
+  }
+  if (const auto unknown = unmeasured_constant(reduced, profiled)) {
+    return Error{.field = *unknown,
+                 .message = "cannot be measured: no comparison of the data has a relative error",
+                 .received = "computed values that are infinite, or miss a true zero",
+                 .accepted = "a format with more exponents, other data, or the constant itself"};
   }
   return profiled_lanes(graph, reduced.relative_error_f.value_or(profiled.f),
                         reduced.relative_error_g.value_or(profiled.g));

@@ -11,7 +11,10 @@ namespace mixcmp::model {
 struct ProfiledError {
   mpq_class f;
   mpq_class g;
-  std::uint64_t comparisons = 0;  ///< number of comparisons measured
+  std::uint64_t comparisons = 0;  ///< whose real f and g exist
+  /// Of these, those whose computed f (or g) has no relative error, since it is not finite, or not
+  /// zero where the real one is. `f` and `g` are the largest of the others.
+  std::uint64_t f_unbounded = 0, g_unbounded = 0;
 };
 
 /// Makes a lane with the paper's decision (IntervalDecision). The relative errors become constants,

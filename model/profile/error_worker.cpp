@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "model/golden/evaluate.hpp"
 #include "model/profile/largest_relative_error.hpp"
@@ -15,8 +16,15 @@ constexpr mpfr_exp_t lowest_exponent = -800, highest_exponent = 1000;
 
 }  // namespace
 
+void LargestError::raise_to(double other, std::uint64_t other_sample) {
+  if (other < error || (other == error && other_sample >= sample)) return;
+  error = other;
+  sample = other_sample;
+}
+
 void LargestError::add(const LargestError& other) {
-  if (other.error > error || (other.error == error && other.sample < sample)) *this = other;
+  raise_to(other.error, other.sample);
+  unbounded += other.unbounded;
 }
 
 void ErrorTally::add(const ErrorTally& other) {
@@ -39,7 +47,10 @@ JudgedError judge_error(const ErrorJob& job, const ErrorLane& lane, std::uint64_
     LargestRelativeError f(graph.arithmetic.format), g(graph.arithmetic.format);
     f.measure(computed[graph.f].bits, truth.f());
     g.measure(computed[graph.g].bits, truth.g());
-    largest = {std::max(largest.f, f.value()), std::max(largest.g, g.value())};
+    largest.f = std::max(largest.f, f.value());
+    largest.g = std::max(largest.g, g.value());
+    largest.f_unbounded |= f.unbounded() > 0;
+    largest.g_unbounded |= g.unbounded() > 0;
   }
   return largest;
 }
@@ -50,7 +61,9 @@ ErrorWorker::ErrorWorker(const ErrorJob& job)
       scratch_(error_truth_precision),
       f_(block),
       g_(block),
-      exceptional_(block) {
+      exceptional_(block),
+      f_unbounded_(block),
+      g_unbounded_(block) {
   tally_.f.resize(job.lanes.size());
   tally_.g.resize(job.lanes.size());
   for (const Sides& part : job.scene.graph.parts()) {
@@ -72,7 +85,10 @@ void ErrorWorker::run(const BlockSource& next) {
 bool ErrorWorker::keep(Truth& truth, golden::BigFloat& scratch, const golden::BigFloat& value,
                        std::size_t k) {
   truth.high[k] = truth.low[k] = truth.scale[k] = 0;
-  if (!mpfr_regular_p(value.get())) return true;
+  if (!mpfr_regular_p(value.get())) {
+    truth.scale[k] = std::numeric_limits<double>::infinity();
+    return true;
+  }
   const mpfr_exp_t exponent = mpfr_get_exp(value.get());
   if (exponent < lowest_exponent || exponent > highest_exponent) return false;
   truth.high[k] = mpfr_get_d(value.get(), MPFR_RNDN);
@@ -103,35 +119,49 @@ bool ErrorWorker::find_truth(PartTruth& part, std::span<const Bits> operands, st
   if (!part.values.compute(format, operands)) return false;
   const bool f_kept = keep(part.f, scratch_, part.values.f(), k);
   const bool g_kept = keep(part.g, scratch_, part.values.g(), k);
-  if (!f_kept || !g_kept) part.extreme.push_back(first + k);
+  if (!f_kept || !g_kept) {
+    part.f.scale[k] = part.g.scale[k] = 0;
+    part.extreme.push_back(first + k);
+  }
   return true;
 }
 
 void ErrorWorker::measure_lane(std::size_t index, std::uint64_t first, std::size_t count) {
   const ErrorLane& lane = job_.lanes[index];
+  std::fill_n(f_unbounded_.begin(), count, 0);
+  std::fill_n(g_unbounded_.begin(), count, 0);
   for (std::size_t k = 0; k < lane.size(); ++k) {
     const PartTruth& truth = truths_[k];
     lane[k].emulator.compute(operands_.columns(), count, f_, g_, exceptional_);
-    measure(truth.f, f_, first, count, tally_.f[index]);
-    measure(truth.g, g_, first, count, tally_.g[index]);
+    measure(truth.f, f_, first, count, tally_.f[index], f_unbounded_);
+    measure(truth.g, g_, first, count, tally_.g[index], g_unbounded_);
     for (const std::uint64_t sample : truth.extreme) {
       const JudgedError judged = judge_error(job_, lane, sample);
-      tally_.f[index].add({judged.f.get_d(), sample});
-      tally_.g[index].add({judged.g.get_d(), sample});
+      tally_.f[index].raise_to(judged.f.get_d(), sample);
+      tally_.g[index].raise_to(judged.g.get_d(), sample);
+      f_unbounded_[sample - first] |= judged.f_unbounded;
+      g_unbounded_[sample - first] |= judged.g_unbounded;
     }
   }
+  const auto set = [count](const std::vector<std::uint8_t>& flags) {
+    return std::accumulate(flags.begin(), flags.begin() + static_cast<std::ptrdiff_t>(count),
+                           std::uint64_t{0});
+  };
+  tally_.f[index].unbounded += set(f_unbounded_);
+  tally_.g[index].unbounded += set(g_unbounded_);
 }
 
 void ErrorWorker::measure(const Truth& truth, const std::vector<double>& computed,
-                          std::uint64_t first, std::size_t count, LargestError& largest) {
+                          std::uint64_t first, std::size_t count, LargestError& largest,
+                          std::vector<std::uint8_t>& unbounded) {
   for (std::size_t k = 0; k < count; ++k) {
     // The first difference is exact where it is small.
     const double difference = (computed[k] - truth.high[k]) - truth.low[k];
-    const double error = std::fabs(difference) * truth.scale[k];
-    // False for a NaN or an infinity, which are skipped.
-    if (error > largest.error && error < std::numeric_limits<double>::infinity()) {
-      largest = {error, first + k};
-    }
+    const double error = difference == 0 ? 0 : std::fabs(difference) * truth.scale[k];
+    // An error is infinite, or NaN, where the computed value is, or where it misses a true zero.
+    const bool is_bounded = error < std::numeric_limits<double>::infinity();
+    unbounded[k] |= static_cast<std::uint8_t>(truth.scale[k] != 0 && !is_bounded);
+    if (error > largest.error && is_bounded) largest.raise_to(error, first + k);
   }
 }
 

@@ -12,11 +12,14 @@
 
 namespace mixcmp::model {
 
-/// The largest error so far, in double, and the first sample that has it.
+/// The largest error so far, in double, the first sample that has it, and the number of samples
+/// without a relative error.
 struct LargestError {
   double error = 0;
   std::uint64_t sample = 0;
+  std::uint64_t unbounded = 0;
 
+  void raise_to(double other, std::uint64_t other_sample);
   void add(const LargestError& other);
 };
 
@@ -47,6 +50,7 @@ struct ErrorTally {
 /// alone.
 struct JudgedError {
   mpq_class f = 0, g = 0;
+  bool f_unbounded = false, g_unbounded = false;  ///< in some part, there is no relative error
 };
 JudgedError judge_error(const ErrorJob& job, const ErrorLane& lane, std::uint64_t sample);
 
@@ -62,6 +66,7 @@ public:
 
 private:
   /// True values of one function, high + low; scale is 1 / |high|, or 0 where nothing is measured.
+  /// A true zero has an infinite scale.
   struct Truth {
     std::vector<double> high, low, scale;
   };
@@ -81,8 +86,10 @@ private:
   static bool keep(Truth& truth, golden::BigFloat& scratch, const golden::BigFloat& value,
                    std::size_t k);
   void measure_lane(std::size_t lane, std::uint64_t first, std::size_t count);
+  /// Raises `largest` to the errors of a block, and sets `unbounded` where there is none.
   static void measure(const Truth& truth, const std::vector<double>& computed, std::uint64_t first,
-                      std::size_t count, LargestError& largest);
+                      std::size_t count, LargestError& largest,
+                      std::vector<std::uint8_t>& unbounded);
 
   const ErrorJob& job_;
   ErrorTally tally_;
@@ -91,6 +98,7 @@ private:
   golden::BigFloat scratch_;
   std::vector<double> f_, g_;
   std::vector<std::uint8_t> exceptional_;
+  std::vector<std::uint8_t> f_unbounded_, g_unbounded_;
 };
 
 }  // namespace mixcmp::model

@@ -90,7 +90,9 @@ std::vector<ErrorProfile> profile_errors(const Scene& scene, const Comparisons& 
          ++precision, ++lane) {
       ErrorAtPrecision error{.precision = precision,
                              .f = judge_error(job, job.lanes[lane], tally.f[lane].sample).f,
-                             .g = judge_error(job, job.lanes[lane], tally.g[lane].sample).g};
+                             .g = judge_error(job, job.lanes[lane], tally.g[lane].sample).g,
+                             .f_unbounded = tally.f[lane].unbounded,
+                             .g_unbounded = tally.g[lane].unbounded};
       add_bounds(scene, job.lanes[lane], error, profile);
       profile.precisions.push_back(std::move(error));
     }

@@ -2,6 +2,8 @@
 
 #include <gmpxx.h>
 
+#include <cstdint>
+
 #include "model/golden/big_float.hpp"
 #include "model/golden/encoding.hpp"
 #include "model/number/float_format.hpp"
@@ -11,8 +13,9 @@ namespace mixcmp::model {
 /// Precision, in bits, of the true values that errors are measured against.
 inline constexpr mpfr_prec_t error_truth_precision = 500;
 
-/// The maximum of |computed - truth| / |truth| over the measured values of one function, rounded up
-/// to 64 bits. It skips values that are not finite and a truth of zero.
+/// The maximum of |computed - truth| / |truth| over the values of one function, rounded up to 64
+/// bits. A value has no such error, and is counted apart, if it is not finite or if the truth is
+/// zero and it is not.
 class LargestRelativeError {
 public:
   explicit LargestRelativeError(FloatFormat format) : format_(format) {
@@ -21,7 +24,11 @@ public:
 
   void measure(Bits computed, const golden::BigFloat& truth) {
     golden::decode(computed_, format_, computed);
-    if (!mpfr_number_p(computed_.get()) || !mpfr_regular_p(truth.get())) return;
+    if (mpfr_zero_p(computed_.get()) && mpfr_zero_p(truth.get())) return;
+    if (!mpfr_number_p(computed_.get()) || !mpfr_regular_p(truth.get())) {
+      ++unbounded_;
+      return;
+    }
     mpfr_sub(difference_.get(), computed_.get(), truth.get(), MPFR_RNDA);
     mpfr_div(error_.get(), difference_.get(), truth.get(), MPFR_RNDA);
     mpfr_abs(error_.get(), error_.get(), MPFR_RNDU);
@@ -34,10 +41,14 @@ public:
     return value;
   }
 
+  /// The number of values without a relative error.
+  std::uint64_t unbounded() const { return unbounded_; }
+
 private:
   static constexpr mpfr_prec_t error_precision = 64;
 
   FloatFormat format_;
+  std::uint64_t unbounded_ = 0;
   golden::BigFloat computed_{golden::encoding_precision};
   golden::BigFloat difference_{error_truth_precision};
   golden::BigFloat error_{error_precision};

@@ -28,6 +28,8 @@ ProfiledError profile_error(const Graph& graph, const TypedGraph& lane, const Co
   }
   profiled.f = f.value();
   profiled.g = g.value();
+  profiled.f_unbounded = f.unbounded();
+  profiled.g_unbounded = g.unbounded();
   return profiled;
 }
 

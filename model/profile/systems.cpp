@@ -54,13 +54,23 @@ CombinedGraph graphs_at(const Scene& scene, int precision, LaneInputs inputs) {
                      {format, reduced.rounding, reduced.subnormals}, inputs);
 }
 
+namespace {
+
+Result<CombinedLane> profiled_at(const CombinedGraph& graph, const ErrorAtPrecision& error,
+                                 std::uint64_t comparisons) {
+  if (error.known(comparisons)) return profiled_lanes(graph, error.f, error.g);
+  return Error{.message = "no comparison has a relative error of f and of g"};
+}
+
+}  // namespace
+
 std::vector<SystemLanes> make_systems(const Scene& scene, const ErrorProfile& errors) {
   std::vector<SystemLanes> systems;
   for (const ErrorAtPrecision& error : errors.precisions) {
     const CombinedGraph graph = graphs_at(scene, error.precision, errors.inputs);
     add(systems, std::nullopt, SystemKind::lanes_alone, lanes_alone(graph));
     add(systems, BoundChoice{BoundChoice::Kind::profiled}, SystemKind::profiled,
-        profiled_lanes(graph, error.f, error.g));
+        profiled_at(graph, error, errors.comparisons));
     for (CandidateLanes& candidate : candidate_lanes(graph, scene.ranges)) {
       add(systems, bound_choice(candidate), SystemKind::certified, std::move(candidate.lane));
     }

@@ -68,10 +68,13 @@ TEST(ProfileError, SkipsZeroAndWhatIsNotFinite) {
   const ProfiledError none = profile(rows({{0, 0}, {1, -1}}), 100);
   EXPECT_EQ(none.f, 0);
   EXPECT_EQ(none.g, 0);
+  EXPECT_EQ(none.f_unbounded, 0u);
   // The square overflows s5e6; the sum, 2^31 + 2^26 against 2^31, is measured.
   const mpz_class large = mpz_class(1) << 31;
   const ProfiledError overflow = profile(rows({{large, mpz_class(1) << 26}}), 100);
   EXPECT_EQ(overflow.f, 0);
+  EXPECT_EQ(overflow.f_unbounded, 1u);
+  EXPECT_EQ(overflow.g_unbounded, 0u);
   EXPECT_GT(overflow.g, 0);
 }
 

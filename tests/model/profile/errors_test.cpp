@@ -37,6 +37,8 @@ void expect_slow_profile(const Scene& scene, const Comparisons& data,
       const std::string what = "L = " + std::to_string(error.precision);
       expect_same(error.f, slow.f, what);
       expect_same(error.g, slow.g, what);
+      EXPECT_EQ(error.f_unbounded, slow.f_unbounded) << what;
+      EXPECT_EQ(error.g_unbounded, slow.g_unbounded) << what;
       EXPECT_EQ(profile.comparisons, slow.comparisons);
     }
   }
@@ -131,6 +133,23 @@ TEST(Errors, AreMeasuredThroughAnyCancellation) {
     EXPECT_EQ(profiles.front().precisions.front().f, each.error) << each.f;
     expect_slow_profile(scene, data, options);
   }
+}
+
+TEST(Errors, OfWhatIsInfiniteAreCountedAndMakeNoConstants) {
+  const model::FloatFormat wide = format_of(24, 8);
+  const auto number = [&](const char* text) { return model::from_text(wide, text).value(); };
+  const Scene scene = scene_of(graph_of("a * b", "a"), wide, {format_of(8, 6)});
+  const Comparisons data =
+      rows_of(scene.graph, wide,
+              {number("1e20"), number("1e10"), number("3e25"), number("1e11"), number("1"), 0});
+  const ProfileOptions options{.first_precision = 8, .last_precision = 8, .threads = 1};
+  const auto profiles = profile_errors(scene, data, {LaneInputs::rounded}, options);
+  const model::ErrorAtPrecision& error = profiles.front().precisions.front();
+  EXPECT_EQ(profiles.front().comparisons, 3u);
+  EXPECT_EQ(error.f_unbounded, 2u);
+  EXPECT_EQ(error.g_unbounded, 2u);
+  EXPECT_TRUE(error.known(3));
+  EXPECT_FALSE(error.known(2));
 }
 
 TEST(Errors, DoNotDependOnThreads) {
