@@ -8,6 +8,7 @@
 #include "generator/cli/options.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/cli/verbs.hpp"
+#include "generator/report/json_text.hpp"
 #include "model/common/scratch_folder.hpp"
 
 namespace mixcmp::cli {
@@ -59,7 +60,7 @@ void run(const BaselineCommand& command) {
   const gen::Baseline& baseline = value_or_exit(measured);
   show_progress("");
   if (command.scene.json) {
-    print(fmt::format("{}\n", to_json(baseline).dump(2)));
+    print(report::json_text(to_json(baseline)));
   } else {
     print(command.csv ? to_csv(baseline) : to_text(baseline));
   }

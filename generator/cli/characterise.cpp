@@ -9,6 +9,7 @@
 #include "generator/cli/output.hpp"
 #include "generator/cli/planning.hpp"
 #include "generator/cli/verbs.hpp"
+#include "generator/report/json_text.hpp"
 #include "model/common/output_file.hpp"
 
 namespace mixcmp::cli {
@@ -145,7 +146,7 @@ void print_json(const CharacteriseReport& report, const fs::path& table) {
                                {"reason", gap.reason}});
   }
   for (const model::Measurement& row : report.table.rows) json["rows"].push_back(json_of(row));
-  print(fmt::format("{}\n", json.dump(2)));
+  print(report::json_text(json));
 }
 
 /// Refuses a table that was measured for another target_mhz: it decides where registers go in all
@@ -248,6 +249,9 @@ void run(const CharacteriseCommand& command) {
                             : command.output;
   std::vector<fs::path> inputs = inputs_of(command.scene, loaded.scene);
   inputs.push_back(options.store);
+  for (const char* of_sqlite : {"-journal", "-wal", "-shm"}) {
+    inputs.push_back(options.store.string() + of_sqlite);
+  }
   value_or_exit(check_outputs({path}, inputs));
   value_or_exit(model::make_writable_folder(fs::absolute(path).parent_path()));
   const auto previous = value_or_exit(previous_table(path, loaded.scene, device.name));

@@ -190,10 +190,11 @@ Result<gen::CharacteriseOptions> characterise_options(const CharacteriseCommand&
   options.synthesis.seeds = command.seeds;
   options.workers =
       command.jobs > 0 ? command.jobs : std::max(1u, std::thread::hardware_concurrency());
-  options.store = command.store;
   if (command.store.empty()) {
     MIXCMP_TRY(path, model::default_store_path());
     options.store = path;
+  } else {
+    options.store = std::filesystem::absolute(command.store);  // to SQLite, ":memory:" is no file
   }
   return options;
 }

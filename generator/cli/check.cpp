@@ -11,6 +11,7 @@
 #include "generator/cli/prove.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/system.hpp"
+#include "generator/report/json_text.hpp"
 #include "generator/report/summary_report.hpp"
 #include "model/profile/variant_check.hpp"
 
@@ -217,7 +218,7 @@ void run(const CheckOptions& options) {
     if (!variants.empty()) report["variants"] = to_json(variants);
     if (options.prove.prove) report["proof"] = to_json(proven);
     if (costs) report["costs"] = to_json(*costs);
-    print(fmt::format("{}\n", report.dump(2)));
+    print(report::json_text(report));
   } else {
     print(report::to_text(summary));
     print_text(generated);

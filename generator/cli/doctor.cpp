@@ -8,6 +8,7 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/verb.hpp"
 #include "generator/cli/verbs.hpp"
+#include "generator/report/json_text.hpp"
 #include "model/characterise/tools.hpp"
 #include "model/common/process.hpp"
 #include "model/proof/gappa.hpp"
@@ -91,7 +92,7 @@ void run(bool json) {
                         version.ok() ? *version : fault(tool, version.error()));
     complete = complete && (version.ok() || !required);
   }
-  print(json ? report.dump(2) + "\n" : text);
+  print(json ? report::json_text(report) : text);
   if (complete) return;
   tell("tools that verbs need are missing or do not work");
   throw Exit(ExitCode::incomplete);

@@ -12,6 +12,7 @@
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/version.hpp"
 #include "generator/report/exploration_report.hpp"
+#include "generator/report/json_text.hpp"
 #include "generator/report/paper_tables.hpp"
 #include "generator/report/plan_report.hpp"
 #include "generator/report/profile_report.hpp"
@@ -140,8 +141,10 @@ std::vector<report::SoftwareThroughput> measure_software(const LoadedScene& load
 
 using Columns = std::vector<std::pair<std::string, model::ClockChoice>>;
 
-/// The columns of the tables: the clocks with which T(equ) is computed.
-Columns columns_for(const std::optional<model::PublishedDevice>& published) {
+/// The columns of the tables: the clocks with which T(equ) is computed. The last one has those of
+/// the command.
+Columns columns_for(const std::optional<model::PublishedDevice>& published,
+                    const model::ClockChoice& ours) {
   Columns columns;
   if (published) {
     const double lane = published->lane_mhz(), reference = published->reference_mhz;
@@ -151,7 +154,7 @@ Columns columns_for(const std::optional<model::PublishedDevice>& published) {
     columns.push_back({fmt::format("ours, one clock of {:.0f} MHz", reference),
                        {reference, reference, model::ClockDomains::single}});
   }
-  columns.push_back({"ours", {}});
+  columns.push_back({"ours", ours});
   return columns;
 }
 
@@ -304,10 +307,25 @@ std::vector<fs::path> inputs_of(const ExploreCommand& command,
   return inputs;
 }
 
+/// Names the folders of devices that an earlier run has left beside those of this one.
+void tell_older_results(const fs::path& output, const std::vector<Planning>& known) {
+  std::error_code failed;
+  for (const fs::directory_entry& entry : fs::directory_iterator(output, failed)) {
+    const std::string name = entry.path().filename().string();
+    const bool ours = std::any_of(known.begin(), known.end(),
+                                  [&](const Planning& each) { return each.device.name == name; });
+    if (ours || !model::path_exists(entry.path() / "scenarios.csv")) continue;
+    tell(fmt::format("note: {} is of an earlier run", entry.path().string()));
+  }
+}
+
 /// Finds mistakes before the long measurements, and writes the results of all devices at the end,
 /// so that report.md and the folders always tell of the same run.
 void run(const ExploreCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.planning.scene));
+  if (loaded.scene.variant.empty() && !loaded.scene.variants.empty()) {
+    tell("note: variants left out: explore plans [comparison], or what --variant names");
+  }
   value_or_exit(check_has_data(loaded, "recomputation rates are measured on data"));
   const std::vector<std::string> settings = value_or_exit(data_sets(command.over));
   const std::vector<model::Scene> scenes = scenes_of(command, settings);
@@ -331,14 +349,15 @@ void run(const ExploreCommand& command) {
     if (command.beside_paper && !published) {
       not_done.push_back("--beside-paper: the paper has no figures of " + each.device.name);
     }
-    const model::Exploration exploration =
-        value_or_exit(explore(each.scene, each.device, each.table, sets, columns_for(published),
-                              command.planning.choice));
+    const model::Exploration exploration = value_or_exit(
+        explore(each.scene, each.device, each.table, sets,
+                columns_for(published, command.planning.choice.clocks), command.planning.choice));
     const std::string tables = tables_of(exploration, published, software);
     print_notes(exploration);
     results.push_back(results_for(command, each.scene.system.device, exploration, tables));
     report += "\n" + tables;
     json.push_back(report::to_json(exploration));
+    if (command.software) json.back()["software"] = report::to_json(software);
     for (const model::ResultsAtClocks& column : exploration.columns) {
       feasible = feasible && column.worst.best() != nullptr;
     }
@@ -352,8 +371,9 @@ void run(const ExploreCommand& command) {
     not_done.insert(not_done.end(), missing.begin(), missing.end());
   }
   value_or_exit(page.commit());
+  tell_older_results(command.output, known);
   if (command.planning.scene.json) {
-    print(fmt::format("{}\n", json.dump(2)));
+    print(report::json_text(json));
   } else {
     print(fmt::format("{}\n{}\n", report, (command.output / "report.md").string()));
   }

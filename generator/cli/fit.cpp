@@ -1,6 +1,7 @@
 #include "generator/cli/fit.hpp"
 
 #include "generator/cli/planning.hpp"
+#include "model/common/file.hpp"
 #include "model/optimise/footprint.hpp"
 
 namespace mixcmp::cli {
@@ -11,7 +12,7 @@ namespace {
 std::optional<model::Characterisation> table_beside(const std::filesystem::path& path,
                                                     const model::Scene& scene,
                                                     const model::Device& device) {
-  if (!std::filesystem::exists(path)) return std::nullopt;
+  if (!model::path_exists(path)) return std::nullopt;
   auto table = model::read_characterisation(path);
   if (!table.ok() || table->device != device.name || table->scene != scene.name) {
     return std::nullopt;

@@ -10,6 +10,7 @@
 #include "generator/cli/prove.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/system.hpp"
+#include "generator/report/json_text.hpp"
 #include "generator/report/proof_report.hpp"
 
 namespace mixcmp::cli {
@@ -96,7 +97,7 @@ void print_json(const gen::GeneratedSystem& system, const std::vector<GroupProof
     report["proof"].push_back(report::to_json(proof.quick.proof, proof.quick.gappa));
     report["proof"].back()["lanes"] = proof.name;
   }
-  print(fmt::format("{}\n", report.dump(2)));
+  print(report::json_text(report));
 }
 
 /// Proves every kind of lane that claims a proof.

@@ -33,7 +33,7 @@ void occupy_standard_streams() {
   }
 }
 
-void run(CLI::App& app, int argc, char** argv) {
+void parse_and_run(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) {
@@ -77,17 +77,9 @@ void check_working_directory() {
                      .accepted = "one that exists"});
 }
 
-/// Ends the program on a failure that no verb expects, such as no memory or a failing file system.
-int end_unexpectedly(const char* why) {
-  mixcmp::cli::tell(std::string("ended before its time: ") + why);
-  return Exit(ExitCode::mistake).code;
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  occupy_standard_streams();
-  signal(SIGXFSZ, SIG_IGN);  // at a file size limit, write() fails: whoever writes reports it
+void run(int argc, char** argv) {
+  check_working_directory();
+  check_arguments(argc, argv);
   CLI::App app("Turns a numerical comparison, the sign of f(x) - g(y), into verified Verilog.",
                "mixcmp");
   app.set_version_flag("--version", std::string(mixcmp::gen::version));
@@ -102,10 +94,23 @@ int main(int argc, char** argv) {
   mixcmp::cli::add_doctor(app);
   mixcmp::cli::add_baseline(app);
   mixcmp::cli::add_route(app);
+  parse_and_run(app, argc, argv);
+}
+
+/// Ends the program on a failure that no verb expects, such as no memory or a failing file system.
+int end_unexpectedly(const char* why) {
+  mixcmp::cli::tell(std::string("ended before its time: ") + why);
+  return Exit(ExitCode::mistake).code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  occupy_standard_streams();
+  signal(SIGCHLD, SIG_DFL);  // where a parent ignored it, no exit code of a tool could be read
+  signal(SIGXFSZ, SIG_IGN);  // at a file size limit, write() fails: whoever writes reports it
   try {
-    check_working_directory();
-    check_arguments(argc, argv);
-    run(app, argc, argv);
+    run(argc, argv);
   } catch (const Exit& exit) {
     return exit.code;
   } catch (const std::bad_alloc&) {

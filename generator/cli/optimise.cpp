@@ -7,7 +7,9 @@
 #include "generator/cli/output.hpp"
 #include "generator/cli/planning.hpp"
 #include "generator/cli/verbs.hpp"
+#include "generator/report/json_text.hpp"
 #include "generator/report/plan_report.hpp"
+#include "model/common/file.hpp"
 #include "model/common/output_file.hpp"
 #include "model/optimise/plan.hpp"
 #include "model/optimise/plan_summary.hpp"
@@ -92,12 +94,23 @@ std::vector<Candidate> find_candidates(const OptimiseCommand& command,
   return candidates;
 }
 
+/// Says that a file which stands where a plan was to be written is of an earlier run.
+void tell_of_older(const fs::path& file) {
+  if (file.empty() || !model::path_exists(file)) return;
+  tell(fmt::format("{}: not written: it is of an earlier run, since no plan was found",
+                   file.string()));
+}
+
 void write_files(const OptimiseCommand& command, const Candidate& chosen) {
   const model::Optimisation& found = chosen.found;
   if (!command.csv.empty())
     value_or_exit(model::write_file(command.csv, report::figure9_csv(found)));
   const model::PrecisionPlan* best = found.best();
-  if (best == nullptr) return;
+  if (best == nullptr) {
+    tell_of_older(command.plan);
+    tell_of_older(command.lp);
+    return;
+  }
   if (!command.lp.empty()) value_or_exit(model::write_file(command.lp, to_lp(best->problem)));
   if (command.plan.empty()) return;
   PlanningOptions planning = command.planning;
@@ -146,7 +159,6 @@ nlohmann::ordered_json to_json(const std::vector<Candidate>& candidates, std::si
 
 void run(OptimiseCommand& command) {
   PlanningOptions& planning = command.planning;
-  if (planning.separate_clocks) planning.choice.clocks.domains = model::ClockDomains::separate;
   const LoadedScene loaded = value_or_exit(load(planning.scene));
   std::vector<fs::path> inputs = inputs_of(planning.scene, loaded.scene);
   inputs.push_back(command.rates);
@@ -161,7 +173,7 @@ void run(OptimiseCommand& command) {
   const auto chosen = static_cast<std::size_t>(best - candidates.begin());
   write_files(command, *best);
   if (planning.scene.json) {
-    print(fmt::format("{}\n", to_json(candidates, chosen).dump(2)));
+    print(report::json_text(to_json(candidates, chosen)));
   } else {
     print(fmt::format("{}{}", compare_variants(candidates, chosen), report::to_text(best->found)));
     if (best->found.best() != nullptr && !command.plan.empty()) {

@@ -8,6 +8,8 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/components/characterise.hpp"
+#include "model/common/file.hpp"
+#include "model/common/quote.hpp"
 #include "model/scene/bound_choice.hpp"
 #include "model/scene/plan.hpp"
 
@@ -21,7 +23,7 @@ using model::Result;
 Result<model::Done> check_table_exists(const std::filesystem::path& path,
                                        const PlanningOptions& options, const std::string& variant,
                                        const model::Device& device) {
-  if (std::filesystem::exists(path)) return model::Done{};
+  if (model::path_exists(path)) return model::Done{};
   const std::string chosen = variant.empty() ? "" : " --variant " + variant;
   return Error{
       .file = path.string(),
@@ -77,8 +79,14 @@ void warn_of_outdated(const Planning& planning, const model::Comparisons* data) 
 /// every precision.
 void use_given_constants(const model::ReducedSpec& reduced, model::ErrorProfile& errors) {
   for (model::ErrorAtPrecision& error : errors.precisions) {
-    error.f = reduced.relative_error_f.value_or(error.f);
-    error.g = reduced.relative_error_g.value_or(error.g);
+    if (reduced.relative_error_f) {
+      error.f = *reduced.relative_error_f;
+      error.f_unbounded = 0;
+    }
+    if (reduced.relative_error_g) {
+      error.g = *reduced.relative_error_g;
+      error.g_unbounded = 0;
+    }
   }
 }
 
@@ -96,6 +104,15 @@ std::vector<model::BoundChoice> parse_bounds(const std::vector<std::string>& nam
     fail(error);
   }
   return choices;
+}
+
+/// A path that a plan names; an error ends the program if it is no text that TOML can hold.
+std::string named_in(const std::filesystem::path& plan, const std::string& path) {
+  if (model::is_one_line(path)) return path;
+  fail({.file = plan.string(),
+        .message = "cannot be written: it would name a path that is not UTF-8",
+        .received = model::in_quotes(path),
+        .accepted = "folders with names in UTF-8"});
 }
 
 /// Refuses an arg-min engine, whose chain of lanes leaves nothing to choose.
@@ -138,9 +155,10 @@ void add_planning_options(const Verb& verb, PlanningOptions& options) {
   verb.option("--reference-mhz", choice.clocks.reference_mhz,
               "clock of the references, in place of the table's")
       .check(between(0.001, 1e6, "MHZ"));
-  verb.flag("--separate-clocks", options.separate_clocks,
-            "count lanes and references at clocks of their own, as the paper does; what generate "
-            "writes has one clock");
+  verb.flag(
+      "--separate-clocks", [&choice] { choice.clocks.domains = model::ClockDomains::separate; },
+      "count lanes and references at clocks of their own, as the paper does; what generate "
+      "writes has one clock");
 }
 
 std::string planning_command_line(const std::string& verb, const PlanningOptions& options) {
@@ -169,7 +187,8 @@ std::string planning_command_line(const std::string& verb, const PlanningOptions
   if (choice.clocks.reference_mhz) {
     add("--reference-mhz", fmt::format("{}", *choice.clocks.reference_mhz));
   }
-  return options.separate_clocks ? line + " --separate-clocks" : line;
+  const bool separate = choice.clocks.domains == model::ClockDomains::separate;
+  return separate ? line + " --separate-clocks" : line;
 }
 
 model::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
@@ -184,9 +203,9 @@ model::PlanSource plan_source(const PlanningOptions& options, const std::string&
   const bool is_file = device.ends_with(".toml");
   const model::SceneSettings read =
       value_or_exit(model::read_scene_settings(options.scene.scene, options.scene.settings));
-  return {.scene_file = scene.lexically_relative(folder).generic_string(),
+  return {.scene_file = named_in(plan, scene.lexically_relative(folder).generic_string()),
           .overrides = overridden_entries(read.settings.root, options.scene.settings),
-          .device = is_file ? fs::canonical(device).string() : device,
+          .device = is_file ? named_in(plan, fs::canonical(device).string()) : device,
           .command = std::move(command)};
 }
 

@@ -16,7 +16,6 @@ struct PlanningOptions {
   SceneOptions scene;
   std::filesystem::path table;  ///< empty: beside the scene, see default_table
   model::OptimiseOptions choice;
-  bool separate_clocks = false;
 };
 
 void add_planning_options(const Verb& verb, PlanningOptions& options);

@@ -7,6 +7,7 @@
 #include "generator/cli/options.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/cli/verbs.hpp"
+#include "generator/report/json_text.hpp"
 #include "generator/report/profile_report.hpp"
 #include "generator/report/trade_report.hpp"
 #include "model/common/output_file.hpp"
@@ -119,7 +120,7 @@ std::vector<std::string> write_results(const report::ProfileReport& report, cons
                                        const fs::path& folder) {
   const model::FolderLock held = lock_folder(folder);
   ResultFiles results(folder, result_names);
-  results.add("profile.json", json_of(report, weighed).dump(2) + "\n");
+  results.add("profile.json", report::json_text(json_of(report, weighed)));
   results.add("figure4.csv", report::figure4_csv(report));
   results.add("figure5.csv", report::figure5_csv(report));
   results.add_picture("figure4.svg", report::figure4_script(report));
@@ -166,7 +167,7 @@ void run(const ProfileCommand& command) {
   std::vector<std::string> not_done;
   if (!command.output.empty()) not_done = write_results(report, weighed, command.output);
   if (command.scene.json) {
-    print(fmt::format("{}\n", json_of(report, weighed).dump(2)));
+    print(report::json_text(json_of(report, weighed)));
   } else {
     print_text(report, weighed);
   }

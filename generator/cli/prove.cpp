@@ -7,6 +7,7 @@
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
+#include "generator/report/json_text.hpp"
 #include "generator/report/proof_report.hpp"
 #include "model/profile/profiled_error.hpp"
 #include "model/proof/gappa.hpp"
@@ -83,7 +84,7 @@ ProvenLane prove_lane(const model::Scene& scene, const std::string& name,
   result.gappa = version_text(directory.gappa());
   result.reused = directory.reused();
   const nlohmann::ordered_json report = report::to_json(result.proof, result.gappa);
-  value_or_exit(directory.write_report(stem + ".json", report.dump(2) + "\n"));
+  value_or_exit(directory.write_report(stem + ".json", report::json_text(report)));
   return result;
 }
 

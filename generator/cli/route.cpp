@@ -7,6 +7,7 @@
 #include "generator/cli/output.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/components/whole_job.hpp"
+#include "generator/report/json_text.hpp"
 #include "model/characterise/job_hash.hpp"
 #include "model/characterise/job_runner.hpp"
 #include "model/common/scratch_folder.hpp"
@@ -79,7 +80,7 @@ void print_json(const model::SynthesisJob& job, const model::Device& device,
   } else {
     report["no_clock"] = result.no_clock;
   }
-  print(fmt::format("{}\n", report.dump(2)));
+  print(report::json_text(report));
 }
 
 /// The folder in which --work keeps a job's files; each job has its own. Empty without --work.

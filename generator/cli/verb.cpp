@@ -47,6 +47,11 @@ Option Verb::flag(const std::string& names, bool& target, const std::string& hel
   return Option(verb_->add_flag(names, target, help));
 }
 
+Option Verb::flag(const std::string& names, const std::function<void()>& use,
+                  const std::string& help) const {
+  return Option(verb_->add_flag_callback(names, use, help));
+}
+
 template <class Value>
 Option Verb::option(const std::string& names, Value& target, const std::string& help) const {
   return Option(verb_->add_option(names, target, help));
@@ -67,15 +72,16 @@ template Option Verb::option(const std::string&, std::vector<double>&, const std
 template Option Verb::option(const std::string&, std::vector<std::string>&,
                              const std::string&) const;
 
-Option Verb::text_option(const std::string& names, std::function<void(const std::string&)> use,
+Option Verb::text_option(const std::string& names,
+                         const std::function<void(const std::string&)>& use,
                          const std::string& help) const {
-  return Option(verb_->add_option_function<std::string>(names, std::move(use), help));
+  return Option(verb_->add_option_function<std::string>(names, use, help));
 }
 
 Option Verb::list_option(const std::string& names,
-                         std::function<void(const std::vector<std::string>&)> use,
+                         const std::function<void(const std::vector<std::string>&)>& use,
                          const std::string& help) const {
-  return Option(verb_->add_option_function<std::vector<std::string>>(names, std::move(use), help));
+  return Option(verb_->add_option_function<std::vector<std::string>>(names, use, help));
 }
 
 void Verb::when_chosen(std::function<void()> run) const {

@@ -44,13 +44,16 @@ public:
   Verb(CLI::App& app, const std::string& name, const std::string& help);
 
   Option flag(const std::string& names, bool& target, const std::string& help) const;
+  /// A flag that calls `use` where it is given.
+  Option flag(const std::string& names, const std::function<void()>& use,
+              const std::string& help) const;
   /// `Value` is one of those that verb.cpp instantiates.
   template <class Value>
   Option option(const std::string& names, Value& target, const std::string& help) const;
-  Option text_option(const std::string& names, std::function<void(const std::string&)> use,
+  Option text_option(const std::string& names, const std::function<void(const std::string&)>& use,
                      const std::string& help) const;
   Option list_option(const std::string& names,
-                     std::function<void(const std::vector<std::string>&)> use,
+                     const std::function<void(const std::vector<std::string>&)>& use,
                      const std::string& help) const;
 
   void when_chosen(std::function<void()> run) const;

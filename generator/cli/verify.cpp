@@ -11,6 +11,7 @@
 #include "generator/cli/result_table.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/system.hpp"
+#include "generator/report/json_text.hpp"
 #include "model/common/content_hash.hpp"
 #include "verilator_tb/waves.hpp"
 
@@ -193,7 +194,7 @@ void run(const VerifyCommand& command) {
   tb::VerifyReport report = run_with_table(design, *loaded.data, rtl, options, command);
   report.inputs = model::input_sources(*loaded.data, loaded.scene.graph.inputs());
   show_progress("");
-  print(command.scene.json ? to_json(report).dump(2) + "\n" : to_text(report));
+  print(command.scene.json ? report::json_text(to_json(report)) : to_text(report));
   if (!report.passed()) throw Exit(ExitCode::refuted);
 }
 

@@ -141,13 +141,23 @@ private:
     MIXCMP_TRY(store, model::ResultStore::open(options_.store));
     for (Measurement& row : planned_) {
       MIXCMP_TRY(result, store.find(row.hash));
-      if (!result) continue;
+      if (!result) {
+        if (report_.failed.empty() && report_.interrupted_by == 0) return lost(row);
+        continue;
+      }
       row.area = result->area;
       row.clock = result->clock;
       if (times() && !row.clock) report_.no_clock[result->no_clock].push_back(label(row.key));
       report_.table.rows.push_back(std::move(row));
     }
     return Done{};
+  }
+
+  model::Error lost(const Measurement& row) const {
+    return {.file = options_.store.string(),
+            .message = "the store has lost a result of this run",
+            .received = "none for " + label(row.key),
+            .accepted = "a file that nothing else removes or replaces"};
   }
 
   void keep_previous() {

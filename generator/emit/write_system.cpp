@@ -21,7 +21,8 @@ using model::ScratchFolder;
 /// the constraint. It reads only two fields, so signatures of other versions serve as well.
 std::set<std::string> files_of_previous_output(const fs::path& directory) {
   std::set<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
+  std::error_code unreadable;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory, unreadable)) {
     if (entry.path().extension() != ".json" || !entry.is_regular_file()) continue;
     std::ifstream stream(entry.path());
     const nlohmann::json signature = nlohmann::json::parse(stream, nullptr, false);
@@ -54,7 +55,7 @@ Result<Done> check_replaceable(const fs::path& directory) {
                  .accepted = "another directory"};
   }
   const std::set<std::string> ours = files_of_previous_output(directory);
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory, failed)) {
     const bool known = ours.count(entry.path().filename().string()) > 0;
     if (known && fs::is_regular_file(entry.symlink_status())) continue;
     return Error{.file = directory.string(),
@@ -62,6 +63,7 @@ Result<Done> check_replaceable(const fs::path& directory) {
                  .received = entry.path().filename().string(),
                  .accepted = "a new or empty directory, or a previous output of generate"};
   }
+  if (failed) return cannot_write(directory, failed.value());
   return Done{};
 }
 

@@ -39,6 +39,16 @@ nlohmann::ordered_json to_json(const Exploration& exploration) {
           {"columns", std::move(columns)}};
 }
 
+nlohmann::ordered_json to_json(const std::vector<SoftwareThroughput>& software) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const SoftwareThroughput& each : software) {
+    all.push_back({{"title", each.title},
+                   {"one_core_per_s", each.one_core_per_s},
+                   {"all_cores_per_s", each.all_cores_per_s}});
+  }
+  return all;
+}
+
 std::string scenarios_csv(const Exploration& exploration) {
   std::string text =
       "data_set,clocks,scenario,precision,lanes,references,clock_mhz,recomputation_rate,"

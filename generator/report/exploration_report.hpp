@@ -2,12 +2,15 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
+#include "generator/report/paper_tables.hpp"
 #include "model/optimise/exploration.hpp"
 
 namespace mixcmp::report {
 
 nlohmann::ordered_json to_json(const model::Exploration& exploration);
+nlohmann::ordered_json to_json(const std::vector<SoftwareThroughput>& software);
 
 /// CSV with the columns data_set, clocks, scenario, precision, lanes, references, clock_mhz,
 /// recomputation_rate, throughput_per_s, gain.

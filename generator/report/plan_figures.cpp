@@ -174,13 +174,12 @@ std::string figure7_script(const Optimisation& optimisation) {
 }
 
 std::string figure8_script(const Optimisation& optimisation) {
-  Picture picture{
-      where(optimisation) + ": clock of a lane, " + std::string(to_string(optimisation.basis)),
-      x_label,
-      "MHz",
-      "set xtics 4\n",
-      {},
-      Axis::linear};
+  Picture picture{where(optimisation) + ": clock of a lane, " + describe_clocks(optimisation),
+                  x_label,
+                  "MHz",
+                  "set xtics 4\n",
+                  {},
+                  Axis::linear};
   picture.curves = curves_by_kind(
       optimisation, [](const Measurement& row) { return row.clock ? row.clock->mhz : 0.0; });
   int color = 0;

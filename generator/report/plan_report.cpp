@@ -109,7 +109,7 @@ std::string to_text(const Optimisation& optimisation) {
       optimisation.clocks.domains == ClockDomains::single
           ? "one clock domain"
           : "lanes and references on clocks of their own",
-      to_string(optimisation.basis));
+      describe_clocks(optimisation));
   for (const PrecisionPlan& plan : optimisation.plans) {
     text += row(plan, &plan == optimisation.best());
   }
@@ -127,7 +127,7 @@ Json to_json(const Optimisation& optimisation) {
   Json report = {{"scene", optimisation.scene},
                  {"device", optimisation.device.name},
                  {"slack", optimisation.slack},
-                 {"clock_basis", to_string(optimisation.basis)},
+                 {"clock_basis", describe_clocks(optimisation)},
                  {"one_clock_domain", optimisation.clocks.domains == ClockDomains::single},
                  {"plans", Json::array()},
                  {"best", nullptr},

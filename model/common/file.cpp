@@ -5,13 +5,17 @@
 
 namespace mixcmp::model {
 
+bool path_exists(const std::filesystem::path& path) {
+  std::error_code unknown;
+  return std::filesystem::exists(path, unknown);
+}
+
 Result<Done> check_readable(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(path, ignored) && std::ifstream(path)) return Done{};
   return Error{.file = path.string(),
                .message = "cannot read the file",
-               .received = std::filesystem::exists(path, ignored) ? "no readable regular file"
-                                                                  : "no such file",
+               .received = path_exists(path) ? "no readable regular file" : "no such file",
                .accepted = "a readable file"};
 }
 

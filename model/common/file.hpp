@@ -7,6 +7,10 @@
 
 namespace mixcmp::model {
 
+/// Whether a file or a folder has this path; no if the path cannot be followed (a name too long, a
+/// folder that may not be searched).
+bool path_exists(const std::filesystem::path& path);
+
 Result<Done> check_readable(const std::filesystem::path& path);
 
 /// Reads all bytes of a regular file.

@@ -13,6 +13,8 @@
 #include <thread>
 #include <utility>
 
+#include "model/common/check.hpp"
+
 namespace mixcmp::model {
 namespace {
 
@@ -108,8 +110,11 @@ struct StartFailure {
 
 int reap(pid_t process) {
   int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
+  pid_t ended = 0;
+  do {
+    ended = waitpid(process, &status, 0);
+  } while (ended < 0 && errno == EINTR);
+  MIXCMP_CHECK(ended == process);
   return status;
 }
 

@@ -33,7 +33,7 @@ Result<Exploration> explore(const Scene& scene, const Device& device, const Char
     MIXCMP_TRY(for_worst, optimise(scene, device, table, worst, counted));
     const bool given = example.basis == ClockBasis::given;
     ResultsAtClocks column{
-        .title = given ? title : fmt::format("{}, clocks: {}", title, to_string(example.basis)),
+        .title = given ? title : fmt::format("{}, clocks: {}", title, describe_clocks(example)),
         .clocks = clocks,
         .example = std::move(example),
         .scenario_1 = {},

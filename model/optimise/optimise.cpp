@@ -65,6 +65,15 @@ std::string_view to_string(ClockBasis basis) {
   MIXCMP_CHECK(false);
 }
 
+std::string describe_clocks(const Optimisation& optimisation) {
+  const std::string basis(to_string(optimisation.basis));
+  const bool lanes = optimisation.clocks.lane_mhz.has_value();
+  const bool references = optimisation.clocks.reference_mhz.has_value();
+  if (lanes == references) return basis;
+  return lanes ? "given for lanes; for references: " + basis
+               : "given for references; for lanes: " + basis;
+}
+
 double PrecisionPlan::throughput_per_s() const {
   const Allocation* chosen = allocation();
   return chosen == nullptr ? 0 : chosen->throughput_per_s;

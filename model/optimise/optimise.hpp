@@ -73,7 +73,7 @@ struct Optimisation {
   double slack = 0;
   double target_mhz = 0;  ///< the clock for which registers were placed
   ClockChoice clocks;
-  ClockBasis basis = ClockBasis::target;
+  ClockBasis basis = ClockBasis::target;  ///< of those that are not given
   std::vector<ReferenceImplementation> references;
   std::vector<PrecisionPlan> plans;  ///< by precision; without usable lanes: left out
   AllocationResult reference_only;   ///< as many references as fit: the paper's baseline
@@ -84,6 +84,10 @@ struct Optimisation {
   /// feasible.
   const PrecisionPlan* best() const;
 };
+
+/// Where the clocks come from: "estimate before routing", or "given for lanes; for references:
+/// estimate before routing" if one clock is given and the other is not.
+std::string describe_clocks(const Optimisation& optimisation);
 
 /// Runs Algorithm 1. It is an error if the table has no lane or no reference for these options, or
 /// no lane of it has a known rate.

@@ -65,7 +65,7 @@ std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& pla
       "throughput_per_s = {:.6g}\nclock_mhz = {:.6g}\nclock_basis = \"{}\"\n"
       "recomputation_rate = {:.6g}\nslack = {:g}\n",
       optimisation.scene, optimisation.device.name, source.command, toml_string(source.scene_file),
-      plan.throughput_per_s(), plan.clock_mhz(), to_string(optimisation.basis),
+      plan.throughput_per_s(), plan.clock_mhz(), describe_clocks(optimisation),
       plan.recomputation_rate(), optimisation.slack);
   for (const Resource& resource : bounded_resources) {
     text += fmt::format("{} = {}\n", resource.name, chosen.used.*resource.amount);

@@ -53,7 +53,7 @@ std::optional<std::string> read_row(const std::vector<std::string>& fields, Row&
 
 double Rate::value() const {
   constexpr double rule_of_three = 3;
-  const double total = static_cast<double>(comparisons);
+  const auto total = static_cast<double>(comparisons);
   if (undecided == 0) return std::min(1.0, rule_of_three / total);
   return static_cast<double>(undecided) / total;
 }
@@ -78,7 +78,12 @@ Result<Rates> Rates::read(const std::filesystem::path& path) {
   MIXCMP_TRY(text, read_file(path));
   std::istringstream stream(text);
   std::string line;
-  std::getline(stream, line);
+  const auto next_line = [&] {
+    const bool read = static_cast<bool>(std::getline(stream, line));
+    if (line.ends_with('\r')) line.pop_back();
+    return read;
+  };
+  next_line();
   if (line != header) {
     return Error{.file = path.string(),
                  .line = 1,
@@ -88,7 +93,7 @@ Result<Rates> Rates::read(const std::filesystem::path& path) {
                  .accepted = std::string("figure5.csv of mixcmp profile: ") + header};
   }
   Rates rates;
-  for (int number = 2; std::getline(stream, line); ++number) {
+  for (int number = 2; next_line(); ++number) {
     Row row;
     const std::vector<std::string> fields = split(line);
     if (fields.size() > 2 && (fields[2] == "lanes_alone" || fields[2] == "reference")) continue;

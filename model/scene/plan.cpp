@@ -23,9 +23,10 @@ Result<fs::path> scene_of(const Setting& key, const std::vector<fs::path>& from)
   const auto* name = std::get_if<std::string>(&key.value);
   if (name == nullptr || name->empty()) return wrong("not a path");
   fs::path scene = (from.back().parent_path() / *name).lexically_normal();
-  if (!fs::is_regular_file(scene)) return wrong("there is no such file");
+  std::error_code absent;
+  if (!fs::is_regular_file(scene, absent)) return wrong("there is no such file");
   for (const fs::path& plan : from) {
-    if (fs::equivalent(scene, plan)) return wrong("a plan cannot be its own scene");
+    if (fs::equivalent(scene, plan, absent)) return wrong("a plan cannot be its own scene");
   }
   return scene;
 }

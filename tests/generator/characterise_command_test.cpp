@@ -47,6 +47,23 @@ TEST_F(CharacteriseCommand, MeasuresOnceAndTheTableIsTheSame) {
   EXPECT_EQ(read("characterisation/scene-virtex6-lx760.csv"), text);
 }
 
+/// To SQLite, ":memory:" and "file:x" are no paths: then what a run measures would be lost.
+TEST_F(CharacteriseCommand, AnyNameOfAStoreIsAPath) {
+  for (const std::string store : {":memory:", "file:x"}) {
+    const Outcome run = characterise_into(store, two_lanes + " -o table.csv", fake(""));
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_TRUE(std::filesystem::is_regular_file(path(store)));
+    EXPECT_EQ(model::read_characterisation(path("table.csv"))->rows.size(), 2u);
+    std::filesystem::remove(path("table.csv"));
+  }
+}
+
+TEST_F(CharacteriseCommand, ATableIsNoFileOfTheStore) {
+  const Outcome run = characterise_into("s", two_lanes + " -o s-journal", fake(""));
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_NE(run.output.find("would be written over"), std::string::npos) << run.output;
+}
+
 TEST_F(CharacteriseCommand, MeasuresWithTheRealYosys) {
   if (!has_yosys()) GTEST_SKIP() << "yosys is not installed";
   const Outcome run = characterise(two_lanes + " --device ice40-hx8k -o table.csv");

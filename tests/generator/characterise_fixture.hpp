@@ -69,9 +69,14 @@ protected:
 
   /// Two lanes and a crossbar, unless the arguments say otherwise.
   Outcome characterise(const std::string& arguments, const std::string& environment = "") {
+    return characterise_into("s.sqlite", arguments, environment);
+  }
+
+  Outcome characterise_into(const std::string& store, const std::string& arguments,
+                            const std::string& environment) {
     return mixcmp(
-        "characterise scene.toml --store s.sqlite --area-only --bounds relative "
-        "--inputs exact --multipliers logic --jobs 2 " +
+        "characterise scene.toml --store " + store +
+            " --area-only --bounds relative --inputs exact --multipliers logic --jobs 2 " +
             arguments,
         environment);
   }

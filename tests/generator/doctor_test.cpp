@@ -59,6 +59,15 @@ TEST_F(Doctor, AGappaThatProvesWhatIsFalseIsOfNoUse) {
   EXPECT_NE(run.output.find("gappa proves what is false"), std::string::npos) << run.output;
 }
 
+/// A parent may have told the system to forget how children end.
+TEST_F(Doctor, FindsToolsWhereTheParentIgnoresItsChildren) {
+  const Outcome usual = mixcmp("doctor");
+  const Outcome ignoring = shell(
+      fmt::format("perl -e '$SIG{{CHLD}} = \"IGNORE\"; exec @ARGV' '{}' doctor", MIXCMP_PROGRAM));
+  EXPECT_EQ(ignoring.exit_code, usual.exit_code);
+  EXPECT_EQ(ignoring.output, usual.output);
+}
+
 TEST_F(Doctor, GtkwaveIsNotAskedForItsVersion) {
   EXPECT_TRUE(entry("gtkwave", instead_of("gtkwave", "exit 1")).at("found"));
 }

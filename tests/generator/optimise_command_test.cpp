@@ -95,6 +95,15 @@ TEST_F(OptimiseCommand, GlpkWouldReadItsProgram) {
   EXPECT_NE(program.find("lut"), std::string::npos);
 }
 
+TEST_F(OptimiseCommand, RatesMayHaveTheLineEndsOfASpreadsheet) {
+  write("rates.csv",
+        "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\r\n"
+        "exact,8,relative,1000,10,0.01,0,0\r\n");
+  const Outcome found = mixcmp("optimise scene.toml --last 8 --rates rates.csv --json");
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  EXPECT_DOUBLE_EQ(json_of(found).at("plans")[0].at("recomputation_rate"), 0.01);
+}
+
 TEST_F(OptimiseCommand, RatesMayComeFromAProfile) {
   std::ofstream(path("rates.csv"))
       << "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\n"
@@ -112,6 +121,15 @@ TEST_F(OptimiseCommand, ADeviceTooSmallIsToldWithWhatIsShort) {
   EXPECT_EQ(found.exit_code, 2) << found.output;
   EXPECT_NE(found.output.find("lut"), std::string::npos) << found.output;
   EXPECT_FALSE(fs::exists(path("plan.toml")));
+}
+
+TEST_F(OptimiseCommand, AnOlderPlanThatStaysIsTold) {
+  write_table("scene-ice40-up5k.csv", "ice40-up5k");
+  write("plan.toml", "old\n");
+  const Outcome found = mixcmp("optimise scene.toml --device ice40-up5k --last 14 -o plan.toml");
+  EXPECT_EQ(found.exit_code, 2) << found.output;
+  EXPECT_NE(found.output.find("plan.toml: not written"), std::string::npos) << found.output;
+  EXPECT_EQ(read("plan.toml"), "old\n");
 }
 
 TEST_F(OptimiseCommand, TheBestVariantIsChosenAndThePlanNamesIt) {
@@ -157,6 +175,7 @@ TEST_F(OptimiseCommand, AVariantThatCannotBePlannedIsLeftOutUnlessItIsAsked) {
 TEST_F(OptimiseCommand, MistakesAreTold) {
   expect_refused("optimise scene.toml --device artix7-200t", "mixcmp characterise scene.toml");
   expect_refused("optimise scene.toml --table characterisation/none.csv", "no such file");
+  expect_refused("optimise scene.toml --table " + std::string(300, 'n'), "no such file");
   expect_refused("optimise scene.toml --use-inputs wrong", "--use-inputs");
   expect_refused("optimise scene.toml --use-bounds running_4", "no lane");
   for (const char* clock : {"0", "-5", "nan", "inf"}) {
@@ -346,6 +365,60 @@ TEST_F(OptimiseCommand, ExploreReplacesNoInput) {
   expect_refused("explore out/virtex6-lx760/plan_scenario_2.toml -o out" + table,
                  "would be written over");
   EXPECT_EQ(read("out/virtex6-lx760/plan_scenario_2.toml"), plan);
+}
+
+TEST_F(OptimiseCommand, ExploreCountsWithTheClocksOfItsCommand) {
+  const std::string clocks = " --last 14 --lane-mhz 777 --reference-mhz 333";
+  for (const char* domains : {"", " --separate-clocks"}) {
+    const Outcome explored = mixcmp("explore scene.toml --json -o out" + clocks + domains);
+    const Outcome planned = mixcmp("optimise scene.toml --json" + clocks + domains);
+    ASSERT_EQ(explored.exit_code, 0) << explored.output;
+    const auto column = json_of(explored).at("columns").at(0);
+    const auto plans = json_of(planned).at("plans");
+    double best = 0;
+    for (const auto& plan : plans) best = std::max(best, plan.at("throughput_per_s").get<double>());
+    EXPECT_EQ(column.at("scenario_2").at("throughput_per_s"), best) << domains;
+    EXPECT_EQ(column.at("title"), "ours");
+  }
+}
+
+TEST_F(OptimiseCommand, AClockThatIsGivenIsNoEstimate) {
+  const Outcome found = mixcmp("optimise scene.toml --last 14 --lane-mhz 50 -o plan.toml");
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  const std::string basis = "given for lanes; for references: target, not measured";
+  EXPECT_NE(found.output.find(basis), std::string::npos) << found.output;
+  EXPECT_NE(read("plan.toml").find("clock_basis = \"" + basis), std::string::npos);
+  EXPECT_EQ(mixcmp("check plan.toml").exit_code, 0);
+}
+
+TEST_F(OptimiseCommand, APlanNamesNoPathThatItCannotHold) {
+  const fs::path folder = path("caf\xe9");
+  fs::create_directory(folder);
+  fs::copy_file(path("scene.toml"), folder / "scene.toml");
+  const Outcome run =
+      shell(fmt::format("cd '{}' && '{}' optimise scene.toml --last 14 -o ../plan.toml --table "
+                        "../characterisation/scene-virtex6-lx760.csv",
+                        folder.string(), MIXCMP_PROGRAM));
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_NE(run.output.find("not UTF-8"), std::string::npos) << run.output;
+  EXPECT_FALSE(fs::exists(path("plan.toml")));
+}
+
+TEST_F(OptimiseCommand, ExploreTellsOfFoldersThatItLeaves) {
+  write_table("scene-virtex5-lx330t.csv", "virtex5-lx330t");
+  ASSERT_EQ(mixcmp("explore scene.toml --last 14 -o out").exit_code, 0);
+  const Outcome other = mixcmp("explore scene.toml --last 14 -o out --on virtex5-lx330t");
+  ASSERT_EQ(other.exit_code, 0) << other.output;
+  EXPECT_NE(other.output.find("out/virtex6-lx760 is of an earlier run"), std::string::npos)
+      << other.output;
+}
+
+TEST_F(OptimiseCommand, ExploreTellsThatItLeavesVariantsOut) {
+  std::ofstream(path("scene.toml"), std::ios::app)
+      << "[[variant]]\nname = \"same\"\ng = \"(rj + ri)^2\"\n";
+  const Outcome run = mixcmp("explore scene.toml --last 14 -o out");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("note: variants left out"), std::string::npos) << run.output;
 }
 
 TEST_F(OptimiseCommand, ExploreHasAFolderForEachDevice) {
