@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <future>
 
+#include "generator/emit/system.hpp"
 #include "model/design/engine_data.hpp"
 #include "verilator_tb/arg_min_verify.hpp"
 #include "verilator_tb/engine_verify.hpp"
@@ -35,72 +36,19 @@ struct Run {
   Judge& judge;
 };
 
-std::string groups_in(const gen::Signature& signature) {
-  std::string groups;
-  for (const gen::SignatureLanes& group : signature.lane_groups) {
-    groups +=
-        fmt::format("{}{} in {}", groups.empty() ? "" : ", ", group.count, group.format.name());
-  }
-  return groups;
-}
-
-std::string groups_in(const model::Design& design) {
-  std::string groups;
-  for (const model::LaneGroup& group : design.lanes) {
-    groups += fmt::format("{}{} in {}", groups.empty() ? "" : ", ", group.count,
-                          group.lane.arithmetic().format.name());
-  }
-  return groups;
-}
-
-/// Checks that the system in the folder is the one that the design describes.
-model::Result<model::Done> check_signature(const System& system, const model::Design& design) {
-  const gen::Signature& s = system.signature;
-  const auto differs = [&](const char* field, const std::string& there, const std::string& here) {
-    return model::Error{.file = system.directory.string(),
-                        .field = field,
-                        .message = "this system was generated from another design; generate again",
-                        .received = there,
-                        .accepted = here};
+/// Checks that the system in the folder is what this version generates from the design.
+model::Result<model::Done> check_origin(const System& system, const model::Design& design) {
+  MIXCMP_TRY(expected, gen::generate_system(design, ""));
+  const auto origin = [](const gen::Signature& signature) {
+    return fmt::format("{} of version {}, hash {}", signature.top, signature.generator_version,
+                       signature.spec_hash);
   };
-  const std::string format = design.reference.input_format().name();
-  const auto lanes = std::to_string(design.lane_count());
-  if (std::to_string(s.lanes) != lanes) return differs("lanes", std::to_string(s.lanes), lanes);
-  if (groups_in(s) != groups_in(design)) {
-    return differs("lane_groups", groups_in(s), groups_in(design));
-  }
-  const auto references = std::to_string(design.reference_count());
-  if (std::to_string(s.references) != references) {
-    return differs("references", std::to_string(s.references), references);
-  }
-  if (s.reference_format.name() != format) {
-    return differs("reference_format", s.reference_format.name(), format);
-  }
-  if (s.inputs != design.inputs) {
-    return differs("inputs", fmt::format("{} inputs", s.inputs.size()),
-                   fmt::format("the scene's {}, in its order", design.inputs.size()));
-  }
-  const auto kind = s.engine ? s.engine->kind : model::EngineKind::none;
-  const model::EngineSpec& engine = design.system.engine;
-  if (kind != engine.kind) {
-    return differs("engine.kind", std::string(to_string(kind)),
-                   std::string(to_string(engine.kind)));
-  }
-  // The capacity of an arg-min engine follows from its lanes.
-  const int capacity = s.engine ? s.engine->capacity : 0;
-  const int expected = engine.kind == model::EngineKind::pairwise ? engine.capacity : capacity;
-  if (capacity != expected) {
-    return differs("engine.capacity", std::to_string(capacity), std::to_string(expected));
-  }
-  const int needed = (static_cast<int>(s.inputs.size()) * s.reference_format.width() + 7) / 8;
-  if (s.tdata_bytes < needed) {
-    return differs("tdata_bytes", std::to_string(s.tdata_bytes), std::to_string(needed));
-  }
-  const bool refetched = s.operands == model::OperandStore::refetched && s.references > 0;
-  if (refetched && s.tag_bits < 16 && (1 << s.tag_bits) < s.lanes) {
-    return differs("tag_bits", std::to_string(s.tag_bits), "at least one tag for each lane");
-  }
-  return model::Done{};
+  const std::string there = origin(system.signature), here = origin(expected.signature);
+  if (there == here) return model::Done{};
+  return model::Error{.file = system.directory.string(),
+                      .message = "was generated from another design or by another version",
+                      .received = there,
+                      .accepted = here + ": generate it again"};
 }
 
 model::Result<model::Done> check_selection(const model::Comparisons& comparisons,
@@ -243,12 +191,9 @@ model::Result<model::Done> check_request(const model::Design& design,
   return check_engine_data(design.system.engine, design.lane_count(), comparisons);
 }
 
-model::Result<VerifyReport> verify(const model::Design& design,
-                                   const model::Comparisons& comparisons,
-                                   const fs::path& generated_dir, const VerifyOptions& options) {
-  MIXCMP_TRY(requested, check_request(design, comparisons, options));
-  MIXCMP_TRY(system, load_system(generated_dir));
-  MIXCMP_TRY(checked, check_signature(system, design));
+model::Result<VerifyReport> judge_system(const System& system, const model::Design& design,
+                                         const model::Comparisons& comparisons,
+                                         const VerifyOptions& options) {
   if (options.waves.empty()) return run_system(system, design, comparisons, options);
   MIXCMP_TRY(waves, WaveFile::open(options.waves));
   VerifyOptions with_waves = options;
@@ -256,6 +201,15 @@ model::Result<VerifyReport> verify(const model::Design& design,
   MIXCMP_TRY(report, run_system(system, design, comparisons, with_waves));
   MIXCMP_TRY(kept, waves.commit());
   return report;
+}
+
+model::Result<VerifyReport> verify(const model::Design& design,
+                                   const model::Comparisons& comparisons,
+                                   const fs::path& generated_dir, const VerifyOptions& options) {
+  MIXCMP_TRY(requested, check_request(design, comparisons, options));
+  MIXCMP_TRY(system, load_system(generated_dir));
+  MIXCMP_TRY(of_design, check_origin(system, design));
+  return judge_system(system, design, comparisons, options);
 }
 
 }  // namespace mixcmp::tb

@@ -9,6 +9,7 @@
 #include "model/data/comparisons.hpp"
 #include "model/design/design.hpp"
 #include "model/number/verdict.hpp"
+#include "verilator_tb/build.hpp"
 #include "verilator_tb/report.hpp"
 #include "verilator_tb/selection.hpp"
 #include "verilator_tb/system_simulation.hpp"
@@ -67,8 +68,15 @@ model::Result<model::Done> check_request(const model::Design& design,
                                          const model::Comparisons& comparisons,
                                          const VerifyOptions& options);
 
-/// Runs the system in `generated_dir` on the comparisons and compares every result with the golden
-/// model. An error means that the system could not be run; wrong results are in the report.
+/// Runs a system on the comparisons and compares every result with the golden model of `design`,
+/// wherever the system comes from. An error means that it could not be run; wrong results are in
+/// the report.
+model::Result<VerifyReport> judge_system(const System& system, const model::Design& design,
+                                         const model::Comparisons& comparisons,
+                                         const VerifyOptions& options);
+
+/// Checks the request, and that `generated_dir` holds what this version generates from the design;
+/// then judges it.
 model::Result<VerifyReport> verify(const model::Design& design,
                                    const model::Comparisons& comparisons,
                                    const std::filesystem::path& generated_dir,

@@ -31,15 +31,18 @@ public:
                    .value = {}});
   }
 
-  /// The smallest number of the format that is not below `value` >= 0.
+  /// The smallest number of the format that is not below `value` >= 0, or infinity, which stands
+  /// for any number that overflows.
   NodeId constant_above(const mpq_class& value) {
     const FloatFormat format = graph_.arithmetic.format;
     const Bits rounded = round_up(graph_.arithmetic, value);
-    return append({.operation = Operation::constant,
-                   .operand_format = format,
-                   .format = format,
-                   .constant = rounded,
-                   .value = to_rational(format, rounded)});
+    const mpq_class overflowing = 2 * to_rational(format, format.largest_finite(false));
+    return append(
+        {.operation = Operation::constant,
+         .operand_format = format,
+         .format = format,
+         .constant = rounded,
+         .value = format.is_infinite(rounded) ? overflowing : to_rational(format, rounded)});
   }
 
   /// |computed| * relative_error.

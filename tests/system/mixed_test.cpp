@@ -111,10 +111,11 @@ TEST_P(MixedInVerilator, TheGoldenModelOfAnotherKindIsFoundOut) {
   model::Design mistaken = design;
   std::swap(mistaken.lanes[0].lane, mistaken.lanes[1].lane);
   const std::filesystem::path rtl = generate_to(design, "mistaken_" + name_of(GetParam()));
-  const auto report = tb::verify(mistaken, pairs_of_spheres(design), rtl,
-                                 {.simulator = GetParam().simulator,
-                                  .work_dir = test_work_dir("builds"),
-                                  .selection = {.limit = 1'000}});
+  const auto report =
+      tb::judge_system(tb::load_system(rtl).value(), mistaken, pairs_of_spheres(design),
+                       {.simulator = GetParam().simulator,
+                        .work_dir = test_work_dir("builds"),
+                        .selection = {.limit = 1'000}});
   ASSERT_TRUE(report.ok()) << report.error().to_string();
   EXPECT_FALSE(report->passed());
   EXPECT_GT(report->groups[0].mismatches, 0u);

@@ -15,6 +15,7 @@
 namespace mixcmp::tb {
 namespace {
 
+using model::ResultWord;
 using model::Verdict;
 using test::graph_of;
 

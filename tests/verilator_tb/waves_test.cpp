@@ -56,9 +56,9 @@ TEST_P(WavesOf, AreReadableAndTheSaveFileNamesWhatIsInThem) {
   const bool icarus = GetParam() == SimulatorKind::icarus;
   const fs::path waves = fs::absolute(fake_work_dir()) / (icarus ? "icarus.fst" : "verilator.fst");
   fs::remove(waves);
-  const auto report =
-      verify(fake_design(fake), fake_comparisons(200), folder,
-             {.simulator = GetParam(), .work_dir = fake_work_dir() / "builds", .waves = waves});
+  const auto report = judge_system(
+      load_system(folder).value(), fake_design(fake), fake_comparisons(200),
+      {.simulator = GetParam(), .work_dir = fake_work_dir() / "builds", .waves = waves});
   ASSERT_TRUE(report.ok()) << report.error().to_string();
   EXPECT_TRUE(report->passed());
 
@@ -95,8 +95,9 @@ TEST(Waves, OfHierarchicalBlocksShowTheInsideOfTheFirst) {
       .name = "refetching", .lanes = 3, .operands = model::OperandStore::refetched};
   const fs::path waves = fs::absolute(fake_work_dir()) / "hierarchical.fst";
   fs::remove(waves);
-  const auto report = verify(fake_design(fake), fake_comparisons(200), write_fake_system(fake),
-                             {.work_dir = fake_work_dir() / "builds", .waves = waves});
+  const auto report =
+      judge_system(load_system(write_fake_system(fake)).value(), fake_design(fake),
+                   fake_comparisons(200), {.work_dir = fake_work_dir() / "builds", .waves = waves});
   ASSERT_TRUE(report.ok()) << report.error().to_string();
   EXPECT_TRUE(report->passed());
   const fs::path vcd = fs::path(waves).replace_extension(".vcd");

@@ -153,12 +153,20 @@ TEST(UlpDistance, IsNeverDecidedWhereAnInputBreaksItsRange) {
   EXPECT_FALSE(decided(40, sign));
 }
 
-/// Equations 1-3 by hand: f = a, g = b, both constants 1/8.
-LaneResult decide_by_interval(const std::string& a, const std::string& b) {
+/// Equations 1-3 by hand: f = a, g = b, the constant of f is 1/8 unless it is given, that of g 1/8.
+LaneResult decide_by_interval(const std::string& a, const std::string& b,
+                              const mpq_class& relative_error_f = mpq_class(1, 8)) {
   const FloatFormat format = format_of(8, 6);
   TypedGraph typed = lane_graph(graph_of("a", "b"), format, {format}, LaneInputs::rounded);
-  const Lane lane = profiled_lane(std::move(typed), mpq_class(1, 8), mpq_class(1, 8));
+  const Lane lane = profiled_lane(std::move(typed), relative_error_f, mpq_class(1, 8));
   return evaluate_lane(lane, encode(format, {a, b}));
+}
+
+/// The largest number is 255/128 * 2^31.
+TEST(IntervalDecision, DecidesNothingWithAConstantBeyondTheFormat) {
+  const mpq_class largest = mpq_class(mpz_class(255) << 24);
+  EXPECT_TRUE(decide_by_interval("1e-7", "-1e7", largest).decided);
+  EXPECT_FALSE(decide_by_interval("1e-7", "-1e7", largest + 1).decided);
 }
 
 TEST(IntervalDecision, DecidesOutsideTheError) {
