@@ -29,7 +29,8 @@ Scene sphere_scene() {
 
 /// Of a thousand comparisons: what each system leaves undecided and errs at L = 8, 9, 10.
 Trade trade_of(const Scene& scene, const MeasuredAreas& areas) {
-  model::ErrorProfile errors;
+  model::ErrorProfile errors{
+      .comparisons = 1000, .precisions = {}, .no_f_bound = {}, .no_g_bound = {}};
   for (int precision = 8; precision <= 10; ++precision) {
     errors.precisions.push_back(
         {.precision = precision, .f = mpq_class(1, 50), .g = mpq_class(1, 50)});
