@@ -73,9 +73,9 @@ std::string truth_lines(const VerifyReport& r) {
 std::string totals(const VerifyReport& r) {
   std::string text;
   text += line("comparisons", fmt::format("{} of {}", r.comparisons, r.requested));
-  for (std::size_t k = 0; k < r.verdicts.size(); ++k) {
-    const auto name = to_string(static_cast<model::Verdict>(k));
-    text += line(std::string(name).c_str(), std::to_string(r.verdicts[k]));
+  for (const model::Verdict verdict : model::all_verdicts) {
+    const std::string name(to_string(verdict));
+    text += line(name.c_str(), std::to_string(r.verdicts[static_cast<std::size_t>(verdict)]));
   }
   if (r.references == 0) text += line("undecided", std::to_string(r.undecided));
   text +=
@@ -211,19 +211,20 @@ Json to_json(const Latency& latency) {
           {"mean_cycles", latency.mean_cycles()}};
 }
 
-Json to_json(const GroupReport& group) {
-  return {{"name", group.name},
-          {"lanes", group.lanes},
-          {"certified", group.certified},
-          {"comparisons", group.comparisons},
-          {"undecided", group.undecided},
-          {"recomputations", group.recomputations},
-          {"recomputation_rate", ratio(group.recomputations, group.comparisons)},
-          {"decided_latency", to_json(group.latencies.decided)},
-          {"recomputed_latency", to_json(group.latencies.recomputed)},
-          {"undecided_latency", to_json(group.latencies.undecided)},
-          {"mismatches", group.mismatches},
-          {"wrong_by_lane", group.wrong_by_lane}};
+Json to_json(const GroupReport& group, bool with_truth) {
+  Json json = {{"name", group.name},
+               {"lanes", group.lanes},
+               {"certified", group.certified},
+               {"comparisons", group.comparisons},
+               {"undecided", group.undecided},
+               {"recomputations", group.recomputations},
+               {"recomputation_rate", ratio(group.recomputations, group.comparisons)},
+               {"decided_latency", to_json(group.latencies.decided)},
+               {"recomputed_latency", to_json(group.latencies.recomputed)},
+               {"undecided_latency", to_json(group.latencies.undecided)},
+               {"mismatches", group.mismatches}};
+  if (with_truth) json["wrong_by_lane"] = group.wrong_by_lane;
+  return json;
 }
 
 /// Adds the figures that only a system with an engine has.
@@ -328,9 +329,9 @@ Json to_json(const VerifyReport& r) {
                {"requested", r.requested},   {"comparisons", r.comparisons}};
   json["inputs"] = Json::array();
   for (const model::InputSource& input : r.inputs) json["inputs"].push_back(to_json(input));
-  for (std::size_t k = 0; k < r.verdicts.size(); ++k) {
-    const auto name = to_string(static_cast<model::Verdict>(k));
-    json["verdicts"][std::string(name)] = r.verdicts[k];
+  for (const model::Verdict verdict : model::all_verdicts) {
+    const std::string name(to_string(verdict));
+    json["verdicts"][name] = r.verdicts[static_cast<std::size_t>(verdict)];
   }
   json["undecided"] = r.undecided;
   json["recomputations"] = r.recomputations;
@@ -341,7 +342,8 @@ Json to_json(const VerifyReport& r) {
   json["decided_latency"] = to_json(r.latencies.decided);
   json["recomputed_latency"] = to_json(r.latencies.recomputed);
   json["undecided_latency"] = to_json(r.latencies.undecided);
-  for (const GroupReport& group : r.groups) json["lane_groups"].push_back(to_json(group));
+  for (const GroupReport& group : r.groups)
+    json["lane_groups"].push_back(to_json(group, r.truth.has_value()));
   for (const CounterTotal& counter : r.counters) {
     json["counters"][counter.name] = {{"counted", counter.counted}, {"observed", counter.observed}};
   }

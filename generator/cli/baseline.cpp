@@ -27,10 +27,11 @@ void add_options(const Verb& verb, BaselineCommand& command) {
       .check(within(model::limits::threads));
   verb.option("--rounds", command.run.rounds, "measurements of each kernel (default: 5)")
       .check(within({1, 1000}));
-  verb.option("--seconds", command.run.seconds, "that one measurement takes (default: 0.5)")
+  verb.option("--seconds", command.run.seconds,
+              "that one measurement takes, 0.001..600 (default: 0.5)")
       .check(between(0.001, 600, "S"));
   verb.option("--sample", command.run.sample,
-              "comparisons held against the golden model, about (default: 4096)")
+              "comparisons held against the golden model, about, 1..16777216 (default: 4096)")
       .check(whole(1, std::uint64_t{1} << 24));
   verb.option("--work", command.run.work,
               "folder that keeps source, program and logs (default: none are kept)");

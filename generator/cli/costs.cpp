@@ -11,6 +11,7 @@
 #include "model/common/scratch_folder.hpp"
 #include "model/error/combined_lane.hpp"
 #include "model/profile/profile.hpp"
+#include "model/profile/profiled_error.hpp"
 #include "model/scene/bound_choice.hpp"
 
 namespace mixcmp::cli {
@@ -66,7 +67,8 @@ BoundCost cost_of(const LoadedScene& loaded, const model::BoundChoice& choice,
   const Scene& scene = loaded.scene;
   const ReducedSpec reduced = with_bound(scene.reduced, choice);
   BoundCost cost{.name = to_string(choice)};
-  const auto lane = design_lane(scene, reduced, loaded.data ? &*loaded.data : nullptr);
+  const auto lane =
+      design_lane(scene, reduced, loaded.data ? &*loaded.data : nullptr, model::profile_error);
   if (!lane.ok()) {
     cost.decision = "does not exist: " + lane.error().message;
     return cost;

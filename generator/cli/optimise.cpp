@@ -27,8 +27,30 @@ struct OptimiseCommand {
   fs::path lp;
 };
 
+/// Refuses rates of another reference, and tells of other data, which may be meant.
+void check_origin(const model::Rates& rates, const fs::path& file, const LoadedScene& loaded) {
+  if (!rates.origin()) return;
+  const model::Rates::Origin& origin = *rates.origin();
+  const int precision = loaded.scene.reference.format.precision();
+  if (origin.reference_precision != precision) {
+    fail({.file = file.string(),
+          .field = "reference",
+          .message = "these rates are of another scene",
+          .received = fmt::format("a reference of {} digits", origin.reference_precision),
+          .accepted = fmt::format("the scene's, of {}", precision)});
+  }
+  if (loaded.data && loaded.data->size() != origin.comparisons) {
+    tell(fmt::format("note: {}: counted on {} comparisons; the scene's data have {}", file.string(),
+                     origin.comparisons, loaded.data->size()));
+  }
+}
+
 model::Rates rates_for(const OptimiseCommand& command, const LoadedScene& loaded) {
-  if (!command.rates.empty()) return value_or_exit(model::Rates::read(command.rates));
+  if (!command.rates.empty()) {
+    model::Rates rates = value_or_exit(model::Rates::read(command.rates));
+    check_origin(rates, command.rates, loaded);
+    return rates;
+  }
   return model::Rates::of(value_or_exit(measure_rates(loaded, command.planning.choice)));
 }
 

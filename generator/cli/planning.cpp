@@ -70,9 +70,8 @@ void warn_of_outdated(const Planning& planning, const model::Comparisons* data) 
       gen::check_currency(planning.table, planning.scene, data, planning.device);
   if (currency.outdated == 0) return;
   tell(
-      fmt::format("note: {} of {} rows of the table for {} were measured on other RTL than "
-                  "what is generated today",
-                  currency.outdated, currency.rows, planning.device.name));
+      fmt::format("note: {}: {} of {} rows were measured on other RTL than what is generated today",
+                  planning.table_path.filename().string(), currency.outdated, currency.rows));
 }
 
 /// Replaces measured errors by the constants that the scene gives: lanes of a plan have these at
@@ -144,7 +143,9 @@ void add_planning_options(const Verb& verb, PlanningOptions& options) {
   verb.list_option(
           "--use-bounds",
           [&choice](const std::vector<std::string>& names) { choice.bounds = parse_bounds(names); },
-          "error bounds to choose from: relative,running_4,running_1,constant (default: all)")
+          "error bounds to choose from: relative,running_1 to running_8,constant,profiled "
+          "(default: all "
+          "in the table)")
       .separated_by(',');
   verb.option("--use-multipliers", choice.multipliers,
               "multipliers to choose from: embedded,logic (default: both)")

@@ -38,7 +38,7 @@ void add_options(const Verb& verb, ProfileCommand& command) {
               "that is less)")
       .check(within(model::limits::lane_precision));
   verb.option("--samples", command.run.error_samples,
-              "comparisons that relative errors are measured on (default: 1000000)")
+              "comparisons that relative errors are measured on, 1..2^40 (default: 1000000)")
       .check(whole(1, std::uint64_t{1} << 40));
   verb.option("--threads", command.run.threads,
               "threads; results do not depend on them (default: one a processor)")

@@ -101,7 +101,8 @@ void add_prove_options(const Verb& verb, ProveOptions& options) {
       .separated_by(',')
       .check(within(model::limits::lane_precision))
       .needs(prove);
-  verb.option("--proof-seconds", options.seconds_a_script, "for each script, 10 if not given")
+  verb.option("--proof-seconds", options.seconds_a_script,
+              "for each script, 1e-6..1e6 (default: 10)")
       .check(between(1e-6, 1e6, "S"))
       .needs(prove);
 }

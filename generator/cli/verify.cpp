@@ -75,20 +75,22 @@ void add_options(const Verb& verb, VerifyCommand& command) {
   add_choice<tb::SimulatorKind>(
       verb, "--simulator", command.run.simulator,
       {{"verilator", tb::SimulatorKind::verilator}, {"icarus", tb::SimulatorKind::icarus}},
-      "verilator, or icarus for small systems");
+      "verilator, or icarus for small systems (default: verilator)");
   add_choice<tb::TrafficKind>(
       verb, "--traffic", command.run.traffic,
       {{"full_rate", tb::TrafficKind::full_rate}, {"stressed", tb::TrafficKind::stressed}},
-      "full_rate, or stressed: random gaps and backpressure");
-  verb.option("--resets", command.run.resets, "resets in mid-stream").check(whole(0, 1'000'000));
+      "full_rate, or stressed: random gaps and backpressure (default: full_rate)");
+  verb.option("--resets", command.run.resets, "resets in mid-stream, 0..1000000 (default: 0)")
+      .check(whole(0, 1'000'000));
   verb.option("--trace", command.run.waves,
               "write waves to this .fst file, beside it a GTKWave save file")
       .check({fst_path, ""});
-  add_choice<TruthOption>(verb, "--truth", command.truth,
-                          {{"off", TruthOption::off},
-                           {"recomputed", TruthOption::recomputed},
-                           {"all", TruthOption::all}},
-                          "hold verdicts also against exact arithmetic: off, recomputed, all");
+  add_choice<TruthOption>(
+      verb, "--truth", command.truth,
+      {{"off", TruthOption::off},
+       {"recomputed", TruthOption::recomputed},
+       {"all", TruthOption::all}},
+      "hold verdicts also against exact arithmetic: off, recomputed, all (default: off)");
   const Option csv = verb.option("--csv", command.csv, "write the verdicts as CSV");
   verb.list_option(
           "--csv-verdict",

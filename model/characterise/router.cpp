@@ -77,7 +77,7 @@ Result<Attempt> route_once(const Device& device, const std::filesystem::path& di
     return Attempt(std::move(refusal));
   }
   MIXCMP_TRY(parsed, read_json(directory / report));
-  MIXCMP_TRY(mhz, routed_mhz(parsed));
+  MIXCMP_TRY(mhz, in_file(routed_mhz(parsed), directory / report));
   if (mhz) return Attempt(*mhz);
   return Attempt(Refusal{"there is no path between registers"});
 }

@@ -57,7 +57,7 @@ Result<Area> map_alone(const Run& run) {
       read_sources(run.job), run.device.synthesis, top, top);
   MIXCMP_TRY(ran, run_yosys(run, "map", script));
   MIXCMP_TRY(statistics, read_json(run.directory / "area.json"));
-  MIXCMP_TRY(area, area_of_statistics(statistics));
+  MIXCMP_TRY(area, in_file(area_of_statistics(statistics), run.directory / "area.json"));
   if (run.is_ice40()) {
     MIXCMP_TRY(netlist, read_json(run.directory / "map.json"));
     area.luts = ice40_logic_cells(netlist, top);

@@ -64,6 +64,12 @@ std::string_view element_of(std::string_view line) {
 
 Result<Bits> read_coordinate(std::string_view line, Columns columns, std::string_view axis,
                              FloatFormat format) {
+  if (line.size() < static_cast<std::size_t>(columns.last)) {
+    return Error{.field = fmt::format("{} (columns {}-{})", axis, columns.first, columns.last),
+                 .message = "the line ends before it does",
+                 .received = fmt::format("{} columns", line.size()),
+                 .accepted = "a whole line"};
+  }
   Result<Bits> bits = read_number(format, field(line, columns));
   const bool finite = bits.ok() && !format.is_nan(*bits) && !format.is_infinite(*bits);
   if (finite) return bits;

@@ -394,7 +394,7 @@ Value Builder::applied(Operation operation, const Value& a, const Value& b) {
                                       : graph_.apply(operation, first, node_of(b));
   if (graph_.nodes().size() > max_nodes) {
     fail(a.column, "the expressions are too large", {},
-         fmt::format("at most {} different operations", max_nodes));
+         fmt::format("at most {} different operations, inputs and constants", max_nodes));
   }
   return result;
 }

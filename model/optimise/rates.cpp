@@ -96,7 +96,14 @@ Result<Rates> Rates::read(const std::filesystem::path& path) {
   for (int number = 2; next_line(); ++number) {
     Row row;
     const std::vector<std::string> fields = split(line);
-    if (fields.size() > 2 && (fields[2] == "lanes_alone" || fields[2] == "reference")) continue;
+    if (fields.size() > 3 && fields[2] == "reference") {
+      Origin origin;
+      const bool read = read_number(fields[1], origin.reference_precision) &&
+                        read_number(fields[3], origin.comparisons);
+      if (read) rates.origin_ = origin;
+      continue;
+    }
+    if (fields.size() > 2 && fields[2] == "lanes_alone") continue;
     if (const auto field = read_row(fields, row)) {
       return Error{.file = path.string(),
                    .line = number,

@@ -35,6 +35,12 @@ struct Rate {
 /// Recomputation rates of every kind of lane, by precision.
 class Rates {
 public:
+  /// The reference and the data that rates were counted with.
+  struct Origin {
+    int reference_precision = 0;
+    std::uint64_t comparisons = 0;
+  };
+
   static Rates of(const std::vector<RateProfile>& profiles);
   /// Reads figure5.csv as written by `mixcmp profile`. Errors name the line and the column.
   static Result<Rates> read(const std::filesystem::path& path);
@@ -44,11 +50,14 @@ public:
   void raise_to(const Rates& other);
 
   std::optional<Rate> find(const RateKey& key) const;
+  /// As the file tells in its row of the reference; none where it has none.
+  const std::optional<Origin>& origin() const { return origin_; }
   bool empty() const { return rates_.empty(); }
   std::vector<RateKey> keys() const;
 
 private:
   std::map<RateKey, Rate> rates_;
+  std::optional<Origin> origin_;
 };
 
 }  // namespace mixcmp::model

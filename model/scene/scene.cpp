@@ -187,13 +187,15 @@ void note_unused_keys(const Scene& scene, const Settings& settings,
   for (const std::string& key : overridden_keys(settings)) {
     notes.push_back(fmt::format("reduced.{} is not used: each of [[lanes]] has its own", key));
   }
+  bool errors_given = false;
   for (const LaneGroupSpec& group : scene.lane_groups()) {
     const ReducedSpec& reduced = group.reduced;
-    const bool errors_given = reduced.relative_error_f || reduced.relative_error_g;
-    if (!errors_given || reduced.bound == BoundKind::profiled) continue;
+    if (reduced.bound == BoundKind::profiled) return;
+    errors_given = errors_given || reduced.relative_error_f || reduced.relative_error_g;
+  }
+  if (errors_given) {
     notes.emplace_back(
         "reduced.relative_error_f and _g are not used: a certified bound proves its own");
-    return;
   }
 }
 

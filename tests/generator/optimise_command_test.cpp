@@ -115,6 +115,20 @@ TEST_F(OptimiseCommand, RatesMayComeFromAProfile) {
   EXPECT_DOUBLE_EQ(report.at("plans")[0].at("recomputation_rate"), 1e-4);
 }
 
+TEST_F(OptimiseCommand, RatesOfAnotherSceneAreNotTaken) {
+  const std::string header =
+      "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\n";
+  const std::string rate = "exact,8,relative,77,10,0.13,0,0\n";
+  write("other.csv", header + "exact,24,reference,77,0,0,0,0\n" + rate);
+  expect_refused("optimise scene.toml --last 8 --rates other.csv", "a reference of 24 digits");
+  write("more.csv", header + "exact,53,reference,77,0,0,0,0\n" + rate);
+  const Outcome told = mixcmp("optimise scene.toml --last 8 --rates more.csv");
+  EXPECT_EQ(told.exit_code, 0) << told.output;
+  EXPECT_NE(told.output.find("note: more.csv: counted on 77 comparisons; the scene's data have"),
+            std::string::npos)
+      << told.output;
+}
+
 TEST_F(OptimiseCommand, ADeviceTooSmallIsToldWithWhatIsShort) {
   write_table("scene-ice40-up5k.csv", "ice40-up5k");
   const Outcome found = mixcmp("optimise scene.toml --device ice40-up5k --last 14 -o plan.toml");

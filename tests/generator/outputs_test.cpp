@@ -308,6 +308,19 @@ TEST_F(Outputs, ATmpdirThatDoesNotExistIsNamed) {
   }
 }
 
+TEST_F(Outputs, CostsAreThoseOfTheProfiledLaneToo) {
+  const std::string yosys =
+      instead_of("yosys",
+                 "case \"$*\" in *-V*) echo 'Yosys 9.9'; exit 0;; esac\n"
+                 "echo '{\"design\":{\"num_cells_by_type\":{\"LUT6\":77}}}' > area.json");
+  const Outcome run = mixcmp("check scene.toml --costs --bound profiled", yosys);
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  const std::size_t line = run.output.rfind("profiled ");
+  ASSERT_NE(line, std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("77", line), std::string::npos) << run.output;
+  EXPECT_EQ(run.output.find("does not exist: a profiled"), std::string::npos) << run.output;
+}
+
 TEST_F(Outputs, WhatIsNotDoneForWantOfAToolEndsWith3) {
   for (const auto& [verb, package] : std::initializer_list<std::pair<const char*, const char*>>{
            {"check scene.toml --prove", "apt-get install gappa"},

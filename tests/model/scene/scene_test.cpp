@@ -189,6 +189,16 @@ TEST_F(SceneTest, NotesTellOfInexactConstantsAndUnusedThings) {
                 "reduced.relative_error_f and _g are not used: a certified bound proves its own"}));
 }
 
+TEST_F(SceneTest, ConstantsThatOneKindOfLaneUsesAreUsed) {
+  std::string text = sphere_scene;
+  text += "[[lanes]]\ncount = 1\n[[lanes]]\ncount = 1\nbound = \"certified\"\n";
+  const Result<Scene> scene = load(text);
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  for (const std::string& note : scene->notes) {
+    EXPECT_EQ(note.find("are not used"), std::string::npos) << note;
+  }
+}
+
 TEST_F(SceneTest, LetsAreShared) {
   const std::string text =
       "[comparison]\nname = \"n\"\nf = \"d^2\"\ng = \"d * e\"\n[let]\nd = \"x - y\"\ne = \"d\"\n"
