@@ -1,5 +1,7 @@
 #include "model/data/pdb.hpp"
 
+#include <fmt/core.h>
+
 #include <random>
 
 #include "model/common/file.hpp"
