@@ -21,20 +21,21 @@ ArgMinJudge::ArgMinJudge(const gen::Signature& signature, const model::Design& d
 }
 
 /// Computes the candidate that the chain of lanes must choose for a row, and counts what each lane
-/// does. In a short load the last candidate, with its number, stands in for those that are missing;
-/// a load longer than the data starts again with their first candidate.
+/// does. In a short load the last candidate stands in for those that are missing; a load longer
+/// than the data starts again with their first candidate.
 std::uint64_t ArgMinJudge::chain(const LoadRange& load, std::uint64_t row, Use use) {
   const std::uint64_t all = report_.arg_min->candidates;
   std::uint64_t best = 0;
   for (std::uint64_t lane = 0; lane < lanes_.size(); ++lane) {
     const std::uint64_t last = load.candidates - 1;
     const std::uint64_t own = std::min(lane + 1, last);
-    comparisons_.fetch({.row = row, .first = best % all, .second = own % all}, operands_);
+    comparisons_.fetch({.row = row, .first = std::min(best, last) % all, .second = own % all},
+                       operands_);
     const ResultWord word = expected_word(design_, group_of_lane_[lane], operands_);
     ++lanes_[lane].observed[0];
     if (word.is_recomputed()) ++lanes_[lane].observed[1];
     if (use == Use::figures && lane < last) count(row, best, own, word);
-    if (word.verdict() == Verdict::greater) best = own;
+    if (word.verdict() == Verdict::greater) best = lane + 1;
   }
   return best;
 }

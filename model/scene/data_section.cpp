@@ -142,10 +142,11 @@ void check_data_source(Section& section, const Settings& settings, const DataSpe
   const bool items = section.find("items") != nullptr;
   const bool file = section.find("file") != nullptr;
   if (items == file) {
-    section.fail(items ? later_source(section, settings) : "",
-                 items ? "two sources of data" : "no source of data",
-                 items ? "items and file" : "neither items nor file",
-                 "items = \"uniform_spheres\" or \"sphere_family\", or file = a .pdb, .csv or .npy file");
+    section.fail(
+        items ? later_source(section, settings) : "",
+        items ? "two sources of data" : "no source of data",
+        items ? "items and file" : "neither items nor file",
+        "items = \"uniform_spheres\" or \"sphere_family\", or file = a .pdb, .csv or .npy file");
   }
   const bool family = spec.items == "sphere_family";
   if (items && !family && spec.items != "uniform_spheres") {

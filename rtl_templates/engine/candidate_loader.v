@@ -1,7 +1,6 @@
 // candidate_loader: numbers the candidates of one load and sends them into the chain, one a cycle.
-// Exactly CANDIDATES words leave for a load: of fewer the last is repeated with its number, so that
-// no answer names another; those beyond are accepted, not sent, and raise `overrun`, which the next
-// load clears.
+// Exactly CANDIDATES words leave for a load: of fewer the last is repeated, which as a tie wins
+// nothing; those beyond are accepted, not sent, and raise `overrun`, which the next load clears.
 // `complete`: every stage holds its candidates. The next load comes in once nothing is inside;
 // while it waits, `waiting` keeps rows out. Latency 1. Reset forgets the load.
 `default_nettype none
@@ -81,8 +80,8 @@ module candidate_loader #(
   end
 
   reg                      word_valid_q;
-  reg [INDEX_BITS-1:0]     word_index_q;  // both stay for as long as they are repeated
-  reg [CANDIDATE_BITS-1:0] word_data_q;
+  reg [INDEX_BITS-1:0]     word_index_q;
+  reg [CANDIDATE_BITS-1:0] word_data_q;  // stays for as long as it is repeated
 
   always @(posedge aclk) begin
     if (!aresetn) begin
@@ -93,9 +92,9 @@ module candidate_loader #(
   end
 
   always @(posedge aclk) begin
+    word_index_q <= sent_q[INDEX_BITS-1:0];
     if (keep) begin
-      word_index_q <= sent_q[INDEX_BITS-1:0];
-      word_data_q  <= s_axis_tdata;
+      word_data_q <= s_axis_tdata;
     end
   end
 

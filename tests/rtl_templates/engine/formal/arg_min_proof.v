@@ -87,7 +87,6 @@ module arg_min_proof (
   reg        ended    = 1'b0;
   reg        short    = 1'b0;
   reg        too_many = 1'b0;
-  reg  [1:0] last_place = 2'd0;  // the number of the last candidate
   wire       c_accept = c_valid && c_ready;
   wire [1:0] place    = ended ? 2'd0 : loaded;
 
@@ -102,7 +101,6 @@ module arg_min_proof (
       ended    <= c_last;
       short    <= c_last && (place < 2'd2);
       too_many <= (place == 2'd3);
-      last_place <= (place == 2'd3) ? 2'd2 : place;
     end
     if (c_accept && (place == 2'd0)) begin
       candidate_0 <= c_data;
@@ -206,8 +204,7 @@ module arg_min_proof (
                                 {row, best, candidate_2}));
       leaves_as_it_came: assert(!m_valid || (left != watched) || ({m_user, m_last} == {tag, last}));
       names_the_best: assert(!m_valid || (left != watched) ||
-                             (m_data == (better_2 ? {6'd0, last_place} :
-                                         {7'd0, better_1 && (last_place != 2'd0)})));
+                             (m_data == (better_2 ? 8'd2 : {7'd0, better_1})));
       holds_still: assert(!held || (m_valid && ({m_data, m_user, m_last} == held_result)));
       loads_when_empty: assert(!c_accept || !ended || (entered == left));
       rows_meet_whole_loads: assert(!enters || ended);
