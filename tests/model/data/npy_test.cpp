@@ -1,5 +1,6 @@
 #include "model/data/npy.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
