@@ -18,6 +18,8 @@ template <class... Cases>
 struct Overloaded : Cases... {
   using Cases::operator()...;
 };
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
 
 std::string print(const Literal& literal) {
   MIXCMP_CHECK((literal.value & ~model::low_mask(literal.width)) == 0);

@@ -78,7 +78,7 @@ inline void root(NodeEnvelope& y, const NodeEnvelope& a, double unit) {
     const double value = std::sqrt(x);
     const double least = std::sqrt((x - 0.5 * error_in) * (1 - 0x1p-50));
     const double error = after_rounding(value, error_in / least, unit) + error_floor;
-    const double outside = (x == 0) & (error_in == 0) ? 0 : infinity;
+    const double outside = ((x == 0) & (error_in == 0)) ? 0 : infinity;
     y.value[k] = value;
     y.error[k] = x - 1.5 * error_in > 0 ? error : outside;
   });

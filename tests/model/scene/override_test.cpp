@@ -61,7 +61,7 @@ TEST_F(OverrideTest, AMistakeThatAnOverrideBringsAboutIsItsOwn) {
             "received \"r*\"; accepted cxi, cxj");
   EXPECT_EQ(error({"data.file=a.csv"}),
             "--set: data.file: two sources of data: received items and file; accepted items = "
-            "\"uniform_spheres\", or file = a .pdb, .csv or .npy file");
+            "\"uniform_spheres\" or \"sphere_family\", or file = a .pdb, .csv or .npy file");
 }
 
 TEST_F(OverrideTest, AMistakeOfTheSceneStaysTheScenes) {
