@@ -184,7 +184,7 @@ std::vector<fs::path> System::sources() const {
 model::Result<System> load_system(const fs::path& directory) {
   std::error_code unreadable;
   std::vector<fs::path> found;
-  for (const auto& entry : fs::directory_iterator(directory, unreadable)) {
+  for (const auto& entry : model::entries_of(directory, unreadable)) {
     if (entry.path().extension() == ".json") found.push_back(entry.path());
   }
   if (found.size() != 1) {

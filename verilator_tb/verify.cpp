@@ -36,21 +36,6 @@ struct Run {
   Judge& judge;
 };
 
-/// Checks that the system in the folder is what this version generates from the design.
-model::Result<model::Done> check_origin(const System& system, const model::Design& design) {
-  MIXCMP_TRY(expected, gen::generate_system(design, ""));
-  const auto origin = [](const gen::Signature& signature) {
-    return fmt::format("{} of version {}, hash {}", signature.top, signature.generator_version,
-                       signature.spec_hash);
-  };
-  const std::string there = origin(system.signature), here = origin(expected.signature);
-  if (there == here) return model::Done{};
-  return model::Error{.file = system.directory.string(),
-                      .message = "was generated from another design or by another version",
-                      .received = there,
-                      .accepted = here + ": generate it again"};
-}
-
 model::Result<model::Done> check_selection(const model::Comparisons& comparisons,
                                            const Selection::Options& selection) {
   if (Selection(comparisons.size(), selection).size() > 0) return model::Done{};
@@ -191,6 +176,20 @@ model::Result<model::Done> check_request(const model::Design& design,
   return check_engine_data(design.system.engine, design.lane_count(), comparisons);
 }
 
+model::Result<model::Done> check_design(const System& system, const model::Design& design) {
+  MIXCMP_TRY(expected, gen::generate_system(design, ""));
+  const auto origin = [](const gen::Signature& signature) {
+    return fmt::format("{} of version {}, hash {}", signature.top, signature.generator_version,
+                       signature.spec_hash);
+  };
+  const std::string there = origin(system.signature), here = origin(expected.signature);
+  if (there == here) return model::Done{};
+  return model::Error{.file = system.directory.string(),
+                      .message = "was generated from another design or by another version",
+                      .received = there,
+                      .accepted = here + ": generate it again"};
+}
+
 model::Result<VerifyReport> judge_system(const System& system, const model::Design& design,
                                          const model::Comparisons& comparisons,
                                          const VerifyOptions& options) {
@@ -208,7 +207,7 @@ model::Result<VerifyReport> verify(const model::Design& design,
                                    const fs::path& generated_dir, const VerifyOptions& options) {
   MIXCMP_TRY(requested, check_request(design, comparisons, options));
   MIXCMP_TRY(system, load_system(generated_dir));
-  MIXCMP_TRY(of_design, check_origin(system, design));
+  MIXCMP_TRY(of_design, check_design(system, design));
   return judge_system(system, design, comparisons, options);
 }
 

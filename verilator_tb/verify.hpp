@@ -68,6 +68,9 @@ model::Result<model::Done> check_request(const model::Design& design,
                                          const model::Comparisons& comparisons,
                                          const VerifyOptions& options);
 
+/// Checks that the system is what this version generates from the design.
+model::Result<model::Done> check_design(const System& system, const model::Design& design);
+
 /// Runs a system on the comparisons and compares every result with the golden model of `design`,
 /// wherever the system comes from. An error means that it could not be run; wrong results are in
 /// the report.

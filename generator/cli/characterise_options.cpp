@@ -194,7 +194,7 @@ Result<gen::CharacteriseOptions> characterise_options(const CharacteriseCommand&
     MIXCMP_TRY(path, model::default_store_path());
     options.store = path;
   } else {
-    options.store = std::filesystem::absolute(command.store);  // to SQLite, ":memory:" is no file
+    options.store = std::filesystem::absolute(command.store);  // SQLite keeps ":memory:" in no file
   }
   return options;
 }

@@ -310,7 +310,7 @@ std::vector<fs::path> inputs_of(const ExploreCommand& command,
 /// Names the folders of devices that an earlier run has left beside those of this one.
 void tell_older_results(const fs::path& output, const std::vector<Planning>& known) {
   std::error_code failed;
-  for (const fs::directory_entry& entry : fs::directory_iterator(output, failed)) {
+  for (const fs::directory_entry& entry : model::entries_of(output, failed)) {
     const std::string name = entry.path().filename().string();
     const bool ours = std::any_of(known.begin(), known.end(),
                                   [&](const Planning& each) { return each.device.name == name; });

@@ -28,14 +28,14 @@ struct OptimiseCommand {
 };
 
 /// Refuses rates of another reference, and tells of other data, which may be meant.
-void check_origin(const model::Rates& rates, const fs::path& file, const LoadedScene& loaded) {
+void check_rates(const model::Rates& rates, const fs::path& file, const LoadedScene& loaded) {
   if (!rates.origin()) return;
   const model::Rates::Origin& origin = *rates.origin();
   const int precision = loaded.scene.reference.format.precision();
   if (origin.reference_precision != precision) {
     fail({.file = file.string(),
           .field = "reference",
-          .message = "these rates are of another scene",
+          .message = "these rates are of another reference",
           .received = fmt::format("a reference of {} digits", origin.reference_precision),
           .accepted = fmt::format("the scene's, of {}", precision)});
   }
@@ -48,7 +48,7 @@ void check_origin(const model::Rates& rates, const fs::path& file, const LoadedS
 model::Rates rates_for(const OptimiseCommand& command, const LoadedScene& loaded) {
   if (!command.rates.empty()) {
     model::Rates rates = value_or_exit(model::Rates::read(command.rates));
-    check_origin(rates, command.rates, loaded);
+    check_rates(rates, command.rates, loaded);
     return rates;
   }
   return model::Rates::of(value_or_exit(measure_rates(loaded, command.planning.choice)));
@@ -119,7 +119,7 @@ std::vector<Candidate> find_candidates(const OptimiseCommand& command,
 /// Says that a file which stands where a plan was to be written is of an earlier run.
 void tell_of_older(const fs::path& file) {
   if (file.empty() || !model::path_exists(file)) return;
-  tell(fmt::format("{}: not written: it is of an earlier run, since no plan was found",
+  tell(fmt::format("{}: not written, since no plan was found; the file is of an earlier run",
                    file.string()));
 }
 

@@ -78,14 +78,8 @@ void warn_of_outdated(const Planning& planning, const model::Comparisons* data) 
 /// every precision.
 void use_given_constants(const model::ReducedSpec& reduced, model::ErrorProfile& errors) {
   for (model::ErrorAtPrecision& error : errors.precisions) {
-    if (reduced.relative_error_f) {
-      error.f = *reduced.relative_error_f;
-      error.f_unbounded = 0;
-    }
-    if (reduced.relative_error_g) {
-      error.g = *reduced.relative_error_g;
-      error.g_unbounded = 0;
-    }
+    if (reduced.relative_error_f) error.f = reduced.relative_error_f;
+    if (reduced.relative_error_g) error.g = reduced.relative_error_g;
   }
 }
 
@@ -105,11 +99,11 @@ std::vector<model::BoundChoice> parse_bounds(const std::vector<std::string>& nam
   return choices;
 }
 
-/// A path that a plan names; an error ends the program if it is no text that TOML can hold.
+/// Returns `path`; ends the program unless a plan can name it: it must be one line of UTF-8.
 std::string named_in(const std::filesystem::path& plan, const std::string& path) {
   if (model::is_one_line(path)) return path;
   fail({.file = plan.string(),
-        .message = "cannot be written: it would name a path that is not UTF-8",
+        .message = "cannot be written: it would name a path that is not one line of UTF-8",
         .received = model::in_quotes(path),
         .accepted = "folders with names in UTF-8"});
 }
@@ -143,9 +137,8 @@ void add_planning_options(const Verb& verb, PlanningOptions& options) {
   verb.list_option(
           "--use-bounds",
           [&choice](const std::vector<std::string>& names) { choice.bounds = parse_bounds(names); },
-          "error bounds to choose from: relative,running_1 to running_8,constant,profiled "
-          "(default: all "
-          "in the table)")
+          "error bounds to choose from: relative, running_1 .. running_8, constant, profiled "
+          "(default: all)")
       .separated_by(',');
   verb.option("--use-multipliers", choice.multipliers,
               "multipliers to choose from: embedded,logic (default: both)")

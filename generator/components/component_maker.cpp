@@ -206,7 +206,12 @@ Result<Done> ComponentMaker::give_constants(model::ReducedSpec& lane) {
   }
   if (!lane.relative_error_f) lane.relative_error_f = found->second.first;
   if (!lane.relative_error_g) lane.relative_error_g = found->second.second;
-  return Done{};
+  if (lane.relative_error_f && lane.relative_error_g) return Done{};
+  return Error{
+      .field = lane.relative_error_f ? "reduced.relative_error_g" : "reduced.relative_error_f",
+      .message = "cannot be measured: no comparison of the data has a relative error",
+      .received = fmt::format("lanes of {} digits", lane.format->precision()),
+      .accepted = "other data, or the constant itself"};
 }
 
 Result<Done> ComponentMaker::measure_constants() {
@@ -226,7 +231,6 @@ Result<Done> ComponentMaker::measure_constants() {
   for (const model::ErrorProfile& profile :
        profile_errors(scene, *data_, {LaneInputs::rounded, LaneInputs::exact}, options)) {
     for (const model::ErrorAtPrecision& error : profile.precisions) {
-      if (!error.known(profile.comparisons)) continue;
       constants_[{error.precision, profile.inputs}] = {error.f, error.g};
     }
   }

@@ -49,7 +49,7 @@ public:
   const model::Scene& scene() const { return scene_; }
 
 private:
-  using Constants = std::pair<mpq_class, mpq_class>;  ///< RE_f, RE_g
+  using Constants = std::pair<std::optional<mpq_class>, std::optional<mpq_class>>;  ///< RE_f, RE_g
 
   model::Result<Component> make_lane(const model::ComponentKey& key);
   model::Result<Component> make_reference(const model::ComponentKey& key);

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "generator/emit/system.hpp"
+#include "model/common/file.hpp"
 #include "model/common/folder_lock.hpp"
 #include "model/common/output_file.hpp"
 #include "model/common/scratch_folder.hpp"
@@ -22,8 +23,8 @@ using model::ScratchFolder;
 std::set<std::string> files_of_previous_output(const fs::path& directory) {
   std::set<std::string> names;
   std::error_code unreadable;
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory, unreadable)) {
-    if (entry.path().extension() != ".json" || !entry.is_regular_file()) continue;
+  for (const fs::directory_entry& entry : model::entries_of(directory, unreadable)) {
+    if (entry.path().extension() != ".json" || !entry.is_regular_file(unreadable)) continue;
     std::ifstream stream(entry.path());
     const nlohmann::json signature = nlohmann::json::parse(stream, nullptr, false);
     if (!signature.is_object() || !signature.contains("generator_version")) continue;
@@ -55,9 +56,10 @@ Result<Done> check_replaceable(const fs::path& directory) {
                  .accepted = "another directory"};
   }
   const std::set<std::string> ours = files_of_previous_output(directory);
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory, failed)) {
+  std::error_code unknown;
+  for (const fs::directory_entry& entry : model::entries_of(directory, failed)) {
     const bool known = ours.count(entry.path().filename().string()) > 0;
-    if (known && fs::is_regular_file(entry.symlink_status())) continue;
+    if (known && fs::is_regular_file(entry.symlink_status(unknown))) continue;
     return Error{.file = directory.string(),
                  .message = "will not be replaced: it holds a file that mixcmp did not write",
                  .received = entry.path().filename().string(),

@@ -37,8 +37,8 @@ std::string figure4_script(const ProfileReport& report) {
     Curve f_bound{"f proven, " + inputs, proven_style(color), {}};
     Curve g_bound{"g proven, " + inputs, proven_style(color + 1), {}};
     for (const ErrorAtPrecision& error : profile.precisions) {
-      add(f, error.precision, error.f.get_d());
-      add(g, error.precision, error.g.get_d());
+      add(f, error.precision, error.f.value_or(0).get_d());
+      add(g, error.precision, error.g.value_or(0).get_d());
       add(f_bound, error.precision, error.f_bound.value_or(0));
       add(g_bound, error.precision, error.g_bound.value_or(0));
     }

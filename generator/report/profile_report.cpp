@@ -35,20 +35,15 @@ double rate_of(const SystemCounts& counts, const RateProfile& profile) {
   return static_cast<double>(counts.undecided) / static_cast<double>(profile.comparisons);
 }
 
-/// Whether no comparison has a relative error.
-bool is_unmeasured(std::uint64_t unbounded, const ErrorProfile& profile) {
-  return unbounded == profile.comparisons;
-}
-
-/// The error as text; "none" where no comparison has one.
-std::string measured(const mpq_class& error, std::uint64_t unbounded, const ErrorProfile& profile) {
-  return is_unmeasured(unbounded, profile) ? "none" : fmt::format("{:.3e}", error.get_d());
+/// "none" where no comparison has an error.
+std::string measured(const std::optional<mpq_class>& error) {
+  return error ? fmt::format("{:.3e}", error->get_d()) : "none";
 }
 
 /// How many comparisons the errors of a row leave out; empty where they leave out none.
 std::string left_out(const ErrorAtPrecision& error) {
   if (error.f_unbounded + error.g_unbounded == 0) return "";
-  return fmt::format("  without {} and {} infinite", error.f_unbounded, error.g_unbounded);
+  return fmt::format("  left out: {} of f, {} of g", error.f_unbounded, error.g_unbounded);
 }
 
 std::string shown(const std::optional<double>& bound) {
@@ -61,9 +56,8 @@ void add_errors(Page& page, const ErrorProfile& profile) {
       to_string(profile.inputs), profile.comparisons);
   page.add("{:>4}  {:>10}  {:>10}  {:>10}  {:>10}\n", "L", "f", "f bound", "g", "g bound");
   for (const ErrorAtPrecision& error : profile.precisions) {
-    page.add("{:>4}  {:>10}  {:>10}  {:>10}  {:>10}{}\n", error.precision,
-             measured(error.f, error.f_unbounded, profile), shown(error.f_bound),
-             measured(error.g, error.g_unbounded, profile), shown(error.g_bound), left_out(error));
+    page.add("{:>4}  {:>10}  {:>10}  {:>10}  {:>10}{}\n", error.precision, measured(error.f),
+             shown(error.f_bound), measured(error.g), shown(error.g_bound), left_out(error));
   }
   if (!profile.no_f_bound.empty()) page.add("no bound for f: {}\n", profile.no_f_bound);
   if (!profile.no_g_bound.empty()) page.add("no bound for g: {}\n", profile.no_g_bound);
@@ -150,13 +144,13 @@ Json to_json(const ErrorProfile& profile) {
   const auto bound = [](const std::optional<double>& value) {
     return value ? Json(*value) : Json();
   };
-  const auto measured = [&](const mpq_class& error, std::uint64_t unbounded) {
-    return is_unmeasured(unbounded, profile) ? Json() : Json(error.get_d());
+  const auto measured = [](const std::optional<mpq_class>& error) {
+    return error ? Json(error->get_d()) : Json();
   };
   for (const ErrorAtPrecision& error : profile.precisions) {
     rows.push_back({{"precision", error.precision},
-                    {"f_error", measured(error.f, error.f_unbounded)},
-                    {"g_error", measured(error.g, error.g_unbounded)},
+                    {"f_error", measured(error.f)},
+                    {"g_error", measured(error.g)},
                     {"f_unbounded", error.f_unbounded},
                     {"g_unbounded", error.g_unbounded},
                     {"f_bound", bound(error.f_bound)},
@@ -226,14 +220,14 @@ std::string figure4_csv(const ProfileReport& report) {
   const auto bound = [](const std::optional<double>& value) {
     return value ? fmt::format("{}", *value) : "";
   };
+  const auto measured = [](const std::optional<mpq_class>& error) {
+    return error ? fmt::format("{}", error->get_d()) : "";
+  };
   for (const ErrorProfile& profile : report.errors) {
     for (const ErrorAtPrecision& error : profile.precisions) {
-      const auto measured = [&](const mpq_class& value, std::uint64_t unbounded) {
-        return is_unmeasured(unbounded, profile) ? "" : fmt::format("{}", value.get_d());
-      };
       page.add("{},{},{},{},{},{},{},{}\n", to_string(profile.inputs), error.precision,
-               measured(error.f, error.f_unbounded), measured(error.g, error.g_unbounded),
-               bound(error.f_bound), bound(error.g_bound), error.f_unbounded, error.g_unbounded);
+               measured(error.f), measured(error.g), bound(error.f_bound), bound(error.g_bound),
+               error.f_unbounded, error.g_unbounded);
     }
   }
   return page.take();

@@ -36,7 +36,7 @@ Result<nlohmann::json> read_json(const std::filesystem::path& path);
 /// A member of a JSON object; null where there is none, or `object` is no object.
 nlohmann::json member_of(const nlohmann::json& object, const char* key);
 
-/// What a function found in the text of a file; its error names the file.
+/// Returns `found`; its error names `file`.
 template <class T>
 Result<T> in_file(Result<T> found, const std::filesystem::path& file) {
   if (found.ok()) return found;

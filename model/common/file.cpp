@@ -5,6 +5,16 @@
 
 namespace mixcmp::model {
 
+std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::path& folder,
+                                                         std::error_code& failed) {
+  std::vector<std::filesystem::directory_entry> entries;
+  for (std::filesystem::directory_iterator entry(folder, failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    entries.push_back(*entry);
+  }
+  return entries;
+}
+
 bool path_exists(const std::filesystem::path& path) {
   std::error_code unknown;
   return std::filesystem::exists(path, unknown);

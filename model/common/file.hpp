@@ -2,10 +2,16 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
+#include <vector>
 
 #include "model/common/result.hpp"
 
 namespace mixcmp::model {
+
+/// The entries of a folder, in no order; what cannot be read is left out, and told in `failed`.
+std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::path& folder,
+                                                         std::error_code& failed);
 
 /// Whether a file or a folder has this path; no if the path cannot be followed (a name too long, a
 /// folder that may not be searched).

@@ -171,14 +171,14 @@ Result<Done> put_folder_in_place(const fs::path& finished, const fs::path& path)
 Result<Done> copy_folder(const fs::path& folder, const fs::path& copy) {
   MIXCMP_TRY(made, make_writable_folder(copy));
   std::error_code failed;
-  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
-       entry.increment(failed)) {
-    const fs::path own = copy / entry->path().filename();
-    if (entry->is_directory()) {
-      MIXCMP_TRY(copied, copy_folder(entry->path(), own));
+  std::error_code unknown;
+  for (const fs::directory_entry& entry : entries_of(folder, failed)) {
+    const fs::path own = copy / entry.path().filename();
+    if (entry.is_directory(unknown)) {
+      MIXCMP_TRY(copied, copy_folder(entry.path(), own));
       continue;
     }
-    MIXCMP_TRY(text, read_file(entry->path()));
+    MIXCMP_TRY(text, read_file(entry.path()));
     MIXCMP_TRY(written, write_file(own, text));
   }
   if (failed) return cannot_write(copy, failed.value());

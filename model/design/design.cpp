@@ -42,29 +42,25 @@ Result<int> lane_count(const Scene& scene, const LaneGroupSpec& group, const Com
                .accepted = fmt::format("data with at most {}", max_lanes + 1)};
 }
 
-/// Measures the largest errors over all parts, which share one RE_f and one RE_g.
-ProfiledError profile_parts(const Scene& scene, const CombinedGraph& graph, const Comparisons& data,
-                            MeasureErrors measure) {
+/// Measures the errors of each part.
+std::vector<ProfiledError> profile_parts(const Scene& scene, const CombinedGraph& graph,
+                                         const Comparisons& data, MeasureErrors measure) {
   const std::uint64_t seed = scene.data ? scene.data->seed : 1;
-  ProfiledError largest;
+  std::vector<ProfiledError> parts;
   for (std::size_t k = 0; k < graph.parts.size(); ++k) {
-    const ProfiledError part =
-        measure(scene.graph.part(k), graph.parts[k], data, profile_samples, seed);
-    largest.f = std::max(largest.f, part.f);
-    largest.g = std::max(largest.g, part.g);
-    largest.comparisons += part.comparisons;
-    largest.f_unbounded += part.f_unbounded;
-    largest.g_unbounded += part.g_unbounded;
+    parts.push_back(measure(scene.graph.part(k), graph.parts[k], data, profile_samples, seed));
   }
-  return largest;
+  return parts;
 }
 
-/// The key of a constant that the scene does not give and no comparison could tell.
+/// The key of a constant that the scene does not give and no comparison tells of some part.
 std::optional<std::string> unmeasured_constant(const ReducedSpec& reduced,
-                                               const ProfiledError& profiled) {
-  const std::uint64_t all = profiled.comparisons;
-  if (!reduced.relative_error_f && profiled.f_unbounded == all) return "reduced.relative_error_f";
-  if (!reduced.relative_error_g && profiled.g_unbounded == all) return "reduced.relative_error_g";
+                                               const std::vector<ProfiledError>& parts) {
+  for (const ProfiledError& part : parts) {
+    const std::uint64_t all = part.comparisons;
+    if (!reduced.relative_error_f && part.f_unbounded == all) return "reduced.relative_error_f";
+    if (!reduced.relative_error_g && part.g_unbounded == all) return "reduced.relative_error_g";
+  }
   return std::nullopt;
 }
 
@@ -80,21 +76,29 @@ Result<CombinedLane> design_profiled_lane(const Scene& scene, const ReducedSpec&
                  .received = "neither",
                  .accepted = "both constants, or a [data] section"};
   }
-  const ProfiledError profiled = profile_parts(scene, graph, *data, measure);
-  if (profiled.comparisons == 0) {
+  const std::vector<ProfiledError> parts = profile_parts(scene, graph, *data, measure);
+  const bool any = std::any_of(parts.begin(), parts.end(),
+                               [](const ProfiledError& part) { return part.comparisons > 0; });
+  if (!any) {
     return Error{.field = "reduced.bound",
                  .message = "no comparison of the data could be measured for the profile",
                  .received = fmt::format("{} comparisons, none with finite f and g", data->size()),
                  .accepted = "other data, or reduced.relative_error_f and relative_error_g"};
   }
-  if (const auto unknown = unmeasured_constant(reduced, profiled)) {
+  if (const auto unknown = unmeasured_constant(reduced, parts)) {
     return Error{.field = *unknown,
                  .message = "cannot be measured: no comparison of the data has a relative error",
                  .received = "computed values that are infinite, or miss a true zero",
-                 .accepted = "a format with more exponents, other data, or the constant itself"};
+                 .accepted = "a format with more exponent bits, other data, or the constant itself"};
   }
-  return profiled_lanes(graph, reduced.relative_error_f.value_or(profiled.f),
-                        reduced.relative_error_g.value_or(profiled.g));
+  // The parts share one RE_f and one RE_g.
+  mpq_class f = 0, g = 0;
+  for (const ProfiledError& part : parts) {
+    f = std::max(f, part.f);
+    g = std::max(g, part.g);
+  }
+  return profiled_lanes(graph, reduced.relative_error_f.value_or(f),
+                        reduced.relative_error_g.value_or(g));
 }
 
 bool can_decide(const UlpDistanceDecision& decision, const Lane& lane) {

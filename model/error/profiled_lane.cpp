@@ -31,8 +31,7 @@ public:
                    .value = {}});
   }
 
-  /// The smallest number of the format that is not below `value` >= 0, or infinity, which stands
-  /// for any number that overflows.
+  /// The smallest number of the format that is >= `value` >= 0; infinity if `value` is too large.
   NodeId constant_above(const mpq_class& value) {
     const FloatFormat format = graph_.arithmetic.format;
     const Bits rounded = round_up(graph_.arithmetic, value);

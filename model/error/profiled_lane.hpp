@@ -11,7 +11,7 @@ namespace mixcmp::model {
 struct ProfiledError {
   mpq_class f;
   mpq_class g;
-  std::uint64_t comparisons = 0;  ///< whose real f and g exist
+  std::uint64_t comparisons = 0;  ///< that have a real f and g
   /// Of these, those whose computed f (or g) has no relative error, since it is not finite, or not
   /// zero where the real one is. `f` and `g` are the largest of the others.
   std::uint64_t f_unbounded = 0, g_unbounded = 0;

@@ -93,21 +93,51 @@ private:
       mark(Event::overflow, overflows(node, result.value));
       mark(Event::underflow, underflows(node, result.value));
     }
+    const bool overflows_below = result.value.low < -largest_of(node.format);
     result.value = settled(node.format, result.value);
-    if (infinities_ == Infinities::followed) follow_infinities(node, result);
+    if (infinities_ == Infinities::followed) {
+      follow_infinities(node, result);
+      result.may_be_negative_infinite =
+          (overflows_below && !only_moves_bits(node.operation)) || passes_negative_infinity(node);
+    }
     return result;
   }
 
-  bool may_be_infinite(const TypedNode& node, std::size_t k) const {
-    return nodes_[static_cast<std::size_t>(node.operands[k])].may_be_infinite;
+  const NodeRange& below(const TypedNode& node, std::size_t k) const {
+    return nodes_[static_cast<std::size_t>(node.operands[k])];
   }
 
-  /// Adds what the node computes from infinite operands: a / inf is zero, the smaller of x and inf
-  /// is x, and after a division by a zero of either sign, an infinity has either sign, too.
+  /// Whether -inf may come of an infinite operand, or of a division by a zero of either sign.
+  bool passes_negative_infinity(const TypedNode& node) const {
+    const auto infinite = [&](std::size_t k) { return below(node, k).may_be_infinite; };
+    const auto negative = [&](std::size_t k) { return below(node, k).may_be_negative_infinite; };
+    const auto below_zero = [&](std::size_t k) { return negative(k) || operand(node, k).low < 0; };
+    switch (node.operation) {
+      case Operation::input:
+      case Operation::constant:
+      case Operation::absolute:
+      case Operation::square:
+      case Operation::square_root: return false;
+      case Operation::convert: return negative(0);
+      case Operation::negate: return infinite(0);
+      case Operation::add:
+      case Operation::minimum:
+      case Operation::maximum: return negative(0) || negative(1);
+      case Operation::subtract: return negative(0) || infinite(1);
+      case Operation::multiply:
+        return (infinite(0) || infinite(1)) && (below_zero(0) || below_zero(1));
+      case Operation::divide:
+        return contains_zero(operand(node, 1)) || (infinite(0) && (below_zero(0) || below_zero(1)));
+    }
+    MIXCMP_CHECK(false);
+  }
+
+  /// Adds what the node computes from infinite operands: a / inf is zero, and the smaller of x and
+  /// inf is x.
   void follow_infinities(const TypedNode& node, NodeRange& result) const {
     bool infinite_operand = false;
     for (std::size_t k = 0; k < static_cast<std::size_t>(arity(node.operation)); ++k) {
-      infinite_operand = infinite_operand || may_be_infinite(node, k);
+      infinite_operand = infinite_operand || below(node, k).may_be_infinite;
     }
     result.may_be_infinite =
         infinite_operand || result.may(Event::overflow) || result.may(Event::division_by_zero);
@@ -115,27 +145,17 @@ private:
     const auto include = [&result](const Range& range) {
       result.value = hull({result.value.low, result.value.high, range.low, range.high});
     };
-    switch (node.operation) {
-      case Operation::divide:
-        if (may_be_infinite(node, 1)) include({0, 0});
-        return;
-      case Operation::minimum:
-      case Operation::maximum:
-        include(operand(node, 0));
-        include(operand(node, 1));
-        return;
-      case Operation::square_root:
-        result.may_happen[static_cast<std::size_t>(Event::root_of_negative)] = true;
-        return;
-      case Operation::input:
-      case Operation::constant:
-      case Operation::convert:
-      case Operation::negate:
-      case Operation::absolute:
-      case Operation::square:
-      case Operation::add:
-      case Operation::subtract:
-      case Operation::multiply: return;
+    if (node.operation == Operation::minimum || node.operation == Operation::maximum) {
+      include(operand(node, 0));
+      include(operand(node, 1));
+    }
+    // inf / inf is no value.
+    const bool different = node.operands[0] != node.operands[1];
+    if (node.operation == Operation::divide && different && below(node, 1).may_be_infinite) {
+      include({0, 0});
+    }
+    if (node.operation == Operation::square_root && below(node, 0).may_be_negative_infinite) {
+      result.may_happen[static_cast<std::size_t>(Event::root_of_negative)] = true;
     }
   }
 

@@ -21,9 +21,8 @@ constexpr std::array<Event, 4> all_events = {Event::overflow, Event::underflow,
                                              Event::division_by_zero, Event::root_of_negative};
 std::string_view to_string(Event event);
 
-/// Whether values count that are computed from an infinite operand, such as 1 / inf = 0. A
-/// certified lane never uses them: it is undecided after an overflow. A reference goes on with
-/// them.
+/// Whether ranges include values computed from infinite operands, such as 1 / inf = 0. A certified
+/// lane never uses them: it is undecided after an overflow. A reference goes on with them.
 enum class Infinities { excluded, followed };
 
 /// What the declared ranges say of one node of a typed graph.
@@ -33,8 +32,9 @@ struct NodeRange {
   Range value;
   /// Which of all_events are not ruled out.
   std::array<bool, all_events.size()> may_happen = {};
-  /// Whether the node may be infinite, after an overflow or a division by zero in or under it.
-  bool may_be_infinite = false;
+  /// With Infinities::followed: whether the node may be infinite, of either sign, and whether it
+  /// may be -inf.
+  bool may_be_infinite = false, may_be_negative_infinite = false;
   /// Inputs under the node that have no declared range, sorted; they count as any finite number.
   std::vector<int> rangeless_inputs;
 

@@ -73,7 +73,7 @@ struct Optimisation {
   double slack = 0;
   double target_mhz = 0;  ///< the clock for which registers were placed
   ClockChoice clocks;
-  ClockBasis basis = ClockBasis::target;  ///< of those that are not given
+  ClockBasis basis = ClockBasis::target;  ///< the least reliable of what is not given
   std::vector<ReferenceImplementation> references;
   std::vector<PrecisionPlan> plans;  ///< by precision; without usable lanes: left out
   AllocationResult reference_only;   ///< as many references as fit: the paper's baseline

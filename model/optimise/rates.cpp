@@ -49,6 +49,16 @@ std::optional<std::string> read_row(const std::vector<std::string>& fields, Row&
   return std::nullopt;
 }
 
+Error unreadable(const std::filesystem::path& path, int number, std::string field,
+                 const std::string& line) {
+  return {.file = path.string(),
+          .line = number,
+          .field = std::move(field),
+          .message = "cannot be read",
+          .received = in_quotes(line),
+          .accepted = header};
+}
+
 }  // namespace
 
 double Rate::value() const {
@@ -100,18 +110,12 @@ Result<Rates> Rates::read(const std::filesystem::path& path) {
       Origin origin;
       const bool read = read_number(fields[1], origin.reference_precision) &&
                         read_number(fields[3], origin.comparisons);
-      if (read) rates.origin_ = origin;
+      if (!read) return unreadable(path, number, "reference", line);
+      rates.origin_ = origin;
       continue;
     }
     if (fields.size() > 2 && fields[2] == "lanes_alone") continue;
-    if (const auto field = read_row(fields, row)) {
-      return Error{.file = path.string(),
-                   .line = number,
-                   .field = *field,
-                   .message = "cannot be read",
-                   .received = in_quotes(line),
-                   .accepted = header};
-    }
+    if (const auto field = read_row(fields, row)) return unreadable(path, number, *field, line);
     if (!rates.rates_.emplace(row.key, row.rate).second) {
       return Error{.file = path.string(),
                    .line = number,

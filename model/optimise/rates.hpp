@@ -50,7 +50,7 @@ public:
   void raise_to(const Rates& other);
 
   std::optional<Rate> find(const RateKey& key) const;
-  /// As the file tells in its row of the reference; none where it has none.
+  /// From the file's row of the reference, if it has one.
   const std::optional<Origin>& origin() const { return origin_; }
   bool empty() const { return rates_.empty(); }
   std::vector<RateKey> keys() const;

@@ -88,11 +88,17 @@ std::vector<ErrorProfile> profile_errors(const Scene& scene, const Comparisons& 
     profile.comparisons = tally.comparisons;
     for (int precision = options.first_precision; precision <= options.last_precision;
          ++precision, ++lane) {
+      const LargestError& f = tally.f[lane];
+      const LargestError& g = tally.g[lane];
       ErrorAtPrecision error{.precision = precision,
-                             .f = judge_error(job, job.lanes[lane], tally.f[lane].sample).f,
-                             .g = judge_error(job, job.lanes[lane], tally.g[lane].sample).g,
-                             .f_unbounded = tally.f[lane].unbounded,
-                             .g_unbounded = tally.g[lane].unbounded};
+                             .f_unbounded = f.unbounded,
+                             .g_unbounded = g.unbounded};
+      if (f.unbounded < tally.comparisons) {
+        error.f = judge_error(job, job.lanes[lane], f.sample).f;
+      }
+      if (g.unbounded < tally.comparisons) {
+        error.g = judge_error(job, job.lanes[lane], g.sample).g;
+      }
       add_bounds(scene, job.lanes[lane], error, profile);
       profile.precisions.push_back(std::move(error));
     }

@@ -14,8 +14,7 @@ namespace mixcmp::model {
 inline constexpr mpfr_prec_t error_truth_precision = 500;
 
 /// The maximum of |computed - truth| / |truth| over the values of one function, rounded up to 64
-/// bits. A value has no such error, and is counted apart, if it is not finite or if the truth is
-/// zero and it is not.
+/// bits. Values that are not finite, or not zero where the truth is zero, are only counted.
 class LargestRelativeError {
 public:
   explicit LargestRelativeError(FloatFormat format) : format_(format) {

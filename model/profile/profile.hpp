@@ -41,17 +41,12 @@ Result<Done> check_profile(const Scene& scene, const ProfileOptions& options);
 struct ErrorAtPrecision {
   int precision = 0;
   /// Measured: the maximum of |f_L - f_T| / |f_T|, rounded up to 64 bits; f_T is right to 128 bits.
-  mpq_class f = 0, g = 0;
-  /// Comparisons left out of f (or g), since they have no relative error: in some part, f_L is not
-  /// finite, or is not zero where f_T is.
+  /// None where no comparison has such an error.
+  std::optional<mpq_class> f, g;
+  /// Comparisons left out of f (or g): in some part, f_L is not finite, or not zero where f_T is.
   std::uint64_t f_unbounded = 0, g_unbounded = 0;
   /// Proven bounds for every comparison; none where no relative bound exists.
   std::optional<double> f_bound, g_bound;
-
-  /// Whether f and g were measured on some of so many comparisons, or are given.
-  bool known(std::uint64_t comparisons) const {
-    return f_unbounded < comparisons && g_unbounded < comparisons;
-  }
 };
 
 struct ErrorProfile {

@@ -56,9 +56,8 @@ CombinedGraph graphs_at(const Scene& scene, int precision, LaneInputs inputs) {
 
 namespace {
 
-Result<CombinedLane> profiled_at(const CombinedGraph& graph, const ErrorAtPrecision& error,
-                                 std::uint64_t comparisons) {
-  if (error.known(comparisons)) return profiled_lanes(graph, error.f, error.g);
+Result<CombinedLane> profiled_at(const CombinedGraph& graph, const ErrorAtPrecision& error) {
+  if (error.f && error.g) return profiled_lanes(graph, *error.f, *error.g);
   return Error{.message = "no comparison has a relative error of f and of g"};
 }
 
@@ -70,7 +69,7 @@ std::vector<SystemLanes> make_systems(const Scene& scene, const ErrorProfile& er
     const CombinedGraph graph = graphs_at(scene, error.precision, errors.inputs);
     add(systems, std::nullopt, SystemKind::lanes_alone, lanes_alone(graph));
     add(systems, BoundChoice{BoundChoice::Kind::profiled}, SystemKind::profiled,
-        profiled_at(graph, error, errors.comparisons));
+        profiled_at(graph, error));
     for (CandidateLanes& candidate : candidate_lanes(graph, scene.ranges)) {
       add(systems, bound_choice(candidate), SystemKind::certified, std::move(candidate.lane));
     }

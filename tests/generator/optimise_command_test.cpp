@@ -115,7 +115,7 @@ TEST_F(OptimiseCommand, RatesMayComeFromAProfile) {
   EXPECT_DOUBLE_EQ(report.at("plans")[0].at("recomputation_rate"), 1e-4);
 }
 
-TEST_F(OptimiseCommand, RatesOfAnotherSceneAreNotTaken) {
+TEST_F(OptimiseCommand, RatesOfAnotherReferenceAreRefusedAndOfOtherDataTold) {
   const std::string header =
       "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\n";
   const std::string rate = "exact,8,relative,77,10,0.13,0,0\n";
@@ -415,7 +415,7 @@ TEST_F(OptimiseCommand, APlanNamesNoPathThatItCannotHold) {
                         "../characterisation/scene-virtex6-lx760.csv",
                         folder.string(), MIXCMP_PROGRAM));
   EXPECT_EQ(run.exit_code, 1) << run.output;
-  EXPECT_NE(run.output.find("not UTF-8"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("not one line of UTF-8"), std::string::npos) << run.output;
   EXPECT_FALSE(fs::exists(path("plan.toml")));
 }
 

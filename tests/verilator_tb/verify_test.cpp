@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "generator/emit/system.hpp"
 #include "model/number/verdict.hpp"
 #include "tests/support/sphere.hpp"
 #include "tests/verilator_tb/fake_system.hpp"
@@ -223,13 +224,25 @@ TEST(Verify, AccountsForEveryResultOfARunThatStopped) {
 }
 
 TEST(Verify, RefusesASystemOfAnotherDesign) {
-  const FakeSystem fake{.name = "good"};
-  const auto folder = write_fake_system(fake);
-  const model::Design design = test::sphere_design(
-      model::FloatFormat::parse("s8e8").value(), model::FloatFormat::parse("s53e8").value(), 2, 1);
-  const auto report = verify(design, fake_comparisons(10), folder, {.work_dir = fake_work_dir()});
-  ASSERT_FALSE(report.ok());
-  EXPECT_EQ(report.error().received, "fake_system of version fake, hash fake");
+  const auto lane = model::FloatFormat::parse("s8e8").value();
+  const auto reference = model::FloatFormat::parse("s53e8").value();
+  const model::Design design = test::sphere_design(lane, reference, 2, 1);
+  const System system{"here", gen::generate_system(design, "").value().signature};
+  EXPECT_TRUE(check_design(system, design).ok());
+
+  std::vector<model::Design> others(5, design);
+  others[0].lanes.front().count = 3;
+  std::swap(others[1].inputs[0], others[1].inputs[1]);
+  others[2].references.clear();
+  others[3].system.tag_bits = 7;
+  others[4] = test::sphere_design(model::FloatFormat::parse("s9e8").value(), reference, 2, 1);
+  for (const model::Design& other : others) EXPECT_FALSE(check_design(system, other).ok());
+
+  System older = system;
+  older.signature.generator_version = "0.0.1";
+  const auto refused = check_design(older, design);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().received.find("0.0.1"), std::string::npos);
 }
 
 TEST(Verify, ReportsItselfAsJson) {

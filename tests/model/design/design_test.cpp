@@ -209,6 +209,20 @@ TEST(MakeDesign, RefusesAProfileOfNothing) {
   EXPECT_NE(design.error().received.find("1 comparisons"), std::string::npos);
 }
 
+TEST(MakeDesign, RefusesConstantsThatNoComparisonTells) {
+  Scene scene = complete_scene();
+  scene.reduced.bound = BoundKind::profiled;
+  scene.reduced.format = format_of(17, 5);
+  model::Table table{.format = format_of(53, 8), .columns = {"a", "b"}};
+  for (const char* value : {"1e30", "1e30"}) {
+    table.values.push_back(model::from_text(table.format, value).value());
+  }
+  const Comparisons data = Comparisons::rows(std::move(table), {"a", "b"}).value();
+  const auto design = make_design(scene, &data, model::profile_error);
+  ASSERT_FALSE(design.ok());
+  EXPECT_EQ(design.error().field, "reduced.relative_error_f");
+}
+
 TEST(MakeDesign, MeasuresMissingConstantsOnData) {
   Scene scene = complete_scene();
   scene.reduced.bound = BoundKind::profiled;

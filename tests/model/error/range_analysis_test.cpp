@@ -123,11 +123,24 @@ Bits draw(FloatFormat format, const std::optional<Range>& range, std::mt19937_64
 /// infinities.
 void check_followed(const TypedGraph& graph, const std::vector<NodeRange>& ranges,
                     const std::vector<golden::Rounded>& results, const std::string& text) {
+  const auto operand = [&](const TypedNode& node, std::size_t k) {
+    return results[static_cast<std::size_t>(node.operands[k])].bits;
+  };
   for (std::size_t k = 0; k < results.size(); ++k) {
-    const FloatFormat format = graph.nodes[k].format;
+    const TypedNode& node = graph.nodes[k];
+    const FloatFormat format = node.format;
+    if (node.operation == Operation::divide && format.is_zero(operand(node, 1))) {
+      ASSERT_TRUE(ranges[k].may(Event::division_by_zero)) << text << ", node " << k;
+    }
+    if (node.operation == Operation::square_root && !format.is_nan(operand(node, 0)) &&
+        !format.is_zero(operand(node, 0)) && format.sign(operand(node, 0))) {
+      ASSERT_TRUE(ranges[k].may(Event::root_of_negative)) << text << ", node " << k;
+    }
     if (format.is_nan(results[k].bits)) continue;
     if (format.is_infinite(results[k].bits)) {
       ASSERT_TRUE(ranges[k].may_be_infinite) << text << ", node " << k;
+      ASSERT_TRUE(ranges[k].may_be_negative_infinite || !format.sign(results[k].bits))
+          << text << ", node " << k;
       continue;
     }
     const mpq_class value = to_rational(format, results[k].bits);
@@ -182,6 +195,21 @@ TEST(RangeAnalysis, FollowsInfinitiesWhereItIsAsked) {
   };
   EXPECT_FALSE(root(Infinities::excluded).may(Event::division_by_zero));
   EXPECT_TRUE(root(Infinities::followed).may(Event::division_by_zero));
+}
+
+/// An infinite square is positive, the infinity behind a zero of either sign is not.
+TEST(RangeAnalysis, KnowsTheSignOfInfinities) {
+  const auto root_of_negative = [](const std::string& text) {
+    const std::vector<std::optional<Range>> ranges = {{{0, 300}}};
+    const TypedGraph graph = typed(text, arithmetic("binary16", Subnormals::gradual));
+    return analyse_ranges(graph, ranges, Infinities::followed)[static_cast<std::size_t>(graph.f)]
+        .may(Event::root_of_negative);
+  };
+  EXPECT_FALSE(root_of_negative("sqrt(x * x)"));
+  EXPECT_FALSE(root_of_negative("sqrt(abs(1 / x))"));
+  EXPECT_FALSE(root_of_negative("sqrt(x * x + x)"));
+  EXPECT_TRUE(root_of_negative("sqrt(1 / x)"));
+  EXPECT_TRUE(root_of_negative("sqrt(1 - x * x)"));
 }
 
 TEST(RangeAnalysis, NothingTheGoldenModelComputesEscapesIt) {

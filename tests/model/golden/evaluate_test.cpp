@@ -153,7 +153,7 @@ TEST(UlpDistance, IsNeverDecidedWhereAnInputBreaksItsRange) {
   EXPECT_FALSE(decided(40, sign));
 }
 
-/// Equations 1-3 by hand: f = a, g = b, the constant of f is 1/8 unless it is given, that of g 1/8.
+/// Equations 1-3 by hand: f = a, g = b; both constants are 1/8 by default.
 LaneResult decide_by_interval(const std::string& a, const std::string& b,
                               const mpq_class& relative_error_f = mpq_class(1, 8)) {
   const FloatFormat format = format_of(8, 6);
