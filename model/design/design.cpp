@@ -86,10 +86,11 @@ Result<CombinedLane> design_profiled_lane(const Scene& scene, const ReducedSpec&
                  .accepted = "other data, or reduced.relative_error_f and relative_error_g"};
   }
   if (const auto unknown = unmeasured_constant(reduced, parts)) {
-    return Error{.field = *unknown,
-                 .message = "cannot be measured: no comparison of the data has a relative error",
-                 .received = "computed values that are infinite, or miss a true zero",
-                 .accepted = "a format with more exponent bits, other data, or the constant itself"};
+    return Error{
+        .field = *unknown,
+        .message = "cannot be measured: no comparison of the data has a relative error",
+        .received = "computed values that are infinite, or miss a true zero",
+        .accepted = "a format with more exponent bits, other data, or the constant itself"};
   }
   // The parts share one RE_f and one RE_g.
   mpq_class f = 0, g = 0;

@@ -90,9 +90,8 @@ std::vector<ErrorProfile> profile_errors(const Scene& scene, const Comparisons& 
          ++precision, ++lane) {
       const LargestError& f = tally.f[lane];
       const LargestError& g = tally.g[lane];
-      ErrorAtPrecision error{.precision = precision,
-                             .f_unbounded = f.unbounded,
-                             .g_unbounded = g.unbounded};
+      ErrorAtPrecision error{
+          .precision = precision, .f_unbounded = f.unbounded, .g_unbounded = g.unbounded};
       if (f.unbounded < tally.comparisons) {
         error.f = judge_error(job, job.lanes[lane], f.sample).f;
       }

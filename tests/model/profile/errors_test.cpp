@@ -165,7 +165,8 @@ TEST(Errors, DoNotDependOnThreads) {
     const auto profiles = profile_errors(scene, data, {LaneInputs::rounded},
                                          {.error_samples = 12000, .threads = threads});
     std::vector<mpq_class> all;
-    for (const auto& error : profiles.front().precisions) all.insert(all.end(), {*error.f, *error.g});
+    for (const auto& error : profiles.front().precisions)
+      all.insert(all.end(), {*error.f, *error.g});
     return all;
   };
   EXPECT_EQ(errors(1), errors(3));
