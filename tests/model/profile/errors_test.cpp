@@ -154,8 +154,8 @@ TEST(Errors, OfWhatIsInfiniteAreCountedAndMakeNoConstants) {
   const ErrorProfile none = profile_errors(scene, infinite, {LaneInputs::rounded}, options).front();
   EXPECT_FALSE(none.precisions.front().f || none.precisions.front().g);
   for (const model::SystemLanes& system : make_systems(scene, none)) {
-    if (system.kind == model::SystemKind::profiled) EXPECT_FALSE(system.exists());
-    if (system.name == "relative") EXPECT_TRUE(system.exists());
+    if (system.kind == model::SystemKind::certified) continue;
+    EXPECT_EQ(system.exists(), system.kind == model::SystemKind::lanes_alone) << system.name;
   }
 }
 
