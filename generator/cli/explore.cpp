@@ -319,15 +319,53 @@ void tell_older_results(const fs::path& output, const std::vector<Planning>& kno
   }
 }
 
-/// Finds mistakes before the long measurements, and writes the results of all devices at the end,
-/// so that report.md and the folders always tell of the same run.
-void run(const ExploreCommand& command) {
-  const LoadedScene loaded = value_or_exit(load(command.planning.scene));
-  if (loaded.scene.variant.empty() && !loaded.scene.variants.empty()) {
-    tell("note: variants left out: explore plans [comparison], or what --variant names");
+/// What a run finds for all devices, before any of it is written.
+struct Findings {
+  std::string page;  ///< report.md
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  std::vector<ResultFiles> results;  ///< one for each device
+  std::vector<std::string> not_done;
+  bool feasible = true;
+};
+
+void add_device(Findings& findings, const ExploreCommand& command, const Planning& known,
+                const std::vector<model::DataSet>& sets,
+                const std::vector<report::SoftwareThroughput>& software) {
+  const auto published = command.beside_paper ? model::published(known.device.name) : std::nullopt;
+  if (command.beside_paper && !published) {
+    findings.not_done.push_back("--beside-paper: the paper has no figures of " + known.device.name);
   }
-  value_or_exit(check_has_data(loaded, "recomputation rates are measured on data"));
-  const std::vector<std::string> settings = value_or_exit(data_sets(command.over));
+  const model::OptimiseOptions& choice = command.planning.choice;
+  const model::Exploration exploration = value_or_exit(explore(
+      known.scene, known.device, known.table, sets, columns_for(published, choice.clocks), choice));
+  const std::string tables = tables_of(exploration, published, software);
+  print_notes(exploration);
+  findings.results.push_back(results_for(command, known.scene.system.device, exploration, tables));
+  findings.page += "\n" + tables;
+  findings.json.push_back(report::to_json(exploration));
+  if (command.software) findings.json.back()["software"] = report::to_json(software);
+  for (const model::ResultsAtClocks& column : exploration.columns) {
+    findings.feasible = findings.feasible && column.worst.best() != nullptr;
+  }
+}
+
+/// Writes the results of all devices at once, so that report.md and the folders always tell of the
+/// same run.
+void write_files(Findings& findings, const fs::path& page_path) {
+  model::OutputFile page = value_or_exit(model::OutputFile::open(page_path));
+  page.write(findings.page);
+  value_or_exit(page.write_out());
+  for (ResultFiles& files : findings.results) files.write_out();
+  for (ResultFiles& files : findings.results) {
+    const std::vector<std::string> missing = files.commit();
+    findings.not_done.insert(findings.not_done.end(), missing.begin(), missing.end());
+  }
+  value_or_exit(page.commit());
+}
+
+/// Loads the devices and their tables, and checks all that the run reads and writes.
+std::vector<Planning> plannings_for(const ExploreCommand& command, const LoadedScene& loaded,
+                                    const std::vector<std::string>& settings) {
   const std::vector<model::Scene> scenes = scenes_of(command, settings);
   std::vector<Planning> known;
   for (const std::string& device : devices_of(command, loaded.scene)) {
@@ -335,53 +373,38 @@ void run(const ExploreCommand& command) {
   }
   check_device_names(known);
   value_or_exit(check_outputs(output_paths(command, known), inputs_of(command, scenes, known)));
+  return known;
+}
+
+/// Finds mistakes before the long measurements.
+void run(const ExploreCommand& command) {
+  const LoadedScene loaded = value_or_exit(load(command.planning.scene));
+  if (loaded.scene.variant.empty() && !loaded.scene.variants.empty()) {
+    tell("note: variants left out: explore plans [comparison], or what --variant names");
+  }
+  value_or_exit(check_has_data(loaded, "recomputation rates are measured on data"));
+  const std::vector<std::string> settings = value_or_exit(data_sets(command.over));
+  const std::vector<Planning> known = plannings_for(command, loaded, settings);
   const model::FolderLock held = lock_folder(command.output);
   const std::vector<model::DataSet> sets = measure_sets(command, settings);
   std::vector<report::SoftwareThroughput> software;
   if (command.software) software = measure_software(loaded);
-  std::string report = fmt::format("# {}: plans\n", loaded.scene.name);
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  bool feasible = true;
-  std::vector<ResultFiles> results;
-  std::vector<std::string> not_done;
-  for (const Planning& each : known) {
-    const auto published = command.beside_paper ? model::published(each.device.name) : std::nullopt;
-    if (command.beside_paper && !published) {
-      not_done.push_back("--beside-paper: the paper has no figures of " + each.device.name);
-    }
-    const model::Exploration exploration = value_or_exit(
-        explore(each.scene, each.device, each.table, sets,
-                columns_for(published, command.planning.choice.clocks), command.planning.choice));
-    const std::string tables = tables_of(exploration, published, software);
-    print_notes(exploration);
-    results.push_back(results_for(command, each.scene.system.device, exploration, tables));
-    report += "\n" + tables;
-    json.push_back(report::to_json(exploration));
-    if (command.software) json.back()["software"] = report::to_json(software);
-    for (const model::ResultsAtClocks& column : exploration.columns) {
-      feasible = feasible && column.worst.best() != nullptr;
-    }
-  }
-  model::OutputFile page = value_or_exit(model::OutputFile::open(command.output / "report.md"));
-  page.write(report);
-  value_or_exit(page.write_out());
-  for (ResultFiles& files : results) files.write_out();
-  for (ResultFiles& files : results) {
-    const std::vector<std::string> missing = files.commit();
-    not_done.insert(not_done.end(), missing.begin(), missing.end());
-  }
-  value_or_exit(page.commit());
+
+  Findings findings{.page = fmt::format("# {}: plans\n", loaded.scene.name)};
+  for (const Planning& each : known) add_device(findings, command, each, sets, software);
+  const fs::path page = command.output / "report.md";
+  write_files(findings, page);
   tell_older_results(command.output, known);
   if (command.planning.scene.json) {
-    print(report::json_text(json));
+    print(report::json_text(findings.json));
   } else {
-    print(fmt::format("{}\n{}\n", report, (command.output / "report.md").string()));
+    print(fmt::format("{}\n{}\n", findings.page, page.string()));
   }
-  if (!feasible) {
-    tell_not_done(not_done);
+  if (!findings.feasible) {
+    tell_not_done(findings.not_done);
     throw Exit(ExitCode::refuted);
   }
-  end_if_incomplete(not_done);
+  end_if_incomplete(findings.not_done);
 }
 
 }  // namespace

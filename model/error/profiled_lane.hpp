@@ -12,8 +12,8 @@ struct ProfiledError {
   mpq_class f;
   mpq_class g;
   std::uint64_t comparisons = 0;  ///< that have a real f and g
-  /// Of these, those whose computed f (or g) has no relative error, since it is not finite, or not
-  /// zero where the real one is. `f` and `g` are the largest of the others.
+  /// Comparisons left out of `f` (or `g`), since the computed value is not finite, or is not zero
+  /// where the real one is.
   std::uint64_t f_unbounded = 0, g_unbounded = 0;
 };
 

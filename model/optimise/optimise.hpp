@@ -85,8 +85,8 @@ struct Optimisation {
   const PrecisionPlan* best() const;
 };
 
-/// Where the clocks come from: "estimate before routing", or "given for lanes; for references:
-/// estimate before routing" if one clock is given and the other is not.
+/// Describes the source of the clocks: "estimate before routing", or "given for lanes; for
+/// references: estimate before routing" if one clock is given and the other is not.
 std::string describe_clocks(const Optimisation& optimisation);
 
 /// Runs Algorithm 1. It is an error if the table has no lane or no reference for these options, or
