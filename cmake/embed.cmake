@@ -1,6 +1,6 @@
-# mixcmp_embed(TARGET target NAMESPACE mixcmp::gen SYMBOL name FILES file...)
+# mixcmp_embed(TARGET target NAMESPACE mixcmp::emit SYMBOL name FILES file...)
 # Compiles the texts of FILES into `target`, so that the installed program needs no data folder:
-#   #include "embedded/name.hpp"  ->  std::span<const model::EmbeddedFile> mixcmp::gen::name();
+#   #include "embedded/name.hpp"  ->  std::span<const EmbeddedFile> mixcmp::emit::name();
 # in the order given, each named by its last path component.
 # The same file, run as a script, writes the source at build time.
 
@@ -28,7 +28,7 @@ function(mixcmp_embed)
 
 namespace @EMBED_NAMESPACE@ {
 
-std::span<const model::EmbeddedFile> @EMBED_SYMBOL@();
+std::span<const EmbeddedFile> @EMBED_SYMBOL@();
 
 }  // namespace @EMBED_NAMESPACE@
 ]])
@@ -61,12 +61,12 @@ namespace ${NAMESPACE} {
 
 namespace {
 
-constexpr model::EmbeddedFile files[] = {
+constexpr EmbeddedFile files[] = {
 ${entries}};
 
 }  // namespace
 
-std::span<const model::EmbeddedFile> ${SYMBOL}() { return files; }
+std::span<const EmbeddedFile> ${SYMBOL}() { return files; }
 
 }  // namespace ${NAMESPACE}
 ")

@@ -7,13 +7,10 @@
 #include "model/number/verdict.hpp"
 #include "verilator_tb/judgement.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
-using model::ResultWord;
-using model::Verdict;
-
-ArgMinJudge::ArgMinJudge(const gen::Signature& signature, const model::Design& design,
-                         const model::Comparisons& comparisons, const VerifyOptions& options)
+ArgMinJudge::ArgMinJudge(const emit::Signature& signature, const design::Design& design,
+                         const data::Comparisons& comparisons, const VerifyOptions& options)
     : EngineJudge(signature, design, comparisons, options) {
   report_.arg_min = ArgMinFigures{.top = signature.engine->top,
                                   .candidates = comparisons.tables()[1].rows(),
@@ -59,7 +56,7 @@ void ArgMinJudge::count(std::uint64_t row, std::uint64_t best, std::uint64_t own
 }
 
 void ArgMinJudge::take(const LoadRange& load, const LoadAnswer& answer, Use use) {
-  for (const wire::Violation& violation : answer.violations) {
+  for (const harness::wire::Violation& violation : answer.violations) {
     add_violation(to_text(violation.fault), violation.cycle,
                   fmt::format("tag 0x{:x}", violation.tag));
   }
@@ -69,17 +66,17 @@ void ArgMinJudge::take(const LoadRange& load, const LoadAnswer& answer, Use use)
     judge_row(load, load.first + k, answer.rows[k], use);
   }
   switch (answer.response.state) {
-    case wire::LoadState::complete: return judge_end(load, answer, use);
-    case wire::LoadState::interrupted:
+    case harness::wire::LoadState::complete: return judge_end(load, answer, use);
+    case harness::wire::LoadState::interrupted:
       lanes_.assign(lanes_.size(), {});
       stalled_before_ = 0;
       return;
-    case wire::LoadState::stopped: return;
+    case harness::wire::LoadState::stopped: return;
   }
 }
 
-void ArgMinJudge::judge_row(const LoadRange& load, std::uint64_t row, const wire::RowResult& got,
-                            Use use) {
+void ArgMinJudge::judge_row(const LoadRange& load, std::uint64_t row,
+                            const harness::wire::RowResult& got, Use use) {
   const std::uint64_t expected = chain(load, row, use);
   const bool is_whole = load.candidates == report_.arg_min->candidates;
   const bool differs = is_whole && expected != comparisons_.arg_min(row);
@@ -106,7 +103,7 @@ void ArgMinJudge::judge_end(const LoadRange& load, const LoadAnswer& answer, Use
 /// Judges, after each load, the counters, which run since reset. The report keeps the last totals.
 void ArgMinJudge::judge_counters(const LoadAnswer& answer, Use use) {
   if (signature_.counter_bits == 0) return;
-  const wire::LaneEnd& counters = answer.response.counters;
+  const harness::wire::LaneEnd& counters = answer.response.counters;
   const std::uint64_t stalled = stalls_gained(counters.counted[1]);
   if (use == Use::figures) report_.arg_min->stalled_cycles = stalled;
   std::vector<CounterTotal> totals = check_lanes(answer.lanes);
@@ -116,7 +113,7 @@ void ArgMinJudge::judge_counters(const LoadAnswer& answer, Use use) {
 }
 
 void ArgMinJudge::add_mismatch(std::uint64_t row, std::uint64_t expected,
-                               const wire::RowResult& got) {
+                               const harness::wire::RowResult& got) {
   ++report_.mismatch_count;
   if (report_.mismatches.size() >= VerifyReport::kept) return;
   Mismatch mismatch =
@@ -127,4 +124,4 @@ void ArgMinJudge::add_mismatch(std::uint64_t row, std::uint64_t expected,
   report_.mismatches.push_back(std::move(mismatch));
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -5,7 +5,7 @@
 #include "verilator_tb/arg_min_simulation.hpp"
 #include "verilator_tb/engine_judge.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 /// The part of the scene's data in one load: candidates 0 .. candidates - 1, and rows
 /// first .. first + rows - 1.
@@ -20,18 +20,19 @@ struct LoadRange {
 /// answers with the arg-min that the reference alone finds, too.
 class ArgMinJudge : public EngineJudge {
 public:
-  ArgMinJudge(const gen::Signature& signature, const model::Design& design,
-              const model::Comparisons& comparisons, const VerifyOptions& options);
+  ArgMinJudge(const emit::Signature& signature, const design::Design& design,
+              const data::Comparisons& comparisons, const VerifyOptions& options);
 
   void take(const LoadRange& load, const LoadAnswer& answer, Use use);
 
 private:
   std::uint64_t chain(const LoadRange& load, std::uint64_t row, Use use);
-  void count(std::uint64_t row, std::uint64_t best, std::uint64_t own, model::ResultWord word);
-  void judge_row(const LoadRange& load, std::uint64_t row, const wire::RowResult& got, Use use);
+  void count(std::uint64_t row, std::uint64_t best, std::uint64_t own, ResultWord word);
+  void judge_row(const LoadRange& load, std::uint64_t row, const harness::wire::RowResult& got,
+                 Use use);
   void judge_end(const LoadRange& load, const LoadAnswer& answer, Use use);
   void judge_counters(const LoadAnswer& answer, Use use);
-  void add_mismatch(std::uint64_t row, std::uint64_t expected, const wire::RowResult& got);
+  void add_mismatch(std::uint64_t row, std::uint64_t expected, const harness::wire::RowResult& got);
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -1,14 +1,14 @@
 #include "verilator_tb/arg_min_simulation.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
-model::Result<ArgMinSimulation> ArgMinSimulation::start(const Executable& executable,
-                                                        const SimulationOptions& options) {
+Result<ArgMinSimulation> ArgMinSimulation::start(const Executable& executable,
+                                                 const SimulationOptions& options) {
   MIXCMP_TRY(process, SimulatorProcess::start(executable, options));
   return ArgMinSimulation(std::move(process));
 }
 
-model::Result<LoadAnswer> ArgMinSimulation::exchange(const CandidateLoad& load, int lanes) {
+Result<LoadAnswer> ArgMinSimulation::exchange(const CandidateLoad& load, int lanes) {
   LoadAnswer answer;
   const bool sent = process_.send(std::span(&load.request, 1)) &&
                     process_.send(std::span(load.candidates)) &&
@@ -27,4 +27,4 @@ bool ArgMinSimulation::receive(LoadAnswer& answer, std::size_t lanes) {
          process_.receive(std::span(answer.lanes));
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

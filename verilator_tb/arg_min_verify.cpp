@@ -8,7 +8,7 @@
 #include "verilator_tb/arg_min_judge.hpp"
 #include "verilator_tb/engine_verify.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 namespace {
 
@@ -21,7 +21,7 @@ struct Trial {
 
 /// Plans the loads: first those that a reset breaks off; then loads of one, two, one too few and
 /// one too many candidates; last, twice, all candidates and rows.
-std::vector<Trial> plan_trials(const System& system, const model::Comparisons& comparisons,
+std::vector<Trial> plan_trials(const System& system, const data::Comparisons& comparisons,
                                const VerifyOptions& options) {
   const std::uint64_t rows = comparisons.table().rows();
   const std::uint64_t candidates = comparisons.tables()[1].rows();
@@ -44,7 +44,7 @@ std::vector<Trial> plan_trials(const System& system, const model::Comparisons& c
   return trials;
 }
 
-CandidateLoad load_of(const gen::SignatureEngine& engine, const model::Comparisons& comparisons,
+CandidateLoad load_of(const emit::SignatureEngine& engine, const data::Comparisons& comparisons,
                       const Trial& trial, bool last) {
   const LoadRange& load = trial.load;
   return {.request = {.candidates = load.candidates,
@@ -58,11 +58,11 @@ CandidateLoad load_of(const gen::SignatureEngine& engine, const model::Compariso
                             load.rows)};
 }
 
-model::Result<model::Done> run_trials(const System& system, const model::Comparisons& comparisons,
-                                      const VerifyOptions& options, const Executable& executable,
-                                      ArgMinJudge& judge) {
+Result<Done> run_trials(const System& system, const data::Comparisons& comparisons,
+                        const VerifyOptions& options, const Executable& executable,
+                        ArgMinJudge& judge) {
   MIXCMP_TRY(simulation, ArgMinSimulation::start(executable, simulation_options(options)));
-  const gen::SignatureEngine& engine = *system.signature.engine;
+  const emit::SignatureEngine& engine = *system.signature.engine;
   const std::vector<Trial> trials = plan_trials(system, comparisons, options);
   for (std::size_t k = 0; k < trials.size(); ++k) {
     const Trial& trial = trials[k];
@@ -73,20 +73,20 @@ model::Result<model::Done> run_trials(const System& system, const model::Compari
     const CandidateLoad load = load_of(engine, comparisons, trial, k + 1 == trials.size());
     MIXCMP_TRY(answer, simulation.exchange(load, system.signature.lanes));
     judge.take(trial.load, answer, trial.use);
-    if (answer.response.state == wire::LoadState::stopped) break;
+    if (answer.response.state == harness::wire::LoadState::stopped) break;
   }
   return simulation.finish();
 }
 
 }  // namespace
 
-model::Result<VerifyReport> verify_arg_min(const System& system, const model::Design& design,
-                                           const model::Comparisons& comparisons,
-                                           const VerifyOptions& options) {
+Result<VerifyReport> verify_arg_min(const System& system, const design::Design& design,
+                                    const data::Comparisons& comparisons,
+                                    const VerifyOptions& options) {
   ArgMinJudge judge(system.signature, design, comparisons, options);
   return run_engine(system, options, judge, [&](const Executable& executable) {
     return run_trials(system, comparisons, options, executable, judge);
   });
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

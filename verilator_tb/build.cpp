@@ -12,7 +12,7 @@
 #include "model/common/folder_lock.hpp"
 #include "model/common/output_file.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 namespace {
 
@@ -38,9 +38,9 @@ public:
   std::string text(const char* type) const {
     return fmt::format(
         "#pragma once\n\n#include \"Vsystem.h\"\n#include \"ports.hpp\"\n\n"
-        "namespace mixcmp::tb::system {{\n\nusing Model = Vsystem;\n\n{}\n"
+        "namespace mixcmp::harness::system {{\n\nusing Model = Vsystem;\n\n{}\n"
         "inline {} bind(Model& model) {{\n  {} ports;\n{}  return ports;\n}}\n\n"
-        "}}  // namespace mixcmp::tb::system\n",
+        "}}  // namespace mixcmp::verilator_tb::system\n",
         constants_, type, type, bindings_);
   }
 
@@ -49,8 +49,8 @@ private:
   std::string bindings_;
 };
 
-std::string system_ports(const gen::Signature& s) {
-  const bool refetched = s.operands == model::OperandStore::refetched && s.references > 0;
+std::string system_ports(const emit::Signature& s) {
+  const bool refetched = s.operands == scene::OperandStore::refetched && s.references > 0;
   PortsHeader header;
   header.constant("int", "lanes", s.lanes)
       .constant("int", "references", s.references)
@@ -58,7 +58,7 @@ std::string system_ports(const gen::Signature& s) {
       .constant("int", "tag_bits", s.tag_bits)
       .constant("int", "counter_bits", s.counter_bits)
       .constant("int", "slots", s.slots)
-      .constant("bool", "in_order", s.order == model::ResultOrder::in_order ? 1 : 0)
+      .constant("bool", "in_order", s.order == scene::ResultOrder::in_order ? 1 : 0)
       .constant("bool", "refetched", refetched ? 1 : 0)
       .ports({"aclk", "aresetn", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
               "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser"});
@@ -70,7 +70,7 @@ std::string system_ports(const gen::Signature& s) {
   return header.text("Ports");
 }
 
-std::string pairwise_ports(const gen::Signature& s, const gen::SignatureEngine& engine) {
+std::string pairwise_ports(const emit::Signature& s, const emit::SignatureEngine& engine) {
   PortsHeader header;
   header.constant("int", "lanes", s.lanes)
       .constant("int", "item_bytes", engine.item_bytes)
@@ -85,7 +85,7 @@ std::string pairwise_ports(const gen::Signature& s, const gen::SignatureEngine& 
   return header.text("PairwisePorts");
 }
 
-std::string arg_min_ports(const gen::Signature& s, const gen::SignatureEngine& engine) {
+std::string arg_min_ports(const emit::Signature& s, const emit::SignatureEngine& engine) {
   PortsHeader header;
   header.constant("int", "lanes", s.lanes)
       .constant("int", "item_bytes", engine.item_bytes)
@@ -110,23 +110,23 @@ struct Bench {
   std::string ports;  ///< system_ports.hpp
 };
 
-Bench bench_of(const gen::Signature& s) {
-  const auto kind = s.engine ? s.engine->kind : model::EngineKind::none;
+Bench bench_of(const emit::Signature& s) {
+  const auto kind = s.engine ? s.engine->kind : scene::EngineKind::none;
   switch (kind) {
-    case model::EngineKind::none: return {s.top, "simulator.cpp", system_ports(s)};
-    case model::EngineKind::pairwise:
+    case scene::EngineKind::none: return {s.top, "simulator.cpp", system_ports(s)};
+    case scene::EngineKind::pairwise:
       return {s.engine->top, "pairwise.cpp", pairwise_ports(s, *s.engine)};
-    case model::EngineKind::arg_min:
+    case scene::EngineKind::arg_min:
       return {s.engine->top, "arg_min.cpp", arg_min_ports(s, *s.engine)};
   }
   MIXCMP_CHECK(false);
 }
 
-std::string hierarchy(const gen::Signature& s) {
+std::string hierarchy(const emit::Signature& s) {
   std::string text = "`verilator_config\n";
   std::set<std::string> modules;
-  for (const gen::SignatureLanes& group : s.lane_groups) modules.insert(group.module);
-  for (const gen::SignatureReferences& group : s.reference_groups) modules.insert(group.module);
+  for (const emit::SignatureLanes& group : s.lane_groups) modules.insert(group.module);
+  for (const emit::SignatureReferences& group : s.reference_groups) modules.insert(group.module);
   for (const std::string& module : modules) {
     text += fmt::format("hier_block -module \"{}\"\n", module);
   }
@@ -157,17 +157,17 @@ Command verilator_command(const System& system, const Bench& bench, Waves waves,
 /// Tells whether ccache is installed and can write its folders.
 bool is_ccache_usable() {
   for (const char* setting : {"cache_dir", "temporary_dir"}) {
-    const auto folder = model::capture({"ccache", "--get-config", setting});
+    const auto folder = capture({"ccache", "--get-config", setting});
     if (!folder.ok() || !folder->succeeded()) return false;
     const std::string path = folder->output.substr(0, folder->output.find('\n'));
-    if (path.empty() || !model::make_writable_folder(path).ok()) return false;
+    if (path.empty() || !make_writable_folder(path).ok()) return false;
   }
   return true;
 }
 
-model::Result<SourceFiles> gather_inputs(const System& system, const Bench& bench) {
+Result<SourceFiles> gather_inputs(const System& system, const Bench& bench) {
   MIXCMP_TRY(inputs, system_sources(system));
-  for (const model::EmbeddedFile& file : harness_files()) inputs.emplace_back(file.name, file.text);
+  for (const EmbeddedFile& file : harness_files()) inputs.emplace_back(file.name, file.text);
   inputs.emplace_back("system_ports.hpp", bench.ports);
   inputs.emplace_back("hierarchy.vlt", hierarchy(system.signature));
   return inputs;
@@ -181,31 +181,30 @@ std::vector<fs::path> System::sources() const {
   return paths;
 }
 
-model::Result<System> load_system(const fs::path& directory) {
+Result<System> load_system(const fs::path& directory) {
   std::error_code unreadable;
   std::vector<fs::path> found;
-  for (const auto& entry : model::entries_of(directory, unreadable)) {
+  for (const auto& entry : entries_of(directory, unreadable)) {
     if (entry.path().extension() == ".json") found.push_back(entry.path());
   }
   if (found.size() != 1) {
-    return model::Error{.file = directory.string(),
-                        .message = found.empty()
-                                       ? "no generated system here (no signature, <top>.json)"
-                                       : "more than one .json here; which is the signature?",
-                        .accepted = "a folder written by mixcmp generate"};
+    return Error{.file = directory.string(),
+                 .message = found.empty() ? "no generated system here (no signature, <top>.json)"
+                                          : "more than one .json here; which is the signature?",
+                 .accepted = "a folder written by mixcmp generate"};
   }
-  MIXCMP_TRY(signature, gen::read_signature(found[0]));
+  MIXCMP_TRY(signature, emit::read_signature(found[0]));
   return System{fs::absolute(directory), signature};
 }
 
-model::Result<SourceFiles> system_sources(const System& system) {
+Result<SourceFiles> system_sources(const System& system) {
   SourceFiles inputs;
   for (const fs::path& source : system.sources()) {
-    if (!model::path_exists(source)) {
-      return model::Error{.file = source.string(),
-                          .message = "named by the system's signature, but not there"};
+    if (!path_exists(source)) {
+      return Error{.file = source.string(),
+                   .message = "named by the system's signature, but not there"};
     }
-    MIXCMP_TRY(text, model::read_file(source));
+    MIXCMP_TRY(text, read_file(source));
     inputs.emplace_back(source.filename().string(), text);
   }
   return inputs;
@@ -213,20 +212,20 @@ model::Result<SourceFiles> system_sources(const System& system) {
 
 fs::path work_folder(const fs::path& work, const std::string& name, const std::string& version,
                      const Command& command, const SourceFiles& inputs) {
-  model::ContentHash hash;
+  ContentHash hash;
   hash.add(version).add(shell_line(command));
   for (const auto& [file, text] : inputs) hash.add(file).add(text);
   return fs::absolute(work) / fmt::format("{}-{}", name, hash.hex().substr(0, 16));
 }
 
-model::Result<Executable> build_simulator(const System& system, const BuildOptions& options) {
+Result<Executable> build_simulator(const System& system, const BuildOptions& options) {
   MIXCMP_TRY(version, tool_version({"verilator", "--version"}, "verilator"));
   const Bench bench = bench_of(system.signature);
   MIXCMP_TRY(inputs, gather_inputs(system, bench));
   const bool ccache = is_ccache_usable();
   const Command command = verilator_command(system, bench, options.waves, ccache);
   const fs::path folder = work_folder(options.work_dir, bench.top, version, command, inputs);
-  MIXCMP_TRY(lock, model::FolderLock::take(folder, options.waiting));
+  MIXCMP_TRY(lock, FolderLock::take(folder, options.waiting));
   const Executable executable{folder / "obj" / "Vsystem"};
   const fs::path stamp = folder / "complete";
   if (fs::exists(stamp) && fs::exists(executable.path)) return executable;
@@ -235,21 +234,21 @@ model::Result<Executable> build_simulator(const System& system, const BuildOptio
   // A killed compiler or linker leaves half a file newer than its sources, which make would keep.
   std::error_code failure;
   fs::remove_all(folder / "obj", failure);
-  if (failure) return model::cannot_write(folder / "obj", failure.value());
+  if (failure) return cannot_write(folder / "obj", failure.value());
   for (const auto& [name, text] : inputs) {
-    MIXCMP_TRY(written, model::write_file(folder / name, text));
+    MIXCMP_TRY(written, write_file(folder / name, text));
   }
   MIXCMP_TRY(run, run_tool({.command = command,
                             .directory = folder,
                             .log = folder / "build.log",
                             .progress = options.progress}));
   if (!fs::exists(executable.path)) {
-    return model::Error{.file = (folder / "build.log").string(),
-                        .message = "verilator ended well and wrote no simulator"};
+    return Error{.file = (folder / "build.log").string(),
+                 .message = "verilator ended well and wrote no simulator"};
   }
-  MIXCMP_TRY(stamped, model::write_file(stamp, ""));
+  MIXCMP_TRY(stamped, write_file(stamp, ""));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return Executable{executable.path, taken.count()};
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

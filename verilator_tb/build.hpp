@@ -7,27 +7,19 @@
 #include "model/common/folder_lock.hpp"
 #include "model/common/process.hpp"
 
-namespace mixcmp::tb {
-
-using model::Child;
-using model::Command;
-using model::last_lines;
-using model::Progress;
-using model::run_tool;
-using model::shell_line;
-using model::tool_version;
+namespace mixcmp::verilator_tb {
 
 /// A generated system in its folder.
 struct System {
   std::filesystem::path directory;
-  gen::Signature signature;
+  emit::Signature signature;
 
   /// Absolute paths of the Verilog files, in compile order.
   std::vector<std::filesystem::path> sources() const;
 };
 
 /// Finds the one signature in `directory` and reads it.
-model::Result<System> load_system(const std::filesystem::path& directory);
+Result<System> load_system(const std::filesystem::path& directory);
 
 enum class Waves {
   off,
@@ -38,7 +30,7 @@ struct BuildOptions {
   std::filesystem::path work_dir;  ///< builds are kept here, one folder for each content
   Waves waves = Waves::off;
   Progress progress;
-  model::Waiting waiting = {};
+  Waiting waiting = {};
 };
 
 struct Executable {
@@ -51,7 +43,7 @@ struct Executable {
 using SourceFiles = std::vector<std::pair<std::string, std::string>>;
 
 /// The Verilog files that the system's signature names; an error names a missing one.
-model::Result<SourceFiles> system_sources(const System& system);
+Result<SourceFiles> system_sources(const System& system);
 
 /// The folder WORK/NAME-HASH. The hash is that of the command, the tool's version and all files
 /// that the tool reads.
@@ -63,6 +55,6 @@ std::filesystem::path work_folder(const std::filesystem::path& work, const std::
 /// everything that went into it; one that was interrupted starts anew (ccache keeps its objects).
 /// Channels and references are verilated once each (hierarchical blocks). Verilator 5.006 traces
 /// the ports of all of them, but the inside of the first channel and the first reference alone.
-model::Result<Executable> build_simulator(const System& system, const BuildOptions& options);
+Result<Executable> build_simulator(const System& system, const BuildOptions& options);
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

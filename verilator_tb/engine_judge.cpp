@@ -4,10 +4,10 @@
 
 #include "verilator_tb/judgement.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
-EngineJudge::EngineJudge(const gen::Signature& signature, const model::Design& design,
-                         const model::Comparisons& comparisons, const VerifyOptions& options)
+EngineJudge::EngineJudge(const emit::Signature& signature, const design::Design& design,
+                         const data::Comparisons& comparisons, const VerifyOptions& options)
     : signature_(signature),
       design_(design),
       comparisons_(comparisons),
@@ -21,7 +21,8 @@ EngineJudge::EngineJudge(const gen::Signature& signature, const model::Design& d
   report_.requested = comparisons.size();
 }
 
-std::vector<CounterTotal> EngineJudge::check_lanes(const std::vector<wire::LaneEnd>& counted) {
+std::vector<CounterTotal> EngineJudge::check_lanes(
+    const std::vector<harness::wire::LaneEnd>& counted) {
   std::vector<CounterTotal> totals = {{"comparisons"}, {"recomputations"}};
   for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
     for (std::size_t k = 0; k < totals.size(); ++k) {
@@ -34,7 +35,7 @@ std::vector<CounterTotal> EngineJudge::check_lanes(const std::vector<wire::LaneE
 
 void EngineJudge::check_counter(const std::string& name, std::uint64_t counted,
                                 std::uint64_t observed, CounterTotal& total) {
-  const auto mask = static_cast<std::uint64_t>(model::low_mask(signature_.counter_bits));
+  const auto mask = static_cast<std::uint64_t>(low_mask(signature_.counter_bits));
   total.counted += counted;
   total.observed += observed;
   if (counted == (observed & mask)) return;
@@ -43,7 +44,7 @@ void EngineJudge::check_counter(const std::string& name, std::uint64_t counted,
 }
 
 std::uint64_t EngineJudge::stalls_gained(std::uint64_t counted) {
-  const auto mask = static_cast<std::uint64_t>(model::low_mask(signature_.counter_bits));
+  const auto mask = static_cast<std::uint64_t>(low_mask(signature_.counter_bits));
   const std::uint64_t gained = (counted - stalled_before_) & mask;
   stalled_before_ = counted;
   return gained;
@@ -55,4 +56,4 @@ void EngineJudge::add_violation(std::string fault, std::uint64_t cycle, std::str
   report_.violations.push_back({std::move(fault), 0, cycle, std::move(details)});
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -7,7 +7,7 @@
 #include "verilator_tb/harness/protocol.hpp"
 #include "verilator_tb/verify.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 /// The base of the judges of all engines: the report, the lanes' counters since reset, and how a
 /// fault is recorded.
@@ -22,11 +22,11 @@ public:
   VerifyReport& report() { return report_; }
 
 protected:
-  EngineJudge(const gen::Signature& signature, const model::Design& design,
-              const model::Comparisons& comparisons, const VerifyOptions& options);
+  EngineJudge(const emit::Signature& signature, const design::Design& design,
+              const data::Comparisons& comparisons, const VerifyOptions& options);
 
   /// Compares the lanes' own counters with `lanes_`. Returns the totals, by name.
-  std::vector<CounterTotal> check_lanes(const std::vector<wire::LaneEnd>& counted);
+  std::vector<CounterTotal> check_lanes(const std::vector<harness::wire::LaneEnd>& counted);
   void check_counter(const std::string& name, std::uint64_t counted, std::uint64_t observed,
                      CounterTotal& total);
   /// How much the engine's counter of stalled cycles, which may wrap, has grown since the last
@@ -34,15 +34,15 @@ protected:
   std::uint64_t stalls_gained(std::uint64_t counted);
   void add_violation(std::string fault, std::uint64_t cycle, std::string details);
 
-  const gen::Signature& signature_;
-  const model::Design& design_;
-  const model::Comparisons& comparisons_;
+  const emit::Signature& signature_;
+  const design::Design& design_;
+  const data::Comparisons& comparisons_;
   const VerifyOptions& options_;
   std::vector<std::size_t> group_of_lane_;
-  std::vector<wire::LaneEnd> lanes_;  ///< `observed`: by the golden model, since reset
-  std::vector<model::Bits> operands_;
+  std::vector<harness::wire::LaneEnd> lanes_;  ///< `observed`: by the golden model, since reset
+  std::vector<Bits> operands_;
   std::uint64_t stalled_before_ = 0;  ///< the stall counter after the last trial
   VerifyReport report_;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

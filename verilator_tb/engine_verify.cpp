@@ -5,17 +5,17 @@
 
 #include "verilator_tb/waves.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 namespace {
 
-std::string save_file(const gen::SignatureEngine& engine, const VerifyOptions& options) {
+std::string save_file(const emit::SignatureEngine& engine, const VerifyOptions& options) {
   return gtkwave_save_file(
       engine,
       {.waves = options.waves, .scope = "TOP." + engine.top, .time_per_cycle = 2, .marked = {}});
 }
 
-std::vector<std::size_t> places_of(const model::Table& table,
+std::vector<std::size_t> places_of(const data::Table& table,
                                    const std::vector<std::string>& columns) {
   std::vector<std::size_t> places;
   for (const std::string& name : columns) {
@@ -27,28 +27,27 @@ std::vector<std::size_t> places_of(const model::Table& table,
 
 }  // namespace
 
-model::Result<model::Done> check_engine_options(const VerifyOptions& options,
-                                                const std::string& compares) {
+Result<Done> check_engine_options(const VerifyOptions& options, const std::string& compares) {
   if (options.simulator == SimulatorKind::icarus) {
-    return model::Error{.field = "--simulator",
-                        .message = "engines are simulated with Verilator alone",
-                        .received = "icarus",
-                        .accepted = "verilator, or --set engine.kind=none for the system inside"};
+    return Error{.field = "--simulator",
+                 .message = "engines are simulated with Verilator alone",
+                 .received = "icarus",
+                 .accepted = "verilator, or --set engine.kind=none for the system inside"};
   }
-  if (options.selection.limit == 0 && !options.selection.only) return model::Done{};
-  return model::Error{.field = "--first, --sample, --only",
-                      .message = "an engine compares " + compares,
-                      .received = "a selection of comparisons",
-                      .accepted = "none; or --set engine.kind=none for the system inside"};
+  if (options.selection.limit == 0 && !options.selection.only) return Done{};
+  return Error{.field = "--first, --sample, --only",
+               .message = "an engine compares " + compares,
+               .received = "a selection of comparisons",
+               .accepted = "none; or --set engine.kind=none for the system inside"};
 }
 
-std::vector<std::uint8_t> row_bytes(const model::Table& table,
+std::vector<std::uint8_t> row_bytes(const data::Table& table,
                                     const std::vector<std::string>& columns, int bytes_of_one,
                                     std::uint64_t first, std::uint64_t count) {
   const std::vector<std::size_t> places = places_of(table, columns);
   const auto size = static_cast<std::size_t>(bytes_of_one);
   std::vector<std::uint8_t> bytes(size * count);
-  std::vector<model::Bits> values(places.size());
+  std::vector<Bits> values(places.size());
   for (std::uint64_t k = 0; k < count; ++k) {
     for (std::size_t c = 0; c < places.size(); ++c) {
       values[c] = table.at((first + k) % table.rows(), places[c]);
@@ -59,9 +58,9 @@ std::vector<std::uint8_t> row_bytes(const model::Table& table,
   return bytes;
 }
 
-model::Result<VerifyReport> run_engine(
-    const System& system, const VerifyOptions& options, EngineJudge& judge,
-    const std::function<model::Result<model::Done>(const Executable&)>& trials) {
+Result<VerifyReport> run_engine(const System& system, const VerifyOptions& options,
+                                EngineJudge& judge,
+                                const std::function<Result<Done>(const Executable&)>& trials) {
   const Waves waves = options.waves.empty() ? Waves::off : Waves::on;
   MIXCMP_TRY(executable, build_simulator(system, {.work_dir = options.work_dir,
                                                   .waves = waves,
@@ -79,4 +78,4 @@ model::Result<VerifyReport> run_engine(
   return std::move(judge.report());
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

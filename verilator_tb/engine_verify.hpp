@@ -9,24 +9,23 @@
 #include "verilator_tb/engine_judge.hpp"
 
 /// The steps of `verify` that are the same for every engine.
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 /// Refuses options that no engine supports: another simulator, a selection. `compares`: what the
 /// engine compares, for the message, such as "every pair of its items".
-model::Result<model::Done> check_engine_options(const VerifyOptions& options,
-                                                const std::string& compares);
+Result<Done> check_engine_options(const VerifyOptions& options, const std::string& compares);
 
 /// The bytes of `count` rows of a table from row `first` on, each as a tdata of `bytes_of_one`
 /// bytes; after the table's last row its first follows. Padding bits are zeros in one row and ones
 /// in the next.
-std::vector<std::uint8_t> row_bytes(const model::Table& table,
+std::vector<std::uint8_t> row_bytes(const data::Table& table,
                                     const std::vector<std::string>& columns, int bytes_of_one,
                                     std::uint64_t first, std::uint64_t count);
 
 /// Builds the simulator, calls `trials` with it, and returns the judge's report. Gives the wave
 /// file, if there is one, its GTKWave save file.
-model::Result<VerifyReport> run_engine(
-    const System& system, const VerifyOptions& options, EngineJudge& judge,
-    const std::function<model::Result<model::Done>(const Executable&)>& trials);
+Result<VerifyReport> run_engine(const System& system, const VerifyOptions& options,
+                                EngineJudge& judge,
+                                const std::function<Result<Done>(const Executable&)>& trials);
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -10,7 +10,7 @@
 #include "model/common/folder_lock.hpp"
 #include "model/common/output_file.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 namespace {
 
@@ -36,11 +36,11 @@ std::string resets_text(const Block& block) {
 
 Command compile_command(const System& system, const Block& block,
                         const SimulationOptions& options) {
-  const gen::Signature& s = system.signature;
+  const emit::Signature& s = system.signature;
   Command command = {"iverilog",  "-g2001",           "-o", "simulation", "-s",
                      "testbench", "-DSYSTEM=" + s.top};
   if (s.counter_bits > 0) command.push_back("-DCOUNTERS");
-  if (s.operands == model::OperandStore::refetched && s.references > 0) {
+  if (s.operands == scene::OperandStore::refetched && s.references > 0) {
     command.push_back("-DREFETCHED");
   }
   const auto parameter = [&command](const char* name, std::uint64_t value) {
@@ -52,7 +52,7 @@ Command compile_command(const System& system, const Block& block,
   parameter("TAG_BITS", static_cast<std::uint64_t>(s.tag_bits));
   parameter("COUNTER_BITS", static_cast<std::uint64_t>(s.counter_bits));
   parameter("SLOTS", static_cast<std::uint64_t>(s.slots));
-  parameter("IN_ORDER", s.order == model::ResultOrder::in_order ? 1 : 0);
+  parameter("IN_ORDER", s.order == scene::ResultOrder::in_order ? 1 : 0);
   parameter("COUNT", block.comparisons);
   parameter("RESETS", block.resets.size());
   parameter("STRESSED", options.traffic == TrafficKind::stressed ? 1 : 0);
@@ -65,11 +65,23 @@ Command compile_command(const System& system, const Block& block,
   return command;
 }
 
+/// The link in the work folder through which vvp reaches the folder of the waves: its $dumpfile
+/// takes ASCII names alone.
+constexpr const char* waves_link = "waves";
+
+Result<Done> link_waves(const fs::path& folder, const fs::path& waves) {
+  std::error_code failed;
+  fs::remove(folder / waves_link, failed);
+  fs::create_directory_symlink(fs::absolute(waves).parent_path(), folder / waves_link, failed);
+  if (failed) return cannot_write(folder / waves_link, failed.value());
+  return Done{};
+}
+
 Command run_command(const SimulationOptions& options) {
   Command command = {"vvp", "-n", "simulation"};
   if (!options.waves.empty()) {
     command.push_back("-fst");
-    command.push_back("+waves=" + fs::absolute(options.waves).string());
+    command.push_back("+waves=" + (waves_link / options.waves.filename()).string());
   }
   for (const std::string& plusarg : options.plusargs) command.push_back("+" + plusarg);
   return command;
@@ -82,26 +94,26 @@ bool parse_line(const std::string& line, Answer& answer) {
   std::string kind;
   words >> kind;
   if (kind == "result") {
-    wire::Result r{};
+    harness::wire::Result r{};
     words >> r.lane >> r.position >> std::hex >> r.tdata >> std::dec >> r.cycle_accepted >>
         r.cycle_left;
     answer.results.push_back(r);
   } else if (kind == "violation") {
     std::uint32_t fault = 0;
     std::int64_t position = 0;
-    wire::Violation v{};
+    harness::wire::Violation v{};
     words >> fault >> v.lane >> position >> std::hex >> v.tag >> std::dec >> v.cycle;
-    v.fault = static_cast<wire::Fault>(fault);
-    v.position = position < 0 ? wire::no_position : static_cast<std::uint64_t>(position);
+    v.fault = static_cast<harness::wire::Fault>(fault);
+    v.position = position < 0 ? harness::wire::no_position : static_cast<std::uint64_t>(position);
     answer.violations.push_back(v);
   } else if (kind == "end") {
-    wire::LaneEnd end{};
+    harness::wire::LaneEnd end{};
     for (int k = 0; k < 3; ++k) words >> end.counted[k] >> end.observed[k];
     answer.lanes.push_back(end);
   } else if (kind == "state") {
     std::uint64_t state = 0;
     words >> state >> answer.cycles;
-    answer.state = static_cast<wire::State>(state);
+    answer.state = static_cast<harness::wire::State>(state);
   } else {
     return false;
   }
@@ -110,59 +122,59 @@ bool parse_line(const std::string& line, Answer& answer) {
 
 /// Checks what the judge relies on: each result is that of a comparison which was offered, and no
 /// comparison has two results.
-model::Result<model::Done> check_results(const Answer& answer, const Block& block,
-                                         const gen::Signature& signature, const fs::path& path) {
+Result<Done> check_results(const Answer& answer, const Block& block,
+                           const emit::Signature& signature, const fs::path& path) {
   std::vector<bool> has_left(block.comparisons);
-  for (const wire::Result& result : answer.results) {
+  for (const harness::wire::Result& result : answer.results) {
     const bool known = result.position < block.comparisons &&
                        result.lane < static_cast<std::uint32_t>(signature.lanes);
     if (known && !has_left[result.position]) {
       has_left[result.position] = true;
       continue;
     }
-    return model::Error{.file = path.string(),
-                        .message = "the simulator wrote results that cannot be",
-                        .received = fmt::format("comparison {} from lane {}{}", result.position,
-                                                result.lane, known ? " a second time" : ""),
-                        .accepted = fmt::format("each of {} comparisons once, from one of {} lanes",
-                                                block.comparisons, signature.lanes)};
+    return Error{.file = path.string(),
+                 .message = "the simulator wrote results that cannot be",
+                 .received = fmt::format("comparison {} from lane {}{}", result.position,
+                                         result.lane, known ? " a second time" : ""),
+                 .accepted = fmt::format("each of {} comparisons once, from one of {} lanes",
+                                         block.comparisons, signature.lanes)};
   }
-  return model::Done{};
+  return Done{};
 }
 
-model::Result<Answer> read_results(const fs::path& path) {
+Result<Answer> read_results(const fs::path& path) {
   std::ifstream stream(path);
   Answer answer;
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
     if (parse_line(line, answer)) continue;
-    return model::Error{.file = path.string(),
-                        .line = number,
-                        .message = "the testbench wrote what cannot be read",
-                        .received = line};
+    return Error{.file = path.string(),
+                 .line = number,
+                 .message = "the testbench wrote what cannot be read",
+                 .received = line};
   }
-  if (answer.state != wire::State::running) return answer;
-  return model::Error{.file = path.string(), .message = "the simulation ended before its time"};
+  if (answer.state != harness::wire::State::running) return answer;
+  return Error{.file = path.string(), .message = "the simulation ended before its time"};
 }
 
 }  // namespace
 
-model::Result<Answer> simulate_in_icarus(const System& system, const Block& block,
-                                         const fs::path& work_dir, const SimulationOptions& options,
-                                         const Progress& progress, const model::Waiting& waiting) {
+Result<Answer> simulate_in_icarus(const System& system, const Block& block,
+                                  const fs::path& work_dir, const SimulationOptions& options,
+                                  const Progress& progress, const Waiting& waiting) {
   MIXCMP_TRY(version, tool_version({"iverilog", "-V"}, "iverilog"));
   MIXCMP_TRY(inputs, system_sources(system));
   const auto bytes = static_cast<std::size_t>(system.signature.tdata_bytes);
-  for (const model::EmbeddedFile& file : icarus_files()) inputs.emplace_back(file.name, file.text);
+  for (const EmbeddedFile& file : icarus_files()) inputs.emplace_back(file.name, file.text);
   inputs.emplace_back("stimulus.hex", stimulus_text(block, bytes));
   inputs.emplace_back("resets.hex", resets_text(block));
   const Command command = compile_command(system, block, options);
   const fs::path folder =
       work_folder(work_dir, system.signature.top + "-icarus", version, command, inputs);
-  MIXCMP_TRY(lock, model::FolderLock::take(folder, waiting));
+  MIXCMP_TRY(lock, FolderLock::take(folder, waiting));
   for (const auto& [name, text] : inputs) {
-    MIXCMP_TRY(written, model::write_file(folder / name, text));
+    MIXCMP_TRY(written, write_file(folder / name, text));
   }
   std::error_code failure;
   fs::remove(folder / "results.txt", failure);
@@ -170,6 +182,9 @@ model::Result<Answer> simulate_in_icarus(const System& system, const Block& bloc
                                  .directory = folder,
                                  .log = folder / "compile.log",
                                  .progress = progress}));
+  if (!options.waves.empty()) {
+    MIXCMP_TRY(linked, link_waves(folder, options.waves));
+  }
   MIXCMP_TRY(simulated, run_tool({.command = run_command(options),
                                   .directory = folder,
                                   .log = folder / "simulation.log",
@@ -179,4 +194,4 @@ model::Result<Answer> simulate_in_icarus(const System& system, const Block& bloc
   return answer;
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -5,7 +5,7 @@
 #include "model/common/folder_lock.hpp"
 #include "verilator_tb/system_simulation.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 /// How many time units of the testbench's waves one clock cycle takes.
 inline constexpr std::uint64_t icarus_time_per_cycle = 4;
@@ -13,9 +13,9 @@ inline constexpr std::uint64_t icarus_time_per_cycle = 4;
 /// Runs a block on an event-driven simulator, so that no result depends on Verilator alone. It is
 /// meant for small systems and thousands of comparisons: the whole run is one block. Sources,
 /// stimulus, results and logs stay in a folder of `work_dir`.
-model::Result<Answer> simulate_in_icarus(const System& system, const Block& block,
-                                         const std::filesystem::path& work_dir,
-                                         const SimulationOptions& options, const Progress& progress,
-                                         const model::Waiting& waiting);
+Result<Answer> simulate_in_icarus(const System& system, const Block& block,
+                                  const std::filesystem::path& work_dir,
+                                  const SimulationOptions& options, const Progress& progress,
+                                  const Waiting& waiting);
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -8,16 +8,12 @@
 #include "model/number/verdict.hpp"
 #include "verilator_tb/judgement.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
-namespace {
+namespace {}  // namespace
 
-using model::ResultWord;
-
-}  // namespace
-
-Judge::Judge(const gen::Signature& signature, const model::Design& design,
-             const model::Comparisons& comparisons, const Selection& selection,
+Judge::Judge(const emit::Signature& signature, const design::Design& design,
+             const data::Comparisons& comparisons, const Selection& selection,
              const VerifyOptions& options)
     : signature_(signature),
       design_(design),
@@ -36,14 +32,14 @@ void Judge::announce(std::uint64_t count) {
 }
 
 void Judge::take(const Answer& answer) {
-  for (const wire::Result& result : answer.results) take_result(result);
-  for (const wire::Violation& violation : answer.violations) take_violation(violation);
+  for (const harness::wire::Result& result : answer.results) take_result(result);
+  for (const harness::wire::Violation& violation : answer.violations) take_violation(violation);
   report_.cycles = answer.cycles;
   take_counters(answer.lanes);
   retire();
 }
 
-void Judge::take_result(const wire::Result& result) {
+void Judge::take_result(const harness::wire::Result& result) {
   MIXCMP_CHECK(result.position >= window_start_ &&
                result.position - window_start_ < window_.size());
   Fate& fate = window_[result.position - window_start_];
@@ -63,7 +59,7 @@ void Judge::take_result(const wire::Result& result) {
   (report_.latencies.*latency).add(cycles);
   (group.latencies.*latency).add(cycles);
 
-  std::vector<model::Bits> operands(comparisons_.input_count());
+  std::vector<Bits> operands(comparisons_.input_count());
   comparisons_.fetch(selection_.index(result.position), operands);
   if (options_.truth) {
     check_against_truth(*options_.truth, design_, operands, fate.word, *report_.truth, group);
@@ -77,7 +73,7 @@ void Judge::take_result(const wire::Result& result) {
   }
 }
 
-Mismatch Judge::mismatch_of(const wire::Result& result, ResultWord expected) const {
+Mismatch Judge::mismatch_of(const harness::wire::Result& result, ResultWord expected) const {
   const std::uint64_t index = selection_.index(result.position);
   Mismatch mismatch = describe_comparison(design_, comparisons_, index);
   mismatch.expected = describe(expected);
@@ -90,24 +86,24 @@ Mismatch Judge::mismatch_of(const wire::Result& result, ResultWord expected) con
   return mismatch;
 }
 
-void Judge::take_violation(const wire::Violation& violation) {
-  if (violation.fault == wire::Fault::lost) {
+void Judge::take_violation(const harness::wire::Violation& violation) {
+  if (violation.fault == harness::wire::Fault::lost) {
     window_[violation.position - window_start_].lost = true;
   }
   ++report_.violation_count;
   if (report_.violations.size() >= VerifyReport::kept) return;
   ProtocolViolation told{to_text(violation.fault), violation.lane, violation.cycle,
                          fmt::format("tag 0x{:x}", violation.tag)};
-  if (violation.position != wire::no_position) {
+  if (violation.position != harness::wire::no_position) {
     told.details += fmt::format(", comparison {}", selection_.index(violation.position));
   }
   report_.violations.push_back(std::move(told));
 }
 
-void Judge::take_counters(const std::vector<wire::LaneEnd>& lanes) {
+void Judge::take_counters(const std::vector<harness::wire::LaneEnd>& lanes) {
   if (lanes.empty() || signature_.counter_bits == 0) return;
   constexpr const char* names[] = {"comparisons", "recomputations", "stalls"};
-  const auto mask = static_cast<std::uint64_t>(model::low_mask(signature_.counter_bits));
+  const auto mask = static_cast<std::uint64_t>(low_mask(signature_.counter_bits));
   for (int k = 0; k < 3; ++k) {
     CounterTotal total{names[k], 0, 0};
     for (std::uint32_t lane = 0; lane < lanes.size(); ++lane) {
@@ -152,4 +148,4 @@ void Judge::count(std::uint64_t index, const Fate& fate) {
   if (options_.on_result) options_.on_result({index, fate.word});
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

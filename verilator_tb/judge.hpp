@@ -5,14 +5,14 @@
 
 #include "verilator_tb/verify.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 /// Compares results with the golden model, in whatever order and from whichever simulator they
 /// come. It remembers only the comparisons from the oldest missing result to the newest announced.
 class Judge {
 public:
-  Judge(const gen::Signature& signature, const model::Design& design,
-        const model::Comparisons& comparisons, const Selection& selection,
+  Judge(const emit::Signature& signature, const design::Design& design,
+        const data::Comparisons& comparisons, const Selection& selection,
         const VerifyOptions& options);
 
   /// Announces that the next `count` positions are on their way.
@@ -23,36 +23,36 @@ public:
 
   VerifyReport& report() { return report_; }
   /// The first comparison that no lane decided, for a marker in the waves.
-  const std::optional<wire::Result>& first_undecided() const { return first_undecided_; }
+  const std::optional<harness::wire::Result>& first_undecided() const { return first_undecided_; }
 
 private:
   struct Fate {
     bool has_left = false;
     bool lost = false;
     std::uint32_t lane = 0;
-    model::ResultWord word = model::ResultWord::undecided();  ///< as received
+    ResultWord word = ResultWord::undecided();  ///< as received
   };
 
   GroupReport& group_of(std::uint32_t lane) { return report_.groups[group_of_lane_[lane]]; }
-  void take_result(const wire::Result& result);
-  void take_violation(const wire::Violation& violation);
-  void take_counters(const std::vector<wire::LaneEnd>& lanes);
+  void take_result(const harness::wire::Result& result);
+  void take_violation(const harness::wire::Violation& violation);
+  void take_counters(const std::vector<harness::wire::LaneEnd>& lanes);
   void report_wrong_counter(const char* name, std::uint32_t lane, std::uint64_t counted,
                             std::uint64_t observed);
-  Mismatch mismatch_of(const wire::Result& result, model::ResultWord expected) const;
+  Mismatch mismatch_of(const harness::wire::Result& result, ResultWord expected) const;
   void retire();
   void count(std::uint64_t index, const Fate& fate);
 
-  const gen::Signature& signature_;
-  const model::Design& design_;
-  const model::Comparisons& comparisons_;
+  const emit::Signature& signature_;
+  const design::Design& design_;
+  const data::Comparisons& comparisons_;
   const Selection& selection_;
   const VerifyOptions& options_;
   std::vector<std::size_t> group_of_lane_;
   std::deque<Fate> window_;
   std::uint64_t window_start_ = 0;  ///< position of window_.front()
-  std::optional<wire::Result> first_undecided_;
+  std::optional<harness::wire::Result> first_undecided_;
   VerifyReport report_;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

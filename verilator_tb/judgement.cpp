@@ -8,16 +8,11 @@
 #include "model/number/decimal.hpp"
 #include "model/number/verdict.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
-namespace {
+namespace {}  // namespace
 
-using model::ResultWord;
-using model::Verdict;
-
-}  // namespace
-
-VerifyReport empty_report(const gen::Signature& signature, const model::Design& design,
+VerifyReport empty_report(const emit::Signature& signature, const design::Design& design,
                           const VerifyOptions& options) {
   VerifyReport report;
   report.system = signature.top;
@@ -28,19 +23,19 @@ VerifyReport empty_report(const gen::Signature& signature, const model::Design& 
   if (options.truth) report.truth.emplace();
   const std::vector<std::string> names = lane_group_names(design);
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const model::LaneGroup& group = design.lanes[k];
+    const design::LaneGroup& group = design.lanes[k];
     report.groups.push_back(
         {.name = names[k], .lanes = group.count, .certified = group.lane.certified()});
   }
   return report;
 }
 
-ResultWord expected_word(const model::Design& design, std::size_t group,
-                         std::span<const model::Bits> operands) {
-  const auto decision = model::golden::evaluate_lane(design.lanes[group].lane, operands);
+ResultWord expected_word(const design::Design& design, std::size_t group,
+                         std::span<const Bits> operands) {
+  const auto decision = golden::evaluate_lane(design.lanes[group].lane, operands);
   if (decision.decided) return ResultWord::decided(decision.verdict);
   if (design.references.empty()) return ResultWord::undecided();
-  return ResultWord::recomputed(model::golden::evaluate_reference(design.reference, operands));
+  return ResultWord::recomputed(golden::evaluate_reference(design.reference, operands));
 }
 
 std::string describe(ResultWord word) {
@@ -50,43 +45,43 @@ std::string describe(ResultWord word) {
                      word.is_recomputed() ? "recomputed" : "decided by the lane");
 }
 
-std::string to_text(wire::Fault fault) {
+std::string to_text(harness::wire::Fault fault) {
   switch (fault) {
-    case wire::Fault::valid_dropped: return "tvalid fell before tready rose";
-    case wire::Fault::payload_changed: return "payload changed while waiting for tready";
-    case wire::Fault::unknown_tag: return "result with a tag that is not inside";
-    case wire::Fault::duplicate_tag: return "result left twice";
-    case wire::Fault::stale_after_reset: return "result from before a reset left after it";
-    case wire::Fault::valid_in_reset: return "tvalid high in reset";
-    case wire::Fault::order_broken: return "result overtook an earlier one";
-    case wire::Fault::lost: return "comparison lost";
-    case wire::Fault::hung: return "lane stands still";
-    case wire::Fault::unknown_refetch: return "refetch of a tag that is not inside";
-    case wire::Fault::unknown_value: return "unknown value (x) on a handshake or a result";
-    case wire::Fault::after_the_end: return "report behind the closing beat";
-    case wire::Fault::closed_early: return "closing beat before the last item";
-    case wire::Fault::loaded_among_rows: return "candidate accepted while rows are inside";
+    case harness::wire::Fault::valid_dropped: return "tvalid fell before tready rose";
+    case harness::wire::Fault::payload_changed: return "payload changed while waiting for tready";
+    case harness::wire::Fault::unknown_tag: return "result with a tag that is not inside";
+    case harness::wire::Fault::duplicate_tag: return "result left twice";
+    case harness::wire::Fault::stale_after_reset: return "result from before a reset left after it";
+    case harness::wire::Fault::valid_in_reset: return "tvalid high in reset";
+    case harness::wire::Fault::order_broken: return "result overtook an earlier one";
+    case harness::wire::Fault::lost: return "comparison lost";
+    case harness::wire::Fault::hung: return "lane stands still";
+    case harness::wire::Fault::unknown_refetch: return "refetch of a tag that is not inside";
+    case harness::wire::Fault::unknown_value: return "unknown value (x) on a handshake or a result";
+    case harness::wire::Fault::after_the_end: return "report behind the closing beat";
+    case harness::wire::Fault::closed_early: return "closing beat before the last item";
+    case harness::wire::Fault::loaded_among_rows: return "candidate accepted while rows are inside";
   }
   MIXCMP_CHECK(false);
   return {};
 }
 
-Mismatch describe_comparison(const model::Design& design, const model::Comparisons& comparisons,
+Mismatch describe_comparison(const design::Design& design, const data::Comparisons& comparisons,
                              std::uint64_t index) {
   Mismatch mismatch{.index = index};
-  mismatch.items = model::describe(comparisons, index);
-  std::vector<model::Bits> operands(comparisons.input_count());
+  mismatch.items = data::describe(comparisons, index);
+  std::vector<Bits> operands(comparisons.input_count());
   comparisons.fetch(index, operands);
-  const model::FloatFormat format = design.reference.input_format();
+  const FloatFormat format = design.reference.input_format();
   for (std::size_t k = 0; k < operands.size(); ++k) {
-    mismatch.operands.push_back({design.inputs[k], model::to_hex(operands[k], format.width()),
-                                 model::to_text(format, operands[k])});
+    mismatch.operands.push_back(
+        {design.inputs[k], to_hex(operands[k], format.width()), to_text(format, operands[k])});
   }
   return mismatch;
 }
 
-void check_against_truth(const TruthCheck& check, const model::Design& design,
-                         std::span<const model::Bits> operands, ResultWord word, TruthCount& truth,
+void check_against_truth(const TruthCheck& check, const design::Design& design,
+                         std::span<const Bits> operands, ResultWord word, TruthCount& truth,
                          GroupReport& group) {
   if (word.is_undecided()) {
     ++truth.undecided;
@@ -98,7 +93,7 @@ void check_against_truth(const TruthCheck& check, const model::Design& design,
     return;
   }
   const auto verdict =
-      model::golden::true_verdict(*check.graph, design.reference.input_format(), operands);
+      golden::true_verdict(*check.graph, design.reference.input_format(), operands);
   if (!verdict) {
     ++truth.undetermined;
     return;
@@ -112,7 +107,7 @@ void check_against_truth(const TruthCheck& check, const model::Design& design,
   ++truth.checked;
   if (has_order && !design.references.empty()) {
     ++truth.reference_alone_checked;
-    const Verdict reference = model::golden::evaluate_reference(design.reference, operands);
+    const Verdict reference = golden::evaluate_reference(design.reference, operands);
     truth.reference_alone_wrong += reference == *verdict ? 0 : 1;
   }
   if (word.verdict() == *verdict) return;
@@ -124,4 +119,4 @@ void check_against_truth(const TruthCheck& check, const model::Design& design,
   }
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -9,29 +9,29 @@
 #include "verilator_tb/verify.hpp"
 
 /// Functions that all judges share: the expected result by the golden model, and findings as text.
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 /// A report in which nothing has been judged yet.
-VerifyReport empty_report(const gen::Signature& signature, const model::Design& design,
+VerifyReport empty_report(const emit::Signature& signature, const design::Design& design,
                           const VerifyOptions& options);
 
 /// The word with which a lane of the design's group number `group` must answer to these operands,
 /// by the golden model.
-model::ResultWord expected_word(const model::Design& design, std::size_t group,
-                                std::span<const model::Bits> operands);
+ResultWord expected_word(const design::Design& design, std::size_t group,
+                         std::span<const Bits> operands);
 
 /// "less, decided by the lane"
-std::string describe(model::ResultWord word);
-std::string to_text(wire::Fault fault);
+std::string describe(ResultWord word);
+std::string to_text(harness::wire::Fault fault);
 
 /// A mismatch with the comparison's items and operands filled in; the caller fills in the rest.
-Mismatch describe_comparison(const model::Design& design, const model::Comparisons& comparisons,
+Mismatch describe_comparison(const design::Design& design, const data::Comparisons& comparisons,
                              std::uint64_t index);
 
 /// Compares a result with the order of the real numbers f and g. Counts it in `truth`, as checked
 /// or under the reason why it is not; counts a wrong verdict of a lane in `group`, too.
-void check_against_truth(const TruthCheck& check, const model::Design& design,
-                         std::span<const model::Bits> operands, model::ResultWord word,
-                         TruthCount& truth, GroupReport& group);
+void check_against_truth(const TruthCheck& check, const design::Design& design,
+                         std::span<const Bits> operands, ResultWord word, TruthCount& truth,
+                         GroupReport& group);
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -8,26 +8,26 @@
 #include "model/number/verdict.hpp"
 #include "verilator_tb/judgement.hpp"
 
-namespace mixcmp::tb {
-
-using model::ResultWord;
+namespace mixcmp::verilator_tb {
 
 /// The reports of one set, sorted by pair, and how far a judge has come that visits the pairs in
 /// this order.
 class PairwiseJudge::Reports {
 public:
-  explicit Reports(std::vector<wire::Report> reports) : reports_(std::move(reports)) {
+  explicit Reports(std::vector<harness::wire::Report> reports) : reports_(std::move(reports)) {
     std::stable_sort(reports_.begin(), reports_.end(),
-                     [](const wire::Report& a, const wire::Report& b) { return key(a) < key(b); });
+                     [](const harness::wire::Report& a, const harness::wire::Report& b) {
+                       return key(a) < key(b);
+                     });
   }
 
   /// Returns the first report of this pair, or null. Skipped reports of earlier pairs, and further
   /// reports of this pair, are passed to `stray`.
   template <class Stray>
-  const wire::Report* find(std::uint64_t i, std::uint64_t j, const Stray& stray) {
-    const wire::Report* found = nullptr;
+  const harness::wire::Report* find(std::uint64_t i, std::uint64_t j, const Stray& stray) {
+    const harness::wire::Report* found = nullptr;
     for (; next_ < reports_.size() && key(reports_[next_]) <= std::tuple(i, j); ++next_) {
-      const wire::Report& report = reports_[next_];
+      const harness::wire::Report& report = reports_[next_];
       if (found == nullptr && key(report) == std::tuple(i, j)) {
         found = &report;
       } else {
@@ -37,15 +37,15 @@ public:
     return found;
   }
 
-  std::span<const wire::Report> rest() const { return std::span(reports_).subspan(next_); }
-  std::span<const wire::Report> all() const { return reports_; }
+  std::span<const harness::wire::Report> rest() const { return std::span(reports_).subspan(next_); }
+  std::span<const harness::wire::Report> all() const { return reports_; }
 
 private:
-  static std::tuple<std::uint64_t, std::uint64_t> key(const wire::Report& report) {
+  static std::tuple<std::uint64_t, std::uint64_t> key(const harness::wire::Report& report) {
     return {report.i, report.j};
   }
 
-  std::vector<wire::Report> reports_;
+  std::vector<harness::wire::Report> reports_;
   std::size_t next_ = 0;
 };
 
@@ -53,18 +53,18 @@ namespace {
 
 constexpr std::uint64_t closing_tuser = 0x80;
 
-ResultWord word_of(const wire::Report& report) {
+ResultWord word_of(const harness::wire::Report& report) {
   return ResultWord(static_cast<std::uint32_t>(report.tuser));
 }
 
-std::string pair_text(const wire::Report& report) {
+std::string pair_text(const harness::wire::Report& report) {
   return fmt::format("items {} and {}, tuser 0x{:02x}", report.i, report.j, report.tuser);
 }
 
 }  // namespace
 
-PairwiseJudge::PairwiseJudge(const gen::Signature& signature, const model::Design& design,
-                             const model::Comparisons& comparisons, const VerifyOptions& options)
+PairwiseJudge::PairwiseJudge(const emit::Signature& signature, const design::Design& design,
+                             const data::Comparisons& comparisons, const VerifyOptions& options)
     : EngineJudge(signature, design, comparisons, options) {
   report_.engine =
       PairwiseFigures{.top = signature.engine->top,
@@ -74,7 +74,7 @@ PairwiseJudge::PairwiseJudge(const gen::Signature& signature, const model::Desig
 }
 
 std::uint64_t PairwiseJudge::pair_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const {
-  return model::pair_index(set.first + i, set.first + j, comparisons_.table().rows());
+  return data::pair_index(set.first + i, set.first + j, comparisons_.table().rows());
 }
 
 ResultWord PairwiseJudge::expected(const SetRange& set, std::uint64_t i, std::uint64_t j) {
@@ -87,15 +87,15 @@ bool PairwiseJudge::is_reported(ResultWord word) const {
 }
 
 void PairwiseJudge::take(const SetRange& set, const SetAnswer& answer, Use use) {
-  for (const wire::Violation& violation : answer.violations) {
+  for (const harness::wire::Violation& violation : answer.violations) {
     add_violation(to_text(violation.fault), violation.cycle,
                   fmt::format("tdata 0x{:x}", violation.tag));
   }
   ++report_.engine->sets;
   switch (answer.response.state) {
-    case wire::SetState::closed: return judge_closed(set, answer, use);
-    case wire::SetState::interrupted: return judge_interrupted(set, answer);
-    case wire::SetState::stopped: return;
+    case harness::wire::SetState::closed: return judge_closed(set, answer, use);
+    case harness::wire::SetState::interrupted: return judge_interrupted(set, answer);
+    case harness::wire::SetState::stopped: return;
   }
 }
 
@@ -104,7 +104,7 @@ void PairwiseJudge::judge_closed(const SetRange& set, const SetAnswer& answer, U
   for (std::uint64_t i = 0; i + 1 < set.count; ++i) {
     for (std::uint64_t j = i + 1; j < set.count; ++j) judge_pair(set, i, j, reports, use);
   }
-  for (const wire::Report& report : reports.rest()) {
+  for (const harness::wire::Report& report : reports.rest()) {
     add_violation("report of no pair", report.cycle, pair_text(report));
   }
   judge_closing_beat(answer, answer.reports.size());
@@ -118,11 +118,12 @@ void PairwiseJudge::judge_closed(const SetRange& set, const SetAnswer& answer, U
 void PairwiseJudge::judge_pair(const SetRange& set, std::uint64_t i, std::uint64_t j,
                                Reports& reports, Use use) {
   const ResultWord word = expected(set, i, j);
-  const wire::Report* got = reports.find(i, j, [this](const wire::Report& report, bool again) {
-    add_violation(again ? "pair reported twice" : "report of no pair", report.cycle,
-                  pair_text(report));
-  });
-  wire::LaneEnd& lane = lanes_[lane_of(i)];
+  const harness::wire::Report* got =
+      reports.find(i, j, [this](const harness::wire::Report& report, bool again) {
+        add_violation(again ? "pair reported twice" : "report of no pair", report.cycle,
+                      pair_text(report));
+      });
+  harness::wire::LaneEnd& lane = lanes_[lane_of(i)];
   ++lane.observed[0];
   if (!word.is_decided_by_lane()) ++lane.observed[1];
   const bool due = is_reported(word);
@@ -134,8 +135,8 @@ void PairwiseJudge::judge_pair(const SetRange& set, std::uint64_t i, std::uint64
 /// Judges a set that a reset broke off: reports may be missing, but those that left must be right.
 void PairwiseJudge::judge_interrupted(const SetRange& set, const SetAnswer& answer) {
   const Reports reports(answer.reports);
-  const wire::Report* before = nullptr;
-  for (const wire::Report& report : reports.all()) {
+  const harness::wire::Report* before = nullptr;
+  for (const harness::wire::Report& report : reports.all()) {
     if (report.i >= report.j || report.j >= set.count) {
       add_violation("report of no pair", report.cycle, pair_text(report));
       continue;
@@ -154,7 +155,7 @@ void PairwiseJudge::judge_interrupted(const SetRange& set, const SetAnswer& answ
 }
 
 void PairwiseJudge::judge_closing_beat(const SetAnswer& answer, std::uint64_t due) {
-  const wire::SetResponse& response = answer.response;
+  const harness::wire::SetResponse& response = answer.response;
   if (response.closing_tdata == due && response.closing_tuser == closing_tuser) return;
   add_violation("closing beat is wrong", 0,
                 fmt::format("{} reports, tuser 0x{:02x} instead of {}, 0x{:02x}",
@@ -164,7 +165,7 @@ void PairwiseJudge::judge_closing_beat(const SetAnswer& answer, std::uint64_t du
 /// Judges, after each set, the counters, which run since reset. The report keeps the last totals.
 void PairwiseJudge::judge_counters(const SetAnswer& answer, Use use) {
   if (signature_.counter_bits == 0) return;
-  const wire::LaneEnd& counters = answer.response.counters;
+  const harness::wire::LaneEnd& counters = answer.response.counters;
   const std::uint64_t stalled = stalls_gained(counters.counted[2]);
   if (use == Use::figures) report_.engine->stalled_cycles = stalled;
   std::vector<CounterTotal> totals = check_lanes(answer.lanes);
@@ -195,7 +196,7 @@ void PairwiseJudge::count(const SetRange& set, std::uint64_t i, std::uint64_t j,
 }
 
 void PairwiseJudge::add_mismatch(const SetRange& set, std::uint64_t i, std::uint64_t j,
-                                 ResultWord expected, const wire::Report* got) {
+                                 ResultWord expected, const harness::wire::Report* got) {
   ++report_.mismatch_count;
   ++report_.groups[group_of_lane_[lane_of(i)]].mismatches;
   if (report_.mismatches.size() >= VerifyReport::kept) return;
@@ -207,4 +208,4 @@ void PairwiseJudge::add_mismatch(const SetRange& set, std::uint64_t i, std::uint
   report_.mismatches.push_back(std::move(mismatch));
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -5,7 +5,7 @@
 #include "verilator_tb/engine_judge.hpp"
 #include "verilator_tb/pairwise_simulation.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 /// A set that consists of items first .. first + count - 1 of the scene's table.
 struct SetRange {
@@ -18,8 +18,8 @@ struct SetRange {
 /// closing beat and the counters, too.
 class PairwiseJudge : public EngineJudge {
 public:
-  PairwiseJudge(const gen::Signature& signature, const model::Design& design,
-                const model::Comparisons& comparisons, const VerifyOptions& options);
+  PairwiseJudge(const emit::Signature& signature, const design::Design& design,
+                const data::Comparisons& comparisons, const VerifyOptions& options);
 
   void take(const SetRange& set, const SetAnswer& answer, Use use);
 
@@ -32,13 +32,13 @@ private:
   void judge_pair(const SetRange& set, std::uint64_t i, std::uint64_t j, Reports& reports, Use use);
   void judge_closing_beat(const SetAnswer& answer, std::uint64_t due);
   void judge_counters(const SetAnswer& answer, Use use);
-  model::ResultWord expected(const SetRange& set, std::uint64_t i, std::uint64_t j);
-  bool is_reported(model::ResultWord word) const;
-  void add_mismatch(const SetRange& set, std::uint64_t i, std::uint64_t j,
-                    model::ResultWord expected, const wire::Report* got);
-  void count(const SetRange& set, std::uint64_t i, std::uint64_t j, model::ResultWord word);
+  ResultWord expected(const SetRange& set, std::uint64_t i, std::uint64_t j);
+  bool is_reported(ResultWord word) const;
+  void add_mismatch(const SetRange& set, std::uint64_t i, std::uint64_t j, ResultWord expected,
+                    const harness::wire::Report* got);
+  void count(const SetRange& set, std::uint64_t i, std::uint64_t j, ResultWord word);
   std::uint64_t pair_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const;
   std::size_t lane_of(std::uint64_t i) const { return i % group_of_lane_.size(); }
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -1,21 +1,21 @@
 #include "verilator_tb/pairwise_simulation.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
-model::Result<PairwiseSimulation> PairwiseSimulation::start(const Executable& executable,
-                                                            const SimulationOptions& options) {
+Result<PairwiseSimulation> PairwiseSimulation::start(const Executable& executable,
+                                                     const SimulationOptions& options) {
   MIXCMP_TRY(process, SimulatorProcess::start(executable, options));
   return PairwiseSimulation(std::move(process));
 }
 
-model::Result<SetAnswer> PairwiseSimulation::exchange(const ItemSet& set, int lanes) {
+Result<SetAnswer> PairwiseSimulation::exchange(const ItemSet& set, int lanes) {
   SetAnswer answer;
   if (send(set) && receive(answer, static_cast<std::size_t>(lanes))) return answer;
   return process_.ended_unexpectedly();
 }
 
 bool PairwiseSimulation::send(const ItemSet& set) {
-  const wire::SetRequest request{set.items, set.reset_after, set.last ? 1u : 0u};
+  const harness::wire::SetRequest request{set.items, set.reset_after, set.last ? 1u : 0u};
   return process_.send(std::span(&request, 1)) && process_.send(std::span(set.bytes));
 }
 
@@ -29,4 +29,4 @@ bool PairwiseSimulation::receive(SetAnswer& answer, std::size_t lanes) {
          process_.receive(std::span(answer.lanes));
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -6,7 +6,7 @@
 #include "verilator_tb/harness/pairwise_protocol.hpp"
 #include "verilator_tb/system_simulation.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 /// One set for a pairwise engine.
 struct ItemSet {
@@ -18,21 +18,21 @@ struct ItemSet {
 
 /// The engine's answer to one set.
 struct SetAnswer {
-  wire::SetResponse response = {};
-  std::vector<wire::Report> reports;
-  std::vector<wire::Violation> violations;
-  std::vector<wire::LaneEnd> lanes;
+  harness::wire::SetResponse response = {};
+  std::vector<harness::wire::Report> reports;
+  std::vector<harness::wire::Violation> violations;
+  std::vector<harness::wire::LaneEnd> lanes;
 };
 
 /// A verilated pairwise engine at work in its own process.
 class PairwiseSimulation {
 public:
-  static model::Result<PairwiseSimulation> start(const Executable& executable,
-                                                 const SimulationOptions& options);
+  static Result<PairwiseSimulation> start(const Executable& executable,
+                                          const SimulationOptions& options);
 
   /// Sends a set and waits until its closing beat, or the reset.
-  model::Result<SetAnswer> exchange(const ItemSet& set, int lanes);
-  model::Result<model::Done> finish() { return process_.finish(); }
+  Result<SetAnswer> exchange(const ItemSet& set, int lanes);
+  Result<Done> finish() { return process_.finish(); }
 
 private:
   explicit PairwiseSimulation(SimulatorProcess process) : process_(std::move(process)) {}
@@ -43,4 +43,4 @@ private:
   SimulatorProcess process_;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -8,7 +8,7 @@
 #include "verilator_tb/engine_verify.hpp"
 #include "verilator_tb/pairwise_judge.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 namespace {
 
@@ -51,11 +51,11 @@ void tell(const VerifyOptions& options, const System& system, const Trial& trial
       fmt::format("{}: a set of {} items", system.signature.engine->top, trial.set.count));
 }
 
-model::Result<model::Done> run_trials(const System& system, const model::Comparisons& comparisons,
-                                      const VerifyOptions& options, const Executable& executable,
-                                      PairwiseJudge& judge) {
+Result<Done> run_trials(const System& system, const data::Comparisons& comparisons,
+                        const VerifyOptions& options, const Executable& executable,
+                        PairwiseJudge& judge) {
   MIXCMP_TRY(simulation, PairwiseSimulation::start(executable, simulation_options(options)));
-  const gen::SignatureEngine& engine = *system.signature.engine;
+  const emit::SignatureEngine& engine = *system.signature.engine;
   const std::vector<Trial> trials = plan_trials(system, comparisons.table().rows(), options);
   for (std::size_t k = 0; k < trials.size(); ++k) {
     const Trial& trial = trials[k];
@@ -68,20 +68,20 @@ model::Result<model::Done> run_trials(const System& system, const model::Compari
                             .last = k + 1 == trials.size()},
                            system.signature.lanes));
     judge.take(trial.set, answer, trial.use);
-    if (answer.response.state == wire::SetState::stopped) break;
+    if (answer.response.state == harness::wire::SetState::stopped) break;
   }
   return simulation.finish();
 }
 
 }  // namespace
 
-model::Result<VerifyReport> verify_pairwise(const System& system, const model::Design& design,
-                                            const model::Comparisons& comparisons,
-                                            const VerifyOptions& options) {
+Result<VerifyReport> verify_pairwise(const System& system, const design::Design& design,
+                                     const data::Comparisons& comparisons,
+                                     const VerifyOptions& options) {
   PairwiseJudge judge(system.signature, design, comparisons, options);
   return run_engine(system, options, judge, [&](const Executable& executable) {
     return run_trials(system, comparisons, options, executable, judge);
   });
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

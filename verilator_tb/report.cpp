@@ -9,7 +9,7 @@
 
 #include "model/number/verdict.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 namespace {
 
@@ -73,7 +73,7 @@ std::string truth_lines(const VerifyReport& r) {
 std::string totals(const VerifyReport& r) {
   std::string text;
   text += line("comparisons", fmt::format("{} of {}", r.comparisons, r.requested));
-  for (const model::Verdict verdict : model::all_verdicts) {
+  for (const Verdict verdict : all_verdicts) {
     const std::string name(to_string(verdict));
     text += line(name.c_str(), std::to_string(r.verdicts[static_cast<std::size_t>(verdict)]));
   }
@@ -181,13 +181,13 @@ Json to_json(const TruthCount& truth) {
 
 std::string input_lines(const VerifyReport& r) {
   std::string text;
-  for (const model::InputSource& input : r.inputs) {
+  for (const data::InputSource& input : r.inputs) {
     text += line(input.input.c_str(), "<- " + input.shown());
   }
   return text;
 }
 
-Json to_json(const model::InputSource& input) {
+Json to_json(const data::InputSource& input) {
   const std::string& name = input.column.name;
   return {{"input", input.input},
           {"column", input.column.number},
@@ -292,7 +292,7 @@ std::vector<std::string> notes_on(const VerifyReport& r) {
   if (r.references > 0 && r.recomputations == 0) {
     notes.push_back("none of these comparisons was recomputed: they put no reference to the test");
   }
-  if (r.verdicts[static_cast<std::size_t>(model::Verdict::unordered)] == r.comparisons) {
+  if (r.verdicts[static_cast<std::size_t>(Verdict::unordered)] == r.comparisons) {
     notes.push_back("every verdict is unordered");
   }
   if (r.truth && r.truth->checked == 0) {
@@ -328,8 +328,8 @@ Json to_json(const VerifyReport& r) {
                {"references", r.references}, {"certified", r.certified},
                {"requested", r.requested},   {"comparisons", r.comparisons}};
   json["inputs"] = Json::array();
-  for (const model::InputSource& input : r.inputs) json["inputs"].push_back(to_json(input));
-  for (const model::Verdict verdict : model::all_verdicts) {
+  for (const data::InputSource& input : r.inputs) json["inputs"].push_back(to_json(input));
+  for (const Verdict verdict : all_verdicts) {
     const std::string name(to_string(verdict));
     json["verdicts"][name] = r.verdicts[static_cast<std::size_t>(verdict)];
   }
@@ -366,4 +366,4 @@ Json to_json(const VerifyReport& r) {
   return json;
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

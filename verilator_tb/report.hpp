@@ -10,7 +10,7 @@
 #include "model/data/input_sources.hpp"
 #include "model/number/verdict.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 /// A result that differs from the golden model's.
 struct Mismatch {
@@ -88,7 +88,7 @@ struct TruthCount {
 
 /// Counts and latencies of all lanes of one kind.
 struct GroupReport {
-  std::string name;  ///< model::lane_group_names
+  std::string name;  ///< design::lane_group_names
   int lanes = 0;
   bool certified = false;
   std::uint64_t comparisons = 0;
@@ -130,7 +130,7 @@ struct VerifyReport {
   int lanes = 0;
   int references = 0;
   bool certified = false;                      ///< all lanes are
-  std::vector<model::InputSource> inputs;      ///< which column of the data feeds which input
+  std::vector<data::InputSource> inputs;       ///< which column of the data feeds which input
   std::vector<GroupReport> groups;             ///< lanes are numbered through them, in order
   std::uint64_t requested = 0;                 ///< comparisons to be made
   std::uint64_t comparisons = 0;               ///< results judged
@@ -166,4 +166,4 @@ std::vector<std::string> notes_on(const VerifyReport& report);
 std::string to_text(const VerifyReport& report);
 nlohmann::ordered_json to_json(const VerifyReport& report);
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 namespace {
 
@@ -18,7 +18,7 @@ Selection::Selection(std::uint64_t available, const Options& options)
     : available_(available), options_(options), size_(selected(available, options)) {}
 
 std::uint64_t Selection::stratum_start(std::uint64_t position) const {
-  return static_cast<std::uint64_t>(model::Bits{available_} * position / size_);
+  return static_cast<std::uint64_t>(Bits{available_} * position / size_);
 }
 
 std::uint64_t Selection::index(std::uint64_t position) const {
@@ -36,7 +36,7 @@ std::uint64_t counter_random(std::uint64_t seed, std::uint64_t counter) {
   return z ^ z >> 31;
 }
 
-void pack_operands(std::span<const model::Bits> operands, int width, bool padding,
+void pack_operands(std::span<const Bits> operands, int width, bool padding,
                    std::span<std::uint8_t> tdata) {
   std::fill(tdata.begin(), tdata.end(), std::uint8_t{0});
   std::size_t at = 0;
@@ -44,18 +44,18 @@ void pack_operands(std::span<const model::Bits> operands, int width, bool paddin
     tdata[at / 8] = static_cast<std::uint8_t>(tdata[at / 8] | (bit ? 1u : 0u) << at % 8);
     ++at;
   };
-  for (const model::Bits operand : operands) {
+  for (const Bits operand : operands) {
     for (int k = 0; k < width; ++k) put((operand >> k & 1) != 0);
   }
   while (at < 8 * tdata.size()) put(padding);
 }
 
-std::vector<std::uint8_t> stimulus(const model::Comparisons& comparisons,
-                                   const Selection& selection, int width, int tdata_bytes,
-                                   std::uint64_t first, std::uint64_t count) {
+std::vector<std::uint8_t> stimulus(const data::Comparisons& comparisons, const Selection& selection,
+                                   int width, int tdata_bytes, std::uint64_t first,
+                                   std::uint64_t count) {
   const auto bytes = static_cast<std::size_t>(tdata_bytes);
   std::vector<std::uint8_t> packed(bytes * count);
-  std::vector<model::Bits> operands(comparisons.input_count());
+  std::vector<Bits> operands(comparisons.input_count());
   for (std::uint64_t k = 0; k < count; ++k) {
     comparisons.fetch(selection.index(first + k), operands);
     pack_operands(operands, width, (first + k) % 2 != 0,
@@ -64,4 +64,4 @@ std::vector<std::uint8_t> stimulus(const model::Comparisons& comparisons,
   return packed;
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -7,7 +7,7 @@
 
 #include "model/data/comparisons.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 enum class Sampling {
   first,   ///< the first `limit` comparisons
@@ -43,12 +43,12 @@ std::uint64_t counter_random(std::uint64_t seed, std::uint64_t counter);
 
 /// Packs operand k to bits [k * width, (k + 1) * width) of `tdata`. The bits above are padding; all
 /// are set to `padding`, so that a system that reads them is detected.
-void pack_operands(std::span<const model::Bits> operands, int width, bool padding,
+void pack_operands(std::span<const Bits> operands, int width, bool padding,
                    std::span<std::uint8_t> tdata);
 
 /// The operands of positions first .. first + count - 1 as a simulator takes them.
-std::vector<std::uint8_t> stimulus(const model::Comparisons& comparisons,
-                                   const Selection& selection, int width, int tdata_bytes,
-                                   std::uint64_t first, std::uint64_t count);
+std::vector<std::uint8_t> stimulus(const data::Comparisons& comparisons, const Selection& selection,
+                                   int width, int tdata_bytes, std::uint64_t first,
+                                   std::uint64_t count);
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 namespace {
 
@@ -10,56 +10,56 @@ constexpr const char* log_name = "simulation.log";
 
 }  // namespace
 
-model::Result<SimulatorProcess> SimulatorProcess::start(const Executable& executable,
-                                                        const SimulationOptions& options) {
+Result<SimulatorProcess> SimulatorProcess::start(const Executable& executable,
+                                                 const SimulationOptions& options) {
   Command command = {
       executable.path.string(),
       options.traffic == TrafficKind::stressed ? "traffic=stressed" : "traffic=full_rate",
       fmt::format("seed={}", options.seed), fmt::format("hang_cycles={}", options.hang_cycles)};
   if (!options.waves.empty()) command.push_back("trace=" + options.waves.string());
   for (const std::string& plusarg : options.plusargs) command.push_back("+" + plusarg);
-  MIXCMP_TRY(folder,
-             model::ScratchFolder::make_in(executable.path.parent_path().parent_path(), "run"));
+  MIXCMP_TRY(folder, ScratchFolder::make_in(executable.path.parent_path().parent_path(), "run"));
   MIXCMP_TRY(child, Child::spawn(command, folder.path() / log_name));
   return SimulatorProcess(std::move(folder), std::move(child));
 }
 
-model::Result<model::Done> SimulatorProcess::finish() {
-  if (child_.finish()) return model::Done{};
+Result<Done> SimulatorProcess::finish() {
+  if (child_.finish()) return Done{};
   return ended_unexpectedly();
 }
 
-model::Error SimulatorProcess::ended_unexpectedly() {
+Error SimulatorProcess::ended_unexpectedly() {
   folder_.keep();
   const auto log = folder_.path() / log_name;
   return {.file = log.string(),
           .message = "the simulator ended unexpectedly; its last words\n" + last_lines(log, 20)};
 }
 
-model::Result<SystemSimulation> SystemSimulation::start(const Executable& executable,
-                                                        const SimulationOptions& options) {
+Result<SystemSimulation> SystemSimulation::start(const Executable& executable,
+                                                 const SimulationOptions& options) {
   MIXCMP_TRY(process, SimulatorProcess::start(executable, options));
   return SystemSimulation(std::move(process));
 }
 
-model::Result<Answer> SystemSimulation::exchange(const Block& block, int lanes) {
+Result<Answer> SystemSimulation::exchange(const Block& block, int lanes) {
   Answer answer;
   if (send(block) && receive(answer, static_cast<std::size_t>(lanes))) return answer;
   return process_.ended_unexpectedly();
 }
 
 bool SystemSimulation::send(const Block& block) {
-  const wire::Request request{block.comparisons, block.resets.size(), block.last ? 1u : 0u};
+  const harness::wire::Request request{block.comparisons, block.resets.size(),
+                                       block.last ? 1u : 0u};
   return process_.send(std::span(&request, 1)) && process_.send(std::span(block.resets)) &&
          process_.send(std::span(block.operands));
 }
 
 bool SystemSimulation::receive(Answer& answer, std::size_t lanes) {
-  wire::Response response;
+  harness::wire::Response response;
   if (!process_.receive(std::span(&response, 1))) return false;
   answer.results.resize(response.results);
   answer.violations.resize(response.violations);
-  if (response.state == wire::State::drained) answer.lanes.resize(lanes);
+  if (response.state == harness::wire::State::drained) answer.lanes.resize(lanes);
   answer.cycles = response.cycles;
   answer.state = response.state;
   return process_.receive(std::span(answer.results)) &&
@@ -67,4 +67,4 @@ bool SystemSimulation::receive(Answer& answer, std::size_t lanes) {
          process_.receive(std::span(answer.lanes));
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

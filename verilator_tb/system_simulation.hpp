@@ -8,7 +8,7 @@
 #include "verilator_tb/build.hpp"
 #include "verilator_tb/harness/protocol.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 enum class TrafficKind {
   full_rate,  ///< every lane is offered a comparison and may deliver a result in every cycle
@@ -33,18 +33,18 @@ struct Block {
 
 /// The simulator's answer to one block.
 struct Answer {
-  std::vector<wire::Result> results;
-  std::vector<wire::Violation> violations;
-  std::vector<wire::LaneEnd> lanes;  ///< only in the answer to the last block
-  std::uint64_t cycles = 0;          ///< cycles simulated so far
-  wire::State state = wire::State::running;
+  std::vector<harness::wire::Result> results;
+  std::vector<harness::wire::Violation> violations;
+  std::vector<harness::wire::LaneEnd> lanes;  ///< only in the answer to the last block
+  std::uint64_t cycles = 0;                   ///< cycles simulated so far
+  harness::wire::State state = harness::wire::State::running;
 };
 
 /// A simulator at work in its own process, and the socket to it.
 class SimulatorProcess {
 public:
-  static model::Result<SimulatorProcess> start(const Executable& executable,
-                                               const SimulationOptions& options);
+  static Result<SimulatorProcess> start(const Executable& executable,
+                                        const SimulationOptions& options);
 
   /// Returns false if the simulator is gone, as receive does.
   template <class T, std::size_t extent>
@@ -57,27 +57,27 @@ public:
   }
   /// Waits until the simulator, which has answered its last request, has ended: only then are its
   /// waves complete.
-  model::Result<model::Done> finish();
+  Result<Done> finish();
   /// The error of a simulator that is gone; keeps its log for the user.
-  model::Error ended_unexpectedly();
+  Error ended_unexpectedly();
 
 private:
-  SimulatorProcess(model::ScratchFolder folder, Child child)
+  SimulatorProcess(ScratchFolder folder, Child child)
       : folder_(std::move(folder)), child_(std::move(child)) {}
 
-  model::ScratchFolder folder_;  ///< the run's own folder, beside the executable
+  ScratchFolder folder_;  ///< the run's own folder, beside the executable
   Child child_;
 };
 
 /// A verilated system at work.
 class SystemSimulation {
 public:
-  static model::Result<SystemSimulation> start(const Executable& executable,
-                                               const SimulationOptions& options);
+  static Result<SystemSimulation> start(const Executable& executable,
+                                        const SimulationOptions& options);
 
   /// Sends a block and waits for the simulator's answer.
-  model::Result<Answer> exchange(const Block& block, int lanes);
-  model::Result<model::Done> finish() { return process_.finish(); }
+  Result<Answer> exchange(const Block& block, int lanes);
+  Result<Done> finish() { return process_.finish(); }
 
 private:
   explicit SystemSimulation(SimulatorProcess process) : process_(std::move(process)) {}
@@ -88,4 +88,4 @@ private:
   SimulatorProcess process_;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

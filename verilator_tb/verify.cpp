@@ -16,7 +16,7 @@
 #include "verilator_tb/pairwise_verify.hpp"
 #include "verilator_tb/waves.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 namespace {
 
@@ -30,19 +30,19 @@ double seconds_since(Clock::time_point start) {
 /// A run in progress: what is simulated, and who judges it.
 struct Run {
   const System& system;
-  const model::Comparisons& comparisons;
+  const data::Comparisons& comparisons;
   const Selection& selection;
   const VerifyOptions& options;
   Judge& judge;
 };
 
-model::Result<model::Done> check_selection(const model::Comparisons& comparisons,
-                                           const Selection::Options& selection) {
-  if (Selection(comparisons.size(), selection).size() > 0) return model::Done{};
-  return model::Error{.field = selection.only ? "--only" : "data",
-                      .message = "no comparison to verify",
-                      .received = selection.only ? std::to_string(*selection.only) : "",
-                      .accepted = fmt::format("an index below {}", comparisons.size())};
+Result<Done> check_selection(const data::Comparisons& comparisons,
+                             const Selection::Options& selection) {
+  if (Selection(comparisons.size(), selection).size() > 0) return Done{};
+  return Error{.field = selection.only ? "--only" : "data",
+               .message = "no comparison to verify",
+               .received = selection.only ? std::to_string(*selection.only) : "",
+               .accepted = fmt::format("an index below {}", comparisons.size())};
 }
 
 /// One random position in each of options.resets equal parts of the run.
@@ -50,7 +50,7 @@ std::vector<std::uint64_t> reset_positions(const Run& run) {
   std::vector<std::uint64_t> positions;
   const auto resets = static_cast<std::uint64_t>(std::max(run.options.resets, 0));
   for (std::uint64_t k = 0; k < resets; ++k) {
-    const auto start = static_cast<std::uint64_t>(model::Bits{run.selection.size()} * k / resets);
+    const auto start = static_cast<std::uint64_t>(Bits{run.selection.size()} * k / resets);
     const std::uint64_t part = std::max<std::uint64_t>(run.selection.size() / resets, 1);
     positions.push_back(start + counter_random(run.options.traffic_seed, k) % part);
   }
@@ -58,7 +58,7 @@ std::vector<std::uint64_t> reset_positions(const Run& run) {
 }
 
 Block make_block(const Run& run, const std::vector<std::uint64_t>& resets, std::uint64_t first) {
-  const gen::Signature& s = run.system.signature;
+  const emit::Signature& s = run.system.signature;
   const std::uint64_t count = std::min(run.options.block_size, run.selection.size() - first);
   Block block{.comparisons = count,
               .operands = stimulus(run.comparisons, run.selection, s.reference_format.width(),
@@ -76,7 +76,7 @@ void tell(const Run& run, std::uint64_t done) {
                                    run.judge.report().mismatch_count));
 }
 
-model::Result<model::Done> run_verilator(const Run& run) {
+Result<Done> run_verilator(const Run& run) {
   MIXCMP_TRY(
       executable,
       build_simulator(run.system, {.work_dir = run.options.work_dir,
@@ -87,7 +87,7 @@ model::Result<model::Done> run_verilator(const Run& run) {
   MIXCMP_TRY(simulation, SystemSimulation::start(executable, simulation_options(run.options)));
   const std::vector<std::uint64_t> resets = reset_positions(run);
   Answer answer;  // to the previous block
-  for (std::uint64_t first = 0; answer.state == wire::State::running;) {
+  for (std::uint64_t first = 0; answer.state == harness::wire::State::running;) {
     const Block block = make_block(run, resets, first);
     // The simulator works on one core while the golden model judges its last answer on another.
     auto exchange = std::async(
@@ -103,7 +103,7 @@ model::Result<model::Done> run_verilator(const Run& run) {
   return simulation.finish();
 }
 
-model::Result<model::Done> run_icarus(const Run& run) {
+Result<Done> run_icarus(const Run& run) {
   const Block all{.comparisons = run.selection.size(),
                   .operands = stimulus(run.comparisons, run.selection,
                                        run.system.signature.reference_format.width(),
@@ -116,7 +116,7 @@ model::Result<model::Done> run_icarus(const Run& run) {
   run.judge.announce(all.comparisons);
   run.judge.take(answer);
   tell(run, all.comparisons);
-  return model::Done{};
+  return Done{};
 }
 
 std::string save_file(const Run& run) {
@@ -129,13 +129,13 @@ std::string save_file(const Run& run) {
        .marked = run.judge.first_undecided()});
 }
 
-model::Result<VerifyReport> run_system(const System& system, const model::Design& design,
-                                       const model::Comparisons& comparisons,
-                                       const VerifyOptions& options) {
+Result<VerifyReport> run_system(const System& system, const design::Design& design,
+                                const data::Comparisons& comparisons,
+                                const VerifyOptions& options) {
   switch (design.system.engine.kind) {
-    case model::EngineKind::none: break;
-    case model::EngineKind::pairwise: return verify_pairwise(system, design, comparisons, options);
-    case model::EngineKind::arg_min: return verify_arg_min(system, design, comparisons, options);
+    case scene::EngineKind::none: break;
+    case scene::EngineKind::pairwise: return verify_pairwise(system, design, comparisons, options);
+    case scene::EngineKind::arg_min: return verify_arg_min(system, design, comparisons, options);
   }
   const Selection selection(comparisons.size(), options.selection);
   Judge judge(system.signature, design, comparisons, selection, options);
@@ -159,40 +159,39 @@ SimulationOptions simulation_options(const VerifyOptions& options) {
           .plusargs = options.plusargs};
 }
 
-model::Result<model::Done> check_request(const model::Design& design,
-                                         const model::Comparisons& comparisons,
-                                         const VerifyOptions& options) {
+Result<Done> check_request(const design::Design& design, const data::Comparisons& comparisons,
+                           const VerifyOptions& options) {
   switch (design.system.engine.kind) {
-    case model::EngineKind::none: return check_selection(comparisons, options.selection);
-    case model::EngineKind::pairwise: {
+    case scene::EngineKind::none: return check_selection(comparisons, options.selection);
+    case scene::EngineKind::pairwise: {
       MIXCMP_TRY(possible, check_engine_options(options, "every pair of its items"));
       break;
     }
-    case model::EngineKind::arg_min: {
+    case scene::EngineKind::arg_min: {
       MIXCMP_TRY(possible, check_engine_options(options, "every candidate for every row"));
       break;
     }
   }
-  return check_engine_data(design.system.engine, design.lane_count(), comparisons);
+  return design::check_engine_data(design.system.engine, design.lane_count(), comparisons);
 }
 
-model::Result<model::Done> check_design(const System& system, const model::Design& design) {
-  MIXCMP_TRY(expected, gen::generate_system(design, ""));
-  const auto origin = [](const gen::Signature& signature) {
+Result<Done> check_design(const System& system, const design::Design& design) {
+  MIXCMP_TRY(expected, emit::generate_system(design, ""));
+  const auto origin = [](const emit::Signature& signature) {
     return fmt::format("{} of version {}, hash {}", signature.top, signature.generator_version,
                        signature.spec_hash);
   };
   const std::string there = origin(system.signature), here = origin(expected.signature);
-  if (there == here) return model::Done{};
-  return model::Error{.file = system.directory.string(),
-                      .message = "was generated from another design or by another version",
-                      .received = there,
-                      .accepted = here + ": generate it again"};
+  if (there == here) return Done{};
+  return Error{.file = system.directory.string(),
+               .message = "was generated from another design or by another version",
+               .received = there,
+               .accepted = here + ": generate it again"};
 }
 
-model::Result<VerifyReport> judge_system(const System& system, const model::Design& design,
-                                         const model::Comparisons& comparisons,
-                                         const VerifyOptions& options) {
+Result<VerifyReport> judge_system(const System& system, const design::Design& design,
+                                  const data::Comparisons& comparisons,
+                                  const VerifyOptions& options) {
   if (options.waves.empty()) return run_system(system, design, comparisons, options);
   MIXCMP_TRY(waves, WaveFile::open(options.waves));
   VerifyOptions with_waves = options;
@@ -202,13 +201,12 @@ model::Result<VerifyReport> judge_system(const System& system, const model::Desi
   return report;
 }
 
-model::Result<VerifyReport> verify(const model::Design& design,
-                                   const model::Comparisons& comparisons,
-                                   const fs::path& generated_dir, const VerifyOptions& options) {
+Result<VerifyReport> verify(const design::Design& design, const data::Comparisons& comparisons,
+                            const fs::path& generated_dir, const VerifyOptions& options) {
   MIXCMP_TRY(requested, check_request(design, comparisons, options));
   MIXCMP_TRY(system, load_system(generated_dir));
   MIXCMP_TRY(of_design, check_design(system, design));
   return judge_system(system, design, comparisons, options);
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

@@ -15,7 +15,7 @@
 #include "verilator_tb/system_simulation.hpp"
 #include "verilator_tb/waves.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 enum class SimulatorKind {
   verilator,
@@ -29,14 +29,14 @@ enum class TruthScope {
 
 /// Asks `verify` to compare verdicts with the order of the real numbers f and g, too.
 struct TruthCheck {
-  const model::Graph* graph;
+  const Graph* graph;
   TruthScope scope = TruthScope::all;
 };
 
 /// The hardware's result for one comparison.
 struct VerifiedResult {
   std::uint64_t index;
-  model::ResultWord word;
+  ResultWord word;
 };
 
 struct VerifyOptions {
@@ -56,7 +56,7 @@ struct VerifyOptions {
   std::vector<std::string> plusargs;  ///< for the simulator, without their plus
   std::function<void(const VerifiedResult&)> on_result;  ///< called in order of index
   Progress progress;
-  model::Waiting waiting;
+  Waiting waiting;
 };
 
 /// The part of the options that the simulator is given.
@@ -64,25 +64,23 @@ SimulationOptions simulation_options(const VerifyOptions& options);
 
 /// Refuses what cannot be run, before anything is written: a selection of nothing, a simulator or a
 /// selection that an engine does not have, data that do not fit into it.
-model::Result<model::Done> check_request(const model::Design& design,
-                                         const model::Comparisons& comparisons,
-                                         const VerifyOptions& options);
+Result<Done> check_request(const design::Design& design, const data::Comparisons& comparisons,
+                           const VerifyOptions& options);
 
 /// Checks that the system is what this version generates from the design.
-model::Result<model::Done> check_design(const System& system, const model::Design& design);
+Result<Done> check_design(const System& system, const design::Design& design);
 
 /// Runs a system on the comparisons and compares every result with the golden model of `design`,
 /// wherever the system comes from. An error means that it could not be run; wrong results are in
 /// the report.
-model::Result<VerifyReport> judge_system(const System& system, const model::Design& design,
-                                         const model::Comparisons& comparisons,
-                                         const VerifyOptions& options);
+Result<VerifyReport> judge_system(const System& system, const design::Design& design,
+                                  const data::Comparisons& comparisons,
+                                  const VerifyOptions& options);
 
 /// Checks the request, and that `generated_dir` holds what this version generates from the design;
 /// then judges it.
-model::Result<VerifyReport> verify(const model::Design& design,
-                                   const model::Comparisons& comparisons,
-                                   const std::filesystem::path& generated_dir,
-                                   const VerifyOptions& options);
+Result<VerifyReport> verify(const design::Design& design, const data::Comparisons& comparisons,
+                            const std::filesystem::path& generated_dir,
+                            const VerifyOptions& options);
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

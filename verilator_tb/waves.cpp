@@ -10,22 +10,22 @@
 
 #include "model/common/output_file.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::verilator_tb {
 
 namespace {
 
 namespace fs = std::filesystem;
 
 /// Checks that waves can be written to `path`; otherwise a long simulation would end in this error.
-model::Result<model::Done> check_place(const fs::path& path) {
+Result<Done> check_place(const fs::path& path) {
   std::error_code failed;
-  if (!fs::exists(path, failed)) return model::Done{};
-  if (access(path.c_str(), W_OK) != 0) return model::cannot_write(path, errno);
-  if (fs::is_regular_file(path, failed)) return model::Done{};
-  return model::Error{.file = path.string(),
-                      .message = "waves cannot be written there",
-                      .received = "no regular file",
-                      .accepted = "the name of a file"};
+  if (!fs::exists(path, failed)) return Done{};
+  if (access(path.c_str(), W_OK) != 0) return cannot_write(path, errno);
+  if (fs::is_regular_file(path, failed)) return Done{};
+  return Error{.file = path.string(),
+               .message = "waves cannot be written there",
+               .received = "no regular file",
+               .accepted = "the name of a file"};
 }
 
 /// GTKWave's display flags, in hexadecimal as its save files have them.
@@ -108,7 +108,7 @@ bool is_whole_fst(const std::filesystem::path& path) {
          (types.contains(header) && types.contains(geometry) && hierarchy);
 }
 
-std::string gtkwave_save_file(const gen::Signature& s, const SaveFile& options) {
+std::string gtkwave_save_file(const emit::Signature& s, const SaveFile& options) {
   const int lane = options.marked ? static_cast<int>(options.marked->lane) : 0;
   Writer writer(options.scope);
   writer.wire("aclk");
@@ -133,9 +133,9 @@ std::string gtkwave_save_file(const gen::Signature& s, const SaveFile& options) 
   return header(options) + writer.text();
 }
 
-std::string gtkwave_save_file(const gen::SignatureEngine& engine, const SaveFile& options) {
+std::string gtkwave_save_file(const emit::SignatureEngine& engine, const SaveFile& options) {
   Writer writer(options.scope);
-  for (const gen::SignaturePort& port : engine.ports) {
+  for (const emit::SignaturePort& port : engine.ports) {
     if (port.name == "s_axis_tvalid") writer.group("items");
     if (port.name == "m_axis_tvalid") writer.group("reports");
     if (port.name == "comparisons") writer.group("counters");
@@ -144,28 +144,28 @@ std::string gtkwave_save_file(const gen::SignatureEngine& engine, const SaveFile
   return header(options) + writer.text();
 }
 
-model::Result<WaveFile> WaveFile::open(const fs::path& path) {
+Result<WaveFile> WaveFile::open(const fs::path& path) {
   for (const fs::path& output : {path, save_file_beside(path)}) {
     MIXCMP_TRY(possible, check_place(output));
   }
-  MIXCMP_TRY(target, model::follow_links(fs::absolute(path)));
-  auto own = model::ScratchFolder::make_in(target.parent_path(), "waves");
+  MIXCMP_TRY(target, follow_links(fs::absolute(path)));
+  auto own = ScratchFolder::make_in(target.parent_path(), "waves");
   if (own.ok()) return WaveFile(path, std::move(own).value());
-  model::Error error = own.error();
+  Error error = own.error();
   error.file = path.string();
   return error;
 }
 
-model::Result<model::Done> WaveFile::commit() {
+Result<Done> WaveFile::commit() {
   if (!is_whole_fst(unfinished())) {
-    return model::Error{.file = path_.string(),
-                        .message = "cannot be written: the simulator left waves that are not whole",
-                        .received = "a broken FST file, as of a full disk"};
+    return Error{.file = path_.string(),
+                 .message = "cannot be written: the simulator left waves that are not whole",
+                 .received = "a broken FST file, as of a full disk"};
   }
-  MIXCMP_TRY(save_file, model::OutputFile::open(save_file_beside(path_)));
+  MIXCMP_TRY(save_file, OutputFile::open(save_file_beside(path_)));
   save_file.write(save_file_text_);
   MIXCMP_TRY(written, save_file.write_out());
-  MIXCMP_TRY(placed, model::put_in_place(unfinished(), path_));
+  MIXCMP_TRY(placed, put_in_place(unfinished(), path_));
   return save_file.commit();
 }
 
@@ -173,4 +173,4 @@ fs::path save_file_beside(fs::path waves) {
   return waves.empty() ? waves : waves.replace_extension(".gtkw");
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::verilator_tb

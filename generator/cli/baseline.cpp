@@ -16,7 +16,7 @@ namespace {
 
 struct BaselineCommand {
   SceneOptions scene;
-  gen::BaselineOptions run;
+  software::BaselineOptions run;
   bool csv = false;
 };
 
@@ -24,7 +24,7 @@ void add_options(const Verb& verb, BaselineCommand& command) {
   add_scene_options(verb, command.scene);
   verb.flag("--csv", command.csv, "print the rates as CSV").excludes("--json");
   verb.option("--threads", command.run.threads, "\"all cores\" (default: the machine's)")
-      .check(within(model::limits::threads));
+      .check(within(settings::limits::threads));
   verb.option("--rounds", command.run.rounds, "measurements of each kernel (default: 5)")
       .check(within({1, 1000}));
   verb.option("--seconds", command.run.seconds,
@@ -40,11 +40,11 @@ void add_options(const Verb& verb, BaselineCommand& command) {
 void run(const BaselineCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
   value_or_exit(check_has_data(loaded, "a baseline needs data to run on"));
-  gen::BaselineOptions options = command.run;
-  std::optional<model::ScratchFolder> scratch;
-  std::optional<model::FolderLock> held;
+  software::BaselineOptions options = command.run;
+  std::optional<ScratchFolder> scratch;
+  std::optional<FolderLock> held;
   if (options.work.empty()) {
-    scratch.emplace(value_or_exit(model::ScratchFolder::make()));
+    scratch.emplace(value_or_exit(ScratchFolder::make()));
     options.work = scratch->path();
   } else {
     std::vector<std::filesystem::path> outputs;
@@ -58,7 +58,7 @@ void run(const BaselineCommand& command) {
   options.progress = show_progress;
   const auto measured = software_baseline(loaded.scene, *loaded.data, options);
   if (!measured.ok() && scratch) scratch->keep();  // the message names its files
-  const gen::Baseline& baseline = value_or_exit(measured);
+  const software::Baseline& baseline = value_or_exit(measured);
   show_progress("");
   if (command.scene.json) {
     print(report::json_text(to_json(baseline)));

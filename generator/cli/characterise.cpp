@@ -16,7 +16,7 @@ namespace mixcmp::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using gen::CharacteriseReport;
+using components::CharacteriseReport;
 
 std::string duration(double seconds) {
   const int whole = static_cast<int>(seconds);
@@ -31,10 +31,10 @@ void tell_progress(int finished, int jobs, double seconds) {
 }
 
 /// The settings on which the components' RTL and its measurement depend, by name.
-std::vector<std::pair<std::string, std::string>> spec_of(const model::Scene& scene,
+std::vector<std::pair<std::string, std::string>> spec_of(const scene::Scene& scene,
                                                          const std::string& tools) {
-  const model::ReducedSpec& reduced = scene.reduced;
-  const model::SystemSpec& system = scene.system;
+  const scene::ReducedSpec& reduced = scene.reduced;
+  const scene::SystemSpec& system = scene.system;
   return {
       {"f", scene.f_text()},
       {"g", scene.g_text()},
@@ -57,10 +57,10 @@ struct Gap {
   std::string reason;
 };
 
-std::vector<Gap> gaps(const std::vector<gen::MissingLane>& missing) {
+std::vector<Gap> gaps(const std::vector<components::MissingLane>& missing) {
   std::vector<Gap> found;
-  for (const gen::MissingLane& lane : missing) {
-    const std::string what = to_string(lane.key.bound) + " " + lane.key.inputs;
+  for (const components::MissingLane& lane : missing) {
+    const std::string what = scene::to_string(lane.key.bound) + " " + lane.key.inputs;
     auto gap = std::find_if(found.begin(), found.end(),
                             [&](const Gap& known) { return known.what == what; });
     if (gap == found.end()) gap = found.insert(gap, {.what = what, .first = lane.key.format});
@@ -92,12 +92,12 @@ void print_text(const CharacteriseReport& report, const fs::path& table) {
   print("\n");
 }
 
-nlohmann::ordered_json json_of(const model::Measurement& row) {
+nlohmann::ordered_json json_of(const characterise::Measurement& row) {
   nlohmann::ordered_json json = {{"kind", to_string(row.key.kind)},
                                  {"name", row.key.name},
                                  {"format", row.key.format},
                                  {"inputs", row.key.inputs},
-                                 {"bound", to_string(row.key.bound)},
+                                 {"bound", scene::to_string(row.key.bound)},
                                  {"multipliers", row.key.multipliers},
                                  {"ports", row.key.ports},
                                  {"latency_cycles", row.latency_cycles},
@@ -133,7 +133,7 @@ void print_json(const CharacteriseReport& report, const fs::path& table) {
                                  {"missing", nlohmann::ordered_json::array()},
                                  {"no_clock", report.no_clock},
                                  {"rows", nlohmann::ordered_json::array()}};
-  for (const model::FailedJob& job : report.failed) {
+  for (const characterise::FailedJob& job : report.failed) {
     json["failed"].push_back({{"component", job.label},
                               {"message", job.message},
                               {"directory", job.directory.string()}});
@@ -145,48 +145,49 @@ void print_json(const CharacteriseReport& report, const fs::path& table) {
                                {"count", gap.count},
                                {"reason", gap.reason}});
   }
-  for (const model::Measurement& row : report.table.rows) json["rows"].push_back(json_of(row));
+  for (const characterise::Measurement& row : report.table.rows)
+    json["rows"].push_back(json_of(row));
   print(report::json_text(json));
 }
 
 /// Refuses a table that was measured for another target_mhz: it decides where registers go in all
 /// RTL.
-model::Result<model::Done> check_target(const model::Characterisation& table, const fs::path& path,
-                                        const model::Scene& scene) {
+Result<Done> check_target(const characterise::Characterisation& table, const fs::path& path,
+                          const scene::Scene& scene) {
   const std::string wanted = fmt::format("{}", scene.system.target_mhz);
   for (const auto& [name, text] : table.spec) {
     if (name != "target_mhz" || text == wanted) continue;
-    return model::Error{
+    return Error{
         .file = path.string(),
         .field = "target_mhz",
         .message = "none of its rows would stay",
         .received = text,
         .accepted = fmt::format("--target-mhz {}, or another path by -o for {}", text, wanted)};
   }
-  return model::Done{};
+  return Done{};
 }
 
 /// The table that the file holds; none where there is no file yet. A table of another scene or
 /// device is an error, so that it is not written over.
-model::Result<std::optional<model::Characterisation>> previous_table(const fs::path& path,
-                                                                     const model::Scene& scene,
+Result<std::optional<characterise::Characterisation>> previous_table(const fs::path& path,
+                                                                     const scene::Scene& scene,
                                                                      const std::string& device) {
   std::error_code failed;
   const bool is_table = fs::is_regular_file(path, failed) && fs::file_size(path, failed) > 0;
-  if (!is_table) return std::optional<model::Characterisation>();
-  MIXCMP_TRY(table, model::read_characterisation(path));
+  if (!is_table) return std::optional<characterise::Characterisation>();
+  MIXCMP_TRY(table, characterise::read_characterisation(path));
   if (table.scene == scene.name && table.device == device) {
     MIXCMP_TRY(comparable, check_target(table, path, scene));
     return std::optional(std::move(table));
   }
-  return model::Error{
-      .file = path.string(),
-      .message = "is a table of something else",
-      .received = fmt::format("{} on {}", table.scene, table.device),
-      .accepted = fmt::format("{} on {}, or another path by -o", scene.name, device)};
+  return Error{.file = path.string(),
+               .message = "is a table of something else",
+               .received = fmt::format("{} on {}", table.scene, table.device),
+               .accepted = fmt::format("{} on {}, or another path by -o", scene.name, device)};
 }
 
-bool is_same_measurement(const model::Measurement* one, const model::Measurement* other) {
+bool is_same_measurement(const characterise::Measurement* one,
+                         const characterise::Measurement* other) {
   if (one == nullptr || other == nullptr) return one == other;
   return one->hash == other->hash && one->tools == other->tools &&
          one->timing_seeds == other->timing_seeds;
@@ -194,41 +195,45 @@ bool is_same_measurement(const model::Measurement* one, const model::Measurement
 
 /// Keeps rows that another run has put into the table while this one measured, unless this run has
 /// measured the same components anew.
-void adopt_new_rows(model::Characterisation& table, const model::Characterisation& now,
-                    const model::Characterisation& before) {
-  std::vector<model::Measurement> others;
-  for (const model::Measurement& row : now.rows) {
-    const model::Measurement* old = before.find(row.key);
-    const model::Measurement* own = table.find(row.key);
+void adopt_new_rows(characterise::Characterisation& table,
+                    const characterise::Characterisation& now,
+                    const characterise::Characterisation& before) {
+  std::vector<characterise::Measurement> others;
+  for (const characterise::Measurement& row : now.rows) {
+    const characterise::Measurement* old = before.find(row.key);
+    const characterise::Measurement* own = table.find(row.key);
     const bool is_new = !is_same_measurement(old, &row);
     const bool measured_here = own != nullptr && !is_same_measurement(old, own);
     if (is_new && !measured_here) others.push_back(row);
   }
-  for (model::Measurement& row : others) {
-    std::erase_if(table.rows, [&](const model::Measurement& own) { return own.key == row.key; });
+  for (characterise::Measurement& row : others) {
+    std::erase_if(table.rows,
+                  [&](const characterise::Measurement& own) { return own.key == row.key; });
     table.rows.push_back(std::move(row));
   }
   std::sort(table.rows.begin(), table.rows.end(),
-            [](const model::Measurement& a, const model::Measurement& b) { return a.key < b.key; });
+            [](const characterise::Measurement& a, const characterise::Measurement& b) {
+              return a.key < b.key;
+            });
 }
 
 void write_table(CharacteriseReport& report, const CharacteriseCommand& command,
-                 const model::Scene& scene, const fs::path& path,
-                 const std::optional<model::Characterisation>& before) {
-  const model::FolderLock held = lock_folder(fs::absolute(path).parent_path());
+                 const scene::Scene& scene, const fs::path& path,
+                 const std::optional<characterise::Characterisation>& before) {
+  const FolderLock held = lock_folder(fs::absolute(path).parent_path());
   const auto now = value_or_exit(previous_table(path, scene, report.table.device));
-  if (now) adopt_new_rows(report.table, *now, before.value_or(model::Characterisation()));
+  if (now) adopt_new_rows(report.table, *now, before.value_or(characterise::Characterisation()));
   report.table.command = characterise_command_line(command);
   std::set<std::string> tools;
-  for (const model::Measurement& row : report.table.rows) tools.insert(row.tools);
+  for (const characterise::Measurement& row : report.table.rows) tools.insert(row.tools);
   std::string used;
   for (const std::string& each : tools) used += (used.empty() ? "" : "; ") + each;
   report.table.spec = spec_of(scene, used);
-  value_or_exit(model::write_file(path, to_csv(report.table)));
+  value_or_exit(write_file(path, to_csv(report.table)));
 }
 
 void tell_failures(const CharacteriseReport& report) {
-  for (const model::FailedJob& job : report.failed) {
+  for (const characterise::FailedJob& job : report.failed) {
     const std::string kept = job.directory.empty() ? "" : "\n  kept in " + job.directory.string();
     tell(fmt::format("{}: {}{}", job.label, job.message, kept));
   }
@@ -241,8 +246,9 @@ void tell_failures(const CharacteriseReport& report) {
 
 void run(const CharacteriseCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
-  const model::Device device = value_or_exit(model::find_device(loaded.scene.system.device));
-  gen::CharacteriseOptions options = value_or_exit(characterise_options(command, loaded.scene));
+  const devices::Device device = value_or_exit(devices::find_device(loaded.scene.system.device));
+  components::CharacteriseOptions options =
+      value_or_exit(characterise_options(command, loaded.scene));
   options.progress = tell_progress;
   const fs::path path = command.output.empty()
                             ? default_table(command.scene.scene, loaded.scene.variant, device.name)
@@ -253,11 +259,11 @@ void run(const CharacteriseCommand& command) {
     inputs.push_back(options.store.string() + of_sqlite);
   }
   value_or_exit(check_outputs({path}, inputs));
-  value_or_exit(model::make_writable_folder(fs::absolute(path).parent_path()));
+  value_or_exit(make_writable_folder(fs::absolute(path).parent_path()));
   const auto previous = value_or_exit(previous_table(path, loaded.scene, device.name));
   CharacteriseReport report =
-      value_or_exit(gen::characterise(loaded.scene, loaded.data ? &*loaded.data : nullptr, device,
-                                      options, previous ? &*previous : nullptr));
+      value_or_exit(components::characterise(loaded.scene, loaded.data ? &*loaded.data : nullptr,
+                                             device, options, previous ? &*previous : nullptr));
   show_progress("");
   const bool nothing_measured = report.table.rows.empty() && !report.failed.empty();
   if (report.interrupted_by == 0 && !nothing_measured) {
@@ -267,7 +273,8 @@ void run(const CharacteriseCommand& command) {
   tell_failures(report);
   if (report.interrupted_by != 0) throw Exit::interrupted(report.interrupted_by);
   if (!report.failed.empty()) throw Exit(ExitCode::mistake);
-  if (options.synthesis.effort == model::TimingEffort::timing) end_if_router_is_missing(device);
+  if (options.synthesis.effort == characterise::TimingEffort::timing)
+    end_if_router_is_missing(device);
 }
 
 }  // namespace

@@ -15,17 +15,14 @@
 namespace mixcmp::cli {
 namespace {
 
-using model::ComponentKind;
-using model::Error;
-using model::LaneInputs;
-using model::Multipliers;
-using model::Result;
+using characterise::ComponentKind;
+using scene::Multipliers;
 
 Error mistake(const std::string& option, std::string message, std::string_view received,
               std::string accepted) {
   return {.field = option,
           .message = std::move(message),
-          .received = model::in_quotes(received),
+          .received = in_quotes(received),
           .accepted = std::move(accepted)};
 }
 
@@ -72,10 +69,10 @@ Result<std::set<ComponentKind>> component_kinds(const std::string& text) {
   return kinds;
 }
 
-Result<std::vector<model::BoundChoice>> bounds(const std::string& text) {
-  std::vector<model::BoundChoice> choices;
+Result<std::vector<scene::BoundChoice>> bounds(const std::string& text) {
+  std::vector<scene::BoundChoice> choices;
   for (const std::string& name : words(text)) {
-    const auto choice = model::parse_bound_choice(name);
+    const auto choice = scene::parse_bound_choice(name);
     if (!choice.ok()) {
       Error error = choice.error();
       error.field = "--bounds";
@@ -86,17 +83,17 @@ Result<std::vector<model::BoundChoice>> bounds(const std::string& text) {
   return choices;
 }
 
-Result<std::optional<gen::LaneExponents>> exponents(const std::string& word) {
-  using Choice = std::optional<gen::LaneExponents>;
+Result<std::optional<components::LaneExponents>> exponents(const std::string& word) {
+  using Choice = std::optional<components::LaneExponents>;
   if (word.empty()) return Choice();
-  if (word == "reference") return Choice(gen::LaneExponents::reference);
-  if (word == "ranges") return Choice(gen::LaneExponents::ranges);
+  if (word == "reference") return Choice(components::LaneExponents::reference);
+  if (word == "ranges") return Choice(components::LaneExponents::ranges);
   return mistake("--exponents", "not a choice", word, "reference, ranges");
 }
 
 /// The numbers of "7" or "4-9".
 Result<std::pair<int, int>> interval(const std::string& option, const std::string& word,
-                                     model::Limits allowed) {
+                                     settings::Limits allowed) {
   const std::size_t dash = std::min(word.find('-'), word.size());
   const std::optional<int> first = number(std::string_view(word).substr(0, dash));
   const std::optional<int> last =
@@ -110,10 +107,10 @@ Result<std::pair<int, int>> interval(const std::string& option, const std::strin
                   std::min(allowed.least + 2, allowed.most), allowed.most));
 }
 
-Result<gen::ComponentQuery> query_of(const CharacteriseCommand& command,
-                                     const model::Scene& scene) {
-  const model::Limits allowed = lane_precisions(scene.reference.format);
-  gen::ComponentQuery query;
+Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
+                                            const scene::Scene& scene) {
+  const settings::Limits allowed = settings::lane_precisions(scene.reference.format);
+  components::ComponentQuery query;
   const std::string precisions = command.precisions.empty()
                                      ? fmt::format("{}-{}", allowed.least, allowed.most)
                                      : command.precisions;
@@ -127,7 +124,7 @@ Result<gen::ComponentQuery> query_of(const CharacteriseCommand& command,
   MIXCMP_TRY(multipliers, one_or_both("--multipliers", command.multipliers, Multipliers::embedded,
                                       Multipliers::logic));
   query.multipliers = multipliers;
-  MIXCMP_TRY(ports, number_list("--ports", command.ports, gen::measured_ports));
+  MIXCMP_TRY(ports, number_list("--ports", command.ports, components::measured_ports));
   query.ports = ports;
   MIXCMP_TRY(kinds, component_kinds(command.components));
   query.kinds = kinds;
@@ -139,7 +136,7 @@ Result<gen::ComponentQuery> query_of(const CharacteriseCommand& command,
 }  // namespace
 
 Result<std::vector<int>> number_list(const std::string& option, const std::string& text,
-                                     model::Limits allowed) {
+                                     settings::Limits allowed) {
   std::set<int> numbers;
   for (const std::string& word : words(text)) {
     MIXCMP_TRY(ends, interval(option, word, allowed));
@@ -151,13 +148,14 @@ Result<std::vector<int>> number_list(const std::string& option, const std::strin
 void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
   add_scene_options(verb, command.scene,
                     {"--format", "--bound", "--inputs", "--lanes", "--references"});
-  verb.option("--precisions", command.precisions,
-              fmt::format("of lanes: {}-{} or 8,12,17 (default: all that the scene can have)",
-                          model::limits::lane_precision.least, model::limits::lane_precision.most));
+  verb.option(
+      "--precisions", command.precisions,
+      fmt::format("of lanes: {}-{} or 8,12,17 (default: all that the scene can have)",
+                  settings::limits::lane_precision.least, settings::limits::lane_precision.most));
   verb.option("--bounds", command.bounds,
               fmt::format("of lanes: relative, running_{} .. running_{}, constant, profiled "
                           "(default: {})",
-                          model::limits::bound_digits.least, model::limits::bound_digits.most,
+                          settings::limits::bound_digits.least, settings::limits::bound_digits.most,
                           command.bounds));
   verb.option("--inputs", command.inputs, "of lanes: both, exact or rounded (default: both)");
   verb.option("--multipliers", command.multipliers, "both, embedded or logic (default: both)");
@@ -170,9 +168,9 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
               "lanes at one reference's crossbar (default: " + command.ports + ")");
   verb.flag("--area-only", command.area_only, "no clocks");
   verb.option("--seeds", command.seeds, "of the router (default: 3)")
-      .check(within(model::limits::seeds));
+      .check(within(settings::limits::seeds));
   verb.option("--jobs", command.jobs, "at a time (default: one a processor)")
-      .check(within(model::limits::threads));
+      .check(within(settings::limits::threads));
   verb.option("-o,--output", command.output,
               "the table (default: characterisation/SCENE-DEVICE.csv beside the scene)");
   verb.option("--store", command.store,
@@ -180,18 +178,18 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
               "$XDG_CACHE_HOME/mixcmp/characterisation.sqlite)");
 }
 
-Result<gen::CharacteriseOptions> characterise_options(const CharacteriseCommand& command,
-                                                      const model::Scene& scene) {
-  gen::CharacteriseOptions options;
+Result<components::CharacteriseOptions> characterise_options(const CharacteriseCommand& command,
+                                                             const scene::Scene& scene) {
+  components::CharacteriseOptions options;
   MIXCMP_TRY(query, query_of(command, scene));
   options.query = std::move(query);
-  options.synthesis.effort =
-      command.area_only ? model::TimingEffort::area_only : model::TimingEffort::timing;
+  options.synthesis.effort = command.area_only ? characterise::TimingEffort::area_only
+                                               : characterise::TimingEffort::timing;
   options.synthesis.seeds = command.seeds;
   options.workers =
       command.jobs > 0 ? command.jobs : std::max(1u, std::thread::hardware_concurrency());
   if (command.store.empty()) {
-    MIXCMP_TRY(path, model::default_store_path());
+    MIXCMP_TRY(path, characterise::default_store_path());
     options.store = path;
   } else {
     options.store = std::filesystem::absolute(command.store);  // SQLite keeps ":memory:" in no file

@@ -25,13 +25,13 @@ struct CharacteriseCommand {
 void add_characterise_options(const Verb& verb, CharacteriseCommand& command);
 
 /// Converts the options of `characterise`. Errors name the option.
-model::Result<gen::CharacteriseOptions> characterise_options(const CharacteriseCommand& command,
-                                                             const model::Scene& scene);
+Result<components::CharacteriseOptions> characterise_options(const CharacteriseCommand& command,
+                                                             const scene::Scene& scene);
 
 /// Reads a list such as "4-9,12": numbers that are `allowed`, each once, in rising order. Errors
 /// name `option`.
-model::Result<std::vector<int>> number_list(const std::string& option, const std::string& text,
-                                            model::Limits allowed);
+Result<std::vector<int>> number_list(const std::string& option, const std::string& text,
+                                     settings::Limits allowed);
 
 /// The command that makes the same table; it names the scene by its file name alone.
 std::string characterise_command_line(const CharacteriseCommand& command);

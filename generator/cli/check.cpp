@@ -20,15 +20,15 @@ namespace {
 
 /// The system that `generate` would write, or why it would refuse.
 struct Outlook {
-  model::Result<gen::GeneratedSystem> system;
+  Result<emit::GeneratedSystem> system;
 };
 
 Outlook outlook(const SceneOptions& options, const LoadedScene& loaded) {
   const auto design = design_of(options, loaded);
   if (!design.ok()) return {design.error()};
-  auto system = gen::generate_system(*design, "");
+  auto system = emit::generate_system(*design, "");
   if (!system.ok()) return {system.error()};
-  gen::GeneratedSystem generated = std::move(system).value();
+  emit::GeneratedSystem generated = std::move(system).value();
   if (auto note = fit_note(loaded, *design)) generated.notes.push_back(std::move(*note));
   return {std::move(generated)};
 }
@@ -39,10 +39,10 @@ void print_text(const Outlook& outlook) {
   };
   print("what generate writes\n");
   if (!outlook.system.ok()) return line("nothing", outlook.system.error().to_string());
-  const gen::Signature& signature = outlook.system->signature;
+  const emit::Signature& signature = outlook.system->signature;
   line("top", signature.top);
   const bool one_kind = signature.lane_groups.size() == 1;
-  for (const gen::SignatureLanes& group : signature.lane_groups) {
+  for (const emit::SignatureLanes& group : signature.lane_groups) {
     const std::string kind =
         one_kind
             ? ""
@@ -51,7 +51,7 @@ void print_text(const Outlook& outlook) {
     line(one_kind ? "lane" : "lanes", fmt::format("{}{} cycles", kind, group.latency_cycles));
     line("decision", group.decision);
   }
-  for (const gen::SignatureReferences& group : signature.reference_groups) {
+  for (const emit::SignatureReferences& group : signature.reference_groups) {
     const std::string kind =
         signature.reference_groups.size() == 1
             ? ""
@@ -64,14 +64,14 @@ void print_text(const Outlook& outlook) {
 
 nlohmann::json to_json(const Outlook& outlook) {
   if (!outlook.system.ok()) {
-    const model::Error& error = outlook.system.error();
+    const Error& error = outlook.system.error();
     return {{"error",
              {{"field", error.field},
               {"message", error.message},
               {"received", error.received},
               {"accepted", error.accepted}}}};
   }
-  const auto signature = nlohmann::json::parse(gen::to_json(outlook.system->signature));
+  const auto signature = nlohmann::json::parse(emit::to_json(outlook.system->signature));
   return {{"top", signature["top"]},
           {"lane_groups", signature["lane_groups"]},
           {"reference_groups", signature["reference_groups"]},
@@ -100,14 +100,14 @@ bool any_refused(const std::vector<ProvenLane>& proven) {
 }
 
 /// Compares each of the scene's variants with the scene on its data, unless it was loaded as one.
-std::vector<model::VariantCheck> check_variants(const SceneOptions& options,
-                                                const LoadedScene& loaded) {
-  std::vector<model::VariantCheck> checks;
+std::vector<profile::VariantCheck> check_variants(const SceneOptions& options,
+                                                  const LoadedScene& loaded) {
+  std::vector<profile::VariantCheck> checks;
   const auto formulations = value_or_exit(load_formulations(options, loaded));
   for (std::size_t k = 1; k < formulations.size() && loaded.data; ++k) {
-    const model::Scene& variant = formulations[k].scene;
-    checks.push_back(check_variant(
-        loaded.scene, variant, *loaded.data, model::checked_comparisons, [&](double share) {
+    const scene::Scene& variant = formulations[k].scene;
+    checks.push_back(profile::check_variant(
+        loaded.scene, variant, *loaded.data, profile::checked_comparisons, [&](double share) {
           show_progress(fmt::format("variant {}: {:.0f} %", variant.variant, share * 100));
         }));
   }
@@ -115,13 +115,13 @@ std::vector<model::VariantCheck> check_variants(const SceneOptions& options,
   return checks;
 }
 
-void print_text(const std::vector<model::VariantCheck>& checks) {
+void print_text(const std::vector<profile::VariantCheck>& checks) {
   if (!checks.empty()) print("variants\n");
-  for (const model::VariantCheck& check : checks) {
+  for (const profile::VariantCheck& check : checks) {
     std::string verdict = check.undetermined == 0
                               ? "decides all of them alike"
                               : fmt::format("decides alike all but {} that {} bits do not tell",
-                                            check.undetermined, model::checked_bits);
+                                            check.undetermined, profile::checked_bits);
     if (const auto& first = check.first_difference) {
       verdict = fmt::format("decides {} of them differently, the first number {}: {}, not {}",
                             check.differences, first->index, to_string(first->variant),
@@ -134,9 +134,9 @@ void print_text(const std::vector<model::VariantCheck>& checks) {
   }
 }
 
-nlohmann::json to_json(const std::vector<model::VariantCheck>& checks) {
+nlohmann::json to_json(const std::vector<profile::VariantCheck>& checks) {
   nlohmann::json report = nlohmann::json::array();
-  for (const model::VariantCheck& check : checks) {
+  for (const profile::VariantCheck& check : checks) {
     report.push_back({{"name", check.variant},
                       {"comparisons", check.comparisons},
                       {"differences", check.differences},
@@ -151,8 +151,8 @@ nlohmann::json to_json(const std::vector<model::VariantCheck>& checks) {
   return report;
 }
 
-bool any_differs(const std::vector<model::VariantCheck>& checks) {
-  return std::any_of(checks.begin(), checks.end(), [](const model::VariantCheck& check) {
+bool any_differs(const std::vector<profile::VariantCheck>& checks) {
+  return std::any_of(checks.begin(), checks.end(), [](const profile::VariantCheck& check) {
     return check.first_difference.has_value();
   });
 }
@@ -170,9 +170,9 @@ void end_without_lanes(const std::vector<ProvenLane>& proven) {
 
 /// Why a required part of a lane's proof is missing; empty if none is.
 std::string unproven_part(const ProvenLane& lane) {
-  for (const model::proof::Finding& finding : lane.proof.findings) {
-    const bool open = finding.outcome == model::proof::Outcome::out_of_time ||
-                      finding.outcome == model::proof::Outcome::unchecked;
+  for (const proof::Finding& finding : lane.proof.findings) {
+    const bool open = finding.outcome == proof::Outcome::out_of_time ||
+                      finding.outcome == proof::Outcome::unchecked;
     if (open && !finding.optional) return fmt::format("{}: {}", finding.what, finding.detail);
   }
   return "";
@@ -198,10 +198,10 @@ std::vector<std::string> not_done(const CheckOptions& options,
 
 void run(const CheckOptions& options) {
   const LoadedScene loaded = value_or_exit(load(options.scene));
-  const model::Summary summary =
-      model::summarise(loaded.scene, loaded.data ? &*loaded.data : nullptr);
+  const scene::Summary summary =
+      scene::summarise(loaded.scene, loaded.data ? &*loaded.data : nullptr);
   const Outlook generated = outlook(options.scene, loaded);
-  const std::vector<model::VariantCheck> variants = check_variants(options.scene, loaded);
+  const std::vector<profile::VariantCheck> variants = check_variants(options.scene, loaded);
   std::vector<ProvenLane> proven;
   if (options.prove.prove) {
     proven = prove(loaded, options.prove, inputs_of(options.scene, loaded.scene));
@@ -231,8 +231,7 @@ void run(const CheckOptions& options) {
     print_text(proven);
   }
   end_without_lanes(proven);
-  const bool broken =
-      costs && costs->why_no_area && costs->why_no_area->kind == model::ErrorKind::mistake;
+  const bool broken = costs && costs->why_no_area && costs->why_no_area->kind == ErrorKind::mistake;
   if (broken) fail(*costs->why_no_area);
   if (any_refused(proven) || any_differs(variants)) throw Exit(ExitCode::refuted);
   end_if_incomplete(not_done(options, proven, costs));

@@ -17,21 +17,20 @@
 namespace mixcmp::cli {
 namespace {
 
-using model::Area;
-using model::CombinedLane;
-using model::ReducedSpec;
-using model::Result;
-using model::Scene;
+using devices::Area;
+using error::CombinedLane;
+using scene::ReducedSpec;
+using scene::Scene;
 
 /// The area of one lane alone on the scene's device.
 Result<Area> lane_area(const Scene& scene, const CombinedLane& lane) {
-  MIXCMP_TRY(device, model::find_device(scene.system.device));
-  MIXCMP_TRY(tools, model::tool_versions(device, model::TimingEffort::area_only));
-  MIXCMP_TRY(built,
-             gen::lane_rtl(scene.graph.inputs(), lane, scene.reduced.multipliers, scene.system));
-  MIXCMP_TRY(scratch, model::ScratchFolder::make());
-  const auto result = synthesise(gen::module_job(built.module), device,
-                                 {.effort = model::TimingEffort::area_only}, scratch.path());
+  MIXCMP_TRY(device, devices::find_device(scene.system.device));
+  MIXCMP_TRY(tools, characterise::tool_versions(device, characterise::TimingEffort::area_only));
+  MIXCMP_TRY(built, components::lane_rtl(scene.graph.inputs(), lane, scene.reduced.multipliers,
+                                         scene.system));
+  MIXCMP_TRY(scratch, ScratchFolder::make());
+  const auto result = synthesise(components::module_job(built.module), device,
+                                 {.effort = characterise::TimingEffort::area_only}, scratch.path());
   if (!result.ok()) {
     scratch.keep();  // the message names its files
     return result.error();
@@ -42,12 +41,12 @@ Result<Area> lane_area(const Scene& scene, const CombinedLane& lane) {
 /// The area of the lane with every hazard built and no operand checked, except for signs.
 std::optional<Area> area_of_all_built(const Scene& scene, const ReducedSpec& reduced,
                                       const CombinedLane& lane) {
-  const auto all_built = certified_lanes(
+  const auto all_built = error::certified_lanes(
       lane_graphs(scene.graph, scene.reference.format, lane.arithmetic(), scene.reduced.inputs),
       {.kind = *reduced.error_bound,
        .bound_digits = reduced.bound_digits,
        .ranges = scene.ranges,
-       .hazards = model::HazardRemoval::keep});
+       .hazards = error::HazardRemoval::keep});
   if (!all_built.ok()) return std::nullopt;
   const auto area = lane_area(scene, *all_built);
   return area.ok() ? std::optional(*area) : std::nullopt;
@@ -57,18 +56,18 @@ std::optional<Area> area_of_all_built(const Scene& scene, const ReducedSpec& red
 bool is_chosen(const LoadedScene& loaded, const ReducedSpec& tried, const std::string& decision) {
   const ReducedSpec& reduced = loaded.scene.reduced;
   if (reduced.bound != tried.bound) return false;
-  if (reduced.bound == model::BoundKind::profiled) return true;
-  const auto taken = design_lane(loaded.scene, reduced, nullptr);
+  if (reduced.bound == scene::BoundKind::profiled) return true;
+  const auto taken = design::design_lane(loaded.scene, reduced, nullptr);
   return taken.ok() && describe_decision(*taken) == decision;
 }
 
-BoundCost cost_of(const LoadedScene& loaded, const model::BoundChoice& choice,
-                  std::optional<model::Error>& why_no_area) {
+BoundCost cost_of(const LoadedScene& loaded, const scene::BoundChoice& choice,
+                  std::optional<Error>& why_no_area) {
   const Scene& scene = loaded.scene;
   const ReducedSpec reduced = with_bound(scene.reduced, choice);
   BoundCost cost{.name = to_string(choice)};
-  const auto lane =
-      design_lane(scene, reduced, loaded.data ? &*loaded.data : nullptr, model::profile_error);
+  const auto lane = design::design_lane(scene, reduced, loaded.data ? &*loaded.data : nullptr,
+                                        profile::profile_error);
   if (!lane.ok()) {
     cost.decision = "does not exist: " + lane.error().message;
     return cost;
@@ -93,7 +92,7 @@ void add_rates(const LoadedScene& loaded, BoundCosts& costs) {
     return;
   }
   const int precision = scene.reduced.format->precision();
-  model::ProfileOptions options{.first_precision = precision, .last_precision = precision};
+  profile::ProfileOptions options{.first_precision = precision, .last_precision = precision};
   if (const auto possible = check_profile(scene, options); !possible.ok()) {
     costs.why_no_rate = possible.error().to_string();
     return;
@@ -101,7 +100,7 @@ void add_rates(const LoadedScene& loaded, BoundCosts& costs) {
   show_progress("measuring recomputation rates");
   const auto errors = profile_errors(scene, *loaded.data, {scene.reduced.inputs}, options);
   const auto rates = profile_rates(scene, *loaded.data, errors.front(), options);
-  for (const model::SystemProfile& system : rates.systems) {
+  for (const profile::SystemProfile& system : rates.systems) {
     for (BoundCost& cost : costs.bounds) {
       if (cost.name != system.name || !system.counts.front().exists) continue;
       cost.recomputation_rate = static_cast<double>(system.counts.front().undecided) /
@@ -123,13 +122,13 @@ nlohmann::json json_of(const std::optional<Area>& area) {
 
 Result<BoundCosts> measure_costs(const LoadedScene& loaded) {
   if (!loaded.scene.reduced.format) {
-    return model::Error{.field = "reduced.format",
-                        .message = "--costs compares the bounds of one lane",
-                        .received = "\"auto\"",
-                        .accepted = "a format, such as --format s17"};
+    return Error{.field = "reduced.format",
+                 .message = "--costs compares the bounds of one lane",
+                 .received = "\"auto\"",
+                 .accepted = "a format, such as --format s17"};
   }
   BoundCosts costs;
-  for (const model::BoundChoice& choice : model::profiled_bound_choices()) {
+  for (const scene::BoundChoice& choice : scene::profiled_bound_choices()) {
     costs.bounds.push_back(cost_of(loaded, choice, costs.why_no_area));
   }
   add_rates(loaded, costs);

@@ -13,20 +13,20 @@ struct BoundCost {
   bool chosen = false;                       ///< `generate` takes this bound
   std::string decision;                      ///< when the lane decides, or why there is none
   std::optional<double> recomputation_rate;  ///< on the scene's data
-  std::optional<model::Area> area;
-  std::optional<model::Area> all_built;  ///< area with the hardware that ranges make unnecessary
+  std::optional<devices::Area> area;
+  std::optional<devices::Area> all_built;  ///< area with the hardware that ranges make unnecessary
 };
 
 struct BoundCosts {
   std::vector<BoundCost> bounds;
-  std::optional<model::Error> why_no_area;  ///< why there are no areas, if there are none
+  std::optional<Error> why_no_area;  ///< why there are no areas, if there are none
   std::string why_no_rate;
 };
 
 /// Measures every certified bound of the scene's lane, and the profiled one where its constants are
 /// known or can be measured. It takes seconds per lane, since Yosys maps each.
 /// It is an error if the scene leaves the lane's format open.
-model::Result<BoundCosts> measure_costs(const LoadedScene& loaded);
+Result<BoundCosts> measure_costs(const LoadedScene& loaded);
 
 std::string to_text(const BoundCosts& costs);
 nlohmann::json to_json(const BoundCosts& costs);

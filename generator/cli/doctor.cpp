@@ -23,25 +23,25 @@ enum class Need {
 
 struct Tool {
   const char* name;
-  std::function<model::Result<std::string>()> version;  ///< an error says why the tool is unusable
-  const char* package;                                  ///< the Debian package
-  const char* disables;                                 ///< what is missing without it
+  std::function<Result<std::string>()> version;  ///< an error says why the tool is unusable
+  const char* package;                           ///< the Debian package
+  const char* disables;                          ///< what is missing without it
   Need need = Need::required;
 };
 
-std::function<model::Result<std::string>()> asks(model::Command command, const char* package) {
-  return [command = std::move(command), package] { return model::tool_version(command, package); };
+std::function<Result<std::string>()> asks(Command command, const char* package) {
+  return [command = std::move(command), package] { return tool_version(command, package); };
 }
 
 /// Looks for gtkwave without running it: it prints its version only where there is a display.
-model::Result<std::string> find_gtkwave() {
-  const auto found = model::capture({"which", "gtkwave"});
+Result<std::string> find_gtkwave() {
+  const auto found = capture({"which", "gtkwave"});
   if (found.ok() && found->succeeded()) return std::string("there; not asked for its version");
-  return model::Error{.message = "gtkwave does not run", .kind = model::ErrorKind::missing_tool};
+  return Error{.message = "gtkwave does not run", .kind = ErrorKind::missing_tool};
 }
 
 std::vector<Tool> tools() {
-  model::Command ecp5_router = model::ecp5_router_command();
+  Command ecp5_router = characterise::ecp5_router_command();
   ecp5_router.emplace_back("--version");
   return {
       {"verilator", asks({"verilator", "--version"}, "verilator"), "verilator", "verify"},
@@ -59,7 +59,7 @@ std::vector<Tool> tools() {
        Need::optional},
       {"glpsol", asks({"glpsol", "--version"}, "glpk-utils"), "glpk-utils",
        "the tests of plans by a second solver", Need::optional},
-      {"gappa", model::proof::gappa_version, "gappa",
+      {"gappa", proof::gappa_version, "gappa",
        "check --prove, and the machine check of error bounds before generate"},
       {"gnuplot", asks({"gnuplot", "--version"}, "gnuplot-nox"), "gnuplot-nox",
        "the pictures of profile and explore"},
@@ -68,8 +68,8 @@ std::vector<Tool> tools() {
   };
 }
 
-std::string fault(const Tool& tool, const model::Error& error) {
-  if (error.kind == model::ErrorKind::missing_tool) {
+std::string fault(const Tool& tool, const Error& error) {
+  if (error.kind == ErrorKind::missing_tool) {
     return fmt::format("missing: apt-get install {}; disables {}", tool.package, tool.disables);
   }
   return fmt::format("{}; disables {}", error.to_string(), tool.disables);

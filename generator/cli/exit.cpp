@@ -12,20 +12,20 @@ namespace mixcmp::cli {
 
 namespace {
 
-ExitCode code_of(model::ErrorKind kind) {
+ExitCode code_of(ErrorKind kind) {
   switch (kind) {
-    case model::ErrorKind::mistake:
-    case model::ErrorKind::missing_column:
-    case model::ErrorKind::unnamed_columns: return ExitCode::mistake;
-    case model::ErrorKind::missing_tool: return ExitCode::incomplete;
-    case model::ErrorKind::refuted: return ExitCode::refuted;
+    case ErrorKind::mistake:
+    case ErrorKind::missing_column:
+    case ErrorKind::unnamed_columns: return ExitCode::mistake;
+    case ErrorKind::missing_tool: return ExitCode::incomplete;
+    case ErrorKind::refuted: return ExitCode::refuted;
   }
   MIXCMP_CHECK(false);
 }
 
 }  // namespace
 
-void fail(const model::Error& error) {
+void fail(const Error& error) {
   show_progress("");
   tell(error.to_string());
   throw Exit(code_of(error.kind));
@@ -34,7 +34,7 @@ void fail(const model::Error& error) {
 void print(const std::string& text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (written && std::fflush(stdout) == 0) return;
-  fail(model::cannot_write("standard output", errno));
+  fail(cannot_write("standard output", errno));
 }
 
 void tell_not_done(const std::vector<std::string>& parts) {

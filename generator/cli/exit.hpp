@@ -31,11 +31,11 @@ struct Exit {
 };
 
 /// Prints the error on stderr and ends the program, with the code that the error's kind says.
-[[noreturn]] void fail(const model::Error& error);
+[[noreturn]] void fail(const Error& error);
 
 /// Returns the value, or ends the program as `fail` does.
 template <class T>
-T value_or_exit(model::Result<T> result) {
+T value_or_exit(Result<T> result) {
   if (!result.ok()) fail(result.error());
   return std::move(result).value();
 }

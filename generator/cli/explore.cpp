@@ -30,8 +30,6 @@ namespace mixcmp::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using model::Error;
-using model::Result;
 
 constexpr const char* own_data = "own";  ///< the name of the scene's data set, without --over
 
@@ -59,29 +57,29 @@ Result<std::vector<std::string>> data_sets(const std::string& over) {
   return Error{.file = {},
                .field = "--over",
                .message = "names no data sets",
-               .received = model::in_quotes(over),
+               .received = in_quotes(over),
                .accepted = "a key of [data] with values, such as data.radius_max=5,10,25"};
 }
 
 /// Adds a table's format, column names and numbers to a hash.
-void add_to(model::ContentHash& hash, const model::Table& table) {
+void add_to(ContentHash& hash, const data::Table& table) {
   hash.add(table.format.name());
   for (const std::string& column : table.columns) hash.add(column);
-  for (const model::Bits value : table.values) hash.add(model::to_hex(value, table.format.width()));
+  for (const Bits value : table.values) hash.add(to_hex(value, table.format.width()));
 }
 
 /// A hash of all that rates depend on: the data, the precisions, and the scene's settings, those of
 /// its plans included, without the numbers of datapaths and the system around them.
 std::string rates_hash(const LoadedScene& loaded, const SceneOptions& options,
-                       const model::OptimiseOptions& choice) {
-  model::ContentHash hash;
-  hash.add(gen::version);
-  const auto read = value_or_exit(model::read_scene_settings(options.scene, options.settings));
-  for (const model::Setting& section : read.settings.root.entries) {
+                       const optimise::OptimiseOptions& choice) {
+  ContentHash hash;
+  hash.add(emit::version);
+  const auto read = value_or_exit(scene::read_scene_settings(options.scene, options.settings));
+  for (const settings::Setting& section : read.settings.root.entries) {
     const std::set<std::string> others = {"name", "system", "lanes", "references"};
     if (!others.contains(section.key)) hash.add(section.key).add(toml_value(section));
   }
-  for (const model::Table& table : loaded.data->tables()) add_to(hash, table);
+  for (const data::Table& table : loaded.data->tables()) add_to(hash, table);
   hash.add(fmt::format("{}-{}", choice.first_precision, choice.last_precision));
   return hash.hex().substr(0, 8);
 }
@@ -97,7 +95,7 @@ SceneOptions with_set(const ExploreCommand& command, const std::string& set) {
 
 /// The rates of one data set. They are kept in the output folder, so that an interrupted run can be
 /// continued.
-model::Rates rates_of(const ExploreCommand& command, const std::string& set) {
+optimise::Rates rates_of(const ExploreCommand& command, const std::string& set) {
   const SceneOptions options = with_set(command, set);
   const LoadedScene loaded = value_or_exit(load(options));
   std::string name = set.empty() ? "own" : set.substr(set.find('=') + 1);
@@ -105,54 +103,54 @@ model::Rates rates_of(const ExploreCommand& command, const std::string& set) {
   const fs::path kept =
       command.output /
       fmt::format("rates-{}-{}.csv", name, rates_hash(loaded, options, command.planning.choice));
-  if (fs::exists(kept)) return value_or_exit(model::Rates::read(kept));
+  if (fs::exists(kept)) return value_or_exit(optimise::Rates::read(kept));
   const auto rates = value_or_exit(measure_rates(loaded, command.planning.choice));
   report::ProfileReport report{.scene = loaded.scene.name,
                                .reference = loaded.scene.reference.format,
                                .comparisons = loaded.data->size(),
                                .errors = {},
                                .rates = rates};
-  value_or_exit(model::write_file(kept, report::figure5_csv(report)));
-  return model::Rates::of(rates);
+  value_or_exit(write_file(kept, report::figure5_csv(report)));
+  return optimise::Rates::of(rates);
 }
 
 /// The throughput of software in double, and that of the kernel which is fastest on all cores.
 std::vector<report::SoftwareThroughput> measure_software(const LoadedScene& loaded) {
-  model::ScratchFolder scratch = value_or_exit(model::ScratchFolder::make());
-  gen::BaselineOptions options{.work = scratch.path()};
+  ScratchFolder scratch = value_or_exit(ScratchFolder::make());
+  software::BaselineOptions options{.work = scratch.path()};
   options.progress = show_progress;
   const auto measured = software_baseline(loaded.scene, *loaded.data, options);
   if (!measured.ok()) scratch.keep();  // the message names its files
-  const gen::Baseline& baseline = value_or_exit(measured);
+  const software::Baseline& baseline = value_or_exit(measured);
   show_progress("");
   if (!baseline.passed()) {
     tell("software and golden model disagree: see mixcmp baseline");
     throw Exit(ExitCode::refuted);
   }
   std::vector<report::SoftwareThroughput> all;
-  for (const gen::BaselineKernel* kernel : {&baseline.exact(), &baseline.fastest()}) {
+  for (const software::BaselineKernel* kernel : {&baseline.exact(), &baseline.fastest()}) {
     all.push_back({fmt::format("{}, {} cores, {}", baseline.processor, baseline.threads,
-                               gen::kernel_name(*kernel)),
+                               software::kernel_name(*kernel)),
                    kernel->one_core.best_per_s, kernel->all_cores.best_per_s});
   }
   if (&baseline.exact() == &baseline.fastest()) all.pop_back();
   return all;
 }
 
-using Columns = std::vector<std::pair<std::string, model::ClockChoice>>;
+using Columns = std::vector<std::pair<std::string, optimise::ClockChoice>>;
 
 /// The columns of the tables: the clocks with which T(equ) is computed. The last one has those of
 /// the command.
-Columns columns_for(const std::optional<model::PublishedDevice>& published,
-                    const model::ClockChoice& ours) {
+Columns columns_for(const std::optional<optimise::PublishedDevice>& published,
+                    const optimise::ClockChoice& ours) {
   Columns columns;
   if (published) {
     const double lane = published->lane_mhz(), reference = published->reference_mhz;
     columns.push_back(
         {fmt::format("ours, the paper's clocks ({:.0f}, {:.0f} MHz)", lane, reference),
-         {lane, reference, model::ClockDomains::separate}});
+         {lane, reference, optimise::ClockDomains::separate}});
     columns.push_back({fmt::format("ours, one clock of {:.0f} MHz", reference),
-                       {reference, reference, model::ClockDomains::single}});
+                       {reference, reference, optimise::ClockDomains::single}});
   }
   columns.push_back({"ours", ours});
   return columns;
@@ -167,13 +165,13 @@ std::string command_of(const ExploreCommand& command) {
 
 /// Adds the best plan to the results. `set`: the data set that it is for; empty: for all.
 void add_plan(ResultFiles& results, const ExploreCommand& command, const std::string& device,
-              const std::string& set, const fs::path& path, const model::Optimisation& found) {
-  const model::PrecisionPlan* best = found.best();
+              const std::string& set, const fs::path& path, const optimise::Optimisation& found) {
+  const optimise::PrecisionPlan* best = found.best();
   const std::string name = path.filename().string();
   if (best == nullptr) return results.leave_out(name);
   PlanningOptions planning = command.planning;
   if (!set.empty()) planning.scene.settings.push_back(set);
-  const model::PlanSource source = plan_source(planning, device, path, command_of(command));
+  const optimise::PlanSource source = plan_source(planning, device, path, command_of(command));
   results.add(name, plan_toml(found, *best, source));
 }
 
@@ -194,11 +192,11 @@ std::vector<fs::path> output_paths(const ExploreCommand& command,
 }
 
 ResultFiles results_for(const ExploreCommand& command, const std::string& device,
-                        const model::Exploration& exploration, const std::string& tables) {
+                        const optimise::Exploration& exploration, const std::string& tables) {
   const fs::path folder = command.output / exploration.device.name;
-  const model::ResultsAtClocks& ours = exploration.columns.back();
+  const optimise::ResultsAtClocks& ours = exploration.columns.back();
   // The first column has given clocks, if any has: then lanes without a measured clock count, too.
-  const model::Optimisation& areas = exploration.columns.front().example;
+  const optimise::Optimisation& areas = exploration.columns.front().example;
   const std::string& first = exploration.data_sets.front();
   ResultFiles results(folder, result_names);
   results.add("figure7.csv", report::figure7_csv(areas));
@@ -215,9 +213,9 @@ ResultFiles results_for(const ExploreCommand& command, const std::string& device
   return results;
 }
 
-void print_notes(const model::Exploration& exploration) {
+void print_notes(const optimise::Exploration& exploration) {
   std::set<std::string> notes;
-  for (const model::ResultsAtClocks& column : exploration.columns) {
+  for (const optimise::ResultsAtClocks& column : exploration.columns) {
     notes.insert(column.worst.notes.begin(), column.worst.notes.end());
     if (column.worst.best() == nullptr) notes.insert(column.title + ": no plan fits");
   }
@@ -227,7 +225,7 @@ void print_notes(const model::Exploration& exploration) {
 }
 
 /// The devices of --on, each once; without it, the scene's.
-std::vector<std::string> devices_of(const ExploreCommand& command, const model::Scene& scene) {
+std::vector<std::string> devices_of(const ExploreCommand& command, const scene::Scene& scene) {
   if (command.devices.empty()) return {scene.system.device};
   std::vector<std::string> devices;
   for (const std::string& device : command.devices) {
@@ -239,26 +237,26 @@ std::vector<std::string> devices_of(const ExploreCommand& command, const model::
 
 /// Loads a device and its table, from which its plans are made.
 Planning planning_for(const ExploreCommand& command, const std::string& device,
-                      const model::Comparisons* data) {
+                      const data::Comparisons* data) {
   PlanningOptions planning = command.planning;
   planning.scene.settings.push_back("system.device=" + device);
-  const model::Scene scene =
-      value_or_exit(model::load_scene(planning.scene.scene, planning.scene.settings));
+  const scene::Scene scene =
+      value_or_exit(scene::load_scene(planning.scene.scene, planning.scene.settings));
   return value_or_exit(load_planning(planning, scene, data));
 }
 
 /// Tables III and IV of one device.
-std::string tables_of(const model::Exploration& exploration,
-                      const std::optional<model::PublishedDevice>& published,
+std::string tables_of(const optimise::Exploration& exploration,
+                      const std::optional<optimise::PublishedDevice>& published,
                       const std::vector<report::SoftwareThroughput>& software) {
   return "## " + exploration.device.name + "\n\n" +
          report::table3_markdown(exploration, published) + "\n" +
          report::table4_markdown(exploration, published, software);
 }
 
-std::vector<model::DataSet> measure_sets(const ExploreCommand& command,
-                                         const std::vector<std::string>& settings) {
-  std::vector<model::DataSet> sets;
+std::vector<optimise::DataSet> measure_sets(const ExploreCommand& command,
+                                            const std::vector<std::string>& settings) {
+  std::vector<optimise::DataSet> sets;
   for (const std::string& setting : settings) {
     sets.push_back({setting.empty() ? own_data : setting, rates_of(command, setting)});
   }
@@ -278,12 +276,12 @@ void check_device_names(const std::vector<Planning>& known) {
 }
 
 /// Loads the scenes of all data sets, so that mistakes are found before any of them is measured.
-std::vector<model::Scene> scenes_of(const ExploreCommand& command,
+std::vector<scene::Scene> scenes_of(const ExploreCommand& command,
                                     const std::vector<std::string>& settings) {
-  std::vector<model::Scene> scenes;
+  std::vector<scene::Scene> scenes;
   for (const std::string& set : settings) {
     const SceneOptions options = with_set(command, set);
-    const auto scene = model::load_scene(options.scene, options.settings);
+    const auto scene = scene::load_scene(options.scene, options.settings);
     if (!scene.ok()) fail(as_user_error(scene.error(), options));
     scenes.push_back(*scene);
   }
@@ -292,14 +290,14 @@ std::vector<model::Scene> scenes_of(const ExploreCommand& command,
 
 /// All files that the run reads.
 std::vector<fs::path> inputs_of(const ExploreCommand& command,
-                                const std::vector<model::Scene>& scenes,
+                                const std::vector<scene::Scene>& scenes,
                                 const std::vector<Planning>& known) {
   std::vector<fs::path> inputs;
-  const auto add = [&](const model::Scene& scene) {
+  const auto add = [&](const scene::Scene& scene) {
     const std::vector<fs::path> more = inputs_of(command.planning.scene, scene);
     inputs.insert(inputs.end(), more.begin(), more.end());
   };
-  for (const model::Scene& scene : scenes) add(scene);
+  for (const scene::Scene& scene : scenes) add(scene);
   for (const Planning& each : known) {
     add(each.scene);
     inputs.push_back(each.table_path);
@@ -310,11 +308,11 @@ std::vector<fs::path> inputs_of(const ExploreCommand& command,
 /// Names the folders of devices that an earlier run has left beside those of this one.
 void tell_older_results(const fs::path& output, const std::vector<Planning>& known) {
   std::error_code failed;
-  for (const fs::directory_entry& entry : model::entries_of(output, failed)) {
+  for (const fs::directory_entry& entry : entries_of(output, failed)) {
     const std::string name = entry.path().filename().string();
     const bool ours = std::any_of(known.begin(), known.end(),
                                   [&](const Planning& each) { return each.device.name == name; });
-    if (ours || !model::path_exists(entry.path() / "scenarios.csv")) continue;
+    if (ours || !path_exists(entry.path() / "scenarios.csv")) continue;
     tell(fmt::format("note: {} is of an earlier run", entry.path().string()));
   }
 }
@@ -329,14 +327,15 @@ struct Findings {
 };
 
 void add_device(Findings& findings, const ExploreCommand& command, const Planning& known,
-                const std::vector<model::DataSet>& sets,
+                const std::vector<optimise::DataSet>& sets,
                 const std::vector<report::SoftwareThroughput>& software) {
-  const auto published = command.beside_paper ? model::published(known.device.name) : std::nullopt;
+  const auto published =
+      command.beside_paper ? optimise::published(known.device.name) : std::nullopt;
   if (command.beside_paper && !published) {
     findings.not_done.push_back("--beside-paper: the paper has no figures of " + known.device.name);
   }
-  const model::OptimiseOptions& choice = command.planning.choice;
-  const model::Exploration exploration = value_or_exit(explore(
+  const optimise::OptimiseOptions& choice = command.planning.choice;
+  const optimise::Exploration exploration = value_or_exit(explore(
       known.scene, known.device, known.table, sets, columns_for(published, choice.clocks), choice));
   const std::string tables = tables_of(exploration, published, software);
   print_notes(exploration);
@@ -344,7 +343,7 @@ void add_device(Findings& findings, const ExploreCommand& command, const Plannin
   findings.page += "\n" + tables;
   findings.json.push_back(report::to_json(exploration));
   if (command.software) findings.json.back()["software"] = report::to_json(software);
-  for (const model::ResultsAtClocks& column : exploration.columns) {
+  for (const optimise::ResultsAtClocks& column : exploration.columns) {
     findings.feasible = findings.feasible && column.worst.best() != nullptr;
   }
 }
@@ -352,7 +351,7 @@ void add_device(Findings& findings, const ExploreCommand& command, const Plannin
 /// Writes the results of all devices at once, so that report.md and the folders always tell of the
 /// same run.
 void write_files(Findings& findings, const fs::path& page_path) {
-  model::OutputFile page = value_or_exit(model::OutputFile::open(page_path));
+  OutputFile page = value_or_exit(OutputFile::open(page_path));
   page.write(findings.page);
   value_or_exit(page.write_out());
   for (ResultFiles& files : findings.results) files.write_out();
@@ -366,7 +365,7 @@ void write_files(Findings& findings, const fs::path& page_path) {
 /// Loads the devices and their tables, and checks all that the run reads and writes.
 std::vector<Planning> plannings_for(const ExploreCommand& command, const LoadedScene& loaded,
                                     const std::vector<std::string>& settings) {
-  const std::vector<model::Scene> scenes = scenes_of(command, settings);
+  const std::vector<scene::Scene> scenes = scenes_of(command, settings);
   std::vector<Planning> known;
   for (const std::string& device : devices_of(command, loaded.scene)) {
     known.push_back(planning_for(command, device, &*loaded.data));
@@ -385,8 +384,8 @@ void run(const ExploreCommand& command) {
   value_or_exit(check_has_data(loaded, "recomputation rates are measured on data"));
   const std::vector<std::string> settings = value_or_exit(data_sets(command.over));
   const std::vector<Planning> known = plannings_for(command, loaded, settings);
-  const model::FolderLock held = lock_folder(command.output);
-  const std::vector<model::DataSet> sets = measure_sets(command, settings);
+  const FolderLock held = lock_folder(command.output);
+  const std::vector<optimise::DataSet> sets = measure_sets(command, settings);
   std::vector<report::SoftwareThroughput> software;
   if (command.software) software = measure_software(loaded);
 

@@ -9,11 +9,11 @@ namespace {
 
 /// The table beside the scene; nullopt where it is absent, unreadable or of another scene or
 /// device. None of these is an error here; `optimise` reports what is wrong.
-std::optional<model::Characterisation> table_beside(const std::filesystem::path& path,
-                                                    const model::Scene& scene,
-                                                    const model::Device& device) {
-  if (!model::path_exists(path)) return std::nullopt;
-  auto table = model::read_characterisation(path);
+std::optional<characterise::Characterisation> table_beside(const std::filesystem::path& path,
+                                                           const scene::Scene& scene,
+                                                           const devices::Device& device) {
+  if (!path_exists(path)) return std::nullopt;
+  auto table = characterise::read_characterisation(path);
   if (!table.ok() || table->device != device.name || table->scene != scene.name) {
     return std::nullopt;
   }
@@ -22,13 +22,13 @@ std::optional<model::Characterisation> table_beside(const std::filesystem::path&
 
 }  // namespace
 
-std::optional<std::string> fit_note(const LoadedScene& loaded, const model::Design& design) {
-  const auto device = model::find_device(loaded.scene.system.device);
+std::optional<std::string> fit_note(const LoadedScene& loaded, const design::Design& design) {
+  const auto device = devices::find_device(loaded.scene.system.device);
   if (!device.ok()) return std::nullopt;
-  const model::Scene& scene = loaded.scene;
+  const scene::Scene& scene = loaded.scene;
   const std::filesystem::path path = default_table(scene.path, scene.variant, device->name);
   const auto table = table_beside(path, scene, *device);
-  const auto footprint = footprint_of(design, table ? &*table : nullptr, *device);
+  const auto footprint = optimise::footprint_of(design, table ? &*table : nullptr, *device);
   return excess_of(footprint, design, *device, path.string());
 }
 

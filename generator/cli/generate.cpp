@@ -37,9 +37,9 @@ std::string counted(int count, const char* what) {
 }
 
 /// Prints lanes and references, in one line if there is one kind of each, else one line per kind.
-void print_parts(const gen::Signature& s) {
+void print_parts(const emit::Signature& s) {
   if (s.lane_groups.size() == 1 && s.reference_groups.size() <= 1) {
-    const gen::SignatureLanes& lanes = s.lane_groups.front();
+    const emit::SignatureLanes& lanes = s.lane_groups.front();
     const std::string reference = s.reference_groups.empty()
                                       ? ""
                                       : fmt::format(" in {} ({} cycles)", s.reference_format.name(),
@@ -50,21 +50,21 @@ void print_parts(const gen::Signature& s) {
   }
   print(fmt::format("{}: p_L = {}, p_H = {} in {}, {}\n", s.top, s.lanes, s.references,
                     s.reference_format.name(), certainty(s.certified)));
-  for (const gen::SignatureLanes& group : s.lane_groups) {
+  for (const emit::SignatureLanes& group : s.lane_groups) {
     print(fmt::format("  {} in {}: {} cycles, inputs {}, multipliers {}; {}\n",
                       counted(group.count, "lane"), group.format.name(), group.latency_cycles,
                       to_string(group.inputs), to_string(group.multipliers), group.decision));
   }
-  for (const gen::SignatureReferences& group : s.reference_groups) {
+  for (const emit::SignatureReferences& group : s.reference_groups) {
     print(fmt::format("  {}: {} cycles, multipliers {}\n", counted(group.count, "reference"),
                       group.latency_cycles, to_string(group.multipliers)));
   }
 }
 
-void print_engine(const gen::Signature& signature) {
+void print_engine(const emit::Signature& signature) {
   if (!signature.engine) return;
-  const gen::SignatureEngine& engine = *signature.engine;
-  if (engine.kind == model::EngineKind::arg_min) {
+  const emit::SignatureEngine& engine = *signature.engine;
+  if (engine.kind == scene::EngineKind::arg_min) {
     print(fmt::format(
         "{}: {} candidates of {} bytes, rows of {} bytes, the least one's number leaves\n",
         engine.top, engine.capacity, engine.item_bytes, engine.row_bytes));
@@ -74,7 +74,7 @@ void print_engine(const gen::Signature& signature) {
                     engine.capacity, engine.item_bytes, fmt::join(engine.report, ", ")));
 }
 
-void print_text(const gen::GeneratedSystem& system, const std::vector<GroupProof>& proofs,
+void print_text(const emit::GeneratedSystem& system, const std::vector<GroupProof>& proofs,
                 const std::filesystem::path& directory) {
   print_parts(system.signature);
   print_engine(system.signature);
@@ -87,11 +87,11 @@ void print_text(const gen::GeneratedSystem& system, const std::vector<GroupProof
   print(fmt::format("{} files in {}\n", system.files.size(), directory.string()));
 }
 
-void print_json(const gen::GeneratedSystem& system, const std::vector<GroupProof>& proofs,
+void print_json(const emit::GeneratedSystem& system, const std::vector<GroupProof>& proofs,
                 const std::filesystem::path& directory) {
   nlohmann::ordered_json report;
   report["directory"] = directory.string();
-  report["signature"] = nlohmann::ordered_json::parse(gen::to_json(system.signature));
+  report["signature"] = nlohmann::ordered_json::parse(emit::to_json(system.signature));
   report["notes"] = system.notes;
   for (const GroupProof& proof : proofs) {
     report["proof"].push_back(report::to_json(proof.quick.proof, proof.quick.gappa));
@@ -102,11 +102,11 @@ void print_json(const gen::GeneratedSystem& system, const std::vector<GroupProof
 
 /// Proves every kind of lane that claims a proof.
 std::vector<GroupProof> prove_groups(const std::filesystem::path& scene,
-                                     const model::Design& design) {
+                                     const design::Design& design) {
   const std::vector<std::string> names = lane_group_names(design);
   std::vector<GroupProof> proofs;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const model::CombinedLane& lane = design.lanes[k].lane;
+    const error::CombinedLane& lane = design.lanes[k].lane;
     if (lane.certified()) proofs.push_back({names[k], prove_quickly(scene, lane)});
   }
   return proofs;
@@ -114,16 +114,16 @@ std::vector<GroupProof> prove_groups(const std::filesystem::path& scene,
 
 void run(const GenerateOptions& options) {
   const LoadedScene loaded = value_or_exit(load(options.scene));
-  const model::Design design = value_or_exit(design_of(options.scene, loaded));
-  gen::GeneratedSystem system =
-      value_or_exit(gen::generate_system(design, command_line("generate", options.scene)));
+  const design::Design design = value_or_exit(design_of(options.scene, loaded));
+  emit::GeneratedSystem system =
+      value_or_exit(emit::generate_system(design, command_line("generate", options.scene)));
   if (auto note = fit_note(loaded, design)) system.notes.push_back(std::move(*note));
   std::vector<GroupProof> proofs;
   if (!options.skip_proof) proofs = prove_groups(options.scene.scene, design);
   const std::filesystem::path directory =
       options.output.empty() ? std::filesystem::path(system.signature.top) : options.output;
   value_or_exit(check_replaced_folder(directory, inputs_of(options.scene, loaded.scene)));
-  value_or_exit(gen::write_system(system, directory));
+  value_or_exit(emit::write_system(system, directory));
   options.scene.json ? print_json(system, proofs, directory)
                      : print_text(system, proofs, directory);
 }

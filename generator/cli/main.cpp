@@ -45,7 +45,7 @@ void parse_and_run(CLI::App& app, int argc, char** argv) {
     const auto verbs = app.get_subcommands();
     return mixcmp::cli::print(verbs.empty() ? app.help() : verbs.front()->help());
   } catch (const CLI::CallForVersion&) {
-    return mixcmp::cli::print(std::string(mixcmp::gen::version) + "\n");
+    return mixcmp::cli::print(std::string(mixcmp::emit::version) + "\n");
   } catch (const CLI::ParseError& error) {
     mixcmp::cli::tell(mixcmp::cli::usage_error(app, error));
     throw Exit(ExitCode::mistake);
@@ -58,10 +58,10 @@ void parse_and_run(CLI::App& app, int argc, char** argv) {
 void check_arguments(int argc, char** argv) {
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
-    if (!mixcmp::model::is_one_line(word)) {
+    if (!mixcmp::is_one_line(word)) {
       mixcmp::cli::fail({.field = fmt::format("argument {}", k),
                          .message = "cannot be written into files",
-                         .received = mixcmp::model::in_quotes(word),
+                         .received = mixcmp::in_quotes(word),
                          .accepted = "UTF-8 without control characters"});
     }
     if (!word.empty() && !(word.starts_with("--") && word.ends_with('='))) continue;
@@ -82,7 +82,7 @@ void run(int argc, char** argv) {
   check_arguments(argc, argv);
   CLI::App app("Turns a numerical comparison, the sign of f(x) - g(y), into verified Verilog.",
                "mixcmp");
-  app.set_version_flag("--version", std::string(mixcmp::gen::version));
+  app.set_version_flag("--version", std::string(mixcmp::emit::version));
   app.require_subcommand(0, 1);
   mixcmp::cli::add_check(app);
   mixcmp::cli::add_generate(app);
@@ -99,7 +99,11 @@ void run(int argc, char** argv) {
 
 /// Ends the program on a failure that no verb expects, such as no memory or a failing file system.
 int end_unexpectedly(const char* why) {
-  mixcmp::cli::tell(std::string("ended before its time: ") + why);
+  // A library that fails for want of a working directory may say "out of memory" (HiGHS).
+  std::error_code failed;
+  const std::filesystem::path ignored = std::filesystem::current_path(failed);
+  mixcmp::cli::tell(std::string("ended before its time: ") +
+                    (failed ? "the working directory is gone" : why));
   return Exit(ExitCode::mistake).code;
 }
 

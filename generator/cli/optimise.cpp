@@ -28,9 +28,9 @@ struct OptimiseCommand {
 };
 
 /// Refuses rates of another reference, and tells of other data, which may be meant.
-void check_rates(const model::Rates& rates, const fs::path& file, const LoadedScene& loaded) {
+void check_rates(const optimise::Rates& rates, const fs::path& file, const LoadedScene& loaded) {
   if (!rates.origin()) return;
-  const model::Rates::Origin& origin = *rates.origin();
+  const optimise::Rates::Origin& origin = *rates.origin();
   const int precision = loaded.scene.reference.format.precision();
   if (origin.reference_precision != precision) {
     fail({.file = file.string(),
@@ -45,13 +45,13 @@ void check_rates(const model::Rates& rates, const fs::path& file, const LoadedSc
   }
 }
 
-model::Rates rates_for(const OptimiseCommand& command, const LoadedScene& loaded) {
+optimise::Rates rates_for(const OptimiseCommand& command, const LoadedScene& loaded) {
   if (!command.rates.empty()) {
-    model::Rates rates = value_or_exit(model::Rates::read(command.rates));
+    optimise::Rates rates = value_or_exit(optimise::Rates::read(command.rates));
     check_rates(rates, command.rates, loaded);
     return rates;
   }
-  return model::Rates::of(value_or_exit(measure_rates(loaded, command.planning.choice)));
+  return optimise::Rates::of(value_or_exit(measure_rates(loaded, command.planning.choice)));
 }
 
 std::string command_of(const OptimiseCommand& command) {
@@ -59,14 +59,14 @@ std::string command_of(const OptimiseCommand& command) {
   return command.rates.empty() ? line : line + " --rates " + quoted(command.rates.string());
 }
 
-std::string name_of(const model::Scene& scene) {
+std::string name_of(const scene::Scene& scene) {
   return scene.variant.empty() ? "[comparison]" : "variant " + scene.variant;
 }
 
 /// The plans of one formulation of the comparison.
 struct Candidate {
   Planning known;
-  model::Optimisation found;
+  optimise::Optimisation found;
 
   double throughput_per_s() const {
     return found.best() == nullptr ? 0 : found.best()->throughput_per_s();
@@ -86,12 +86,12 @@ std::vector<LoadedScene> formulations_of(const OptimiseCommand& command,
   return {loaded};
 }
 
-model::Result<Candidate> find_plans(const OptimiseCommand& command, const LoadedScene& loaded) {
+Result<Candidate> find_plans(const OptimiseCommand& command, const LoadedScene& loaded) {
   const PlanningOptions& planning = command.planning;
-  const model::Comparisons* data = loaded.data ? &*loaded.data : nullptr;
+  const data::Comparisons* data = loaded.data ? &*loaded.data : nullptr;
   MIXCMP_TRY(known, load_planning(planning, loaded.scene, data));
-  MIXCMP_TRY(found, optimise(known.scene, known.device, known.table, rates_for(command, loaded),
-                             planning.choice));
+  MIXCMP_TRY(found, optimise::optimise(known.scene, known.device, known.table,
+                                       rates_for(command, loaded), planning.choice));
   return Candidate{std::move(known), std::move(found)};
 }
 
@@ -100,9 +100,9 @@ model::Result<Candidate> find_plans(const OptimiseCommand& command, const Loaded
 std::vector<Candidate> find_candidates(const OptimiseCommand& command,
                                        const std::vector<LoadedScene>& formulations) {
   std::vector<Candidate> candidates;
-  std::vector<std::pair<std::string, model::Error>> left_out;
+  std::vector<std::pair<std::string, Error>> left_out;
   for (const LoadedScene& formulation : formulations) {
-    model::Result<Candidate> candidate = find_plans(command, formulation);
+    Result<Candidate> candidate = find_plans(command, formulation);
     if (candidate.ok()) {
       candidates.push_back(std::move(candidate).value());
     } else {
@@ -118,30 +118,38 @@ std::vector<Candidate> find_candidates(const OptimiseCommand& command,
 
 /// Says that a file which stands where a plan was to be written is of an earlier run.
 void tell_of_older(const fs::path& file) {
-  if (file.empty() || !model::path_exists(file)) return;
+  if (file.empty() || !path_exists(file)) return;
   tell(fmt::format("{}: not written, since no plan was found; the file is of an earlier run",
                    file.string()));
 }
 
-void write_files(const OptimiseCommand& command, const Candidate& chosen) {
-  const model::Optimisation& found = chosen.found;
-  if (!command.csv.empty())
-    value_or_exit(model::write_file(command.csv, report::figure9_csv(found)));
-  const model::PrecisionPlan* best = found.best();
-  if (best == nullptr) {
-    tell_of_older(command.plan);
-    tell_of_older(command.lp);
-    return;
-  }
-  if (!command.lp.empty()) value_or_exit(model::write_file(command.lp, to_lp(best->problem)));
-  if (command.plan.empty()) return;
+std::string text_of_plan(const OptimiseCommand& command, const Candidate& chosen,
+                         const optimise::PrecisionPlan& plan) {
   PlanningOptions planning = command.planning;
   if (!chosen.known.scene.variant.empty()) {
     planning.scene.settings.push_back("comparison.variant=" + chosen.known.scene.variant);
   }
-  const model::PlanSource source =
+  const optimise::PlanSource source =
       plan_source(planning, chosen.known.scene.system.device, command.plan, command_of(command));
-  value_or_exit(model::write_file(command.plan, plan_toml(found, *best, source)));
+  return plan_toml(chosen.found, plan, source);
+}
+
+/// Writes the files that were asked for: all of them, or none if one cannot be written.
+void write_files(const OptimiseCommand& command, const Candidate& chosen) {
+  const optimise::Optimisation& found = chosen.found;
+  std::vector<std::pair<fs::path, std::string>> files;
+  const auto add = [&files](const fs::path& path, auto text) {
+    if (!path.empty()) files.emplace_back(path, text());
+  };
+  add(command.csv, [&] { return report::figure9_csv(found); });
+  if (const optimise::PrecisionPlan* best = found.best(); best != nullptr) {
+    add(command.lp, [&] { return to_lp(best->problem); });
+    add(command.plan, [&] { return text_of_plan(command, chosen, *best); });
+  } else {
+    tell_of_older(command.plan);
+    tell_of_older(command.lp);
+  }
+  write_together(files);
 }
 
 /// A table that compares the best plans of all formulations; empty for a single one.
@@ -149,7 +157,7 @@ std::string compare_variants(const std::vector<Candidate>& candidates, std::size
   if (candidates.size() < 2) return "";
   std::string text = "formulations, the best plan of each\n";
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    const model::PlanSummary s = summary_of(candidates[k].found);
+    const optimise::PlanSummary s = summary_of(candidates[k].found);
     text += fmt::format("{} {:<22} ", k == chosen ? '*' : ' ', candidates[k].name());
     if (s.throughput_per_s == 0) {
       text += "no feasible plan\n";
@@ -186,7 +194,9 @@ void run(OptimiseCommand& command) {
   inputs.push_back(command.rates);
   const std::vector<LoadedScene> formulations = formulations_of(command, loaded);
   for (const LoadedScene& each : formulations) inputs.push_back(table_of(planning, each.scene));
-  value_or_exit(check_outputs({command.plan, command.csv, command.lp}, inputs));
+  const std::vector<fs::path> outputs = {command.plan, command.csv, command.lp};
+  value_or_exit(check_outputs(outputs, inputs));
+  value_or_exit(check_writable(outputs));
   const std::vector<Candidate> candidates = find_candidates(command, formulations);
   const auto best = std::max_element(candidates.begin(), candidates.end(),
                                      [](const Candidate& a, const Candidate& b) {

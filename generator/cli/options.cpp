@@ -28,7 +28,7 @@ struct Shortcut {
   const char* flag;
   const char* key;
   const char* help;
-  std::optional<model::Limits> limits = {};
+  std::optional<settings::Limits> limits = {};
 };
 
 constexpr std::array<Shortcut, 9> shortcuts = {{
@@ -36,8 +36,8 @@ constexpr std::array<Shortcut, 9> shortcuts = {{
     {"--format", "reduced.format", "reduced format of the lanes, s17e8"},
     {"--bound", "reduced.bound", "certified or profiled"},
     {"--inputs", "reduced.inputs", "rounded or exact"},
-    {"--lanes", "system.lanes", "p_L", model::limits::lanes},
-    {"--references", "system.references", "p_H", model::limits::references},
+    {"--lanes", "system.lanes", "p_L", settings::limits::lanes},
+    {"--references", "system.references", "p_H", settings::limits::references},
     {"--target-mhz", "system.target_mhz", "clock that the cut points are chosen for"},
     {"--device", "system.device", "device whose rough delays choose the cut points"},
     {"--prefix", "system.prefix", "of the names of the modules, the top's excepted"},
@@ -45,21 +45,21 @@ constexpr std::array<Shortcut, 9> shortcuts = {{
 
 /// An error of the data with the place where the user wrote its cause. Errors in a data file stay
 /// as they are; others may come from an override.
-model::Error as_user_data_error(const model::Error& error, const model::DataSpec& data,
-                                const SceneOptions& options) {
+Error as_user_data_error(const Error& error, const scene::DataSpec& data,
+                         const SceneOptions& options) {
   if (error.file == data.file.string() || error.file == data.with.string()) return error;
-  const auto attempt = [&](std::span<const std::string> settings) -> std::optional<model::Error> {
-    const model::Result<model::Scene> scene = model::load_scene(options.scene, settings);
+  const auto attempt = [&](std::span<const std::string> settings) -> std::optional<Error> {
+    const Result<scene::Scene> scene = scene::load_scene(options.scene, settings);
     if (!scene.ok()) return scene.error();
     if (!scene->data) return std::nullopt;
-    const model::Result<model::Comparisons> comparisons = model::load_comparisons(*scene);
+    const Result<data::Comparisons> comparisons = workload::load_comparisons(*scene);
     return comparisons.ok() ? std::nullopt : std::optional(comparisons.error());
   };
-  return as_user_error(with_setting(error, options.settings, attempt), options);
+  return as_user_error(scene::with_setting(error, options.settings, attempt), options);
 }
 
 /// Shows the progress of a search for arg-mins, if it has many comparisons and so takes long.
-model::ContestProgress contest_progress() {
+workload::ContestProgress contest_progress() {
   return [shown = std::uint64_t{0}](std::uint64_t done, std::uint64_t all) mutable {
     constexpr std::uint64_t many = 1'000'000;
     const std::uint64_t percent = 100 * done / all;
@@ -124,7 +124,7 @@ void add_scene_options(const Verb& verb, SceneOptions& options,
   verb.flag("--json", options.json, "print the result as JSON");
 }
 
-Check within(model::Limits limits) {
+Check within(settings::Limits limits) {
   return {[limits](const std::string& text) {
             const auto value = decimal_integer(text);
             const bool accepted =
@@ -157,8 +157,8 @@ Check between(double least, double most, const std::string& unit) {
           unit};
 }
 
-model::Error as_user_error(const model::Error& found, const SceneOptions& options) {
-  model::Error error = with_location(found, options.scene, options.settings);
+Error as_user_error(const Error& found, const SceneOptions& options) {
+  Error error = scene::with_location(found, options.scene, options.settings);
   // "--set" alone is about the key that the error names, "--set key" about another.
   const std::string set = "--set";
   const std::string key = error.file == set                   ? error.field
@@ -169,75 +169,76 @@ model::Error as_user_error(const model::Error& found, const SceneOptions& option
   return error;
 }
 
-model::Result<LoadedScene> load(const SceneOptions& options) {
-  model::Result<model::Scene> loaded_scene = model::load_scene(options.scene, options.settings);
+Result<LoadedScene> load(const SceneOptions& options) {
+  Result<scene::Scene> loaded_scene = scene::load_scene(options.scene, options.settings);
   if (!loaded_scene.ok()) return as_user_error(loaded_scene.error(), options);
-  model::Scene scene = std::move(loaded_scene).value();
-  if (const auto delays = gen::delays_of(scene.system.device); !delays.ok()) {
-    model::Error error = delays.error();
+  scene::Scene scene = std::move(loaded_scene).value();
+  if (const auto delays = datapath::delays_of(scene.system.device); !delays.ok()) {
+    Error error = delays.error();
     if (!error.file.empty()) return error;  // an error in the device file
     error.file = options.scene.string();
     return as_user_error(error, options);
   }
   LoadedScene loaded = {std::move(scene), std::nullopt};
   if (loaded.scene.data) {
-    auto data = model::load_comparisons(loaded.scene, contest_progress());
+    auto data = workload::load_comparisons(loaded.scene, contest_progress());
     if (!data.ok()) return as_user_data_error(data.error(), *loaded.scene.data, options);
     loaded.data = std::move(data).value();
   }
   return loaded;
 }
 
-model::Result<model::Done> check_has_data(const LoadedScene& loaded, const std::string& why) {
-  if (loaded.data) return model::Done{};
-  return model::Error{.file = loaded.scene.path.string(),
-                      .field = "data",
-                      .message = why,
-                      .received = "a scene without [data]",
-                      .accepted = "[data] with items or file"};
+Result<Done> check_has_data(const LoadedScene& loaded, const std::string& why) {
+  if (loaded.data) return Done{};
+  return Error{.file = loaded.scene.path.string(),
+               .field = "data",
+               .message = why,
+               .received = "a scene without [data]",
+               .accepted = "[data] with items or file"};
 }
 
-model::Result<model::Design> design_of(const SceneOptions& options, const LoadedScene& loaded) {
-  auto design =
-      make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr, model::profile_error);
+Result<design::Design> design_of(const SceneOptions& options, const LoadedScene& loaded) {
+  auto design = design::make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr,
+                                    profile::profile_error);
   if (design.ok()) return design;
-  const model::Error error = as_user_error(design.error(), options);
+  const Error error = as_user_error(design.error(), options);
   // The errors of a profiled bound are measured on the data, which takes too long to do again.
-  const std::vector<model::LaneGroupSpec> groups = loaded.scene.lane_groups();
+  const std::vector<scene::LaneGroupSpec> groups = loaded.scene.lane_groups();
   const bool certified = std::all_of(groups.begin(), groups.end(), [](const auto& group) {
-    return group.reduced.bound == model::BoundKind::certified;
+    return group.reduced.bound == scene::BoundKind::certified;
   });
   if (!certified) return error;
   return as_user_error(
-      with_setting(error, options.settings,
-                   [&](std::span<const std::string> settings) -> std::optional<model::Error> {
-                     const model::Result<model::Scene> scene =
-                         model::load_scene(options.scene, settings);
-                     if (!scene.ok()) return scene.error();
-                     const model::Result<model::Design> attempt = make_design(*scene, nullptr);
-                     if (attempt.ok()) return std::nullopt;
-                     return with_location(attempt.error(), options.scene, settings);
-                   }),
+      scene::with_setting(error, options.settings,
+                          [&](std::span<const std::string> settings) -> std::optional<Error> {
+                            const Result<scene::Scene> scene =
+                                scene::load_scene(options.scene, settings);
+                            if (!scene.ok()) return scene.error();
+                            const Result<design::Design> attempt =
+                                design::make_design(*scene, nullptr);
+                            if (attempt.ok()) return std::nullopt;
+                            return scene::with_location(attempt.error(), options.scene, settings);
+                          }),
       options);
 }
 
-model::Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& options,
-                                                          const LoadedScene& loaded) {
+Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& options,
+                                                   const LoadedScene& loaded) {
   std::vector<LoadedScene> formulations = {loaded};
   if (!loaded.scene.variant.empty()) return formulations;
   for (const std::string& variant : loaded.scene.variants) {
     std::vector<std::string> settings = options.settings;
     settings.push_back("comparison.variant=" + variant);
-    MIXCMP_TRY(scene, model::load_scene(options.scene, settings));
+    MIXCMP_TRY(scene, scene::load_scene(options.scene, settings));
     formulations.push_back({std::move(scene), loaded.data});
   }
   return formulations;
 }
 
 std::vector<std::filesystem::path> inputs_of(const SceneOptions& options,
-                                             const model::Scene& scene) {
+                                             const scene::Scene& scene) {
   std::vector<std::filesystem::path> inputs =
-      value_or_exit(model::read_scene_settings(options.scene, options.settings)).files;
+      value_or_exit(scene::read_scene_settings(options.scene, options.settings)).files;
   if (scene.system.device.ends_with(".toml")) inputs.emplace_back(scene.system.device);
   if (scene.data) inputs.insert(inputs.end(), {scene.data->file, scene.data->with});
   return inputs;

@@ -30,21 +30,21 @@ void add_scene_options(const Verb& verb, SceneOptions& options,
 
 /// A scene with its data, if it names any.
 struct LoadedScene {
-  model::Scene scene;
-  std::optional<model::Comparisons> data;
+  scene::Scene scene;
+  std::optional<data::Comparisons> data;
 };
-model::Result<LoadedScene> load(const SceneOptions& options);
+Result<LoadedScene> load(const SceneOptions& options);
 
 /// An error if there are no data. `why`: its message, such as "verify needs data to run on".
-model::Result<model::Done> check_has_data(const LoadedScene& loaded, const std::string& why);
+Result<Done> check_has_data(const LoadedScene& loaded, const std::string& why);
 
 /// The error with the place where the user wrote the value at fault: the key's line in a file, or
 /// the shortcut that set it.
-model::Error as_user_error(const model::Error& found, const SceneOptions& options);
+Error as_user_error(const Error& found, const SceneOptions& options);
 
 /// Accepts a whole number in these limits, which help and errors then state. It is decimal, without
 /// zeros in front: CLI11 would take "010" for eight.
-Check within(model::Limits limits);
+Check within(settings::Limits limits);
 Check whole(std::uint64_t least, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
 /// The number that fills `text`; none for any other text.
@@ -54,16 +54,16 @@ std::optional<double> number(const std::string& text);
 Check between(double least, double most, const std::string& unit);
 
 /// The design of the scene's system. Errors name the file and line of the key at fault.
-model::Result<model::Design> design_of(const SceneOptions& options, const LoadedScene& loaded);
+Result<design::Design> design_of(const SceneOptions& options, const LoadedScene& loaded);
 
 /// The scene as it was loaded and, where it names no variant, each of its variants with the same
 /// data.
-model::Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& options,
-                                                          const LoadedScene& loaded);
+Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& options,
+                                                   const LoadedScene& loaded);
 
 /// The files that the scene is read from: its own, its plans, its device, its data.
 std::vector<std::filesystem::path> inputs_of(const SceneOptions& options,
-                                             const model::Scene& scene);
+                                             const scene::Scene& scene);
 
 /// One word of a POSIX shell's command line, quoted where it must be.
 std::string quoted(const std::string& text);

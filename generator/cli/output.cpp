@@ -23,7 +23,7 @@ std::optional<fs::path> file_at(const fs::path& path) {
   const fs::file_status status = fs::status(path, failed);
   if (fs::exists(status) && !fs::is_regular_file(status)) return std::nullopt;
   // A link may lead to a file that does not exist yet: OutputFile creates it there.
-  const auto target = model::follow_links(fs::absolute(path));
+  const auto target = follow_links(fs::absolute(path));
   const fs::path named = target.ok() ? *target : fs::absolute(path);
   const fs::path place = fs::weakly_canonical(named, failed);
   return failed ? named : place;
@@ -31,8 +31,8 @@ std::optional<fs::path> file_at(const fs::path& path) {
 
 }  // namespace
 
-model::Result<model::Done> check_outputs(const std::vector<fs::path>& outputs,
-                                         const std::vector<fs::path>& inputs) {
+Result<Done> check_outputs(const std::vector<fs::path>& outputs,
+                           const std::vector<fs::path>& inputs) {
   std::vector<fs::path> taken;
   for (const fs::path& input : inputs) {
     if (const auto file = input.empty() ? std::nullopt : file_at(input)) taken.push_back(*file);
@@ -41,28 +41,36 @@ model::Result<model::Done> check_outputs(const std::vector<fs::path>& outputs,
     const auto file = output.empty() ? std::nullopt : file_at(output);
     if (!file) continue;
     if (std::find(taken.begin(), taken.end(), *file) != taken.end()) {
-      return model::Error{.file = output.string(),
-                          .message = "would be written over",
-                          .received = "the name of an input, or of another output",
-                          .accepted = "a name of its own"};
+      return Error{.file = output.string(),
+                   .message = "would be written over",
+                   .received = "the name of an input, or of another output",
+                   .accepted = "a name of its own"};
     }
     taken.push_back(*file);
   }
-  return model::Done{};
+  return Done{};
 }
 
-model::Result<model::Done> check_replaced_folder(const fs::path& folder,
-                                                 const std::vector<fs::path>& inputs) {
+Result<Done> check_writable(const std::vector<fs::path>& outputs) {
+  for (const fs::path& output : outputs) {
+    if (output.empty() || !file_at(output)) continue;
+    // Opened and left uncommitted, a file stays as it is.
+    MIXCMP_TRY(possible, OutputFile::open(output));
+  }
+  return Done{};
+}
+
+Result<Done> check_replaced_folder(const fs::path& folder, const std::vector<fs::path>& inputs) {
   const auto own = file_at(folder / "any");
   for (const fs::path& input : inputs) {
     const auto file = input.empty() ? std::nullopt : file_at(input);
     if (!own || !file || file->parent_path() != own->parent_path()) continue;
-    return model::Error{.file = folder.string(),
-                        .message = "holds an input, and would be replaced as a whole",
-                        .received = input.string(),
-                        .accepted = "another folder"};
+    return Error{.file = folder.string(),
+                 .message = "holds an input, and would be replaced as a whole",
+                 .received = input.string(),
+                 .accepted = "another folder"};
   }
-  return model::Done{};
+  return Done{};
 }
 
 void tell_waiting(const fs::path& folder) {
@@ -70,8 +78,8 @@ void tell_waiting(const fs::path& folder) {
   tell(fmt::format("{}: waiting for another run", folder.string()));
 }
 
-model::FolderLock lock_folder(const fs::path& folder) {
-  return value_or_exit(model::FolderLock::take(folder, tell_waiting));
+FolderLock lock_folder(const fs::path& folder) {
+  return value_or_exit(FolderLock::take(folder, tell_waiting));
 }
 
 std::vector<fs::path> ResultFiles::paths(const fs::path& folder, Names names) {
@@ -95,49 +103,59 @@ void ResultFiles::leave_out(const std::string& name) {
 
 void ResultFiles::add_picture(const std::string& name, const std::string& script) {
   const std::string path = (folder_ / name).string();
-  const auto drawn = model::capture({"gnuplot"}, {.input = script, .seconds = 60});
-  if (!drawn.ok() && drawn.error().kind == model::ErrorKind::missing_tool) {
+  const auto drawn = capture({"gnuplot"}, {.input = script, .seconds = 60});
+  if (!drawn.ok() && drawn.error().kind == ErrorKind::missing_tool) {
     not_done_.push_back(path + ": gnuplot does not run (apt-get install gnuplot-nox)");
     leave_out(name);
     return;
   }
-  model::Captured picture = value_or_exit(drawn);
+  Captured picture = value_or_exit(drawn);
   const bool is_svg = picture.output.find("<svg") != std::string::npos &&
                       picture.output.find("</svg>") != std::string::npos;
   if (!picture.succeeded() || !is_svg) {
-    fail(model::Error{.file = path,
-                      .message = "gnuplot draws no picture",
-                      .received = picture.in_time ? picture.errors : "nothing in a minute",
-                      .accepted = "a gnuplot that runs and knows the terminal svg"});
+    fail(Error{.file = path,
+               .message = "gnuplot draws no picture",
+               .received = picture.in_time ? picture.errors : "nothing in a minute",
+               .accepted = "a gnuplot that runs and knows the terminal svg"});
   }
   add(name, std::move(picture.output));
 }
 
+void write_together(const std::vector<std::pair<fs::path, std::string>>& files) {
+  std::vector<OutputFile> written;
+  for (const auto& [path, text] : files) {
+    written.push_back(value_or_exit(OutputFile::open(path)));
+    written.back().write(text);
+    value_or_exit(written.back().write_out());
+  }
+  for (OutputFile& file : written) value_or_exit(file.commit());
+}
+
 void ResultFiles::write_out() {
   MIXCMP_CHECK(files_.size() == names_.size());
-  value_or_exit(model::make_writable_folder(folder_));
+  value_or_exit(make_writable_folder(folder_));
   for (const File& file : files_) {
     if (!file.text) continue;
-    written_.push_back(value_or_exit(model::OutputFile::open(folder_ / file.name)));
+    written_.push_back(value_or_exit(OutputFile::open(folder_ / file.name)));
     written_.back().write(*file.text);
     value_or_exit(written_.back().write_out());
   }
 }
 
 std::vector<std::string> ResultFiles::commit() {
-  for (model::OutputFile& file : written_) value_or_exit(file.commit());
+  for (OutputFile& file : written_) value_or_exit(file.commit());
   for (const File& file : files_) {
     if (file.text) continue;
     std::error_code failed;
     fs::remove(folder_ / file.name, failed);
-    if (failed) fail(model::cannot_write(folder_ / file.name, failed.value()));
+    if (failed) fail(cannot_write(folder_ / file.name, failed.value()));
   }
   return not_done_;
 }
 
-void end_if_router_is_missing(const model::Device& device) {
-  if (!model::is_routed(device)) return;
-  const auto version = model::router_version(device);
+void end_if_router_is_missing(const devices::Device& device) {
+  if (!characterise::is_routed(device)) return;
+  const auto version = characterise::router_version(device);
   if (!version.ok()) end_if_incomplete({"clocks: " + version.error().to_string()});
 }
 

@@ -15,16 +15,23 @@
 namespace mixcmp::cli {
 
 /// Checks that no output is an input or another output; empty paths are no outputs.
-model::Result<model::Done> check_outputs(const std::vector<std::filesystem::path>& outputs,
-                                         const std::vector<std::filesystem::path>& inputs);
+Result<Done> check_outputs(const std::vector<std::filesystem::path>& outputs,
+                           const std::vector<std::filesystem::path>& inputs);
+
+/// Checks that each file can be written, before the measurements take their time.
+Result<Done> check_writable(const std::vector<std::filesystem::path>& outputs);
+
+/// Writes files that belong together, path and text each: all of them, or none if one cannot be
+/// written. Ends the program if that fails.
+void write_together(const std::vector<std::pair<std::filesystem::path, std::string>>& files);
 
 /// Refuses a folder that is replaced as a whole and holds an input.
-model::Result<model::Done> check_replaced_folder(const std::filesystem::path& folder,
-                                                 const std::vector<std::filesystem::path>& inputs);
+Result<Done> check_replaced_folder(const std::filesystem::path& folder,
+                                   const std::vector<std::filesystem::path>& inputs);
 
 /// Locks a work folder, which is made where there is none, for as long as the result lives. Tells
 /// the user if another run must end first.
-model::FolderLock lock_folder(const std::filesystem::path& folder);
+FolderLock lock_folder(const std::filesystem::path& folder);
 void tell_waiting(const std::filesystem::path& folder);
 
 /// The result files of one run in one folder. They are written when all of them are made, and take
@@ -63,12 +70,12 @@ private:
   std::filesystem::path folder_;
   Names names_;
   std::vector<File> files_;
-  std::vector<model::OutputFile> written_;
+  std::vector<OutputFile> written_;
   std::vector<std::string> not_done_;
 };
 
 /// Ends the program with ExitCode::incomplete where there is a router for the device but it is not
 /// installed here.
-void end_if_router_is_missing(const model::Device& device);
+void end_if_router_is_missing(const devices::Device& device);
 
 }  // namespace mixcmp::cli

@@ -16,14 +16,9 @@
 namespace mixcmp::cli {
 namespace {
 
-using model::Error;
-using model::LaneInputs;
-using model::Result;
-
-Result<model::Done> check_table_exists(const std::filesystem::path& path,
-                                       const PlanningOptions& options, const std::string& variant,
-                                       const model::Device& device) {
-  if (model::path_exists(path)) return model::Done{};
+Result<Done> check_table_exists(const std::filesystem::path& path, const PlanningOptions& options,
+                                const std::string& variant, const devices::Device& device) {
+  if (path_exists(path)) return Done{};
   const std::string chosen = variant.empty() ? "" : " --variant " + variant;
   return Error{
       .file = path.string(),
@@ -42,8 +37,8 @@ bool is_set(const SceneOptions& options, const std::string& key) {
 
 /// Gives the scene the table's target_mhz. It decides where registers go: what is generated later
 /// must have them where they were when the areas were measured.
-Result<model::Done> adopt_target(Planning& planning, const std::filesystem::path& path,
-                                 const SceneOptions& options) {
+Result<Done> adopt_target(Planning& planning, const std::filesystem::path& path,
+                          const SceneOptions& options) {
   for (const auto& [name, text] : planning.table.spec) {
     if (name != "target_mhz") continue;
     const std::optional<double> measured = number(text);
@@ -54,7 +49,7 @@ Result<model::Done> adopt_target(Planning& planning, const std::filesystem::path
                          *measured, path.filename().string()));
       }
       target = *measured;
-      return model::Done{};
+      return Done{};
     }
     return Error{.file = path.string(),
                  .field = "target_mhz",
@@ -62,12 +57,12 @@ Result<model::Done> adopt_target(Planning& planning, const std::filesystem::path
                  .received = text,
                  .accepted = "a clock in MHz"};
   }
-  return model::Done{};
+  return Done{};
 }
 
-void warn_of_outdated(const Planning& planning, const model::Comparisons* data) {
-  const gen::Currency currency =
-      gen::check_currency(planning.table, planning.scene, data, planning.device);
+void warn_of_outdated(const Planning& planning, const data::Comparisons* data) {
+  const components::Currency currency =
+      components::check_currency(planning.table, planning.scene, data, planning.device);
   if (currency.outdated == 0) return;
   tell(
       fmt::format("note: {}: {} of {} rows were measured on other RTL than what is generated today",
@@ -76,18 +71,18 @@ void warn_of_outdated(const Planning& planning, const model::Comparisons* data) 
 
 /// Replaces measured errors by the constants that the scene gives: lanes of a plan have these at
 /// every precision.
-void use_given_constants(const model::ReducedSpec& reduced, model::ErrorProfile& errors) {
-  for (model::ErrorAtPrecision& error : errors.precisions) {
+void use_given_constants(const scene::ReducedSpec& reduced, profile::ErrorProfile& errors) {
+  for (profile::ErrorAtPrecision& error : errors.precisions) {
     if (reduced.relative_error_f) error.f = reduced.relative_error_f;
     if (reduced.relative_error_g) error.g = reduced.relative_error_g;
   }
 }
 
 /// Reads the names of error bounds. An error ends the program.
-std::vector<model::BoundChoice> parse_bounds(const std::vector<std::string>& names) {
-  std::vector<model::BoundChoice> choices;
+std::vector<scene::BoundChoice> parse_bounds(const std::vector<std::string>& names) {
+  std::vector<scene::BoundChoice> choices;
   for (const std::string& name : names) {
-    const auto choice = model::parse_bound_choice(name);
+    const auto choice = scene::parse_bound_choice(name);
     if (choice.ok()) {
       choices.push_back(*choice);
       continue;
@@ -101,16 +96,16 @@ std::vector<model::BoundChoice> parse_bounds(const std::vector<std::string>& nam
 
 /// Returns `path`; ends the program unless a plan can name it: it must be one line of UTF-8.
 std::string named_in(const std::filesystem::path& plan, const std::string& path) {
-  if (model::is_one_line(path)) return path;
+  if (is_one_line(path)) return path;
   fail({.file = plan.string(),
         .message = "cannot be written: it would name a path that is not one line of UTF-8",
-        .received = model::in_quotes(path),
+        .received = in_quotes(path),
         .accepted = "folders with names in UTF-8"});
 }
 
 /// Refuses an arg-min engine, whose chain of lanes leaves nothing to choose.
-Result<model::Done> check_no_chain(const model::Scene& scene) {
-  if (scene.system.engine.kind != model::EngineKind::arg_min) return model::Done{};
+Result<Done> check_no_chain(const scene::Scene& scene) {
+  if (scene.system.engine.kind != scene::EngineKind::arg_min) return Done{};
   return Error{.field = "engine.kind",
                .message =
                    "nothing is to be planned: the arg-min engine has a lane for each "
@@ -123,14 +118,14 @@ Result<model::Done> check_no_chain(const model::Scene& scene) {
 
 void add_planning_options(const Verb& verb, PlanningOptions& options) {
   add_scene_options(verb, options.scene, {"--format", "--inputs", "--lanes", "--references"});
-  model::OptimiseOptions& choice = options.choice;
+  optimise::OptimiseOptions& choice = options.choice;
   verb.option("--table", options.table,
               "areas and clocks, made by mixcmp characterise (default: "
               "characterisation/SCENE-DEVICE.csv beside the scene)");
   verb.option("--first", choice.first_precision, "the lowest L (default: the lowest there is)")
-      .check(within(model::limits::lane_precision));
+      .check(within(settings::limits::lane_precision));
   verb.option("--last", choice.last_precision, "the highest L (default: the highest there is)")
-      .check(within(model::limits::lane_precision));
+      .check(within(settings::limits::lane_precision));
   verb.option("--use-inputs", choice.inputs, "lanes to choose from: exact,rounded (default: both)")
       .separated_by(',')
       .one_of({"exact", "rounded"});
@@ -150,14 +145,14 @@ void add_planning_options(const Verb& verb, PlanningOptions& options) {
               "clock of the references, in place of the table's")
       .check(between(0.001, 1e6, "MHZ"));
   verb.flag(
-      "--separate-clocks", [&choice] { choice.clocks.domains = model::ClockDomains::separate; },
+      "--separate-clocks", [&choice] { choice.clocks.domains = optimise::ClockDomains::separate; },
       "count lanes and references at clocks of their own, as the paper does; what generate "
       "writes has one clock");
 }
 
 std::string planning_command_line(const std::string& verb, const PlanningOptions& options) {
-  const model::OptimiseOptions usual;
-  const model::OptimiseOptions& choice = options.choice;
+  const optimise::OptimiseOptions usual;
+  const optimise::OptimiseOptions& choice = options.choice;
   std::string line = command_line(verb, options.scene);
   const auto add = [&](const char* option, const std::string& value) {
     line += fmt::format(" {} {}", option, quoted(value));
@@ -174,19 +169,19 @@ std::string planning_command_line(const std::string& verb, const PlanningOptions
   }
   add_words("--use-inputs", choice.inputs);
   std::vector<std::string> bounds;
-  for (const model::BoundChoice& bound : choice.bounds) bounds.push_back(to_string(bound));
+  for (const scene::BoundChoice& bound : choice.bounds) bounds.push_back(to_string(bound));
   add_words("--use-bounds", bounds);
   add_words("--use-multipliers", choice.multipliers);
   if (choice.clocks.lane_mhz) add("--lane-mhz", fmt::format("{}", *choice.clocks.lane_mhz));
   if (choice.clocks.reference_mhz) {
     add("--reference-mhz", fmt::format("{}", *choice.clocks.reference_mhz));
   }
-  const bool separate = choice.clocks.domains == model::ClockDomains::separate;
+  const bool separate = choice.clocks.domains == optimise::ClockDomains::separate;
   return separate ? line + " --separate-clocks" : line;
 }
 
-model::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
-                              const std::filesystem::path& plan, std::string command) {
+optimise::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
+                                 const std::filesystem::path& plan, std::string command) {
   namespace fs = std::filesystem;
   // Symbolic links are followed, since the plan is read again from the folder that it lies in.
   // In a plan that goes to a pipe, names are relative to the working directory.
@@ -195,8 +190,8 @@ model::PlanSource plan_source(const PlanningOptions& options, const std::string&
   const fs::path folder = failed ? fs::current_path() : place.parent_path();
   const fs::path scene = fs::canonical(options.scene.scene);
   const bool is_file = device.ends_with(".toml");
-  const model::SceneSettings read =
-      value_or_exit(model::read_scene_settings(options.scene.scene, options.scene.settings));
+  const scene::SceneSettings read =
+      value_or_exit(scene::read_scene_settings(options.scene.scene, options.scene.settings));
   return {.scene_file = named_in(plan, scene.lexically_relative(folder).generic_string()),
           .overrides = overridden_entries(read.settings.root, options.scene.settings),
           .device = is_file ? named_in(plan, fs::canonical(device).string()) : device,
@@ -210,21 +205,21 @@ std::filesystem::path default_table(const std::filesystem::path& scene, const st
          fmt::format("{}{}-{}.csv", scene.stem().string(), formulation, device);
 }
 
-std::filesystem::path table_of(const PlanningOptions& options, const model::Scene& scene) {
+std::filesystem::path table_of(const PlanningOptions& options, const scene::Scene& scene) {
   if (!options.table.empty()) return options.table;
-  const Result<model::Device> device = model::find_device(scene.system.device);
+  const Result<devices::Device> device = devices::find_device(scene.system.device);
   return default_table(options.scene.scene, scene.variant,
                        device.ok() ? device->name : scene.system.device);
 }
 
-Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene,
-                               const model::Comparisons* data) {
-  const Result<model::Done> possible = check_no_chain(scene);
+Result<Planning> load_planning(const PlanningOptions& options, const scene::Scene& scene,
+                               const data::Comparisons* data) {
+  const Result<Done> possible = check_no_chain(scene);
   if (!possible.ok()) return as_user_error(possible.error(), options.scene);
-  MIXCMP_TRY(device, model::find_device(scene.system.device));
+  MIXCMP_TRY(device, devices::find_device(scene.system.device));
   const std::filesystem::path path = table_of(options, scene);
   MIXCMP_TRY(exists, check_table_exists(path, options, scene.variant, device));
-  MIXCMP_TRY(table, model::read_characterisation(path));
+  MIXCMP_TRY(table, characterise::read_characterisation(path));
   if (table.device != device.name) {
     return Error{.file = path.string(),
                  .field = "device",
@@ -245,14 +240,14 @@ Result<Planning> load_planning(const PlanningOptions& options, const model::Scen
   return planning;
 }
 
-Result<std::vector<model::RateProfile>> measure_rates(const LoadedScene& loaded,
-                                                      const model::OptimiseOptions& choice) {
-  const model::Scene& scene = loaded.scene;
+Result<std::vector<profile::RateProfile>> measure_rates(const LoadedScene& loaded,
+                                                        const optimise::OptimiseOptions& choice) {
+  const scene::Scene& scene = loaded.scene;
   MIXCMP_TRY(has_data, check_has_data(loaded, "recomputation rates are measured on data"));
-  model::ProfileOptions options{.first_precision = choice.first_precision,
-                                .last_precision = choice.last_precision};
+  profile::ProfileOptions options{.first_precision = choice.first_precision,
+                                  .last_precision = choice.last_precision};
   // Precisions that the reference has no lanes for are left out; check_profile refuses a first one.
-  const int most = lane_precisions(scene.reference.format).most;
+  const int most = settings::lane_precisions(scene.reference.format).most;
   if (options.first_precision <= most) {
     options.last_precision = std::min(options.last_precision, most);
   }
@@ -262,8 +257,8 @@ Result<std::vector<model::RateProfile>> measure_rates(const LoadedScene& loaded,
   MIXCMP_TRY(possible, check_profile(scene, options));
   auto errors =
       profile_errors(scene, *loaded.data, {LaneInputs::exact, LaneInputs::rounded}, options);
-  std::vector<model::RateProfile> rates;
-  for (model::ErrorProfile& each : errors) {
+  std::vector<profile::RateProfile> rates;
+  for (profile::ErrorProfile& each : errors) {
     use_given_constants(scene.reduced, each);
     rates.push_back(profile_rates(scene, *loaded.data, each, options));
   }

@@ -15,7 +15,7 @@ namespace mixcmp::cli {
 struct PlanningOptions {
   SceneOptions scene;
   std::filesystem::path table;  ///< empty: beside the scene, see default_table
-  model::OptimiseOptions choice;
+  optimise::OptimiseOptions choice;
 };
 
 void add_planning_options(const Verb& verb, PlanningOptions& options);
@@ -24,8 +24,8 @@ void add_planning_options(const Verb& verb, PlanningOptions& options);
 std::string planning_command_line(const std::string& verb, const PlanningOptions& options);
 
 /// The origin that a plan file at `plan` states: its scene, overrides, device and command.
-model::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
-                              const std::filesystem::path& plan, std::string command);
+optimise::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
+                                 const std::filesystem::path& plan, std::string command);
 
 /// The default path of a table, to which `characterise` writes, too: beside the scene file,
 /// characterisation/SCENE-DEVICE.csv, or SCENE-VARIANT-DEVICE.csv for a variant.
@@ -33,24 +33,24 @@ std::filesystem::path default_table(const std::filesystem::path& scene, const st
                                     const std::string& device);
 
 /// The table that `options` names, or the default one.
-std::filesystem::path table_of(const PlanningOptions& options, const model::Scene& scene);
+std::filesystem::path table_of(const PlanningOptions& options, const scene::Scene& scene);
 
 /// The inputs from which plans are made.
 struct Planning {
-  model::Scene scene;  ///< with the target_mhz that the table was measured for
-  model::Device device;
-  model::Characterisation table;
+  scene::Scene scene;  ///< with the target_mhz that the table was measured for
+  devices::Device device;
+  characterise::Characterisation table;
   std::filesystem::path table_path;
 };
 /// Loads the device and the table. Notes on stderr how many rows were measured on other RTL than
 /// today's, and a target_mhz that is set and differs from the table's. `data` may be null. It is an
 /// error if the table is of another device or scene.
-model::Result<Planning> load_planning(const PlanningOptions& options, const model::Scene& scene,
-                                      const model::Comparisons* data);
+Result<Planning> load_planning(const PlanningOptions& options, const scene::Scene& scene,
+                               const data::Comparisons* data);
 
 /// Recomputation rates of every kind of lane on the scene's data, for exact and for rounded inputs,
 /// at the precisions of `choice`. It is an error if the scene has no data.
-model::Result<std::vector<model::RateProfile>> measure_rates(const LoadedScene& loaded,
-                                                             const model::OptimiseOptions& choice);
+Result<std::vector<profile::RateProfile>> measure_rates(const LoadedScene& loaded,
+                                                        const optimise::OptimiseOptions& choice);
 
 }  // namespace mixcmp::cli

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct ProfileCommand {
   SceneOptions scene;
-  model::ProfileOptions run;
+  profile::ProfileOptions run;
   std::optional<int> last;
   fs::path output;
   bool both_inputs = false;
@@ -32,17 +32,17 @@ struct ProfileCommand {
 void add_options(const Verb& verb, ProfileCommand& command) {
   add_scene_options(verb, command.scene);
   verb.option("--first", command.run.first_precision, "the lowest L (default: the lowest there is)")
-      .check(within(model::limits::lane_precision));
+      .check(within(settings::limits::lane_precision));
   verb.option("--last", command.last,
               "the highest L (default: the highest there is, or the reference's precision if "
               "that is less)")
-      .check(within(model::limits::lane_precision));
+      .check(within(settings::limits::lane_precision));
   verb.option("--samples", command.run.error_samples,
               "comparisons that relative errors are measured on, 1..2^40 (default: 1000000)")
       .check(whole(1, std::uint64_t{1} << 40));
   verb.option("--threads", command.run.threads,
               "threads; results do not depend on them (default: one a processor)")
-      .check(within(model::limits::threads));
+      .check(within(settings::limits::threads));
   verb.flag("--both-inputs", command.both_inputs,
             "rates for rounded and for exact inputs, whatever the scene says");
   verb.flag("--brute-force", command.brute_force,
@@ -66,9 +66,8 @@ void show_share(const std::string& what, double share) {
 }
 
 report::ProfileReport measure(const LoadedScene& loaded, const ProfileCommand& command,
-                              const model::ProfileOptions& options) {
-  using model::LaneInputs;
-  const model::Scene& scene = loaded.scene;
+                              const profile::ProfileOptions& options) {
+  const scene::Scene& scene = loaded.scene;
   std::vector<LaneInputs> inputs = {scene.reduced.inputs};
   inputs.push_back(inputs[0] == LaneInputs::exact ? LaneInputs::rounded : LaneInputs::exact);
   report::ProfileReport report{.scene = scene.name,
@@ -76,7 +75,7 @@ report::ProfileReport measure(const LoadedScene& loaded, const ProfileCommand& c
                                .comparisons = loaded.data->size(),
                                .errors = profile_errors(scene, *loaded.data, inputs, options),
                                .rates = {}};
-  for (const model::ErrorProfile& errors : report.errors) {
+  for (const profile::ErrorProfile& errors : report.errors) {
     if (errors.inputs != scene.reduced.inputs && !command.both_inputs) continue;
     report.rates.push_back(profile_rates(scene, *loaded.data, errors, options));
   }
@@ -89,15 +88,15 @@ constexpr std::array result_names = {"profile.json", "figure4.csv", "figure4.svg
                                      "figure5.svg",  "trade.csv",   "trade.svg"};
 
 struct Trades {
-  std::vector<model::Trade> trades;
+  std::vector<profile::Trade> trades;
   std::vector<std::string> advice;
 };
 
 Trades weigh(const LoadedScene& loaded, const report::ProfileReport& report,
-             const model::MeasuredAreas& areas, const std::vector<double>& accepted) {
+             const profile::MeasuredAreas& areas, const std::vector<double>& accepted) {
   Trades weighed;
-  for (const model::RateProfile& rates : report.rates) {
-    for (const model::ErrorProfile& errors : report.errors) {
+  for (const profile::RateProfile& rates : report.rates) {
+    for (const profile::ErrorProfile& errors : report.errors) {
       if (errors.inputs != rates.inputs) continue;
       weighed.trades.push_back(make_trade(loaded.scene, rates, errors, areas));
     }
@@ -110,7 +109,7 @@ Trades weigh(const LoadedScene& loaded, const report::ProfileReport& report,
 
 nlohmann::ordered_json json_of(const report::ProfileReport& report, const Trades& weighed) {
   nlohmann::ordered_json all = report::to_json(report);
-  for (const model::Trade& trade : weighed.trades) all["trade"].push_back(report::to_json(trade));
+  for (const profile::Trade& trade : weighed.trades) all["trade"].push_back(report::to_json(trade));
   for (const std::string& advice : weighed.advice) all["advice"].push_back(advice);
   return all;
 }
@@ -118,7 +117,7 @@ nlohmann::ordered_json json_of(const report::ProfileReport& report, const Trades
 /// Writes the files of -o. Returns descriptions of those that could not be made.
 std::vector<std::string> write_results(const report::ProfileReport& report, const Trades& weighed,
                                        const fs::path& folder) {
-  const model::FolderLock held = lock_folder(folder);
+  const FolderLock held = lock_folder(folder);
   ResultFiles results(folder, result_names);
   results.add("profile.json", report::json_text(json_of(report, weighed)));
   results.add("figure4.csv", report::figure4_csv(report));
@@ -138,29 +137,29 @@ std::vector<std::string> write_results(const report::ProfileReport& report, cons
 
 void print_text(const report::ProfileReport& report, const Trades& weighed) {
   print(report::to_text(report));
-  for (const model::Trade& trade : weighed.trades) print(report::to_text(trade));
+  for (const profile::Trade& trade : weighed.trades) print(report::to_text(trade));
   for (const std::string& advice : weighed.advice) print(advice);
 }
 
 void run(const ProfileCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
   value_or_exit(check_has_data(loaded, "a profile needs data to measure"));
-  model::ProfileOptions options = command.run;
+  profile::ProfileOptions options = command.run;
   options.last_precision =
-      command.last.value_or(lane_precisions(loaded.scene.reference.format).most);
-  if (command.brute_force) options.method = model::ProfileMethod::brute_force;
+      command.last.value_or(settings::lane_precisions(loaded.scene.reference.format).most);
+  if (command.brute_force) options.method = profile::ProfileMethod::brute_force;
   options.progress = show_share;
   value_or_exit(check_profile(loaded.scene, options));
-  const model::MeasuredAreas areas = command.areas.empty()
-                                         ? model::MeasuredAreas()
-                                         : value_or_exit(model::MeasuredAreas::read(command.areas));
+  const profile::MeasuredAreas areas =
+      command.areas.empty() ? profile::MeasuredAreas()
+                            : value_or_exit(profile::MeasuredAreas::read(command.areas));
   std::vector<fs::path> inputs = inputs_of(command.scene, loaded.scene);
   inputs.push_back(command.areas);
   if (!command.output.empty()) {
     value_or_exit(check_outputs(ResultFiles::paths(command.output, result_names), inputs));
   }
   // A folder that cannot be written should not cost a long run first.
-  if (!command.output.empty()) value_or_exit(model::make_writable_folder(command.output));
+  if (!command.output.empty()) value_or_exit(make_writable_folder(command.output));
   const report::ProfileReport report = measure(loaded, command, options);
   const bool weighs = command.trade || !command.accepted.empty() || !command.areas.empty();
   const Trades weighed = weighs ? weigh(loaded, report, areas, command.accepted) : Trades();

@@ -16,16 +16,14 @@
 namespace mixcmp::cli {
 namespace {
 
-namespace proof = model::proof;
-
 /// Time limit for all scripts of a quick proof together; a script takes some 10 ms.
 constexpr double quick_seconds = 5;
 
 /// The scene with one kind of lane, that of [reduced], in the given precision.
-model::Result<model::Scene> with_precision(const model::Scene& scene, int precision) {
-  model::Scene one_kind = scene.with_one_kind();
-  const model::FloatFormat& known = scene.reduced.format.value_or(scene.reference.format);
-  MIXCMP_TRY(format, model::FloatFormat::make(precision, known.exponent_bits()));
+Result<scene::Scene> with_precision(const scene::Scene& scene, int precision) {
+  scene::Scene one_kind = scene.with_one_kind();
+  const FloatFormat& known = scene.reduced.format.value_or(scene.reference.format);
+  MIXCMP_TRY(format, FloatFormat::make(precision, known.exponent_bits()));
   one_kind.reduced.format = format;
   return one_kind;
 }
@@ -33,25 +31,25 @@ model::Result<model::Scene> with_precision(const model::Scene& scene, int precis
 /// A lane to prove, or why there is none.
 struct Candidate {
   std::string name;
-  model::Result<model::CombinedLane> lane;
+  Result<error::CombinedLane> lane;
 };
 
-std::string format_name(const model::ReducedSpec& reduced) {
+std::string format_name(const scene::ReducedSpec& reduced) {
   return reduced.format ? reduced.format->name() : "auto";
 }
 
 /// One lane of each kind, or why there is none. A proof does not depend on the number of lanes or
 /// on the engine around them.
-std::vector<Candidate> candidates(model::Scene scene, const model::Comparisons* data) {
+std::vector<Candidate> candidates(scene::Scene scene, const data::Comparisons* data) {
   scene.system.lanes = scene.system.lanes.value_or(1);
   scene.system.references = scene.system.references.value_or(1);
   scene.system.engine = {};
-  const auto design = model::make_design(scene, data, model::profile_error);
+  const auto design = design::make_design(scene, data, profile::profile_error);
   std::vector<Candidate> found;
   if (!design.ok()) {
-    for (const model::LaneGroupSpec& group : scene.lane_groups()) {
+    for (const scene::LaneGroupSpec& group : scene.lane_groups()) {
       found.push_back({format_name(group.reduced),
-                       design_lane(scene, group.reduced, data, model::profile_error)});
+                       design::design_lane(scene, group.reduced, data, profile::profile_error)});
     }
     return found;
   }
@@ -65,12 +63,12 @@ std::vector<Candidate> candidates(model::Scene scene, const model::Comparisons* 
 }
 
 /// The version of a tool; empty where the tool is missing.
-std::string version_text(const model::Result<std::string>& version) {
+std::string version_text(const Result<std::string>& version) {
   return version.ok() ? *version : "";
 }
 
-ProvenLane prove_lane(const model::Scene& scene, const std::string& name,
-                      const model::CombinedLane& lane, const ProveOptions& options,
+ProvenLane prove_lane(const scene::Scene& scene, const std::string& name,
+                      const error::CombinedLane& lane, const ProveOptions& options,
                       const std::vector<std::filesystem::path>& inputs) {
   ProvenLane result{.format = lane.arithmetic().format.name()};
   const std::string stem = fmt::format("{}_{}", scene.name, name);
@@ -99,7 +97,7 @@ void add_prove_options(const Verb& verb, ProveOptions& options) {
   verb.option("--precisions", options.precisions,
               "prove lanes of these precisions instead of the scene's: 4,8,17")
       .separated_by(',')
-      .check(within(model::limits::lane_precision))
+      .check(within(settings::limits::lane_precision))
       .needs(prove);
   verb.option("--proof-seconds", options.seconds_a_script,
               "for each script, 1e-6..1e6 (default: 10)")
@@ -109,7 +107,7 @@ void add_prove_options(const Verb& verb, ProveOptions& options) {
 
 std::vector<ProvenLane> prove(const LoadedScene& loaded, const ProveOptions& options,
                               const std::vector<std::filesystem::path>& inputs) {
-  std::vector<model::Scene> scenes;
+  std::vector<scene::Scene> scenes;
   for (const int precision : options.precisions) {
     const int most = loaded.scene.reference.format.precision();
     if (precision > most) {
@@ -122,7 +120,7 @@ std::vector<ProvenLane> prove(const LoadedScene& loaded, const ProveOptions& opt
   }
   if (scenes.empty()) scenes.push_back(loaded.scene);
   std::vector<ProvenLane> proven;
-  for (const model::Scene& scene : scenes) {
+  for (const scene::Scene& scene : scenes) {
     for (const auto& [name, lane] : candidates(scene, loaded.data ? &*loaded.data : nullptr)) {
       if (lane.ok()) {
         proven.push_back(prove_lane(scene, name, *lane, options, inputs));
@@ -150,18 +148,18 @@ nlohmann::ordered_json to_json(const ProvenLane& lane) {
   return report;
 }
 
-QuickProof prove_quickly(const std::filesystem::path& scene, const model::CombinedLane& lane) {
+QuickProof prove_quickly(const std::filesystem::path& scene, const error::CombinedLane& lane) {
   proof::QuickProver prover(quick_seconds);
   QuickProof quick{proof::prove_lane(lane, std::ref(prover), proof::Effort::operations),
                    version_text(prover.gappa())};
   if (!quick.proof.refused()) return quick;
-  fail(model::Error{.file = scene.string(),
-                    .field = "reduced.bound",
-                    .message = quick.proof.verdict(),
-                    .received = "a certified bound that the machine check refuses",
-                    .accepted = "reduced.bound = \"profiled\"; `mixcmp check --prove` keeps the "
-                                "scripts; --no-prove trusts docs/error_bounds.md alone",
-                    .kind = model::ErrorKind::refuted});
+  fail(Error{.file = scene.string(),
+             .field = "reduced.bound",
+             .message = quick.proof.verdict(),
+             .received = "a certified bound that the machine check refuses",
+             .accepted = "reduced.bound = \"profiled\"; `mixcmp check --prove` keeps the "
+                         "scripts; --no-prove trusts docs/error_bounds.md alone",
+             .kind = ErrorKind::refuted});
 }
 
 }  // namespace mixcmp::cli

@@ -23,7 +23,7 @@ void add_prove_options(const Verb& verb, ProveOptions& options);
 struct ProvenLane {
   std::string format;
   std::string error;  ///< why there is no such lane; empty if there is one
-  model::proof::LaneProof proof;
+  proof::LaneProof proof;
   std::string gappa;                ///< version; empty: Gappa is not installed
   std::filesystem::path directory;  ///< folder of scripts, certificates and verdicts
   int reused = 0;                   ///< scripts that an earlier run has proven
@@ -39,10 +39,10 @@ nlohmann::ordered_json to_json(const ProvenLane& lane);
 /// The proof that `generate` asks for before it calls a bound certified: one lemma per operation,
 /// within seconds; no file is kept.
 struct QuickProof {
-  model::proof::LaneProof proof;
+  proof::LaneProof proof;
   std::string gappa;
 };
 /// Ends the program where Gappa refuses a lemma.
-QuickProof prove_quickly(const std::filesystem::path& scene, const model::CombinedLane& lane);
+QuickProof prove_quickly(const std::filesystem::path& scene, const error::CombinedLane& lane);
 
 }  // namespace mixcmp::cli

@@ -16,19 +16,18 @@ public:
   static constexpr std::string_view undecided = "undecided";
 
   /// Only verdicts in `kept` become rows.
-  static model::Result<ResultTable> open(const std::filesystem::path& path,
-                                         const model::Comparisons& data,
-                                         std::set<std::string> kept);
+  static Result<ResultTable> open(const std::filesystem::path& path, const data::Comparisons& data,
+                                  std::set<std::string> kept);
 
-  void add(const tb::VerifiedResult& result);
-  model::Result<model::Done> finish();
+  void add(const verilator_tb::VerifiedResult& result);
+  Result<Done> finish();
 
 private:
-  ResultTable(model::OutputFile file, const model::Comparisons& data, std::set<std::string> kept)
+  ResultTable(OutputFile file, const data::Comparisons& data, std::set<std::string> kept)
       : file_(std::move(file)), data_(&data), kept_(std::move(kept)) {}
 
-  model::OutputFile file_;
-  const model::Comparisons* data_;
+  OutputFile file_;
+  const data::Comparisons* data_;
   std::set<std::string> kept_;
 };
 

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 struct RouteCommand {
   SceneOptions scene;
   int references_alone = 0;  ///< 0: the scene's system
-  model::SynthesisOptions synthesis;
+  characterise::SynthesisOptions synthesis;
   std::filesystem::path work;
 };
 
@@ -30,43 +30,43 @@ void add_options(const Verb& verb, RouteCommand& command) {
               "not the system: so many reference datapaths with nothing around them")
       .check(within({1, 1024}));
   verb.option("--seeds", command.synthesis.seeds, "of the router (default: 3)")
-      .check(within(model::limits::seeds));
+      .check(within(settings::limits::seeds));
   verb.option("--work", command.work,
               "folder that keeps netlists and logs, those of each job in a folder of its own "
               "(default: none)");
 }
 
-model::SynthesisJob job_of(const RouteCommand& command, const LoadedScene& loaded) {
+characterise::SynthesisJob job_of(const RouteCommand& command, const LoadedScene& loaded) {
   if (command.references_alone > 0) {
-    return value_or_exit(gen::references_job(loaded.scene, command.references_alone));
+    return value_or_exit(components::references_job(loaded.scene, command.references_alone));
   }
-  const model::Design design = value_or_exit(design_of(command.scene, loaded));
-  return gen::system_job(value_or_exit(gen::generate_system(design, "")));
+  const design::Design design = value_or_exit(design_of(command.scene, loaded));
+  return components::system_job(value_or_exit(emit::generate_system(design, "")));
 }
 
-std::string clock_text(const model::SynthesisResult& result) {
+std::string clock_text(const characterise::SynthesisResult& result) {
   if (!result.clock) return "none: " + result.no_clock;
-  const model::Clock& clock = *result.clock;
+  const characterise::Clock& clock = *result.clock;
   const std::string_view source =
-      clock.source == model::ClockSource::routed ? "routed" : "estimate before routing";
+      clock.source == characterise::ClockSource::routed ? "routed" : "estimate before routing";
   return fmt::format("{:.1f} MHz ({:.1f} .. {:.1f}, {} seeds), {}", clock.mhz, clock.low_mhz,
                      clock.high_mhz, clock.seeds, source);
 }
 
-void print_text(const model::SynthesisJob& job, const model::Device& device,
-                const model::SynthesisResult& result) {
+void print_text(const characterise::SynthesisJob& job, const devices::Device& device,
+                const characterise::SynthesisResult& result) {
   print(fmt::format("{} on {}\n", job.top, device.name));
-  for (const model::Resource& resource : model::bounded_resources) {
+  for (const devices::Resource& resource : devices::bounded_resources) {
     print(fmt::format("  {:<10} {} of {}\n", resource.name, result.area.*resource.amount,
                       device.available.*resource.amount));
   }
   print(fmt::format("  {:<10} {}\n", "clock", clock_text(result)));
 }
 
-void print_json(const model::SynthesisJob& job, const model::Device& device,
-                const model::SynthesisResult& result, const std::string& tools) {
+void print_json(const characterise::SynthesisJob& job, const devices::Device& device,
+                const characterise::SynthesisResult& result, const std::string& tools) {
   nlohmann::ordered_json report = {{"top", job.top}, {"device", device.name}, {"tools", tools}};
-  for (const model::Resource& resource : model::bounded_resources) {
+  for (const devices::Resource& resource : devices::bounded_resources) {
     report[resource.name] = {{"used", result.area.*resource.amount},
                              {"available", device.available.*resource.amount}};
   }
@@ -84,8 +84,8 @@ void print_json(const model::SynthesisJob& job, const model::Device& device,
 }
 
 /// The folder in which --work keeps a job's files; each job has its own. Empty without --work.
-fs::path kept_folder(const RouteCommand& command, const model::SynthesisJob& job,
-                     const model::Device& device, const std::string& tools) {
+fs::path kept_folder(const RouteCommand& command, const characterise::SynthesisJob& job,
+                     const devices::Device& device, const std::string& tools) {
   if (command.work.empty()) return {};
   const std::string hash = job_hash(job, device, command.synthesis, tools);
   return fs::absolute(command.work) / fmt::format("{}-{}", job.top, hash.substr(0, 12));
@@ -93,7 +93,7 @@ fs::path kept_folder(const RouteCommand& command, const model::SynthesisJob& job
 
 /// The message of a failed job, with its scratch folder replaced by the folder that keeps its
 /// files.
-std::string with_kept_names(const model::FailedJob& job, const std::string& kept) {
+std::string with_kept_names(const characterise::FailedJob& job, const std::string& kept) {
   const std::string scratch = job.directory.string();
   std::string message = job.message;
   for (std::size_t place = 0; (place = message.find(scratch, place)) != std::string::npos;
@@ -105,38 +105,39 @@ std::string with_kept_names(const model::FailedJob& job, const std::string& kept
 
 /// Runs one job; an interrupt ends its tools. The files of a job that failed stay in `kept` or, if
 /// that is empty, in a scratch folder until the next run.
-model::SynthesisResult result_of(const RouteCommand& command, const model::SynthesisJob& job,
-                                 const model::Device& device, const std::string& tools,
-                                 const fs::path& kept) {
-  model::ScratchFolder scratch = value_or_exit(model::ScratchFolder::make());
+characterise::SynthesisResult result_of(const RouteCommand& command,
+                                        const characterise::SynthesisJob& job,
+                                        const devices::Device& device, const std::string& tools,
+                                        const fs::path& kept) {
+  ScratchFolder scratch = value_or_exit(ScratchFolder::make());
   const fs::path store = scratch.path() / "result.sqlite";
-  const model::JobRunOptions options = {
+  const characterise::JobRunOptions options = {
       .synthesis = command.synthesis, .keep = kept, .progress = [&](int, double seconds) {
         show_progress(fmt::format("{} on {}: {:.0f} s", job.top, device.name, seconds));
       }};
-  const model::JobRun run =
+  const characterise::JobRun run =
       value_or_exit(run_jobs({{.hash = job.top, .label = job.top, .job = [&] { return job; }}},
                              device, tools, store, options));
   show_progress("");
   if (run.interrupted_by != 0) throw Exit::interrupted(run.interrupted_by);
   if (!run.failed.empty()) {
-    const model::FailedJob& failed = run.failed.front();
+    const characterise::FailedJob& failed = run.failed.front();
     if (kept.empty()) scratch.keep();
     fail({.message = kept.empty() ? failed.message : with_kept_names(failed, kept.string())});
   }
-  auto opened = value_or_exit(model::ResultStore::open(store));
+  auto opened = value_or_exit(characterise::ResultStore::open(store));
   return value_or_exit(opened.find(job.top)).value();
 }
 
 void run(const RouteCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
-  const model::Device device = value_or_exit(model::find_device(loaded.scene.system.device));
-  const model::SynthesisJob job = job_of(command, loaded);
-  std::optional<model::FolderLock> held;
+  const devices::Device device = value_or_exit(devices::find_device(loaded.scene.system.device));
+  const characterise::SynthesisJob job = job_of(command, loaded);
+  std::optional<FolderLock> held;
   if (!command.work.empty()) held.emplace(lock_folder(command.work));
   const std::string tools = value_or_exit(tool_versions(device, command.synthesis.effort));
   const fs::path kept = kept_folder(command, job, device, tools);
-  const model::SynthesisResult result = result_of(command, job, device, tools, kept);
+  const characterise::SynthesisResult result = result_of(command, job, device, tools, kept);
   command.scene.json ? print_json(job, device, result, tools) : print_text(job, device, result);
   if (!kept.empty()) tell(fmt::format("netlists and logs are in {}", kept.string()));
   end_if_router_is_missing(device);

@@ -25,13 +25,13 @@ std::vector<std::string> options_of(const CLI::App& verb) {
   return names;
 }
 
-model::Error unused_word(const CLI::App& app, const CLI::App* verb, const std::string& word) {
+Error unused_word(const CLI::App& app, const CLI::App* verb, const std::string& word) {
   if (word.starts_with("-")) {
     const CLI::App& owner = verb != nullptr ? *verb : app;
     return {.field = verb != nullptr ? verb->get_name() : "",
             .message = "unknown option",
             .received = word,
-            .accepted = model::list_with_nearest(word, options_of(owner))};
+            .accepted = list_with_nearest(word, options_of(owner))};
   }
   if (verb != nullptr) {
     return {.field = verb->get_name(),
@@ -41,7 +41,7 @@ model::Error unused_word(const CLI::App& app, const CLI::App* verb, const std::s
   }
   return {.message = "unknown verb",
           .received = word,
-          .accepted = model::list_with_nearest(word, verbs_of(app))};
+          .accepted = list_with_nearest(word, verbs_of(app))};
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ enum class TruthOption { off, recomputed, all };
 
 struct VerifyCommand {
   SceneOptions scene;
-  tb::VerifyOptions run;
+  verilator_tb::VerifyOptions run;
   fs::path work;
   fs::path csv;
   std::set<std::string> csv_verdicts = csv_verdict_names;
@@ -72,13 +72,15 @@ void add_options(const Verb& verb, VerifyCommand& command) {
       verb.option("--only", command.only, "only comparison number N").check(whole(0));
   first.excludes(sample).excludes(only);
   sample.excludes(only);
-  add_choice<tb::SimulatorKind>(
+  add_choice<verilator_tb::SimulatorKind>(
       verb, "--simulator", command.run.simulator,
-      {{"verilator", tb::SimulatorKind::verilator}, {"icarus", tb::SimulatorKind::icarus}},
+      {{"verilator", verilator_tb::SimulatorKind::verilator},
+       {"icarus", verilator_tb::SimulatorKind::icarus}},
       "verilator, or icarus for small systems (default: verilator)");
-  add_choice<tb::TrafficKind>(
+  add_choice<verilator_tb::TrafficKind>(
       verb, "--traffic", command.run.traffic,
-      {{"full_rate", tb::TrafficKind::full_rate}, {"stressed", tb::TrafficKind::stressed}},
+      {{"full_rate", verilator_tb::TrafficKind::full_rate},
+       {"stressed", verilator_tb::TrafficKind::stressed}},
       "full_rate, or stressed: random gaps and backpressure (default: full_rate)");
   verb.option("--resets", command.run.resets, "resets in mid-stream, 0..1000000 (default: 0)")
       .check(whole(0, 1'000'000));
@@ -103,10 +105,11 @@ void add_options(const Verb& verb, VerifyCommand& command) {
       .needs(csv);
 }
 
-tb::Selection::Options selection(const VerifyCommand& command) {
-  tb::Selection::Options options = command.run.selection;
+verilator_tb::Selection::Options selection(const VerifyCommand& command) {
+  verilator_tb::Selection::Options options = command.run.selection;
   options.limit = std::max(command.first, command.sample);
-  options.sampling = command.sample > 0 ? tb::Sampling::random : tb::Sampling::first;
+  options.sampling =
+      command.sample > 0 ? verilator_tb::Sampling::random : verilator_tb::Sampling::first;
   options.only = command.only;
   return options;
 }
@@ -114,14 +117,14 @@ tb::Selection::Options selection(const VerifyCommand& command) {
 std::string repeat_command(const VerifyCommand& command) {
   std::string line = "mixcmp verify " + quoted(command.scene.scene.string());
   for (const std::string& setting : command.scene.settings) line += " --set " + quoted(setting);
-  if (command.run.simulator == tb::SimulatorKind::icarus) line += " --simulator icarus";
+  if (command.run.simulator == verilator_tb::SimulatorKind::icarus) line += " --simulator icarus";
   if (command.truth != TruthOption::off) line += " --truth all";
   return line;
 }
 
-tb::VerifyOptions run_options(const VerifyCommand& command, const LoadedScene& loaded,
-                              const fs::path& work) {
-  tb::VerifyOptions options = command.run;
+verilator_tb::VerifyOptions run_options(const VerifyCommand& command, const LoadedScene& loaded,
+                                        const fs::path& work) {
+  verilator_tb::VerifyOptions options = command.run;
   options.work_dir = work / "build";
   options.selection = selection(command);
   options.traffic_seed = command.run.selection.seed;
@@ -130,71 +133,80 @@ tb::VerifyOptions run_options(const VerifyCommand& command, const LoadedScene& l
   options.waiting = tell_waiting;
   if (command.truth != TruthOption::off) {
     options.truth = {&loaded.scene.graph, command.truth == TruthOption::all
-                                              ? tb::TruthScope::all
-                                              : tb::TruthScope::recomputed};
+                                              ? verilator_tb::TruthScope::all
+                                              : verilator_tb::TruthScope::recomputed};
   }
   return options;
 }
 
-tb::VerifyReport run_with_table(const model::Design& design, const model::Comparisons& data,
-                                const fs::path& rtl, tb::VerifyOptions options,
-                                const VerifyCommand& command) {
-  if (command.csv.empty()) return value_or_exit(tb::verify(design, data, rtl, options));
+verilator_tb::VerifyReport run_with_table(const design::Design& design,
+                                          const data::Comparisons& data, const fs::path& rtl,
+                                          verilator_tb::VerifyOptions options,
+                                          const VerifyCommand& command) {
+  if (command.csv.empty()) return value_or_exit(verilator_tb::verify(design, data, rtl, options));
   ResultTable table = value_or_exit(ResultTable::open(command.csv, data, command.csv_verdicts));
-  options.on_result = [&table](const tb::VerifiedResult& result) { table.add(result); };
-  tb::VerifyReport report = value_or_exit(tb::verify(design, data, rtl, options));
+  options.on_result = [&table](const verilator_tb::VerifiedResult& result) { table.add(result); };
+  verilator_tb::VerifyReport report =
+      value_or_exit(verilator_tb::verify(design, data, rtl, options));
   value_or_exit(table.finish());
   return report;
 }
 
 /// Refuses a work folder in which Verilator cannot build: its makefiles take no path with blanks.
-model::Result<model::Done> check_work(const VerifyCommand& command, const fs::path& work) {
+Result<Done> check_work(const VerifyCommand& command, const fs::path& work) {
   const std::string path = fs::absolute(work).string();
-  const bool blanks = path.find_first_of(" \t\n") != std::string::npos;
-  if (command.run.simulator == tb::SimulatorKind::icarus || !blanks) return model::Done{};
-  return model::Error{.field = "--work",
-                      .message = "Verilator cannot build where the path has blanks",
-                      .received = path,
-                      .accepted = "--work with a path without blanks, or --simulator icarus"};
+  if (command.run.simulator == verilator_tb::SimulatorKind::icarus) {
+    // iverilog hands the paths of its temporary files to a shell, in double quotes.
+    if (path.find_first_of("\"$`\\\n") == std::string::npos) return Done{};
+    return Error{.field = "--work",
+                 .message = "Icarus cannot compile where the path has one of \" $ ` \\",
+                 .received = path,
+                 .accepted = "--work with a path without these"};
+  }
+  if (path.find_first_of(" \t\n") == std::string::npos) return Done{};
+  return Error{.field = "--work",
+               .message = "Verilator cannot build where the path has blanks",
+               .received = path,
+               .accepted = "--work with a path without blanks, or --simulator icarus"};
 }
 
 /// Checks that the trace can be written, before the simulation takes its time.
-model::Result<model::Done> check_trace(const fs::path& trace) {
-  if (trace.empty()) return model::Done{};
-  MIXCMP_TRY(possible, tb::WaveFile::open(trace));
-  return model::Done{};
+Result<Done> check_trace(const fs::path& trace) {
+  if (trace.empty()) return Done{};
+  MIXCMP_TRY(possible, verilator_tb::WaveFile::open(trace));
+  return Done{};
 }
 
 /// Writes the system into a folder of WORK/rtl whose name holds a hash of all its bytes. Runs of
 /// different systems can thus share a work folder.
-fs::path write_rtl(const gen::GeneratedSystem& system, const fs::path& work) {
-  model::ContentHash hash;
-  for (const gen::GeneratedFile& file : system.files) hash.add(file.name).add(file.text);
-  const model::FolderLock held = lock_folder(work / "rtl");
+fs::path write_rtl(const emit::GeneratedSystem& system, const fs::path& work) {
+  ContentHash hash;
+  for (const emit::GeneratedFile& file : system.files) hash.add(file.name).add(file.text);
+  const FolderLock held = lock_folder(work / "rtl");
   const fs::path folder =
       work / "rtl" / fmt::format("{}-{}", system.signature.top, hash.hex().substr(0, 16));
-  value_or_exit(gen::write_system(system, folder));
+  value_or_exit(emit::write_system(system, folder));
   return folder;
 }
 
 void run(const VerifyCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
   value_or_exit(check_has_data(loaded, "verify needs data to run on"));
-  const model::Design design = value_or_exit(design_of(command.scene, loaded));
-  const gen::GeneratedSystem system =
-      value_or_exit(gen::generate_system(design, command_line("generate", command.scene)));
+  const design::Design design = value_or_exit(design_of(command.scene, loaded));
+  const emit::GeneratedSystem system =
+      value_or_exit(emit::generate_system(design, command_line("generate", command.scene)));
   const fs::path work =
       command.work.empty() ? fs::path(system.signature.top + "_simulation") : command.work;
   value_or_exit(check_work(command, work));
-  const tb::VerifyOptions options = run_options(command, loaded, work);
+  const verilator_tb::VerifyOptions options = run_options(command, loaded, work);
   value_or_exit(check_request(design, *loaded.data, options));
-  value_or_exit(
-      check_outputs({command.csv, command.run.waves, tb::save_file_beside(command.run.waves)},
-                    inputs_of(command.scene, loaded.scene)));
+  value_or_exit(check_outputs(
+      {command.csv, command.run.waves, verilator_tb::save_file_beside(command.run.waves)},
+      inputs_of(command.scene, loaded.scene)));
   value_or_exit(check_trace(command.run.waves));
   const fs::path rtl = write_rtl(system, work);
-  tb::VerifyReport report = run_with_table(design, *loaded.data, rtl, options, command);
-  report.inputs = model::input_sources(*loaded.data, loaded.scene.graph.inputs());
+  verilator_tb::VerifyReport report = run_with_table(design, *loaded.data, rtl, options, command);
+  report.inputs = data::input_sources(*loaded.data, loaded.scene.graph.inputs());
   show_progress("");
   print(command.scene.json ? report::json_text(to_json(report)) : to_text(report));
   if (!report.passed()) throw Exit(ExitCode::refuted);

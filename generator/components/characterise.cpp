@@ -7,22 +7,20 @@
 #include "model/characterise/job_hash.hpp"
 #include "model/common/check.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::components {
 namespace {
 
-using model::Characterisation;
-using model::ComponentKey;
-using model::Device;
-using model::Done;
-using model::Measurement;
-using model::Result;
-using model::SynthesisOptions;
-using model::TimingEffort;
+using characterise::Characterisation;
+using characterise::ComponentKey;
+using characterise::Measurement;
+using characterise::SynthesisOptions;
+using characterise::TimingEffort;
+using devices::Device;
 
 std::string label(const ComponentKey& key) {
   std::string text(to_string(key.kind));
   for (const std::string& word :
-       {key.name, key.format, key.inputs, to_string(key.bound), key.multipliers}) {
+       {key.name, key.format, key.inputs, scene::to_string(key.bound), key.multipliers}) {
     if (!word.empty()) text += " " + word;
   }
   return key.ports == 0 ? text : fmt::format("{} {} ports", text, key.ports);
@@ -43,7 +41,7 @@ bool is_current(const Measurement& row, ComponentMaker& maker, const Device& dev
 /// One run of the verb.
 class Campaign {
 public:
-  Campaign(const model::Scene& scene, const model::Comparisons* data, const Device& device,
+  Campaign(const scene::Scene& scene, const data::Comparisons* data, const Device& device,
            const CharacteriseOptions& options, const Characterisation* previous)
       : maker_(scene, data), device_(device), options_(options), previous_(previous) {
     report_.table.device = device.name;
@@ -106,9 +104,9 @@ private:
   }
 
   /// Lists the jobs whose results the store lacks. The store is closed before processes are forked.
-  Result<std::vector<model::PendingJob>> pending_jobs() {
-    MIXCMP_TRY(store, model::ResultStore::open(options_.store));
-    std::vector<model::PendingJob> jobs;
+  Result<std::vector<characterise::PendingJob>> pending_jobs() {
+    MIXCMP_TRY(store, characterise::ResultStore::open(options_.store));
+    std::vector<characterise::PendingJob> jobs;
     std::set<std::string> seen;
     for (const Measurement& row : planned_) {
       if (!seen.insert(row.hash).second) continue;
@@ -120,7 +118,7 @@ private:
     return jobs;
   }
 
-  Result<Done> measure(const std::vector<model::PendingJob>& jobs) {
+  Result<Done> measure(const std::vector<characterise::PendingJob>& jobs) {
     if (jobs.empty()) return Done{};
     const int count = static_cast<int>(jobs.size());
     const auto progress = [&](int finished, double seconds) {
@@ -138,7 +136,7 @@ private:
 
   /// Makes the table's rows from the store; jobs that failed or were interrupted have no row.
   Result<Done> collect() {
-    MIXCMP_TRY(store, model::ResultStore::open(options_.store));
+    MIXCMP_TRY(store, characterise::ResultStore::open(options_.store));
     for (Measurement& row : planned_) {
       MIXCMP_TRY(result, store.find(row.hash));
       if (!result) {
@@ -153,7 +151,7 @@ private:
     return Done{};
   }
 
-  model::Error lost(const Measurement& row) const {
+  Error lost(const Measurement& row) const {
     return {.file = options_.store.string(),
             .message = "the store has lost a result of this run",
             .received = "none for " + label(row.key),
@@ -186,14 +184,14 @@ private:
 
 }  // namespace
 
-Result<CharacteriseReport> characterise(const model::Scene& scene, const model::Comparisons* data,
+Result<CharacteriseReport> characterise(const scene::Scene& scene, const data::Comparisons* data,
                                         const Device& device, const CharacteriseOptions& options,
                                         const Characterisation* previous) {
   return Campaign(scene, data, device, options, previous).run();
 }
 
-Currency check_currency(const Characterisation& table, const model::Scene& scene,
-                        const model::Comparisons* data, const Device& device) {
+Currency check_currency(const Characterisation& table, const scene::Scene& scene,
+                        const data::Comparisons* data, const Device& device) {
   ComponentMaker maker(scene, data);
   Currency currency{.rows = static_cast<int>(table.rows.size())};
   for (const Measurement& row : table.rows) {
@@ -202,4 +200,4 @@ Currency check_currency(const Characterisation& table, const model::Scene& scene
   return currency;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::components

@@ -9,11 +9,11 @@
 #include "model/characterise/job_runner.hpp"
 #include "model/characterise/measurement.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::components {
 
 struct CharacteriseOptions {
   ComponentQuery query;
-  model::SynthesisOptions synthesis;
+  characterise::SynthesisOptions synthesis;
   std::filesystem::path store;
   unsigned workers = 1;
   /// Is told how many of all jobs are finished, and how many seconds they have taken.
@@ -21,13 +21,13 @@ struct CharacteriseOptions {
 };
 
 struct CharacteriseReport {
-  model::Characterisation table;
+  characterise::Characterisation table;
   int components = 0;   ///< components asked for
   int synthesised = 0;  ///< jobs that ended well; several components may share one
   int kept = 0;         ///< rows of the previous table, not asked for, that are current
   int dropped = 0;      ///< rows of the previous table, not asked for, that are outdated
   std::vector<MissingLane> missing;
-  std::vector<model::FailedJob> failed;
+  std::vector<characterise::FailedJob> failed;
   /// Reasons why there is no clock where one was asked for, each with its components.
   std::map<std::string, std::vector<std::string>> no_clock;
   int interrupted_by = 0;  ///< number of the signal that interrupted the run; 0: none
@@ -37,11 +37,10 @@ struct CharacteriseReport {
 /// of `previous` (may be null) that are not asked for stay if they are current: if today's
 /// generator, tools and device give the same hash. If areas alone are asked for, a current row that
 /// has a clock, too, is kept instead.
-model::Result<CharacteriseReport> characterise(const model::Scene& scene,
-                                               const model::Comparisons* data,
-                                               const model::Device& device,
-                                               const CharacteriseOptions& options,
-                                               const model::Characterisation* previous);
+Result<CharacteriseReport> characterise(const scene::Scene& scene, const data::Comparisons* data,
+                                        const devices::Device& device,
+                                        const CharacteriseOptions& options,
+                                        const characterise::Characterisation* previous);
 
 /// How many rows of a table still describe what is generated today.
 struct Currency {
@@ -51,7 +50,7 @@ struct Currency {
 
 /// Generates the RTL of every row again and compares hashes. It runs no tool and takes the versions
 /// of the tools from each row. It takes seconds for hundreds of rows.
-Currency check_currency(const model::Characterisation& table, const model::Scene& scene,
-                        const model::Comparisons* data, const model::Device& device);
+Currency check_currency(const characterise::Characterisation& table, const scene::Scene& scene,
+                        const data::Comparisons* data, const devices::Device& device);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::components

@@ -4,36 +4,33 @@
 #include "model/error/exponent_range.hpp"
 #include "model/scene/bound_choice.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::components {
 namespace {
 
-using model::ComponentKey;
-using model::ComponentKind;
-using model::Done;
-using model::FloatFormat;
-using model::LaneInputs;
-using model::Multipliers;
-using model::Result;
-using model::Scene;
+using characterise::ComponentKey;
+using characterise::ComponentKind;
+using scene::Multipliers;
+using scene::Scene;
 
 int exponent_bits(const Scene& scene, const ComponentQuery& query, int precision, LaneInputs inputs,
-                  const model::BoundChoice& bound) {
-  const model::ReducedSpec& reduced = scene.reduced;
+                  const scene::BoundChoice& bound) {
+  const scene::ReducedSpec& reduced = scene.reduced;
   const int widest = scene.reference.format.exponent_bits();
   const bool fixed = reduced.format && !reduced.exponent_bits_from_ranges;
   if (!query.exponents && fixed) return reduced.format->exponent_bits();
   const bool from_ranges = query.exponents ? *query.exponents == LaneExponents::ranges
                                            : reduced.exponent_bits_from_ranges;
   // A profiled lane checks no range: its exponents reach as far as the reference's.
-  if (!from_ranges || bound.kind == model::BoundChoice::Kind::profiled) return widest;
+  if (!from_ranges || bound.kind == scene::BoundChoice::Kind::profiled) return widest;
   const FloatFormat format = FloatFormat::make(precision, widest).value();
-  return lane_exponent_bits(scene.graph, scene.reference.format,
-                            {format, reduced.rounding, reduced.subnormals}, inputs, scene.ranges);
+  return error::lane_exponent_bits(scene.graph, scene.reference.format,
+                                   {format, reduced.rounding, reduced.subnormals}, inputs,
+                                   scene.ranges);
 }
 
 Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQuery& query) {
   std::vector<ComponentKey> keys;
-  for (const model::BoundChoice& bound : query.bounds) {
+  for (const scene::BoundChoice& bound : query.bounds) {
     for (const int precision : query.precisions) {
       for (const LaneInputs inputs : query.inputs) {
         const int bits = exponent_bits(scene, query, precision, inputs, bound);
@@ -103,7 +100,7 @@ private:
         missing_.push_back({key, lane.error()});
         continue;
       }
-      slots_.insert(model::slots_for(lane->latency_cycles, recomputes()));
+      slots_.insert(design::slots_for(lane->latency_cycles, recomputes()));
       take(*lane);
     }
     return Done{};
@@ -146,4 +143,4 @@ Result<std::vector<MissingLane>> for_each_component(
   return Walk(maker, query, use).run();
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::components

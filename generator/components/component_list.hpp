@@ -8,7 +8,7 @@
 
 #include "generator/components/component_maker.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::components {
 
 /// How the number of a lane's exponent bits is chosen.
 enum class LaneExponents {
@@ -18,14 +18,15 @@ enum class LaneExponents {
 
 /// The components of a scene that are asked for.
 struct ComponentQuery {
-  std::set<model::ComponentKind> kinds = {
-      model::ComponentKind::unit, model::ComponentKind::lane, model::ComponentKind::reference,
-      model::ComponentKind::fifo, model::ComponentKind::crossbar};
+  std::set<characterise::ComponentKind> kinds = {
+      characterise::ComponentKind::unit, characterise::ComponentKind::lane,
+      characterise::ComponentKind::reference, characterise::ComponentKind::fifo,
+      characterise::ComponentKind::crossbar};
   std::vector<int> precisions;  ///< precisions of lanes
-  std::vector<model::BoundChoice> bounds;
-  std::vector<model::LaneInputs> inputs = {model::LaneInputs::exact, model::LaneInputs::rounded};
-  std::vector<model::Multipliers> multipliers = {model::Multipliers::embedded,
-                                                 model::Multipliers::logic};
+  std::vector<scene::BoundChoice> bounds;
+  std::vector<LaneInputs> inputs = {LaneInputs::exact, LaneInputs::rounded};
+  std::vector<scene::Multipliers> multipliers = {scene::Multipliers::embedded,
+                                                 scene::Multipliers::logic};
   std::vector<int> ports;  ///< numbers of lanes at a crossbar with one reference
   /// If absent: as reduced.format says, or as many as the reference's where that is "auto".
   std::optional<LaneExponents> exponents;
@@ -33,15 +34,15 @@ struct ComponentQuery {
 
 /// A lane that was asked for and does not exist.
 struct MissingLane {
-  model::ComponentKey key;
-  model::Error reason;
+  characterise::ComponentKey key;
+  Error reason;
 };
 
 /// Calls `use` with every component of the query, each once. Returns the lanes that do not exist.
 /// Fifos and units are those that the query's lanes need, whether or not the query asks for lanes.
 /// Errors name what a scene cannot have.
-model::Result<std::vector<MissingLane>> for_each_component(
+Result<std::vector<MissingLane>> for_each_component(
     ComponentMaker& maker, const ComponentQuery& query,
     const std::function<void(const Component&)>& use);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::components

@@ -15,16 +15,12 @@
 #include "model/profile/profile.hpp"
 #include "model/scene/bound_choice.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::components {
 namespace {
 
-using model::ComponentKey;
-using model::ComponentKind;
-using model::Done;
-using model::Error;
-using model::LaneInputs;
-using model::Multipliers;
-using model::Result;
+using characterise::ComponentKey;
+using characterise::ComponentKind;
+using scene::Multipliers;
 
 /// Comparisons that the constants of profiled lanes are measured on: as many as for `generate`.
 constexpr std::uint64_t constant_samples = 100'000;
@@ -40,7 +36,7 @@ Result<Choice> choice(const std::string& word, std::initializer_list<Choice> cho
     if (word == to_string(each)) return each;
     accepted += (accepted.empty() ? "" : ", ") + std::string(to_string(each));
   }
-  return Error{.message = "not a choice", .received = model::in_quotes(word), .accepted = accepted};
+  return Error{.message = "not a choice", .received = in_quotes(word), .accepted = accepted};
 }
 
 /// The kind of multipliers that a key names; a key without one is of a datapath without products.
@@ -49,10 +45,9 @@ Result<Multipliers> multipliers_of(const ComponentKey& key) {
   return choice(key.multipliers, {Multipliers::embedded, Multipliers::logic});
 }
 
-bool has_product(const model::TypedGraph& graph) {
-  return std::any_of(graph.nodes.begin(), graph.nodes.end(), [](const model::TypedNode& node) {
-    return node.operation == model::Operation::multiply ||
-           node.operation == model::Operation::square;
+bool has_product(const TypedGraph& graph) {
+  return std::any_of(graph.nodes.begin(), graph.nodes.end(), [](const TypedNode& node) {
+    return node.operation == Operation::multiply || node.operation == Operation::square;
   });
 }
 
@@ -71,7 +66,7 @@ std::vector<ComponentKey> units_of(const rtl::Module& module) {
 }
 
 Component datapath(ComponentKey key, int latency_cycles, const rtl::Module& module,
-                   const model::TypedGraph& graph) {
+                   const TypedGraph& graph) {
   if (!has_product(graph)) key.multipliers.clear();
   return {std::move(key), latency_cycles, module_job(module), units_of(module)};
 }
@@ -79,8 +74,8 @@ Component datapath(ComponentKey key, int latency_cycles, const rtl::Module& modu
 /// The slowest lane that these slots serve at full rate: the one with the longest delays.
 std::optional<int> slowest_lane(int slots, bool recomputes) {
   std::optional<int> slowest;
-  for (int cycles = 1; model::slots_for(cycles, recomputes) <= slots; ++cycles) {
-    if (model::slots_for(cycles, recomputes) == slots) slowest = cycles;
+  for (int cycles = 1; design::slots_for(cycles, recomputes) <= slots; ++cycles) {
+    if (design::slots_for(cycles, recomputes) == slots) slowest = cycles;
   }
   return slowest;
 }
@@ -100,14 +95,15 @@ Error out_of_range(const std::string& field, int received, const std::string& ac
 
 }  // namespace
 
-Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const model::CombinedLane& lane,
-                         Multipliers multipliers, const model::SystemSpec& system) {
-  MIXCMP_TRY(delays, delays_of(system.device));
-  const Schedule schedule = schedule_lane(lane, multipliers, delays, system.target_mhz);
-  return LaneRtl{schedule.latency_cycles, lane_module("lane", inputs, lane, schedule)};
+Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const error::CombinedLane& lane,
+                         Multipliers multipliers, const scene::SystemSpec& system) {
+  MIXCMP_TRY(delays, datapath::delays_of(system.device));
+  const datapath::Schedule schedule =
+      datapath::schedule_lane(lane, multipliers, delays, system.target_mhz);
+  return LaneRtl{schedule.latency_cycles, rtl::lane_module("lane", inputs, lane, schedule)};
 }
 
-ComponentMaker::ComponentMaker(model::Scene scene, const model::Comparisons* data)
+ComponentMaker::ComponentMaker(scene::Scene scene, const data::Comparisons* data)
     : scene_(std::move(scene)), data_(data) {}
 
 Result<Component> ComponentMaker::make(const ComponentKey& key) {
@@ -125,18 +121,18 @@ Result<Component> ComponentMaker::make(const ComponentKey& key) {
 }
 
 Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
-  const model::BoundChoice& bound = *key.bound;
-  MIXCMP_TRY(format, model::FloatFormat::parse(key.format));
+  const scene::BoundChoice& bound = *key.bound;
+  MIXCMP_TRY(format, FloatFormat::parse(key.format));
   MIXCMP_TRY(inputs, choice(key.inputs, {LaneInputs::rounded, LaneInputs::exact}));
   MIXCMP_TRY(multipliers, multipliers_of(key));
-  model::ReducedSpec reduced = model::with_bound(scene_.reduced, bound);
+  scene::ReducedSpec reduced = scene::with_bound(scene_.reduced, bound);
   reduced.format = format;
   reduced.inputs = inputs;
   reduced.multipliers = multipliers;
-  if (bound.kind == model::BoundChoice::Kind::profiled) {
+  if (bound.kind == scene::BoundChoice::Kind::profiled) {
     MIXCMP_TRY(given, give_constants(reduced));
   }
-  MIXCMP_TRY(lane, design_lane(scene_, reduced, nullptr));
+  MIXCMP_TRY(lane, design::design_lane(scene_, reduced, nullptr));
   MIXCMP_TRY(built, lane_rtl(scene_.graph.inputs(), lane, multipliers, scene_.system));
   return datapath(key, built.latency_cycles, built.module, share(lane).graph);
 }
@@ -145,22 +141,23 @@ Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
   if (key.format != scene_.reference.format.name()) {
     return Error{.field = "reference.format",
                  .message = "not the scene's",
-                 .received = model::in_quotes(key.format),
+                 .received = in_quotes(key.format),
                  .accepted = scene_.reference.format.name()};
   }
   MIXCMP_TRY(multipliers, multipliers_of(key));
-  MIXCMP_TRY(delays, delays_of(scene_.system.device));
-  const model::CombinedGraph graph = reference_graphs(scene_.graph, scene_.reference);
-  const Schedule schedule =
-      schedule_reference(graph, multipliers, delays, scene_.system.target_mhz);
-  const rtl::Module module = reference_module("reference", scene_.graph.inputs(), graph, schedule);
+  MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
+  const CombinedGraph graph = reference_graphs(scene_.graph, scene_.reference);
+  const datapath::Schedule schedule =
+      datapath::schedule_reference(graph, multipliers, delays, scene_.system.target_mhz);
+  const rtl::Module module =
+      rtl::reference_module("reference", scene_.graph.inputs(), graph, schedule);
   return datapath(key, schedule.latency_cycles, module, share(graph).graph);
 }
 
-SystemShape ComponentMaker::stream_shape() const {
-  const model::SystemSpec& system = scene_.system;
-  SystemShape shape;
-  shape.input_ports = input_ports(scene_.graph.inputs());
+rtl::SystemShape ComponentMaker::stream_shape() const {
+  const scene::SystemSpec& system = scene_.system;
+  rtl::SystemShape shape;
+  shape.input_ports = rtl::input_ports(scene_.graph.inputs());
   shape.input_width = scene_.reference.format.width();
   shape.lanes = 1;
   shape.references = system.references.value_or(1) > 0 ? 1 : 0;
@@ -172,30 +169,32 @@ SystemShape ComponentMaker::stream_shape() const {
 }
 
 Result<Component> ComponentMaker::make_fifo(const ComponentKey& key) {
-  SystemShape shape = stream_shape();
+  rtl::SystemShape shape = stream_shape();
   const std::optional<int> slowest = slowest_lane(key.ports, shape.recomputes());
   if (!slowest) return out_of_range("slots", key.ports, "a power of two that some lane needs");
   shape.slot_bits = std::countr_zero(static_cast<unsigned>(key.ports));
-  return Component{
-      key, shape.channel_latency_cycles(), template_job(tracker_template(shape, *slowest)), {}};
+  return Component{key,
+                   shape.channel_latency_cycles(),
+                   template_job(rtl::tracker_template(shape, *slowest)),
+                   {}};
 }
 
 Result<Component> ComponentMaker::make_crossbar(const ComponentKey& key) {
   if (!measured_ports.allow(key.ports)) {
     return out_of_range("ports", key.ports, to_string(measured_ports));
   }
-  SystemShape shape = stream_shape();
+  rtl::SystemShape shape = stream_shape();
   shape.references = 1;
-  shape.lanes = model::max_lanes;  // numbered as in the largest system: a few bits more than most
+  shape.lanes = scene::max_lanes;  // numbered as in the largest system: a few bits more than most
   shape.slot_bits = std::countr_zero(static_cast<unsigned>(crossbar_slots));
-  TemplateInstance crossbar = crossbar_template(shape);
+  rtl::TemplateInstance crossbar = rtl::crossbar_template(shape);
   for (rtl::Parameter& parameter : crossbar.parameters) {
     if (parameter.name == "LANES") parameter.value = key.ports;
   }
   return Component{key, tree_levels(key.ports) + answer_cycles, template_job(crossbar), {}};
 }
 
-Result<Done> ComponentMaker::give_constants(model::ReducedSpec& lane) {
+Result<Done> ComponentMaker::give_constants(scene::ReducedSpec& lane) {
   if (lane.relative_error_f && lane.relative_error_g) return Done{};
   if (constants_.empty()) {
     MIXCMP_TRY(measured, measure_constants());
@@ -221,20 +220,20 @@ Result<Done> ComponentMaker::measure_constants() {
                  .received = "neither",
                  .accepted = "both constants, or a [data] section"};
   }
-  model::Scene scene = scene_;
+  scene::Scene scene = scene_;
   // A profiled lane checks no range: its exponents reach as far as the reference's.
   if (scene.reduced.exponent_bits_from_ranges) scene.reduced.format.reset();
-  const model::ProfileOptions options{
-      .last_precision = lane_precisions(scene.reference.format).most,
+  const profile::ProfileOptions options{
+      .last_precision = settings::lane_precisions(scene.reference.format).most,
       .error_samples = constant_samples};
   MIXCMP_TRY(possible, check_profile(scene, options));
-  for (const model::ErrorProfile& profile :
+  for (const profile::ErrorProfile& profile :
        profile_errors(scene, *data_, {LaneInputs::rounded, LaneInputs::exact}, options)) {
-    for (const model::ErrorAtPrecision& error : profile.precisions) {
+    for (const profile::ErrorAtPrecision& error : profile.precisions) {
       constants_[{error.precision, profile.inputs}] = {error.f, error.g};
     }
   }
   return Done{};
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::components

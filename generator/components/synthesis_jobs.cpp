@@ -10,12 +10,10 @@
 #include "generator/emit/verilog.hpp"
 #include "model/common/quote.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::components {
 namespace {
 
-using model::Error;
-using model::Result;
-using model::SynthesisJob;
+using characterise::SynthesisJob;
 
 /// A parameter's value as Verilog text.
 struct Setting {
@@ -23,17 +21,17 @@ struct Setting {
   std::string value;
 };
 
-std::vector<Setting> settings_of(const TemplateInstance& instance) {
+std::vector<Setting> settings_of(const rtl::TemplateInstance& instance) {
   std::vector<Setting> settings;
   for (const rtl::Parameter& parameter : instance.parameters) {
-    settings.push_back({parameter.name, to_verilog(parameter)});
+    settings.push_back({parameter.name, emit::to_verilog(parameter)});
   }
   return settings;
 }
 
 void add_templates(SynthesisJob& job, const std::set<std::string>& modules) {
-  for (const std::string& name : template_closure(modules)) {
-    job.sources.push_back({name + ".v", without_comments(template_text(name))});
+  for (const std::string& name : emit::template_closure(modules)) {
+    job.sources.push_back({name + ".v", without_comments(emit::template_text(name))});
   }
 }
 
@@ -50,7 +48,7 @@ bool set_default(std::string& text, const Setting& setting) {
 
 Error no_unit(std::string_view received) {
   return {.message = "not a template with its parameters",
-          .received = model::in_quotes(received),
+          .received = in_quotes(received),
           .accepted = "such as \"fp_compare EXPONENT_BITS=8 PRECISION=24 CUTS=2'b11\""};
 }
 
@@ -90,15 +88,15 @@ std::string without_comments(std::string_view verilog) {
 SynthesisJob module_job(const rtl::Module& module) {
   SynthesisJob job{.sources = {}, .top = module.name};
   add_templates(job, instantiated_modules(module));
-  job.sources.push_back({module.name + ".v", without_comments(to_verilog(module))});
+  job.sources.push_back({module.name + ".v", without_comments(emit::to_verilog(module))});
   return job;
 }
 
-SynthesisJob template_job(const TemplateInstance& instance) {
+SynthesisJob template_job(const rtl::TemplateInstance& instance) {
   return job_of(instance.module, settings_of(instance)).value();
 }
 
-std::string instance_name(const TemplateInstance& instance) {
+std::string instance_name(const rtl::TemplateInstance& instance) {
   std::string name = instance.module;
   for (const Setting& setting : settings_of(instance)) {
     name += fmt::format(" {}={}", setting.name, setting.value);
@@ -118,4 +116,4 @@ Result<SynthesisJob> job_of_instance_name(std::string_view name) {
   return job_of(module, settings);
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::components

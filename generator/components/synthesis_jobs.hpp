@@ -6,22 +6,22 @@
 #include "generator/rtl/system_modules.hpp"
 #include "model/characterise/synthesis.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::components {
 
 /// The job that synthesises a module alone, with the templates that it instantiates. Its sources
 /// have no comments, so that only the hardware decides their hash.
-model::SynthesisJob module_job(const rtl::Module& module);
+characterise::SynthesisJob module_job(const rtl::Module& module);
 
 /// The job that synthesises a template alone: its parameters' defaults are replaced by the
 /// instance's values.
-model::SynthesisJob template_job(const TemplateInstance& instance);
+characterise::SynthesisJob template_job(const rtl::TemplateInstance& instance);
 
 /// "fp_add EXPONENT_BITS=8 PRECISION=12 CUTS=9'h01f": all that template_job needs.
-std::string instance_name(const TemplateInstance& instance);
+std::string instance_name(const rtl::TemplateInstance& instance);
 /// The template_job of an instance_name; an error where the template or a parameter does not exist.
-model::Result<model::SynthesisJob> job_of_instance_name(std::string_view name);
+Result<characterise::SynthesisJob> job_of_instance_name(std::string_view name);
 
 /// Verilog without `//` comments, blanks at line ends and empty lines.
 std::string without_comments(std::string_view verilog);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::components

@@ -5,14 +5,14 @@
 #include "generator/components/synthesis_jobs.hpp"
 #include "generator/rtl/datapath_builder.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::components {
 namespace {
 
 constexpr std::string_view alone = "mixcmp_references_alone";
 
 /// The instance of reference k, connected to slice k of every operand and of the verdicts.
-std::string instance(const model::SynthesisJob& reference, const std::vector<std::string>& inputs,
-                     int width, int k) {
+std::string instance(const characterise::SynthesisJob& reference,
+                     const std::vector<std::string>& inputs, int width, int k) {
   std::string text = fmt::format("\n  {} reference_{} (\n    .aclk(aclk),\n", reference.top, k);
   for (const std::string& input : inputs) {
     text += fmt::format("    .{0}({0}[{1}:{2}]),\n", input, (k + 1) * width - 1, k * width);
@@ -20,8 +20,8 @@ std::string instance(const model::SynthesisJob& reference, const std::vector<std
   return text + fmt::format("    .verdict(verdict[{}:{}])\n  );\n", 2 * k + 1, 2 * k);
 }
 
-std::string top_text(const model::SynthesisJob& reference, const std::vector<std::string>& inputs,
-                     int width, int count) {
+std::string top_text(const characterise::SynthesisJob& reference,
+                     const std::vector<std::string>& inputs, int width, int count) {
   std::string text =
       fmt::format("`default_nettype none\n\nmodule {} (\n  input  wire aclk,\n", alone);
   for (const std::string& input : inputs) {
@@ -34,28 +34,28 @@ std::string top_text(const model::SynthesisJob& reference, const std::vector<std
 
 }  // namespace
 
-model::SynthesisJob system_job(const GeneratedSystem& system) {
-  const gen::Signature& signature = system.signature;
-  model::SynthesisJob job{.sources = {},
-                          .top = signature.engine ? signature.engine->top : signature.top};
-  for (const GeneratedFile& file : system.files) {
+characterise::SynthesisJob system_job(const emit::GeneratedSystem& system) {
+  const emit::Signature& signature = system.signature;
+  characterise::SynthesisJob job{.sources = {},
+                                 .top = signature.engine ? signature.engine->top : signature.top};
+  for (const emit::GeneratedFile& file : system.files) {
     if (file.name.ends_with(".v")) job.sources.push_back({file.name, without_comments(file.text)});
   }
   return job;
 }
 
-model::Result<model::SynthesisJob> references_job(const model::Scene& scene, int count) {
+Result<characterise::SynthesisJob> references_job(const scene::Scene& scene, int count) {
   ComponentMaker maker(scene, nullptr);
   MIXCMP_TRY(reference,
-             maker.make({.kind = model::ComponentKind::reference,
+             maker.make({.kind = characterise::ComponentKind::reference,
                          .format = scene.reference.format.name(),
                          .multipliers = std::string(to_string(scene.reference_multipliers))}));
-  model::SynthesisJob job = reference.job;
+  characterise::SynthesisJob job = reference.job;
   job.sources.push_back(
-      {fmt::format("{}.v", alone), top_text(reference.job, input_ports(scene.graph.inputs()),
+      {fmt::format("{}.v", alone), top_text(reference.job, rtl::input_ports(scene.graph.inputs()),
                                             scene.reference.format.width(), count)});
   job.top = alone;
   return job;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::components

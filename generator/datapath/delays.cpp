@@ -1,10 +1,10 @@
 #include "generator/datapath/delays.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::datapath {
 
-model::Result<DelayTable> delays_of(std::string_view device) {
-  MIXCMP_TRY(found, model::find_device(device));
+Result<DelayTable> delays_of(std::string_view device) {
+  MIXCMP_TRY(found, devices::find_device(device));
   return found.delays;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::datapath

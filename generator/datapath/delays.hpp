@@ -5,9 +5,9 @@
 #include "generator/datapath/units.hpp"
 #include "model/common/result.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::datapath {
 
 /// The delay table of a device (model/devices/NAME.toml), by name or by the path of a device file.
-model::Result<DelayTable> delays_of(std::string_view device);
+Result<DelayTable> delays_of(std::string_view device);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::datapath

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace mixcmp::gen {
+namespace mixcmp::datapath {
 
 /// Lengths of the carry chains in rtl_templates/fp/fp_logic_product.v, whose rows and levels this
 /// class repeats.
@@ -42,4 +42,4 @@ private:
   Kind kind_;
 };
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::datapath

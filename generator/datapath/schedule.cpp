@@ -6,14 +6,8 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::datapath {
 namespace {
-
-using model::FloatFormat;
-using model::NodeId;
-using model::Operation;
-using model::TypedGraph;
-using model::TypedNode;
 
 bool is_wires(Operation operation) {
   switch (operation) {
@@ -39,7 +33,7 @@ public:
   Scheduler(const DelayTable& delays, double target_mhz)
       : delays_(delays), logic_ns_(std::max(0.0, 1000 / target_mhz - delays.register_ns)) {}
 
-  void place_nodes(const TypedGraph& graph, model::Multipliers multipliers) {
+  void place_nodes(const TypedGraph& graph, scene::Multipliers multipliers) {
     for (const TypedNode& node : graph.nodes) {
       const int start = latest(schedule_.steps, operands_of(node));
       if (is_wires(node.operation)) {
@@ -50,25 +44,25 @@ public:
     }
   }
 
-  void place_checks(const std::vector<model::RangeCheck>& checks) {
-    for (const model::RangeCheck& check : checks) {
+  void place_checks(const std::vector<error::RangeCheck>& checks) {
+    for (const error::RangeCheck& check : checks) {
       schedule_.checks.push_back(
           check.leading_bits == 0 ? Step{} : place(range_check_unit(check, delays_), 0));
     }
   }
 
   /// Places the bound, the conditions and the decision of one part of a lane.
-  void decide(const model::SharedPart& part, FloatFormat format) {
+  void decide(const error::SharedPart& part, FloatFormat format) {
     PartSchedule schedule;
     int start = 0;
     for (const std::size_t check : part.checks) {
       start = std::max(start, schedule_.checks[check].ready_cycle);
     }
-    if (const auto* interval = std::get_if<model::IntervalDecision>(&part.decision)) {
+    if (const auto* interval = std::get_if<error::IntervalDecision>(&part.decision)) {
       return decide(std::move(schedule), interval_decision_unit(format, delays_),
                     {interval->minimum, interval->maximum}, start);
     }
-    if (const auto* absolute = std::get_if<model::AbsoluteBoundDecision>(&part.decision)) {
+    if (const auto* absolute = std::get_if<error::AbsoluteBoundDecision>(&part.decision)) {
       place_bounds(*absolute, format, schedule);
       for (const auto* beside : {&schedule.bounds, &schedule.conditions}) {
         for (const Step& step : *beside) start = std::max(start, step.ready_cycle);
@@ -82,7 +76,7 @@ public:
   }
 
   /// Places the comparison of one part of a reference.
-  void compare(const model::Sides& part, FloatFormat format) {
+  void compare(const Sides& part, FloatFormat format) {
     decide({}, compare_unit(format, delays_), {part.f, part.g}, 0);
   }
 
@@ -100,11 +94,11 @@ public:
   }
 
 private:
-  void place_bounds(const model::AbsoluteBoundDecision& decision, FloatFormat lane,
+  void place_bounds(const error::AbsoluteBoundDecision& decision, FloatFormat lane,
                     PartSchedule& schedule) {
-    const model::BoundFormat format = decision.bound.format;
-    for (const model::BoundNode& node : decision.bound.nodes) {
-      if (node.operation == model::BoundOperation::constant) {
+    const BoundFormat format = decision.bound.format;
+    for (const error::BoundNode& node : decision.bound.nodes) {
+      if (node.operation == error::BoundOperation::constant) {
         schedule.bounds.push_back({});
         continue;
       }
@@ -112,7 +106,7 @@ private:
                                         : latest(schedule.bounds, operands_of(node));
       schedule.bounds.push_back(place(bound_unit(node.operation, lane, format, delays_), start));
     }
-    for (const model::BoundCondition& condition : decision.conditions) {
+    for (const error::BoundCondition& condition : decision.conditions) {
       const int start = std::max(schedule.bounds[condition.bound].ready_cycle,
                                  schedule_.steps[condition.value].ready_cycle);
       schedule.conditions.push_back(place(bound_at_most_unit(format, delays_), start));
@@ -129,7 +123,7 @@ private:
 
   template <typename Node>
   static std::vector<int> operands_of(const Node& node) {
-    return {node.operands.begin(), node.operands.begin() + model::arity(node.operation)};
+    return {node.operands.begin(), node.operands.begin() + arity(node.operation)};
   }
 
   static int latest(const std::vector<Step>& steps, const std::vector<int>& operands) {
@@ -190,27 +184,27 @@ private:
 
 }  // namespace
 
-Schedule schedule_lane(const model::CombinedLane& lane, model::Multipliers multipliers,
+Schedule schedule_lane(const error::CombinedLane& lane, scene::Multipliers multipliers,
                        const DelayTable& delays, double target_mhz) {
-  const model::SharedLane shared = share(lane);
+  const error::SharedLane shared = share(lane);
   Scheduler scheduler(delays, target_mhz);
   scheduler.place_nodes(shared.graph, multipliers);
   scheduler.place_checks(shared.checks);
-  for (const model::SharedPart& part : shared.parts) {
+  for (const error::SharedPart& part : shared.parts) {
     scheduler.decide(part, shared.graph.arithmetic.format);
   }
   return scheduler.finish();
 }
 
-Schedule schedule_reference(const model::CombinedGraph& reference, model::Multipliers multipliers,
+Schedule schedule_reference(const CombinedGraph& reference, scene::Multipliers multipliers,
                             const DelayTable& delays, double target_mhz) {
-  const model::SharedGraph shared = share(reference);
+  const SharedGraph shared = share(reference);
   Scheduler scheduler(delays, target_mhz);
   scheduler.place_nodes(shared.graph, multipliers);
-  for (const model::Sides& part : shared.sides) {
+  for (const Sides& part : shared.sides) {
     scheduler.compare(part, shared.graph.arithmetic.format);
   }
   return scheduler.finish();
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::datapath

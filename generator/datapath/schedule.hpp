@@ -7,7 +7,7 @@
 #include "model/error/combined_lane.hpp"
 #include "model/scene/scene.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::datapath {
 
 /// One operation bound to a unit and placed in time. Cycle 0 is the cycle in which the operands of
 /// a comparison are at the datapath's inputs.
@@ -40,9 +40,9 @@ struct Schedule {
 /// Schedules each operation as soon as possible, with as few registers in each unit as the period
 /// (before routing, by the delay table) allows; a unit's output is always registered.
 /// `target_mhz` > 0.
-Schedule schedule_lane(const model::CombinedLane& lane, model::Multipliers multipliers,
+Schedule schedule_lane(const error::CombinedLane& lane, scene::Multipliers multipliers,
                        const DelayTable& delays, double target_mhz);
-Schedule schedule_reference(const model::CombinedGraph& reference, model::Multipliers multipliers,
+Schedule schedule_reference(const CombinedGraph& reference, scene::Multipliers multipliers,
                             const DelayTable& delays, double target_mhz);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::datapath

@@ -9,7 +9,7 @@
 #include "generator/datapath/logic_product.hpp"
 #include "generator/datapath/units.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::datapath {
 
 inline int bits_for(int value) {
   return std::bit_width(static_cast<unsigned>(value));
@@ -42,10 +42,10 @@ public:
   double carry(int bits) const { return delays_.carry_start_ns + bits * delays_.carry_ns_per_bit; }
   void add(std::string name, double delay_ns) { stages_.push_back({std::move(name), delay_ns}); }
 
-  void add_operand(model::FloatFormat operands, model::Subnormals subnormals);
+  void add_operand(FloatFormat operands, Subnormals subnormals);
   void add_embedded_product(int precision);
   void add_logic_product(LogicProduct product);
-  void add_round(model::FloatFormat result, bool denormalises, int dropped_bits);
+  void add_round(FloatFormat result, bool denormalises, int dropped_bits);
 
   Unit unit(std::string module) && {
     return {.module = std::move(module), .stages = std::move(stages_)};
@@ -57,8 +57,8 @@ private:
 };
 
 /// The stages of fp_operand; they are only wires where subnormals are flushed.
-inline void StageList::add_operand(model::FloatFormat operands, model::Subnormals subnormals) {
-  const bool normalises = subnormals == model::Subnormals::gradual;
+inline void StageList::add_operand(FloatFormat operands, Subnormals subnormals) {
+  const bool normalises = subnormals == Subnormals::gradual;
   const int precision = operands.precision();
   const int unpack = reduction_levels(operands.exponent_bits());
   add("count", normalises ? luts(unpack + count_levels(precision)) : 0);
@@ -107,7 +107,7 @@ inline void StageList::add_logic_product(LogicProduct product) {
 
 /// The stages of fp_round. The last `dropped_bits` bits of a fraction that arrives too wide are
 /// ORed into the sticky bit.
-inline void StageList::add_round(model::FloatFormat result, bool denormalises, int dropped_bits) {
+inline void StageList::add_round(FloatFormat result, bool denormalises, int dropped_bits) {
   const int amount_bits = bits_for(result.precision() + 2);
   const double distance = carry(result.exponent_bits() + 2) + luts(1);
   const double sticky = luts(reduction_levels(std::max(dropped_bits, 1)));
@@ -117,4 +117,4 @@ inline void StageList::add_round(model::FloatFormat result, bool denormalises, i
   add("pack", luts(1 + reduction_levels(result.exponent_bits()) + 1));
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::datapath

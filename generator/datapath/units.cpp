@@ -6,15 +6,11 @@
 #include "generator/datapath/stage_list.hpp"
 #include "model/common/check.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::datapath {
 namespace {
 
-using model::BoundFormat;
-using model::BoundOperation;
-using model::FloatFormat;
-using model::Multipliers;
-using model::Operation;
-using model::Subnormals;
+using error::BoundOperation;
+using scene::Multipliers;
 
 int bias_difference(FloatFormat result, FloatFormat operands) {
   return result.bias() - operands.bias();
@@ -158,10 +154,10 @@ Unit single_stage_unit(std::string module, std::string stage, double delay_ns) {
 
 }  // namespace
 
-std::optional<Scaling> scaling_of(const model::TypedGraph& graph, const model::TypedNode& node) {
+std::optional<Scaling> scaling_of(const TypedGraph& graph, const TypedNode& node) {
   if (node.operation != Operation::multiply) return std::nullopt;
   for (int k = 0; k < 2; ++k) {
-    const model::TypedNode& factor = graph.nodes[static_cast<std::size_t>(node.operands[k])];
+    const TypedNode& factor = graph.nodes[static_cast<std::size_t>(node.operands[k])];
     if (factor.operation != Operation::constant) continue;
     const FloatFormat format = factor.format;
     const int biased = format.biased_exponent(factor.constant);
@@ -172,7 +168,7 @@ std::optional<Scaling> scaling_of(const model::TypedGraph& graph, const model::T
   return std::nullopt;
 }
 
-Unit unit_for(const model::TypedGraph& graph, const model::TypedNode& node, Multipliers multipliers,
+Unit unit_for(const TypedGraph& graph, const TypedNode& node, Multipliers multipliers,
               const DelayTable& delays) {
   const Subnormals subnormals = graph.arithmetic.subnormals;
   if (const auto scaling = scaling_of(graph, node)) {
@@ -181,7 +177,7 @@ Unit unit_for(const model::TypedGraph& graph, const model::TypedNode& node, Mult
   return unit_for(node, subnormals, multipliers, delays);
 }
 
-Unit unit_for(const model::TypedNode& node, Subnormals subnormals, Multipliers multipliers,
+Unit unit_for(const TypedNode& node, Subnormals subnormals, Multipliers multipliers,
               const DelayTable& delays) {
   const FloatFormat operands = node.operand_format;
   const FloatFormat result = node.format;
@@ -267,9 +263,9 @@ Unit bound_decision_unit(FloatFormat lane, BoundFormat bound, const DelayTable& 
   return std::move(stages).unit("bound_decision");
 }
 
-Unit range_check_unit(const model::RangeCheck& check, const DelayTable& delays) {
+Unit range_check_unit(const error::RangeCheck& check, const DelayTable& delays) {
   const int levels = 2 + reduction_levels(check.leading_bits);
   return single_stage_unit("fp_range_check", "check", StageList(delays).luts(levels));
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::datapath

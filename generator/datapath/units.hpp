@@ -9,9 +9,9 @@
 #include "model/expression/typed_graph.hpp"
 #include "model/scene/scene.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::datapath {
 
-using model::DelayTable;
+using devices::DelayTable;
 
 /// The logic between two cut points of a unit.
 struct Stage {
@@ -28,40 +28,39 @@ struct Stage {
 struct Unit {
   std::string module;
   std::vector<Stage> stages;
-  model::Multipliers multipliers = model::Multipliers::embedded;  ///< logic: print EMBEDDED = 0
-  model::MultiplierSize multiplier;  ///< embedded multipliers only: FACTOR_A, FACTOR_B
+  scene::Multipliers multipliers = scene::Multipliers::embedded;  ///< logic: print EMBEDDED = 0
+  devices::MultiplierSize multiplier;  ///< embedded multipliers only: FACTOR_A, FACTOR_B
 };
 
 /// A multiplication of the node `operand` by 2^exponent.
 struct Scaling {
-  model::NodeId operand;
+  NodeId operand;
   int exponent;
 };
 /// Recognises a multiplication by a constant power of two that is encoded as a normal number, else
 /// nullopt. Such a node takes no multiplier: its unit is a conversion that adds to the exponent.
-std::optional<Scaling> scaling_of(const model::TypedGraph& graph, const model::TypedNode& node);
+std::optional<Scaling> scaling_of(const TypedGraph& graph, const TypedNode& node);
 
 /// The unit that computes `node` of `graph` (not for input, constant, negate, absolute: those are
 /// wires).
-Unit unit_for(const model::TypedGraph& graph, const model::TypedNode& node,
-              model::Multipliers multipliers, const DelayTable& delays);
+Unit unit_for(const TypedGraph& graph, const TypedNode& node, scene::Multipliers multipliers,
+              const DelayTable& delays);
 /// The unit that computes `node` if nothing is known of its operands: a multiplication by a power
 /// of two takes a multiplier here.
-Unit unit_for(const model::TypedNode& node, model::Subnormals subnormals,
-              model::Multipliers multipliers, const DelayTable& delays);
-Unit compare_unit(model::FloatFormat format, const DelayTable& delays);
-Unit ulp_distance_unit(model::FloatFormat format, const DelayTable& delays);
-Unit interval_decision_unit(model::FloatFormat format, const DelayTable& delays);
+Unit unit_for(const TypedNode& node, Subnormals subnormals, scene::Multipliers multipliers,
+              const DelayTable& delays);
+Unit compare_unit(FloatFormat format, const DelayTable& delays);
+Unit ulp_distance_unit(FloatFormat format, const DelayTable& delays);
+Unit interval_decision_unit(FloatFormat format, const DelayTable& delays);
 /// The unit that combines the verdicts of several parts.
 Unit combination_unit(std::size_t parts, const DelayTable& delays);
 
 /// The unit of a node of a lane's error bound (not for a constant: that is a literal).
-Unit bound_unit(model::BoundOperation operation, model::FloatFormat lane, model::BoundFormat bound,
+Unit bound_unit(error::BoundOperation operation, FloatFormat lane, BoundFormat bound,
                 const DelayTable& delays);
-Unit bound_at_most_unit(model::BoundFormat bound, const DelayTable& delays);
-Unit bound_decision_unit(model::FloatFormat lane, model::BoundFormat bound,
-                         const DelayTable& delays);
+Unit bound_at_most_unit(BoundFormat bound, const DelayTable& delays);
+Unit bound_decision_unit(FloatFormat lane, BoundFormat bound, const DelayTable& delays);
 /// The unit of a range check (not for a check of the sign alone: that is a wire).
-Unit range_check_unit(const model::RangeCheck& check, const DelayTable& delays);
+Unit range_check_unit(const error::RangeCheck& check, const DelayTable& delays);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::datapath

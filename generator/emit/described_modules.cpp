@@ -8,15 +8,14 @@
 
 #include "generator/rtl/datapath_module.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::emit {
 namespace {
 
-using model::Design;
+using design::Design;
 
-std::string arithmetic_fact(const model::Arithmetic& arithmetic) {
+std::string arithmetic_fact(const Arithmetic& arithmetic) {
   return fmt::format("Format: {}, rounding {}, subnormals {}.", arithmetic.format.name(),
-                     model::to_string(arithmetic.rounding),
-                     model::to_string(arithmetic.subnormals));
+                     to_string(arithmetic.rounding), to_string(arithmetic.subnormals));
 }
 
 /// The question that a comparison answers, in words: "the sign of f - g".
@@ -34,15 +33,15 @@ std::string what_is_ordered(const Design& design) {
                      to_string(design.reference.combination), parts);
 }
 
-std::vector<std::string> decision_facts(const model::CombinedLane& lane) {
+std::vector<std::string> decision_facts(const error::CombinedLane& lane) {
   const std::string decision = "Decision: " + describe_decision(lane) + ".";
   if (!lane.certified()) return {decision};
   return {decision, "Infinities, NaNs, overflow and underflow are left undecided."};
 }
 
 Described describe_lane(const Design& design, const std::string& name,
-                        const model::LaneGroup& group, const Schedule& schedule) {
-  Described lane = {lane_module(name, design.inputs, group.lane, schedule),
+                        const design::LaneGroup& group, const datapath::Schedule& schedule) {
+  Described lane = {rtl::lane_module(name, design.inputs, group.lane, schedule),
                     {fmt::format("{}: decides {} in reduced precision, or says it cannot.", name,
                                  what_is_asked(design)),
                      fmt::format("Operands: {}, {}.", design.reference.input_format().name(),
@@ -55,8 +54,8 @@ Described describe_lane(const Design& design, const std::string& name,
 }
 
 Described describe_reference(const Design& design, const std::string& name,
-                             const Schedule& schedule) {
-  return {reference_module(name, design.inputs, design.reference, schedule),
+                             const datapath::Schedule& schedule) {
+  return {rtl::reference_module(name, design.inputs, design.reference, schedule),
           {fmt::format("{}: {} in reference precision.", name, what_is_ordered(design)),
            arithmetic_fact(design.reference.arithmetic()),
            "A NaN operand or result makes the verdict unordered.",
@@ -64,10 +63,10 @@ Described describe_reference(const Design& design, const std::string& name,
                        schedule.latency_cycles)}};
 }
 
-Described describe_lane_channel(const SystemShape& shape, const DatapathGroup& group) {
-  const bool in_order = shape.order == model::ResultOrder::in_order;
+Described describe_lane_channel(const rtl::SystemShape& shape, const rtl::DatapathGroup& group) {
+  const bool in_order = shape.order == scene::ResultOrder::in_order;
   return {
-      lane_channel_module(shape, group),
+      rtl::lane_channel_module(shape, group),
       {group.channel + ": one lane between its AXI4-Streams.",
        in_order ? "Results leave in the order of acceptance."
                 : "Results may overtake a recomputed one; the tag (tuser) tells which is which.",
@@ -75,8 +74,9 @@ Described describe_lane_channel(const SystemShape& shape, const DatapathGroup& g
                    1 << shape.slot_bits)}};
 }
 
-Described describe_reference_channel(const SystemShape& shape, const DatapathGroup& group) {
-  return {reference_channel_module(shape, group),
+Described describe_reference_channel(const rtl::SystemShape& shape,
+                                     const rtl::DatapathGroup& group) {
+  return {rtl::reference_channel_module(shape, group),
           {group.channel + ": one reference datapath behind the crossbar.",
            shape.refetches() ? "The operands are fetched again by tag on m_refetch and s_refetch."
                              : "The operands arrive with the request.",
@@ -85,7 +85,7 @@ Described describe_reference_channel(const SystemShape& shape, const DatapathGro
 
 /// Counts and formats of lanes and references: one sentence if there is one kind of each, otherwise
 /// a line for each group, too.
-std::vector<std::string> count_facts(const Design& design, const SystemShape& shape) {
+std::vector<std::string> count_facts(const Design& design, const rtl::SystemShape& shape) {
   const std::string reference = design.reference.arithmetic().format.name();
   if (design.lanes.size() == 1 && design.references.size() <= 1) {
     return {fmt::format("{}: p_L = {} in {}, p_H = {} in {}.", shape.top, shape.lanes,
@@ -94,8 +94,9 @@ std::vector<std::string> count_facts(const Design& design, const SystemShape& sh
   }
   std::vector<std::string> facts = {fmt::format("{}: p_L = {}, p_H = {} in {}.", shape.top,
                                                 shape.lanes, shape.references, reference)};
-  const auto add_groups = [&facts](const char* what, const std::vector<DatapathGroup>& groups) {
-    for (const DatapathGroup& group : groups) {
+  const auto add_groups = [&facts](const char* what,
+                                   const std::vector<rtl::DatapathGroup>& groups) {
+    for (const rtl::DatapathGroup& group : groups) {
       const std::string which = group.count == 1 ? fmt::format("{} {}", what, group.first)
                                                  : fmt::format("{}s {} to {}", what, group.first,
                                                                group.first + group.count - 1);
@@ -108,15 +109,16 @@ std::vector<std::string> count_facts(const Design& design, const SystemShape& sh
   return facts;
 }
 
-int shortest_latency_cycles(const SystemShape& shape) {
-  const auto shortest = std::min_element(shape.lane_groups.begin(), shape.lane_groups.end(),
-                                         [](const DatapathGroup& a, const DatapathGroup& b) {
-                                           return a.latency_cycles < b.latency_cycles;
-                                         });
+int shortest_latency_cycles(const rtl::SystemShape& shape) {
+  const auto shortest =
+      std::min_element(shape.lane_groups.begin(), shape.lane_groups.end(),
+                       [](const rtl::DatapathGroup& a, const rtl::DatapathGroup& b) {
+                         return a.latency_cycles < b.latency_cycles;
+                       });
   return shortest->latency_cycles + shape.channel_latency_cycles();
 }
 
-Described describe_top(const Design& design, const SystemShape& shape) {
+Described describe_top(const Design& design, const rtl::SystemShape& shape) {
   const int tdata_bits = shape.tdata_bytes() * 8;
   std::vector<std::string> facts = count_facts(design, shape);
   const auto add = [&facts](std::string fact) { facts.push_back(std::move(fact)); };
@@ -138,12 +140,13 @@ Described describe_top(const Design& design, const SystemShape& shape) {
       fmt::format("Initiation interval 1 a lane, latency {} cycles and up. Reset: aresetn, "
                   "synchronous, active low.",
                   shortest_latency_cycles(shape)));
-  return {top_module(shape), std::move(facts)};
+  return {rtl::top_module(shape), std::move(facts)};
 }
 
-std::vector<std::string> describe_arg_min(const EngineShape& engine, const SystemShape& shape) {
+std::vector<std::string> describe_arg_min(const rtl::EngineShape& engine,
+                                          const rtl::SystemShape& shape) {
   int latency_cycles = 0;
-  for (const DatapathGroup& lanes : shape.lane_groups) {
+  for (const rtl::DatapathGroup& lanes : shape.lane_groups) {
     latency_cycles += lanes.count * (lanes.latency_cycles + shape.channel_latency_cycles() + 1);
   }
   std::vector<std::string> facts = {
@@ -173,9 +176,9 @@ std::vector<std::string> describe_arg_min(const EngineShape& engine, const Syste
   return facts;
 }
 
-Described describe_engine(const EngineShape& engine, const SystemShape& shape) {
-  if (engine.spec.kind == model::EngineKind::arg_min) {
-    return {engine_module(engine, shape), describe_arg_min(engine, shape)};
+Described describe_engine(const rtl::EngineShape& engine, const rtl::SystemShape& shape) {
+  if (engine.spec.kind == scene::EngineKind::arg_min) {
+    return {rtl::engine_module(engine, shape), describe_arg_min(engine, shape)};
   }
   const int field_bits = engine.index_field_bits();
   std::vector<std::string> facts = {
@@ -201,23 +204,23 @@ Described describe_engine(const EngineShape& engine, const SystemShape& shape) {
         "  reports, busy_cycles (from an item to the closing beat), stalled_cycles.");
   }
   facts.emplace_back("Reset: aresetn, synchronous, active low.");
-  return {engine_module(engine, shape), std::move(facts)};
+  return {rtl::engine_module(engine, shape), std::move(facts)};
 }
 
 }  // namespace
 
 std::vector<Described> describe_modules(const Design& design, const SystemPlan& plan) {
-  const SystemShape& shape = plan.shape;
+  const rtl::SystemShape& shape = plan.shape;
   std::vector<Described> modules;
   std::set<std::string> written;
   for (std::size_t k = 0; k < shape.lane_groups.size(); ++k) {
-    const DatapathGroup& group = shape.lane_groups[k];
+    const rtl::DatapathGroup& group = shape.lane_groups[k];
     if (!written.insert(group.datapath).second) continue;
     modules.push_back(describe_lane(design, group.datapath, design.lanes[k], plan.lanes[k]));
     modules.push_back(describe_lane_channel(shape, group));
   }
   for (std::size_t k = 0; k < shape.reference_groups.size(); ++k) {
-    const DatapathGroup& group = shape.reference_groups[k];
+    const rtl::DatapathGroup& group = shape.reference_groups[k];
     if (!written.insert(group.datapath).second) continue;
     modules.push_back(describe_reference(design, group.datapath, plan.references[k]));
     modules.push_back(describe_reference_channel(shape, group));
@@ -227,4 +230,4 @@ std::vector<Described> describe_modules(const Design& design, const SystemPlan& 
   return modules;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::emit

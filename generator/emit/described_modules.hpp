@@ -5,7 +5,7 @@
 
 #include "generator/emit/system_plan.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::emit {
 
 /// A module and the facts that its header comment states.
 struct Described {
@@ -15,6 +15,6 @@ struct Described {
 
 /// Every module of a system once: lanes, references and their channels, then the top module, then
 /// the engine, if there is one. Groups of the same hardware share their modules.
-std::vector<Described> describe_modules(const model::Design& design, const SystemPlan& plan);
+std::vector<Described> describe_modules(const design::Design& design, const SystemPlan& plan);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::emit

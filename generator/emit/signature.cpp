@@ -9,7 +9,7 @@
 
 #include "model/common/file.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::emit {
 
 namespace {
 
@@ -21,24 +21,24 @@ struct Name {
   const char* text;
 };
 
-constexpr std::array orders = {Name<model::ResultOrder>{model::ResultOrder::tagged, "tagged"},
-                               Name<model::ResultOrder>{model::ResultOrder::in_order, "in_order"}};
+constexpr std::array orders = {Name<scene::ResultOrder>{scene::ResultOrder::tagged, "tagged"},
+                               Name<scene::ResultOrder>{scene::ResultOrder::in_order, "in_order"}};
 constexpr std::array stores = {
-    Name<model::OperandStore>{model::OperandStore::carried, "carried"},
-    Name<model::OperandStore>{model::OperandStore::refetched, "refetched"}};
+    Name<scene::OperandStore>{scene::OperandStore::carried, "carried"},
+    Name<scene::OperandStore>{scene::OperandStore::refetched, "refetched"}};
 
-constexpr std::array inputs_names = {Name<model::LaneInputs>{model::LaneInputs::rounded, "rounded"},
-                                     Name<model::LaneInputs>{model::LaneInputs::exact, "exact"}};
+constexpr std::array inputs_names = {Name<LaneInputs>{LaneInputs::rounded, "rounded"},
+                                     Name<LaneInputs>{LaneInputs::exact, "exact"}};
 constexpr std::array multipliers_names = {
-    Name<model::Multipliers>{model::Multipliers::embedded, "embedded"},
-    Name<model::Multipliers>{model::Multipliers::logic, "logic"}};
+    Name<scene::Multipliers>{scene::Multipliers::embedded, "embedded"},
+    Name<scene::Multipliers>{scene::Multipliers::logic, "logic"}};
 
 constexpr std::array directions = {Name<rtl::Direction>{rtl::Direction::input, "input"},
                                    Name<rtl::Direction>{rtl::Direction::output, "output"}};
 
 constexpr std::array engine_kinds = {
-    Name<model::EngineKind>{model::EngineKind::pairwise, "pairwise"},
-    Name<model::EngineKind>{model::EngineKind::arg_min, "arg_min"}};
+    Name<scene::EngineKind>{scene::EngineKind::pairwise, "pairwise"},
+    Name<scene::EngineKind>{scene::EngineKind::arg_min, "arg_min"}};
 
 template <class Value, std::size_t count>
 const char* text_of(const std::array<Name<Value>, count>& names, Value value) {
@@ -70,7 +70,7 @@ public:
 
   std::string text(const char* field) { return read<std::string>(field, "a string"); }
 
-  int number(const char* field, model::Limits limits) {
+  int number(const char* field, settings::Limits limits) {
     return number(field, limits.least, limits.most);
   }
 
@@ -82,12 +82,11 @@ public:
     return low;
   }
 
-  model::FloatFormat format(const char* field) {
-    auto parsed = model::FloatFormat::parse(text(field));
+  FloatFormat format(const char* field) {
+    auto parsed = FloatFormat::parse(text(field));
     if (parsed.ok()) return *parsed;
     refuse(field, "a format such as \"s17e8\"");
-    return *model::FloatFormat::make(model::FloatFormat::min_precision,
-                                     model::FloatFormat::min_exponent_bits);
+    return *FloatFormat::make(FloatFormat::min_precision, FloatFormat::min_exponent_bits);
   }
 
   template <class Value, std::size_t count>
@@ -125,23 +124,23 @@ public:
     return part;
   }
 
-  const std::optional<model::Error>& error() const { return error_; }
+  const std::optional<Error>& error() const { return error_; }
 
 private:
   void refuse(const char* field, const std::string& accepted) {
     if (error_) return;
     const bool present = object_.is_object() && object_.contains(field);
-    error_ = model::Error{.file = file_,
-                          .field = path_ + field,
-                          .message = present ? "not as a signature has it" : "missing",
-                          .received = present ? object_.at(field).dump() : "",
-                          .accepted = accepted};
+    error_ = Error{.file = file_,
+                   .field = path_ + field,
+                   .message = present ? "not as a signature has it" : "missing",
+                   .received = present ? object_.at(field).dump() : "",
+                   .accepted = accepted};
   }
 
   const Json& object_;
   std::string file_;
   std::string path_;
-  std::optional<model::Error> error_;
+  std::optional<Error> error_;
 };
 
 Json ports_to_json(const std::vector<SignaturePort>& ports) {
@@ -179,7 +178,7 @@ Json to_json(const SignatureEngine& engine) {
                {"index_bits", engine.index_bits},
                {"columns", engine.columns},
                {"item_bytes", engine.item_bytes}};
-  if (engine.kind == model::EngineKind::arg_min) {
+  if (engine.kind == scene::EngineKind::arg_min) {
     json["row_columns"] = engine.row_columns;
     json["row_bytes"] = engine.row_bytes;
     json["tag_bits"] = engine.tag_bits;
@@ -206,7 +205,7 @@ SignaturePort read_port(Reader& reader) {
 }
 
 SignatureLanes read_lanes(Reader& reader) {
-  return {.count = reader.number("count", model::limits::lanes),
+  return {.count = reader.number("count", settings::limits::lanes),
           .module = reader.text("module"),
           .format = reader.format("format"),
           .latency_cycles = reader.number("latency_cycles", 0, many),
@@ -217,7 +216,7 @@ SignatureLanes read_lanes(Reader& reader) {
 }
 
 SignatureReferences read_references(Reader& reader) {
-  return {.count = reader.number("count", 1, model::limits::references.most),
+  return {.count = reader.number("count", 1, settings::limits::references.most),
           .module = reader.text("module"),
           .latency_cycles = reader.number("latency_cycles", 0, many),
           .multipliers = reader.choice("multipliers", multipliers_names)};
@@ -227,16 +226,16 @@ SignatureEngine read_engine(Reader& reader) {
   SignatureEngine engine = {
       .kind = reader.choice("kind", engine_kinds),
       .top = reader.text("top"),
-      .capacity = reader.number("capacity", model::limits::engine_capacity),
+      .capacity = reader.number("capacity", settings::limits::engine_capacity),
       .index_bits = reader.number("index_bits", 1, 16),
       .columns = reader.read<std::vector<std::string>>("columns", "a list of names"),
       .item_bytes = reader.number("item_bytes", 1, many),
       .report = {},
       .ports = reader.groups("ports", read_port)};
-  if (engine.kind == model::EngineKind::arg_min) {
+  if (engine.kind == scene::EngineKind::arg_min) {
     engine.row_columns = reader.read<std::vector<std::string>>("row_columns", "a list of names");
     engine.row_bytes = reader.number("row_bytes", 1, many);
-    engine.tag_bits = reader.number("tag_bits", model::limits::tag_bits);
+    engine.tag_bits = reader.number("tag_bits", settings::limits::tag_bits);
   } else {
     engine.report = reader.read<std::vector<std::string>>("report", "a list of verdicts");
   }
@@ -272,11 +271,11 @@ std::string to_json(const Signature& s) {
   return json.dump(2) + "\n";
 }
 
-model::Result<Signature> read_signature(const std::filesystem::path& path) {
-  MIXCMP_TRY(text, model::read_file(path));
+Result<Signature> read_signature(const std::filesystem::path& path) {
+  MIXCMP_TRY(text, read_file(path));
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) {
-    return model::Error{.file = path.string(), .message = "not JSON"};
+    return Error{.file = path.string(), .message = "not JSON"};
   }
   Reader reader(json, path.string());
   Signature signature{
@@ -286,13 +285,13 @@ model::Result<Signature> read_signature(const std::filesystem::path& path) {
       .reference_format = reader.format("reference_format"),
       .certified = reader.read<bool>("certified", "true or false"),
       .inputs = reader.read<std::vector<std::string>>("inputs", "a list of names"),
-      .lanes = reader.number("lanes", model::limits::lanes),
-      .references = reader.number("references", model::limits::references),
+      .lanes = reader.number("lanes", settings::limits::lanes),
+      .references = reader.number("references", settings::limits::references),
       .lane_groups = reader.groups("lane_groups", read_lanes),
       .reference_groups = reader.groups("reference_groups", read_references),
       .tdata_bytes = reader.number("tdata_bytes", 1, many),
-      .tag_bits = reader.number("tag_bits", model::limits::tag_bits),
-      .counter_bits = reader.number("counter_bits", 0, model::limits::counter_bits.most),
+      .tag_bits = reader.number("tag_bits", settings::limits::tag_bits),
+      .counter_bits = reader.number("counter_bits", 0, settings::limits::counter_bits.most),
       .slots = reader.number("slots", 1, many),
       .order = reader.choice("order", orders),
       .operands = reader.choice("operands", stores),
@@ -304,4 +303,4 @@ model::Result<Signature> read_signature(const std::filesystem::path& path) {
   return signature;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::emit

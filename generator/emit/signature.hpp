@@ -8,7 +8,7 @@
 #include "generator/rtl/module.hpp"
 #include "model/scene/scene.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::emit {
 
 /// A port of the top module.
 struct SignaturePort {
@@ -21,12 +21,12 @@ struct SignaturePort {
 struct SignatureLanes {
   int count = 0;
   std::string module;  ///< the channel: one lane with its scoreboard or reorder buffer
-  model::FloatFormat format;
+  FloatFormat format;
   int latency_cycles = 0;
   bool certified = false;
   std::string decision;  ///< when a lane decides, in words
-  model::LaneInputs inputs = model::LaneInputs::exact;
-  model::Multipliers multipliers = model::Multipliers::embedded;
+  LaneInputs inputs = LaneInputs::exact;
+  scene::Multipliers multipliers = scene::Multipliers::embedded;
 };
 
 /// References of one kind.
@@ -34,12 +34,12 @@ struct SignatureReferences {
   int count = 0;
   std::string module;  ///< the channel: one reference behind the crossbar
   int latency_cycles = 0;
-  model::Multipliers multipliers = model::Multipliers::embedded;
+  scene::Multipliers multipliers = scene::Multipliers::embedded;
 };
 
 /// The engine around the system: it generates the comparisons that the system's lanes take.
 struct SignatureEngine {
-  model::EngineKind kind = model::EngineKind::none;
+  scene::EngineKind kind = scene::EngineKind::none;
   std::string top;                            ///< the module; the system is inside
   int capacity = 0;                           ///< the most items of a set, or candidates
   int index_bits = 0;                         ///< width of an item's or candidate's number
@@ -57,7 +57,7 @@ struct Signature {
   std::string top;
   std::string generator_version;
   std::string spec_hash;  ///< hash of everything that decides the output's bytes
-  model::FloatFormat reference_format;
+  FloatFormat reference_format;
   bool certified = false;           ///< all lanes are
   std::vector<std::string> inputs;  ///< input k is tdata[k * width +: width]
   int lanes = 0;       ///< p_L: every per-lane port is a vector of `lanes` fields, lane 0 lowest
@@ -69,8 +69,8 @@ struct Signature {
   int tag_bits = 0;
   int counter_bits = 0;
   int slots = 0;  ///< comparisons that may be inside one lane's channel
-  model::ResultOrder order = model::ResultOrder::tagged;
-  model::OperandStore operands = model::OperandStore::carried;
+  scene::ResultOrder order = scene::ResultOrder::tagged;
+  scene::OperandStore operands = scene::OperandStore::carried;
   double target_mhz = 0;
   /// The ports in the order of the module's header. The clock is aclk; aresetn is synchronous and
   /// active low; the initiation interval of a lane is one cycle.
@@ -81,6 +81,6 @@ struct Signature {
 
 std::string to_json(const Signature& signature);
 /// Reads the file that to_json was printed to. Errors name the file and the field.
-model::Result<Signature> read_signature(const std::filesystem::path& path);
+Result<Signature> read_signature(const std::filesystem::path& path);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::emit

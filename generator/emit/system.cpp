@@ -10,17 +10,16 @@
 #include "generator/emit/version.hpp"
 #include "model/common/content_hash.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::emit {
 namespace {
 
-using model::Design;
-using model::Result;
+using design::Design;
 using rtl::Module;
 
-std::vector<SignatureLanes> lanes_of(const Design& design, const SystemShape& shape) {
+std::vector<SignatureLanes> lanes_of(const Design& design, const rtl::SystemShape& shape) {
   std::vector<SignatureLanes> lanes;
   for (std::size_t k = 0; k < design.lanes.size(); ++k) {
-    const model::LaneGroup& group = design.lanes[k];
+    const design::LaneGroup& group = design.lanes[k];
     lanes.push_back({.count = group.count,
                      .module = shape.lane_groups[k].channel,
                      .format = group.lane.arithmetic().format,
@@ -33,7 +32,8 @@ std::vector<SignatureLanes> lanes_of(const Design& design, const SystemShape& sh
   return lanes;
 }
 
-std::vector<SignatureReferences> references_of(const Design& design, const SystemShape& shape) {
+std::vector<SignatureReferences> references_of(const Design& design,
+                                               const rtl::SystemShape& shape) {
   std::vector<SignatureReferences> references;
   for (std::size_t k = 0; k < design.references.size(); ++k) {
     references.push_back({.count = design.references[k].count,
@@ -44,7 +44,7 @@ std::vector<SignatureReferences> references_of(const Design& design, const Syste
   return references;
 }
 
-Signature signature_of(const Design& design, const SystemShape& shape) {
+Signature signature_of(const Design& design, const rtl::SystemShape& shape) {
   return {.top = shape.top,
           .generator_version = std::string(version),
           .spec_hash = {},
@@ -71,8 +71,9 @@ Signature signature_of(const Design& design, const SystemShape& shape) {
 /// datapath.
 std::vector<std::string> slow_stages(const SystemPlan& plan) {
   std::vector<std::string> notes;
-  const auto add_notes = [&notes](const std::string& what, const std::vector<DatapathGroup>& groups,
-                                  const std::vector<Schedule>& schedules) {
+  const auto add_notes = [&notes](const std::string& what,
+                                  const std::vector<rtl::DatapathGroup>& groups,
+                                  const std::vector<datapath::Schedule>& schedules) {
     for (std::size_t k = 0; k < groups.size(); ++k) {
       const std::string& where = groups.size() == 1 ? what : groups[k].datapath;
       for (const std::string& stage : schedules[k].slow_stages) {
@@ -93,7 +94,7 @@ std::vector<SignaturePort> signature_ports(const Module& top) {
   return ports;
 }
 
-SignatureEngine signature_engine(const EngineShape& engine, const Module& top) {
+SignatureEngine signature_engine(const rtl::EngineShape& engine, const Module& top) {
   SignatureEngine signature{.kind = engine.spec.kind,
                             .top = engine.top,
                             .capacity = engine.capacity,
@@ -102,7 +103,7 @@ SignatureEngine signature_engine(const EngineShape& engine, const Module& top) {
                             .item_bytes = engine.item_bytes(),
                             .report = {},
                             .ports = signature_ports(top)};
-  if (engine.spec.kind == model::EngineKind::arg_min) {
+  if (engine.spec.kind == scene::EngineKind::arg_min) {
     signature.row_columns = engine.row_columns;
     signature.row_bytes = engine.row_bytes();
     signature.tag_bits = engine.spec.row_tag_bits;
@@ -124,7 +125,7 @@ const Module& find_module(const std::vector<Described>& modules, const std::stri
 
 std::string spec_hash(const std::vector<Described>& modules,
                       const std::vector<std::string>& templates) {
-  model::ContentHash hash;
+  ContentHash hash;
   for (const Described& described : modules) hash.add(to_verilog(described.module));
   for (const std::string& name : templates) hash.add(template_text(name));
   return hash.hex().substr(0, 16);
@@ -221,4 +222,4 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   return system;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::emit

@@ -7,7 +7,7 @@
 #include "generator/emit/signature.hpp"
 #include "model/design/design.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::emit {
 
 struct GeneratedFile {
   std::string name;  ///< no folders
@@ -24,12 +24,10 @@ struct GeneratedSystem {
 
 /// Generates all files of a design. `command` is printed in each header as the command that
 /// regenerates the file: it must name no path, host or date.
-model::Result<GeneratedSystem> generate_system(const model::Design& design,
-                                               const std::string& command);
+Result<GeneratedSystem> generate_system(const design::Design& design, const std::string& command);
 
 /// Writes the files as the whole content of `directory`: all or nothing. An existing directory is
 /// replaced only where it is empty or holds nothing but a previous output of this program.
-model::Result<model::Done> write_system(const GeneratedSystem& system,
-                                        const std::filesystem::path& directory);
+Result<Done> write_system(const GeneratedSystem& system, const std::filesystem::path& directory);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::emit

@@ -13,7 +13,7 @@
 #include "generator/rtl/net_names.hpp"
 #include "model/design/slots.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::emit {
 namespace {
 
 /// Gives each group the name of its module. Groups of the same hardware share one name; different
@@ -35,21 +35,22 @@ private:
 
 /// The Verilog of a group's lanes under a fixed name: equal texts are equal hardware. The text is
 /// empty if there is only one group.
-std::string hardware_of(const model::Design& design, std::size_t group, const Schedule& schedule) {
+std::string hardware_of(const design::Design& design, std::size_t group,
+                        const datapath::Schedule& schedule) {
   if (design.lanes.size() == 1) return "";
-  return to_verilog(lane_module("lane", design.inputs, design.lanes[group].lane, schedule));
+  return to_verilog(rtl::lane_module("lane", design.inputs, design.lanes[group].lane, schedule));
 }
 
-void add_group(std::vector<DatapathGroup>& groups, DatapathGroup group) {
+void add_group(std::vector<rtl::DatapathGroup>& groups, rtl::DatapathGroup group) {
   group.channel = group.datapath + "_channel";
   if (!groups.empty()) group.first = groups.back().first + groups.back().count;
   groups.push_back(std::move(group));
 }
 
-void add_lane_groups(const model::Design& design, SystemPlan& plan) {
+void add_lane_groups(const design::Design& design, SystemPlan& plan) {
   const std::vector<std::string> names = lane_group_names(design);
   ModuleNames modules;
-  NamePool labels({});
+  rtl::NamePool labels({});
   for (std::size_t k = 0; k < names.size(); ++k) {
     const int cycles = plan.lanes[k].latency_cycles;
     const std::string name =
@@ -63,9 +64,9 @@ void add_lane_groups(const model::Design& design, SystemPlan& plan) {
   }
 }
 
-void add_reference_groups(const model::Design& design, SystemPlan& plan) {
+void add_reference_groups(const design::Design& design, SystemPlan& plan) {
   const std::vector<std::string> names = reference_group_names(design);
-  NamePool labels({});
+  rtl::NamePool labels({});
   for (std::size_t k = 0; k < names.size(); ++k) {
     const int cycles = plan.references[k].latency_cycles;
     add_group(plan.shape.reference_groups,
@@ -79,9 +80,9 @@ void add_reference_groups(const model::Design& design, SystemPlan& plan) {
 }
 
 /// The scene's name, the lanes of each format, p_H: sphere_s8e8_6_s12e8_2x1.
-std::string top_name(const model::Design& design) {
+std::string top_name(const design::Design& design) {
   std::vector<std::pair<std::string, int>> formats;
-  for (const model::LaneGroup& group : design.lanes) {
+  for (const design::LaneGroup& group : design.lanes) {
     const std::string format = group.lane.arithmetic().format.name();
     const auto known = std::find_if(formats.begin(), formats.end(),
                                     [&](const auto& entry) { return entry.first == format; });
@@ -96,23 +97,23 @@ std::string top_name(const model::Design& design) {
   return name + fmt::format("x{}", design.reference_count());
 }
 
-void add_counts(const model::Design& design, SystemPlan& plan) {
-  SystemShape& shape = plan.shape;
+void add_counts(const design::Design& design, SystemPlan& plan) {
+  rtl::SystemShape& shape = plan.shape;
   shape.lanes = design.lane_count();
   shape.references = design.reference_count();
   int slots = 0;
-  for (const Schedule& lane : plan.lanes) {
-    slots = std::max(slots, model::slots_for(lane.latency_cycles, shape.recomputes()));
+  for (const datapath::Schedule& lane : plan.lanes) {
+    slots = std::max(slots, design::slots_for(lane.latency_cycles, shape.recomputes()));
   }
   shape.slot_bits = std::countr_zero(static_cast<unsigned>(slots));
 }
 
 }  // namespace
 
-SystemShape stream_shape(const std::vector<std::string>& inputs, model::FloatFormat format,
-                         const model::SystemSpec& system) {
-  SystemShape shape;
-  shape.input_ports = input_ports(inputs);
+rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatFormat format,
+                              const scene::SystemSpec& system) {
+  rtl::SystemShape shape;
+  shape.input_ports = rtl::input_ports(inputs);
   shape.input_width = format.width();
   shape.tag_bits = system.tag_bits;
   shape.counter_bits = system.counter_bits;
@@ -121,27 +122,28 @@ SystemShape stream_shape(const std::vector<std::string>& inputs, model::FloatFor
   return shape;
 }
 
-model::Result<SystemPlan> plan_system(const model::Design& design) {
-  MIXCMP_TRY(delays, delays_of(design.system.device));
+Result<SystemPlan> plan_system(const design::Design& design) {
+  MIXCMP_TRY(delays, datapath::delays_of(design.system.device));
   const double target_mhz = design.system.target_mhz;
   SystemPlan plan{
       .lanes = {},
       .references = {},
       .shape = stream_shape(design.inputs, design.reference.input_format(), design.system),
       .engine = {}};
-  for (const model::LaneGroup& group : design.lanes) {
-    plan.lanes.push_back(schedule_lane(group.lane, group.multipliers, delays, target_mhz));
+  for (const design::LaneGroup& group : design.lanes) {
+    plan.lanes.push_back(
+        datapath::schedule_lane(group.lane, group.multipliers, delays, target_mhz));
   }
-  for (const model::ReferenceGroup& group : design.references) {
+  for (const design::ReferenceGroup& group : design.references) {
     plan.references.push_back(
-        schedule_reference(design.reference, group.multipliers, delays, target_mhz));
+        datapath::schedule_reference(design.reference, group.multipliers, delays, target_mhz));
   }
   plan.shape.top = top_name(design);
   add_counts(design, plan);
   add_lane_groups(design, plan);
   add_reference_groups(design, plan);
-  plan.engine = engine_shape(plan.shape, design.inputs, design.system.engine);
+  plan.engine = rtl::engine_shape(plan.shape, design.inputs, design.system.engine);
   return plan;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::emit

@@ -8,23 +8,23 @@
 #include "generator/rtl/system_modules.hpp"
 #include "model/design/design.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::emit {
 
 /// A design with its datapaths scheduled, and the names and widths that the modules around them
 /// agree on.
 struct SystemPlan {
-  std::vector<Schedule> lanes;       ///< one per group
-  std::vector<Schedule> references;  ///< one per group
-  SystemShape shape;
-  std::optional<EngineShape> engine;
+  std::vector<datapath::Schedule> lanes;       ///< one per group
+  std::vector<datapath::Schedule> references;  ///< one per group
+  rtl::SystemShape shape;
+  std::optional<rtl::EngineShape> engine;
 };
 
 /// The part of a SystemShape that the streams alone decide; names, counts and latencies are left to
 /// the caller. `format`: of the operands that arrive.
-SystemShape stream_shape(const std::vector<std::string>& inputs, model::FloatFormat format,
-                         const model::SystemSpec& system);
+rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatFormat format,
+                              const scene::SystemSpec& system);
 
 /// Schedules the datapaths and names the modules. An error means that the device is unknown.
-model::Result<SystemPlan> plan_system(const model::Design& design);
+Result<SystemPlan> plan_system(const design::Design& design);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::emit

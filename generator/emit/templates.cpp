@@ -6,11 +6,11 @@
 #include "embedded/rtl_templates.hpp"
 #include "model/common/check.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::emit {
 namespace {
 
-const model::EmbeddedFile* find_template(std::string_view module) {
-  for (const model::EmbeddedFile& file : rtl_templates()) {
+const EmbeddedFile* find_template(std::string_view module) {
+  for (const EmbeddedFile& file : rtl_templates()) {
     if (file.name.substr(0, file.name.rfind('.')) == module) return &file;
   }
   return nullptr;
@@ -44,7 +44,7 @@ std::set<std::string> identifiers(std::string_view text) {
 }
 
 void add_closure(const std::string& module, std::set<std::string>& closure) {
-  const model::EmbeddedFile* file = find_template(module);
+  const EmbeddedFile* file = find_template(module);
   if (file == nullptr || !closure.insert(module).second) return;
   for (const std::string& word : identifiers(file->text)) add_closure(word, closure);
 }
@@ -52,7 +52,7 @@ void add_closure(const std::string& module, std::set<std::string>& closure) {
 }  // namespace
 
 std::string_view template_text(const std::string& module) {
-  const model::EmbeddedFile* file = find_template(module);
+  const EmbeddedFile* file = find_template(module);
   MIXCMP_CHECK(file != nullptr);
   return file->text;
 }
@@ -84,4 +84,4 @@ std::vector<std::string> template_closure(const std::set<std::string>& modules) 
   return {closure.begin(), closure.end()};
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::emit

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace mixcmp::gen {
+namespace mixcmp::emit {
 
 /// The Verilog of a hand-written module of rtl_templates/; the module must exist.
 std::string_view template_text(const std::string& module);
@@ -19,4 +19,4 @@ bool is_template(const std::string& module);
 /// The text of a template with `prefix` in front of its own name and of every other template's.
 std::string prefixed_template(const std::string& module, const std::string& prefix);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::emit

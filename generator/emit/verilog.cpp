@@ -7,7 +7,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::emit {
 namespace {
 
 using namespace rtl;
@@ -22,10 +22,10 @@ template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
 std::string print(const Literal& literal) {
-  MIXCMP_CHECK((literal.value & ~model::low_mask(literal.width)) == 0);
+  MIXCMP_CHECK((literal.value & ~low_mask(literal.width)) == 0);
   const bool short_binary = literal.width <= 8;
   if (!short_binary) {
-    return fmt::format("{}'h{}", literal.width, model::to_hex(literal.value, literal.width));
+    return fmt::format("{}'h{}", literal.width, to_hex(literal.value, literal.width));
   }
   std::string digits;
   for (int k = literal.width - 1; k >= 0; --k) digits += (literal.value >> k & 1) != 0 ? '1' : '0';
@@ -252,4 +252,4 @@ std::string to_verilog(const Module& module) {
   return text + body + "\nendmodule\n\n`default_nettype wire\n";
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::emit

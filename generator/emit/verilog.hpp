@@ -4,7 +4,7 @@
 
 #include "generator/rtl/module.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::emit {
 
 /// Prints a module as the text of one Verilog-2001 file. The rtl:: tree itself knows no syntax.
 std::string to_verilog(const rtl::Module& module);
@@ -12,4 +12,4 @@ std::string to_verilog(const rtl::Module& module);
 /// The value of a parameter as an expression: "12", "9'h01f".
 std::string to_verilog(const rtl::Parameter& parameter);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::emit

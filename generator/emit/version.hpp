@@ -2,9 +2,9 @@
 
 #include <string_view>
 
-namespace mixcmp::gen {
+namespace mixcmp::emit {
 
 /// MIXCMP_VERSION is the version of the CMake project.
 inline constexpr std::string_view version = MIXCMP_VERSION;
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::emit

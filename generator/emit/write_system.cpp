@@ -8,22 +8,17 @@
 #include "model/common/output_file.hpp"
 #include "model/common/scratch_folder.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::emit {
 namespace {
 
 namespace fs = std::filesystem;
-using model::cannot_write;
-using model::Done;
-using model::Error;
-using model::Result;
-using model::ScratchFolder;
 
 /// The files that the signature of a previous output names, with the signature, the file list and
 /// the constraint. It reads only two fields, so signatures of other versions serve as well.
 std::set<std::string> files_of_previous_output(const fs::path& directory) {
   std::set<std::string> names;
   std::error_code unreadable;
-  for (const fs::directory_entry& entry : model::entries_of(directory, unreadable)) {
+  for (const fs::directory_entry& entry : entries_of(directory, unreadable)) {
     if (entry.path().extension() != ".json" || !entry.is_regular_file(unreadable)) continue;
     std::ifstream stream(entry.path());
     const nlohmann::json signature = nlohmann::json::parse(stream, nullptr, false);
@@ -57,7 +52,7 @@ Result<Done> check_replaceable(const fs::path& directory) {
   }
   const std::set<std::string> ours = files_of_previous_output(directory);
   std::error_code unknown;
-  for (const fs::directory_entry& entry : model::entries_of(directory, failed)) {
+  for (const fs::directory_entry& entry : entries_of(directory, failed)) {
     const bool known = ours.count(entry.path().filename().string()) > 0;
     if (known && fs::is_regular_file(entry.symlink_status(unknown))) continue;
     return Error{.file = directory.string(),
@@ -84,6 +79,12 @@ Result<Done> set_permissions(const fs::path& staged, const fs::path& directory) 
   return Done{};
 }
 
+/// An error about a staged file, told of the path that the user knows.
+Error in_place(Error error, const fs::path& path) {
+  error.file = path.string();
+  return error;
+}
+
 }  // namespace
 
 Result<Done> write_system(const GeneratedSystem& system, const fs::path& requested) {
@@ -93,16 +94,17 @@ Result<Done> write_system(const GeneratedSystem& system, const fs::path& request
   if (failed) return cannot_write(requested, failed.value());
   // The path ends with the folder's name, whether or not the user wrote a final slash.
   if (!named.has_filename()) named = named.parent_path();
-  MIXCMP_TRY(directory, model::follow_links(named));
-  MIXCMP_TRY(parent, model::make_writable_folder(directory.parent_path()));
+  MIXCMP_TRY(directory, follow_links(named));
+  MIXCMP_TRY(parent, make_writable_folder(directory.parent_path()));
   MIXCMP_TRY(replaceable, check_replaceable(directory));
   MIXCMP_TRY(staging, ScratchFolder::make_in(directory.parent_path(), "staging"));
   for (const GeneratedFile& file : system.files) {
-    MIXCMP_TRY(written, model::write_file(staging.path() / file.name, file.text));
+    const Result<Done> written = write_file(staging.path() / file.name, file.text);
+    if (!written.ok()) return in_place(written.error(), directory / file.name);
   }
   MIXCMP_TRY(opened, set_permissions(staging.path(), directory));
   // After an exchange the staging path holds the previous output, which then goes.
-  return model::put_folder_in_place(staging.path(), directory);
+  return put_folder_in_place(staging.path(), directory);
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::emit

@@ -6,9 +6,9 @@
 
 namespace mixcmp::report {
 
-using model::Exploration;
-using model::PlanSummary;
-using model::ResultsAtClocks;
+using optimise::Exploration;
+using optimise::PlanSummary;
+using optimise::ResultsAtClocks;
 
 nlohmann::ordered_json to_json(const Exploration& exploration) {
   using Json = nlohmann::ordered_json;

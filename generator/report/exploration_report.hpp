@@ -9,11 +9,11 @@
 
 namespace mixcmp::report {
 
-nlohmann::ordered_json to_json(const model::Exploration& exploration);
+nlohmann::ordered_json to_json(const optimise::Exploration& exploration);
 nlohmann::ordered_json to_json(const std::vector<SoftwareThroughput>& software);
 
 /// CSV with the columns data_set, clocks, scenario, precision, lanes, references, clock_mhz,
 /// recomputation_rate, throughput_per_s, gain.
-std::string scenarios_csv(const model::Exploration& exploration);
+std::string scenarios_csv(const optimise::Exploration& exploration);
 
 }  // namespace mixcmp::report

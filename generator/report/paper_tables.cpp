@@ -8,12 +8,12 @@
 
 namespace mixcmp::report {
 
-using model::Exploration;
-using model::Measurement;
-using model::PlanSummary;
-using model::PublishedDevice;
-using model::ReferenceImplementation;
-using model::ResultsAtClocks;
+using characterise::Measurement;
+using optimise::Exploration;
+using optimise::PlanSummary;
+using optimise::PublishedDevice;
+using optimise::ReferenceImplementation;
+using optimise::ResultsAtClocks;
 
 namespace {
 

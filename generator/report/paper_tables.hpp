@@ -17,10 +17,10 @@ struct SoftwareThroughput {
 };
 
 /// Tables III and IV as Markdown, the paper's column first where `published` is given.
-std::string table3_markdown(const model::Exploration& exploration,
-                            const std::optional<model::PublishedDevice>& published);
-std::string table4_markdown(const model::Exploration& exploration,
-                            const std::optional<model::PublishedDevice>& published,
+std::string table3_markdown(const optimise::Exploration& exploration,
+                            const std::optional<optimise::PublishedDevice>& published);
+std::string table4_markdown(const optimise::Exploration& exploration,
+                            const std::optional<optimise::PublishedDevice>& published,
                             const std::vector<SoftwareThroughput>& software);
 
 }  // namespace mixcmp::report

@@ -10,20 +10,20 @@
 
 namespace mixcmp::report {
 
-using model::Allocation;
-using model::Area;
-using model::bounded_resources;
-using model::ClockDomains;
-using model::ComponentKey;
-using model::equivalent_throughput;
-using model::LaneImplementation;
-using model::Measurement;
-using model::Optimisation;
-using model::PlanSummary;
-using model::PrecisionPlan;
-using model::ReferenceImplementation;
-using model::ReferenceKind;
-using model::Resource;
+using characterise::ComponentKey;
+using characterise::Measurement;
+using devices::Area;
+using devices::bounded_resources;
+using devices::Resource;
+using optimise::Allocation;
+using optimise::ClockDomains;
+using optimise::LaneImplementation;
+using optimise::Optimisation;
+using optimise::PlanSummary;
+using optimise::PrecisionPlan;
+using optimise::ReferenceImplementation;
+using optimise::ReferenceKind;
+using performance::equivalent_throughput;
 
 namespace {
 
@@ -37,8 +37,8 @@ std::vector<Curve> curves_by_kind(const Optimisation& optimisation, Value value)
   for (const PrecisionPlan& plan : optimisation.plans) {
     for (const LaneImplementation& lane : plan.lanes) {
       const ComponentKey& key = lane.measured.key;
-      const std::string title =
-          fmt::format("{}, {} inputs, {}", to_string(key.bound), key.inputs, key.multipliers);
+      const std::string title = fmt::format("{}, {} inputs, {}", scene::to_string(key.bound),
+                                            key.inputs, key.multipliers);
       Curve& curve = curves[title];
       curve.title = title;
       const double y = value(lane.measured);
@@ -98,7 +98,7 @@ public:
   /// How many lanes fit beside so many references and can be connected by their crossbars. Each
   /// lane has the average area of the plan's lanes, streams included.
   int lanes_beside(int references) const {
-    const Area room = usable(optimisation_.device.available, optimisation_.slack);
+    const Area room = performance::usable(optimisation_.device.available, optimisation_.slack);
     const std::size_t ports = plan_.problem.communication.crossbar.size();
     double lanes = plan_.problem.max_lanes;
     if (ports > 0) lanes = std::min(lanes, static_cast<double>(ports - 1) * references);

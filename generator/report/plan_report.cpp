@@ -10,18 +10,18 @@
 
 namespace mixcmp::report {
 
-using model::Allocation;
-using model::Area;
-using model::baseline_per_s;
-using model::bounded_resources;
-using model::ClockDomains;
-using model::Infeasible;
-using model::LaneImplementation;
-using model::Measurement;
-using model::Optimisation;
-using model::PlanSummary;
-using model::PrecisionPlan;
-using model::Resource;
+using characterise::Measurement;
+using devices::Area;
+using devices::bounded_resources;
+using devices::Resource;
+using optimise::Allocation;
+using optimise::baseline_per_s;
+using optimise::ClockDomains;
+using optimise::Infeasible;
+using optimise::LaneImplementation;
+using optimise::Optimisation;
+using optimise::PlanSummary;
+using optimise::PrecisionPlan;
 
 namespace {
 
@@ -35,7 +35,7 @@ std::string why_infeasible(const PrecisionPlan& plan) {
 
 /// The used shares of the area that the slack leaves: "lut 97 %, ff 40 %, dsp 100 %".
 std::string shares(const Area& used, const Optimisation& optimisation) {
-  const Area all = usable(optimisation.device.available, optimisation.slack);
+  const Area all = performance::usable(optimisation.device.available, optimisation.slack);
   std::string text;
   for (const Resource& resource : bounded_resources) {
     if (all.*resource.amount == 0) continue;
@@ -162,8 +162,8 @@ std::string figure7_csv(const Optimisation& optimisation) {
     for (const LaneImplementation& lane : plan.lanes) {
       const Measurement& m = lane.measured;
       text += fmt::format("{},{},{},{},{},{},{},{},", plan.precision, m.key.inputs,
-                          to_string(m.key.bound), m.key.multipliers, m.area.luts, m.area.registers,
-                          m.area.dsps, m.latency_cycles);
+                          scene::to_string(m.key.bound), m.key.multipliers, m.area.luts,
+                          m.area.registers, m.area.dsps, m.latency_cycles);
       text +=
           m.clock ? fmt::format("{:.2f},{}\n", m.clock->mhz, to_string(m.clock->source)) : ",\n";
     }

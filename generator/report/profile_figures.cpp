@@ -8,12 +8,11 @@
 
 namespace mixcmp::report {
 
-using model::ErrorAtPrecision;
-using model::ErrorProfile;
-using model::LaneInputs;
-using model::RateProfile;
-using model::SystemKind;
-using model::SystemProfile;
+using profile::ErrorAtPrecision;
+using profile::ErrorProfile;
+using profile::RateProfile;
+using profile::SystemKind;
+using profile::SystemProfile;
 
 namespace {
 

@@ -8,12 +8,12 @@
 
 namespace mixcmp::report {
 
-using model::ErrorAtPrecision;
-using model::ErrorProfile;
-using model::RateProfile;
-using model::SystemCounts;
-using model::SystemKind;
-using model::SystemProfile;
+using profile::ErrorAtPrecision;
+using profile::ErrorProfile;
+using profile::RateProfile;
+using profile::SystemCounts;
+using profile::SystemKind;
+using profile::SystemProfile;
 
 namespace {
 

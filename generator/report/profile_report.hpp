@@ -11,10 +11,10 @@ namespace mixcmp::report {
 /// The results of one run of `profile`.
 struct ProfileReport {
   std::string scene;
-  model::FloatFormat reference;
+  FloatFormat reference;
   std::uint64_t comparisons = 0;
-  std::vector<model::ErrorProfile> errors;
-  std::vector<model::RateProfile> rates;
+  std::vector<profile::ErrorProfile> errors;
+  std::vector<profile::RateProfile> rates;
 };
 
 std::string to_text(const ProfileReport& report);

@@ -6,9 +6,9 @@
 
 namespace mixcmp::report {
 
-using model::proof::ByHand;
-using model::proof::Finding;
-using model::proof::LaneProof;
+using proof::ByHand;
+using proof::Finding;
+using proof::LaneProof;
 
 std::string to_text(const LaneProof& proof, const std::string& gappa) {
   std::string text = fmt::format("proof of the {} bound, {} ({})\n", proof.kind, proof.lane,

@@ -5,28 +5,26 @@
 
 namespace mixcmp::report {
 
-using model::DatapathSummary;
-using model::DataSummary;
-using model::EngineKind;
-using model::EngineSpec;
-using model::InputSource;
-using model::LaneGroupSpec;
-using model::LaneSavings;
-using model::OperatorCount;
-using model::Range;
-using model::RangeQuestion;
-using model::ReducedSpec;
-using model::Scene;
-using model::SideSummary;
-using model::Summary;
-using model::SystemSpec;
-using model::to_text;
+using data::InputSource;
+using scene::DatapathSummary;
+using scene::DataSummary;
+using scene::EngineKind;
+using scene::EngineSpec;
+using scene::LaneGroupSpec;
+using scene::LaneSavings;
+using scene::OperatorCount;
+using scene::RangeQuestion;
+using scene::ReducedSpec;
+using scene::Scene;
+using scene::SideSummary;
+using scene::Summary;
+using scene::SystemSpec;
 
 namespace {
 
 nlohmann::json json_of(const std::optional<Range>& range) {
   if (!range) return nullptr;
-  return {to_text(range->low), to_text(range->high)};
+  return {expression::to_text(range->low), expression::to_text(range->high)};
 }
 
 nlohmann::json json_of(const RangeQuestion& finding) {
@@ -122,7 +120,7 @@ nlohmann::json json_of(const ReducedSpec& reduced) {
           {"rounding", to_string(reduced.rounding)},
           {"subnormals", to_string(reduced.subnormals)},
           {"bound", to_string(reduced.bound)},
-          {"error_bound", to_string(reduced.error_bound)},
+          {"error_bound", scene::to_string(reduced.error_bound)},
           {"bound_digits", reduced.bound_digits},
           {"inputs", to_string(reduced.inputs)},
           {"multipliers", to_string(reduced.multipliers)}};

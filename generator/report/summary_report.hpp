@@ -7,7 +7,7 @@
 
 namespace mixcmp::report {
 
-std::string to_text(const model::Summary& summary);
-nlohmann::json to_json(const model::Summary& summary);
+std::string to_text(const scene::Summary& summary);
+nlohmann::json to_json(const scene::Summary& summary);
 
 }  // namespace mixcmp::report

@@ -8,33 +8,30 @@
 
 namespace mixcmp::report {
 
-using model::Arithmetic;
-using model::BoundKind;
-using model::DatapathSummary;
-using model::DataSummary;
-using model::EngineKind;
-using model::InputSource;
-using model::LaneGroupSpec;
-using model::LaneSavings;
-using model::OperatorCount;
-using model::Pairing;
-using model::PlanReport;
-using model::Possibility;
-using model::Range;
-using model::RangeQuestion;
-using model::ReducedSpec;
-using model::Scene;
-using model::SideSummary;
-using model::Summary;
-using model::SystemSpec;
-using model::to_text;
+using data::InputSource;
+using data::Pairing;
+using scene::BoundKind;
+using scene::DatapathSummary;
+using scene::DataSummary;
+using scene::EngineKind;
+using scene::LaneGroupSpec;
+using scene::LaneSavings;
+using scene::OperatorCount;
+using scene::PlanReport;
+using scene::Possibility;
+using scene::RangeQuestion;
+using scene::ReducedSpec;
+using scene::Scene;
+using scene::SideSummary;
+using scene::Summary;
+using scene::SystemSpec;
 
 namespace {
 
 constexpr std::size_t max_shown_operations = 3;
 
 std::string shown(const Range& range) {
-  return fmt::format("[{}, {}]", to_text(range.low), to_text(range.high));
+  return fmt::format("[{}, {}]", expression::to_text(range.low), expression::to_text(range.high));
 }
 
 std::string shown(const Arithmetic& arithmetic) {
@@ -86,8 +83,9 @@ void print_reduced(Page& page, const std::string& name, const ReducedSpec& reduc
                               to_string(reduced.inputs), to_string(reduced.bound),
                               to_string(reduced.multipliers)));
   if (reduced.bound == BoundKind::certified) {
-    page.line("error bound", fmt::format("{}, running ones of {} digits",
-                                         to_string(reduced.error_bound), reduced.bound_digits));
+    page.line("error bound",
+              fmt::format("{}, running ones of {} digits", scene::to_string(reduced.error_bound),
+                          reduced.bound_digits));
   }
 }
 
@@ -120,7 +118,8 @@ void print_understood(Page& page, const Scene& scene) {
   page.section("inputs");
   for (std::size_t k = 0; k < scene.ranges.size(); ++k) {
     std::string declared = scene.ranges[k] ? shown(*scene.ranges[k]) : "no range";
-    if (scene.grids[k]) declared += fmt::format(", multiples of {}", to_text(*scene.grids[k]));
+    if (scene.grids[k])
+      declared += fmt::format(", multiples of {}", expression::to_text(*scene.grids[k]));
     page.line(scene.graph.inputs()[k], declared);
   }
   page.section("formats");

@@ -12,10 +12,9 @@
 
 namespace mixcmp::report {
 
-using model::LaneInputs;
-using model::SystemKind;
-using model::Trade;
-using model::TradePoint;
+using profile::SystemKind;
+using profile::Trade;
+using profile::TradePoint;
 
 namespace {
 
@@ -101,13 +100,20 @@ std::string advice(const Trade& trade, double accepted_per_million) {
       accepted_per_million > 0
           ? fmt::format("at most {} wrong verdicts per million", accepted_per_million)
           : "certified, no wrong verdict";
+  const std::string unknown =
+      trade.undetermined_per_million > 0
+          ? fmt::format(
+                " (and {:.4g} per million whose truth is undetermined, each counted as wrong)",
+                trade.undetermined_per_million)
+          : "";
   const TradePoint* point = cheapest(trade, accepted_per_million);
-  if (point == nullptr) return fmt::format("{}: no system at any of these precisions\n", accepted);
+  if (point == nullptr)
+    return fmt::format("{}: no system at any of these precisions{}\n", accepted, unknown);
   return fmt::format(
-      "{}: cheapest at L = {}, system {}, {} inputs: {:.4g} wrong per million on this data, "
+      "{}: cheapest at L = {}, system {}, {} inputs: {:.4g} wrong per million on this data{}, "
       "recomputation rate {:.2e}, {:.3f} comparisons a cycle from 1000 LUTs\n",
       accepted, point->precision, point->system, to_string(trade.inputs), point->wrong_per_million,
-      point->rate, point->per_kiloluts);
+      unknown, point->rate, point->per_kiloluts);
 }
 
 Json to_json(const Trade& trade) {
@@ -127,6 +133,7 @@ Json to_json(const Trade& trade) {
           {"reference_luts", trade.reference_luts},
           {"reference_area", trade.reference_measured ? "measured" : "model"},
           {"reference_wrong_per_million", trade.reference_wrong_per_million},
+          {"undetermined_per_million", trade.undetermined_per_million},
           {"points", std::move(points)}};
 }
 

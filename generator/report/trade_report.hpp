@@ -8,13 +8,13 @@
 
 namespace mixcmp::report {
 
-std::string to_text(const model::Trade& trade);
+std::string to_text(const profile::Trade& trade);
 /// The advice for a user who accepts so many wrong verdicts per million comparisons.
-std::string advice(const model::Trade& trade, double accepted_per_million);
-nlohmann::ordered_json to_json(const model::Trade& trade);
+std::string advice(const profile::Trade& trade, double accepted_per_million);
+nlohmann::ordered_json to_json(const profile::Trade& trade);
 /// CSV with the columns inputs, system, precision, wrong_per_million, rate, lane_luts,
 /// reference_luts, area, comparisons_per_kiloluts.
-std::string trade_csv(const std::vector<model::Trade>& trades);
-std::string trade_script(const std::vector<model::Trade>& trades, const std::string& scene);
+std::string trade_csv(const std::vector<profile::Trade>& trades);
+std::string trade_script(const std::vector<profile::Trade>& trades, const std::string& scene);
 
 }  // namespace mixcmp::report

@@ -3,10 +3,8 @@
 #include "generator/rtl/connections.hpp"
 #include "generator/rtl/engine_operands.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 namespace {
-
-using namespace rtl;
 
 constexpr int result_bits = 8;
 const std::vector<std::string> engine_counters = {"rows", "stalled_cycles"};
@@ -105,4 +103,4 @@ Module arg_min_module(const EngineShape& engine, const SystemShape& system) {
   return module;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

@@ -2,13 +2,13 @@
 
 #include "generator/rtl/engine_module.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 
 /// The template arg_min_engine, which makes the comparisons, with its parameters; unconnected.
 TemplateInstance arg_min_template(const EngineShape& engine, const SystemShape& system);
 
 /// The engine's top module around the system: it takes candidates and rows, and returns the index
 /// of the best candidate for each row.
-rtl::Module arg_min_module(const EngineShape& engine, const SystemShape& system);
+Module arg_min_module(const EngineShape& engine, const SystemShape& system);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

@@ -4,13 +4,11 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 namespace {
 
-using namespace rtl;
-using model::BoundNode;
-using model::BoundOperation;
-using model::NodeId;
+using error::BoundNode;
+using error::BoundOperation;
 
 bool reads_value(const BoundNode& node) {
   return node.value >= 0;
@@ -18,15 +16,16 @@ bool reads_value(const BoundNode& node) {
 
 }  // namespace
 
-BoundUnitBuilder::BoundUnitBuilder(DatapathBuilder& datapath, const model::SharedLane& lane,
-                                   const model::AbsoluteBoundDecision& decision,
-                                   const PartSchedule& schedule, const std::string& suffix)
+BoundUnitBuilder::BoundUnitBuilder(DatapathBuilder& datapath, const error::SharedLane& lane,
+                                   const error::AbsoluteBoundDecision& decision,
+                                   const datapath::PartSchedule& schedule,
+                                   const std::string& suffix)
     : datapath_(datapath),
       lane_(lane),
       decision_(decision),
       schedule_(schedule),
       names_(name_bounds(decision.bound, suffix, datapath.names(), datapath.pool())) {
-  const model::FloatFormat format = lane.graph.arithmetic.format;
+  const FloatFormat format = lane.graph.arithmetic.format;
   MIXCMP_CHECK(decision.bound.format.exponent_bits == format.exponent_bits());
   MIXCMP_CHECK(decision.bound.format.precision <= format.precision());
   // A bound can be compared with nodes of the lane's format only; with exact inputs some nodes are
@@ -34,7 +33,7 @@ BoundUnitBuilder::BoundUnitBuilder(DatapathBuilder& datapath, const model::Share
   for (const BoundNode& node : decision.bound.nodes) {
     MIXCMP_CHECK(!reads_value(node) || lane.graph.nodes[node.value].format == format);
   }
-  for (const model::BoundCondition& condition : decision.conditions) {
+  for (const error::BoundCondition& condition : decision.conditions) {
     MIXCMP_CHECK(lane.graph.nodes[condition.value].format == format);
   }
 }
@@ -52,11 +51,11 @@ void BoundUnitBuilder::build_node(int id) {
   const BoundNode& node = decision_.bound.nodes[id];
   const int width = decision_.bound.format.width();
   if (node.operation == BoundOperation::constant) {
-    const model::Bits value = encode_bound(decision_.bound.format, node.constant);
+    const Bits value = encode_bound(decision_.bound.format, node.constant);
     bounds_.push_back({literal(width, value), names_[id], width, 0, true});
     return;
   }
-  const Step& step = schedule_.bounds[id];
+  const datapath::Step& step = schedule_.bounds[id];
   std::vector<Connection> connections = operands(node, step.start_cycle);
   connections.push_back({"y", net(names_[id])});
   datapath_.add(Comment{describe(id)});
@@ -77,8 +76,9 @@ std::vector<Connection> BoundUnitBuilder::operands(const BoundNode& node, int cy
   return connections;
 }
 
-std::vector<Parameter> BoundUnitBuilder::parameters(const BoundNode& node, const Step& step) const {
-  const model::BoundFormat format = decision_.bound.format;
+std::vector<Parameter> BoundUnitBuilder::parameters(const BoundNode& node,
+                                                    const datapath::Step& step) const {
+  const BoundFormat format = decision_.bound.format;
   std::vector<Parameter> parameters = {{"EXPONENT_BITS", format.exponent_bits}};
   if (reads_value(node)) {
     parameters.push_back({"PRECISION", lane_.graph.arithmetic.format.precision()});
@@ -95,15 +95,16 @@ std::vector<Parameter> BoundUnitBuilder::parameters(const BoundNode& node, const
 /// `flush` it may not, since an operation that reads a subnormal operand is exceptional. Otherwise
 /// inputs and constants may, and the result of an operation whose hazards include underflow.
 bool BoundUnitBuilder::may_be_subnormal(NodeId value) const {
-  if (lane_.graph.arithmetic.subnormals == model::Subnormals::flush) return false;
-  const bool is_result = model::arity(lane_.graph.nodes[value].operation) > 0;
+  if (lane_.graph.arithmetic.subnormals == Subnormals::flush) return false;
+  const bool is_result = arity(lane_.graph.nodes[value].operation) > 0;
   return lane_.hazards.empty() || !is_result || lane_.hazards[value].underflow;
 }
 
-void BoundUnitBuilder::build_condition(const model::BoundCondition& condition, const Step& step) {
+void BoundUnitBuilder::build_condition(const error::BoundCondition& condition,
+                                       const datapath::Step& step) {
   const Signal& bound = bounds_[condition.bound];
   const Signal& value = datapath_.value(condition.value);
-  const model::FloatFormat format = lane_.graph.arithmetic.format;
+  const FloatFormat format = lane_.graph.arithmetic.format;
   const std::string holds = datapath_.pool().unique(value.name + "_exceeds_error");
   const std::string fails = datapath_.pool().unique(value.name + "_too_small");
   std::vector<Connection> connections = {{"aclk", net("aclk")},
@@ -125,7 +126,7 @@ void BoundUnitBuilder::build_condition(const model::BoundCondition& condition, c
 }
 
 std::string BoundUnitBuilder::describe(int id) const {
-  const Step& step = schedule_.bounds[id];
+  const datapath::Step& step = schedule_.bounds[id];
   const BoundNode& node = decision_.bound.nodes[id];
   const int digits = decision_.bound.format.precision;
   const bool exact =
@@ -138,4 +139,4 @@ std::string BoundUnitBuilder::describe(int id) const {
                      rounds ? rounding : "");
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

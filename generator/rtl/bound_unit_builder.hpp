@@ -6,15 +6,15 @@
 #include "generator/rtl/datapath_builder.hpp"
 #include "model/error/combined_lane.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 
 /// Adds a part's absolute error bound to its datapath, once the nodes are built: one unit for each
 /// operation of the bound graph. The datapath's shared delays balance the units' operands.
 class BoundUnitBuilder {
 public:
-  BoundUnitBuilder(DatapathBuilder& datapath, const model::SharedLane& lane,
-                   const model::AbsoluteBoundDecision& decision, const PartSchedule& schedule,
-                   const std::string& suffix);
+  BoundUnitBuilder(DatapathBuilder& datapath, const error::SharedLane& lane,
+                   const error::AbsoluteBoundDecision& decision,
+                   const datapath::PartSchedule& schedule, const std::string& suffix);
 
   void build();
 
@@ -25,19 +25,19 @@ public:
 
 private:
   void build_node(int id);
-  void build_condition(const model::BoundCondition& condition, const Step& step);
-  std::vector<rtl::Connection> operands(const model::BoundNode& node, int cycle);
-  std::vector<rtl::Parameter> parameters(const model::BoundNode& node, const Step& step) const;
-  bool may_be_subnormal(model::NodeId value) const;
+  void build_condition(const error::BoundCondition& condition, const datapath::Step& step);
+  std::vector<Connection> operands(const error::BoundNode& node, int cycle);
+  std::vector<Parameter> parameters(const error::BoundNode& node, const datapath::Step& step) const;
+  bool may_be_subnormal(NodeId value) const;
   std::string describe(int id) const;
 
   DatapathBuilder& datapath_;
-  const model::SharedLane& lane_;
-  const model::AbsoluteBoundDecision& decision_;
-  const PartSchedule& schedule_;
+  const error::SharedLane& lane_;
+  const error::AbsoluteBoundDecision& decision_;
+  const datapath::PartSchedule& schedule_;
   std::vector<std::string> names_;
   std::vector<Signal> bounds_;
   std::vector<Signal> failures_;
 };
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

@@ -6,7 +6,7 @@
 #include "generator/rtl/module.hpp"
 
 /// Shorthands for the ports and connections of modules with streams.
-namespace mixcmp::gen::rtl {
+namespace mixcmp::rtl {
 
 inline void add_input(std::vector<Port>& ports, int width, const std::string& name,
                       bool vector = false) {
@@ -31,4 +31,4 @@ inline void append(std::vector<Connection>& connections, const std::vector<std::
   for (const std::string& name : names) connections.push_back(same(name));
 }
 
-}  // namespace mixcmp::gen::rtl
+}  // namespace mixcmp::rtl

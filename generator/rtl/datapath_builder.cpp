@@ -4,14 +4,8 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 namespace {
-
-using namespace rtl;
-using model::NodeId;
-using model::Operation;
-using model::TypedGraph;
-using model::TypedNode;
 
 /// Names that no input may take: the fixed ports and nets of a datapath.
 const std::set<std::string> reserved_names = {"aclk", "verdict", "decided", "decision"};
@@ -22,10 +16,10 @@ std::set<std::string> taken_names(const std::vector<std::string>& ports) {
   return taken;
 }
 
-void append_multiplier_parameters(const Unit& unit, std::vector<Parameter>& parameters) {
-  if (unit.multipliers == model::Multipliers::logic) {
+void append_multiplier_parameters(const datapath::Unit& unit, std::vector<Parameter>& parameters) {
+  if (unit.multipliers == scene::Multipliers::logic) {
     parameters.push_back({"EMBEDDED", 0});
-  } else if (unit.multiplier != model::MultiplierSize{}) {
+  } else if (unit.multiplier != devices::MultiplierSize{}) {
     parameters.push_back({"FACTOR_A", unit.multiplier.a_bits});
     parameters.push_back({"FACTOR_B", unit.multiplier.b_bits});
   }
@@ -34,9 +28,10 @@ void append_multiplier_parameters(const Unit& unit, std::vector<Parameter>& para
 }  // namespace
 
 DatapathBuilder::DatapathBuilder(const std::vector<std::string>& inputs, const TypedGraph& graph,
-                                 const std::vector<model::Sides>& parts,
-                                 std::vector<model::Hazards> hazards, const Schedule& schedule,
-                                 ExceptionalFlags exceptional, DelayPlan plan)
+                                 const std::vector<Sides>& parts,
+                                 std::vector<error::Hazards> hazards,
+                                 const datapath::Schedule& schedule, ExceptionalFlags exceptional,
+                                 DelayPlan plan)
     : ports_(input_ports(inputs)),
       graph_(graph),
       hazards_(std::move(hazards)),
@@ -153,13 +148,13 @@ void DatapathBuilder::build_sign_change(NodeId id) {
 
 void DatapathBuilder::build_unit(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
-  const Step& step = schedule_.steps[id];
+  const datapath::Step& step = schedule_.steps[id];
   std::vector<Connection> connections = {{"aclk", net("aclk")}};
-  const auto scaling = scaling_of(graph_, node);
+  const auto scaling = datapath::scaling_of(graph_, node);
   if (scaling) {
     connections.push_back({"a", at(values_[scaling->operand], step.start_cycle)});
   }
-  for (int k = 0; k < model::arity(node.operation) && !scaling; ++k) {
+  for (int k = 0; k < arity(node.operation) && !scaling; ++k) {
     connections.push_back({k == 0 ? "a" : "b", at(values_[node.operands[k]], step.start_cycle)});
   }
   connections.push_back({"y", net(names_[id])});
@@ -177,7 +172,7 @@ void DatapathBuilder::build_unit(NodeId id) {
 bool DatapathBuilder::gathers_flag(NodeId id) const {
   if (exceptional_ == ExceptionalFlags::unused) return false;
   if (hazards_.empty() || graph_.nodes[id].operation == Operation::square_root) return true;
-  const model::Hazards& hazards = hazards_[id];
+  const error::Hazards& hazards = hazards_[id];
   return hazards.special_operand || hazards.overflow || hazards.underflow;
 }
 
@@ -196,7 +191,7 @@ void DatapathBuilder::gather_flags(NodeId id) {
   const int cycle = schedule_.steps[id].ready_cycle;
   std::vector<Signal> all;
   if (flags_[id].value != nullptr) all.push_back(flags_[id]);
-  for (int k = 0; k < model::arity(node.operation); ++k) {
+  for (int k = 0; k < arity(node.operation); ++k) {
     const Signal& inherited = flags_[node.operands[k]];
     const bool known = k == 1 && inherited.name == flags_[node.operands[0]].name;
     if (inherited.value != nullptr && !known) all.push_back(inherited);
@@ -213,7 +208,7 @@ void DatapathBuilder::gather_flags(NodeId id) {
 
 std::string DatapathBuilder::describe(NodeId id) const {
   const TypedNode& node = graph_.nodes[id];
-  const Step& step = schedule_.steps[id];
+  const datapath::Step& step = schedule_.steps[id];
   return fmt::format("Cycles {} to {}: {}, {} {}.", step.start_cycle, step.ready_cycle,
                      formula(graph_, id, names_),
                      node.format == node.operand_format ? "in" : "rounded once to",
@@ -233,16 +228,15 @@ std::vector<Parameter> DatapathBuilder::unit_parameters(NodeId id) const {
     parameters.push_back({"SUBTRACT", node.operation == Operation::subtract ? 1 : 0});
   }
   if (chooses) parameters.push_back({"MAXIMUM", node.operation == Operation::maximum ? 1 : 0});
-  if (const auto scaling = scaling_of(graph_, node)) {
+  if (const auto scaling = datapath::scaling_of(graph_, node)) {
     parameters.push_back({"SCALE", scaling->exponent});
   }
-  const model::Arithmetic& arithmetic = graph_.arithmetic;
-  parameters.push_back({"GRADUAL", arithmetic.subnormals == model::Subnormals::gradual ? 1 : 0});
+  const Arithmetic& arithmetic = graph_.arithmetic;
+  parameters.push_back({"GRADUAL", arithmetic.subnormals == Subnormals::gradual ? 1 : 0});
   if (!chooses) {
-    parameters.push_back(
-        {"TOWARD_ZERO", arithmetic.rounding == model::Rounding::toward_zero ? 1 : 0});
+    parameters.push_back({"TOWARD_ZERO", arithmetic.rounding == Rounding::toward_zero ? 1 : 0});
   }
-  const model::Hazards hazards = hazards_.empty() ? model::Hazards{} : hazards_[id];
+  const error::Hazards hazards = hazards_.empty() ? error::Hazards{} : hazards_[id];
   if (!hazards.special_operand) parameters.push_back({"SPECIAL_OPERANDS", 0});
   if (!hazards.overflow) parameters.push_back({"OVERFLOW", 0});
   if (!hazards.underflow) parameters.push_back({"UNDERFLOW", 0});
@@ -259,13 +253,13 @@ std::vector<std::string> input_ports(const std::vector<std::string>& inputs) {
   return ports;
 }
 
-Literal cut_mask(const Step& step) {
+Literal cut_mask(const datapath::Step& step) {
   Literal mask = {static_cast<int>(step.cuts.size()), 0};
   MIXCMP_CHECK(mask.width <= 128);
   for (std::size_t k = 0; k < step.cuts.size(); ++k) {
-    if (step.cuts[k]) mask.value |= model::Bits{1} << k;
+    if (step.cuts[k]) mask.value |= Bits{1} << k;
   }
   return mask;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

@@ -9,11 +9,11 @@
 #include "generator/rtl/module.hpp"
 #include "generator/rtl/net_names.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 
 /// A net together with the cycle in which it carries its value.
 struct Signal {
-  rtl::Operand value;  ///< null: constantly 0 (a flag that nothing can raise)
+  Operand value;  ///< null: constantly 0 (a flag that nothing can raise)
   std::string name;
   int width = 1;
   int cycle = 0;
@@ -37,52 +37,52 @@ class DatapathBuilder {
 public:
   /// `parts`: the nodes f and g of each part. `hazards`: one per node, or empty where nothing is
   /// ruled out.
-  DatapathBuilder(const std::vector<std::string>& inputs, const model::TypedGraph& graph,
-                  const std::vector<model::Sides>& parts, std::vector<model::Hazards> hazards,
-                  const Schedule& schedule, ExceptionalFlags exceptional, DelayPlan plan);
+  DatapathBuilder(const std::vector<std::string>& inputs, const TypedGraph& graph,
+                  const std::vector<Sides>& parts, std::vector<error::Hazards> hazards,
+                  const datapath::Schedule& schedule, ExceptionalFlags exceptional, DelayPlan plan);
 
   /// The ports aclk and one per operand.
-  std::vector<rtl::Port> data_ports() const;
+  std::vector<Port> data_ports() const;
 
   /// Builds every operation of the graph, with the delays that balance its operands.
   void build_nodes();
 
-  const Signal& value(model::NodeId node) const { return values_[node]; }
+  const Signal& value(NodeId node) const { return values_[node]; }
   /// A flag that is set where the node or one before it was exceptional. It is constantly 0 where
   /// flags are not gathered.
-  const Signal& flag(model::NodeId node) const { return flags_[node]; }
+  const Signal& flag(NodeId node) const { return flags_[node]; }
 
   const std::string& port(int input) const { return ports_[input]; }
-  const std::string& name(model::NodeId node) const { return names_[node]; }
+  const std::string& name(NodeId node) const { return names_[node]; }
   /// One name per node.
   const std::vector<std::string>& names() const { return names_; }
   NamePool& pool() { return pool_; }
 
   /// `signal` delayed to `cycle`, which must not be earlier than signal.cycle.
-  rtl::Operand at(const Signal& signal, int cycle);
+  Operand at(const Signal& signal, int cycle);
   /// One flag that is set where any of `signals` is, in `cycle`.
-  rtl::Operand any_at(const std::vector<Signal>& signals, int cycle);
+  Operand any_at(const std::vector<Signal>& signals, int cycle);
 
-  void add(rtl::Item item) { items_.push_back(std::move(item)); }
-  std::vector<rtl::Item> take() { return std::move(items_); }
+  void add(Item item) { items_.push_back(std::move(item)); }
+  std::vector<Item> take() { return std::move(items_); }
   DelayPlan plan() const { return plan_; }
 
 private:
   void declare_unused_flags();
-  void build_node(model::NodeId id);
-  void build_sign_change(model::NodeId id);
-  void build_unit(model::NodeId id);
-  rtl::Operand flag_output(model::NodeId id);
-  void gather_flags(model::NodeId id);
-  rtl::Operand delayed(const Signal& signal, const rtl::Operand& source, int from, int to);
-  std::string describe(model::NodeId id) const;
-  bool gathers_flag(model::NodeId id) const;
-  std::vector<rtl::Parameter> unit_parameters(model::NodeId id) const;
+  void build_node(NodeId id);
+  void build_sign_change(NodeId id);
+  void build_unit(NodeId id);
+  Operand flag_output(NodeId id);
+  void gather_flags(NodeId id);
+  Operand delayed(const Signal& signal, const Operand& source, int from, int to);
+  std::string describe(NodeId id) const;
+  bool gathers_flag(NodeId id) const;
+  std::vector<Parameter> unit_parameters(NodeId id) const;
 
   std::vector<std::string> ports_;
-  const model::TypedGraph& graph_;
-  std::vector<model::Hazards> hazards_;
-  const Schedule& schedule_;
+  const TypedGraph& graph_;
+  std::vector<error::Hazards> hazards_;
+  const datapath::Schedule& schedule_;
   NamePool pool_;
   std::vector<std::string> names_;
   ExceptionalFlags exceptional_;
@@ -90,8 +90,8 @@ private:
   std::vector<Signal> values_;
   std::vector<Signal> flags_;
   DelayPlan plan_;
-  std::map<std::string, std::map<int, rtl::Operand>> taps_;
-  std::vector<rtl::Item> items_;
+  std::map<std::string, std::map<int, Operand>> taps_;
+  std::vector<Item> items_;
 };
 
 /// The port names that a datapath gives its inputs: an input with a reserved name, such as "aclk",
@@ -99,6 +99,6 @@ private:
 std::vector<std::string> input_ports(const std::vector<std::string>& inputs);
 
 /// The value of a unit's CUTS parameter.
-rtl::Literal cut_mask(const Step& step);
+Literal cut_mask(const datapath::Step& step);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

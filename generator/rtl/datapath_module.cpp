@@ -8,12 +8,8 @@
 #include "model/common/check.hpp"
 #include "model/error/hazards.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 namespace {
-
-using namespace rtl;
-using model::FloatFormat;
-using model::TypedGraph;
 
 std::vector<Parameter> format_parameters(FloatFormat format) {
   return {{"EXPONENT_BITS", format.exponent_bits()}, {"PRECISION", format.precision()}};
@@ -29,7 +25,7 @@ struct PartDecision {
 enum class Decides { sometimes, always };
 
 /// Adds the comment and the nets of a part's decision.
-PartDecision begin_decision(DatapathBuilder& builder, const Step& step, std::size_t part,
+PartDecision begin_decision(DatapathBuilder& builder, const datapath::Step& step, std::size_t part,
                             std::size_t parts, Decides decides, std::string_view what) {
   const bool alone = parts == 1;
   builder.add(Comment{fmt::format("Cycles {} to {}: {}{}", step.start_cycle, step.ready_cycle,
@@ -50,7 +46,8 @@ PartDecision begin_decision(DatapathBuilder& builder, const Step& step, std::siz
 /// Builds the decisions of a lane, part by part.
 class LaneDecisions {
 public:
-  LaneDecisions(DatapathBuilder& builder, const model::SharedLane& lane, const Schedule& schedule)
+  LaneDecisions(DatapathBuilder& builder, const error::SharedLane& lane,
+                const datapath::Schedule& schedule)
       : builder_(builder),
         lane_(lane),
         schedule_(schedule),
@@ -64,10 +61,10 @@ public:
   }
 
 private:
-  PartDecision build(std::size_t part, const model::UlpDistanceDecision& decision,
+  PartDecision build(std::size_t part, const error::UlpDistanceDecision& decision,
                      const Signal& out_of_range) {
     const auto [f_node, g_node] = lane_.parts[part].sides;
-    const Step& step = schedule_.parts[part].decision;
+    const datapath::Step& step = schedule_.parts[part].decision;
     const Operand f = builder_.at(builder_.value(f_node), step.start_cycle);
     const Operand g = builder_.at(builder_.value(g_node), step.start_cycle);
     const Operand doubtful = builder_.any_at(
@@ -89,9 +86,9 @@ private:
     return made;
   }
 
-  PartDecision build(std::size_t part, const model::AbsoluteBoundDecision& decision,
+  PartDecision build(std::size_t part, const error::AbsoluteBoundDecision& decision,
                      const Signal& out_of_range) {
-    const Step& step = schedule_.parts[part].decision;
+    const datapath::Step& step = schedule_.parts[part].decision;
     BoundUnitBuilder bounds(builder_, lane_, decision, schedule_.parts[part],
                             part_suffix(part, lane_.parts.size()));
     bounds.build();
@@ -118,11 +115,11 @@ private:
     return made;
   }
 
-  PartDecision build(std::size_t part, const model::IntervalDecision& decision,
+  PartDecision build(std::size_t part, const error::IntervalDecision& decision,
                      const Signal& out_of_range) {
     // The unit of the paper's decision has no `exceptional` input.
     MIXCMP_CHECK(out_of_range.value == nullptr);
-    const Step& step = schedule_.parts[part].decision;
+    const datapath::Step& step = schedule_.parts[part].decision;
     const Operand minimum = builder_.at(builder_.value(decision.minimum), step.start_cycle);
     const Operand maximum = builder_.at(builder_.value(decision.maximum), step.start_cycle);
     PartDecision made = begin(part, "case I, II or III of the paper.");
@@ -145,21 +142,21 @@ private:
   }
 
   DatapathBuilder& builder_;
-  const model::SharedLane& lane_;
-  const Schedule& schedule_;
+  const error::SharedLane& lane_;
+  const datapath::Schedule& schedule_;
   FloatFormat format_;
 };
 
-PartDecision build_comparison(DatapathBuilder& builder, const model::SharedGraph& reference,
-                              std::size_t part, const Step& step) {
-  const model::Arithmetic& arithmetic = reference.graph.arithmetic;
+PartDecision build_comparison(DatapathBuilder& builder, const SharedGraph& reference,
+                              std::size_t part, const datapath::Step& step) {
+  const Arithmetic& arithmetic = reference.graph.arithmetic;
   const auto [f_node, g_node] = reference.sides[part];
   const Operand f = builder.at(builder.value(f_node), step.start_cycle);
   const Operand g = builder.at(builder.value(g_node), step.start_cycle);
   PartDecision made = begin_decision(builder, step, part, reference.sides.size(), Decides::always,
                                      "the ordering of two rounded numbers.");
   std::vector<Parameter> parameters = format_parameters(arithmetic.format);
-  parameters.push_back({"GRADUAL", arithmetic.subnormals == model::Subnormals::gradual ? 1 : 0});
+  parameters.push_back({"GRADUAL", arithmetic.subnormals == Subnormals::gradual ? 1 : 0});
   parameters.push_back({"CUTS", cut_mask(step)});
   builder.add(
       Instance{step.unit.module,
@@ -178,15 +175,15 @@ Operand gathered(DatapathBuilder& builder, const std::vector<PartDecision>& part
 }
 
 /// Combines the parts' verdicts into one. A single part needs no combination.
-void build_combination(DatapathBuilder& builder, model::Combination combination,
-                       const std::vector<PartDecision>& parts, const Step& step) {
+void build_combination(DatapathBuilder& builder, Combination combination,
+                       const std::vector<PartDecision>& parts, const datapath::Step& step) {
   if (parts.size() == 1) return;
-  const bool any = combination == model::Combination::any;
+  const bool any = combination == Combination::any;
   const int count = static_cast<int>(parts.size());
   const bool reference = parts.front().decided.value == nullptr;
   const Operand verdicts = gathered(builder, parts, &PartDecision::verdict, step.start_cycle);
   const Operand known = reference
-                            ? literal(count, model::low_mask(count))
+                            ? literal(count, low_mask(count))
                             : gathered(builder, parts, &PartDecision::decided, step.start_cycle);
   builder.add(Comment{fmt::format("Cycles {} to {}: less if {}.", step.start_cycle,
                                   step.ready_cycle, any ? "any part is" : "all parts are")});
@@ -202,14 +199,15 @@ void build_combination(DatapathBuilder& builder, model::Combination combination,
                         {"decided", net(decided)}}});
 }
 
-std::vector<model::Sides> sides_of(const model::SharedLane& lane) {
-  std::vector<model::Sides> sides;
-  for (const model::SharedPart& part : lane.parts) sides.push_back(part.sides);
+std::vector<Sides> sides_of(const error::SharedLane& lane) {
+  std::vector<Sides> sides;
+  for (const error::SharedPart& part : lane.parts) sides.push_back(part.sides);
   return sides;
 }
 
-DatapathBuilder lane_pass(const std::vector<std::string>& inputs, const model::SharedLane& lane,
-                          ExceptionalFlags exceptional, const Schedule& schedule, DelayPlan plan) {
+DatapathBuilder lane_pass(const std::vector<std::string>& inputs, const error::SharedLane& lane,
+                          ExceptionalFlags exceptional, const datapath::Schedule& schedule,
+                          DelayPlan plan) {
   DatapathBuilder builder(inputs, lane.graph, sides_of(lane), lane.hazards, schedule, exceptional,
                           std::move(plan));
   const std::vector<Signal> out_of_range = build_range_checks(builder, lane, schedule);
@@ -223,11 +221,11 @@ DatapathBuilder lane_pass(const std::vector<std::string>& inputs, const model::S
   return builder;
 }
 
-DatapathBuilder reference_pass(const std::vector<std::string>& inputs,
-                               const model::SharedGraph& reference, model::Combination combination,
-                               const Schedule& schedule, DelayPlan plan) {
+DatapathBuilder reference_pass(const std::vector<std::string>& inputs, const SharedGraph& reference,
+                               Combination combination, const datapath::Schedule& schedule,
+                               DelayPlan plan) {
   DatapathBuilder builder(inputs, reference.graph, reference.sides,
-                          model::structural_hazards(reference.graph), schedule,
+                          error::structural_hazards(reference.graph), schedule,
                           ExceptionalFlags::unused, std::move(plan));
   builder.build_nodes();
   std::vector<PartDecision> parts;
@@ -241,8 +239,8 @@ DatapathBuilder reference_pass(const std::vector<std::string>& inputs,
 }  // namespace
 
 Module lane_module(std::string name, const std::vector<std::string>& inputs,
-                   const model::CombinedLane& lane, const Schedule& schedule) {
-  const model::SharedLane shared = share(lane);
+                   const error::CombinedLane& lane, const datapath::Schedule& schedule) {
+  const error::SharedLane shared = share(lane);
   const ExceptionalFlags exceptional =
       lane.certified() ? ExceptionalFlags::gathered : ExceptionalFlags::unused;
   const DelayPlan plan = lane_pass(inputs, shared, exceptional, schedule, {}).plan();
@@ -254,8 +252,8 @@ Module lane_module(std::string name, const std::vector<std::string>& inputs,
 }
 
 Module reference_module(std::string name, const std::vector<std::string>& inputs,
-                        const model::CombinedGraph& reference, const Schedule& schedule) {
-  const model::SharedGraph shared = share(reference);
+                        const CombinedGraph& reference, const datapath::Schedule& schedule) {
+  const SharedGraph shared = share(reference);
   const DelayPlan plan = reference_pass(inputs, shared, reference.combination, schedule, {}).plan();
   DatapathBuilder builder = reference_pass(inputs, shared, reference.combination, schedule, plan);
   std::vector<Port> ports = builder.data_ports();
@@ -263,4 +261,4 @@ Module reference_module(std::string name, const std::vector<std::string>& inputs
   return {std::move(name), {}, std::move(ports), builder.take()};
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

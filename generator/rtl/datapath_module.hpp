@@ -6,17 +6,17 @@
 #include "generator/datapath/schedule.hpp"
 #include "generator/rtl/module.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 
 /// The reduced-precision datapath: ports aclk, one per input, verdict[1:0], decided. Free-running,
 /// initiation interval 1, latency schedule.latency_cycles, no reset. `header` is left to the
 /// caller.
-rtl::Module lane_module(std::string name, const std::vector<std::string>& inputs,
-                        const model::CombinedLane& lane, const Schedule& schedule);
+Module lane_module(std::string name, const std::vector<std::string>& inputs,
+                   const error::CombinedLane& lane, const datapath::Schedule& schedule);
 
 /// The reference datapath: ports aclk, one per input, verdict[1:0]. Timing, reset and `header` are
 /// those of lane_module.
-rtl::Module reference_module(std::string name, const std::vector<std::string>& inputs,
-                             const model::CombinedGraph& reference, const Schedule& schedule);
+Module reference_module(std::string name, const std::vector<std::string>& inputs,
+                        const CombinedGraph& reference, const datapath::Schedule& schedule);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

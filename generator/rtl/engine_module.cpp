@@ -6,33 +6,33 @@
 #include "generator/rtl/pairwise_module.hpp"
 #include "model/common/check.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 namespace {
 
 /// Finds the column of the items or of the rows that holds this input; adds it where it is new.
 EngineShape::Source source_of(const std::string& input, EngineShape& engine) {
-  const auto of_item = model::item_column(input);
-  const bool pairwise = engine.spec.kind == model::EngineKind::pairwise;
+  const auto of_item = data::item_column(input);
+  const bool pairwise = engine.spec.kind == scene::EngineKind::pairwise;
   MIXCMP_CHECK(of_item.has_value() || !pairwise);
   std::vector<std::string>& columns = of_item ? engine.columns : engine.row_columns;
   const std::string& name = of_item ? of_item->name : input;
   const auto known = std::find(columns.begin(), columns.end(), name);
   const auto column = static_cast<std::size_t>(known - columns.begin());
   if (known == columns.end()) columns.push_back(name);
-  if (!of_item) return {column, model::Item::row};
-  return {column, of_item->second ? model::Item::second : model::Item::first};
+  if (!of_item) return {column, data::Item::row};
+  return {column, of_item->second ? data::Item::second : data::Item::first};
 }
 
 }  // namespace
 
 std::optional<EngineShape> engine_shape(const SystemShape& system,
                                         const std::vector<std::string>& inputs,
-                                        const model::EngineSpec& spec) {
-  if (spec.kind == model::EngineKind::none) return std::nullopt;
+                                        const scene::EngineSpec& spec) {
+  if (spec.kind == scene::EngineKind::none) return std::nullopt;
   EngineShape engine{
       .top = system.top + "_" + std::string(to_string(spec.kind)),
       .spec = spec,
-      .capacity = spec.kind == model::EngineKind::pairwise ? spec.capacity : system.lanes + 1,
+      .capacity = spec.kind == scene::EngineKind::pairwise ? spec.capacity : system.lanes + 1,
       .columns = {},
       .row_columns = {},
       .sources = {},
@@ -41,13 +41,13 @@ std::optional<EngineShape> engine_shape(const SystemShape& system,
   return engine;
 }
 
-rtl::Module engine_module(const EngineShape& engine, const SystemShape& system) {
+Module engine_module(const EngineShape& engine, const SystemShape& system) {
   switch (engine.spec.kind) {
-    case model::EngineKind::none: break;
-    case model::EngineKind::pairwise: return pairwise_module(engine, system);
-    case model::EngineKind::arg_min: return arg_min_module(engine, system);
+    case scene::EngineKind::none: break;
+    case scene::EngineKind::pairwise: return pairwise_module(engine, system);
+    case scene::EngineKind::arg_min: return arg_min_module(engine, system);
   }
   MIXCMP_CHECK(false);
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

@@ -8,28 +8,28 @@
 #include "model/data/pairing.hpp"
 #include "model/scene/engine.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 
 /// Names and widths that an engine and the system inside it agree on.
 struct EngineShape {
   /// The source of an operand of the comparison: a column of one of its items.
   struct Source {
     std::size_t column;  ///< index in the columns of the item
-    model::Item item;
+    data::Item item;
   };
 
   std::string top;
-  model::EngineSpec spec;
+  scene::EngineSpec spec;
   int capacity = 0;                  ///< items of a set, or candidates
   std::vector<std::string> columns;  ///< of an item, lowest bits first, in the order of first use
   std::vector<std::string> row_columns;  ///< of a row, as `columns`; empty for a pairwise engine
   std::vector<Source> sources;           ///< one per input
   int column_width = 0;                  ///< bits of one column
 
-  const std::vector<std::string>& columns_of(model::Item item) const {
-    return item == model::Item::row ? row_columns : columns;
+  const std::vector<std::string>& columns_of(data::Item item) const {
+    return item == data::Item::row ? row_columns : columns;
   }
-  int index_bits() const { return model::index_bits_for(capacity); }
+  int index_bits() const { return scene::index_bits_for(capacity); }
   int row_bits() const { return column_width * static_cast<int>(row_columns.size()); }
   int row_bytes() const { return (row_bits() + 7) / 8; }
   int item_bits() const { return column_width * static_cast<int>(columns.size()); }
@@ -42,9 +42,9 @@ struct EngineShape {
 /// expression's inputs.
 std::optional<EngineShape> engine_shape(const SystemShape& system,
                                         const std::vector<std::string>& inputs,
-                                        const model::EngineSpec& spec);
+                                        const scene::EngineSpec& spec);
 
 /// The engine's top module, with the system inside. Each kind of engine has its own source file.
-rtl::Module engine_module(const EngineShape& engine, const SystemShape& system);
+Module engine_module(const EngineShape& engine, const SystemShape& system);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

@@ -5,9 +5,7 @@
 #include "generator/rtl/connections.hpp"
 #include "generator/rtl/net_names.hpp"
 
-namespace mixcmp::gen {
-
-using namespace rtl;
+namespace mixcmp::rtl {
 
 namespace {
 
@@ -21,11 +19,11 @@ std::vector<Operand> unused_columns(const EngineShape& engine, const ItemNets& n
   std::vector<Operand> unused;
   for (std::size_t item = 0; item < nets.size(); ++item) {
     if (nets[item].empty()) continue;
-    const std::size_t count = engine.columns_of(static_cast<model::Item>(item)).size();
+    const std::size_t count = engine.columns_of(static_cast<data::Item>(item)).size();
     for (std::size_t column = 0; column < count; ++column) {
       const bool used = std::any_of(
           engine.sources.begin(), engine.sources.end(), [&](const EngineShape::Source& source) {
-            return source.column == column && source.item == static_cast<model::Item>(item);
+            return source.column == column && source.item == static_cast<data::Item>(item);
           });
       if (!used) unused.push_back(column_of(engine, nets[item], column));
     }
@@ -125,4 +123,4 @@ Instance system_instance(const SystemShape& system, const Operand& tag) {
   return {system.top, "system", {}, std::move(connections)};
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

@@ -9,36 +9,34 @@
 
 /// Parts that the modules of all engines share: operands taken out of items, counters, and the
 /// instance of the system.
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 
-/// The nets that hold the items of a comparison, by model::Item; empty where there is none.
+/// The nets that hold the items of a comparison, by data::Item; empty where there is none.
 using ItemNets = std::array<std::string, 3>;
 
 /// Assigns the operands of a comparison of these items to `target`, and consumes the columns that
 /// it does not read.
 void map_operands(const EngineShape& engine, const SystemShape& system, const ItemNets& nets,
-                  const rtl::Operand& target, std::vector<rtl::Item>& items);
+                  const Operand& target, std::vector<Item>& items);
 
 /// A generate loop with `variable` from 0 to count - 1.
-std::shared_ptr<const rtl::ForGenerate> loop(const std::string& variable, int count,
-                                             const std::string& label,
-                                             std::vector<rtl::Item> items);
+std::shared_ptr<const ForGenerate> loop(const std::string& variable, int count,
+                                        const std::string& label, std::vector<Item> items);
 
 /// Consumes the bits of `port` above its lowest `bits`, if there are any.
-void consume_padding(const std::string& port, int bits, int port_bits,
-                     std::vector<rtl::Item>& items);
+void consume_padding(const std::string& port, int bits, int port_bits, std::vector<Item>& items);
 
 /// The names of the counters that each lane has.
 const std::vector<std::string>& lane_counters();
 /// Adds the counters of the lanes and of the engine to the engine's ports, if the system counts.
 void add_counters(const SystemShape& system, const std::vector<std::string>& engine_counters,
-                  std::vector<rtl::Port>& ports);
+                  std::vector<Port>& ports);
 /// Connects the engine's counters to its ports or, if the system does not count, to unused nets.
 void connect_counters(const SystemShape& system, const std::vector<std::string>& engine_counters,
-                      std::vector<rtl::Item>& items, std::vector<rtl::Connection>& connections);
+                      std::vector<Item>& items, std::vector<Connection>& connections);
 
 /// An instance of the system: its streams are connected to the nets pair_*, operands and result_*,
 /// its s_axis_tuser to `tag`.
-rtl::Instance system_instance(const SystemShape& system, const rtl::Operand& tag);
+Instance system_instance(const SystemShape& system, const Operand& tag);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

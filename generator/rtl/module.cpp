@@ -1,6 +1,6 @@
 #include "generator/rtl/module.hpp"
 
-namespace mixcmp::gen::rtl {
+namespace mixcmp::rtl {
 namespace {
 
 template <class Node>
@@ -35,7 +35,7 @@ Operand bit(std::string name, int index) {
   return slice(std::move(name), index, index);
 }
 
-Operand literal(int width, model::Bits value) {
+Operand literal(int width, Bits value) {
   return make(Literal{width, value});
 }
 
@@ -88,4 +88,4 @@ std::vector<Item> with_modules_renamed(std::vector<Item> items,
   return items;
 }
 
-}  // namespace mixcmp::gen::rtl
+}  // namespace mixcmp::rtl

@@ -11,7 +11,7 @@
 #include "model/common/bits.hpp"
 
 /// A structural RTL tree without syntax; emit/verilog.hpp prints it.
-namespace mixcmp::gen::rtl {
+namespace mixcmp::rtl {
 
 /// An expression over nets. Built by the functions below, immutable after.
 struct Expression;
@@ -33,7 +33,7 @@ struct Slice {
 };
 struct Literal {
   int width;
-  model::Bits value;
+  Bits value;
 };
 /// `width` zero bits; `width` may exceed what a Literal holds.
 struct Zeros {
@@ -62,7 +62,7 @@ Operand net(std::string name);
 Operand indexed(std::string name, std::string index_variable, int width);
 Operand slice(std::string name, int high, int low);
 Operand bit(std::string name, int index);
-Operand literal(int width, model::Bits value);
+Operand literal(int width, Bits value);
 Operand zeros(int width);
 Operand concatenation(std::vector<Operand> parts);
 Operand inverted(Operand operand);
@@ -137,4 +137,4 @@ std::set<std::string> instantiated_modules(const Module& module);
 std::vector<Item> with_modules_renamed(std::vector<Item> items,
                                        const std::function<std::string(std::string)>& new_name);
 
-}  // namespace mixcmp::gen::rtl
+}  // namespace mixcmp::rtl

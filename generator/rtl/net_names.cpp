@@ -7,16 +7,12 @@
 #include "model/common/check.hpp"
 #include "model/expression/text.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 namespace {
 
-using model::BoundGraph;
-using model::BoundNode;
-using model::BoundOperation;
-using model::NodeId;
-using model::Operation;
-using model::TypedGraph;
-using model::TypedNode;
+using error::BoundGraph;
+using error::BoundNode;
+using error::BoundOperation;
 
 /// The most characters of a spelled-out name: readers skip longer identifiers.
 constexpr std::size_t longest_spelled_name = 28;
@@ -104,7 +100,7 @@ std::string part_suffix(std::size_t part, std::size_t parts) {
   return parts == 1 ? "" : fmt::format("_{}", part);
 }
 
-std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<model::Sides>& parts,
+std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<Sides>& parts,
                                     const std::vector<std::string>& ports, NamePool& pool) {
   std::vector<std::string> names;
   for (NodeId id = 0; id < static_cast<NodeId>(graph.nodes.size()); ++id) {
@@ -113,7 +109,7 @@ std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<m
       names.push_back(ports[node.input]);
       continue;
     }
-    const int count = model::arity(node.operation);
+    const int count = arity(node.operation);
     const std::string a = count > 0 ? names[node.operands[0]] : "";
     const std::string b = count > 1 ? names[node.operands[1]] : "";
     std::string wanted = spelled(node, a, b);
@@ -132,7 +128,7 @@ std::string formula(const TypedGraph& graph, NodeId id, const std::vector<std::s
   const auto operand = [&](int k) {
     const NodeId source = node.operands[k];
     const bool constant = graph.nodes[source].operation == Operation::constant;
-    return constant ? model::to_text(graph.nodes[source].value) : names[source];
+    return constant ? to_text(graph.nodes[source].value) : names[source];
   };
   switch (node.operation) {
     case Operation::input:
@@ -185,4 +181,4 @@ std::string bound_formula(const BoundGraph& bound, int id, const std::vector<std
   MIXCMP_CHECK(false);
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

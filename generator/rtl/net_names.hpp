@@ -7,7 +7,7 @@
 #include "model/error/bound_graph.hpp"
 #include "model/expression/typed_graph.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 
 /// Hands out each name once; a name already taken gets "_2", "_3", ...
 class NamePool {
@@ -22,25 +22,23 @@ private:
 /// A name for every node: inputs bear their ports' names; f and g are "f" and "g" (with several
 /// parts "f_0", "g_0", "f_1", ...); short expressions are spelled out ("cxi_minus_cxj_squared");
 /// longer ones are named after their operation ("sum").
-std::vector<std::string> name_nodes(const model::TypedGraph& graph,
-                                    const std::vector<model::Sides>& parts,
+std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<Sides>& parts,
                                     const std::vector<std::string>& ports, NamePool& pool);
 
 /// The suffix of the nets that belong to one part: "_2"; empty where there is only one part.
 std::string part_suffix(std::size_t part, std::size_t parts);
 
 /// The operation in words of its operands' names: "cxi - cxj".
-std::string formula(const model::TypedGraph& graph, model::NodeId node,
-                    const std::vector<std::string>& names);
+std::string formula(const TypedGraph& graph, NodeId node, const std::vector<std::string>& names);
 
 /// A name for every node of an error bound. The last is "error_bound" with its part's suffix; a
 /// node that reads a value of the lane is named after it ("cxi_rounded_binade").
-std::vector<std::string> name_bounds(const model::BoundGraph& bound, const std::string& suffix,
+std::vector<std::string> name_bounds(const error::BoundGraph& bound, const std::string& suffix,
                                      const std::vector<std::string>& values, NamePool& pool);
 
 /// A bound's operation in words of its operands' names: "2^-17 * cxi_rounded_binade".
-std::string bound_formula(const model::BoundGraph& bound, int node,
+std::string bound_formula(const error::BoundGraph& bound, int node,
                           const std::vector<std::string>& bounds,
                           const std::vector<std::string>& values);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

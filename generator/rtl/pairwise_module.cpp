@@ -3,10 +3,8 @@
 #include "generator/rtl/connections.hpp"
 #include "generator/rtl/engine_operands.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 namespace {
-
-using namespace rtl;
 
 constexpr int result_bits = 8;
 const std::vector<std::string> engine_counters = {"reports", "busy_cycles", "stalled_cycles"};
@@ -159,4 +157,4 @@ Module pairwise_module(const EngineShape& engine, const SystemShape& system) {
   return module;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

@@ -5,13 +5,11 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 namespace {
 
-using namespace rtl;
-using model::FloatFormat;
-using model::RangeCheck;
-using model::RequiredSign;
+using error::RangeCheck;
+using error::RequiredSign;
 
 int sign_parameter(RequiredSign sign) {
   switch (sign) {
@@ -23,7 +21,7 @@ int sign_parameter(RequiredSign sign) {
 }
 
 Signal build_check(DatapathBuilder& builder, const RangeCheck& check, FloatFormat format,
-                   const Step& step) {
+                   const datapath::Step& step) {
   const std::string& port = builder.port(check.input);
   const std::string name = builder.pool().unique(port + "_out_of_range");
   const int magnitude_bits = format.width() - 1;
@@ -42,8 +40,8 @@ Signal build_check(DatapathBuilder& builder, const RangeCheck& check, FloatForma
 }
 
 /// One flag per check; an empty Signal for a check of the sign alone.
-std::vector<Signal> build_magnitude_checks(DatapathBuilder& builder, const model::SharedLane& lane,
-                                           const Schedule& schedule) {
+std::vector<Signal> build_magnitude_checks(DatapathBuilder& builder, const error::SharedLane& lane,
+                                           const datapath::Schedule& schedule) {
   std::vector<Signal> flags;
   bool told = false;
   for (std::size_t k = 0; k < lane.checks.size(); ++k) {
@@ -63,7 +61,8 @@ std::vector<Signal> build_magnitude_checks(DatapathBuilder& builder, const model
 /// Builds the checks part by part. Parts with the same checks share one flag.
 class PartChecks {
 public:
-  PartChecks(DatapathBuilder& builder, const model::SharedLane& lane, const Schedule& schedule)
+  PartChecks(DatapathBuilder& builder, const error::SharedLane& lane,
+             const datapath::Schedule& schedule)
       : builder_(builder),
         lane_(lane),
         magnitudes_(build_magnitude_checks(builder, lane, schedule)) {}
@@ -110,19 +109,19 @@ private:
   }
 
   DatapathBuilder& builder_;
-  const model::SharedLane& lane_;
+  const error::SharedLane& lane_;
   std::vector<Signal> magnitudes_;
   std::map<std::vector<std::size_t>, Signal> built_;
 };
 
 }  // namespace
 
-std::vector<Signal> build_range_checks(DatapathBuilder& builder, const model::SharedLane& lane,
-                                       const Schedule& schedule) {
+std::vector<Signal> build_range_checks(DatapathBuilder& builder, const error::SharedLane& lane,
+                                       const datapath::Schedule& schedule) {
   PartChecks checks(builder, lane, schedule);
   std::vector<Signal> flags;
   for (std::size_t part = 0; part < lane.parts.size(); ++part) flags.push_back(checks.build(part));
   return flags;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

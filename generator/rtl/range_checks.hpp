@@ -3,11 +3,11 @@
 #include "generator/rtl/datapath_builder.hpp"
 #include "model/error/combined_lane.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 
 /// Builds a flag for each part, which is set where an operand fails a check of that part. Where
 /// there is nothing to check it is never set.
-std::vector<Signal> build_range_checks(DatapathBuilder& builder, const model::SharedLane& lane,
-                                       const Schedule& schedule);
+std::vector<Signal> build_range_checks(DatapathBuilder& builder, const error::SharedLane& lane,
+                                       const datapath::Schedule& schedule);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

@@ -4,10 +4,8 @@
 
 #include "generator/rtl/connections.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 namespace {
-
-using namespace rtl;
 
 constexpr int verdict_bits = 2;
 constexpr int result_bits = 8;
@@ -271,16 +269,16 @@ int SystemShape::lane_bits() const {
 }
 
 int SystemShape::payload_bits() const {
-  return operands == model::OperandStore::carried ? operand_bits() : tag_bits;
+  return operands == scene::OperandStore::carried ? operand_bits() : tag_bits;
 }
 
 int SystemShape::channel_latency_cycles() const {
-  const bool merges = order == model::ResultOrder::tagged && recomputes();
+  const bool merges = order == scene::ResultOrder::tagged && recomputes();
   return merges ? 5 : 4;
 }
 
 TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cycles) {
-  const bool in_order = shape.order == model::ResultOrder::in_order;
+  const bool in_order = shape.order == scene::ResultOrder::in_order;
   return {in_order ? "lane_reorder" : "lane_scoreboard",
           {{"OPERAND_BITS", shape.operand_bits()},
            {"TAG_BITS", shape.tag_bits},
@@ -288,7 +286,7 @@ TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cyc
            {"LANE_LATENCY", lane_latency_cycles},
            {"COUNTER_BITS", shape.counter_bits},
            {"RECOMPUTE", shape.recomputes() ? 1 : 0},
-           {"CARRIED", shape.operands == model::OperandStore::carried ? 1 : 0}}};
+           {"CARRIED", shape.operands == scene::OperandStore::carried ? 1 : 0}}};
 }
 
 TemplateInstance crossbar_template(const SystemShape& shape) {
@@ -382,4 +380,4 @@ Module top_module(const SystemShape& shape) {
   return module;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

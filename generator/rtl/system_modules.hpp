@@ -6,7 +6,7 @@
 #include "generator/rtl/module.hpp"
 #include "model/scene/scene.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::rtl {
 
 /// Lanes or references of one kind.
 struct DatapathGroup {
@@ -30,8 +30,8 @@ struct SystemShape {
   int tag_bits = 0;
   int slot_bits = 0;
   int counter_bits = 0;
-  model::ResultOrder order = model::ResultOrder::tagged;
-  model::OperandStore operands = model::OperandStore::carried;
+  scene::ResultOrder order = scene::ResultOrder::tagged;
+  scene::OperandStore operands = scene::OperandStore::carried;
 
   int operand_bits() const { return input_width * static_cast<int>(input_ports.size()); }
   int tdata_bytes() const { return (operand_bits() + 7) / 8; }
@@ -43,13 +43,13 @@ struct SystemShape {
   /// Cycles that the channel adds to its lane's latency, for a decided comparison that never waits.
   int channel_latency_cycles() const;
   bool recomputes() const { return references > 0; }
-  bool refetches() const { return recomputes() && operands == model::OperandStore::refetched; }
+  bool refetches() const { return recomputes() && operands == scene::OperandStore::refetched; }
 };
 
 /// A template with its parameters, unconnected.
 struct TemplateInstance {
   std::string module;
-  std::vector<rtl::Parameter> parameters;
+  std::vector<Parameter> parameters;
 };
 /// The scoreboard or reorder buffer around a lane with this latency.
 TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cycles);
@@ -58,12 +58,12 @@ TemplateInstance crossbar_template(const SystemShape& shape);
 
 /// A lane with its scoreboard or reorder buffer. It takes a stream of comparisons and the answers
 /// of the references; it gives a stream of results and one of requests for recomputation.
-rtl::Module lane_channel_module(const SystemShape& shape, const DatapathGroup& lane);
+Module lane_channel_module(const SystemShape& shape, const DatapathGroup& lane);
 
 /// A reference datapath with the reference_port that feeds it; only for a shape that recomputes().
-rtl::Module reference_channel_module(const SystemShape& shape, const DatapathGroup& reference);
+Module reference_channel_module(const SystemShape& shape, const DatapathGroup& reference);
 
 /// The whole system: lanes, crossbar, references.
-rtl::Module top_module(const SystemShape& shape);
+Module top_module(const SystemShape& shape);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::rtl

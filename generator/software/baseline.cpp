@@ -11,16 +11,13 @@
 #include "model/number/double.hpp"
 #include "model/number/verdict.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::software {
 namespace {
-
-using model::Bits;
-using model::Verdict;
 
 // The most comparisons that are written out, since their operands fill memory.
 constexpr std::uint64_t most_written_out = std::uint64_t{1} << 22;
 
-model::Error no_doubles(const model::Scene& scene) {
+Error no_doubles(const scene::Scene& scene) {
   return {.file = scene.path.string(),
           .field = "reference.format",
           .message = "software computes in double, which does not hold the scene's numbers",
@@ -29,9 +26,9 @@ model::Error no_doubles(const model::Scene& scene) {
 }
 
 /// `count` rows of a table, or all of them, evenly spaced.
-model::Table some_rows(const model::Table& table, std::uint64_t count) {
+data::Table some_rows(const data::Table& table, std::uint64_t count) {
   const std::uint64_t taken = std::min<std::uint64_t>(count, table.rows());
-  model::Table sample{.format = table.format, .columns = table.columns, .values = {}, .labels = {}};
+  data::Table sample{.format = table.format, .columns = table.columns, .values = {}, .labels = {}};
   for (std::uint64_t k = 0; k < taken; ++k) {
     const auto first = table.values.begin() +
                        static_cast<std::ptrdiff_t>(k * table.rows() / taken * table.columns.size());
@@ -42,37 +39,37 @@ model::Table some_rows(const model::Table& table, std::uint64_t count) {
 }
 
 /// At most `most` comparisons, evenly spaced, each written out as a row of its operands.
-model::Result<model::Comparisons> written_out(const model::Scene& scene,
-                                              const model::Comparisons& data, std::uint64_t most) {
+Result<data::Comparisons> written_out(const scene::Scene& scene, const data::Comparisons& data,
+                                      std::uint64_t most) {
   const std::uint64_t taken = std::min(most, data.size());
   const std::size_t inputs = data.input_count();
-  model::Table rows{
+  data::Table rows{
       .format = data.format(), .columns = scene.graph.inputs(), .values = {}, .labels = {}};
   rows.values.resize(taken * inputs);
   for (std::uint64_t k = 0; k < taken; ++k) {
     const auto index = static_cast<std::uint64_t>(Bits{k} * data.size() / taken);
     data.fetch(index, std::span(rows.values).subspan(k * inputs, inputs));
   }
-  return model::Comparisons::rows(std::move(rows), scene.graph.inputs());
+  return data::Comparisons::rows(std::move(rows), scene.graph.inputs());
 }
 
 /// A sample of the data, of the same form, with about `wanted` comparisons.
-model::Result<model::Comparisons> sample_of(const model::Scene& scene,
-                                            const model::Comparisons& data, std::uint64_t wanted) {
+Result<data::Comparisons> sample_of(const scene::Scene& scene, const data::Comparisons& data,
+                                    std::uint64_t wanted) {
   const std::vector<std::string>& inputs = scene.graph.inputs();
   const auto side = [](double comparisons) {
     return static_cast<std::uint64_t>(std::sqrt(comparisons)) + 1;
   };
   const auto number = static_cast<double>(wanted);
   switch (data.pairing()) {
-    case model::Pairing::rows:
-      return model::Comparisons::rows(some_rows(data.table(), wanted), inputs);
-    case model::Pairing::all:
-      return model::Comparisons::all_pairs(some_rows(data.table(), side(2 * number)), inputs);
-    case model::Pairing::cross:
-      return model::Comparisons::cross(some_rows(data.tables()[0], side(number)),
-                                       some_rows(data.tables()[1], side(number)), inputs);
-    case model::Pairing::arg_min: break;
+    case data::Pairing::rows:
+      return data::Comparisons::rows(some_rows(data.table(), wanted), inputs);
+    case data::Pairing::all:
+      return data::Comparisons::all_pairs(some_rows(data.table(), side(2 * number)), inputs);
+    case data::Pairing::cross:
+      return data::Comparisons::cross(some_rows(data.tables()[0], side(number)),
+                                      some_rows(data.tables()[1], side(number)), inputs);
+    case data::Pairing::arg_min: break;
   }
   MIXCMP_CHECK(false);
 }
@@ -107,7 +104,7 @@ struct ExpectedLetters {
 
 class Judges {
 public:
-  explicit Judges(const model::Scene& scene)
+  explicit Judges(const scene::Scene& scene)
       : scene_(scene),
         doubles_(reference_graphs(scene.graph, {software_format()})),
         reference_(reference_graphs(scene.graph, scene.reference)) {}
@@ -115,18 +112,17 @@ public:
   ExpectedLetters judge(const std::vector<Bits>& operands) const {
     std::vector<Bits> doubles;
     for (const Bits operand : operands) {
-      const auto exact =
-          model::golden::convert({software_format()}, scene_.reference.format, operand);
+      const auto exact = golden::convert({software_format()}, scene_.reference.format, operand);
       doubles.push_back(exact.bits);
     }
-    return {letter(model::golden::evaluate_reference(doubles_, doubles)),
-            letter(model::golden::evaluate_reference(reference_, operands)),
-            letter(model::golden::true_verdict(scene_.graph, software_format(), doubles))};
+    return {letter(golden::evaluate_reference(doubles_, doubles)),
+            letter(golden::evaluate_reference(reference_, operands)),
+            letter(golden::true_verdict(scene_.graph, software_format(), doubles))};
   }
 
 private:
-  const model::Scene& scene_;
-  model::CombinedGraph doubles_, reference_;
+  const scene::Scene& scene_;
+  CombinedGraph doubles_, reference_;
 };
 
 void count(BaselineCheck& check, const std::vector<KernelOutput>& kernels, std::size_t index,
@@ -144,8 +140,8 @@ void count(BaselineCheck& check, const std::vector<KernelOutput>& kernels, std::
   }
 }
 
-model::Result<BaselineCheck> check_sample(const SoftwareProgram& program, const model::Scene& scene,
-                                          const model::Comparisons& data, std::uint64_t wanted) {
+Result<BaselineCheck> check_sample(const SoftwareProgram& program, const scene::Scene& scene,
+                                   const data::Comparisons& data, std::uint64_t wanted) {
   MIXCMP_TRY(sample, sample_of(scene, data, wanted));
   MIXCMP_TRY(kernels, program.verdicts(sample));
   BaselineCheck check{.comparisons = sample.size()};
@@ -185,8 +181,8 @@ std::string processor_name() {
   return "unknown";
 }
 
-std::optional<model::ErrorBoundKind> kind_of(const std::string& name) {
-  using model::ErrorBoundKind;
+std::optional<error::ErrorBoundKind> kind_of(const std::string& name) {
+  using error::ErrorBoundKind;
   for (const auto kind :
        {ErrorBoundKind::relative, ErrorBoundKind::running, ErrorBoundKind::constant}) {
     if (name == to_string(kind)) return kind;
@@ -210,9 +206,9 @@ const BaselineKernel& Baseline::fastest() const {
                            });
 }
 
-model::Result<Baseline> software_baseline(const model::Scene& scene, const model::Comparisons& data,
-                                          const BaselineOptions& options) {
-  if (!model::fits_double(scene.reference.format)) return no_doubles(scene);
+Result<Baseline> software_baseline(const scene::Scene& scene, const data::Comparisons& data,
+                                   const BaselineOptions& options) {
+  if (!fits_double(scene.reference.format)) return no_doubles(scene);
   if (!has_software_loops(data.pairing())) {
     MIXCMP_TRY(rows, written_out(scene, data, most_written_out));
     return software_baseline(scene, rows, options);
@@ -226,7 +222,7 @@ model::Result<Baseline> software_baseline(const model::Scene& scene, const model
   Baseline baseline{.scene = scene.name,
                     .processor = processor_name(),
                     .compiler = program.compiler(),
-                    .compile_command = model::shell_line(program.command()),
+                    .compile_command = shell_line(program.command()),
                     .comparisons = data.size(),
                     .threads = threads,
                     .seconds = options.seconds,
@@ -244,4 +240,4 @@ model::Result<Baseline> software_baseline(const model::Scene& scene, const model
   return baseline;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::software

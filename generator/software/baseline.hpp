@@ -11,7 +11,7 @@
 #include "model/common/process.hpp"
 #include "model/data/comparisons.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::software {
 
 struct BaselineOptions {
   std::filesystem::path work;  ///< an existing folder for source, program, data and logs
@@ -19,7 +19,7 @@ struct BaselineOptions {
   int rounds = 5;
   double seconds = 0.5;         ///< run time of one kernel in one round
   std::uint64_t sample = 4096;  ///< about how many comparisons the golden model checks
-  model::Progress progress = {};
+  Progress progress = {};
 };
 
 struct VerdictCounts {
@@ -38,7 +38,7 @@ struct MeasuredRate {
 };
 
 struct BaselineKernel {
-  std::optional<model::ErrorBoundKind> filter;  ///< nullopt: double throughout
+  std::optional<error::ErrorBoundKind> filter;  ///< nullopt: double throughout
   VerdictCounts verdicts;                       ///< of all comparisons
   std::uint64_t recomputed = 0;                 ///< comparisons that a filter left to doubles
   MeasuredRate one_core, all_cores;
@@ -75,8 +75,8 @@ struct Baseline {
 
 /// Writes, compiles (g++) and runs the comparison. Errors: a format that doubles do not hold, a
 /// compiler or program that fails.
-model::Result<Baseline> software_baseline(const model::Scene& scene, const model::Comparisons& data,
-                                          const BaselineOptions& options);
+Result<Baseline> software_baseline(const scene::Scene& scene, const data::Comparisons& data,
+                                   const BaselineOptions& options);
 
 /// "double", "float filter, constant bound".
 std::string kernel_name(const BaselineKernel& kernel);
@@ -84,4 +84,4 @@ std::string to_text(const Baseline& baseline);
 std::string to_csv(const Baseline& baseline);
 nlohmann::ordered_json to_json(const Baseline& baseline);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::software

@@ -12,17 +12,16 @@
 #include "model/error/sign.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::software {
 namespace {
 
-using model::BoundOperation;
-using model::ErrorBoundKind;
-using model::NodeId;
+using error::BoundOperation;
+using error::ErrorBoundKind;
 
 constexpr int float_digits = std::numeric_limits<float>::digits;
 
-model::FloatFormat float_format() {
-  return model::FloatFormat::parse("binary32").value();
+FloatFormat float_format() {
+  return FloatFormat::parse("binary32").value();
 }
 
 /// A factor c such that exact <= c * computed after `count` roundings to nearest, none of them
@@ -36,9 +35,9 @@ mpq_class inverse_of_roundings(int count) {
 
 /// How many roundings a path to each bound node passes at most; products add those of both
 /// operands.
-std::vector<int> bound_roundings(const model::BoundGraph& bound) {
+std::vector<int> bound_roundings(const error::BoundGraph& bound) {
   std::vector<int> roundings;
-  for (const model::BoundNode& node : bound.nodes) {
+  for (const error::BoundNode& node : bound.nodes) {
     const auto of = [&](int k) { return roundings[static_cast<std::size_t>(node.operands[k])]; };
     switch (node.operation) {
       case BoundOperation::constant:  // up, by rounded_up
@@ -55,9 +54,9 @@ std::vector<int> bound_roundings(const model::BoundGraph& bound) {
 
 /// gamma(steps) of docs/error_bounds.md, theorem 2: the least factor between two numbers whose
 /// encodings are `steps` apart. It is no less than the ratio that the steps were chosen for.
-mpq_class ratio_of_steps(model::Bits steps) {
+mpq_class ratio_of_steps(Bits steps) {
   const auto doublings = static_cast<unsigned long>(steps >> (float_digits - 1));
-  const auto rest = static_cast<unsigned long>(steps & model::low_mask(float_digits - 1));
+  const auto rest = static_cast<unsigned long>(steps & low_mask(float_digits - 1));
   const mpq_class share(mpz_class(rest), mpz_class(1) << float_digits);
   return mpq_class(mpz_class(1) << doublings) / (1 - share);
 }
@@ -68,7 +67,7 @@ bool all_finite(const ThresholdDecision& decision) {
              decision.conditions.begin(), decision.conditions.end(),
              [](const FloatCondition& condition) { return std::isfinite(condition.factor); }) &&
          std::all_of(decision.bound.nodes.begin(), decision.bound.nodes.end(),
-                     [](const model::BoundNode& node) {
+                     [](const error::BoundNode& node) {
                        return node.operation != BoundOperation::constant ||
                               std::isfinite(float_at_least(node.constant));
                      });
@@ -76,8 +75,8 @@ bool all_finite(const ThresholdDecision& decision) {
 
 /// The decision in binary32; nullopt where the guard has so many steps that binary32 cannot hold
 /// their factor.
-std::optional<ThresholdDecision> threshold_of(const model::AbsoluteBoundDecision& decision) {
-  constexpr model::Bits most_steps = model::Bits{1} << (float_digits + 6);
+std::optional<ThresholdDecision> threshold_of(const error::AbsoluteBoundDecision& decision) {
+  constexpr Bits most_steps = Bits{1} << (float_digits + 6);
   if (decision.guard_ulp > most_steps) return std::nullopt;
   const std::vector<int> roundings = bound_roundings(decision.bound);
   ThresholdDecision threshold{.difference = decision.difference,
@@ -86,7 +85,7 @@ std::optional<ThresholdDecision> threshold_of(const model::AbsoluteBoundDecision
                               .factor = float_at_least(ratio_of_steps(decision.guard_ulp) *
                                                        inverse_of_roundings(roundings.back() + 1)),
                               .conditions = {}};
-  for (const model::BoundCondition& condition : decision.conditions) {
+  for (const error::BoundCondition& condition : decision.conditions) {
     const int count = roundings[static_cast<std::size_t>(condition.bound)] + 1;
     threshold.conditions.push_back(
         {condition.bound, condition.value, float_at_least(inverse_of_roundings(count))});
@@ -97,58 +96,58 @@ std::optional<ThresholdDecision> threshold_of(const model::AbsoluteBoundDecision
 
 /// Multiplies a constant bound by its factor here, so that the whole threshold is one literal.
 void fold_constant(ThresholdDecision& decision) {
-  model::BoundNode& last = decision.bound.nodes.back();
+  error::BoundNode& last = decision.bound.nodes.back();
   if (last.operation != BoundOperation::constant) return;
   last.constant *= mpq_class(decision.factor);
   decision.factor = 1;
 }
 
-model::Result<PartFilter> threshold_filter(ErrorBoundKind kind, const model::TypedGraph& graph,
-                                           const model::Scene& scene) {
+Result<PartFilter> threshold_filter(ErrorBoundKind kind, const TypedGraph& graph,
+                                    const scene::Scene& scene) {
   // A CPU gains nothing from hazards that ranges rule out: its flags tell when one occurs.
-  MIXCMP_TRY(lane, certified_lane(graph, {.kind = kind,
-                                          .ranges = scene.ranges,
-                                          .hazards = model::HazardRemoval::keep}));
-  auto decision = threshold_of(std::get<model::AbsoluteBoundDecision>(lane.decision));
+  MIXCMP_TRY(lane, error::certified_lane(graph, {.kind = kind,
+                                                 .ranges = scene.ranges,
+                                                 .hazards = error::HazardRemoval::keep}));
+  auto decision = threshold_of(std::get<error::AbsoluteBoundDecision>(lane.decision));
   if (decision) fold_constant(*decision);
   if (!decision || !all_finite(*decision)) {
-    return model::Error{.message = "the bound is out of binary32's range"};
+    return Error{.message = "the bound is out of binary32's range"};
   }
   return PartFilter{std::move(lane.graph), std::move(*decision), std::move(lane.checks)};
 }
 
-model::Result<PartFilter> ratio_filter(const model::TypedGraph& graph, const model::Scene& scene) {
-  const model::ErrorAnalysis analysis = analyse_errors(graph, scene.nonnegative_inputs());
+Result<PartFilter> ratio_filter(const TypedGraph& graph, const scene::Scene& scene) {
+  const error::ErrorAnalysis analysis = error::analyse_errors(graph, scene.nonnegative_inputs());
   const auto bound_of = [&](NodeId id) { return analysis.nodes[static_cast<std::size_t>(id)]; };
-  const model::NodeBound f = bound_of(graph.f), g = bound_of(graph.g);
-  for (const model::NodeBound* side : {&f, &g}) {
-    if (!side->relative) return model::Error{.message = side->reason};
+  const error::NodeBound f = bound_of(graph.f), g = bound_of(graph.g);
+  for (const error::NodeBound* side : {&f, &g}) {
+    if (!side->relative) return Error{.message = side->reason};
   }
-  const std::vector<model::Sign> signs = analyse_signs(graph, scene.nonnegative_inputs());
-  const model::SignProof proof = model::both(signs[static_cast<std::size_t>(graph.f)].nonnegative,
+  const std::vector<error::Sign> signs = error::analyse_signs(graph, scene.nonnegative_inputs());
+  const error::SignProof proof = error::both(signs[static_cast<std::size_t>(graph.f)].nonnegative,
                                              signs[static_cast<std::size_t>(graph.g)].nonnegative);
-  if (!proof) return model::Error{.message = "f and g are not proven to be non-negative"};
+  if (!proof) return Error{.message = "f and g are not proven to be non-negative"};
   const float ratio = float_at_least(
       std::max(f.relative->high / g.relative->low, g.relative->high / f.relative->low));
-  if (!std::isfinite(ratio)) return model::Error{.message = "the errors are out of bounds"};
+  if (!std::isfinite(ratio)) return Error{.message = "the errors are out of bounds"};
   PartFilter filter{graph, RatioDecision{ratio}, {}};
   std::set<int> inputs = *proof;
   inputs.insert(analysis.nonnegative_inputs.begin(), analysis.nonnegative_inputs.end());
   for (const int input : inputs) {
-    filter.checks.push_back(sign_check(input, model::RequiredSign::nonnegative));
+    filter.checks.push_back(sign_check(input, error::RequiredSign::nonnegative));
   }
   return filter;
 }
 
-model::Result<FloatFilter> filter_of(ErrorBoundKind kind, const model::CombinedGraph& graph,
-                                     const model::Scene& scene) {
+Result<FloatFilter> filter_of(ErrorBoundKind kind, const CombinedGraph& graph,
+                              const scene::Scene& scene) {
   FloatFilter filter{.kind = kind, .parts = {}};
   for (std::size_t k = 0; k < graph.parts.size(); ++k) {
-    const model::TypedGraph& part = graph.parts[k];
-    model::Result<PartFilter> made = kind == ErrorBoundKind::relative
-                                         ? ratio_filter(part, scene)
-                                         : threshold_filter(kind, part, scene);
-    if (!made.ok()) return of_part(made.error(), k, graph.parts.size());
+    const TypedGraph& part = graph.parts[k];
+    Result<PartFilter> made = kind == ErrorBoundKind::relative
+                                  ? ratio_filter(part, scene)
+                                  : threshold_filter(kind, part, scene);
+    if (!made.ok()) return error::of_part(made.error(), k, graph.parts.size());
     filter.parts.push_back(std::move(made).value());
   }
   return filter;
@@ -162,17 +161,17 @@ float float_at_least(const mpq_class& value) {
   return value == 0 ? 0 : std::max(rounded, std::numeric_limits<float>::min());
 }
 
-model::FloatFormat software_format() {
-  return model::FloatFormat::parse("binary64").value();
+FloatFormat software_format() {
+  return FloatFormat::parse("binary64").value();
 }
 
-FloatFilters float_filters(const model::Scene& scene) {
-  const model::CombinedGraph graph =
-      lane_graphs(scene.graph, software_format(), {float_format()}, model::LaneInputs::rounded);
+FloatFilters float_filters(const scene::Scene& scene) {
+  const CombinedGraph graph =
+      lane_graphs(scene.graph, software_format(), {float_format()}, LaneInputs::rounded);
   FloatFilters found;
   for (const ErrorBoundKind kind :
        {ErrorBoundKind::constant, ErrorBoundKind::relative, ErrorBoundKind::running}) {
-    model::Result<FloatFilter> filter = filter_of(kind, graph, scene);
+    Result<FloatFilter> filter = filter_of(kind, graph, scene);
     if (filter.ok()) {
       found.filters.push_back(std::move(filter).value());
     } else {
@@ -182,4 +181,4 @@ FloatFilters float_filters(const model::Scene& scene) {
   return found;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::software

@@ -7,10 +7,10 @@
 #include "model/error/combined_lane.hpp"
 #include "model/scene/scene.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::software {
 
 /// The format of the software's operands, binary64: it must hold the scene's numbers exactly.
-model::FloatFormat software_format();
+FloatFormat software_format();
 
 /// The least normal binary32 that is not below `value` >= 0; infinite where there is none.
 float float_at_least(const mpq_class& value);
@@ -24,7 +24,7 @@ struct RatioDecision {
 /// A bound holds only where factor * bound node `bound` <= |value|.
 struct FloatCondition {
   int bound;
-  model::NodeId value;
+  NodeId value;
   float factor;
 };
 
@@ -32,8 +32,8 @@ struct FloatCondition {
 /// threshold; threshold = factor * the last bound node. The factors make up for the roundings to
 /// nearest of the bound itself, and for the guard of theorem 8.
 struct ThresholdDecision {
-  model::NodeId difference;
-  model::BoundGraph bound;  ///< its nodes are computed in binary32; its own format is not used
+  NodeId difference;
+  error::BoundGraph bound;  ///< its nodes are computed in binary32; its own format is not used
   float factor;
   std::vector<FloatCondition> conditions;
 };
@@ -42,20 +42,20 @@ struct ThresholdDecision {
 /// operation is exceptional (model/golden/arithmetic.hpp) and every operand passes its check;
 /// docs/baseline.md proves it.
 struct PartFilter {
-  model::TypedGraph graph;
+  TypedGraph graph;
   std::variant<RatioDecision, ThresholdDecision> decision;
-  std::vector<model::RangeCheck> checks;  ///< on operands in software_format()
+  std::vector<error::RangeCheck> checks;  ///< on operands in software_format()
 };
 
 /// All parts of a comparison, with bounds of one kind.
 struct FloatFilter {
-  model::ErrorBoundKind kind;
+  error::ErrorBoundKind kind;
   std::vector<PartFilter> parts;
 };
 
 /// A kind of filter that a scene cannot have, and why.
 struct MissingFilter {
-  model::ErrorBoundKind kind;
+  error::ErrorBoundKind kind;
   std::string reason;
 };
 
@@ -66,6 +66,6 @@ struct FloatFilters {
 
 /// The certified filters of the scene's comparison, at most one of each kind. The scene's own lanes
 /// have no influence on them.
-FloatFilters float_filters(const model::Scene& scene);
+FloatFilters float_filters(const scene::Scene& scene);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::software

@@ -11,7 +11,7 @@
 #include "model/common/output_file.hpp"
 #include "model/data/operand_source.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::software {
 namespace {
 
 namespace fs = std::filesystem;
@@ -19,27 +19,27 @@ namespace fs = std::filesystem;
 /// Multiply-adds must not be contracted: proofs and golden model round every operation.
 /// -fno-math-errno and -fno-trapping-math let g++ vectorise roots and conditions, and change no
 /// result.
-const model::Command compile_command = {"g++",
-                                        "-std=c++20",
-                                        "-O3",
-                                        "-march=native",
-                                        "-ffp-contract=off",
-                                        "-fno-math-errno",
-                                        "-fno-trapping-math",
-                                        "-pthread",
-                                        "comparison.cpp",
-                                        "-o",
-                                        "comparison"};
+const Command compile_command = {"g++",
+                                 "-std=c++20",
+                                 "-O3",
+                                 "-march=native",
+                                 "-ffp-contract=off",
+                                 "-fno-math-errno",
+                                 "-fno-trapping-math",
+                                 "-pthread",
+                                 "comparison.cpp",
+                                 "-o",
+                                 "comparison"};
 
-void write_word(model::OutputFile& file, std::uint64_t word) {
+void write_word(OutputFile& file, std::uint64_t word) {
   file.write({reinterpret_cast<const char*>(&word), sizeof word});
 }
 
 /// Writes the numbers of items, then the columns as doubles; program/harness.hpp reads them.
-model::Result<model::Done> write_data(const fs::path& path, const model::Comparisons& data) {
-  const model::OperandSource operands(data);
+Result<Done> write_data(const fs::path& path, const data::Comparisons& data) {
+  const data::OperandSource operands(data);
   const SoftwareColumns columns = software_columns(data);
-  MIXCMP_TRY(file, model::OutputFile::open(path));
+  MIXCMP_TRY(file, OutputFile::open(path));
   write_word(file, data.tables().front().rows());
   write_word(file, data.tables().back().rows());
   for (const std::size_t input : columns.inputs) {
@@ -80,15 +80,15 @@ bool read_line(const std::string& line, std::vector<KernelOutput>& kernels) {
   return !words.fail();
 }
 
-model::Error unusable(const fs::path& log, const char* what, std::string received) {
+Error unusable(const fs::path& log, const char* what, std::string received) {
   return {.file = log.string(),
           .message = fmt::format("the program that g++ made of the comparison {}", what),
           .received = std::move(received)};
 }
 
 /// Reads the program's log, whose last line must be "end".
-model::Result<std::vector<KernelOutput>> parse(const fs::path& log) {
-  MIXCMP_TRY(text, model::read_file(log));
+Result<std::vector<KernelOutput>> parse(const fs::path& log) {
+  MIXCMP_TRY(text, read_file(log));
   std::istringstream lines(text);
   std::vector<KernelOutput> kernels;
   bool ended = false;
@@ -114,46 +114,44 @@ bool has_all_rates(const KernelOutput& kernel, unsigned threads, int rounds) {
 
 }  // namespace
 
-const model::Command& SoftwareProgram::command() {
+const Command& SoftwareProgram::command() {
   return compile_command;
 }
 
-model::Result<SoftwareProgram> SoftwareProgram::compile(const model::Scene& scene,
-                                                        const model::Comparisons& data,
-                                                        const FloatFilters& filters,
-                                                        const BaselineOptions& options) {
-  MIXCMP_TRY(compiler, model::tool_version({"g++", "--version"}, "g++"));
+Result<SoftwareProgram> SoftwareProgram::compile(const scene::Scene& scene,
+                                                 const data::Comparisons& data,
+                                                 const FloatFilters& filters,
+                                                 const BaselineOptions& options) {
+  MIXCMP_TRY(compiler, tool_version({"g++", "--version"}, "g++"));
   const fs::path& work = options.work;
   std::error_code absent;
   fs::remove(work / "comparison", absent);  // so that no older program is run
-  MIXCMP_TRY(written,
-             model::write_file(work / "comparison.cpp", software_source(scene, data, filters)));
-  MIXCMP_TRY(compiled, model::run_tool({.command = compile_command,
-                                        .directory = work,
-                                        .log = work / "compile.log",
-                                        .progress = options.progress}));
+  MIXCMP_TRY(written, write_file(work / "comparison.cpp", software_source(scene, data, filters)));
+  MIXCMP_TRY(compiled, run_tool({.command = compile_command,
+                                 .directory = work,
+                                 .log = work / "compile.log",
+                                 .progress = options.progress}));
   if (!fs::exists(work / "comparison")) {
-    return model::Error{.file = (work / "compile.log").string(),
-                        .message = "g++ ended well and wrote no program"};
+    return Error{.file = (work / "compile.log").string(),
+                 .message = "g++ ended well and wrote no program"};
   }
   return SoftwareProgram(options, compiler);
 }
 
-model::Result<std::vector<KernelOutput>> SoftwareProgram::run(
-    const model::Comparisons& data, const model::Command& arguments) const {
+Result<std::vector<KernelOutput>> SoftwareProgram::run(const data::Comparisons& data,
+                                                       const Command& arguments) const {
   MIXCMP_TRY(written, write_data(options_.work / "data.bin", data));
-  model::Command command = {"./comparison", "data.bin"};
+  Command command = {"./comparison", "data.bin"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   const fs::path log = options_.work / "run.log";
-  MIXCMP_TRY(finished, model::run_tool({.command = command,
-                                        .directory = options_.work,
-                                        .log = log,
-                                        .progress = options_.progress}));
+  MIXCMP_TRY(finished, run_tool({.command = command,
+                                 .directory = options_.work,
+                                 .log = log,
+                                 .progress = options_.progress}));
   return parse(log);
 }
 
-model::Result<std::vector<KernelOutput>> SoftwareProgram::verdicts(
-    const model::Comparisons& data) const {
+Result<std::vector<KernelOutput>> SoftwareProgram::verdicts(const data::Comparisons& data) const {
   MIXCMP_TRY(kernels, run(data, {"verdicts"}));
   for (const KernelOutput& kernel : kernels) {
     if (kernel.letters.size() == data.size()) continue;
@@ -163,8 +161,8 @@ model::Result<std::vector<KernelOutput>> SoftwareProgram::verdicts(
   return kernels;
 }
 
-model::Result<std::vector<KernelOutput>> SoftwareProgram::measure(const model::Comparisons& data,
-                                                                  unsigned threads) const {
+Result<std::vector<KernelOutput>> SoftwareProgram::measure(const data::Comparisons& data,
+                                                           unsigned threads) const {
   MIXCMP_TRY(kernels,
              run(data, {"measure", std::to_string(threads), std::to_string(options_.rounds),
                         fmt::format("{}", options_.seconds)}));
@@ -176,4 +174,4 @@ model::Result<std::vector<KernelOutput>> SoftwareProgram::measure(const model::C
   return kernels;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::software

@@ -2,7 +2,7 @@
 
 #include "generator/software/baseline.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::software {
 
 /// The program's output for one kernel.
 struct KernelOutput {
@@ -16,28 +16,26 @@ struct KernelOutput {
 /// The compiled comparison of one scene.
 class SoftwareProgram {
 public:
-  static model::Result<SoftwareProgram> compile(const model::Scene& scene,
-                                                const model::Comparisons& data,
-                                                const FloatFilters& filters,
-                                                const BaselineOptions& options);
+  static Result<SoftwareProgram> compile(const scene::Scene& scene, const data::Comparisons& data,
+                                         const FloatFilters& filters,
+                                         const BaselineOptions& options);
 
   const std::string& compiler() const { return compiler_; }
-  static const model::Command& command();
+  static const Command& command();
 
   /// Runs the program on small data with the scene's columns, and returns every verdict.
-  model::Result<std::vector<KernelOutput>> verdicts(const model::Comparisons& data) const;
-  model::Result<std::vector<KernelOutput>> measure(const model::Comparisons& data,
-                                                   unsigned threads) const;
+  Result<std::vector<KernelOutput>> verdicts(const data::Comparisons& data) const;
+  Result<std::vector<KernelOutput>> measure(const data::Comparisons& data, unsigned threads) const;
 
 private:
   SoftwareProgram(BaselineOptions options, std::string compiler)
       : options_(std::move(options)), compiler_(std::move(compiler)) {}
 
-  model::Result<std::vector<KernelOutput>> run(const model::Comparisons& data,
-                                               const model::Command& arguments) const;
+  Result<std::vector<KernelOutput>> run(const data::Comparisons& data,
+                                        const Command& arguments) const;
 
   BaselineOptions options_;
   std::string compiler_;
 };
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::software

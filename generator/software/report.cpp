@@ -5,7 +5,7 @@
 
 #include "generator/software/baseline.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::software {
 namespace {
 
 std::string share_text(std::uint64_t part, std::uint64_t whole) {
@@ -45,7 +45,7 @@ std::string check_text(const BaselineCheck& check) {
                         check.undetermined));
 }
 
-std::string name_of(const std::optional<model::ErrorBoundKind>& filter) {
+std::string name_of(const std::optional<error::ErrorBoundKind>& filter) {
   return filter ? std::string(to_string(*filter)) : "none";
 }
 
@@ -137,4 +137,4 @@ nlohmann::ordered_json to_json(const Baseline& baseline) {
   return report;
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::software

@@ -9,17 +9,14 @@
 #include "generator/rtl/net_names.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::software {
 namespace {
 
-using model::BoundOperation;
-using model::NodeId;
-using model::Operation;
-using model::TypedGraph;
+using error::BoundOperation;
 
 /// A finite number of the graph's format as an exact C++ literal.
-std::string literal(model::FloatFormat format, model::Bits bits) {
-  const double value = model::to_rational(format, bits).get_d();
+std::string literal(FloatFormat format, Bits bits) {
+  const double value = to_rational(format, bits).get_d();
   return fmt::format("{:a}{}", value, format == software_format() ? "" : "f");
 }
 
@@ -29,15 +26,15 @@ std::string literal(float value) {
 
 /// The names in the loop body of one kernel: the nodes' local variables and the loads of inputs.
 struct Body {
-  const model::Comparisons& data;
+  const data::Comparisons& data;
   const TypedGraph& graph;
-  NamePool pool;
+  rtl::NamePool pool;
   std::vector<std::string> names;
 
-  Body(const model::Comparisons& comparisons, const TypedGraph& typed)
+  Body(const data::Comparisons& comparisons, const TypedGraph& typed)
       : Body(comparisons, typed, {{typed.f, typed.g}}) {}
-  Body(const model::Comparisons& comparisons, const TypedGraph& typed,
-       const std::vector<model::Sides>& parts)
+  Body(const data::Comparisons& comparisons, const TypedGraph& typed,
+       const std::vector<Sides>& parts)
       : data(comparisons),
         graph(typed),
         pool({"columns", "i", "j", "threshold", "less", "greater", "all_less", "all_greater",
@@ -47,18 +44,18 @@ struct Body {
     std::vector<std::string> ports;
     // No keyword of C++ begins with "in_".
     for (const std::string& input : graph.input_names) ports.push_back(pool.unique("in_" + input));
-    names = name_nodes(graph, parts, ports, pool);
+    names = rtl::name_nodes(graph, parts, ports, pool);
   }
 
   std::string load(int input) const {
-    const model::Item item = data.sources()[static_cast<std::size_t>(input)].item;
+    const data::Item item = data.sources()[static_cast<std::size_t>(input)].item;
     return fmt::format("columns[{}][{}]", input, item == data.moving_item() ? "j" : "i");
   }
 };
 
 /// The operation in C++. Inputs and conversions of inputs are loads: columns are rounded already.
 std::string expression(const Body& body, NodeId id) {
-  const model::TypedNode& node = body.graph.nodes[static_cast<std::size_t>(id)];
+  const TypedNode& node = body.graph.nodes[static_cast<std::size_t>(id)];
   const auto operand = [&](int k) {
     return body.names[static_cast<std::size_t>(node.operands[k])];
   };
@@ -88,7 +85,7 @@ std::string define(const std::string& name, const std::string& value) {
 std::string nodes(const Body& body) {
   std::string text;
   for (NodeId id = 0; id < static_cast<NodeId>(body.graph.nodes.size()); ++id) {
-    const model::TypedNode& node = body.graph.nodes[static_cast<std::size_t>(id)];
+    const TypedNode& node = body.graph.nodes[static_cast<std::size_t>(id)];
     const bool unrounded =
         node.operation == Operation::input && node.format != body.graph.arithmetic.format;
     if (!unrounded) {
@@ -99,10 +96,10 @@ std::string nodes(const Body& body) {
 }
 
 /// A relation that must hold between f and g of any part, or of all.
-std::string over_parts(const Body& body, const std::vector<model::Sides>& parts,
-                       const char* relation, const char* joined_by) {
+std::string over_parts(const Body& body, const std::vector<Sides>& parts, const char* relation,
+                       const char* joined_by) {
   std::string text;
-  for (const model::Sides& part : parts) {
+  for (const Sides& part : parts) {
     const std::string& f = body.names[static_cast<std::size_t>(part.f)];
     const std::string& g = body.names[static_cast<std::size_t>(part.g)];
     const bool alone = parts.size() == 1;
@@ -115,15 +112,14 @@ std::string over_parts(const Body& body, const std::vector<model::Sides>& parts,
 
 /// The call use(less, equal, greater). All three are false where a part is unordered and no other
 /// part outweighs it.
-std::string exact_verdict(const Body& body, const model::SharedGraph& graph,
-                          model::Combination combination) {
-  const std::vector<model::Sides>& parts = graph.sides;
+std::string exact_verdict(const Body& body, const SharedGraph& graph, Combination combination) {
+  const std::vector<Sides>& parts = graph.sides;
   const auto any = [&](const char* relation) { return over_parts(body, parts, relation, " | "); };
   const auto all = [&](const char* relation) { return over_parts(body, parts, relation, " & "); };
   if (parts.size() == 1) {
     return fmt::format("    use({}, {}, {});\n", all("<"), all("=="), all(">"));
   }
-  if (combination == model::Combination::all) {
+  if (combination == Combination::all) {
     return fmt::format("    const bool less = {};\n    use(less, ({}) & !less, {});\n", all("<"),
                        all("<="), any(">"));
   }
@@ -131,8 +127,8 @@ std::string exact_verdict(const Body& body, const model::SharedGraph& graph,
                      all(">"), any("<"), all(">="));
 }
 
-std::string doubles(const model::Scene& scene, const model::Comparisons& data) {
-  const model::SharedGraph graph = share(reference_graphs(scene.graph, {software_format()}));
+std::string doubles(const scene::Scene& scene, const data::Comparisons& data) {
+  const SharedGraph graph = share(reference_graphs(scene.graph, {software_format()}));
   const Body body(data, graph.graph, graph.sides);
   return fmt::format(R"(struct Doubles {{
   using Real = double;
@@ -148,7 +144,7 @@ std::string doubles(const model::Scene& scene, const model::Comparisons& data) {
                      nodes(body), exact_verdict(body, graph, scene.graph.combination()));
 }
 
-std::string bound_expression(const model::BoundGraph& bound, const model::BoundNode& node,
+std::string bound_expression(const error::BoundGraph& bound, const error::BoundNode& node,
                              const std::vector<std::string>& bounds,
                              const std::vector<std::string>& values) {
   const auto operand = [&](int k) { return bounds[static_cast<std::size_t>(node.operands[k])]; };
@@ -186,7 +182,8 @@ PartText decide(Body& body, const RatioDecision& decision) {
 }
 
 PartText decide(Body& body, const ThresholdDecision& decision) {
-  const std::vector<std::string> bounds = name_bounds(decision.bound, "", body.names, body.pool);
+  const std::vector<std::string> bounds =
+      rtl::name_bounds(decision.bound, "", body.names, body.pool);
   std::string text;
   for (std::size_t id = 0; id < bounds.size(); ++id) {
     text += define(bounds[id],
@@ -206,11 +203,11 @@ PartText decide(Body& body, const ThresholdDecision& decision) {
   return {text, "less", "greater"};
 }
 
-int sign_code(model::RequiredSign sign) {
+int sign_code(error::RequiredSign sign) {
   switch (sign) {
-    case model::RequiredSign::any: return 0;
-    case model::RequiredSign::nonnegative: return 1;
-    case model::RequiredSign::nonpositive: return 2;
+    case error::RequiredSign::any: return 0;
+    case error::RequiredSign::nonnegative: return 1;
+    case error::RequiredSign::nonpositive: return 2;
   }
   MIXCMP_CHECK(false);
 }
@@ -218,15 +215,15 @@ int sign_code(model::RequiredSign sign) {
 /// The range checks of all parts, each once. An operand that fails one is a NaN to every part that
 /// reads it.
 std::string checks(const FloatFilter& filter) {
-  std::vector<model::RangeCheck> all;
+  std::vector<error::RangeCheck> all;
   for (const PartFilter& part : filter.parts) {
-    for (const model::RangeCheck& check : part.checks) {
+    for (const error::RangeCheck& check : part.checks) {
       if (std::find(all.begin(), all.end(), check) == all.end()) all.push_back(check);
     }
   }
   std::string text =
       fmt::format("  static constexpr std::array<Check, {}> checks = {{{{", all.size());
-  for (const model::RangeCheck& check : all) {
+  for (const error::RangeCheck& check : all) {
     const int shift =
         check.leading_bits == 0 ? 0 : software_format().width() - 1 - check.leading_bits;
     text += fmt::format("\n      {{{}, {}, {}, {:#x}, {:#x}}},", check.input, sign_code(check.sign),
@@ -236,17 +233,17 @@ std::string checks(const FloatFilter& filter) {
   return text + "}};\n";
 }
 
-std::string filter_type(model::ErrorBoundKind kind) {
+std::string filter_type(error::ErrorBoundKind kind) {
   switch (kind) {
-    case model::ErrorBoundKind::relative: return "RelativeFilter";
-    case model::ErrorBoundKind::running: return "RunningFilter";
-    case model::ErrorBoundKind::constant: return "ConstantFilter";
+    case error::ErrorBoundKind::relative: return "RelativeFilter";
+    case error::ErrorBoundKind::running: return "RunningFilter";
+    case error::ErrorBoundKind::constant: return "ConstantFilter";
   }
   MIXCMP_CHECK(false);
 }
 
 /// The kernel of a comparison of a single part.
-std::string text_of_part(const model::Comparisons& data, const PartFilter& part) {
+std::string text_of_part(const data::Comparisons& data, const PartFilter& part) {
   Body body(data, part.graph);
   const std::string values = nodes(body);
   const PartText text =
@@ -266,8 +263,8 @@ std::string indented(const std::string& text) {
 
 /// The kernel of a comparison of several parts, one block for each. The compiler merges what the
 /// blocks have in common.
-std::string text_of_parts(const model::Comparisons& data, const FloatFilter& filter,
-                          model::Combination combination) {
+std::string text_of_parts(const data::Comparisons& data, const FloatFilter& filter,
+                          Combination combination) {
   std::string text =
       "    bool all_less = true, any_less = false, all_greater = true, any_greater = false;\n";
   for (const PartFilter& part : filter.parts) {
@@ -280,12 +277,12 @@ std::string text_of_parts(const model::Comparisons& data, const FloatFilter& fil
     block += fmt::format("    all_greater &= {0};\n    any_greater |= {0};\n", decision.greater);
     text += "    {\n" + indented(block) + "    }\n";
   }
-  const bool all = combination == model::Combination::all;
+  const bool all = combination == Combination::all;
   return text + (all ? "    use(all_less, any_greater);\n" : "    use(any_less, all_greater);\n");
 }
 
-std::string filter_text(const model::Comparisons& data, const FloatFilter& filter,
-                        model::Combination combination) {
+std::string filter_text(const data::Comparisons& data, const FloatFilter& filter,
+                        Combination combination) {
   const bool alone = filter.parts.size() == 1;
   return fmt::format(
       R"(
@@ -312,7 +309,7 @@ std::string on_one_line(std::string text) {
   return text;
 }
 
-std::string header(const model::Scene& scene) {
+std::string header(const scene::Scene& scene) {
   return fmt::format(R"(// The comparison {} in software: the sign of f - g,
 //   f = {}
 //   g = {}
@@ -320,20 +317,21 @@ std::string header(const model::Scene& scene) {
 // Compile: g++ -std=c++20 -O3 -march=native -ffp-contract=off -fno-math-errno -fno-trapping-math
 // -pthread; never -ffast-math.
 )",
-                     scene.name, on_one_line(scene.f_text()), on_one_line(scene.g_text()), version);
+                     scene.name, on_one_line(scene.f_text()), on_one_line(scene.g_text()),
+                     emit::version);
 }
 
-std::string_view form_of(model::Pairing pairing) {
+std::string_view form_of(data::Pairing pairing) {
   switch (pairing) {
-    case model::Pairing::rows: return "rows";
-    case model::Pairing::all: return "all_pairs";
-    case model::Pairing::cross: return "cross";
-    case model::Pairing::arg_min: break;
+    case data::Pairing::rows: return "rows";
+    case data::Pairing::all: return "all_pairs";
+    case data::Pairing::cross: return "cross";
+    case data::Pairing::arg_min: break;
   }
   MIXCMP_CHECK(false);
 }
 
-std::string constants(const model::Comparisons& data) {
+std::string constants(const data::Comparisons& data) {
   const SoftwareColumns columns = software_columns(data);
   std::string list;
   for (const std::size_t column : columns.of_inputs) list += fmt::format("{}, ", column);
@@ -348,18 +346,17 @@ constexpr std::array<std::size_t, {}> column_of_input = {{{}}};
 
 std::string_view program_part(const std::string& name) {
   const auto parts = software_program();
-  const auto found = std::find_if(parts.begin(), parts.end(), [&](const model::EmbeddedFile& file) {
-    return file.name == name;
-  });
+  const auto found = std::find_if(parts.begin(), parts.end(),
+                                  [&](const EmbeddedFile& file) { return file.name == name; });
   MIXCMP_CHECK(found != parts.end());
   return found->text;
 }
 
 }  // namespace
 
-SoftwareColumns software_columns(const model::Comparisons& data) {
+SoftwareColumns software_columns(const data::Comparisons& data) {
   SoftwareColumns columns;
-  const std::vector<model::Comparisons::Source>& sources = data.sources();
+  const std::vector<data::Comparisons::Source>& sources = data.sources();
   for (std::size_t input = 0; input < sources.size(); ++input) {
     const auto same = [&](std::size_t other) {
       return sources[other].table == sources[input].table &&
@@ -372,11 +369,11 @@ SoftwareColumns software_columns(const model::Comparisons& data) {
   return columns;
 }
 
-bool has_software_loops(model::Pairing pairing) {
-  return pairing != model::Pairing::arg_min;
+bool has_software_loops(data::Pairing pairing) {
+  return pairing != data::Pairing::arg_min;
 }
 
-std::string software_source(const model::Scene& scene, const model::Comparisons& data,
+std::string software_source(const scene::Scene& scene, const data::Comparisons& data,
                             const FloatFilters& filters) {
   std::string text = header(scene);
   text += program_part("arithmetic.hpp");
@@ -390,4 +387,4 @@ std::string software_source(const model::Scene& scene, const model::Comparisons&
   return text + std::string(program_part("harness.hpp"));
 }
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::software

@@ -5,25 +5,25 @@
 #include "generator/software/float_filter.hpp"
 #include "model/data/comparisons.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::software {
 
 /// Which columns of the data the software reads, each once.
 struct SoftwareColumns {
   std::vector<std::size_t> inputs;     ///< one per column of the data file: an input that reads it
   std::vector<std::size_t> of_inputs;  ///< one per input: index into the data file's columns
 };
-SoftwareColumns software_columns(const model::Comparisons& data);
+SoftwareColumns software_columns(const data::Comparisons& data);
 
 /// Tells whether software_source has loops for data of this form. Comparisons of other data are
 /// written out as rows.
-bool has_software_loops(model::Pairing pairing);
+bool has_software_loops(data::Pairing pairing);
 
 /// Prints a program, one C++20 file for a POSIX system, that measures itself
 /// (generator/software/program/harness.hpp says how to call it). It computes the scene's comparison
 /// on doubles and, for each filter, on floats with doubles where the filter does not decide, in
 /// loops that a compiler vectorises. It must be compiled without contraction of multiply-adds and
 /// without -ffast-math.
-std::string software_source(const model::Scene& scene, const model::Comparisons& data,
+std::string software_source(const scene::Scene& scene, const data::Comparisons& data,
                             const FloatFilters& filters);
 
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::software

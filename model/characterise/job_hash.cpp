@@ -3,27 +3,27 @@
 #include "model/characterise/tools.hpp"
 #include "model/common/content_hash.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 namespace {
 
 /// The version of our method. Raise it when synthesise() derives other results from the same tools.
 constexpr std::string_view method = "1";
 
-void add_timing(ContentHash& hash, const Device& device, int seeds) {
+void add_timing(ContentHash& hash, const devices::Device& device, int seeds) {
   hash.add("timing").add(to_string(device.timing)).add(device.timing_synthesis);
   for (const std::string& argument : device.timing_arguments) hash.add(argument);
   if (!is_routed(device)) return;
   hash.add(std::to_string(seeds));
   // A design that does not fit has no clock, so the device's size matters.
-  for (const Resource& resource : bounded_resources) {
+  for (const devices::Resource& resource : devices::bounded_resources) {
     hash.add(std::to_string(device.available.*resource.amount));
   }
 }
 
 }  // namespace
 
-std::string job_hash(const SynthesisJob& job, const Device& device, const SynthesisOptions& options,
-                     const std::string& tools) {
+std::string job_hash(const SynthesisJob& job, const devices::Device& device,
+                     const SynthesisOptions& options, const std::string& tools) {
   ContentHash hash;
   hash.add(method).add(tools).add(device.synthesis).add(job.top).add(job.clock_port);
   for (const SourceText& source : job.sources) hash.add(source.name).add(source.text);
@@ -34,4 +34,4 @@ std::string job_hash(const SynthesisJob& job, const Device& device, const Synthe
   return hash.hex();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -4,11 +4,11 @@
 
 #include "model/characterise/synthesis.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 /// The key of a job in a store: a hash of everything that its result depends on. `tools` is what
 /// tool_versions() returns.
-std::string job_hash(const SynthesisJob& job, const Device& device, const SynthesisOptions& options,
-                     const std::string& tools);
+std::string job_hash(const SynthesisJob& job, const devices::Device& device,
+                     const SynthesisOptions& options, const std::string& tools);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

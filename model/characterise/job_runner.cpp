@@ -14,7 +14,7 @@
 #include "model/common/output_file.hpp"
 #include "model/common/scratch_folder.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,8 +39,8 @@ Result<Done> copy_in_place_of(const fs::path& folder, const fs::path& kept) {
 
 class JobRunner {
 public:
-  JobRunner(const std::vector<PendingJob>& jobs, const Device& device, const std::string& tools,
-            const fs::path& store, const JobRunOptions& options)
+  JobRunner(const std::vector<PendingJob>& jobs, const devices::Device& device,
+            const std::string& tools, const fs::path& store, const JobRunOptions& options)
       : jobs_(jobs),
         device_(device),
         tools_(tools),
@@ -157,7 +157,7 @@ private:
   }
 
   const std::vector<PendingJob>& jobs_;
-  const Device& device_;
+  const devices::Device& device_;
   const std::string& tools_;
   const fs::path store_;
   const fs::path work_;
@@ -173,10 +173,10 @@ private:
 
 }  // namespace
 
-Result<JobRun> run_jobs(const std::vector<PendingJob>& jobs, const Device& device,
+Result<JobRun> run_jobs(const std::vector<PendingJob>& jobs, const devices::Device& device,
                         const std::string& tools, const fs::path& store,
                         const JobRunOptions& options) {
   return JobRunner(jobs, device, tools, store, options).run();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

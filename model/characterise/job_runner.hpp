@@ -6,7 +6,7 @@
 
 #include "model/characterise/store.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 /// A job whose result a store lacks.
 struct PendingJob {
@@ -39,8 +39,8 @@ struct JobRunOptions {
 /// Synthesises the jobs, `workers` at a time, and puts the results into the store at `store`. An
 /// interrupt (SIGINT, SIGTERM, SIGHUP) ends those that run; what is in the store by then stays.
 /// Work is done in STORE.work; failed jobs are kept there.
-Result<JobRun> run_jobs(const std::vector<PendingJob>& jobs, const Device& device,
+Result<JobRun> run_jobs(const std::vector<PendingJob>& jobs, const devices::Device& device,
                         const std::string& tools, const std::filesystem::path& store,
                         const JobRunOptions& options);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

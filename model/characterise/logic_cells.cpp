@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 namespace {
 
 /// A net's number, or -1 - c for the constant c. An open port counts as the constant 0.
@@ -76,4 +76,4 @@ int ice40_logic_cells(const nlohmann::json& netlist, const std::string& top) {
                           lonely_carries.size());
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

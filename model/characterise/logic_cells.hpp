@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 /// The logic cells that a mapped iCE40 netlist (Yosys' write_json) fills: each holds a LUT, the
 /// flip-flop that this LUT alone feeds, and the carry of the LUT's inputs; a flip-flop or a carry
@@ -11,4 +11,4 @@ namespace mixcmp::model {
 /// ends of carry chains.
 int ice40_logic_cells(const nlohmann::json& netlist, const std::string& top);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -8,18 +8,18 @@
 
 #include "model/characterise/tools.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 namespace {
 
 struct CellArea {
   std::string_view cell;
-  Area area;
+  devices::Area area;
 };
 
-constexpr Area lut = {.luts = 1};
-constexpr Area free_of_charge = {};
+constexpr devices::Area lut = {.luts = 1};
+constexpr devices::Area free_of_charge = {};
 
-constexpr Area memory_luts(int luts) {
+constexpr devices::Area memory_luts(int luts) {
   return {.luts = luts, .shift_luts = luts};
 }
 
@@ -99,7 +99,7 @@ Error no_cell_count(const std::string& field, const nlohmann::json& received) {
 
 }  // namespace
 
-Result<Area> area_of_cell(std::string_view cell) {
+Result<devices::Area> area_of_cell(std::string_view cell) {
   for (const CellArea& known : cells) {
     if (known.cell == cell) return known.area;
   }
@@ -112,7 +112,7 @@ Result<Area> area_of_cell(std::string_view cell) {
                .accepted = "cells of Xilinx Virtex-5 to UltraScale+, Lattice ECP5 and iCE40"};
 }
 
-Result<Area> area_of_statistics(const nlohmann::json& statistics) {
+Result<devices::Area> area_of_statistics(const nlohmann::json& statistics) {
   const nlohmann::json counts = member_of(member_of(statistics, "design"), "num_cells_by_type");
   if (!counts.is_object()) return no_cell_count("design.num_cells_by_type", counts);
   if (counts.empty()) {
@@ -121,7 +121,7 @@ Result<Area> area_of_statistics(const nlohmann::json& statistics) {
                  .received = counts.dump(),
                  .accepted = "at least one: what computes nothing has no area to measure"};
   }
-  Area sum;
+  devices::Area sum;
   for (const auto& [cell, count] : counts.items()) {
     const bool whole = count.is_number_integer() && count >= 0 && count <= most_cells;
     if (!whole) return no_cell_count(cell, count);
@@ -131,4 +131,4 @@ Result<Area> area_of_statistics(const nlohmann::json& statistics) {
   return sum;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

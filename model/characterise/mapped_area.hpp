@@ -7,13 +7,13 @@
 #include "model/common/result.hpp"
 #include "model/devices/area.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 /// The area of one cell of Yosys' technology libraries (docs/devices.md). An unknown cell is an
 /// error, since leaving it out would make a design look smaller.
-Result<Area> area_of_cell(std::string_view cell);
+Result<devices::Area> area_of_cell(std::string_view cell);
 
 /// The area of a design, summed over the cells that `stat -json` (Yosys 0.23 to 0.52) counts.
-Result<Area> area_of_statistics(const nlohmann::json& statistics);
+Result<devices::Area> area_of_statistics(const nlohmann::json& statistics);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -4,7 +4,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 std::string_view to_string(ClockSource source) {
   switch (source) {
@@ -33,4 +33,4 @@ const Measurement* Characterisation::find(const ComponentKey& key) const {
   return row != rows.end() && row->key == key ? &*row : nullptr;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -11,7 +11,7 @@
 #include "model/scene/bound_choice.hpp"
 #include "model/scene/scene.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 enum class ClockSource {
   estimate_before_routing,  ///< Yosys' sta, without wire delays
@@ -40,12 +40,12 @@ std::string_view to_string(ComponentKind kind);
 /// Identifies a synthesised component in a table. A field that does not apply is empty or 0.
 struct ComponentKey {
   ComponentKind kind = ComponentKind::lane;
-  std::string name;                  ///< of a unit its template and formats; else empty
-  std::string format;                ///< "s17e8"
-  std::string inputs;                ///< of a lane: "rounded" or "exact"
-  std::optional<BoundChoice> bound;  ///< of a lane
-  std::string multipliers;           ///< of lanes, references and units with a product
-  int ports = 0;                     ///< of a crossbar: lanes; of a fifo: slots
+  std::string name;                         ///< of a unit its template and formats; else empty
+  std::string format;                       ///< "s17e8"
+  std::string inputs;                       ///< of a lane: "rounded" or "exact"
+  std::optional<scene::BoundChoice> bound;  ///< of a lane
+  std::string multipliers;                  ///< of lanes, references and units with a product
+  int ports = 0;                            ///< of a crossbar: lanes; of a fifo: slots
 
   friend auto operator<=>(const ComponentKey&, const ComponentKey&) = default;
 };
@@ -54,7 +54,7 @@ struct ComponentKey {
 struct Measurement {
   ComponentKey key;
   int latency_cycles = 0;
-  Area area;  ///< before placement, unless the clock is routed
+  devices::Area area;  ///< before placement, unless the clock is routed
   std::optional<Clock> clock;
   int timing_seeds = 0;  ///< router seeds requested; 0: no clock was requested
   std::string hash;      ///< of RTL, tools and options: the key in the store
@@ -78,4 +78,4 @@ std::string to_csv(const Characterisation& table);
 /// Reads such a CSV file. Errors name the file, line and column.
 Result<Characterisation> read_characterisation(const std::filesystem::path& path);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 namespace {
 
 /// The widths of a module's ports added up, and how an instance connects them.
@@ -88,4 +88,4 @@ Result<std::string> register_wrapper(const nlohmann::json& netlist, const std::s
       fold(boundary.outputs));
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

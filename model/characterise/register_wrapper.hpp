@@ -5,7 +5,7 @@
 
 #include "model/common/result.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 /// Verilog of a module `name` around `top` that has three pins: a shift register feeds every input
 /// of `top`, and a registered tree of XORs folds every output into one. So a module of any width
@@ -15,4 +15,4 @@ namespace mixcmp::model {
 Result<std::string> register_wrapper(const nlohmann::json& netlist, const std::string& top,
                                      const std::string& clock_port, const std::string& name);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -11,7 +11,7 @@
 #include "model/common/check.hpp"
 #include "model/common/file.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 namespace {
 
 /// What differs between nextpnr's two architectures.
@@ -20,15 +20,15 @@ struct Architecture {
   const char* lut;  ///< in nextpnr's report of utilisation
 };
 
-Architecture architecture_of(const Device& device) {
+Architecture architecture_of(const devices::Device& device) {
   MIXCMP_CHECK(is_routed(device));
-  if (device.timing == TimingTool::nextpnr_ice40) {
+  if (device.timing == devices::TimingTool::nextpnr_ice40) {
     return {.allow_unconstrained = "--pcf-allow-unconstrained", .lut = "ICESTORM_LC"};
   }
   return {.allow_unconstrained = "--lpf-allow-unconstrained", .lut = "TRELLIS_COMB"};
 }
 
-Command call(const Device& device, const std::string& netlist,
+Command call(const devices::Device& device, const std::string& netlist,
              const std::vector<std::string>& options) {
   Command command = router_command(device);
   const auto append = [&](const std::vector<std::string>& words) {
@@ -61,7 +61,7 @@ Result<Refusal> reason_of(const Error& failure, const std::filesystem::path& log
 
 using Attempt = std::variant<double, Refusal>;
 
-Result<Attempt> route_once(const Device& device, const std::filesystem::path& directory,
+Result<Attempt> route_once(const devices::Device& device, const std::filesystem::path& directory,
                            const std::string& netlist, int seed, const ToolLimits& limits) {
   // The router serves the most critical path first, so a target that no design meets is as good as
   // any other.
@@ -84,7 +84,7 @@ Result<Attempt> route_once(const Device& device, const std::filesystem::path& di
 
 }  // namespace
 
-Result<Packed> packed_luts(const Device& device, const std::filesystem::path& directory,
+Result<Packed> packed_luts(const devices::Device& device, const std::filesystem::path& directory,
                            const std::string& netlist, const ToolLimits& limits) {
   const auto ran = run_in(directory, call(device, netlist, {"--pack-only"}), "pack.log", limits);
   if (!ran.ok()) {
@@ -129,7 +129,7 @@ Clock clock_over_seeds(std::vector<double> mhz) {
           .source = ClockSource::routed};
 }
 
-Result<Routed> route(const Device& device, const std::filesystem::path& directory,
+Result<Routed> route(const devices::Device& device, const std::filesystem::path& directory,
                      const std::string& netlist, int seeds, const ToolLimits& limits) {
   std::vector<double> mhz;
   Refusal refusal{"no seed was asked for"};
@@ -145,4 +145,4 @@ Result<Routed> route(const Device& device, const std::filesystem::path& director
   return Routed(clock_over_seeds(std::move(mhz)));
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

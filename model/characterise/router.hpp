@@ -11,7 +11,7 @@
 #include "model/common/process.hpp"
 #include "model/devices/device.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 /// Why a design cannot be packed, placed or routed, in nextpnr's words. That is a property of the
 /// design; a tool that fails or runs out of time is an error instead.
@@ -23,12 +23,12 @@ using Routed = std::variant<Clock, Refusal>;
 
 /// The number of LUTs (iCE40: logic cells) into which nextpnr packs `netlist`, a file in
 /// `directory`.
-Result<Packed> packed_luts(const Device& device, const std::filesystem::path& directory,
+Result<Packed> packed_luts(const devices::Device& device, const std::filesystem::path& directory,
                            const std::string& netlist, const ToolLimits& limits);
 
 /// Places and routes `netlist` once for each seed 1..seeds; reports and logs stay in `directory`.
 /// Returns the clock over the seeds that succeed, or a refusal if none does.
-Result<Routed> route(const Device& device, const std::filesystem::path& directory,
+Result<Routed> route(const devices::Device& device, const std::filesystem::path& directory,
                      const std::string& netlist, int seeds, const ToolLimits& limits);
 
 /// The slowest clock of a nextpnr report, in MHz; none where no path joins registers. An error
@@ -39,4 +39,4 @@ Result<std::optional<double>> routed_mhz(const nlohmann::json& report);
 /// of the two in the middle.
 Clock clock_over_seeds(std::vector<double> mhz);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 namespace {
 
 bool is_ignored(int signal) {
@@ -31,4 +31,4 @@ int SignalGate::wait(std::chrono::milliseconds patience) const {
   return std::max(sigtimedwait(&held_, nullptr, &timeout), 0);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 /// Blocks SIGINT, SIGTERM and SIGHUP while it lives, so that the program takes them where it calls
 /// `wait`. Threads that start meanwhile inherit the block. A signal that the program was told to
@@ -24,4 +24,4 @@ private:
   sigset_t before_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

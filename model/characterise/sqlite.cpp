@@ -1,6 +1,6 @@
 #include "model/characterise/sqlite.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 Error sqlite_error(const std::filesystem::path& path, sqlite3* database) {
   const int code = sqlite3_errcode(database);
@@ -64,4 +64,4 @@ bool Statement::is_null(int column) const {
   return sqlite3_column_type(statement_, column) == SQLITE_NULL;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -7,7 +7,7 @@
 
 #include "model/common/result.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 /// SQLite's last error, as an error of the file.
 Error sqlite_error(const std::filesystem::path& path, sqlite3* database);
@@ -41,4 +41,4 @@ private:
   int prepared_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -5,7 +5,7 @@
 #include <optional>
 #include <regex>
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 namespace {
 
 std::optional<std::string> untimed_cell(const std::string& text) {
@@ -32,4 +32,4 @@ Result<int> longest_path_ps(std::string_view sta_text) {
   return Error{.message = "there is no path between registers"};
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -5,11 +5,11 @@
 
 #include "model/common/result.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 /// The longest path that Yosys' `sta` found between registers and ports, in picoseconds, from the
 /// text it prints. An error where the text names cells without known delays, since a longer path
 /// may lead through them, or where there is no path.
 Result<int> longest_path_ps(std::string_view sta_text);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -6,7 +6,7 @@
 
 #include "model/characterise/sqlite.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 namespace {
 
 /// SQLite's application_id, which marks a file as ours: "mxcm".
@@ -132,7 +132,7 @@ Result<Done> ResultStore::add(const std::string& hash, const SynthesisResult& re
                               const std::string& tools) {
   Statement statement(database_.get(),
                       "INSERT OR REPLACE INTO result VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
-  const Area& area = result.area;
+  const devices::Area& area = result.area;
   statement.bind(1, hash).bind(2, tools).bind(3, area.luts).bind(4, area.registers);
   statement.bind(5, area.dsps).bind(6, area.memories).bind(7, area.carries);
   statement.bind(8, area.shift_luts);
@@ -162,4 +162,4 @@ Result<std::filesystem::path> default_store_path() {
                .accepted = "--store FILE"};
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

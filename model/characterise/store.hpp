@@ -9,7 +9,7 @@
 
 struct sqlite3;
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 /// Results of synthesis, kept in one SQLite file under their jobs' hashes. A result is stored whole
 /// or not at all, even if the program is interrupted; several processes may share the file.
@@ -47,4 +47,4 @@ private:
 /// $XDG_CACHE_HOME/mixcmp/characterisation.sqlite, $HOME/.cache/... where that is not set.
 Result<std::filesystem::path> default_store_path();
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -13,7 +13,7 @@
 #include "model/common/file.hpp"
 #include "model/common/output_file.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 /// One job on one device in one folder: what each step needs to know.
 struct Run {
   const SynthesisJob& job;
-  const Device& device;
+  const devices::Device& device;
   const SynthesisOptions& options;
   const fs::path& directory;
 
@@ -49,7 +49,7 @@ Result<Done> run_yosys(const Run& run, const std::string& name, const std::strin
 }
 
 /// Maps the module alone. Leaves map.json, the netlist, and map.il, the same for Yosys.
-Result<Area> map_alone(const Run& run) {
+Result<devices::Area> map_alone(const Run& run) {
   const std::string& top = run.job.top;
   const std::string script = fmt::format(
       "{}{} -top {}\ntee -q -o area.json stat -json\nwrite_json map.json\n"
@@ -116,8 +116,8 @@ Result<Done> wrap(const Run& run) {
                                run.device.synthesis, name));
 }
 
-std::optional<std::string> shortage(const Area& area, const Area& available) {
-  for (const Resource& resource : bounded_resources) {
+std::optional<std::string> shortage(const devices::Area& area, const devices::Area& available) {
+  for (const devices::Resource& resource : devices::bounded_resources) {
     if (area.*resource.amount <= available.*resource.amount) continue;
     return fmt::format("does not fit: {} {} of {}", area.*resource.amount, resource.name,
                        available.*resource.amount);
@@ -127,7 +127,7 @@ std::optional<std::string> shortage(const Area& area, const Area& available) {
 
 /// Finds the clock by routing; also corrects the LUTs in `area` to the number that the router
 /// packs.
-Result<Timing> route_clock(const Run& run, Area& area) {
+Result<Timing> route_clock(const Run& run, devices::Area& area) {
   const ToolLimits& limits = run.options.each_tool;
   const Result<std::string> version = router_version(run.device);
   if (!version.ok()) return Timing{std::nullopt, version.error().message};
@@ -147,28 +147,28 @@ Result<Timing> route_clock(const Run& run, Area& area) {
   return Timing{std::get<Clock>(routed), ""};
 }
 
-Result<Timing> find_clock(const Run& run, Area& area) {
+Result<Timing> find_clock(const Run& run, devices::Area& area) {
   if (run.options.effort == TimingEffort::area_only) return Timing{std::nullopt, "not asked for"};
   switch (run.device.timing) {
-    case TimingTool::none:
+    case devices::TimingTool::none:
       return Timing{std::nullopt, fmt::format("no tool times {}", run.device.name)};
-    case TimingTool::yosys_sta: return estimate_clock(run);
-    case TimingTool::nextpnr_ice40:
-    case TimingTool::nextpnr_ecp5: return route_clock(run, area);
+    case devices::TimingTool::yosys_sta: return estimate_clock(run);
+    case devices::TimingTool::nextpnr_ice40:
+    case devices::TimingTool::nextpnr_ecp5: return route_clock(run, area);
   }
   MIXCMP_CHECK(!"a timing tool of no enumerator");
 }
 
 }  // namespace
 
-Result<std::string> tool_versions(const Device& device, TimingEffort effort) {
+Result<std::string> tool_versions(const devices::Device& device, TimingEffort effort) {
   MIXCMP_TRY(yosys, yosys_version(device));
   if (effort == TimingEffort::area_only || !is_routed(device)) return yosys;
   const Result<std::string> router = router_version(device);
   return fmt::format("{}; {}", yosys, router.ok() ? *router : "no router");
 }
 
-Result<SynthesisResult> synthesise(const SynthesisJob& job, const Device& device,
+Result<SynthesisResult> synthesise(const SynthesisJob& job, const devices::Device& device,
                                    const SynthesisOptions& options, const fs::path& directory) {
   const Run run = {job, device, options, directory};
   MIXCMP_TRY(written, write_sources(run));
@@ -177,4 +177,4 @@ Result<SynthesisResult> synthesise(const SynthesisJob& job, const Device& device
   return SynthesisResult{.area = area, .clock = timing.clock, .no_clock = timing.no_clock};
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -7,7 +7,7 @@
 #include "model/characterise/measurement.hpp"
 #include "model/common/process.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 /// A Verilog source text.
 struct SourceText {
@@ -34,7 +34,7 @@ struct SynthesisOptions {
 };
 
 struct SynthesisResult {
-  Area area;
+  devices::Area area;
   std::optional<Clock> clock;
   std::string no_clock;  ///< why there is no clock; else empty
 };
@@ -42,11 +42,11 @@ struct SynthesisResult {
 /// The versions of the tools that a device needs, as part of a store's key. If Yosys is missing,
 /// the error names the package to install. A missing router is no error: the text says "no router",
 /// and there will be no clocks.
-Result<std::string> tool_versions(const Device& device, TimingEffort effort);
+Result<std::string> tool_versions(const devices::Device& device, TimingEffort effort);
 
 /// Runs Yosys (and the router) in `directory`, which must exist; logs stay there.
-Result<SynthesisResult> synthesise(const SynthesisJob& job, const Device& device,
+Result<SynthesisResult> synthesise(const SynthesisJob& job, const devices::Device& device,
                                    const SynthesisOptions& options,
                                    const std::filesystem::path& directory);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

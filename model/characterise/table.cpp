@@ -5,7 +5,7 @@
 
 #include "model/characterise/table_columns.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 namespace {
 
 /// A field, quoted where RFC 4180 requires it.
@@ -66,4 +66,4 @@ std::string to_csv(const Characterisation& table) {
   return text;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

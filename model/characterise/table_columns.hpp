@@ -5,7 +5,7 @@
 
 #include "model/characterise/measurement.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 /// A column that helps to identify the component of a row.
 struct KeyColumn {
@@ -24,10 +24,10 @@ KeyColumn text_column(std::string_view name) {
 }
 
 inline KeyColumn bound_column() {
-  return {"bound", [](const ComponentKey& key) { return to_string(key.bound); },
+  return {"bound", [](const ComponentKey& key) { return scene::to_string(key.bound); },
           [](ComponentKey& key, const std::string& text) -> Result<Done> {
             if (text.empty()) return Done{};
-            MIXCMP_TRY(choice, parse_bound_choice(text));
+            MIXCMP_TRY(choice, scene::parse_bound_choice(text));
             key.bound = choice;
             return Done{};
           }};
@@ -44,16 +44,16 @@ inline const std::array<KeyColumn, 5> key_columns = {{
 /// A column with one resource of an area.
 struct AreaColumn {
   std::string_view name;
-  int Area::*field;
+  int devices::Area::*field;
 };
 
 inline constexpr std::array<AreaColumn, 6> area_columns = {{
-    {"luts", &Area::luts},
-    {"registers", &Area::registers},
-    {"dsps", &Area::dsps},
-    {"memories", &Area::memories},
-    {"carries", &Area::carries},
-    {"shift_luts", &Area::shift_luts},
+    {"luts", &devices::Area::luts},
+    {"registers", &devices::Area::registers},
+    {"dsps", &devices::Area::dsps},
+    {"memories", &devices::Area::memories},
+    {"carries", &devices::Area::carries},
+    {"shift_luts", &devices::Area::shift_luts},
 }};
 
 /// The first record of every table.
@@ -61,4 +61,4 @@ inline constexpr std::string_view table_header =
     "kind,name,format,inputs,bound,multipliers,ports,latency_cycles,luts,registers,dsps,memories,"
     "carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,timing_seeds,hash,tools";
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

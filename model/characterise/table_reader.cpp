@@ -9,7 +9,7 @@
 #include "model/common/quote.hpp"
 #include "model/number/float_format.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 namespace {
 
 /// A field with its position in the file.
@@ -234,13 +234,13 @@ private:
         table.rows.begin(), table.rows.end(),
         [](const Measurement& a, const Measurement& b) { return a.key == b.key; });
     if (twin == table.rows.end()) return Done{};
-    return Error{
-        .file = path_.string(),
-        .message = "two rows of one component",
-        .received = fmt::format("{} {} {} {} {} {}, ports {}", to_string(twin->key.kind),
-                                twin->key.name, twin->key.format, twin->key.inputs,
-                                to_string(twin->key.bound), twin->key.multipliers, twin->key.ports),
-        .accepted = "one"};
+    return Error{.file = path_.string(),
+                 .message = "two rows of one component",
+                 .received = fmt::format("{} {} {} {} {} {}, ports {}", to_string(twin->key.kind),
+                                         twin->key.name, twin->key.format, twin->key.inputs,
+                                         scene::to_string(twin->key.bound), twin->key.multipliers,
+                                         twin->key.ports),
+                 .accepted = "one"};
   }
 
   static constexpr int field_count = 22;
@@ -260,4 +260,4 @@ Result<Characterisation> read_characterisation(const std::filesystem::path& path
   return TableReader(path, text).read();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -9,7 +9,7 @@
 #include "model/common/check.hpp"
 #include "model/common/file.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 namespace {
 
 Command command_from(const char* variable, const std::string& otherwise) {
@@ -28,18 +28,18 @@ Command with(Command command, const char* option) {
 
 }  // namespace
 
-bool is_routed(const Device& device) {
+bool is_routed(const devices::Device& device) {
   switch (device.timing) {
-    case TimingTool::none:
-    case TimingTool::yosys_sta: return false;
-    case TimingTool::nextpnr_ice40:
-    case TimingTool::nextpnr_ecp5: return true;
+    case devices::TimingTool::none:
+    case devices::TimingTool::yosys_sta: return false;
+    case devices::TimingTool::nextpnr_ice40:
+    case devices::TimingTool::nextpnr_ecp5: return true;
   }
   MIXCMP_CHECK(!"a timing tool of no enumerator");
 }
 
-Command yosys_command(const Device& device) {
-  if (device.timing != TimingTool::nextpnr_ecp5) return {"yosys"};
+Command yosys_command(const devices::Device& device) {
+  if (device.timing != devices::TimingTool::nextpnr_ecp5) return {"yosys"};
   return command_from("MIXCMP_YOSYS_ECP5", "yosys");
 }
 
@@ -47,18 +47,18 @@ Command ecp5_router_command() {
   return command_from("MIXCMP_NEXTPNR_ECP5", "nextpnr-ecp5");
 }
 
-Command router_command(const Device& device) {
+Command router_command(const devices::Device& device) {
   MIXCMP_CHECK(is_routed(device));
-  if (device.timing == TimingTool::nextpnr_ice40) return {"nextpnr-ice40"};
+  if (device.timing == devices::TimingTool::nextpnr_ice40) return {"nextpnr-ice40"};
   return ecp5_router_command();
 }
 
-Result<std::string> yosys_version(const Device& device) {
+Result<std::string> yosys_version(const devices::Device& device) {
   return tool_version(with(yosys_command(device), "-V"), "yosys");
 }
 
-Result<std::string> router_version(const Device& device) {
-  const bool ice40 = device.timing == TimingTool::nextpnr_ice40;
+Result<std::string> router_version(const devices::Device& device) {
+  const bool ice40 = device.timing == devices::TimingTool::nextpnr_ice40;
   return tool_version(
       with(router_command(device), "--version"),
       ice40 ? "nextpnr-ice40" : "nextpnr-ecp5 (Debian 13; docs/devices.md for Debian 12)");
@@ -83,4 +83,4 @@ Result<nlohmann::json> read_json(const std::filesystem::path& path) {
   return Error{.file = path.string(), .message = "not the JSON that the tool should have written"};
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

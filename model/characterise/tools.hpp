@@ -7,24 +7,24 @@
 #include "model/common/process.hpp"
 #include "model/devices/device.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::characterise {
 
 /// Whether a router, and not Yosys, gives the device's clocks.
-bool is_routed(const Device& device);
+bool is_routed(const devices::Device& device);
 
 /// The command for Yosys; for ECP5 it is $MIXCMP_YOSYS_ECP5 where that is set. Commands in the
 /// environment are split at blanks.
-Command yosys_command(const Device& device);
+Command yosys_command(const devices::Device& device);
 
 /// The command for nextpnr-ecp5: $MIXCMP_NEXTPNR_ECP5 where that is set.
 Command ecp5_router_command();
 
 /// The command for the device's router. The device must be one for which `is_routed` holds.
-Command router_command(const Device& device);
+Command router_command(const devices::Device& device);
 
 /// The line in which a tool prints its version. If it does not run, the error names its package.
-Result<std::string> yosys_version(const Device& device);
-Result<std::string> router_version(const Device& device);
+Result<std::string> yosys_version(const devices::Device& device);
+Result<std::string> router_version(const devices::Device& device);
 
 /// Runs a tool in `directory`, with its output in the file `log` there.
 Result<Done> run_in(const std::filesystem::path& directory, const Command& command,
@@ -45,4 +45,4 @@ Result<T> in_file(Result<T> found, const std::filesystem::path& file) {
   return error;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::characterise

@@ -9,7 +9,7 @@
 #include <string>
 #include <system_error>
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,4 +41,4 @@ void remove_abandoned(const fs::path& folder, std::string_view prefix) {
   }
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 /// Locks (flock) a file or folder with a temporary name that was just made, for as long as the
 /// descriptor is open. False if another run took it for abandoned in the meantime.
@@ -14,4 +14,4 @@ bool try_lock_new(int descriptor);
 /// no error, since it is nobody's result.
 void remove_abandoned(const std::filesystem::path& folder, std::string_view prefix);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

@@ -1,6 +1,6 @@
 #include "model/common/bits.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 std::string to_hex(Bits bits, int width) {
   std::string text;
@@ -10,4 +10,4 @@ std::string to_hex(Bits bits, int width) {
   return text;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

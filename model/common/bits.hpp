@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 /// A packed floating-point encoding in its low bits; wide enough for binary128.
 __extension__ using Bits = unsigned __int128;
@@ -15,4 +15,4 @@ constexpr Bits low_mask(int count) {
 /// `width` bits as ceil(width / 4) hexadecimal digits, without prefix.
 std::string to_hex(Bits bits, int width);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

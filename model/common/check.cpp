@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 void fail_check(const char* condition, const char* file, int line) {
   fmt::print(stderr, "{}:{}: broken invariant: {}\n", file, line, condition);
   std::abort();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

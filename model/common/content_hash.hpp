@@ -5,7 +5,7 @@
 
 #include "model/common/bits.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 /// 128-bit FNV-1a over a sequence of texts. It identifies contents and is not cryptographic.
 class ContentHash {
@@ -28,4 +28,4 @@ private:
   Bits state_ = (Bits{0x6c62272e07bb0142u} << 64) + 0x62b821756295c58du;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 /// An open file descriptor, which closes with this object; -1: none.
 class Descriptor {
@@ -40,4 +40,4 @@ struct Pipe {
   }
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 /// A source text compiled into the program (cmake/embed.cmake).
 struct EmbeddedFile {
@@ -10,4 +10,4 @@ struct EmbeddedFile {
   std::string_view text;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

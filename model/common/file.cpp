@@ -1,9 +1,16 @@
 #include "model/common/file.hpp"
 
-#include <fstream>
-#include <iterator>
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <unistd.h>
 
-namespace mixcmp::model {
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "model/common/descriptor.hpp"
+
+namespace mixcmp::inline common {
 
 std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::path& folder,
                                                          std::error_code& failed) {
@@ -15,25 +22,46 @@ std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::
   return entries;
 }
 
-bool path_exists(const std::filesystem::path& path) {
-  std::error_code unknown;
-  return std::filesystem::exists(path, unknown);
-}
+namespace {
 
-Result<Done> check_readable(const std::filesystem::path& path) {
+/// A file that is no regular one is not opened: a pipe would wait for a writer.
+Result<Descriptor> open_to_read(const std::filesystem::path& path) {
   std::error_code ignored;
-  if (std::filesystem::is_regular_file(path, ignored) && std::ifstream(path)) return Done{};
+  const bool regular = std::filesystem::is_regular_file(path, ignored);
+  Descriptor file(regular ? open(path.c_str(), O_RDONLY | O_CLOEXEC) : -1);
+  if (file.get() >= 0) return file;
   return Error{.file = path.string(),
                .message = "cannot read the file",
                .received = path_exists(path) ? "no readable regular file" : "no such file",
                .accepted = "a readable file"};
 }
 
-Result<std::string> read_file(const std::filesystem::path& path) {
-  MIXCMP_TRY(readable, check_readable(path));
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  return text;
+}  // namespace
+
+bool path_exists(const std::filesystem::path& path) {
+  std::error_code unknown;
+  return std::filesystem::exists(path, unknown);
 }
 
-}  // namespace mixcmp::model
+Result<Done> check_readable(const std::filesystem::path& path) {
+  MIXCMP_TRY(file, open_to_read(path));
+  return Done{};
+}
+
+Result<std::string> read_file(const std::filesystem::path& path) {
+  MIXCMP_TRY(file, open_to_read(path));
+  std::string text;
+  std::array<char, 65536> block;
+  while (true) {
+    const ssize_t size = read(file.get(), block.data(), block.size());
+    if (size == 0) return text;
+    if (size > 0) {
+      text.append(block.data(), static_cast<std::size_t>(size));
+    } else if (errno != EINTR) {
+      return Error{.file = path.string(),
+                   .message = fmt::format("cannot be read: {}", std::strerror(errno))};
+    }
+  }
+}
+
+}  // namespace mixcmp::inline common

@@ -7,7 +7,7 @@
 
 #include "model/common/result.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 /// The entries of a folder, in no order; what cannot be read is left out, and told in `failed`.
 std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::path& folder,
@@ -19,7 +19,7 @@ bool path_exists(const std::filesystem::path& path);
 
 Result<Done> check_readable(const std::filesystem::path& path);
 
-/// Reads all bytes of a regular file.
+/// Reads all bytes of a regular file; an error if that fails anywhere.
 Result<std::string> read_file(const std::filesystem::path& path);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

@@ -10,7 +10,7 @@
 
 #include "model/common/output_file.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,10 +46,13 @@ Result<FolderLock> FolderLock::take(const fs::path& folder, const Waiting& waiti
     }
     // The run that held the folder before may have removed or replaced it.
     struct stat locked = {}, now = {};
-    const bool same = fstat(opened.get(), &locked) == 0 && stat(folder.c_str(), &now) == 0 &&
-                      locked.st_ino == now.st_ino && locked.st_dev == now.st_dev;
-    if (same) return FolderLock(std::move(opened));
+    if (fstat(opened.get(), &locked) != 0) return cannot_write(folder, errno);
+    const bool there = stat(folder.c_str(), &now) == 0;
+    if (!there && errno != ENOENT) return cannot_write(folder, errno);
+    if (there && locked.st_ino == now.st_ino && locked.st_dev == now.st_dev) {
+      return FolderLock(std::move(opened));
+    }
   }
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

@@ -6,7 +6,7 @@
 #include "model/common/descriptor.hpp"
 #include "model/common/result.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 /// Called when a run has to wait for a folder that another run holds.
 using Waiting = std::function<void(const std::filesystem::path& folder)>;
@@ -28,4 +28,4 @@ private:
 /// why nothing can be written into it.
 Result<Done> make_writable_folder(const std::filesystem::path& folder);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

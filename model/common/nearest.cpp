@@ -9,7 +9,7 @@
 
 #include "model/common/quote.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 int edit_distance(std::string_view a, std::string_view b) {
   std::vector<int> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
@@ -59,4 +59,4 @@ std::string list_with_nearest(std::string_view text, std::span<const std::string
   return fmt::format("{}", fmt::join(listed, ", "));
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 /// The number of insertions, deletions, substitutions and swaps of neighbours that turn `a` into
 /// `b`.
@@ -16,4 +16,4 @@ std::string nearest(std::string_view text, std::span<const std::string> names);
 /// "a, b, c", with `text`'s nearest name first: "format (the nearest), bound, inputs".
 std::string list_with_nearest(std::string_view text, std::span<const std::string> names);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

@@ -18,7 +18,7 @@
 #include "model/common/file.hpp"
 #include "model/common/folder_lock.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 namespace {
 
 namespace fs = std::filesystem;
@@ -191,4 +191,4 @@ Result<Done> write_file(const fs::path& path, std::string_view text) {
   return file.commit();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

@@ -7,7 +7,7 @@
 #include "model/common/descriptor.hpp"
 #include "model/common/result.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 /// The one way in which this program writes a file: whole or not at all. The text goes into a file
 /// with a name of its own beside the final path, which `commit` moves there. So there is never half
@@ -68,4 +68,4 @@ Result<Done> write_file(const std::filesystem::path& path, std::string_view text
 /// "PATH: cannot be written: No space left on device", for an errno.
 Error cannot_write(const std::filesystem::path& path, int failure);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

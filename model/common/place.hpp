@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 /// The place that something was read from: the file of a scene or a plan and the line in it, or
 /// "--set" without a line.
@@ -11,4 +11,4 @@ struct Place {
   int line = 0;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

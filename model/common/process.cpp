@@ -20,7 +20,7 @@
 #include "model/common/output_file.hpp"
 #include "model/common/scratch_folder.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 namespace {
 
@@ -94,8 +94,11 @@ std::chrono::milliseconds time_until(Clock::time_point deadline) {
   return std::max(left, std::chrono::milliseconds{0});
 }
 
-/// Reads both streams until they end; false if time or room runs out first.
-bool take_all(int output, int errors, Clock::time_point deadline, Captured& captured) {
+/// Reads both streams until they end, or until the program has ended and nothing more comes: what
+/// it left running may hold them open. False if time or room runs out first.
+bool take_all(int output, int errors, Clock::time_point deadline, ProcessGroup& program,
+              Captured& captured) {
+  constexpr std::int64_t look_ms = 100;
   std::array<pollfd, 2> open = {{{output, POLLIN, 0}, {errors, POLLIN, 0}}};
   const std::array<std::string*, 2> texts = {&captured.output, &captured.errors};
   while (open[0].fd >= 0 || open[1].fd >= 0) {
@@ -103,10 +106,13 @@ bool take_all(int output, int errors, Clock::time_point deadline, Captured& capt
     if (left == 0 || captured.output.size() + captured.errors.size() > most_captured_bytes) {
       return false;
     }
-    if (poll(open.data(), open.size(), static_cast<int>(left)) < 0 && errno != EINTR) return false;
+    const bool ended = program.wait_for(std::chrono::milliseconds{0});
+    const int ready = poll(open.data(), open.size(), static_cast<int>(std::min(left, look_ms)));
+    if (ready < 0 && errno != EINTR) return false;
+    if (ready == 0 && ended) return true;
     for (std::size_t k = 0; k < open.size(); ++k) {
-      const bool ready = open[k].fd >= 0 && open[k].revents != 0;
-      if (ready && !take(open[k].fd, *texts[k])) open[k].fd = -1;
+      const bool readable = open[k].fd >= 0 && open[k].revents != 0;
+      if (readable && !take(open[k].fd, *texts[k])) open[k].fd = -1;
     }
   }
   return true;
@@ -155,8 +161,9 @@ Result<Captured> capture(const Command& command, const CaptureOptions& options) 
                                          .memory_bytes = options.memory_bytes}));
   output.write_end.reset();
   errors.write_end.reset();
-  captured.in_time = take_all(output.read_end.get(), errors.read_end.get(), deadline, captured) &&
-                     group.wait_for(time_until(deadline));
+  captured.in_time =
+      take_all(output.read_end.get(), errors.read_end.get(), deadline, group, captured) &&
+      group.wait_for(time_until(deadline));
   if (captured.in_time) captured.status = group.wait();
   if (captured.output.size() + captured.errors.size() <= most_captured_bytes) return captured;
   return Error{.message = fmt::format("{} prints too much", shell_line(command)),
@@ -175,6 +182,8 @@ Result<std::string> tool_version(const Command& command, const std::string& pack
   const std::string line = first_line(run->output.empty() ? run->errors : run->output);
   const bool has_number = line.find_first_of("0123456789") != std::string::npos;
   if (run->succeeded() && has_number) return line;
+  // Some tools need temporary files to print their version.
+  if (const auto temporary = ScratchFolder::make(); !temporary.ok()) return temporary.error();
   const std::string how = !run->in_time      ? "does not end"
                           : run->succeeded() ? "prints no version"
                                              : how_it_ended(run->status);
@@ -248,4 +257,4 @@ std::string shell_line(const Command& command) {
   return text;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

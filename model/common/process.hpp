@@ -10,7 +10,7 @@
 #include "model/common/descriptor.hpp"
 #include "model/common/process_group.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 /// Called with a description of what is being done, for a line on a terminal.
 using Progress = std::function<void(const std::string&)>;
@@ -86,4 +86,4 @@ std::string last_lines(const std::filesystem::path& file, std::size_t count);
 /// A command as a shell would take it.
 std::string shell_line(const Command& command);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

@@ -15,7 +15,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 namespace {
 
 constexpr int exec_failed = 127;
@@ -195,4 +195,4 @@ int ProcessGroup::wait() {
   return reap(std::exchange(program_, -1));
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

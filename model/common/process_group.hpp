@@ -11,7 +11,7 @@
 #include "model/common/descriptor.hpp"
 #include "model/common/result.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 /// A program and its arguments; the program is looked up in PATH.
 using Command = std::vector<std::string>;
@@ -56,4 +56,4 @@ private:
   Descriptor lifeline_;  ///< the end of the watcher's pipe that we hold
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 namespace {
 
 /// The length in bytes of the character at the front of `text`, which is not empty; 0 if that is
@@ -63,4 +63,4 @@ std::string printable_line(std::string_view text) {
   return line;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

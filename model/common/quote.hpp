@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 /// `text` in quotes, fit for one line of an error message: control characters and bytes beyond
 /// ASCII's become '?', and what is too long ends in "...".
@@ -19,4 +19,4 @@ std::string printable(std::string_view text);
 /// printable(), with '?' in place of line ends, too.
 std::string printable_line(std::string_view text);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

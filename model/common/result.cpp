@@ -7,7 +7,7 @@
 
 #include "model/common/quote.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 namespace {
 
 // The longest printed parts of a message, in bytes; longer text ends in "...".
@@ -36,4 +36,4 @@ std::string Error::to_string() const {
   return text;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

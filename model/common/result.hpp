@@ -6,7 +6,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 enum class ErrorKind {
   mistake,          ///< a user's mistake, or a machine that does not allow what was asked
@@ -67,7 +67,7 @@ private:
 /// The value of a Result whose success carries nothing.
 struct Done {};
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common
 
 /// Binds `name` to the value of `expression`, or returns its error from the enclosing function.
 #define MIXCMP_TRY(name, expression)                     \

@@ -10,7 +10,7 @@
 
 #include "model/common/abandoned.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,4 +50,4 @@ ScratchFolder::~ScratchFolder() {
   if (lock_.get() >= 0 && !kept_) fs::remove_all(path_, ignored);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

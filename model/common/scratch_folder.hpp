@@ -6,7 +6,7 @@
 #include "model/common/descriptor.hpp"
 #include "model/common/result.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline common {
 
 /// A new, empty folder for this process alone, which is removed with this object. Folders that
 /// killed runs left under the same stem are removed by the next run that makes one there.
@@ -37,4 +37,4 @@ private:
   bool kept_ = false;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline common

@@ -10,7 +10,7 @@
 
 #include "model/common/nearest.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 namespace {
 
 /// The subscript k if `wanted` is "p_k" for the name "p"; none otherwise.
@@ -190,4 +190,4 @@ Result<Table> select_columns(const Table& table, std::span<const WantedColumn> w
   return selected;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

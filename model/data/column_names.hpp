@@ -10,7 +10,7 @@
 #include "model/common/result.hpp"
 #include "model/data/table.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// A column of a file: its name, or its number, counted from 0 as NumPy counts.
 using ColumnKey = std::variant<std::string, std::uint64_t>;
@@ -65,4 +65,4 @@ Error unnamed_columns(std::span<const WantedColumn> wanted, std::uint64_t column
 /// The wanted columns of `table`, in their order, under the scene's names.
 Result<Table> select_columns(const Table& table, std::span<const WantedColumn> wanted);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

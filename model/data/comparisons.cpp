@@ -8,7 +8,7 @@
 #include "model/common/check.hpp"
 #include "model/common/nearest.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 namespace {
 
 /// Index of the first pair (i, i + 1) of item i: the sum of (count - 1) + (count - 2) + ... Below
@@ -235,4 +235,4 @@ std::string describe(const Comparisons& data, std::uint64_t index) {
   MIXCMP_CHECK(false);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

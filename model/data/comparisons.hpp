@@ -10,7 +10,7 @@
 #include "model/data/pairing.hpp"
 #include "model/data/table.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// Pairs i < j of `count` items, numbered (0,1), (0,2), ..., (1,2), ...; exact up to 2^31 items.
 constexpr std::uint64_t max_paired_items = std::uint64_t{1} << 31;
@@ -114,4 +114,4 @@ private:
 /// The items of a comparison in words, for a report: "items 3 and 7".
 std::string describe(const Comparisons& data, std::uint64_t index);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -9,7 +9,7 @@
 #include "model/data/number.hpp"
 #include "model/number/decimal.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 namespace {
 
 struct Record {
@@ -243,4 +243,4 @@ Result<Table> read_csv(const std::filesystem::path& path, FloatFormat format,
   return error;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -5,7 +5,7 @@
 
 #include "model/data/column_names.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// Reads the wanted columns, by name or number, of a comma-separated file whose first record names
 /// its columns; quotes are as in RFC 4180. It is an error if a column that is wanted by number has
@@ -14,4 +14,4 @@ namespace mixcmp::model {
 Result<Table> read_csv(const std::filesystem::path& path, FloatFormat format,
                        std::span<const WantedColumn> wanted);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -4,7 +4,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 namespace {
 
 std::string item_name(Pairing pairing, Item item) {
@@ -43,4 +43,4 @@ std::vector<InputSource> input_sources(const Comparisons& data,
   return sources;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

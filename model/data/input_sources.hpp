@@ -5,7 +5,7 @@
 
 #include "model/data/comparisons.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// The column that an input's operands are read from.
 struct InputSource {
@@ -22,4 +22,4 @@ struct InputSource {
 std::vector<InputSource> input_sources(const Comparisons& data,
                                        const std::vector<std::string>& inputs);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

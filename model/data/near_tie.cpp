@@ -8,7 +8,7 @@
 #include "model/common/check.hpp"
 #include "model/number/dyadic.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 namespace {
 
 /// 2^exponent; zero for a negative exponent.
@@ -281,4 +281,4 @@ DyadicPair near_edge(const NearTieTarget& target, RowRandom& random) {
   return {std::move(numbers), -builder.fraction_bits()};
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

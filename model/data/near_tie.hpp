@@ -8,7 +8,7 @@
 #include "model/number/float_format.hpp"
 #include "model/number/lane_inputs.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// The direction and the length of the line between the two centres.
 enum class NearTieShape {
@@ -61,4 +61,4 @@ NearTie near_tie(const NearTieTarget& target, const NearTieEffort& effort, RowRa
 /// on either side of what a lane can decide.
 DyadicPair near_edge(const NearTieTarget& target, RowRandom& random);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -12,7 +12,7 @@
 #include "model/data/npy_header.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 namespace {
 
 constexpr std::string_view accepted_types = "floats of 2, 4, 8 bytes or integers of 1, 2, 4, 8";
@@ -219,4 +219,4 @@ Result<Table> read_npy(const std::filesystem::path& path, FloatFormat format,
   return error;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -5,7 +5,7 @@
 
 #include "model/data/column_names.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// Reads the wanted columns of a NumPy .npy file (versions 1 to 3): floats of 2, 4 or 8 bytes and
 /// integers of 1, 2, 4 or 8, in either byte order. A plain array must be two-dimensional (C or
@@ -15,4 +15,4 @@ namespace mixcmp::model {
 Result<Table> read_npy(const std::filesystem::path& path, FloatFormat format,
                        std::span<const WantedColumn> wanted);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -8,7 +8,7 @@
 
 #include "model/common/quote.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";
@@ -183,4 +183,4 @@ Result<NpyHeader> parse_npy_header(std::string_view file) {
   return header;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -8,7 +8,7 @@
 
 #include "model/common/result.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// One number of an array: NumPy's "<f8", ">i4", "|u1", ...
 struct NpyScalar {
@@ -36,4 +36,4 @@ struct NpyHeader {
 
 Result<NpyHeader> parse_npy_header(std::string_view file);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -5,7 +5,7 @@
 #include "model/common/quote.hpp"
 #include "model/number/decimal.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r";
@@ -30,4 +30,4 @@ Result<Bits> read_number(FloatFormat format, std::string_view text) {
   return bits;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -4,7 +4,7 @@
 
 #include "model/number/float_format.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// Reads a data file's number from its decimal (or hex-float) text, rounded once; blanks around it
 /// are ignored. Infinities and NaNs are accepted only where they are written as such: a number
@@ -14,4 +14,4 @@ Result<Bits> read_number(FloatFormat format, std::string_view text);
 /// `text` without blanks at its ends.
 std::string_view trimmed(std::string_view text);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

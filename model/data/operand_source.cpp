@@ -5,7 +5,7 @@
 #include "model/common/check.hpp"
 #include "model/number/double.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 OperandBlock::OperandBlock(std::size_t inputs, std::size_t capacity)
     : capacity_(capacity), values_(inputs * capacity) {}
@@ -76,4 +76,4 @@ void OperandSource::fetch(const std::vector<std::uint64_t>& indices, OperandBloc
   for (const std::uint64_t index : indices) fetch_run(data_.items(index), 1, block);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -5,7 +5,7 @@
 
 #include "model/data/comparisons.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// Operands of comparisons as columns of doubles, one column per input.
 class OperandBlock {
@@ -51,4 +51,4 @@ private:
   std::vector<std::vector<std::vector<double>>> columns_;  ///< [table][column][row]
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -4,7 +4,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 namespace {
 
 constexpr std::string_view digits = "0123456789";
@@ -70,4 +70,4 @@ Result<InputColumn> input_column(Pairing pairing, const std::string& input) {
   MIXCMP_CHECK(false);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

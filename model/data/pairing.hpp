@@ -7,7 +7,7 @@
 
 #include "model/common/result.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// What is compared with what; the words of `data.pairs`.
 enum class Pairing {
@@ -44,4 +44,4 @@ struct InputColumn {
 };
 Result<InputColumn> input_column(Pairing pairing, const std::string& input);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -12,7 +12,7 @@
 #include "model/data/van_der_waals.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 namespace {
 
 /// The columns of a record's field, 1-based and inclusive as in the format's description. Columns
@@ -187,4 +187,4 @@ Result<Table> read_pdb(const std::filesystem::path& path, FloatFormat format) {
   return table;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

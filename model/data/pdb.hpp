@@ -4,7 +4,7 @@
 
 #include "model/data/table.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// Reads the atoms of a Protein Data Bank file as spheres: columns cx, cy, cz, r in angstrom, where
 /// r is the van der Waals radius; labels are like "A 151 MET CA". It reads the ATOM and HETATM
@@ -12,4 +12,4 @@ namespace mixcmp::model {
 /// highest occupancy counts, of equal ones the first.
 Result<Table> read_pdb(const std::filesystem::path& path, FloatFormat format);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

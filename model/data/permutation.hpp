@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// A pseudo-random permutation of [0, size): a Feistel network on the next even number of bits,
 /// applied repeatedly until its value lies in the range (cycle walking). Its first n values are a
@@ -44,4 +44,4 @@ private:
   std::uint64_t seed_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// Philox4x32-10 (Salmon, Moraes, Dror and Shaw: Parallel random numbers: as easy as 1, 2, 3,
 /// 2011): four random words as a pure function of key and counter, so that no result depends on the
@@ -24,4 +24,4 @@ constexpr PhiloxCounter philox(PhiloxCounter counter, PhiloxKey key) {
   return counter;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -6,7 +6,7 @@
 
 #include "model/data/philox.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// The random numbers of one row: a pure function of seed, stream and row, so that no row depends
 /// on how many there are. Block b of row n is philox(counter = {n low, n high, b, stream}, key =
@@ -58,4 +58,4 @@ private:
   int used_ = 4;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

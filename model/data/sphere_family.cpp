@@ -12,7 +12,7 @@
 #include "model/common/quote.hpp"
 #include "model/data/sphere_pair_maker.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 namespace {
 
 using Member = SpherePairMaker::Row (SpherePairMaker::*)();
@@ -124,4 +124,4 @@ Result<Table> sphere_family(const SphereFamily& family, FloatFormat format) {
   return table;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -7,7 +7,7 @@
 
 #include "model/data/table.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// A set of sphere pairs made to be hard, by its name; docs/scene_file.md says what is hard in
 /// each.
@@ -30,4 +30,4 @@ std::string accepted_sphere_families(std::string_view received);
 /// exceed the format; a near tie of more digits than the format has.
 Result<Table> sphere_family(const SphereFamily& family, FloatFormat format);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -7,7 +7,7 @@
 #include "model/number/dyadic.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 namespace {
 
 constexpr std::size_t radius_i = 6, radius_j = 7;
@@ -219,7 +219,7 @@ SpherePairMaker::Row SpherePairMaker::counterexample() {
       static_cast<int>(row_ % static_cast<std::uint64_t>(last - first_counterexample + 1));
   const NearTieTarget target = {precision, LaneInputs::exact, Rounding::nearest_even,
                                 NearTieShape::along_axis, format_};
-  return encode(model::near_tie(target, counterexample_effort, random_).pair);
+  return encode(data::near_tie(target, counterexample_effort, random_).pair);
 }
 
 SpherePairMaker::Row SpherePairMaker::near_tie(int precision) {
@@ -228,7 +228,7 @@ SpherePairMaker::Row SpherePairMaker::near_tie(int precision) {
   const NearTieShape shape = random_.one_in(2) ? NearTieShape::along_axis : NearTieShape::diagonal;
   const NearTieTarget target = {precision, inputs, rounding, shape, format_};
   if (random_.one_in(2)) return encode(near_edge(target, random_));
-  return encode(model::near_tie(target, near_tie_effort, random_).pair);
+  return encode(data::near_tie(target, near_tie_effort, random_).pair);
 }
 
 Bits SpherePairMaker::encode(const mpq_class& value) {
@@ -311,4 +311,4 @@ SpherePairMaker::Row SpherePairMaker::encodings_around(Bits middle, int reach) {
   return row;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

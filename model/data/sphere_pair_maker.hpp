@@ -9,7 +9,7 @@
 #include "model/data/row_random.hpp"
 #include "model/number/float_format.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// Makes one row of one family of sphere pairs. Call one family's function, once.
 class SpherePairMaker {
@@ -66,7 +66,7 @@ public:
   Row counterexample();
   /// Makes a row that misleads a lane of this precision. Odd rows take aim at a lane with rounded
   /// inputs; rows 0 and 1 of four at one that rounds to nearest, rows 2 and 3 at one that rounds
-  /// toward zero. A random half of the rows are near ties (model::near_tie), the others lie around
+  /// toward zero. A random half of the rows are near ties (data::near_tie), the others lie around
   /// the edge of what the lane can decide (near_edge).
   Row near_tie(int precision);
 
@@ -105,4 +105,4 @@ private:
   bool overflowed_ = false;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

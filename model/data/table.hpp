@@ -6,7 +6,7 @@
 
 #include "model/number/float_format.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// A column's number and name in its file.
 struct FileColumn {
@@ -40,4 +40,4 @@ struct Table {
   }
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

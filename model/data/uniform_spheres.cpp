@@ -5,7 +5,7 @@
 #include "model/data/philox.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 namespace {
 
 constexpr std::uint32_t low_word(std::uint64_t value) {
@@ -41,4 +41,4 @@ Table uniform_spheres(const UniformSpheres& spheres, FloatFormat format) {
   return table;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -4,7 +4,7 @@
 
 #include "model/data/table.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 struct UniformSpheres {
   std::uint64_t count = 8192;
@@ -19,4 +19,4 @@ struct UniformSpheres {
 /// philox(counter = {n low, n high, k / 2, 0}, key = {seed low, seed high}).
 Table uniform_spheres(const UniformSpheres& spheres, FloatFormat format);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

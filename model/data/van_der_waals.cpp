@@ -4,7 +4,7 @@
 #include <array>
 #include <cctype>
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 namespace {
 
 struct Radius {
@@ -47,4 +47,4 @@ std::string known_elements() {
   return names;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

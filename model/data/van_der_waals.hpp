@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace mixcmp::model {
+namespace mixcmp::data {
 
 /// The van der Waals radius of an element ("C", "SE", ...; any case) in angstrom, as decimal text.
 /// Sources: Bondi 1964 (J. Phys. Chem. 68, 441) for most; Mantina et al. 2009 (J. Phys. Chem. A
@@ -14,4 +14,4 @@ std::optional<std::string_view> van_der_waals_radius(std::string_view element);
 /// Every element with a radius, for error messages.
 std::string known_elements();
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::data

@@ -9,7 +9,7 @@
 #include "model/error/hazards.hpp"
 #include "model/error/range_analysis.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::design {
 namespace {
 
 /// The number of comparisons that are measured for the paper's constants, RE_f and RE_g.
@@ -17,10 +17,10 @@ constexpr std::uint64_t profile_samples = 100'000;
 
 /// The error for an "auto" that nothing has resolved. It suggests `mixcmp optimise`, but not for an
 /// arg-min engine: that verb plans no chain of lanes.
-Error unresolved(const Scene& scene, const std::string& field, const std::string& option,
+Error unresolved(const scene::Scene& scene, const std::string& field, const std::string& option,
                  const std::string& accepted) {
   std::string message = fmt::format("is not chosen yet; give it in the scene or by {}", option);
-  if (scene.system.engine.kind != EngineKind::arg_min) {
+  if (scene.system.engine.kind != scene::EngineKind::arg_min) {
     message += fmt::format(", or let `mixcmp optimise {} -o plan.toml` choose",
                            scene.path.filename().string());
   }
@@ -29,24 +29,27 @@ Error unresolved(const Scene& scene, const std::string& field, const std::string
 
 /// The number of lanes in a group. Where it is "auto", an arg-min engine gets a lane for each of
 /// the data's candidates but the first.
-Result<int> lane_count(const Scene& scene, const LaneGroupSpec& group, const Comparisons* data) {
+Result<int> lane_count(const scene::Scene& scene, const scene::LaneGroupSpec& group,
+                       const data::Comparisons* data) {
   if (group.count) return *group.count;
-  if (scene.system.engine.kind != EngineKind::arg_min || data == nullptr) {
-    return unresolved(scene, "system.lanes", "--lanes 8", fmt::format("1..{}", max_lanes));
+  if (scene.system.engine.kind != scene::EngineKind::arg_min || data == nullptr) {
+    return unresolved(scene, "system.lanes", "--lanes 8", fmt::format("1..{}", scene::max_lanes));
   }
   const std::uint64_t candidates = data->tables()[1].rows();
-  if (candidates <= max_lanes + 1) return static_cast<int>(candidates - 1);
+  if (candidates <= scene::max_lanes + 1) return static_cast<int>(candidates - 1);
   return Error{.field = "system.lanes",
                .message = "the arg-min engine has a lane for each candidate but the first",
                .received = fmt::format("{} candidates", candidates),
-               .accepted = fmt::format("data with at most {}", max_lanes + 1)};
+               .accepted = fmt::format("data with at most {}", scene::max_lanes + 1)};
 }
 
 /// Measures the errors of each part.
-std::vector<ProfiledError> profile_parts(const Scene& scene, const CombinedGraph& graph,
-                                         const Comparisons& data, MeasureErrors measure) {
+std::vector<error::ProfiledError> profile_parts(const scene::Scene& scene,
+                                                const CombinedGraph& graph,
+                                                const data::Comparisons& data,
+                                                MeasureErrors measure) {
   const std::uint64_t seed = scene.data ? scene.data->seed : 1;
-  std::vector<ProfiledError> parts;
+  std::vector<error::ProfiledError> parts;
   for (std::size_t k = 0; k < graph.parts.size(); ++k) {
     parts.push_back(measure(scene.graph.part(k), graph.parts[k], data, profile_samples, seed));
   }
@@ -54,9 +57,9 @@ std::vector<ProfiledError> profile_parts(const Scene& scene, const CombinedGraph
 }
 
 /// The key of a constant that the scene does not give and no comparison tells of some part.
-std::optional<std::string> unmeasured_constant(const ReducedSpec& reduced,
-                                               const std::vector<ProfiledError>& parts) {
-  for (const ProfiledError& part : parts) {
+std::optional<std::string> unmeasured_constant(const scene::ReducedSpec& reduced,
+                                               const std::vector<error::ProfiledError>& parts) {
+  for (const error::ProfiledError& part : parts) {
     const std::uint64_t all = part.comparisons;
     if (!reduced.relative_error_f && part.f_unbounded == all) return "reduced.relative_error_f";
     if (!reduced.relative_error_g && part.g_unbounded == all) return "reduced.relative_error_g";
@@ -64,11 +67,13 @@ std::optional<std::string> unmeasured_constant(const ReducedSpec& reduced,
   return std::nullopt;
 }
 
-Result<CombinedLane> design_profiled_lane(const Scene& scene, const ReducedSpec& reduced,
-                                          const CombinedGraph& graph, const Comparisons* data,
-                                          MeasureErrors measure) {
+Result<error::CombinedLane> design_profiled_lane(const scene::Scene& scene,
+                                                 const scene::ReducedSpec& reduced,
+                                                 const CombinedGraph& graph,
+                                                 const data::Comparisons* data,
+                                                 MeasureErrors measure) {
   if (reduced.relative_error_f && reduced.relative_error_g) {
-    return profiled_lanes(graph, *reduced.relative_error_f, *reduced.relative_error_g);
+    return error::profiled_lanes(graph, *reduced.relative_error_f, *reduced.relative_error_g);
   }
   if (data == nullptr || measure == nullptr) {
     return Error{.field = "reduced.relative_error_f, reduced.relative_error_g",
@@ -76,9 +81,10 @@ Result<CombinedLane> design_profiled_lane(const Scene& scene, const ReducedSpec&
                  .received = "neither",
                  .accepted = "both constants, or a [data] section"};
   }
-  const std::vector<ProfiledError> parts = profile_parts(scene, graph, *data, measure);
-  const bool any = std::any_of(parts.begin(), parts.end(),
-                               [](const ProfiledError& part) { return part.comparisons > 0; });
+  const std::vector<error::ProfiledError> parts = profile_parts(scene, graph, *data, measure);
+  const bool any = std::any_of(parts.begin(), parts.end(), [](const error::ProfiledError& part) {
+    return part.comparisons > 0;
+  });
   if (!any) {
     return Error{.field = "reduced.bound",
                  .message = "no comparison of the data could be measured for the profile",
@@ -94,46 +100,48 @@ Result<CombinedLane> design_profiled_lane(const Scene& scene, const ReducedSpec&
   }
   // The parts share one RE_f and one RE_g.
   mpq_class f = 0, g = 0;
-  for (const ProfiledError& part : parts) {
+  for (const error::ProfiledError& part : parts) {
     f = std::max(f, part.f);
     g = std::max(g, part.g);
   }
-  return profiled_lanes(graph, reduced.relative_error_f.value_or(f),
-                        reduced.relative_error_g.value_or(g));
+  return error::profiled_lanes(graph, reduced.relative_error_f.value_or(f),
+                               reduced.relative_error_g.value_or(g));
 }
 
-bool can_decide(const UlpDistanceDecision& decision, const Lane& lane) {
+bool can_decide(const error::UlpDistanceDecision& decision, const error::Lane& lane) {
   const Bits largest = lane.graph.arithmetic.format.largest_finite(false);
   return decision.guard_ulp <= (decision.nonnegative ? largest : 2 * largest);
 }
 
 /// A constant bound can exceed every difference that the checked operands give.
-bool can_decide(const AbsoluteBoundDecision& decision, const Lane& lane) {
-  const BoundNode& bound = decision.bound.nodes.back();
-  if (bound.operation != BoundOperation::constant) return true;
-  const auto ranges = analyse_ranges(lane.graph, checked_ranges(lane.graph, lane.checks));
+bool can_decide(const error::AbsoluteBoundDecision& decision, const error::Lane& lane) {
+  const error::BoundNode& bound = decision.bound.nodes.back();
+  if (bound.operation != error::BoundOperation::constant) return true;
+  const auto ranges =
+      error::analyse_ranges(lane.graph, error::checked_ranges(lane.graph, lane.checks));
   const Range& difference = ranges[static_cast<std::size_t>(decision.difference)].value;
   return bound.constant < std::max<mpq_class>(abs(difference.low), abs(difference.high));
 }
 
-bool can_decide(const IntervalDecision&, const Lane&) {
+bool can_decide(const error::IntervalDecision&, const error::Lane&) {
   return true;
 }
 
 /// Whether any two results can lie far enough apart for the lane to decide.
-bool can_decide(const Lane& lane) {
+bool can_decide(const error::Lane& lane) {
   return std::visit([&](const auto& decision) { return can_decide(decision, lane); },
                     lane.decision);
 }
 
-Result<CombinedLane> design_certified_lane(const Scene& scene, const ReducedSpec& reduced,
-                                           const CombinedGraph& graph) {
-  const CertifiedOptions options{
+Result<error::CombinedLane> design_certified_lane(const scene::Scene& scene,
+                                                  const scene::ReducedSpec& reduced,
+                                                  const CombinedGraph& graph) {
+  const error::CertifiedOptions options{
       .kind = reduced.error_bound, .bound_digits = reduced.bound_digits, .ranges = scene.ranges};
   MIXCMP_TRY(lane, certified_lanes(graph, options));
   // One part that decides may be enough for the verdict.
   const bool decides = std::any_of(lane.parts.begin(), lane.parts.end(),
-                                   [](const Lane& part) { return can_decide(part); });
+                                   [](const error::Lane& part) { return can_decide(part); });
   if (decides) return lane;
   return Error{.field = "reduced.format",
                .message =
@@ -145,7 +153,7 @@ Result<CombinedLane> design_certified_lane(const Scene& scene, const ReducedSpec
 
 /// Gives an error without a file the place of the lane group that is at fault. For a group of
 /// [[lanes]] the error names that table's key instead of the one in [reduced].
-Error placed(Error error, const LaneGroupSpec& group) {
+Error placed(Error error, const scene::LaneGroupSpec& group) {
   constexpr std::string_view section = "reduced.";
   if (error.file.empty()) {
     error.file = group.place.file;
@@ -158,9 +166,9 @@ Error placed(Error error, const LaneGroupSpec& group) {
   return error;
 }
 
-Result<LaneGroup> design_group(const Scene& scene, const LaneGroupSpec& group,
-                               const Comparisons* data, MeasureErrors measure) {
-  const Result<CombinedLane> lane = design_lane(scene, group.reduced, data, measure);
+Result<LaneGroup> design_group(const scene::Scene& scene, const scene::LaneGroupSpec& group,
+                               const data::Comparisons* data, MeasureErrors measure) {
+  const Result<error::CombinedLane> lane = design_lane(scene, group.reduced, data, measure);
   if (!lane.ok()) return placed(lane.error(), group);
   MIXCMP_TRY(count, lane_count(scene, group, data));
   return LaneGroup{.lane = *lane,
@@ -169,22 +177,23 @@ Result<LaneGroup> design_group(const Scene& scene, const LaneGroupSpec& group,
                    .count = count};
 }
 
-Result<Design> choose(const Scene& scene, const Comparisons* data, MeasureErrors measure) {
+Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
+                      MeasureErrors measure) {
   Design design{.name = scene.name,
                 .inputs = scene.graph.inputs(),
                 .lanes = {},
                 .reference = reference_graphs(scene.graph, scene.reference),
                 .references = {},
                 .system = scene.system};
-  for (const LaneGroupSpec& spec : scene.lane_groups()) {
+  for (const scene::LaneGroupSpec& spec : scene.lane_groups()) {
     MIXCMP_TRY(group, design_group(scene, spec, data, measure));
     design.lanes.push_back(std::move(group));
   }
-  for (const ReferenceGroupSpec& spec : scene.reference_groups()) {
+  for (const scene::ReferenceGroupSpec& spec : scene.reference_groups()) {
     if (!spec.count) {
-      const int fewest = scene.system.engine.kind == EngineKind::arg_min ? 1 : 0;
+      const int fewest = scene.system.engine.kind == scene::EngineKind::arg_min ? 1 : 0;
       return unresolved(scene, "system.references", "--references 1",
-                        fmt::format("{}..{}", fewest, max_references));
+                        fmt::format("{}..{}", fewest, scene::max_references));
     }
     if (*spec.count == 0) continue;
     design.references.push_back({.multipliers = spec.multipliers, .count = *spec.count});
@@ -223,8 +232,9 @@ bool Design::certified() const {
                      [](const LaneGroup& group) { return group.lane.certified(); });
 }
 
-Result<CombinedLane> design_lane(const Scene& scene, const ReducedSpec& reduced,
-                                 const Comparisons* data, MeasureErrors measure) {
+Result<error::CombinedLane> design_lane(const scene::Scene& scene,
+                                        const scene::ReducedSpec& reduced,
+                                        const data::Comparisons* data, MeasureErrors measure) {
   if (!reduced.format) {
     return unresolved(scene, "reduced.format", "--format s17e8", "sPeE, such as s17e8");
   }
@@ -232,13 +242,15 @@ Result<CombinedLane> design_lane(const Scene& scene, const ReducedSpec& reduced,
   const CombinedGraph graph =
       lane_graphs(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
   switch (reduced.bound) {
-    case BoundKind::certified: return design_certified_lane(scene, reduced, graph);
-    case BoundKind::profiled: return design_profiled_lane(scene, reduced, graph, data, measure);
+    case scene::BoundKind::certified: return design_certified_lane(scene, reduced, graph);
+    case scene::BoundKind::profiled:
+      return design_profiled_lane(scene, reduced, graph, data, measure);
   }
   MIXCMP_CHECK(false);
 }
 
-Result<Design> make_design(const Scene& scene, const Comparisons* data, MeasureErrors measure) {
+Result<Design> make_design(const scene::Scene& scene, const data::Comparisons* data,
+                           MeasureErrors measure) {
   Result<Design> design = choose(scene, data, measure);
   if (design.ok()) return design;
   Error error = design.error();
@@ -246,4 +258,4 @@ Result<Design> make_design(const Scene& scene, const Comparisons* data, MeasureE
   return error;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::design

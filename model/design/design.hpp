@@ -7,19 +7,19 @@
 #include "model/error/profiled_lane.hpp"
 #include "model/scene/scene.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::design {
 
 /// Lanes of one kind.
 struct LaneGroup {
-  CombinedLane lane;
+  error::CombinedLane lane;
   LaneInputs inputs = LaneInputs::exact;
-  Multipliers multipliers = Multipliers::embedded;
+  scene::Multipliers multipliers = scene::Multipliers::embedded;
   int count = 1;
 };
 
 /// References of one kind: all compute the same, in the same format.
 struct ReferenceGroup {
-  Multipliers multipliers = Multipliers::embedded;
+  scene::Multipliers multipliers = scene::Multipliers::embedded;
   int count = 1;
 };
 
@@ -31,7 +31,7 @@ struct Design {
   std::vector<LaneGroup> lanes;     ///< at least one
   CombinedGraph reference;
   std::vector<ReferenceGroup> references;  ///< empty: p_H = 0
-  SystemSpec system;
+  scene::SystemSpec system;
 
   int lane_count() const;       ///< p_L
   int reference_count() const;  ///< p_H
@@ -42,19 +42,21 @@ struct Design {
 
 /// Measures the relative errors of a lane on `sample_count` comparisons: profile_error
 /// (model/profile), which a design does not link.
-using MeasureErrors = ProfiledError (*)(const Graph& graph, const TypedGraph& lane,
-                                        const Comparisons& data, std::uint64_t sample_count,
-                                        std::uint64_t seed);
+using MeasureErrors = error::ProfiledError (*)(const Graph& graph, const TypedGraph& lane,
+                                               const data::Comparisons& data,
+                                               std::uint64_t sample_count, std::uint64_t seed);
 
 /// Resolves the scene's choices; an "auto" that nothing has resolved is an error that names the
 /// option to give. The constants of a profiled bound that the scene does not give are measured on
 /// `data`: without data, or without `measure`, their absence is an error.
-Result<Design> make_design(const Scene& scene, const Comparisons* data,
+Result<Design> make_design(const scene::Scene& scene, const data::Comparisons* data,
                            MeasureErrors measure = nullptr);
 
 /// Makes one lane of a scene, as `reduced` wants it; `data` and `measure` as in make_design.
-Result<CombinedLane> design_lane(const Scene& scene, const ReducedSpec& reduced,
-                                 const Comparisons* data, MeasureErrors measure = nullptr);
+Result<error::CombinedLane> design_lane(const scene::Scene& scene,
+                                        const scene::ReducedSpec& reduced,
+                                        const data::Comparisons* data,
+                                        MeasureErrors measure = nullptr);
 
 /// A short name for each group: its format, "s12e8". Groups that share a format also get the traits
 /// in which they differ, "s12e8_rounded_logic"; they have the same name only if they differ in
@@ -62,4 +64,4 @@ Result<CombinedLane> design_lane(const Scene& scene, const ReducedSpec& reduced,
 std::vector<std::string> lane_group_names(const Design& design);
 std::vector<std::string> reference_group_names(const Design& design);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::design

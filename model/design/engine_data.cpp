@@ -6,21 +6,21 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::design {
 namespace {
 
-Result<Done> check_items(int capacity, const Comparisons& data) {
+Result<Done> check_items(int capacity, const data::Comparisons& data) {
   const std::uint64_t items = data.table().rows();
   if (items <= static_cast<std::uint64_t>(capacity)) return Done{};
   return Error{.field = "engine.capacity",
                .message = "the data have more items than the engine holds",
                .received = fmt::format("{} items, a capacity of {}", items, capacity),
                .accepted = fmt::format("a capacity of at least {}, at most {}", items,
-                                       EngineSpec::max_capacity)};
+                                       scene::EngineSpec::max_capacity)};
 }
 
-Result<Done> check_candidates(int lanes, const Comparisons& data) {
-  MIXCMP_CHECK(data.pairing() == Pairing::arg_min);  // load_scene refuses other pairings
+Result<Done> check_candidates(int lanes, const data::Comparisons& data) {
+  MIXCMP_CHECK(data.pairing() == data::Pairing::arg_min);  // load_scene refuses other pairings
   const std::uint64_t candidates = data.tables()[1].rows();
   if (candidates <= static_cast<std::uint64_t>(lanes) + 1) return Done{};
   return Error{
@@ -32,13 +32,14 @@ Result<Done> check_candidates(int lanes, const Comparisons& data) {
 
 }  // namespace
 
-Result<Done> check_engine_data(const EngineSpec& engine, int lanes, const Comparisons& data) {
+Result<Done> check_engine_data(const scene::EngineSpec& engine, int lanes,
+                               const data::Comparisons& data) {
   switch (engine.kind) {
-    case EngineKind::none: return Done{};
-    case EngineKind::pairwise: return check_items(engine.capacity, data);
-    case EngineKind::arg_min: return check_candidates(lanes, data);
+    case scene::EngineKind::none: return Done{};
+    case scene::EngineKind::pairwise: return check_items(engine.capacity, data);
+    case scene::EngineKind::arg_min: return check_candidates(lanes, data);
   }
   MIXCMP_CHECK(false);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::design

@@ -6,15 +6,15 @@
 #include "model/design/design.hpp"
 #include "model/scene/bound_choice.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::design {
 namespace {
 
 /// The bounds of a lane's parts, each once: "relative", "relative_running_4".
-std::string bound_name(const CombinedLane& lane) {
+std::string bound_name(const error::CombinedLane& lane) {
   std::string name;
   std::set<std::string> told;
-  for (const Lane& part : lane.parts) {
-    const std::string bound = to_string(bound_choice(CombinedLane(part)));
+  for (const error::Lane& part : lane.parts) {
+    const std::string bound = scene::to_string(scene::bound_choice(error::CombinedLane(part)));
     if (told.insert(bound).second) name += (name.empty() ? "" : "_") + bound;
   }
   return name;
@@ -30,7 +30,7 @@ std::vector<std::string> traits_of(const LaneGroup& group) {
 
 /// "RE_f_0.001_RE_g_0.002" for profiled lanes; empty for others.
 std::string relative_errors_of(const LaneGroup& group) {
-  const auto* interval = std::get_if<IntervalDecision>(&group.lane.parts.front().decision);
+  const auto* interval = std::get_if<error::IntervalDecision>(&group.lane.parts.front().decision);
   if (interval == nullptr) return "";
   return fmt::format("RE_f_{}_RE_g_{}", interval->relative_error_f.get_d(),
                      interval->relative_error_g.get_d());
@@ -86,4 +86,4 @@ std::vector<std::string> reference_group_names(const Design& design) {
   return names;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::design

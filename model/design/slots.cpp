@@ -2,7 +2,7 @@
 
 #include <bit>
 
-namespace mixcmp::model {
+namespace mixcmp::design {
 namespace {
 
 /// Cycles a comparison spends in a channel beside the lane itself, at full rate
@@ -19,4 +19,4 @@ int slots_for(int lane_latency_cycles, bool recomputes) {
   return static_cast<int>(std::bit_ceil(static_cast<unsigned>(needed)));
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::design

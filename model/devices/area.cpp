@@ -1,6 +1,6 @@
 #include "model/devices/area.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::devices {
 
 Area& Area::operator+=(const Area& other) {
   luts += other.luts;
@@ -21,4 +21,4 @@ Area operator*(int count, const Area& area) {
           .shift_luts = count * area.shift_luts};
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::devices

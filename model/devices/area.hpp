@@ -1,6 +1,6 @@
 #pragma once
 
-namespace mixcmp::model {
+namespace mixcmp::devices {
 
 /// The resources of a device that a design uses, or that the device has.
 struct Area {
@@ -27,4 +27,4 @@ inline constexpr Resource bounded_resources[] = {{"lut", &Area::luts},
                                                  {"dsp", &Area::dsps},
                                                  {"memory", &Area::memories}};
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::devices

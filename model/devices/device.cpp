@@ -8,7 +8,7 @@
 #include "model/common/quote.hpp"
 #include "model/devices/device_file.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::devices {
 namespace {
 
 constexpr std::string_view ending = ".toml";
@@ -40,4 +40,4 @@ std::vector<std::string> device_names() {
   return names;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::devices

@@ -8,7 +8,7 @@
 #include "model/common/result.hpp"
 #include "model/devices/area.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::devices {
 
 /// The widest unsigned factors of one embedded multiplier.
 struct MultiplierSize {
@@ -63,4 +63,4 @@ Result<Device> find_device(std::string_view name);
 /// The names of the devices that come with the program.
 std::vector<std::string> device_names();
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::devices

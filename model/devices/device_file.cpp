@@ -12,20 +12,20 @@
 #include "model/settings/section.hpp"
 #include "model/settings/settings.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::devices {
 namespace {
 
 const std::vector<std::string> section_names = {"device", "synthesis", "timing", "delays",
                                                 "sources"};
 
-Result<Done> check_section_names(const Settings& settings) {
-  for (const Setting& entry : settings.root.entries) {
+Result<Done> check_section_names(const settings::Settings& settings) {
+  for (const settings::Setting& entry : settings.root.entries) {
     const auto& names = section_names;
     if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
-    const bool is_section = std::holds_alternative<Setting::Table>(entry.value);
-    return mistake_at(entry, entry.key,
-                      is_section ? "unknown section" : "a key outside of any section", entry.key,
-                      list_with_nearest(entry.key, names));
+    const bool is_section = std::holds_alternative<settings::Setting::Table>(entry.value);
+    return settings::mistake_at(entry, entry.key,
+                                is_section ? "unknown section" : "a key outside of any section",
+                                entry.key, list_with_nearest(entry.key, names));
   }
   return Done{};
 }
@@ -37,9 +37,9 @@ bool is_file_name(const std::string& name) {
          name.find_first_not_of(accepted) == std::string::npos;
 }
 
-Result<Done> read_figures(const Settings& settings, Device& device) {
+Result<Done> read_figures(const settings::Settings& settings, Device& device) {
   constexpr int most = 100'000'000;  // counts of a plan are products of areas and stay below 2^63
-  Section section(settings, "device");
+  settings::Section section(settings, "device");
   for (const char* key : {"name", "luts", "registers", "dsps", "memories"}) section.require(key);
   section.text("name", device.name);
   if (!is_file_name(device.name)) {
@@ -63,7 +63,7 @@ Result<Done> read_figures(const Settings& settings, Device& device) {
 
 /// Checks that the text is one synthesis command. Yosys reads it as part of a script, where the
 /// characters refused here end a command, begin a comment or start a shell.
-void check_command(Section& section, const std::string& key, const std::string& command) {
+void check_command(settings::Section& section, const std::string& key, const std::string& command) {
   if (section.find(key) == nullptr) return;
   const bool one_command = command.find_first_of(";\n\r!#") == std::string::npos;
   if (command.starts_with("synth") && one_command) return;
@@ -71,8 +71,8 @@ void check_command(Section& section, const std::string& key, const std::string& 
                "synth_xilinx, synth_ecp5, synth_ice40 or another synth command with its options");
 }
 
-Result<Done> read_synthesis(const Settings& settings, Device& device) {
-  Section section(settings, "synthesis");
+Result<Done> read_synthesis(const settings::Settings& settings, Device& device) {
+  settings::Section section(settings, "synthesis");
   section.require("command");
   section.text("command", device.synthesis);
   check_command(section, "command", device.synthesis);
@@ -80,15 +80,15 @@ Result<Done> read_synthesis(const Settings& settings, Device& device) {
   return Done{};
 }
 
-void read_arguments(Section& section, std::vector<std::string>& arguments) {
-  const Setting* setting = section.find("arguments");
+void read_arguments(settings::Section& section, std::vector<std::string>& arguments) {
+  const settings::Setting* setting = section.find("arguments");
   if (setting == nullptr) return;
   constexpr auto accepted = "an array of strings, one for each argument of nextpnr";
-  const auto* array = std::get_if<Setting::Array>(&setting->value);
+  const auto* array = std::get_if<settings::Setting::Array>(&setting->value);
   if (array == nullptr) {
     return section.fail("arguments", "wrong type", setting->shown(), accepted);
   }
-  for (const Setting& element : *array) {
+  for (const settings::Setting& element : *array) {
     const auto* text = std::get_if<std::string>(&element.value);
     if (text == nullptr) {
       return section.fail("arguments", "wrong type", element.shown(), accepted);
@@ -99,7 +99,7 @@ void read_arguments(Section& section, std::vector<std::string>& arguments) {
 
 /// Checks that timing.synthesis goes with the tool. yosys_sta needs it, for Xilinx: Yosys' library
 /// has cell delays for no other vendor. A router takes the mapped netlist and needs none.
-void check_timing_synthesis(Section& section, const Device& device) {
+void check_timing_synthesis(settings::Section& section, const Device& device) {
   const bool given = !device.timing_synthesis.empty();
   if (device.timing == TimingTool::yosys_sta) {
     if (device.timing_synthesis.starts_with("synth_xilinx")) return;
@@ -112,8 +112,8 @@ void check_timing_synthesis(Section& section, const Device& device) {
                "no synthesis here");
 }
 
-Result<Done> read_timing(const Settings& settings, Device& device) {
-  Section section(settings, "timing");
+Result<Done> read_timing(const settings::Settings& settings, Device& device) {
+  settings::Section section(settings, "timing");
   section.require("tool");
   section.choice("tool", device.timing,
                  {TimingTool::none, TimingTool::yosys_sta, TimingTool::nextpnr_ice40,
@@ -126,7 +126,7 @@ Result<Done> read_timing(const Settings& settings, Device& device) {
   return Done{};
 }
 
-Result<Done> read_delays(const Settings& settings, DelayTable& delays) {
+Result<Done> read_delays(const settings::Settings& settings, DelayTable& delays) {
   struct Entry {
     const char* key;
     double DelayTable::*delay;
@@ -139,7 +139,7 @@ Result<Done> read_delays(const Settings& settings, DelayTable& delays) {
       {"multiplier_add_ns", &DelayTable::multiplier_add_ns},
       {"register_ns", &DelayTable::register_ns},
   }};
-  Section section(settings, "delays");
+  settings::Section section(settings, "delays");
   for (const Entry& entry : entries) {
     section.require(entry.key);
     section.number(entry.key, delays.*entry.delay, 0.001, 1000);
@@ -149,9 +149,9 @@ Result<Done> read_delays(const Settings& settings, DelayTable& delays) {
   return Done{};
 }
 
-Result<Done> read_sources(const Settings& settings, std::vector<std::string>& sources) {
-  Section section(settings, "sources");
-  for (const Setting& entry : section.entries()) {
+Result<Done> read_sources(const settings::Settings& settings, std::vector<std::string>& sources) {
+  settings::Section section(settings, "sources");
+  for (const settings::Setting& entry : section.entries()) {
     std::string text;
     section.text(entry.key, text);
     sources.push_back(fmt::format("{}: {}", entry.key, text));
@@ -163,7 +163,7 @@ Result<Done> read_sources(const Settings& settings, std::vector<std::string>& so
 }  // namespace
 
 Result<Device> read_device(std::string text, const std::filesystem::path& path) {
-  MIXCMP_TRY(settings, parse_settings(std::move(text), path));
+  MIXCMP_TRY(settings, settings::parse_settings(std::move(text), path));
   MIXCMP_TRY(names, check_section_names(settings));
   Device device;
   MIXCMP_TRY(figures, read_figures(settings, device));
@@ -184,4 +184,4 @@ std::string_view to_string(TimingTool tool) {
   MIXCMP_CHECK(!"a timing tool of no enumerator");
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::devices

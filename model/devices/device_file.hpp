@@ -5,10 +5,10 @@
 
 #include "model/devices/device.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::devices {
 
 /// Reads the text of a device file (docs/devices.md); `path` is for the errors, which name file,
 /// line and field.
 Result<Device> read_device(std::string text, const std::filesystem::path& path);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::devices

@@ -9,7 +9,7 @@
 #include "model/emulator/rounding-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace mixcmp::model::emulator::HWY_NAMESPACE {
+namespace mixcmp::emulator::HWY_NAMESPACE {
 
 /// Applies the rules of model/error/bound_graph.hpp in double; an infinite bound is an infinity.
 class Bounds {
@@ -97,7 +97,7 @@ void bound(const Instruction& instruction, const Block& block) {
   }
 }
 
-}  // namespace mixcmp::model::emulator::HWY_NAMESPACE
+}  // namespace mixcmp::emulator::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -10,7 +10,7 @@
 #include "model/emulator/safe_operands.hpp"
 #include "model/number/double.hpp"
 
-namespace mixcmp::model::emulator {
+namespace mixcmp::emulator {
 namespace {
 
 constexpr int double_digits = 53;
@@ -210,7 +210,7 @@ void add_window(Code& code, const TypedGraph& graph) {
 
 }  // namespace
 
-std::optional<Code> make_code(const TypedGraph& graph, const Lane* lane) {
+std::optional<Code> make_code(const TypedGraph& graph, const error::Lane* lane) {
   if (!fits_double(graph)) return std::nullopt;
   Code code{.columns = static_cast<int>(graph.nodes.size()), .f = graph.f, .g = graph.g};
   for (int id = 0; id < code.columns; ++id) {
@@ -227,4 +227,4 @@ std::optional<Code> make_code(const TypedGraph& graph, const Lane* lane) {
   return code;
 }
 
-}  // namespace mixcmp::model::emulator
+}  // namespace mixcmp::emulator

@@ -7,7 +7,7 @@
 #include "model/emulator/kernels.hpp"
 #include "model/error/lane.hpp"
 
-namespace mixcmp::model::emulator {
+namespace mixcmp::emulator {
 
 /// A graph and its decision, compiled to instructions on columns of doubles. Column k holds node k
 /// of the graph; the columns of an absolute bound follow. docs/emulator.md proves that this is
@@ -31,6 +31,6 @@ struct Code {
 
 /// Compiles a graph. `lane` is null for a reference; otherwise the graph is the lane's. None where
 /// double does not hold some format, or cannot reproduce a constant or the decision.
-std::optional<Code> make_code(const TypedGraph& graph, const Lane* lane);
+std::optional<Code> make_code(const TypedGraph& graph, const error::Lane* lane);
 
-}  // namespace mixcmp::model::emulator
+}  // namespace mixcmp::emulator

@@ -11,7 +11,7 @@
 #include "model/number/bound_format.hpp"
 #include "model/number/double.hpp"
 
-namespace mixcmp::model::emulator {
+namespace mixcmp::emulator {
 namespace {
 
 constexpr int double_digits = 53;
@@ -22,15 +22,15 @@ double bound_as_double(BoundFormat format, Bits bound) {
   return bound_value(format, bound).get_d();
 }
 
-Kernel kernel_of(BoundOperation operation) {
+Kernel kernel_of(error::BoundOperation operation) {
   switch (operation) {
-    case BoundOperation::magnitude: return Kernel::bound_magnitude;
-    case BoundOperation::binade: return Kernel::bound_binade;
-    case BoundOperation::reciprocal: return Kernel::bound_reciprocal;
-    case BoundOperation::add: return Kernel::bound_add;
-    case BoundOperation::multiply: return Kernel::bound_multiply;
-    case BoundOperation::maximum: return Kernel::bound_maximum;
-    case BoundOperation::constant: break;
+    case error::BoundOperation::magnitude: return Kernel::bound_magnitude;
+    case error::BoundOperation::binade: return Kernel::bound_binade;
+    case error::BoundOperation::reciprocal: return Kernel::bound_reciprocal;
+    case error::BoundOperation::add: return Kernel::bound_add;
+    case error::BoundOperation::multiply: return Kernel::bound_multiply;
+    case error::BoundOperation::maximum: return Kernel::bound_maximum;
+    case error::BoundOperation::constant: break;
   }
   MIXCMP_CHECK(false);
 }
@@ -42,9 +42,10 @@ bool is_safe(BoundFormat format) {
   return format.precision <= error_free_digits || format.exponent_bits <= free_exponent_bits;
 }
 
-void add_bound_node(Code& code, const BoundNode& node, BoundFormat format, int first_column) {
+void add_bound_node(Code& code, const error::BoundNode& node, BoundFormat format,
+                    int first_column) {
   const int column = code.columns++;
-  if (node.operation == BoundOperation::constant) {
+  if (node.operation == error::BoundOperation::constant) {
     const Bits bound = encode_bound(format, node.constant);
     code.constants.emplace_back(column, bound_as_double(format, bound));
     return;
@@ -70,10 +71,10 @@ void set_guard(DecisionRule& decision, FloatFormat format, Bits guard, int power
   decision.zero = std::bit_cast<double>(zero_exponent << (double_digits - 1));
 }
 
-bool add(Code& code, const Lane& lane, const AbsoluteBoundDecision& decision) {
+bool add(Code& code, const error::Lane& lane, const error::AbsoluteBoundDecision& decision) {
   if (!is_safe(decision.bound.format)) return false;
   const int first_column = code.columns;
-  for (const BoundNode& node : decision.bound.nodes) {
+  for (const error::BoundNode& node : decision.bound.nodes) {
     add_bound_node(code, node, decision.bound.format, first_column);
   }
   code.decision.rule = Rule::absolute_bound;
@@ -81,13 +82,13 @@ bool add(Code& code, const Lane& lane, const AbsoluteBoundDecision& decision) {
   code.decision.second = code.columns - 1;
   const FloatFormat format = lane.graph.arithmetic.format;
   set_guard(code.decision, format, decision.guard_ulp, double_digits - format.precision());
-  for (const BoundCondition& condition : decision.conditions) {
+  for (const error::BoundCondition& condition : decision.conditions) {
     code.decision.conditions.push_back({first_column + condition.bound, condition.value});
   }
   return true;
 }
 
-bool add(Code& code, const Lane& lane, const UlpDistanceDecision& decision) {
+bool add(Code& code, const error::Lane& lane, const error::UlpDistanceDecision& decision) {
   const FloatFormat format = lane.graph.arithmetic.format;
   if (format.precision() == double_digits) return false;  // keys need the last bit
   if (decision.guard_ulp == 0) return true;               // the order of exact f and g
@@ -97,18 +98,18 @@ bool add(Code& code, const Lane& lane, const UlpDistanceDecision& decision) {
   return true;
 }
 
-bool add(Code& code, const Lane&, const IntervalDecision& decision) {
+bool add(Code& code, const error::Lane&, const error::IntervalDecision& decision) {
   code.decision.rule = Rule::interval;
   code.decision.first = decision.minimum;
   code.decision.second = decision.maximum;
   return true;
 }
 
-Sign sign_of(RequiredSign sign) {
+Sign sign_of(error::RequiredSign sign) {
   switch (sign) {
-    case RequiredSign::any: return Sign::any;
-    case RequiredSign::nonnegative: return Sign::nonnegative;
-    case RequiredSign::nonpositive: return Sign::nonpositive;
+    case error::RequiredSign::any: return Sign::any;
+    case error::RequiredSign::nonnegative: return Sign::nonnegative;
+    case error::RequiredSign::nonpositive: return Sign::nonpositive;
   }
   MIXCMP_CHECK(false);
 }
@@ -121,7 +122,7 @@ double magnitude_limit(FloatFormat format, Bits encoding) {
   return to_double(format, magnitude);
 }
 
-OperandCheck operand_check(const RangeCheck& check, int column, FloatFormat format) {
+OperandCheck operand_check(const error::RangeCheck& check, int column, FloatFormat format) {
   OperandCheck result{.column = column, .sign = sign_of(check.sign)};
   if (check.leading_bits == 0) return result;
   const int rest = format.width() - 1 - check.leading_bits;
@@ -131,8 +132,8 @@ OperandCheck operand_check(const RangeCheck& check, int column, FloatFormat form
 }
 
 /// Adds the range checks; false where a check reads an operand that the graph does not.
-bool add_checks(Code& code, const Lane& lane) {
-  for (const RangeCheck& check : lane.checks) {
+bool add_checks(Code& code, const error::Lane& lane) {
+  for (const error::RangeCheck& check : lane.checks) {
     const auto reads = [&](const auto& input) { return input.second == check.input; };
     const auto input = std::find_if(code.inputs.begin(), code.inputs.end(), reads);
     if (input == code.inputs.end()) return false;
@@ -143,22 +144,22 @@ bool add_checks(Code& code, const Lane& lane) {
 
 }  // namespace
 
-bool add_decision(Code& code, const Lane& lane) {
+bool add_decision(Code& code, const error::Lane& lane) {
   if (!add_checks(code, lane)) return false;
   return std::visit([&](const auto& decision) { return add(code, lane, decision); }, lane.decision);
 }
 
-std::vector<NodeId> values_as_encodings(const Lane& lane) {
-  if (std::holds_alternative<UlpDistanceDecision>(lane.decision)) {
+std::vector<NodeId> values_as_encodings(const error::Lane& lane) {
+  if (std::holds_alternative<error::UlpDistanceDecision>(lane.decision)) {
     return {lane.graph.f, lane.graph.g};
   }
   std::vector<NodeId> values;
-  const auto* decision = std::get_if<AbsoluteBoundDecision>(&lane.decision);
+  const auto* decision = std::get_if<error::AbsoluteBoundDecision>(&lane.decision);
   if (decision == nullptr) return values;
-  for (const BoundNode& node : decision->bound.nodes) {
+  for (const error::BoundNode& node : decision->bound.nodes) {
     if (node.value >= 0) values.push_back(node.value);
   }
   return values;
 }
 
-}  // namespace mixcmp::model::emulator
+}  // namespace mixcmp::emulator

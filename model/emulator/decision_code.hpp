@@ -4,14 +4,14 @@
 
 #include "model/emulator/code.hpp"
 
-namespace mixcmp::model::emulator {
+namespace mixcmp::emulator {
 
 /// Adds the lane's decision to `code`, which was compiled from the lane's graph. False where double
 /// cannot reproduce it.
-bool add_decision(Code& code, const Lane& lane);
+bool add_decision(Code& code, const error::Lane& lane);
 
 /// The nodes whose encodings the decision or its bound reads. The encoding of a subnormal number,
 /// which a constant may be, does not follow from its double.
-std::vector<NodeId> values_as_encodings(const Lane& lane);
+std::vector<NodeId> values_as_encodings(const error::Lane& lane);
 
-}  // namespace mixcmp::model::emulator
+}  // namespace mixcmp::emulator

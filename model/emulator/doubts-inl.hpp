@@ -14,7 +14,7 @@
 #include "model/emulator/rounding-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace mixcmp::model::emulator::HWY_NAMESPACE {
+namespace mixcmp::emulator::HWY_NAMESPACE {
 
 bool all_inside(const OperandWindow& window, const Block& block) {
   const auto least = hn::Set(Long(), window.least);
@@ -142,7 +142,7 @@ bool find_doubts(const std::vector<TrustedRange>& ranges, const Block& block,
 
 #endif
 
-}  // namespace mixcmp::model::emulator::HWY_NAMESPACE
+}  // namespace mixcmp::emulator::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -12,18 +12,15 @@
 #include "model/golden/evaluate.hpp"
 #include "model/number/double.hpp"
 
-namespace mixcmp::model {
-
-using emulator::Code;
-using emulator::Execution;
+namespace mixcmp::emulator {
 
 /// One part of the comparison: its code, and its graph and lane for the golden model.
 class Emulator::Program {
 public:
-  explicit Program(const Lane& lane)
-      : graph_(lane.graph), lane_(lane), code_(emulator::make_code(graph_, &lane)) {}
+  explicit Program(const error::Lane& lane)
+      : graph_(lane.graph), lane_(lane), code_(make_code(graph_, &lane)) {}
   explicit Program(TypedGraph reference)
-      : graph_(std::move(reference)), code_(emulator::make_code(graph_, nullptr)) {}
+      : graph_(std::move(reference)), code_(make_code(graph_, nullptr)) {}
 
   const std::optional<Code>& code() const { return code_; }
   int input_count() const { return graph_.input_count; }
@@ -44,7 +41,7 @@ private:
   Decision golden_order(OperandColumns operands, std::size_t index) const;
 
   TypedGraph graph_;
-  std::optional<Lane> lane_;
+  std::optional<error::Lane> lane_;
   std::optional<Code> code_;
   mutable std::atomic<std::uint64_t> fallbacks_ = 0;
 };
@@ -86,17 +83,17 @@ constexpr std::array<std::uint8_t, 5> ranks_of_any = {4, 1, 0, 2, 3};
 
 /// Runs the code and decides; `doubtful` decides where double cannot be trusted.
 template <class Doubtful>
-void run(const Code& code, const emulator::DecisionRule& decision, Execution::Scope scope,
+void run(const Code& code, const DecisionRule& decision, Execution::Scope scope,
          OperandColumns operands, std::span<Decision> decisions, Doubtful doubtful) {
   static_assert(sizeof(Decision) == sizeof(std::uint8_t));
-  std::array<std::uint8_t, emulator::max_block_size> last_codes;
+  std::array<std::uint8_t, max_block_size> last_codes;
   Execution execution(code, operands, decisions.size(), scope);
   while (execution.next()) {
     Decision* const results = decisions.data() + execution.first();
     if (execution.size() == execution.block().size) {
-      emulator::judge(decision, execution.block(), reinterpret_cast<std::uint8_t*>(results));
+      judge(decision, execution.block(), reinterpret_cast<std::uint8_t*>(results));
     } else {
-      emulator::judge(decision, execution.block(), last_codes.data());
+      judge(decision, execution.block(), last_codes.data());
       std::memcpy(results, last_codes.data(), execution.size());
     }
     for (std::size_t k = 0; execution.any_doubt() && k < execution.size(); ++k) {
@@ -124,15 +121,15 @@ void Emulator::Program::compare(OperandColumns operands, std::span<Decision> dec
     for (std::size_t k = 0; k < decisions.size(); ++k) decisions[k] = golden(k);
     return;
   }
-  const emulator::DecisionRule order = {
-      .rule = emulator::Rule::order, .first = code_->f, .second = code_->g};
+  const DecisionRule order = {.rule = Rule::order, .first = code_->f, .second = code_->g};
   run(*code_, order, Execution::Scope::values, operands, decisions, golden);
 }
 
-Emulator::Emulator(const Lane& lane) : Emulator(CombinedLane(lane)) {}
+Emulator::Emulator(const error::Lane& lane) : Emulator(error::CombinedLane(lane)) {}
 Emulator::Emulator(const TypedGraph& reference) : Emulator(CombinedGraph(reference)) {}
-Emulator::Emulator(const CombinedLane& lane) : combination_(lane.combination) {
-  for (const Lane& part : lane.parts) parts_.push_back(std::make_unique<const Program>(part));
+Emulator::Emulator(const error::CombinedLane& lane) : combination_(lane.combination) {
+  for (const error::Lane& part : lane.parts)
+    parts_.push_back(std::make_unique<const Program>(part));
 }
 Emulator::Emulator(const CombinedGraph& reference) : combination_(reference.combination) {
   for (const TypedGraph& part : reference.parts) {
@@ -219,4 +216,4 @@ const char* Emulator::instruction_set() {
   return emulator::instruction_set();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::emulator

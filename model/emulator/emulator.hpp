@@ -9,7 +9,7 @@
 #include "model/error/combined_lane.hpp"
 #include "model/number/verdict.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::emulator {
 
 /// Operands of a batch: one array of doubles per input, each a number of the reference format.
 /// Every NaN stands for the format's quiet NaN. Arrays aligned to 64 bytes are fastest, and batches
@@ -25,8 +25,8 @@ using OperandColumns = std::span<const double* const>;
 /// batches. Thread-safe: all members are const, scratch memory belongs to the call.
 class Emulator {
 public:
-  explicit Emulator(const Lane& lane);
-  explicit Emulator(const CombinedLane& lane);
+  explicit Emulator(const error::Lane& lane);
+  explicit Emulator(const error::CombinedLane& lane);
   /// A reference datapath: never undecided. Its graph may have up to 53 digits.
   explicit Emulator(const TypedGraph& reference);
   explicit Emulator(const CombinedGraph& reference);
@@ -60,4 +60,4 @@ private:
   std::vector<std::unique_ptr<const Program>> parts_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::emulator

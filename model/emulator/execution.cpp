@@ -5,7 +5,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model::emulator {
+namespace mixcmp::emulator {
 namespace {
 
 /// The length of a cache line in doubles. Columns are one line further apart than a block is long.
@@ -90,4 +90,4 @@ bool Execution::next() {
   return true;
 }
 
-}  // namespace mixcmp::model::emulator
+}  // namespace mixcmp::emulator

@@ -8,7 +8,7 @@
 
 #include "model/emulator/code.hpp"
 
-namespace mixcmp::model::emulator {
+namespace mixcmp::emulator {
 
 /// One pass of the code over `count` comparisons, a block at a time, with the scratch memory for
 /// it.
@@ -53,4 +53,4 @@ private:
   std::array<std::uint64_t, max_block_size> doubts_;
 };
 
-}  // namespace mixcmp::model::emulator
+}  // namespace mixcmp::emulator

@@ -9,9 +9,9 @@
 #include "model/emulator/rounding-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace mixcmp::model::emulator::HWY_NAMESPACE {
+namespace mixcmp::emulator::HWY_NAMESPACE {
 
-/// A vector of one code of model::Decision.
+/// A vector of one code of Decision.
 HWY_INLINE IntVec code(int decision) {
   return hn::Set(Int(), decision);
 }
@@ -169,7 +169,7 @@ void judge(const DecisionRule& decision_rule, const Block& block, std::uint8_t* 
   }
 }
 
-}  // namespace mixcmp::model::emulator::HWY_NAMESPACE
+}  // namespace mixcmp::emulator::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

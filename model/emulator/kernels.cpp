@@ -13,7 +13,7 @@
 #include "model/emulator/rounding-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace mixcmp::model::emulator::HWY_NAMESPACE {
+namespace mixcmp::emulator::HWY_NAMESPACE {
 
 struct Addition {
   static constexpr bool unary = false, product = false;
@@ -229,11 +229,11 @@ const char* instruction_set() {
   return hwy::TargetName(HWY_TARGET);
 }
 
-}  // namespace mixcmp::model::emulator::HWY_NAMESPACE
+}  // namespace mixcmp::emulator::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace mixcmp::model::emulator {
+namespace mixcmp::emulator {
 
 HWY_EXPORT(all_inside);
 HWY_EXPORT(execute);
@@ -262,5 +262,5 @@ const char* instruction_set() {
   return HWY_DYNAMIC_DISPATCH(instruction_set)();
 }
 
-}  // namespace mixcmp::model::emulator
+}  // namespace mixcmp::emulator
 #endif

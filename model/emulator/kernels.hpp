@@ -7,7 +7,7 @@
 
 /// The part of the emulator that is compiled once per instruction set. The code is executed block
 /// by block: every node of a graph is a column of doubles, every instruction one loop over columns.
-namespace mixcmp::model::emulator {
+namespace mixcmp::emulator {
 
 /// The size of a block is a multiple of this: the comparisons in four of the widest vectors.
 inline constexpr std::size_t block_granularity = 32;
@@ -137,10 +137,10 @@ bool find_doubts(const std::vector<TrustedRange>& ranges, const Block& block,
 /// Whether every value of the window's columns is inside.
 bool all_inside(const OperandWindow& window, const Block& block);
 
-/// Writes one code of model::Decision per comparison.
+/// Writes one code of Decision per comparison.
 void judge(const DecisionRule& decision_rule, const Block& block, std::uint8_t* codes);
 
 /// The instruction set that run-time dispatch chose.
 const char* instruction_set();
 
-}  // namespace mixcmp::model::emulator
+}  // namespace mixcmp::emulator

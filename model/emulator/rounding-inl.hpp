@@ -12,7 +12,7 @@
 #include "model/emulator/kernels.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace mixcmp::model::emulator::HWY_NAMESPACE {
+namespace mixcmp::emulator::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -142,7 +142,7 @@ private:
   Vec scale_;
 };
 
-}  // namespace mixcmp::model::emulator::HWY_NAMESPACE
+}  // namespace mixcmp::emulator::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -7,7 +7,7 @@
 #include "model/common/check.hpp"
 #include "model/number/double.hpp"
 
-namespace mixcmp::model::emulator {
+namespace mixcmp::emulator {
 namespace {
 
 /// The grid of values that have none; far below every grid that matters.
@@ -138,4 +138,4 @@ std::optional<SafeOperands> safe_operands(const TypedGraph& graph) {
   return operands;
 }
 
-}  // namespace mixcmp::model::emulator
+}  // namespace mixcmp::emulator

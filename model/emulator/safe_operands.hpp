@@ -4,7 +4,7 @@
 
 #include "model/expression/typed_graph.hpp"
 
-namespace mixcmp::model::emulator {
+namespace mixcmp::emulator {
 
 /// Magnitudes from 2^low up to 2^high; 0 is not among them.
 struct SafeOperands {
@@ -25,4 +25,4 @@ TrustedExponents trusted_exponents(FloatFormat format);
 /// inputs.
 std::optional<SafeOperands> safe_operands(const TypedGraph& graph);
 
-}  // namespace mixcmp::model::emulator
+}  // namespace mixcmp::emulator

@@ -2,7 +2,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 int arity(BoundOperation operation) {
   switch (operation) {
@@ -30,4 +30,4 @@ std::string_view to_string(BoundOperation operation) {
   MIXCMP_CHECK(false);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -5,7 +5,7 @@
 #include "model/expression/typed_graph.hpp"
 #include "model/number/bound_format.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 /// Operations of a bound graph. Every result is rounded up: a non-zero result below the smallest
 /// number becomes that number, and one beyond the largest becomes infinite. An infinite operand
@@ -36,4 +36,4 @@ struct BoundGraph {
   std::vector<BoundNode> nodes;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 namespace {
 
 bool same(const BoundNode& a, const BoundNode& b) {
@@ -70,4 +70,4 @@ BoundId BoundGraphBuilder::intern(BoundNode node) {
   return static_cast<BoundId>(nodes_.size()) - 1;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -4,7 +4,7 @@
 
 #include "model/error/bound_graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 /// Index of a bound node, or no_bound_node for a bound of zero, which needs none.
 using BoundId = int;
@@ -29,4 +29,4 @@ private:
   std::vector<BoundNode> nodes_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

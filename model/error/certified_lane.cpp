@@ -11,7 +11,7 @@
 #include "model/expression/text.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 namespace {
 
 using Ranges = std::vector<std::optional<Range>>;
@@ -261,4 +261,4 @@ Result<Lane> certified_lane(TypedGraph graph, const CertifiedOptions& options) {
   return lane;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -6,7 +6,7 @@
 
 #include "model/error/lane.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 /// How the error of f - g is bounded.
 enum class ErrorBoundKind {
@@ -36,4 +36,4 @@ struct CertifiedOptions {
 /// bound of the kind, why, and what the user can do. Proofs: docs/error_bounds.md.
 Result<Lane> certified_lane(TypedGraph graph, const CertifiedOptions& options);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

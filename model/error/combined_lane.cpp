@@ -7,7 +7,7 @@
 #include "model/common/check.hpp"
 #include "model/error/profiled_lane.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 namespace {
 
 Hazards either(const Hazards& a, const Hazards& b) {
@@ -144,4 +144,4 @@ SharedLane share(const CombinedLane& lane) {
   return shared;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

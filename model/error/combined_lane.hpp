@@ -3,7 +3,7 @@
 #include "model/error/certified_lane.hpp"
 #include "model/expression/combined_graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 /// One reduced-precision datapath: a lane for each part of the comparison, at least one, all over
 /// the same inputs and in the same arithmetic. Each part decides by its own operations and its own
@@ -61,4 +61,4 @@ struct SharedLane {
 };
 SharedLane share(const CombinedLane& lane);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

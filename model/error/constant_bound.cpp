@@ -9,7 +9,7 @@
 #include "model/error/range_analysis.hpp"
 #include "model/expression/text.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 namespace {
 
 /// The largest power of two that is not above a positive number.
@@ -136,4 +136,4 @@ Result<mpq_class> constant_bound(const TypedGraph& graph, const ErrorAnalysis& a
   return Folder(graph, analysis, checks).run(bound);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -2,7 +2,7 @@
 
 #include "model/error/error_analysis.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 /// Checks that no divisor may be zero where every operand passes its check; an error names one that
 /// may. The quotient by such a divisor could be as large as the format allows, and a constant that
@@ -16,4 +16,4 @@ Result<Done> check_divisors(const TypedGraph& graph, const std::vector<RangeChec
 Result<mpq_class> constant_bound(const TypedGraph& graph, const ErrorAnalysis& analysis,
                                  const AbsolutePart& bound, const std::vector<RangeCheck>& checks);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -11,7 +11,7 @@
 #include "model/number/dyadic.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 namespace {
 
 /// The error of a divisor may be at most 1/32 of the divisor, so that dividing by the true divisor
@@ -449,4 +449,4 @@ ErrorAnalysis analyse_errors(const TypedGraph& graph, const std::vector<bool>& i
   return Analysis(graph, input_nonnegative).run();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

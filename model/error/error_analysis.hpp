@@ -8,7 +8,7 @@
 #include "model/error/lane.hpp"
 #include "model/error/relative_bound.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 /// Bounds the absolute part a of a node's error (MixedBound): |a| <= slack_factor * B, where B is
 /// the value of bound node `bound`. The hardware computes B alone, in few digits; `slack_factor`,
@@ -56,4 +56,4 @@ struct ErrorAnalysis {
 /// ErrorAnalysis::nonnegative_inputs, and the lane must check its sign bit.
 ErrorAnalysis analyse_errors(const TypedGraph& graph, const std::vector<bool>& input_nonnegative);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -7,7 +7,7 @@
 #include "model/number/dyadic.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 namespace {
 
 /// A power of two of which every value of a node is a multiple; none: no such power is known.
@@ -105,4 +105,4 @@ std::vector<bool> exact_on_grid(const TypedGraph& graph,
   return Analysis(graph, ranges, grids).run();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -6,7 +6,7 @@
 #include "model/expression/range.hpp"
 #include "model/expression/typed_graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 /// Tells for each node of a graph whether it holds its expression's real value exactly. Every input
 /// lies in its range and is a multiple of its grid (a power of two), so that all values of a node
@@ -17,4 +17,4 @@ std::vector<bool> exact_on_grid(const TypedGraph& graph,
                                 const std::vector<std::optional<Range>>& ranges,
                                 const std::vector<std::optional<mpq_class>>& grids);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -8,7 +8,7 @@
 #include "model/expression/combined_graph.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 namespace {
 
 /// Whether `value` * 2^(-2P) is a normal number of the format.
@@ -50,4 +50,4 @@ int lane_exponent_bits(const Graph& graph, FloatFormat reference, const Arithmet
   return reference.exponent_bits();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

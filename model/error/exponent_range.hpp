@@ -6,7 +6,7 @@
 #include "model/expression/range.hpp"
 #include "model/expression/typed_graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 /// Returns the fewest exponent bits, 4 or more, that a lane of this arithmetic's precision P needs.
 /// The arithmetic's own exponent bits are ignored. On operands that pass the ranges' checks:
@@ -19,4 +19,4 @@ namespace mixcmp::model {
 int lane_exponent_bits(const Graph& graph, FloatFormat reference, const Arithmetic& arithmetic,
                        LaneInputs inputs, const std::vector<std::optional<Range>>& ranges);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

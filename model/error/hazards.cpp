@@ -6,7 +6,7 @@
 #include "model/error/sign.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 namespace {
 
 std::vector<bool> nonnegative(const std::vector<std::optional<Range>>& ranges) {
@@ -168,4 +168,4 @@ void remove_hazards(Lane& lane, const std::vector<std::optional<Range>>& ranges)
   lane.hazards = std::move(hazards);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -5,7 +5,7 @@
 
 #include "model/error/lane.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 /// Whether the operation has a hardware unit: all have but inputs and constants, which are given,
 /// and negate and absolute, which are wires.
@@ -28,4 +28,4 @@ std::vector<Hazards> structural_hazards(const TypedGraph& graph);
 /// checks and gets the structural hazards.
 void remove_hazards(Lane& lane, const std::vector<std::optional<Range>>& ranges);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

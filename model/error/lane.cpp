@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 namespace {
 
 std::string describe_bound(const BoundGraph& bound) {
@@ -29,4 +29,4 @@ std::string describe_decision(const Lane& lane) {
   return fmt::format("certified: where f and g are {} ulp apart or more", guard);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

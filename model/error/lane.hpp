@@ -8,7 +8,7 @@
 #include "model/error/range_check.hpp"
 #include "model/expression/typed_graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 /// Certified decision on packed encodings, for relative bounds. key(x) is the integer in the
 /// magnitude bits of x, negated if x is negative. The lane decides iff nothing is exceptional and
@@ -79,4 +79,4 @@ struct Lane {
 /// When the lane decides, for a report: "certified: where f and g are 7 ulp apart or more".
 std::string describe_decision(const Lane& lane);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

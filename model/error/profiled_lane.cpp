@@ -6,7 +6,7 @@
 #include "model/error/hazards.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 namespace {
 
 /// The smallest number of the arithmetic that is not below `value` >= 0.
@@ -80,4 +80,4 @@ Lane profiled_lane(TypedGraph graph, const mpq_class& relative_error_f,
   return {.graph = std::move(graph), .decision = decision, .hazards = std::move(hazards)};
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -4,7 +4,7 @@
 
 #include "model/error/lane.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 /// The largest relative errors of f and g that were seen (the paper's RE_f and RE_g, equation 4):
 /// a statistic, not a bound.
@@ -22,4 +22,4 @@ struct ProfiledError {
 Lane profiled_lane(TypedGraph graph, const mpq_class& relative_error_f,
                    const mpq_class& relative_error_g);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

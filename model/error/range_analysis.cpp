@@ -5,7 +5,7 @@
 #include "model/number/dyadic.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 namespace {
 
 /// The largest number of `format`, subnormals included and exponents unlimited above, that is not
@@ -292,4 +292,4 @@ std::vector<NodeRange> analyse_ranges(const TypedGraph& graph,
   return Analysis(graph, ranges, infinities).run();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

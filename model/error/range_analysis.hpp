@@ -8,7 +8,7 @@
 #include "model/expression/range.hpp"
 #include "model/expression/typed_graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 /// Exceptional events of an operation, which its datapath must handle unless they are ruled out.
 enum class Event {
@@ -49,4 +49,4 @@ std::vector<NodeRange> analyse_ranges(const TypedGraph& graph,
                                       const std::vector<std::optional<Range>>& ranges,
                                       Infinities infinities = Infinities::excluded);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -5,7 +5,7 @@
 #include "model/common/check.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 namespace {
 
 /// The fraction bits of a limit: neighbouring limits are 12 % apart, and each costs three LUTs.
@@ -62,4 +62,4 @@ Range checked_range(const RangeCheck& check, FloatFormat format) {
   MIXCMP_CHECK(false);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

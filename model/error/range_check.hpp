@@ -3,7 +3,7 @@
 #include "model/expression/range.hpp"
 #include "model/number/float_format.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 enum class RequiredSign {
   any,
@@ -35,4 +35,4 @@ RangeCheck sign_check(int input, RequiredSign sign);
 /// all finite numbers of the required sign.
 Range checked_range(const RangeCheck& check, FloatFormat format);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

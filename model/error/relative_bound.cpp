@@ -4,7 +4,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 namespace {
 
 /// A rational just below the root (with `up`: just above), off by less than 2^-256 of it.
@@ -125,4 +125,4 @@ Bits steps_beyond(const mpq_class& ratio, int precision) {
   return (Bits(doublings) << (precision - 1)) + to_bits(whole) + 1;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -4,7 +4,7 @@
 
 #include "model/number/float_format.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 /// States that true value = computed value * t with 0 < low <= t <= high, if no operation on the
 /// way was exceptional. Bounds are exact rationals; only square roots and bounds with very many
@@ -44,4 +44,4 @@ Bits guard_ulp_before_rounding(const RelativeBound& f, const RelativeBound& g, i
 /// multiplies it by more than `ratio` >= 1 (theorem 2); all ones where no format has so many.
 Bits steps_beyond(const mpq_class& ratio, int precision);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -2,7 +2,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 namespace {
 
 Sign product_sign(const Sign& a, const Sign& b) {
@@ -71,4 +71,4 @@ std::vector<Sign> analyse_signs(const TypedGraph& graph,
   return signs;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

@@ -5,7 +5,7 @@
 
 #include "model/expression/typed_graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::error {
 
 /// The inputs whose ranges prove a sign; none where nothing proves it.
 using SignProof = std::optional<std::set<int>>;
@@ -31,4 +31,4 @@ Sign sum_sign(const Sign& a, const Sign& b);
 std::vector<Sign> analyse_signs(const TypedGraph& graph,
                                 const std::vector<bool>& input_nonnegative);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::error

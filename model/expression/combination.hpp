@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 
 /// How the verdicts of a comparison's parts combine into one.
 enum class Combination {
@@ -12,4 +12,4 @@ enum class Combination {
 /// "all", "any".
 std::string_view to_string(Combination combination);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

@@ -4,7 +4,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 namespace {
 
 bool same(const TypedNode& a, const TypedNode& b) {
@@ -72,4 +72,4 @@ SharedGraph share(const CombinedGraph& graph) {
   return shared;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

@@ -4,7 +4,7 @@
 
 #include "model/expression/typed_graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 
 /// The typed graphs of a comparison's parts, at least one, all over the same inputs, in the same
 /// arithmetic.
@@ -35,4 +35,4 @@ struct SharedGraph {
 };
 SharedGraph share(const CombinedGraph& graph);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

@@ -4,7 +4,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 namespace {
 
 bool is_commutative(Operation operation) {
@@ -127,4 +127,4 @@ NodeId Graph::intern(Node node) {
   return static_cast<NodeId>(nodes_.size()) - 1;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

@@ -9,7 +9,7 @@
 
 #include "model/expression/combination.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 
 enum class Operation {
   input,
@@ -88,4 +88,4 @@ private:
   Combination combination_ = Combination::all;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 namespace {
 
 // IEEE 1800-2017 annex B, sorted; it contains IEEE 1364-2001's. Simulators read .v files as either.
@@ -318,4 +318,4 @@ std::string_view accepted_subscripts() {
   return "\"p[2]\", the pattern \"p[*]\", or the name p_2";
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 
 /// The rule for names of scenes, inputs and lets, which become Verilog identifiers: a letter or
 /// '_', then letters, digits and '_', at most 64, no Verilog or SystemVerilog keyword.
@@ -25,4 +25,4 @@ std::string subscript_problem(std::string_view key);
 /// What an error about such a key says is accepted.
 std::string_view accepted_subscripts();
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

@@ -15,7 +15,7 @@
 #include "model/number/dyadic.hpp"
 #include "model/number/literal.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 namespace {
 
 constexpr int max_power = 16;
@@ -495,4 +495,4 @@ bool is_function_name(const std::string& name) {
   return find_function(name) != nullptr;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

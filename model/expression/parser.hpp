@@ -8,7 +8,7 @@
 #include "model/common/result.hpp"
 #include "model/expression/graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 
 struct LetDefinition {
   std::string name;
@@ -46,4 +46,4 @@ Result<IndexRange> parse_index_range(const std::string& text, std::span<const Le
 /// Whether a name means a function in expressions.
 bool is_function_name(const std::string& name);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

@@ -2,7 +2,7 @@
 
 #include <gmpxx.h>
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 
 /// A closed interval of exact numbers.
 struct Range {
@@ -12,4 +12,4 @@ struct Range {
   friend bool operator==(const Range&, const Range&) = default;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

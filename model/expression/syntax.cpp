@@ -7,7 +7,7 @@
 
 #include "model/common/quote.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 namespace {
 
 namespace pegtl = tao::pegtl;
@@ -421,4 +421,4 @@ Result<Syntax> parse_range_syntax(const std::string& text) {
   return gathered.finish();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

@@ -7,7 +7,7 @@
 #include "model/common/result.hpp"
 #include "model/expression/graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 
 /// The most levels of parentheses, brackets, calls and lets inside one another. Each level takes a
 /// dozen stack frames of recursive descent.
@@ -44,4 +44,4 @@ Result<Syntax> parse_syntax(const std::string& text, std::size_t outer_nesting);
 /// Reads "k in 0..3".
 Result<Syntax> parse_range_syntax(const std::string& text);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

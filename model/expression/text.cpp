@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 namespace {
 
 /// The precedence of a printed expression's outermost operator, lowest first.
@@ -154,4 +154,4 @@ std::string to_text(const std::vector<TypedNode>& nodes, const std::vector<std::
   return Printer(nodes, inputs, max_length).print(node);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

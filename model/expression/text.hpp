@@ -5,7 +5,7 @@
 
 #include "model/expression/typed_graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 
 /// An exact decimal where there is a short one, else "3/7", else "about 1.234e-500".
 std::string to_text(const mpq_class& value);
@@ -15,4 +15,4 @@ std::string to_text(const mpq_class& value);
 std::string to_text(const std::vector<TypedNode>& nodes, const std::vector<std::string>& inputs,
                     NodeId node, std::size_t max_length);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

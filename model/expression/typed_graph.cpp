@@ -4,7 +4,7 @@
 
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 namespace {
 
 /// Which nodes are exact in the reference format (constants up to their encoding).
@@ -148,4 +148,4 @@ TypedGraph lane_graph(const Graph& graph, FloatFormat reference, Arithmetic redu
   return std::move(builder).finish(f, g);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

@@ -7,7 +7,7 @@
 #include "model/number/float_format.hpp"
 #include "model/number/lane_inputs.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline expression {
 
 /// One operation with the formats it works in. Both operands of an operation share a format; the
 /// result may be narrower (an operator that takes reference-format inputs and rounds once).
@@ -43,4 +43,4 @@ TypedGraph reference_graph(const Graph& graph, Arithmetic reference);
 TypedGraph lane_graph(const Graph& graph, FloatFormat reference, Arithmetic reduced,
                       LaneInputs inputs);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline expression

@@ -4,7 +4,7 @@
 
 #include "model/golden/encoding.hpp"
 
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 namespace {
 
 /// MPFR numbers that outlive a call, so that an operation allocates nothing.
@@ -176,4 +176,4 @@ mpq_class to_rational(FloatFormat format, Bits bits) {
   return value;
 }
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

@@ -12,7 +12,7 @@
 ///   result by a zero of its sign when, rounded to P digits with unbounded exponent, it is below
 ///   2^min_exponent.
 /// - Overflow gives infinity when rounding to nearest, the largest finite number toward zero.
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 
 struct Rounded {
   Bits bits;
@@ -46,4 +46,4 @@ Bits from_rational(FloatFormat format, const mpq_class& value);
 /// The exact value of a finite encoding.
 mpq_class to_rational(FloatFormat format, Bits bits);
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

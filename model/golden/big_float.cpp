@@ -2,7 +2,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 
 BigFloat::BigFloat(const BigFloat& other) : BigFloat(other.precision()) {
   mpfr_set(value_, other.value_, MPFR_RNDN);  // exact: the precisions agree
@@ -18,4 +18,4 @@ ExponentRange::~ExponentRange() {
   mpfr_set_emax(outer_high_);
 }
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 
 /// One mpfr_t. The precision is given at construction; every operation goes through get() and names
 /// its rounding.
@@ -45,4 +45,4 @@ private:
   mpfr_exp_t outer_high_;
 };
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

@@ -5,7 +5,7 @@
 #include "model/golden/big_float.hpp"
 #include "model/golden/encoding.hpp"
 
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 namespace {
 
 /// An MPFR number with the precision of `format`.
@@ -107,4 +107,4 @@ bool bound_is_at_most(BoundFormat format, Bits bound, FloatFormat operand, Bits 
   return mpfr_cmpabs(decoded(format, bound).get(), operand_value(operand, x).get()) <= 0;
 }
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

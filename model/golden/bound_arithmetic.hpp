@@ -3,7 +3,7 @@
 #include "model/error/bound_graph.hpp"
 
 /// The golden model of rtl_templates/bound: MPFR, rounded up. Rules in model/error/bound_graph.hpp.
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 
 Bits bound_constant(BoundFormat format, const mpq_class& value);
 Bits bound_magnitude(BoundFormat format, FloatFormat operand, Bits x);
@@ -15,4 +15,4 @@ Bits bound_multiply(BoundFormat format, Bits a, Bits b);
 /// Whether bound <= |x|.
 bool bound_is_at_most(BoundFormat format, Bits bound, FloatFormat operand, Bits x);
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

@@ -4,7 +4,7 @@
 
 #include "model/golden/encoding.hpp"
 
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 namespace {
 
 using Operate = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
@@ -228,4 +228,4 @@ Knowledge Enclosure::compute_node(NodeId id, FloatFormat format, std::span<const
   return Knowledge::enclosed;
 }
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

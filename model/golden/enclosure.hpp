@@ -9,7 +9,7 @@
 #include "model/golden/separation.hpp"
 #include "model/number/float_format.hpp"
 
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 
 /// An interval that contains a real number; a single point where the arithmetic was exact.
 struct Interval {
@@ -64,4 +64,4 @@ private:
   BigFloat scratch_;
 };
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

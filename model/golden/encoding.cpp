@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 namespace {
 
 /// Sets x to integer * 2^exponent, exactly.
@@ -52,4 +52,4 @@ Bits encode(FloatFormat format, const BigFloat& x) {
   return format.pack(negative, exponent + format.bias(), format.fraction(magnitude));
 }
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

@@ -3,7 +3,7 @@
 #include "model/golden/big_float.hpp"
 #include "model/number/float_format.hpp"
 
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 
 /// A precision, in bits, that holds every finite number of every format: the widest significand, in
 /// whole limbs.
@@ -17,4 +17,4 @@ void decode(BigFloat& x, FloatFormat format, Bits bits);
 /// precision.
 Bits encode(FloatFormat format, const BigFloat& x);
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

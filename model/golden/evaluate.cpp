@@ -6,7 +6,7 @@
 #include "model/golden/enclosure.hpp"
 #include "model/golden/encoding.hpp"
 
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 namespace {
 
 Rounded change_sign(FloatFormat format, Bits bits, Bits changed) {
@@ -42,13 +42,13 @@ bool any_exceptional(const std::vector<Rounded>& values) {
                      [](const Rounded& value) { return value.exceptional; });
 }
 
-bool breaks_a_range(const Lane& lane, std::span<const Bits> inputs) {
-  return std::any_of(lane.checks.begin(), lane.checks.end(), [&](const RangeCheck& check) {
+bool breaks_a_range(const error::Lane& lane, std::span<const Bits> inputs) {
+  return std::any_of(lane.checks.begin(), lane.checks.end(), [&](const error::RangeCheck& check) {
     return !passes(check, lane.graph.input_format, inputs[check.input]);
   });
 }
 
-Bits evaluate_bound_node(const BoundNode& node, BoundFormat format, const TypedGraph& graph,
+Bits evaluate_bound_node(const error::BoundNode& node, BoundFormat format, const TypedGraph& graph,
                          const std::vector<Rounded>& values, const std::vector<Bits>& bounds) {
   const Bits a = node.operands[0] < 0 ? 0 : bounds[node.operands[0]];
   const Bits b = node.operands[1] < 0 ? 0 : bounds[node.operands[1]];
@@ -56,13 +56,13 @@ Bits evaluate_bound_node(const BoundNode& node, BoundFormat format, const TypedG
     return function(format, graph.nodes[node.value].format, values[node.value].bits);
   };
   switch (node.operation) {
-    case BoundOperation::constant: return bound_constant(format, node.constant);
-    case BoundOperation::magnitude: return of_value(bound_magnitude);
-    case BoundOperation::binade: return of_value(bound_binade);
-    case BoundOperation::reciprocal: return of_value(bound_reciprocal);
-    case BoundOperation::add: return bound_add(format, a, b);
-    case BoundOperation::multiply: return bound_multiply(format, a, b);
-    case BoundOperation::maximum: return std::max(a, b);
+    case error::BoundOperation::constant: return bound_constant(format, node.constant);
+    case error::BoundOperation::magnitude: return of_value(bound_magnitude);
+    case error::BoundOperation::binade: return of_value(bound_binade);
+    case error::BoundOperation::reciprocal: return of_value(bound_reciprocal);
+    case error::BoundOperation::add: return bound_add(format, a, b);
+    case error::BoundOperation::multiply: return bound_multiply(format, a, b);
+    case error::BoundOperation::maximum: return std::max(a, b);
   }
   MIXCMP_CHECK(false);
 }
@@ -92,7 +92,7 @@ struct Decision {
   Verdict verdict;
 };
 
-Decision decide(const UlpDistanceDecision& decision, const TypedGraph& graph,
+Decision decide(const error::UlpDistanceDecision& decision, const TypedGraph& graph,
                 const std::vector<Rounded>& values) {
   const auto [verdict, ulp] =
       distance(graph.arithmetic.format, values[graph.f].bits, values[graph.g].bits);
@@ -104,14 +104,14 @@ Bits padded(BoundFormat format, Bits bound, FloatFormat lane) {
   return bound << (lane.precision() - format.precision);
 }
 
-Decision decide(const AbsoluteBoundDecision& decision, const TypedGraph& graph,
+Decision decide(const error::AbsoluteBoundDecision& decision, const TypedGraph& graph,
                 const std::vector<Rounded>& values) {
   const BoundFormat format = decision.bound.format;
   const FloatFormat lane = graph.arithmetic.format;
   const std::vector<Bits> bounds = evaluate_bound(decision.bound, graph, values);
   const Bits difference = values[decision.difference].bits;
   const bool valid = std::all_of(decision.conditions.begin(), decision.conditions.end(),
-                                 [&](const BoundCondition& condition) {
+                                 [&](const error::BoundCondition& condition) {
                                    return bound_is_at_most(format, bounds[condition.bound], lane,
                                                            values[condition.value].bits);
                                  });
@@ -120,7 +120,7 @@ Decision decide(const AbsoluteBoundDecision& decision, const TypedGraph& graph,
           lane.sign(difference) ? Verdict::less : Verdict::greater};
 }
 
-Decision decide(const IntervalDecision& decision, const TypedGraph& graph,
+Decision decide(const error::IntervalDecision& decision, const TypedGraph& graph,
                 const std::vector<Rounded>& values) {
   const auto sign_of = [&](NodeId id) {
     return compare(graph.arithmetic.format, graph.arithmetic.subnormals, values[id].bits, 0);
@@ -180,20 +180,20 @@ std::vector<Rounded> evaluate(const TypedGraph& graph, std::span<const Bits> inp
   return values;
 }
 
-std::vector<Bits> evaluate_bound(const BoundGraph& bound, const TypedGraph& graph,
+std::vector<Bits> evaluate_bound(const error::BoundGraph& bound, const TypedGraph& graph,
                                  const std::vector<Rounded>& values) {
   std::vector<Bits> bounds;
   bounds.reserve(bound.nodes.size());
-  for (const BoundNode& node : bound.nodes) {
+  for (const error::BoundNode& node : bound.nodes) {
     bounds.push_back(evaluate_bound_node(node, bound.format, graph, values, bounds));
   }
   return bounds;
 }
 
-bool passes(const RangeCheck& check, FloatFormat format, Bits operand) {
+bool passes(const error::RangeCheck& check, FloatFormat format, Bits operand) {
   const bool negative = format.sign(operand);
-  if (check.sign == RequiredSign::nonnegative && negative) return false;
-  if (check.sign == RequiredSign::nonpositive && !negative) return false;
+  if (check.sign == error::RequiredSign::nonnegative && negative) return false;
+  if (check.sign == error::RequiredSign::nonpositive && !negative) return false;
   if (check.leading_bits == 0) return true;
   const Bits leading = format.magnitude(operand) >> (format.width() - 1 - check.leading_bits);
   return check.least <= leading && leading <= check.greatest;
@@ -216,7 +216,7 @@ Verdict combine(Combination combination, Verdict a, Verdict b) {
   return a;
 }
 
-LaneResult evaluate_lane(const Lane& lane, std::span<const Bits> inputs) {
+LaneResult evaluate_lane(const error::Lane& lane, std::span<const Bits> inputs) {
   const std::vector<Rounded> values = evaluate(lane.graph, inputs);
   const Decision decision =
       std::visit([&](const auto& kind) { return decide(kind, lane.graph, values); }, lane.decision);
@@ -232,10 +232,10 @@ Verdict evaluate_reference(const TypedGraph& reference, std::span<const Bits> in
                  values[reference.f].bits, values[reference.g].bits);
 }
 
-CombinedResult evaluate_lane(const CombinedLane& lane, std::span<const Bits> inputs) {
+CombinedResult evaluate_lane(const error::CombinedLane& lane, std::span<const Bits> inputs) {
   const Verdict dominating = dominating_verdict(lane.combination);
   CombinedResult result{.decided = true, .verdict = opposite(dominating)};
-  for (const Lane& part : lane.parts) {
+  for (const error::Lane& part : lane.parts) {
     const LaneResult one = evaluate_lane(part, inputs);
     if (one.decided && one.verdict == dominating) return {true, dominating};
     result.decided &= one.decided;
@@ -267,4 +267,4 @@ std::optional<Verdict> verdict_within(const Graph& graph, FloatFormat format,
   return verdict;
 }
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

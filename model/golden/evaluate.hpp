@@ -8,7 +8,7 @@
 #include "model/error/combined_lane.hpp"
 #include "model/golden/arithmetic.hpp"
 
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 
 /// Evaluates every node of `graph` on one comparison; `inputs` are in graph.input_format, one per
 /// input. Constants are rounded here, from their exact values: the encodings in the graph, of which
@@ -17,11 +17,11 @@ namespace mixcmp::model::golden {
 std::vector<Rounded> evaluate(const TypedGraph& graph, std::span<const Bits> inputs);
 
 /// Evaluates every node of `bound` on the values that `evaluate` returned for the lane's graph.
-std::vector<Bits> evaluate_bound(const BoundGraph& bound, const TypedGraph& graph,
+std::vector<Bits> evaluate_bound(const error::BoundGraph& bound, const TypedGraph& graph,
                                  const std::vector<Rounded>& values);
 
 /// Whether an operand passes its check; `format` is the operand's.
-bool passes(const RangeCheck& check, FloatFormat format, Bits operand);
+bool passes(const error::RangeCheck& check, FloatFormat format, Bits operand);
 
 struct LaneResult {
   Bits f;
@@ -31,13 +31,13 @@ struct LaneResult {
 };
 
 /// The decision of a lane in hardware, bit for bit.
-LaneResult evaluate_lane(const Lane& lane, std::span<const Bits> inputs);
+LaneResult evaluate_lane(const error::Lane& lane, std::span<const Bits> inputs);
 
 struct CombinedResult {
   bool decided;
   Verdict verdict;  ///< meaningful where decided; never unordered there
 };
-CombinedResult evaluate_lane(const CombinedLane& lane, std::span<const Bits> inputs);
+CombinedResult evaluate_lane(const error::CombinedLane& lane, std::span<const Bits> inputs);
 
 /// The verdict of a reference datapath: the order of f and g as computed in its format.
 Verdict evaluate_reference(const TypedGraph& reference, std::span<const Bits> inputs);
@@ -66,4 +66,4 @@ std::optional<Verdict> true_verdict(const Graph& graph, FloatFormat format,
 std::optional<Verdict> verdict_within(const Graph& graph, FloatFormat format,
                                       std::span<const Bits> inputs, long bits);
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 namespace {
 
 constexpr std::int64_t limit = std::int64_t{1} << 40;
@@ -119,4 +119,4 @@ Separation separation_of_either(const Separation& a, const Separation& b) {
   return checked(std::move(either));
 }
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

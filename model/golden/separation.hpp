@@ -9,7 +9,7 @@
 #include "model/expression/graph.hpp"
 #include "model/golden/big_float.hpp"
 
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 
 /// How close to zero the value of an expression can be without being zero. The value is
 /// 2^exponent U/L, where U and L are algebraic integers, every conjugate of U is at most
@@ -45,4 +45,4 @@ Separation separation_of_root(const Separation& radicand, NodeId id);
 /// The separation of a minimum or a maximum: one that holds for either value.
 Separation separation_of_either(const Separation& a, const Separation& b);
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

@@ -1,6 +1,6 @@
 #include "model/golden/true_values.hpp"
 
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 namespace {
 
 constexpr mpfr_prec_t first_precision = 500;
@@ -34,4 +34,4 @@ bool TrueValues::compute(FloatFormat format, std::span<const Bits> inputs) {
   }
 }
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

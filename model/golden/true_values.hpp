@@ -5,7 +5,7 @@
 
 #include "model/golden/enclosure.hpp"
 
-namespace mixcmp::model::golden {
+namespace mixcmp::golden {
 
 /// The real values of f and g, computed with 500 bits, or with more where cancellation would leave
 /// fewer than 128 bits right.
@@ -31,4 +31,4 @@ private:
   std::optional<Enclosure> wider_;  ///< used where first_ is not precise enough
 };
 
-}  // namespace mixcmp::model::golden
+}  // namespace mixcmp::golden

@@ -4,7 +4,7 @@
 #include "model/number/dyadic.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 
 Bits encode_bound(BoundFormat format, const mpq_class& value) {
   MIXCMP_CHECK(value >= 0);
@@ -28,4 +28,4 @@ mpq_class bound_value(BoundFormat format, Bits bound) {
   return scaled(to_integer(significand), field - format.bias() - fraction_bits);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

@@ -4,7 +4,7 @@
 
 #include "model/common/bits.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 
 /// The format of upper bounds in hardware: non-negative numbers of `precision` digits; with one
 /// digit they are powers of two. They are packed without a sign: biased exponent, then precision -
@@ -31,4 +31,4 @@ Bits encode_bound(BoundFormat format, const mpq_class& value);
 /// The exact value of a finite bound.
 mpq_class bound_value(BoundFormat format, Bits bound);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

@@ -10,7 +10,7 @@
 #include "model/number/exact.hpp"
 #include "model/number/literal.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 namespace {
 
 /// A number above 2^beyond_all_formats is infinite in every format, and one below its reciprocal
@@ -125,4 +125,4 @@ std::string to_text(FloatFormat format, Bits bits) {
   return sign + print(shortest_decimal(format, format.magnitude(bits)));
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

@@ -6,7 +6,7 @@
 #include "model/common/result.hpp"
 #include "model/number/float_format.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 
 /// Reads a decimal literal ("12.345", "-1e-7", "inf", "nan") or C hex-float, rounded once to
 /// nearest.
@@ -14,4 +14,4 @@ Result<Bits> from_text(FloatFormat format, std::string_view text);
 /// The shortest decimal that reads back as the same number, or "inf", "-inf", "nan".
 std::string to_text(FloatFormat format, Bits bits);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

@@ -9,7 +9,7 @@
 #include "model/common/check.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 namespace {
 
 FloatFormat binary64() {
@@ -50,4 +50,4 @@ double nearest_double(const mpq_class& value) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(from_rational(binary64(), value)));
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

@@ -5,7 +5,7 @@
 #include "model/number/float_format.hpp"
 
 /// Conversions to and from the processor's double, which is binary64.
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 
 /// Whether double holds every number of the format: at most 53 digits and 11 exponent bits.
 constexpr bool fits_double(FloatFormat format) {
@@ -23,4 +23,4 @@ double to_double(FloatFormat format, Bits bits);
 /// The double nearest to a number, infinite beyond the largest.
 double nearest_double(const mpq_class& value);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

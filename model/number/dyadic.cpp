@@ -1,6 +1,6 @@
 #include "model/number/dyadic.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 
 bool is_power_of_two(const mpq_class& value) {
   return value > 0 && mpz_popcount(value.get_num_mpz_t()) == 1 &&
@@ -87,4 +87,4 @@ mpq_class root_of(const mpq_class& value, int digits) {
   return scaled(root_of(mpz_class(shifted.get_num() / shifted.get_den())), -shift);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

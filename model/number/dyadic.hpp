@@ -5,7 +5,7 @@
 #include "model/number/float_format.hpp"
 
 /// Exact arithmetic with powers of two.
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 
 /// Whether a canonical rational is 2^k for an integer k: 1/4, 1, 1024, ...
 bool is_power_of_two(const mpq_class& value);
@@ -36,4 +36,4 @@ mpz_class rounded(const mpz_class& value, int precision, Rounding rounding);
 /// The square root of value >= 0, to `digits` digits or more, rounded down.
 mpq_class root_of(const mpq_class& value, int digits);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

@@ -8,7 +8,7 @@
 #include "model/common/check.hpp"
 #include "model/number/dyadic.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 namespace {
 
 /// The result of an integer division, with what rounding to nearest needs of the remainder.
@@ -90,4 +90,4 @@ Bits from_rational_up(FloatFormat format, const mpq_class& value) {
   return assemble(format, place, ceiling_of(scaled(value, -place)));
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

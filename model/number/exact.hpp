@@ -6,7 +6,7 @@
 
 /// Exact conversions between encodings and numbers, in GMP integers. The golden model has its own,
 /// in MPFR, so that either can judge the other.
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 
 /// The value of a finite encoding.
 mpq_class to_rational(FloatFormat format, Bits bits);
@@ -26,4 +26,4 @@ Bits from_rational_up(FloatFormat format, const mpq_class& value);
 Bits to_bits(const mpz_class& value);
 mpz_class to_integer(Bits bits);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

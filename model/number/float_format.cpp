@@ -6,7 +6,7 @@
 #include <charconv>
 #include <utility>
 
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 namespace {
 
 struct NamedFormat {
@@ -90,4 +90,4 @@ std::string_view to_string(Subnormals subnormals) {
   MIXCMP_CHECK(false);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

@@ -6,7 +6,7 @@
 #include "model/common/bits.hpp"
 #include "model/common/result.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 
 /// One binary floating-point layout, packed as IEEE 754 packs its interchange formats: sign, biased
 /// exponent, trailing fraction. Written sPeE with P digits of significand, the leading one
@@ -102,4 +102,4 @@ struct Arithmetic {
 std::string_view to_string(Rounding rounding);
 std::string_view to_string(Subnormals subnormals);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

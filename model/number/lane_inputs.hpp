@@ -1,6 +1,8 @@
 #pragma once
 
-namespace mixcmp::model {
+#include <string_view>
+
+namespace mixcmp::inline number {
 
 /// How a reduced lane takes the operands that arrive in reference format.
 enum class LaneInputs {
@@ -9,5 +11,7 @@ enum class LaneInputs {
             ///< Negate, absolute, minimum and maximum of such operands are exact themselves: they
             ///< stay in the reference format and count as inputs for what follows
 };
+/// "rounded", "exact".
+std::string_view to_string(LaneInputs inputs);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <utility>
 
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 namespace {
 
 bool is_digit_of(int base, char c) {
@@ -101,4 +101,4 @@ std::optional<mpq_class> parse_signed_literal(std::string_view text) {
   return value;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 
 /// An unsigned decimal ("12", "0.1", ".5e-3") or C hex-float ("0x1.8p-3", also without exponent) as
 /// it is written: the number digits * radix^exponent.
@@ -34,4 +34,4 @@ std::optional<mpq_class> parse_literal(std::string_view text);
 /// Reads a literal with an optional leading sign.
 std::optional<mpq_class> parse_signed_literal(std::string_view text);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

@@ -2,7 +2,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 
 std::string_view to_string(Verdict verdict) {
   switch (verdict) {
@@ -18,4 +18,4 @@ std::string_view to_string(const std::optional<Verdict>& truth) {
   return truth ? to_string(*truth) : "undetermined";
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

@@ -8,7 +8,7 @@
 
 /// The answer to one comparison, and how hardware, emulator and reports encode it. The simulation
 /// harness is compiled with this header, too: it includes the standard library alone.
-namespace mixcmp::model {
+namespace mixcmp::inline number {
 
 /// The order of f and g. The values are those of the two verdict bits in hardware.
 enum class Verdict {
@@ -101,4 +101,4 @@ private:
   std::uint32_t bits_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::inline number

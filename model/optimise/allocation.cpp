@@ -15,7 +15,7 @@
 #include "model/optimise/shortage.hpp"
 #include "model/performance/performance.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 using Relation = IntegerProgram::Relation;
@@ -161,7 +161,7 @@ private:
       return;
     }
     fixed.lanes = std::accumulate(relaxed.lanes.begin(), relaxed.lanes.end(), 0);
-    while (*fixed.lanes > 0 && is_within(best_per_s_, *fixed.lanes * *alike)) {
+    while (*fixed.lanes > 0 && performance::is_within(best_per_s_, *fixed.lanes * *alike)) {
       if (try_exactly(fixed)) return;
       --*fixed.lanes;
     }
@@ -197,7 +197,7 @@ private:
       const double value = value_of(part.objective, *point);
       if (best && value <= best->value) continue;
       const auto plan = plan_of(problem_, wanted.counts(problem_, *point));
-      if (plan && is_within(least_per_s, plan->throughput_per_s)) {
+      if (plan && performance::is_within(least_per_s, plan->throughput_per_s)) {
         best = Found{*plan, value};
         continue;
       }
@@ -269,4 +269,4 @@ std::string to_lp(const AllocationProblem& problem) {
       exact_program(problem, {clock_of(problem, *plan), plan->reference_count(), {}}).program);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -12,30 +12,30 @@
 
 /// Step 3 of the paper's Algorithm 1: finds how many datapaths of each kind give a device its
 /// highest throughput.
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// One way to build a lane. Its area includes the scoreboard around the lane.
 struct LaneKind {
   std::string name;               ///< "s12e8 exact relative embedded"
   double throughput_per_s = 0;    ///< T(L)
   double recomputation_rate = 0;  ///< R_R
-  Area area;                      ///< C(L)
+  devices::Area area;             ///< C(L)
 };
 
 struct ReferenceKind {
   std::string name;
   double throughput_per_s = 0;  ///< T(H)
-  Area area;                    ///< C(H)
+  devices::Area area;           ///< C(H)
 };
 
 /// The part of C(com), the area of communication, that the areas of lanes and references do not
 /// include.
 struct Communication {
-  Area fixed;  ///< independent of the counts, as the paper's C(com)
+  devices::Area fixed;  ///< independent of the counts, as the paper's C(com)
   /// Element k is the area of the crossbar's share at a reference that serves k lanes; lane i is
   /// served by reference i mod p_H. If empty, the crossbar costs nothing and has any number of
   /// ports; otherwise a reference serves fewer lanes than there are elements.
-  std::vector<Area> crossbar;
+  std::vector<devices::Area> crossbar;
 };
 
 enum class ClockDomains {
@@ -55,19 +55,19 @@ struct AllocationProblem {
   std::vector<LaneKind> lanes;
   std::vector<ReferenceKind> references;
   Communication communication;
-  Area available;      ///< A, of the device
-  double slack = 0.2;  ///< R_S
+  devices::Area available;  ///< A, of the device
+  double slack = 0.2;       ///< R_S
   ClockDomains clocks = ClockDomains::single;
   ReferenceSharing sharing = ReferenceSharing::dealt;
-  int max_lanes = limits::lanes.most;
-  int max_references = limits::references.most;
+  int max_lanes = settings::limits::lanes.most;
+  int max_references = settings::limits::references.most;
 };
 
 struct Allocation {
   std::vector<int> lanes;       ///< p_L of each kind
   std::vector<int> references;  ///< p_H of each kind
   double throughput_per_s = 0;  ///< T(equ), equation 12
-  Area used;
+  devices::Area used;
   int lane_count() const;
   int reference_count() const;
 };
@@ -105,4 +105,4 @@ AllocationResult allocate_exhaustively(const AllocationProblem& problem);
 /// feasible, it is the relaxation at the lowest clock, which may be feasible none the less.
 std::string to_lp(const AllocationProblem& problem);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

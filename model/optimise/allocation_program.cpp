@@ -10,7 +10,7 @@
 #include "model/optimise/tangents.hpp"
 #include "model/performance/performance.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 using Sum = IntegerProgram::Sum;
@@ -24,10 +24,10 @@ class ProgramBuilder {
 public:
   ProgramBuilder(const AllocationProblem& problem, const FixedCounts& fixed)
       : problem_(problem), fixed_(fixed), kinds_(problem, fixed.clock_per_s) {
-    for (const Resource& resource : bounded_resources) {
+    for (const devices::Resource& resource : devices::bounded_resources) {
       used_.push_back(used_by_kinds(resource.amount));
     }
-    room_ = amounts_of(usable(problem.available, problem.slack));
+    room_ = amounts_of(performance::usable(problem.available, problem.slack));
     const Amounts taken = amounts_of(problem.communication.fixed);
     for (std::size_t r = 0; r < room_.size(); ++r) room_[r] -= taken[r];
   }
@@ -48,7 +48,7 @@ public:
       fixed_.lanes ? subtract_crossbar() : add_crossbar();
     }
     for (std::size_t r = 0; r < used_.size(); ++r) {
-      program().add_row(bounded_resources[r].name, used_[r], Relation::at_most,
+      program().add_row(devices::bounded_resources[r].name, used_[r], Relation::at_most,
                         static_cast<double>(room_[r]));
     }
     add_costs();
@@ -130,7 +130,7 @@ private:
 
   /// Lets a reference serve at most as many lanes as its ports and its capacity allow.
   void add_lanes_per_reference() {
-    const std::vector<Area>& crossbar = problem_.communication.crossbar;
+    const std::vector<devices::Area>& crossbar = problem_.communication.crossbar;
     if (!crossbar.empty()) {
       Sum sum = all_references(1.0 - static_cast<double>(crossbar.size()));
       for (const auto& term : all_lanes()) sum.push_back(term);
@@ -146,7 +146,7 @@ private:
     }
   }
 
-  Sum used_by_kinds(int Area::*amount) const {
+  Sum used_by_kinds(int devices::Area::*amount) const {
     Sum sum;
     for (int k = 0; k < lane_kinds(); ++k) {
       sum.push_back({lane_column(k), static_cast<double>(problem_.lanes[k].area.*amount)});
@@ -160,9 +160,10 @@ private:
 
   /// Adds equation 11, relaxed: linear lower bounds replace the crossbar's cost.
   void add_relaxed_resource(std::size_t r) {
-    const auto amount = bounded_resources[r].amount;
+    const auto amount = devices::bounded_resources[r].amount;
     std::vector<double> cost;
-    for (const Area& share : problem_.communication.crossbar) cost.push_back(share.*amount);
+    for (const devices::Area& share : problem_.communication.crossbar)
+      cost.push_back(share.*amount);
     int number = 0;
     for (const Line& line : lines_below(cost)) {
       Sum sum;
@@ -170,8 +171,8 @@ private:
         const bool lane = column < lane_kinds();
         sum.push_back({column, coefficient + (lane ? line.slope : line.offset)});
       }
-      program().add_row(fmt::format("{}_{}", bounded_resources[r].name, number++), std::move(sum),
-                        Relation::at_most, static_cast<double>(room_[r]));
+      program().add_row(fmt::format("{}_{}", devices::bounded_resources[r].name, number++),
+                        std::move(sum), Relation::at_most, static_cast<double>(room_[r]));
     }
   }
 
@@ -186,7 +187,7 @@ private:
   }
 
   void subtract_crossbar() {
-    for (const int served : lanes_of_references(*fixed_.lanes, *fixed_.references)) {
+    for (const int served : performance::lanes_of_references(*fixed_.lanes, *fixed_.references)) {
       // The row "ports" makes such a program infeasible anyway.
       if (served >= static_cast<int>(problem_.communication.crossbar.size())) return;
       const Amounts share = amounts_of(problem_.communication.crossbar[served]);
@@ -197,7 +198,7 @@ private:
   /// Adds columns for the lanes that a reference serves. Where base_k is 1, every reference serves
   /// k lanes, and more_k of them serve one more.
   void add_crossbar() {
-    const std::vector<Area>& shares = problem_.communication.crossbar;
+    const std::vector<devices::Area>& shares = problem_.communication.crossbar;
     const int references = *fixed_.references;
     const int most = std::min(static_cast<int>(shares.size()) - 1,
                               (problem_.max_lanes + references - 1) / references);
@@ -207,7 +208,7 @@ private:
       const int base = program().add_column(fmt::format("base_{}", k), 0, 1);
       chosen.push_back({base, 1});
       lanes.push_back({base, -static_cast<double>(k) * references});
-      add_used(base, references, shares[k], Area{});
+      add_used(base, references, shares[k], devices::Area{});
       if (k == most || references == 1) continue;
       const int more = program().add_column(fmt::format("more_{}", k), 0, references - 1);
       lanes.push_back({more, -1});
@@ -220,9 +221,10 @@ private:
     program().add_row("lanes_served", std::move(lanes), Relation::equal, 0);
   }
 
-  void add_used(int column, int count, const Area& share, const Area& instead_of) {
+  void add_used(int column, int count, const devices::Area& share,
+                const devices::Area& instead_of) {
     for (std::size_t r = 0; r < used_.size(); ++r) {
-      const auto amount = bounded_resources[r].amount;
+      const auto amount = devices::bounded_resources[r].amount;
       const double rise = static_cast<double>(share.*amount) - instead_of.*amount;
       used_[r].push_back({column, count * rise});
     }
@@ -253,4 +255,4 @@ AllocationProgram exact_program(const AllocationProblem& problem, const FixedCou
   return ProgramBuilder(problem, fixed).exact();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

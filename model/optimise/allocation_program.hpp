@@ -9,7 +9,7 @@
 
 /// Equations 10 to 12 as integer programs. The clock of the system is fixed in each: kinds that do
 /// not reach it are excluded, all others run at it, so that every throughput is a constant.
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// Quantities that a program takes as constants. A count that is not set stays a variable.
 struct FixedCounts {
@@ -40,4 +40,4 @@ AllocationProgram relaxed_program(const AllocationProblem& problem, const FixedC
 /// each.
 AllocationProgram exact_program(const AllocationProblem& problem, const FixedCounts& fixed);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

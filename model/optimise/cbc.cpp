@@ -7,7 +7,7 @@
 #include "model/common/check.hpp"
 #include "model/optimise/integer_program.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 using Relation = IntegerProgram::Relation;
@@ -79,4 +79,4 @@ std::optional<std::vector<int>> solve(const IntegerProgram& program) {
   return values;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

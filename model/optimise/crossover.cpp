@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <limits>
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
-double cheapest(const std::vector<Area>& kinds, const Area& usable) {
+double cheapest(const std::vector<devices::Area>& kinds, const devices::Area& usable) {
   double share = std::numeric_limits<double>::infinity();
-  for (const Area& kind : kinds) share = std::min(share, device_share(kind, usable));
+  for (const devices::Area& kind : kinds) share = std::min(share, device_share(kind, usable));
   return share;
 }
 
 }  // namespace
 
-double device_share(const Area& component, const Area& usable) {
+double device_share(const devices::Area& component, const devices::Area& usable) {
   double largest = 0;
-  for (const Resource& resource : bounded_resources) {
+  for (const devices::Resource& resource : devices::bounded_resources) {
     const int amount = component.*resource.amount;
     if (amount == 0) continue;
     const int available = usable.*resource.amount;
@@ -26,8 +26,9 @@ double device_share(const Area& component, const Area& usable) {
   return largest;
 }
 
-std::optional<int> crossover_precision(const std::map<int, std::vector<Area>>& lanes,
-                                       const std::vector<Area>& references, const Area& usable) {
+std::optional<int> crossover_precision(const std::map<int, std::vector<devices::Area>>& lanes,
+                                       const std::vector<devices::Area>& references,
+                                       const devices::Area& usable) {
   const double reference = cheapest(references, usable);
   std::optional<int> crossover;
   for (auto kinds = lanes.rbegin(); kinds != lanes.rend(); ++kinds) {
@@ -37,4 +38,4 @@ std::optional<int> crossover_precision(const std::map<int, std::vector<Area>>& l
   return crossover;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 using Sum = IntegerProgram::Sum;
@@ -69,4 +69,4 @@ void add_dealt_rows(IntegerProgram& program, const KindsAtClock& kinds, int refe
   }
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

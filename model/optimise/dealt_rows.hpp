@@ -3,7 +3,7 @@
 #include "model/optimise/integer_program.hpp"
 #include "model/optimise/kinds_at_clock.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// Adds equation 10 for each of `references` references. The columns p_L of the kinds of lanes
 /// start at 0, the columns p_H of the kinds of references at `first_reference`. Lanes are dealt
@@ -15,4 +15,4 @@ namespace mixcmp::model {
 void add_dealt_rows(IntegerProgram& program, const KindsAtClock& kinds, int references,
                     int first_reference, int max_lanes);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -2,7 +2,7 @@
 #include "model/optimise/feasibility.hpp"
 #include "model/optimise/shortage.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 /// The next vector of counts whose sum is at most `most`, in the order of an odometer; false after
@@ -38,4 +38,4 @@ AllocationResult allocate_exhaustively(const AllocationProblem& problem) {
   return *best;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

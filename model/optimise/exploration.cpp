@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 Rates worst_of(const std::vector<DataSet>& sets) {
@@ -18,7 +18,8 @@ int reference_count(const AllocationResult& alone) {
 
 }  // namespace
 
-Result<Exploration> explore(const Scene& scene, const Device& device, const Characterisation& table,
+Result<Exploration> explore(const scene::Scene& scene, const devices::Device& device,
+                            const characterise::Characterisation& table,
                             const std::vector<DataSet>& sets,
                             const std::vector<std::pair<std::string, ClockChoice>>& columns,
                             const OptimiseOptions& options) {
@@ -42,11 +43,11 @@ Result<Exploration> explore(const Scene& scene, const Device& device, const Char
       MIXCMP_TRY(own, optimise(scene, device, table, set.rates, counted));
       column.scenario_1.push_back(summary_of(own));
     }
-    column.baseline_per_s = model::baseline_per_s(column.example);
+    column.baseline_per_s = baseline_per_s(column.example);
     column.baseline_references = reference_count(column.example.reference_only);
     all.columns.push_back(std::move(column));
   }
   return all;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -9,7 +9,7 @@
 #include "model/optimise/published.hpp"
 
 /// Section VI of the paper: one device, many data sets, scenarios I and II.
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 struct DataSet {
   std::string name;  ///< "data.radius_max=25"; empty: the scene's own
@@ -29,16 +29,17 @@ struct ResultsAtClocks {
 
 struct Exploration {
   std::string scene;
-  Device device;
+  devices::Device device;
   std::vector<std::string> data_sets;
   std::vector<ResultsAtClocks> columns;
 };
 
 /// Optimises for every data set under every choice of clocks. `sets` must not be empty; the figures
 /// show its first data set.
-Result<Exploration> explore(const Scene& scene, const Device& device, const Characterisation& table,
+Result<Exploration> explore(const scene::Scene& scene, const devices::Device& device,
+                            const characterise::Characterisation& table,
                             const std::vector<DataSet>& sets,
                             const std::vector<std::pair<std::string, ClockChoice>>& columns,
                             const OptimiseOptions& options);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -7,10 +7,10 @@
 
 #include "model/performance/performance.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
-void add(Amounts& sum, int count, const Area& area) {
+void add(Amounts& sum, int count, const devices::Area& area) {
   const Amounts one = amounts_of(area);
   for (std::size_t r = 0; r < sum.size(); ++r) sum[r] += count * one[r];
 }
@@ -33,9 +33,9 @@ double clock_limit(const AllocationProblem& problem, const Counts& counts) {
 }
 
 /// The lanes of a plan, in the order in which they are dealt to references.
-std::vector<Datapaths> lanes_of(const AllocationProblem& problem, const Counts& counts,
-                                double limit) {
-  std::vector<Datapaths> lanes;
+std::vector<performance::Datapaths> lanes_of(const AllocationProblem& problem, const Counts& counts,
+                                             double limit) {
+  std::vector<performance::Datapaths> lanes;
   for (const int k : lane_order(problem)) {
     const LaneKind& kind = problem.lanes[k];
     lanes.push_back(
@@ -44,9 +44,9 @@ std::vector<Datapaths> lanes_of(const AllocationProblem& problem, const Counts& 
   return lanes;
 }
 
-std::vector<Datapaths> references_of(const AllocationProblem& problem, const Counts& counts,
-                                     double limit) {
-  std::vector<Datapaths> references;
+std::vector<performance::Datapaths> references_of(const AllocationProblem& problem,
+                                                  const Counts& counts, double limit) {
+  std::vector<performance::Datapaths> references;
   for (const int k : reference_order(problem)) {
     const double own = problem.references[k].throughput_per_s;
     references.push_back({counts.references[k], std::min(own, limit), 0});
@@ -54,22 +54,23 @@ std::vector<Datapaths> references_of(const AllocationProblem& problem, const Cou
   return references;
 }
 
-bool keeps_equation_10(const AllocationProblem& problem, const std::vector<Datapaths>& lanes,
-                       const std::vector<Datapaths>& references) {
+bool keeps_equation_10(const AllocationProblem& problem,
+                       const std::vector<performance::Datapaths>& lanes,
+                       const std::vector<performance::Datapaths>& references) {
   switch (problem.sharing) {
-    case ReferenceSharing::dealt: return each_reference_suffices(lanes, references);
-    case ReferenceSharing::pooled: return references_suffice(lanes, references);
+    case ReferenceSharing::dealt: return performance::each_reference_suffices(lanes, references);
+    case ReferenceSharing::pooled: return performance::references_suffice(lanes, references);
   }
   return false;
 }
 
 bool fits(const AllocationProblem& problem, const Amounts& demand) {
-  const Amounts room = amounts_of(usable(problem.available, problem.slack));
+  const Amounts room = amounts_of(performance::usable(problem.available, problem.slack));
   return std::equal(demand.begin(), demand.end(), room.begin(), std::less_equal<>());
 }
 
-Area area_used(const AllocationProblem& problem, const Counts& counts) {
-  Area used = problem.communication.fixed;
+devices::Area area_used(const AllocationProblem& problem, const Counts& counts) {
+  devices::Area used = problem.communication.fixed;
   for (std::size_t k = 0; k < counts.lanes.size(); ++k) {
     used += counts.lanes[k] * problem.lanes[k].area;
   }
@@ -77,7 +78,8 @@ Area area_used(const AllocationProblem& problem, const Counts& counts) {
     used += counts.references[k] * problem.references[k].area;
   }
   if (problem.communication.crossbar.empty()) return used;
-  for (const int served : lanes_of_references(total(counts.lanes), total(counts.references))) {
+  for (const int served :
+       performance::lanes_of_references(total(counts.lanes), total(counts.references))) {
     used += problem.communication.crossbar[served];
   }
   return used;
@@ -107,9 +109,10 @@ std::vector<int> reference_order(const AllocationProblem& problem) {
   return falling_order(served);
 }
 
-Amounts amounts_of(const Area& area) {
+Amounts amounts_of(const devices::Area& area) {
   Amounts amounts{};
-  for (std::size_t r = 0; r < amounts.size(); ++r) amounts[r] = area.*bounded_resources[r].amount;
+  for (std::size_t r = 0; r < amounts.size(); ++r)
+    amounts[r] = area.*devices::bounded_resources[r].amount;
   return amounts;
 }
 
@@ -121,9 +124,10 @@ std::optional<Amounts> demand_of(const AllocationProblem& problem, const Counts&
   for (std::size_t k = 0; k < counts.references.size(); ++k) {
     add(demand, counts.references[k], problem.references[k].area);
   }
-  const std::vector<Area>& crossbar = problem.communication.crossbar;
+  const std::vector<devices::Area>& crossbar = problem.communication.crossbar;
   if (crossbar.empty()) return demand;
-  for (const int served : lanes_of_references(total(counts.lanes), total(counts.references))) {
+  for (const int served :
+       performance::lanes_of_references(total(counts.lanes), total(counts.references))) {
     if (served >= static_cast<int>(crossbar.size())) return std::nullopt;
     add(demand, 1, crossbar[served]);
   }
@@ -137,16 +141,16 @@ std::optional<Allocation> plan_of(const AllocationProblem& problem, const Counts
   const std::optional<Amounts> demand = demand_of(problem, counts);
   if (!demand || !fits(problem, *demand)) return std::nullopt;
   const double limit = clock_limit(problem, counts);
-  const std::vector<Datapaths> lanes = lanes_of(problem, counts, limit);
+  const std::vector<performance::Datapaths> lanes = lanes_of(problem, counts, limit);
   if (!keeps_equation_10(problem, lanes, references_of(problem, counts, limit))) {
     return std::nullopt;
   }
   const bool one_clock = problem.clocks == ClockDomains::single;
-  return Allocation{
-      .lanes = counts.lanes,
-      .references = counts.references,
-      .throughput_per_s = one_clock ? lane_count * limit : aggregated_throughput(lanes),
-      .used = area_used(problem, counts)};
+  return Allocation{.lanes = counts.lanes,
+                    .references = counts.references,
+                    .throughput_per_s =
+                        one_clock ? lane_count * limit : performance::aggregated_throughput(lanes),
+                    .used = area_used(problem, counts)};
 }
 
 bool is_better(const Allocation& a, const Allocation& b) {
@@ -158,4 +162,4 @@ bool is_better(const Allocation& a, const Allocation& b) {
   return std::tie(a.lanes, a.references) > std::tie(b.lanes, b.references);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -9,7 +9,7 @@
 #include "model/optimise/allocation.hpp"
 
 /// Decides whether a plan is feasible, and which of two plans is better. Areas are exact integers.
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// One point of the search: how many of each kind.
 struct Counts {
@@ -18,8 +18,8 @@ struct Counts {
 };
 
 /// An amount of each of `bounded_resources`, in their order; sums of Areas may exceed an int.
-using Amounts = std::array<std::int64_t, std::size(bounded_resources)>;
-Amounts amounts_of(const Area& area);
+using Amounts = std::array<std::int64_t, std::size(devices::bounded_resources)>;
+Amounts amounts_of(const devices::Area& area);
 
 /// Left side of equation 11: lanes, references, the crossbar's shares and what is fixed. None where
 /// a reference serves more lanes than `Communication::crossbar` has shares for.
@@ -36,4 +36,4 @@ std::optional<Allocation> plan_of(const AllocationProblem& problem, const Counts
 /// fewer lanes, fewer LUTs, registers, DSPs and memories, more of the kinds listed first.
 bool is_better(const Allocation& a, const Allocation& b);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

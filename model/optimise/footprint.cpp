@@ -9,42 +9,45 @@
 #include "model/performance/performance.hpp"
 #include "model/profile/cost_model.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 /// A rough estimate up to this multiple of the device counts as one that may fit.
 constexpr double rough_margin = 1.5;
 
-void add(Amounts& sum, int count, const Area& area) {
+void add(Amounts& sum, int count, const devices::Area& area) {
   const Amounts one = amounts_of(area);
   for (std::size_t r = 0; r < sum.size(); ++r) sum[r] += count * one[r];
 }
 
 /// Finds the row of a datapath with these multipliers. The row of a datapath without products names
 /// none.
-const Measurement* find(const Characterisation& table, ComponentKey key, Multipliers multipliers) {
-  const Measurement* plain = table.find(key);
+const characterise::Measurement* find(const characterise::Characterisation& table,
+                                      characterise::ComponentKey key,
+                                      scene::Multipliers multipliers) {
+  const characterise::Measurement* plain = table.find(key);
   if (plain != nullptr) return plain;
   key.multipliers = to_string(multipliers);
   return table.find(key);
 }
 
-const Measurement* row_of(const Characterisation& table, const LaneGroup& group) {
+const characterise::Measurement* row_of(const characterise::Characterisation& table,
+                                        const design::LaneGroup& group) {
   return find(table,
-              {.kind = ComponentKind::lane,
+              {.kind = characterise::ComponentKind::lane,
                .name = {},
                .format = group.lane.arithmetic().format.name(),
                .inputs = std::string(to_string(group.inputs)),
-               .bound = bound_choice(group.lane),
+               .bound = scene::bound_choice(group.lane),
                .multipliers = {},
                .ports = 0},
               group.multipliers);
 }
 
-const Measurement* row_of(const Characterisation& table, const ReferenceGroup& group,
-                          FloatFormat format) {
+const characterise::Measurement* row_of(const characterise::Characterisation& table,
+                                        const design::ReferenceGroup& group, FloatFormat format) {
   return find(table,
-              {.kind = ComponentKind::reference,
+              {.kind = characterise::ComponentKind::reference,
                .name = {},
                .format = format.name(),
                .inputs = {},
@@ -55,54 +58,58 @@ const Measurement* row_of(const Characterisation& table, const ReferenceGroup& g
 }
 
 /// The row of a kind with the most ports, but at most `ports`.
-const Measurement* largest(const Characterisation& table, ComponentKind kind, int ports) {
-  const Measurement* found = nullptr;
-  for (const Measurement& row : table.rows) {
+const characterise::Measurement* largest(const characterise::Characterisation& table,
+                                         characterise::ComponentKind kind, int ports) {
+  const characterise::Measurement* found = nullptr;
+  for (const characterise::Measurement& row : table.rows) {
     const bool fits = row.key.kind == kind && row.key.ports <= ports;
     if (fits && (found == nullptr || row.key.ports > found->key.ports)) found = &row;
   }
   return found;
 }
 
-std::optional<Amounts> measured_amounts(const Design& design, const Characterisation& table) {
+std::optional<Amounts> measured_amounts(const design::Design& design,
+                                        const characterise::Characterisation& table) {
   Amounts sum{};
   int slowest = 0;
-  for (const LaneGroup& group : design.lanes) {
-    const Measurement* row = row_of(table, group);
+  for (const design::LaneGroup& group : design.lanes) {
+    const characterise::Measurement* row = row_of(table, group);
     if (row == nullptr) return std::nullopt;
     add(sum, group.count, row->area);
     slowest = std::max(slowest, row->latency_cycles);
   }
   const FloatFormat format = design.reference.arithmetic().format;
-  for (const ReferenceGroup& group : design.references) {
-    const Measurement* row = row_of(table, group, format);
+  for (const design::ReferenceGroup& group : design.references) {
+    const characterise::Measurement* row = row_of(table, group, format);
     if (row == nullptr) return std::nullopt;
     add(sum, group.count, row->area);
   }
   const int references = design.reference_count();
-  const int slots = slots_for(slowest, references > 0);
-  const Measurement* fifo = largest(table, ComponentKind::fifo, slots);
+  const int slots = design::slots_for(slowest, references > 0);
+  const characterise::Measurement* fifo = largest(table, characterise::ComponentKind::fifo, slots);
   if (fifo != nullptr) add(sum, design.lane_count(), fifo->area);
-  for (const int served : lanes_of_references(design.lane_count(), references)) {
-    const Measurement* share = largest(table, ComponentKind::crossbar, served);
+  for (const int served : performance::lanes_of_references(design.lane_count(), references)) {
+    const characterise::Measurement* share =
+        largest(table, characterise::ComponentKind::crossbar, served);
     if (share != nullptr) add(sum, 1, share->area);
   }
   return sum;
 }
 
 /// Products cost no LUTs where embedded multipliers may take them.
-Products products_of(Multipliers multipliers, const Device& device) {
-  const bool embedded = multipliers == Multipliers::embedded && device.available.dsps > 0;
-  return embedded ? Products::left_out : Products::in_luts;
+profile::Products products_of(scene::Multipliers multipliers, const devices::Device& device) {
+  const bool embedded = multipliers == scene::Multipliers::embedded && device.available.dsps > 0;
+  return embedded ? profile::Products::left_out : profile::Products::in_luts;
 }
 
-double rough_luts(const Design& design, const Device& device) {
+double rough_luts(const design::Design& design, const devices::Device& device) {
   double luts = 0;
-  for (const LaneGroup& group : design.lanes) {
-    luts += group.count * lane_luts(group.lane, products_of(group.multipliers, device));
+  for (const design::LaneGroup& group : design.lanes) {
+    luts += group.count * profile::lane_luts(group.lane, products_of(group.multipliers, device));
   }
-  for (const ReferenceGroup& group : design.references) {
-    luts += group.count * reference_luts(design.reference, products_of(group.multipliers, device));
+  for (const design::ReferenceGroup& group : design.references) {
+    luts += group.count *
+            profile::reference_luts(design.reference, products_of(group.multipliers, device));
   }
   return luts;
 }
@@ -113,14 +120,15 @@ std::string counted(int count, const char* what) {
 
 }  // namespace
 
-Footprint footprint_of(const Design& design, const Characterisation* table, const Device& device) {
+Footprint footprint_of(const design::Design& design, const characterise::Characterisation* table,
+                       const devices::Device& device) {
   const auto measured = table == nullptr ? std::nullopt : measured_amounts(design, *table);
   if (measured) return {.amounts = *measured, .measured = true};
   return {.amounts = {std::llround(rough_luts(design, device))}, .measured = false};
 }
 
-std::optional<std::string> excess_of(const Footprint& footprint, const Design& design,
-                                     const Device& device, const std::string& source) {
+std::optional<std::string> excess_of(const Footprint& footprint, const design::Design& design,
+                                     const devices::Device& device, const std::string& source) {
   const Amounts room = amounts_of(device.available);
   const double margin = footprint.measured ? 1 : rough_margin;
   std::string excess;
@@ -128,7 +136,7 @@ std::optional<std::string> excess_of(const Footprint& footprint, const Design& d
     const auto needed = footprint.amounts[r];
     if (static_cast<double>(needed) <= margin * static_cast<double>(room[r])) continue;
     excess += fmt::format("{}{} {} of {}", excess.empty() ? "" : ", ", needed,
-                          bounded_resources[r].name, room[r]);
+                          devices::bounded_resources[r].name, room[r]);
   }
   if (excess.empty()) return std::nullopt;
   return fmt::format(
@@ -138,4 +146,4 @@ std::optional<std::string> excess_of(const Footprint& footprint, const Design& d
       footprint.measured ? "areas measured, " + source : "a rough estimate before synthesis");
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

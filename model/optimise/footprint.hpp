@@ -7,7 +7,7 @@
 #include "model/design/design.hpp"
 #include "model/optimise/feasibility.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// A lower bound on what a design takes of a device, as known before it is synthesised.
 struct Footprint {
@@ -18,12 +18,13 @@ struct Footprint {
 /// Adds up the areas in `table` (may be null) where it has a row for every kind of lane and
 /// reference; scoreboards and crossbar are included where the table has them. Otherwise estimates
 /// the LUTs of the datapaths by the rough cost model.
-Footprint footprint_of(const Design& design, const Characterisation* table, const Device& device);
+Footprint footprint_of(const design::Design& design, const characterise::Characterisation* table,
+                       const devices::Device& device);
 
 /// A message that says why the design cannot fit the device; none where it may fit. Measured
 /// amounts must not exceed the device; a rough estimate may exceed it by half. `source` names the
 /// table.
-std::optional<std::string> excess_of(const Footprint& footprint, const Design& design,
-                                     const Device& device, const std::string& source);
+std::optional<std::string> excess_of(const Footprint& footprint, const design::Design& design,
+                                     const devices::Device& device, const std::string& source);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 using Relation = IntegerProgram::Relation;
@@ -55,4 +55,4 @@ std::string to_lp(const IntegerProgram& program) {
   return text + "End\n";
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

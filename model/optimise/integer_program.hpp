@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// A linear program over integers: maximise a sum of columns subject to rows and bounds.
 struct IntegerProgram {
@@ -45,4 +45,4 @@ std::optional<std::vector<int>> solve(const IntegerProgram& program);
 /// The program in the LP format, which CBC, GLPK and SCIP read.
 std::string to_lp(const IntegerProgram& program);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -5,14 +5,14 @@
 #include "model/optimise/feasibility.hpp"
 #include "model/performance/performance.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 /// A smaller load counts as 0: CBC's tolerances are not far below. Plans are checked with the true
 /// load.
 constexpr double least_load = 1e-9;
 
-bool takes_no_more(const Area& a, const Area& b) {
+bool takes_no_more(const devices::Area& a, const devices::Area& b) {
   const Amounts of_a = amounts_of(a);
   const Amounts of_b = amounts_of(b);
   return std::equal(of_a.begin(), of_a.end(), of_b.begin(), std::less_equal<>());
@@ -89,7 +89,9 @@ double KindsAtClock::capacity(int kind) const {
 int KindsAtClock::lanes_served(int kind) const {
   const double asked = lanes_[kind].asked_per_s;
   int served = 0;
-  while (served < problem_.max_lanes && is_within((served + 1) * asked, fastest_per_s_)) ++served;
+  while (served < problem_.max_lanes &&
+         performance::is_within((served + 1) * asked, fastest_per_s_))
+    ++served;
   return served;
 }
 
@@ -99,4 +101,4 @@ bool KindsAtClock::references_alike() const {
   });
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

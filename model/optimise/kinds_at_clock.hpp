@@ -5,7 +5,7 @@
 
 #include "model/optimise/allocation.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// The kinds of a problem once the clock of the system is fixed; a clock of 0 leaves each at its
 /// own. Loads and capacities are in units of T(H) of the fastest reference in reach.
@@ -54,4 +54,4 @@ private:
   std::vector<int> reference_order_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

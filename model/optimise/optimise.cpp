@@ -9,13 +9,13 @@
 #include "model/optimise/problem_maker.hpp"
 #include "model/performance/performance.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 constexpr double hertz_per_mhz = 1e6;
 
 /// Solves the baseline: the references take the place of lanes and need no recomputation.
-AllocationResult fill_with_references(const Scene& scene, const Device& device,
+AllocationResult fill_with_references(const scene::Scene& scene, const devices::Device& device,
                                       const std::vector<ReferenceImplementation>& references,
                                       ClockDomains domains) {
   AllocationProblem problem;
@@ -31,20 +31,21 @@ AllocationResult fill_with_references(const Scene& scene, const Device& device,
 
 /// The crossover precision of the measured datapaths. As in the paper, C(com) does not count.
 std::optional<int> crossover_of(const Optimisation& found) {
-  std::map<int, std::vector<Area>> lanes;
+  std::map<int, std::vector<devices::Area>> lanes;
   for (const PrecisionPlan& plan : found.plans) {
     for (const LaneImplementation& lane : plan.lanes) {
       lanes[plan.precision].push_back(lane.measured.area);
     }
   }
-  std::vector<Area> references;
+  std::vector<devices::Area> references;
   for (const ReferenceImplementation& reference : found.references) {
     references.push_back(reference.measured.area);
   }
-  return crossover_precision(lanes, references, usable(found.device.available, found.slack));
+  return crossover_precision(lanes, references,
+                             performance::usable(found.device.available, found.slack));
 }
 
-Error nothing_to_choose_from(const Scene& scene, const std::string& what) {
+Error nothing_to_choose_from(const scene::Scene& scene, const std::string& what) {
   return {.file = scene.path.string(),
           .field = {},
           .message =
@@ -105,8 +106,8 @@ const PrecisionPlan* Optimisation::best() const {
   return best;
 }
 
-Result<Optimisation> optimise(const Scene& scene, const Device& device,
-                              const Characterisation& table, const Rates& rates,
+Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& device,
+                              const characterise::Characterisation& table, const Rates& rates,
                               const OptimiseOptions& options) {
   ProblemMaker maker(scene, table, rates, options);
   if (maker.precisions().empty()) return nothing_to_choose_from(scene, "lane");
@@ -133,4 +134,4 @@ Result<Optimisation> optimise(const Scene& scene, const Device& device,
   return all;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -10,7 +10,7 @@
 #include "model/scene/scene.hpp"
 
 /// Algorithm 1 of the paper: for each L the best p_L and p_H, and among all L the best.
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// The clocks behind T(L) and T(H), at an initiation interval of one cycle. A clock that is not set
 /// is the table's, or the scene's target where the table has none.
@@ -21,15 +21,15 @@ struct ClockChoice {
 };
 
 struct OptimiseOptions {
-  int first_precision = limits::lane_precision.least;
-  int last_precision = limits::lane_precision.most;
+  int first_precision = settings::limits::lane_precision.least;
+  int last_precision = settings::limits::lane_precision.most;
   /// Values that a row of the table may have to be used; an empty list admits all.
   std::vector<std::string> inputs;
-  std::vector<BoundChoice> bounds;
+  std::vector<scene::BoundChoice> bounds;
   std::vector<std::string> multipliers;
   ClockChoice clocks;
   /// A fixed C(com), as the paper's, in place of our measured scoreboards and crossbar.
-  std::optional<Area> fixed_communication;
+  std::optional<devices::Area> fixed_communication;
 };
 
 /// The source of a plan's clock, the most reliable source first.
@@ -44,13 +44,13 @@ std::string_view to_string(ClockBasis basis);
 /// A lane of the table, its recomputation rate, and the kind that stands for it in the integer
 /// program.
 struct LaneImplementation {
-  Measurement measured;
-  Area with_streams;  ///< C(L): the lane and the scoreboard around it
+  characterise::Measurement measured;
+  devices::Area with_streams;  ///< C(L): the lane and the scoreboard around it
   Rate rate;
   LaneKind kind;
 };
 struct ReferenceImplementation {
-  Measurement measured;
+  characterise::Measurement measured;
   ReferenceKind kind;
 };
 
@@ -69,7 +69,7 @@ struct PrecisionPlan {
 
 struct Optimisation {
   std::string scene;
-  Device device;
+  devices::Device device;
   double slack = 0;
   double target_mhz = 0;  ///< the clock for which registers were placed
   ClockChoice clocks;
@@ -91,8 +91,8 @@ std::string describe_clocks(const Optimisation& optimisation);
 
 /// Runs Algorithm 1. It is an error if the table has no lane or no reference for these options, or
 /// no lane of it has a known rate.
-Result<Optimisation> optimise(const Scene& scene, const Device& device,
-                              const Characterisation& table, const Rates& rates,
+Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& device,
+                              const characterise::Characterisation& table, const Rates& rates,
                               const OptimiseOptions& options);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -6,11 +6,11 @@
 
 #include "model/settings/settings.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
-std::string bound_keys(const BoundChoice& choice) {
-  const ReducedSpec reduced = with_bound({}, choice);
+std::string bound_keys(const scene::BoundChoice& choice) {
+  const scene::ReducedSpec reduced = scene::with_bound({}, choice);
   std::string keys = fmt::format("bound = \"{}\"\n", to_string(reduced.bound));
   if (!reduced.error_bound) return keys;
   keys += fmt::format("error_bound = \"{}\"\n", to_string(*reduced.error_bound));
@@ -19,38 +19,40 @@ std::string bound_keys(const BoundChoice& choice) {
 }
 
 /// The scene's key for the kind of multipliers; empty for datapaths without a product.
-std::string multipliers_key(const ComponentKey& key) {
+std::string multipliers_key(const characterise::ComponentKey& key) {
   return key.multipliers.empty() ? "" : fmt::format("multipliers = \"{}\"\n", key.multipliers);
 }
 
-std::string lanes_table(const ComponentKey& key, int count) {
+std::string lanes_table(const characterise::ComponentKey& key, int count) {
   return fmt::format("\n[[lanes]]\ncount = {}\nformat = \"{}\"\ninputs = \"{}\"\n{}{}", count,
                      key.format, key.inputs, bound_keys(*key.bound), multipliers_key(key));
 }
 
 /// The overrides without the keys of [system] that the plan sets itself.
-Setting::Table without_chosen_keys(Setting::Table overrides) {
-  for (Setting& section : overrides.entries) {
+settings::Setting::Table without_chosen_keys(settings::Setting::Table overrides) {
+  for (settings::Setting& section : overrides.entries) {
     if (section.key != "system") continue;
-    std::erase_if(std::get<Setting::Table>(section.value).entries, [](const Setting& entry) {
-      return entry.key == "device" || entry.key == "target_mhz" || entry.key == "lanes" ||
-             entry.key == "references";
-    });
+    std::erase_if(std::get<settings::Setting::Table>(section.value).entries,
+                  [](const settings::Setting& entry) {
+                    return entry.key == "device" || entry.key == "target_mhz" ||
+                           entry.key == "lanes" || entry.key == "references";
+                  });
   }
   return overrides;
 }
 
-std::string lines_of(const Setting::Table& section) {
+std::string lines_of(const settings::Setting::Table& section) {
   std::string text;
-  for (const Setting& entry : section.entries) {
-    text += fmt::format("{} = {}\n", toml_key(entry.key), toml_value(entry));
+  for (const settings::Setting& entry : section.entries) {
+    text += fmt::format("{} = {}\n", settings::toml_key(entry.key), settings::toml_value(entry));
   }
   return text;
 }
 
-std::string section_text(const Setting& section) {
-  const std::string heading = section.key == "system" ? "" : "\n[" + toml_key(section.key) + "]\n";
-  return heading + lines_of(std::get<Setting::Table>(section.value));
+std::string section_text(const settings::Setting& section) {
+  const std::string heading =
+      section.key == "system" ? "" : "\n[" + settings::toml_key(section.key) + "]\n";
+  return heading + lines_of(std::get<settings::Setting::Table>(section.value));
 }
 
 }  // namespace
@@ -64,18 +66,18 @@ std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& pla
       "[plan]\n"
       "throughput_per_s = {:.6g}\nclock_mhz = {:.6g}\nclock_basis = \"{}\"\n"
       "recomputation_rate = {:.6g}\nslack = {:g}\n",
-      optimisation.scene, optimisation.device.name, source.command, toml_string(source.scene_file),
-      plan.throughput_per_s(), plan.clock_mhz(), describe_clocks(optimisation),
-      plan.recomputation_rate(), optimisation.slack);
-  for (const Resource& resource : bounded_resources) {
+      optimisation.scene, optimisation.device.name, source.command,
+      settings::toml_string(source.scene_file), plan.throughput_per_s(), plan.clock_mhz(),
+      describe_clocks(optimisation), plan.recomputation_rate(), optimisation.slack);
+  for (const devices::Resource& resource : devices::bounded_resources) {
     text += fmt::format("{} = {}\n", resource.name, chosen.used.*resource.amount);
   }
-  const Setting::Table overrides = without_chosen_keys(source.overrides);
-  text += fmt::format("\n[system]\ndevice = {}\ntarget_mhz = {}\n", toml_string(source.device),
-                      optimisation.target_mhz);
+  const settings::Setting::Table overrides = without_chosen_keys(source.overrides);
+  text += fmt::format("\n[system]\ndevice = {}\ntarget_mhz = {}\n",
+                      settings::toml_string(source.device), optimisation.target_mhz);
   if (chosen.reference_count() == 0) text += "references = 0\n";
-  if (const Setting* system = overrides.find("system")) text += section_text(*system);
-  for (const Setting& section : overrides.entries) {
+  if (const settings::Setting* system = overrides.find("system")) text += section_text(*system);
+  for (const settings::Setting& section : overrides.entries) {
     if (section.key != "system") text += section_text(section);
   }
   for (const int k : lane_order(plan.problem)) {
@@ -89,4 +91,4 @@ std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& pla
   return text;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

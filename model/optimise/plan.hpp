@@ -5,18 +5,18 @@
 #include "model/optimise/optimise.hpp"
 #include "model/settings/settings.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// The inputs from which a plan was found, as the plan file names them.
 struct PlanSource {
-  std::string scene_file;    ///< path of the scene as seen from the plan file
-  Setting::Table overrides;  ///< keys given by --set, by section; the plan repeats them
-  std::string device;        ///< as system.device names it
-  std::string command;       ///< the command that makes the plan again
+  std::string scene_file;              ///< path of the scene as seen from the plan file
+  settings::Setting::Table overrides;  ///< keys given by --set, by section; the plan repeats them
+  std::string device;                  ///< as system.device names it
+  std::string command;                 ///< the command that makes the plan again
 };
 
 /// A plan file (docs/scene_file.md) that `generate` and `verify` take in place of the scene.
 std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& plan,
                       const PlanSource& source);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 std::string kinds_of(const PrecisionPlan& plan, const Allocation& chosen) {
@@ -40,4 +40,4 @@ double baseline_per_s(const Optimisation& optimisation) {
   return alone == nullptr ? 0 : alone->throughput_per_s;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

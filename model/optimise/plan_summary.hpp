@@ -4,7 +4,7 @@
 
 #include "model/optimise/optimise.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// The figures of a plan that tables show.
 struct PlanSummary {
@@ -14,7 +14,7 @@ struct PlanSummary {
   double clock_mhz = 0;
   double recomputation_rate = 0;
   double throughput_per_s = 0;
-  Area used;
+  devices::Area used;
   std::string kinds;  ///< "95 x s12e8 exact relative embedded, 12 x s12e8 exact relative logic"
 };
 PlanSummary summary_of(const PrecisionPlan& plan);
@@ -24,4 +24,4 @@ PlanSummary summary_of(const Optimisation& optimisation);
 /// Comparisons per second of a device filled with references alone; 0 where none fits.
 double baseline_per_s(const Optimisation& optimisation);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -10,7 +10,7 @@
 #include "model/performance/streams.hpp"
 #include "model/profile/systems.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 constexpr double hertz_per_mhz = 1e6;
@@ -21,7 +21,7 @@ bool allows(const std::vector<Choice>& allowed, const Choice& word) {
 }
 
 /// The format of a row; it is valid, as the table's reader has parsed it before.
-FloatFormat format_of(const Measurement& row) {
+FloatFormat format_of(const characterise::Measurement& row) {
   return FloatFormat::parse(row.key.format).value();
 }
 
@@ -29,22 +29,23 @@ LaneInputs inputs_of(const std::string& word) {
   return word == to_string(LaneInputs::exact) ? LaneInputs::exact : LaneInputs::rounded;
 }
 
-ClockBasis basis_of(const Clock& clock) {
+ClockBasis basis_of(const characterise::Clock& clock) {
   switch (clock.source) {
-    case ClockSource::estimate_before_routing: return ClockBasis::estimate_before_routing;
-    case ClockSource::routed: return ClockBasis::routed;
+    case characterise::ClockSource::estimate_before_routing:
+      return ClockBasis::estimate_before_routing;
+    case characterise::ClockSource::routed: return ClockBasis::routed;
   }
   MIXCMP_CHECK(false);
 }
 
-bool has_a_clock(const std::vector<const Measurement*>& rows) {
+bool has_a_clock(const std::vector<const characterise::Measurement*>& rows) {
   return std::any_of(rows.begin(), rows.end(), [](const auto* row) { return row->clock; });
 }
 
 /// Interpolates linearly between two areas, at part / whole of the way; rounds up.
-Area between(const Area& low, const Area& high, int part, int whole) {
-  Area area;
-  for (const Resource& resource : bounded_resources) {
+devices::Area between(const devices::Area& low, const devices::Area& high, int part, int whole) {
+  devices::Area area;
+  for (const devices::Resource& resource : devices::bounded_resources) {
     const std::int64_t rise = std::int64_t{high.*resource.amount} - low.*resource.amount;
     const std::int64_t step = rise >= 0 ? (rise * part + whole - 1) / whole : rise * part / whole;
     area.*resource.amount = static_cast<int>(low.*resource.amount + step);
@@ -54,14 +55,14 @@ Area between(const Area& low, const Area& high, int part, int whole) {
 
 }  // namespace
 
-ProblemMaker::ProblemMaker(const Scene& scene, const Characterisation& table, const Rates& rates,
-                           const OptimiseOptions& options)
+ProblemMaker::ProblemMaker(const scene::Scene& scene, const characterise::Characterisation& table,
+                           const Rates& rates, const OptimiseOptions& options)
     : scene_(scene), table_(table), rates_(rates), options_(options) {
-  communication_.fixed = options.fixed_communication.value_or(Area{});
+  communication_.fixed = options.fixed_communication.value_or(devices::Area{});
   sort_rows();
   leave_out_untimed();
   if (!options_.fixed_communication) add_crossbar();
-  if (scene_.system.engine.kind == EngineKind::pairwise) {
+  if (scene_.system.engine.kind == scene::EngineKind::pairwise) {
     notes_.insert("the pairwise engine around the system is not counted");
   }
 }
@@ -74,7 +75,7 @@ std::vector<int> ProblemMaker::precisions() const {
 
 std::vector<ReferenceImplementation> ProblemMaker::references() {
   std::vector<ReferenceImplementation> all;
-  for (const Measurement* row : references_) {
+  for (const characterise::Measurement* row : references_) {
     const double mhz = clock_of(*row, options_.clocks.reference_mhz, nullptr);
     const std::string name = row->key.format + " " + row->key.multipliers;
     all.push_back({*row, {name, mhz * hertz_per_mhz, row->area}});
@@ -83,12 +84,13 @@ std::vector<ReferenceImplementation> ProblemMaker::references() {
 }
 
 std::optional<PrecisionPlan> ProblemMaker::plan(
-    int precision, const Device& device, const std::vector<ReferenceImplementation>& references) {
+    int precision, const devices::Device& device,
+    const std::vector<ReferenceImplementation>& references) {
   PrecisionPlan plan{.precision = precision, .lanes = {}, .problem = {}, .result = Infeasible{}};
   left_out_.clear();
   const Rows& rows = lanes_.at(precision);
-  const Measurement* fifo = fifo_for(rows);
-  for (const Measurement* row : rows) add_lane(plan, *row, fifo);
+  const characterise::Measurement* fifo = fifo_for(rows);
+  for (const characterise::Measurement* row : rows) add_lane(plan, *row, fifo);
   for (const LaneImplementation& lane : plan.lanes) plan.problem.lanes.push_back(lane.kind);
   for (const auto& reference : references) {
     plan.problem.references.push_back(reference.kind);
@@ -107,19 +109,20 @@ std::optional<PrecisionPlan> ProblemMaker::plan(
 }
 
 void ProblemMaker::sort_rows() {
-  for (const Measurement& row : table_.rows) {
-    const ComponentKey& key = row.key;
+  for (const characterise::Measurement& row : table_.rows) {
+    const characterise::ComponentKey& key = row.key;
     if (!key.multipliers.empty() && !allows(options_.multipliers, key.multipliers)) continue;
-    if (key.kind == ComponentKind::reference && format_of(row) == scene_.reference.format) {
+    if (key.kind == characterise::ComponentKind::reference &&
+        format_of(row) == scene_.reference.format) {
       references_.push_back(&row);
     }
-    if (key.kind == ComponentKind::lane && is_wanted(row)) {
+    if (key.kind == characterise::ComponentKind::lane && is_wanted(row)) {
       lanes_[format_of(row).precision()].push_back(&row);
     }
   }
 }
 
-bool ProblemMaker::is_wanted(const Measurement& lane) const {
+bool ProblemMaker::is_wanted(const characterise::Measurement& lane) const {
   const int precision = format_of(lane).precision();
   return options_.first_precision <= precision && precision <= options_.last_precision &&
          allows(options_.inputs, lane.key.inputs) && allows(options_.bounds, *lane.key.bound) &&
@@ -127,15 +130,15 @@ bool ProblemMaker::is_wanted(const Measurement& lane) const {
 }
 
 /// Lanes with a measured, unproven bound serve scenes that ask for them, and only those.
-bool ProblemMaker::is_trusted(const Measurement& lane) const {
-  const bool measured = lane.key.bound->kind == BoundChoice::Kind::profiled;
-  return measured == (scene_.reduced.bound == BoundKind::profiled);
+bool ProblemMaker::is_trusted(const characterise::Measurement& lane) const {
+  const bool measured = lane.key.bound->kind == scene::BoundChoice::Kind::profiled;
+  return measured == (scene_.reduced.bound == scene::BoundKind::profiled);
 }
 
 /// Whether the rates hold for this lane. With fewer exponent bits than they were counted with, more
 /// comparisons may be undecided, unless the inputs' ranges say that fewer bits do.
-bool ProblemMaker::has_enough_exponents(const Measurement& lane) {
-  const int counted = profiled_exponent_bits(scene_);
+bool ProblemMaker::has_enough_exponents(const characterise::Measurement& lane) {
+  const int counted = profile::profiled_exponent_bits(scene_);
   if (format_of(lane).exponent_bits() >= counted) return true;
   if (scene_.reduced.exponent_bits_from_ranges) return true;
   notes_.insert(fmt::format("{}: left out, recomputation rates were counted with {} exponent bits",
@@ -166,19 +169,19 @@ void ProblemMaker::erase_untimed(Rows& rows, const std::string& what) {
 /// Shares between two measured port counts are interpolated; below the smallest measured count they
 /// are as large as there.
 void ProblemMaker::add_crossbar() {
-  std::map<int, const Measurement*> measured;
-  for (const Measurement& row : table_.rows) {
-    if (row.key.kind == ComponentKind::crossbar) measured[row.key.ports] = &row;
+  std::map<int, const characterise::Measurement*> measured;
+  for (const characterise::Measurement& row : table_.rows) {
+    if (row.key.kind == characterise::ComponentKind::crossbar) measured[row.key.ports] = &row;
   }
   if (measured.empty()) {
     notes_.insert("no crossbar in the table: it is not counted");
     return;
   }
-  std::vector<Area>& shares = communication_.crossbar;
+  std::vector<devices::Area>& shares = communication_.crossbar;
   shares.resize(static_cast<std::size_t>(measured.rbegin()->first) + 1);
   int below = 0;
   for (const auto& [ports, row] : measured) {
-    const Area& low = below == 0 ? row->area : shares[below];
+    const devices::Area& low = below == 0 ? row->area : shares[below];
     for (int k = below + 1; k <= ports; ++k) {
       shares[k] = between(low, row->area, k - below, ports - below);
     }
@@ -194,7 +197,8 @@ void ProblemMaker::note_largest_crossbar(const PrecisionPlan& plan) {
   const Allocation* chosen = plan.allocation();
   const std::size_t known = communication_.crossbar.size();
   if (chosen == nullptr || known == 0 || chosen->reference_count() == 0) return;
-  const int served = lanes_of_references(chosen->lane_count(), chosen->reference_count()).front();
+  const int served =
+      performance::lanes_of_references(chosen->lane_count(), chosen->reference_count()).front();
   if (static_cast<std::size_t>(served) + 1 < known) return;
   notes_.insert(
       fmt::format("L = {}: a reference serves {} lanes, since no larger crossbar was measured",
@@ -203,13 +207,14 @@ void ProblemMaker::note_largest_crossbar(const PrecisionPlan& plan) {
 
 /// The scoreboard's row. All lanes of a system have the slots that the lane of the longest latency
 /// needs.
-const Measurement* ProblemMaker::fifo_for(const Rows& lanes) {
+const characterise::Measurement* ProblemMaker::fifo_for(const Rows& lanes) {
   if (options_.fixed_communication) return nullptr;
   int slowest = 0;
-  for (const Measurement* lane : lanes) slowest = std::max(slowest, lane->latency_cycles);
-  const int slots = slots_for(slowest, scene_.system.references.value_or(1) > 0);
-  for (const Measurement& row : table_.rows) {
-    if (row.key.kind == ComponentKind::fifo && row.key.ports == slots) return &row;
+  for (const characterise::Measurement* lane : lanes)
+    slowest = std::max(slowest, lane->latency_cycles);
+  const int slots = design::slots_for(slowest, scene_.system.references.value_or(1) > 0);
+  for (const characterise::Measurement& row : table_.rows) {
+    if (row.key.kind == characterise::ComponentKind::fifo && row.key.ports == slots) return &row;
   }
   notes_.insert(fmt::format("no fifo of {} slots in the table: it is not counted", slots));
   return nullptr;
@@ -218,12 +223,13 @@ const Measurement* ProblemMaker::fifo_for(const Rows& lanes) {
 /// The clock of a row in MHz: the given one, else the measured one, else the target. A lane without
 /// a given clock is no faster than its scoreboard and the slowest crossbar. `basis_` keeps the
 /// least reliable source of all.
-double ProblemMaker::clock_of(const Measurement& row, const std::optional<double>& given,
-                              const Measurement* fifo) {
+double ProblemMaker::clock_of(const characterise::Measurement& row,
+                              const std::optional<double>& given,
+                              const characterise::Measurement* fifo) {
   if (given) return *given;
   basis_ = std::max(basis_, row.clock ? basis_of(*row.clock) : ClockBasis::target);
   double mhz = row.clock ? row.clock->mhz : scene_.system.target_mhz;
-  if (row.key.kind == ComponentKind::reference) return mhz;
+  if (row.key.kind == characterise::ComponentKind::reference) return mhz;
   if (fifo != nullptr && fifo->clock) mhz = std::min(mhz, fifo->clock->mhz);
   if (crossbar_mhz_ < mhz) {
     notes_.insert(fmt::format("clocks are limited by the slowest crossbar measured, {:.4g} MHz",
@@ -232,26 +238,27 @@ double ProblemMaker::clock_of(const Measurement& row, const std::optional<double
   return std::min(mhz, crossbar_mhz_);
 }
 
-void ProblemMaker::add_lane(PrecisionPlan& plan, const Measurement& row, const Measurement* fifo) {
+void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement& row,
+                            const characterise::Measurement* fifo) {
   const RateKey key{inputs_of(row.key.inputs), *row.key.bound, plan.precision};
   const std::optional<Rate> rate = rates_.find(key);
   if (!rate) {
     notes_.insert(fmt::format("{} {}: no recomputation rate is known", row.key.inputs,
-                              to_string(row.key.bound)));
+                              scene::to_string(row.key.bound)));
     return;
   }
-  if (highest_lane_throughput(rate->value()) < 1) {
+  if (performance::highest_lane_throughput(rate->value()) < 1) {
     left_out_ = "every lane leaves more than half undecided: references alone are faster";
     return;
   }
   if (!has_enough_exponents(row)) return;
-  Area area = row.area;
+  devices::Area area = row.area;
   if (fifo != nullptr) area += fifo->area;
   std::string name =
-      fmt::format("{} {} {}", row.key.format, row.key.inputs, to_string(row.key.bound));
+      fmt::format("{} {} {}", row.key.format, row.key.inputs, scene::to_string(row.key.bound));
   if (!row.key.multipliers.empty()) name += " " + row.key.multipliers;
   const double mhz = clock_of(row, options_.clocks.lane_mhz, fifo);
   plan.lanes.push_back({row, area, *rate, {name, mhz * hertz_per_mhz, rate->value(), area}});
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -6,13 +6,13 @@
 
 #include "model/optimise/optimise.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// Collects the rows of a characterisation into one allocation problem per precision.
 class ProblemMaker {
 public:
-  ProblemMaker(const Scene& scene, const Characterisation& table, const Rates& rates,
-               const OptimiseOptions& options);
+  ProblemMaker(const scene::Scene& scene, const characterise::Characterisation& table,
+               const Rates& rates, const OptimiseOptions& options);
 
   /// The precisions for which the table has lanes, with the options at hand.
   std::vector<int> precisions() const;
@@ -22,32 +22,33 @@ public:
 
   /// The problem for one precision and its best plan; none where no lane has a known rate that
   /// holds for its exponent bits.
-  std::optional<PrecisionPlan> plan(int precision, const Device& device,
+  std::optional<PrecisionPlan> plan(int precision, const devices::Device& device,
                                     const std::vector<ReferenceImplementation>& references);
 
   ClockBasis basis() const { return basis_; }
   std::vector<std::string> notes() const { return {notes_.begin(), notes_.end()}; }
 
 private:
-  using Rows = std::vector<const Measurement*>;
+  using Rows = std::vector<const characterise::Measurement*>;
 
   void sort_rows();
-  bool is_wanted(const Measurement& lane) const;
-  bool is_trusted(const Measurement& lane) const;
-  bool has_enough_exponents(const Measurement& lane);
+  bool is_wanted(const characterise::Measurement& lane) const;
+  bool is_trusted(const characterise::Measurement& lane) const;
+  bool has_enough_exponents(const characterise::Measurement& lane);
   void leave_out_untimed();
   void erase_untimed(Rows& rows, const std::string& what);
 
   void add_crossbar();
   void note_largest_crossbar(const PrecisionPlan& plan);
-  const Measurement* fifo_for(const Rows& lanes);
+  const characterise::Measurement* fifo_for(const Rows& lanes);
 
-  double clock_of(const Measurement& row, const std::optional<double>& given,
-                  const Measurement* fifo);
-  void add_lane(PrecisionPlan& plan, const Measurement& row, const Measurement* fifo);
+  double clock_of(const characterise::Measurement& row, const std::optional<double>& given,
+                  const characterise::Measurement* fifo);
+  void add_lane(PrecisionPlan& plan, const characterise::Measurement& row,
+                const characterise::Measurement* fifo);
 
-  const Scene& scene_;
-  const Characterisation& table_;
+  const scene::Scene& scene_;
+  const characterise::Characterisation& table_;
   const Rates& rates_;
   const OptimiseOptions& options_;
   std::map<int, Rows> lanes_;
@@ -59,4 +60,4 @@ private:
   std::string left_out_;  ///< why the current precision has no lane worth using, for the user
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 constexpr std::array<PublishedDevice, 2> devices = {{
@@ -74,4 +74,4 @@ std::optional<PublishedDevice> published(std::string_view device) {
   return std::nullopt;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

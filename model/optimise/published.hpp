@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// The paper's results for one of its two devices, from Tables III and IV and section V.
 struct PublishedDevice {
@@ -34,4 +34,4 @@ struct PublishedDevice {
 
 std::optional<PublishedDevice> published(std::string_view device);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

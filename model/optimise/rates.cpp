@@ -7,7 +7,7 @@
 #include "model/common/file.hpp"
 #include "model/common/quote.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 constexpr const char* header =
@@ -38,7 +38,7 @@ std::optional<std::string> read_row(const std::vector<std::string>& fields, Row&
   if (fields[0] != "exact" && fields[0] != "rounded") return "inputs";
   row.key.inputs = fields[0] == "exact" ? LaneInputs::exact : LaneInputs::rounded;
   if (!read_number(fields[1], row.key.precision)) return "precision";
-  const auto bound = parse_bound_choice(fields[2]);
+  const auto bound = scene::parse_bound_choice(fields[2]);
   if (!bound.ok()) return "system";
   row.key.bound = *bound;
   if (!read_number(fields[3], row.rate.comparisons) || row.rate.comparisons == 0) {
@@ -68,10 +68,10 @@ double Rate::value() const {
   return static_cast<double>(undecided) / total;
 }
 
-Rates Rates::of(const std::vector<RateProfile>& profiles) {
+Rates Rates::of(const std::vector<profile::RateProfile>& profiles) {
   Rates rates;
-  for (const RateProfile& profile : profiles) {
-    for (const SystemProfile& system : profile.systems) {
+  for (const profile::RateProfile& profile : profiles) {
+    for (const profile::SystemProfile& system : profile.systems) {
       if (!system.bound) continue;  // lanes alone recompute nothing
       for (std::size_t k = 0; k < system.counts.size(); ++k) {
         if (!system.counts[k].exists) continue;
@@ -146,4 +146,4 @@ std::vector<RateKey> Rates::keys() const {
   return keys;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -10,12 +10,12 @@
 
 #include "model/profile/profile.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// The properties of a lane on which its recomputation rate R_R depends.
 struct RateKey {
   LaneInputs inputs = LaneInputs::exact;
-  BoundChoice bound;
+  scene::BoundChoice bound;
   int precision = 0;  ///< L
 
   friend auto operator<=>(const RateKey&, const RateKey&) = default;
@@ -41,7 +41,7 @@ public:
     std::uint64_t comparisons = 0;
   };
 
-  static Rates of(const std::vector<RateProfile>& profiles);
+  static Rates of(const std::vector<profile::RateProfile>& profiles);
   /// Reads figure5.csv as written by `mixcmp profile`. Errors name the line and the column.
   static Result<Rates> read(const std::filesystem::path& path);
 
@@ -60,4 +60,4 @@ private:
   std::optional<Origin> origin_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

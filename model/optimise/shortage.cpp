@@ -9,7 +9,7 @@
 #include "model/optimise/feasibility.hpp"
 #include "model/performance/performance.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 /// How many references one lane needs: 0, without a kind of reference, if it recomputes nothing;
@@ -25,7 +25,8 @@ std::optional<int> references_needed(const LaneKind& lane, const ReferenceKind* 
                        ? problem.max_references
                        : std::min(1, problem.max_references);
   for (int count = 1; count <= most; ++count) {
-    if (is_within(lane.throughput_per_s * lane.recomputation_rate, count * capacity)) return count;
+    if (performance::is_within(lane.throughput_per_s * lane.recomputation_rate, count * capacity))
+      return count;
   }
   return std::nullopt;
 }
@@ -61,7 +62,7 @@ std::vector<Infeasible::Shortage> shortages_of(const Amounts& demand, const Amou
     if (demand[r] <= room[r]) continue;
     const auto needed = std::min<std::int64_t>(demand[r], std::numeric_limits<int>::max());
     shortages.push_back(
-        {bounded_resources[r].name, static_cast<int>(room[r]), static_cast<int>(needed)});
+        {devices::bounded_resources[r].name, static_cast<int>(room[r]), static_cast<int>(needed)});
   }
   return shortages;
 }
@@ -101,12 +102,12 @@ Infeasible short_of(const std::vector<Infeasible::Shortage>& shortages) {
 }  // namespace
 
 bool fixed_fits(const AllocationProblem& problem) {
-  const Amounts room = amounts_of(usable(problem.available, problem.slack));
+  const Amounts room = amounts_of(performance::usable(problem.available, problem.slack));
   return shortages_of(amounts_of(problem.communication.fixed), room).empty();
 }
 
 Infeasible explain_infeasible(const AllocationProblem& problem) {
-  const Amounts room = amounts_of(usable(problem.available, problem.slack));
+  const Amounts room = amounts_of(performance::usable(problem.available, problem.slack));
   if (problem.lanes.empty() || problem.max_lanes < 1) return {{}, "there is no lane to build"};
   const std::vector<Amounts> demands = smallest_demands(problem);
   if (demands.empty()) {
@@ -124,4 +125,4 @@ Infeasible explain_infeasible(const AllocationProblem& problem) {
   return short_of(shortages_of(closest, room));
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -2,7 +2,7 @@
 
 #include "model/optimise/allocation.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// Whether the fixed part of C(com) alone fits the usable area.
 bool fixed_fits(const AllocationProblem& problem);
@@ -13,4 +13,4 @@ bool fixed_fits(const AllocationProblem& problem);
 /// to fitting.
 Infeasible explain_infeasible(const AllocationProblem& problem);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 namespace {
 
 double slope_between(const std::vector<double>& values, std::size_t a, std::size_t b) {
@@ -39,4 +39,4 @@ std::vector<Line> lines_below(const std::vector<double>& values) {
   return lines;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

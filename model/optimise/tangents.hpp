@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace mixcmp::model {
+namespace mixcmp::optimise {
 
 /// y = slope x + offset.
 struct Line {
@@ -14,4 +14,4 @@ struct Line {
 /// those at k = 0, 1, 2, 4, 8, ... Without points, the line y = 0.
 std::vector<Line> lines_below(const std::vector<double>& values);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::optimise

@@ -6,7 +6,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::performance {
 namespace {
 
 constexpr double rounding_allowance = 1e-12;
@@ -95,7 +95,7 @@ bool references_suffice(const std::vector<Datapaths>& lanes,
   return is_within(recomputations_per_s(lanes), aggregated_throughput(references));
 }
 
-Area usable(const Area& available, double slack) {
+devices::Area usable(const devices::Area& available, double slack) {
   MIXCMP_CHECK(slack >= 0 && slack <= 1);
   // 1 - R_S is rounded: without the allowance 10 (1 - 0.9) would be 0.
   const auto part = [&](int amount) {
@@ -154,4 +154,4 @@ double dealt_throughput(const std::vector<Datapaths>& lanes,
   return throughput;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::performance

@@ -6,7 +6,7 @@
 
 /// The analytical model of a mixed-precision comparison system: equations 5 to 12 of the paper,
 /// with the names of its Table I. docs/performance.md says where we differ and why.
-namespace mixcmp::model {
+namespace mixcmp::performance {
 
 /// A number of datapaths of one kind.
 struct Datapaths {
@@ -38,7 +38,7 @@ bool references_suffice(const std::vector<Datapaths>& lanes,
 bool is_within(double demand, double capacity);
 
 /// The right side of equation 11: A (1 - R_S), rounded down, for each resource.
-Area usable(const Area& available, double slack);
+devices::Area usable(const devices::Area& available, double slack);
 
 /// How many of `lanes` lanes the crossbar connects to each of `references` references: lane i is
 /// served by reference i mod p_H.
@@ -60,4 +60,4 @@ bool each_reference_suffices(const std::vector<Datapaths>& lanes,
 double dealt_throughput(const std::vector<Datapaths>& lanes,
                         const std::vector<Datapaths>& references);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::performance

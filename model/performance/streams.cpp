@@ -9,7 +9,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::performance {
 namespace {
 
 constexpr int crossbar_radix = 4;
@@ -19,10 +19,10 @@ constexpr int answer_cycles = 2;  ///< through the crossbar
 /// Cycles from accepted operands to an offered request, beside the lane's latency.
 constexpr int request_cycles = 4;
 /// Cycles from an answer at the lane until its slot may be taken again.
-int retire_cycles(ResultOrder order) {
+int retire_cycles(scene::ResultOrder order) {
   switch (order) {
-    case ResultOrder::tagged: return 5;
-    case ResultOrder::in_order: return 3;
+    case scene::ResultOrder::tagged: return 5;
+    case scene::ResultOrder::in_order: return 3;
   }
   MIXCMP_CHECK(false);
 }
@@ -47,7 +47,7 @@ public:
                        last_answer_ + answer_interval_cycles(streams_));
       last_answer_ = ready;
     }
-    if (streams_.order == ResultOrder::in_order) ready = std::max(ready, last_ready_ + 1);
+    if (streams_.order == scene::ResultOrder::in_order) ready = std::max(ready, last_ready_ + 1);
     last_ready_ = ready;
     inside_.push(ready);
     last_entry_ = entry;
@@ -99,9 +99,9 @@ double slot_throughput(const LaneStreams& streams, double rate, double wait) {
   const double slots = streams.slots;
   const double undecided = undecided_slot_cycles(streams);
   switch (streams.order) {
-    case ResultOrder::tagged:
+    case scene::ResultOrder::tagged:
       return slots / ((1 - rate) * decided_slot_cycles(streams) + rate * (undecided + wait));
-    case ResultOrder::in_order: {
+    case scene::ResultOrder::in_order: {
       // A period runs from an undecided comparison to the first undecided one that is not among the
       // next `slots`. `beyond` is the wait that slots do not cover: the mean of an exponential
       // distribution's tail.
@@ -124,8 +124,8 @@ int crossbar_levels(int lanes_served) {
 }
 
 int decided_slot_cycles(const LaneStreams& streams) {
-  const bool merges = streams.order == ResultOrder::tagged && streams.lanes_served > 0;
-  const int beside = streams.order == ResultOrder::in_order ? 4 : merges ? 6 : 5;
+  const bool merges = streams.order == scene::ResultOrder::tagged && streams.lanes_served > 0;
+  const int beside = streams.order == scene::ResultOrder::in_order ? 4 : merges ? 6 : 5;
   return streams.lane_latency_cycles + beside;
 }
 
@@ -192,4 +192,4 @@ double repeated_cycles(const LaneStreams& streams, const std::vector<bool>& unde
   return static_cast<double>(end - begin) / measured;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::performance

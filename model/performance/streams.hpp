@@ -7,11 +7,11 @@
 /// How the streams around a lane limit the throughput of the analytical model: by slots, requests
 /// and random or clustered recomputations. Times are in cycles of one clock, at full rate: a
 /// comparison is always offered, a result always taken. docs/performance.md derives each.
-namespace mixcmp::model {
+namespace mixcmp::performance {
 
 /// One lane and the reference that it shares (docs/rtl.md, contract of the streams).
 struct LaneStreams {
-  ResultOrder order = ResultOrder::tagged;
+  scene::ResultOrder order = scene::ResultOrder::tagged;
   int lane_latency_cycles = 0;
   int reference_latency_cycles = 0;
   int slots = 0;         ///< comparisons that may be inside the lane's channel
@@ -58,4 +58,4 @@ int absorbed_burst(const LaneStreams& streams);
 /// ones of the sequence; it must not be empty.
 double repeated_cycles(const LaneStreams& streams, const std::vector<bool>& undecided);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::performance

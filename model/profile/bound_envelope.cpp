@@ -9,20 +9,20 @@
 #include "model/number/bound_format.hpp"
 #include "model/profile/envelope_kernels.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 namespace {
 
 using envelope_kernels::for_each_lane;
 using envelope_kernels::infinity;
 using envelope_kernels::outward;
 
-const AbsoluteBoundDecision& decision_of(const Lane& lane) {
-  return std::get<AbsoluteBoundDecision>(lane.decision);
+const error::AbsoluteBoundDecision& decision_of(const error::Lane& lane) {
+  return std::get<error::AbsoluteBoundDecision>(lane.decision);
 }
 
-bool is_constant(const AbsoluteBoundDecision& decision) {
+bool is_constant(const error::AbsoluteBoundDecision& decision) {
   return decision.bound.nodes.size() == 1 &&
-         decision.bound.nodes.front().operation == BoundOperation::constant;
+         decision.bound.nodes.front().operation == error::BoundOperation::constant;
 }
 
 /// The constant as the hardware encodes it; infinite where it exceeds the format.
@@ -54,11 +54,12 @@ double smallest(const NodeEnvelope& node, std::size_t k) {
 
 }  // namespace
 
-bool BoundEnvelope::same_structure(const AbsoluteBoundDecision& a, const AbsoluteBoundDecision& b) {
-  const auto same_node = [](const BoundNode& x, const BoundNode& y) {
+bool BoundEnvelope::same_structure(const error::AbsoluteBoundDecision& a,
+                                   const error::AbsoluteBoundDecision& b) {
+  const auto same_node = [](const error::BoundNode& x, const error::BoundNode& y) {
     return x.operation == y.operation && x.operands == y.operands && x.value == y.value;
   };
-  const auto same_condition = [](const BoundCondition& x, const BoundCondition& y) {
+  const auto same_condition = [](const error::BoundCondition& x, const error::BoundCondition& y) {
     return x.bound == y.bound && x.value == y.value;
   };
   // Formats may differ only where nothing is rounded: between bounds that are a single constant.
@@ -70,41 +71,41 @@ bool BoundEnvelope::same_structure(const AbsoluteBoundDecision& a, const Absolut
                     b.conditions.end(), same_condition);
 }
 
-BoundEnvelope::BoundEnvelope(std::span<const Lane* const> lanes, int first, int last,
+BoundEnvelope::BoundEnvelope(std::span<const error::Lane* const> lanes, int first, int last,
                              const Envelope& envelope)
     : anchor_(envelope.anchor()),
       digits_(decision_of(*lanes.back()).bound.format.precision),
       conditions_(decision_of(*lanes.front()).conditions) {
-  const BoundGraph& bound = decision_of(*lanes.front()).bound;
+  const error::BoundGraph& bound = decision_of(*lanes.front()).bound;
   const double tiny = std::ldexp(1.0, 1 - bound.format.bias());
   smallest_[0] = tiny;
   smallest_[1] = std::ldexp(tiny, last - anchor_);
   largest_ = std::ldexp(1.0, bound.format.bias());
-  for (const BoundNode& node : bound.nodes) {
+  for (const error::BoundNode& node : bound.nodes) {
     Step step{.operation = node.operation, .operands = node.operands, .value = node.value};
     const auto degree = [&](int k) { return steps_[node.operands[k]].degree; };
     switch (node.operation) {
-      case BoundOperation::constant:
+      case error::BoundOperation::constant:
         add_constant(step, lanes, first, static_cast<int>(steps_.size()));
         break;
-      case BoundOperation::magnitude:
-      case BoundOperation::binade:
-      case BoundOperation::reciprocal: break;
-      case BoundOperation::add:
-      case BoundOperation::maximum: step.degree = std::min(degree(0), degree(1)); break;
-      case BoundOperation::multiply: step.degree = std::max(degree(0), degree(1)); break;
+      case error::BoundOperation::magnitude:
+      case error::BoundOperation::binade:
+      case error::BoundOperation::reciprocal: break;
+      case error::BoundOperation::add:
+      case error::BoundOperation::maximum: step.degree = std::min(degree(0), degree(1)); break;
+      case error::BoundOperation::multiply: step.degree = std::max(degree(0), degree(1)); break;
     }
     steps_.push_back(step);
   }
 }
 
 /// Chooses degree 1 where the constants shrink about as fast as 2^-L. Either degree is sound.
-void BoundEnvelope::add_constant(Step& step, std::span<const Lane* const> lanes, int first,
+void BoundEnvelope::add_constant(Step& step, std::span<const error::Lane* const> lanes, int first,
                                  int id) {
   double plain = 0, scaled = 0;
   int precision = first;
-  for (const Lane* lane : lanes) {
-    const BoundGraph& bound = decision_of(*lane).bound;
+  for (const error::Lane* lane : lanes) {
+    const error::BoundGraph& bound = decision_of(*lane).bound;
     const double value = encoded(bound.format, bound.nodes[id].constant);
     plain = std::max(plain, value);
     scaled = std::max(scaled, std::ldexp(value, precision - anchor_));
@@ -137,27 +138,27 @@ void BoundEnvelope::evaluate(const Step& step, const EnvelopeBlock& block,
   // Two factors of at most 26 digits have an exact product in double.
   const double product_error = digits_ <= 26 ? 1 : outward;
   switch (step.operation) {
-    case BoundOperation::constant: y.fill(step.constant); break;
-    case BoundOperation::magnitude:
+    case error::BoundOperation::constant: y.fill(step.constant); break;
+    case error::BoundOperation::magnitude:
       for_each_lane([&](std::size_t k) { y[k] = largest(value, k); });
       break;
-    case BoundOperation::binade:
+    case error::BoundOperation::binade:
       for_each_lane([&](std::size_t k) { y[k] = binade(largest(value, k)); });
       break;
-    case BoundOperation::reciprocal:
+    case error::BoundOperation::reciprocal:
       for_each_lane([&](std::size_t k) {
         const double least = smallest(value, k);
         const double reciprocal = 1 / binade(least);
         y[k] = least > 0 ? reciprocal : infinity;
       });
       break;
-    case BoundOperation::add:
+    case error::BoundOperation::add:
       for_each_lane([&](std::size_t k) { y[k] = sum_up(a[k], b[k]); });
       break;
-    case BoundOperation::multiply:
+    case error::BoundOperation::multiply:
       for_each_lane([&](std::size_t k) { y[k] = a[k] * b[k] * product_error; });
       break;
-    case BoundOperation::maximum:
+    case error::BoundOperation::maximum:
       for_each_lane([&](std::size_t k) { y[k] = a[k] < b[k] ? b[k] : a[k]; });
       break;
   }
@@ -169,7 +170,7 @@ void BoundEnvelope::raise(const EnvelopeBlock& block, EnvelopeRow& scaled, Envel
   thread_local std::vector<EnvelopeRow> rows;
   rows.resize(std::max(rows.size(), steps_.size()));
   for (const Step& step : steps_) evaluate(step, block, rows, wild);
-  for (const BoundCondition& condition : conditions_) {
+  for (const error::BoundCondition& condition : conditions_) {
     const EnvelopeRow& bound = rows[condition.bound];
     const NodeEnvelope& value = block.nodes[condition.value];
     for_each_lane([&](std::size_t k) { wild[k] = bound[k] <= smallest(value, k) ? wild[k] : 1; });
@@ -179,4 +180,4 @@ void BoundEnvelope::raise(const EnvelopeBlock& block, EnvelopeRow& scaled, Envel
   for_each_lane([&](std::size_t k) { target[k] = target[k] < bound[k] ? bound[k] : target[k]; });
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

@@ -7,7 +7,7 @@
 #include "model/error/lane.hpp"
 #include "model/profile/envelope.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// Upper limit of a running or constant bound, from the envelopes of the values that it is computed
 /// from. For all lanes of one structure, the bound at precision L is at most scaled 2^(A-L) +
@@ -16,9 +16,11 @@ class BoundEnvelope {
 public:
   /// `lanes` have the precisions first, first + 1, ..., none below A. Their bound graphs differ in
   /// constants only (`same_structure`) and refer to lane nodes by the envelope's numbers.
-  BoundEnvelope(std::span<const Lane* const> lanes, int first, int last, const Envelope& envelope);
+  BoundEnvelope(std::span<const error::Lane* const> lanes, int first, int last,
+                const Envelope& envelope);
 
-  static bool same_structure(const AbsoluteBoundDecision& a, const AbsoluteBoundDecision& b);
+  static bool same_structure(const error::AbsoluteBoundDecision& a,
+                             const error::AbsoluteBoundDecision& b);
 
   /// Raises `scaled` and `fixed` to the limit of this bound where they are lower, and sets `wild`
   /// to 1 where a condition may fail or the bound may be infinite.
@@ -29,13 +31,13 @@ private:
   /// One node of the bound graph. At precision L its value is at most `row` times 2^(A-L) if the
   /// degree is 1, at most `row` if it is 0.
   struct Step {
-    BoundOperation operation;
+    error::BoundOperation operation;
     std::array<int, 2> operands;
     NodeId value;
     int degree;
     double constant;
   };
-  void add_constant(Step& step, std::span<const Lane* const> lanes, int first, int id);
+  void add_constant(Step& step, std::span<const error::Lane* const> lanes, int first, int id);
   void round_up(EnvelopeRow& row, double least, EnvelopeRow& wild) const;
   void evaluate(const Step& step, const EnvelopeBlock& block, std::vector<EnvelopeRow>& rows,
                 EnvelopeRow& wild) const;
@@ -45,7 +47,7 @@ private:
   std::array<double, 2> smallest_;  ///< the least limit that `round_up` returns, by degree
   double largest_;
   std::vector<Step> steps_;
-  std::vector<BoundCondition> conditions_;
+  std::vector<error::BoundCondition> conditions_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

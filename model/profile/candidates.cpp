@@ -1,6 +1,6 @@
 #include "model/profile/candidates.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 Candidates::Candidates(std::size_t inputs, std::size_t capacity)
     : truth(capacity),
@@ -19,4 +19,4 @@ void Candidates::append(const Candidates& from, std::size_t row, std::uint32_t s
   operands_.append(from.operands_, row);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

@@ -6,7 +6,7 @@
 #include "model/data/operand_source.hpp"
 #include "model/emulator/emulator.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// Comparisons on which some system is not settled, with the data that counting needs. A system is
 /// settled on a comparison once it is known to decide it rightly at every further precision.
@@ -16,8 +16,8 @@ public:
 
   std::size_t size() const { return operands_.size(); }
   std::size_t capacity() const { return operands_.capacity(); }
-  const OperandBlock& operands() const { return operands_; }
-  OperandBlock& operands() { return operands_; }
+  const data::OperandBlock& operands() const { return operands_; }
+  data::OperandBlock& operands() { return operands_; }
 
   /// The order of the real numbers f and g; `undecided` where it is undetermined.
   std::vector<Decision> truth;
@@ -31,7 +31,7 @@ public:
   void append(const Candidates& from, std::size_t row, std::uint32_t systems_left);
 
 private:
-  OperandBlock operands_;
+  data::OperandBlock operands_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

@@ -5,10 +5,10 @@
 #include "model/number/double.hpp"
 #include "model/profile/profile.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 namespace {
 
-Error unsuitable(const Scene& scene, const std::string& field, FloatFormat format) {
+Error unsuitable(const scene::Scene& scene, const std::string& field, FloatFormat format) {
   return {.file = scene.path.string(),
           .field = field,
           .message = "a profile computes in double, which does not hold this format",
@@ -18,14 +18,14 @@ Error unsuitable(const Scene& scene, const std::string& field, FloatFormat forma
 
 }  // namespace
 
-Result<Done> check_profile(const Scene& scene, const ProfileOptions& options) {
+Result<Done> check_profile(const scene::Scene& scene, const ProfileOptions& options) {
   if (!fits_double(scene.reference.format)) {
     return unsuitable(scene, "reference.format", scene.reference.format);
   }
   if (scene.reduced.format && !fits_double(*scene.reduced.format)) {
     return unsuitable(scene, "reduced.format", *scene.reduced.format);
   }
-  const Limits allowed = lane_precisions(scene.reference.format);
+  const settings::Limits allowed = settings::lane_precisions(scene.reference.format);
   if (!allowed.allow(options.first_precision) || !allowed.allow(options.last_precision) ||
       options.first_precision > options.last_precision) {
     return Error{
@@ -40,4 +40,4 @@ Result<Done> check_profile(const Scene& scene, const ProfileOptions& options) {
   return Done{};
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

@@ -6,13 +6,14 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 #include <vector>
 
 #include "model/common/check.hpp"
+#include "model/common/file.hpp"
 #include "model/number/dyadic.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 namespace {
 
 /// LUTs of a unit with p digits: fixed + linear p + square p^2. docs/profile.md has the source.
@@ -88,15 +89,15 @@ double graph_luts(const TypedGraph& graph, Products products) {
   return luts;
 }
 
-double bound_luts(const BoundNode& node, int digits) {
+double bound_luts(const error::BoundNode& node, int digits) {
   switch (node.operation) {
-    case BoundOperation::constant:
-    case BoundOperation::binade: return 0;
-    case BoundOperation::magnitude: return 5;
-    case BoundOperation::reciprocal: return 10;
-    case BoundOperation::add: return 14 + 10 * digits;
-    case BoundOperation::multiply: return 23 + 6 * digits;
-    case BoundOperation::maximum: return 12 + 2 * digits;
+    case error::BoundOperation::constant:
+    case error::BoundOperation::binade: return 0;
+    case error::BoundOperation::magnitude: return 5;
+    case error::BoundOperation::reciprocal: return 10;
+    case error::BoundOperation::add: return 14 + 10 * digits;
+    case error::BoundOperation::multiply: return 23 + 6 * digits;
+    case error::BoundOperation::maximum: return 12 + 2 * digits;
   }
   MIXCMP_CHECK(false);
 }
@@ -104,17 +105,17 @@ double bound_luts(const BoundNode& node, int digits) {
 struct DecisionLuts {
   int precision;
 
-  double operator()(const UlpDistanceDecision& decision) const {
+  double operator()(const error::UlpDistanceDecision& decision) const {
     return decision.guard_ulp == 0 ? comparison(precision) : ulp_distance(precision);
   }
-  double operator()(const AbsoluteBoundDecision& decision) const {
+  double operator()(const error::AbsoluteBoundDecision& decision) const {
     double luts = bound_decision(precision) * static_cast<double>(1 + decision.conditions.size());
-    for (const BoundNode& node : decision.bound.nodes) {
+    for (const error::BoundNode& node : decision.bound.nodes) {
       luts += bound_luts(node, decision.bound.format.precision);
     }
     return luts;
   }
-  double operator()(const IntervalDecision&) const { return interval_decision(precision); }
+  double operator()(const error::IntervalDecision&) const { return interval_decision(precision); }
 };
 
 Error bad_area(const std::filesystem::path& path, int line, const std::string& field,
@@ -148,11 +149,11 @@ bool read_number(const std::string& text, Number& number) {
 
 }  // namespace
 
-double lane_luts(const CombinedLane& lane, Products products) {
+double lane_luts(const error::CombinedLane& lane, Products products) {
   const int precision = lane.arithmetic().format.precision();
-  const SharedLane shared = share(lane);
+  const error::SharedLane shared = share(lane);
   double luts = graph_luts(shared.graph, products);
-  for (const SharedPart& part : shared.parts) {
+  for (const error::SharedPart& part : shared.parts) {
     luts += std::visit(DecisionLuts{precision}, part.decision);
   }
   return luts;
@@ -177,13 +178,11 @@ bool is_system(const std::string& name) {
 }  // namespace
 
 Result<MeasuredAreas> MeasuredAreas::read(const std::filesystem::path& path) {
-  std::ifstream file(path);
+  MIXCMP_TRY(content, read_file(path));
+  std::istringstream file(content);
   std::string text;
   const std::string header = "system,precision,luts";
-  if (!file || !std::getline(file, text)) {
-    return Error{
-        .file = path.string(), .field = "--areas", .message = "cannot be read, or is empty"};
-  }
+  std::getline(file, text);
   if (fields_of(text) != fields_of(header)) return bad_area(path, 1, "header", text, header);
   MeasuredAreas areas;
   for (int line = 2; std::getline(file, text); ++line) {
@@ -219,4 +218,4 @@ std::optional<double> MeasuredAreas::reference() const {
   return of("reference", 0);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

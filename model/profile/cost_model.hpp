@@ -8,7 +8,7 @@
 
 #include "model/error/combined_lane.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// Whether an estimate includes products.
 enum class Products {
@@ -19,7 +19,7 @@ enum class Products {
 /// A rough area of datapaths, in LUTs of six inputs and no DSPs: one term per operation, fitted to
 /// Yosys' results for our units (docs/profile.md has the measurements). It serves to compare
 /// precisions of one expression; registers, scoreboards and the crossbar are not included.
-double lane_luts(const CombinedLane& lane, Products products = Products::in_luts);
+double lane_luts(const error::CombinedLane& lane, Products products = Products::in_luts);
 double reference_luts(const CombinedGraph& reference, Products products = Products::in_luts);
 
 /// Areas measured by the user; each replaces the estimate for its system and precision.
@@ -36,4 +36,4 @@ private:
   std::map<std::pair<std::string, int>, double> luts_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

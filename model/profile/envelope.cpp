@@ -8,7 +8,7 @@
 #include "model/number/exact.hpp"
 #include "model/profile/envelope_kernels.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 namespace {
 
 namespace kernels = envelope_kernels;
@@ -27,7 +27,8 @@ Envelope::Envelope(const TypedGraph& lane, const Options& options)
     : options_(options), graph_(lane) {
   const FloatFormat format = lane.arithmetic.format, reference = options.reference;
   MIXCMP_CHECK(format.precision() == options.anchor && options.anchor <= options.last &&
-               options.last <= lane_precisions(reference).most && reference.precision() <= 53);
+               options.last <= settings::lane_precisions(reference).most &&
+               reference.precision() <= 53);
   const bool nearest = lane.arithmetic.rounding == Rounding::nearest_even;
   unit_ = std::ldexp(1.0, (nearest ? 0 : 1) - options.anchor);
   lowest_ = 1 + std::max({format.min_exponent(), reference.min_exponent(), lowest_in_double});
@@ -50,9 +51,9 @@ Envelope::Step Envelope::step(const TypedNode& node) const {
                             ? node.value == 0
                             : size >= std::ldexp(1.0, lowest_) && size < std::ldexp(1.0, highest_);
   if (!in_range) {
-    step.constant_error = kernels::infinity;
+    step.constant_error = envelope_kernels::infinity;
   } else if (to_rational(node.format, node.constant) != node.value) {
-    step.constant_error = std::ldexp(size, -anchor()) * kernels::outward;
+    step.constant_error = std::ldexp(size, -anchor()) * envelope_kernels::outward;
   }
   return step;
 }
@@ -86,15 +87,15 @@ void Envelope::add_checks() {
 void Envelope::check(const Step& step, const NodeEnvelope& node, EnvelopeRow& wild) const {
   if (step.may_be_large) {
     const double largest = std::ldexp(1.0, highest_) * (1 - 0x1p-40);
-    kernels::for_each_lane([&](std::size_t k) {
+    envelope_kernels::for_each_lane([&](std::size_t k) {
       wild[k] = std::fabs(node.value[k]) + 2 * node.error[k] <= largest ? wild[k] : 1;
     });
   }
   if (!step.never_tiny) {
     const double tiny = std::ldexp(1.0, lowest_), factor = step.tiny_factor;
-    kernels::for_each_lane([&](std::size_t k) {
+    envelope_kernels::for_each_lane([&](std::size_t k) {
       const double size = std::fabs(node.value[k]), error = node.error[k];
-      const bool tame = size >= (tiny + factor * error) * kernels::outward;
+      const bool tame = size >= (tiny + factor * error) * envelope_kernels::outward;
       wild[k] = (tame | (size + error == 0)) ? wild[k] : 1;
     });
   }
@@ -117,23 +118,23 @@ void Envelope::evaluate(std::span<const double* const> columns, EnvelopeBlock& b
         y.value.fill(step.constant);
         y.error.fill(step.constant_error);
         break;
-      case Operation::convert: kernels::converted(y, a, unit_); break;
-      case Operation::negate: kernels::negated(y, a); break;
-      case Operation::absolute: kernels::magnitude(y, a); break;
-      case Operation::add: kernels::sum(y, a, b, 1, unit_); break;
-      case Operation::subtract: kernels::sum(y, a, b, -1, unit_); break;
-      case Operation::multiply: kernels::product(y, a, b, unit_); break;
-      case Operation::square: kernels::square(y, a, unit_); break;
-      case Operation::divide: kernels::quotient(y, a, b, unit_); break;
-      case Operation::square_root: kernels::root(y, a, unit_); break;
-      case Operation::minimum: kernels::selection(y, a, b, false); break;
-      case Operation::maximum: kernels::selection(y, a, b, true); break;
+      case Operation::convert: envelope_kernels::converted(y, a, unit_); break;
+      case Operation::negate: envelope_kernels::negated(y, a); break;
+      case Operation::absolute: envelope_kernels::magnitude(y, a); break;
+      case Operation::add: envelope_kernels::sum(y, a, b, 1, unit_); break;
+      case Operation::subtract: envelope_kernels::sum(y, a, b, -1, unit_); break;
+      case Operation::multiply: envelope_kernels::product(y, a, b, unit_); break;
+      case Operation::square: envelope_kernels::square(y, a, unit_); break;
+      case Operation::divide: envelope_kernels::quotient(y, a, b, unit_); break;
+      case Operation::square_root: envelope_kernels::root(y, a, unit_); break;
+      case Operation::minimum: envelope_kernels::selection(y, a, b, false); break;
+      case Operation::maximum: envelope_kernels::selection(y, a, b, true); break;
     }
     check(step, y, block.wild);
   }
   const NodeEnvelope& last = block.nodes.back();
-  kernels::for_each_lane(
+  envelope_kernels::for_each_lane(
       [&](std::size_t k) { block.wild[k] = last.error[k] <= 0x1p1000 ? block.wild[k] : 1; });
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

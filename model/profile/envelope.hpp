@@ -8,7 +8,7 @@
 #include "model/profile/node_magnitudes.hpp"
 #include "model/settings/limits.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// Number of comparisons in a block.
 inline constexpr std::size_t envelope_width = 256;
@@ -33,8 +33,8 @@ struct EnvelopeBlock {
 class Envelope {
 public:
   struct Options {
-    int anchor = limits::lane_precision.least;  ///< A
-    int last = limits::lane_precision.most;
+    int anchor = settings::limits::lane_precision.least;  ///< A
+    int last = settings::limits::lane_precision.most;
     FloatFormat reference;  ///< also evaluates the comparison, in its own precision
     std::vector<NodeMagnitude> inputs;
   };
@@ -82,4 +82,4 @@ private:
   std::vector<Step> steps_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

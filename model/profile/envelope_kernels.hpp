@@ -8,7 +8,7 @@
 /// Each kernel evaluates one operation of an envelope on a block. `value` is x, `error` is E, and q
 /// is Q, the bound on the error that the operands bring in, in theorem 1 of docs/profile.md. Loops
 /// are plain for the vectoriser, and conditions use | and &, since || and && would branch.
-namespace mixcmp::model::envelope_kernels {
+namespace mixcmp::profile::envelope_kernels {
 
 /// Covers the roundings of an error's own computation in double: a few steps of 2^-53.
 inline constexpr double outward = 1 + 0x1p-45;
@@ -111,4 +111,4 @@ inline void magnitude(NodeEnvelope& y, const NodeEnvelope& a) {
   y.error = a.error;
 }
 
-}  // namespace mixcmp::model::envelope_kernels
+}  // namespace mixcmp::profile::envelope_kernels

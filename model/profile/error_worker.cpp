@@ -8,7 +8,7 @@
 #include "model/golden/evaluate.hpp"
 #include "model/profile/largest_relative_error.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 namespace {
 
 /// Beyond these exponents the low part of a true value might underflow, or its high part overflow.
@@ -165,4 +165,4 @@ void ErrorWorker::measure(const Truth& truth, const std::vector<double>& compute
   }
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

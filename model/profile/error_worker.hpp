@@ -10,7 +10,7 @@
 #include "model/profile/profile.hpp"
 #include "model/profile/workers.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// The largest error so far, in double, the first sample that has it, and the number of samples
 /// without a relative error.
@@ -25,7 +25,7 @@ struct LargestError {
 
 struct ErrorPart {
   TypedGraph graph;
-  Emulator emulator;
+  emulator::Emulator emulator;
 };
 
 /// One element per part of the comparison.
@@ -33,9 +33,9 @@ using ErrorLane = std::vector<ErrorPart>;
 
 /// The data that all samples share: built once, read by all threads.
 struct ErrorJob {
-  const Scene& scene;
-  const OperandSource& source;
-  Permutation permutation;  ///< sample n is comparison permutation(n)
+  const scene::Scene& scene;
+  const data::OperandSource& source;
+  data::Permutation permutation;  ///< sample n is comparison permutation(n)
   std::vector<ErrorLane> lanes;
 };
 
@@ -93,7 +93,7 @@ private:
 
   const ErrorJob& job_;
   ErrorTally tally_;
-  OperandBlock operands_;
+  data::OperandBlock operands_;
   std::vector<PartTruth> truths_;
   golden::BigFloat scratch_;
   std::vector<double> f_, g_;
@@ -101,4 +101,4 @@ private:
   std::vector<std::uint8_t> f_unbounded_, g_unbounded_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

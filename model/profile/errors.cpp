@@ -8,11 +8,11 @@
 #include "model/profile/error_worker.hpp"
 #include "model/profile/systems.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 namespace {
 
 /// The largest |1/t - 1| over all t in the bound, rounded up to a double; 0 if the bound is exact.
-std::optional<double> relative_to_truth(const std::optional<RelativeBound>& bound) {
+std::optional<double> relative_to_truth(const std::optional<error::RelativeBound>& bound) {
   if (!bound) return std::nullopt;
   const mpq_class above = 1 / bound->low - 1, below = 1 - 1 / bound->high;
   const mpq_class largest = std::max(above, below);
@@ -21,18 +21,19 @@ std::optional<double> relative_to_truth(const std::optional<RelativeBound>& boun
 }
 
 /// Raises `all` to the bound of one part; `all` becomes none if a part has no bound.
-void add_bound(std::optional<double>& all, std::string& reason, const NodeBound& side) {
+void add_bound(std::optional<double>& all, std::string& reason, const error::NodeBound& side) {
   const std::optional<double> bound = relative_to_truth(side.relative);
   if (!bound) reason = side.reason;
   all = bound && all ? std::optional(std::max(*all, *bound)) : std::nullopt;
 }
 
-void add_bounds(const Scene& scene, const ErrorLane& lane, ErrorAtPrecision& error,
+void add_bounds(const scene::Scene& scene, const ErrorLane& lane, ErrorAtPrecision& error,
                 ErrorProfile& profile) {
   error.f_bound = error.g_bound = 0;
   profile.no_f_bound = profile.no_g_bound = "";
   for (const ErrorPart& part : lane) {
-    const ErrorAnalysis analysis = analyse_errors(part.graph, scene.nonnegative_inputs());
+    const error::ErrorAnalysis analysis =
+        error::analyse_errors(part.graph, scene.nonnegative_inputs());
     add_bound(error.f_bound, profile.no_f_bound, analysis.nodes[part.graph.f]);
     add_bound(error.g_bound, profile.no_g_bound, analysis.nodes[part.graph.g]);
   }
@@ -41,7 +42,8 @@ void add_bounds(const Scene& scene, const ErrorLane& lane, ErrorAtPrecision& err
 ErrorLane lane_of(const CombinedGraph& graph) {
   ErrorLane lane;
   for (const TypedGraph& part : graph.parts) {
-    Emulator emulator(Lane{part, UlpDistanceDecision{.guard_ulp = 0, .nonnegative = false}});
+    emulator::Emulator emulator(
+        error::Lane{part, error::UlpDistanceDecision{.guard_ulp = 0, .nonnegative = false}});
     lane.push_back({part, std::move(emulator)});
   }
   return lane;
@@ -67,12 +69,12 @@ ErrorTally run(const ErrorJob& job, std::uint64_t samples, const ProfileOptions&
 
 }  // namespace
 
-std::vector<ErrorProfile> profile_errors(const Scene& scene, const Comparisons& data,
+std::vector<ErrorProfile> profile_errors(const scene::Scene& scene, const data::Comparisons& data,
                                          const std::vector<LaneInputs>& inputs,
                                          const ProfileOptions& options) {
-  const OperandSource source(data);
+  const data::OperandSource source(data);
   const std::uint64_t seed = scene.data ? scene.data->seed : 1;
-  ErrorJob job{scene, source, Permutation(data.size(), seed), {}};
+  ErrorJob job{scene, source, data::Permutation(data.size(), seed), {}};
   for (const LaneInputs each : inputs) {
     for (int precision = options.first_precision; precision <= options.last_precision;
          ++precision) {
@@ -105,4 +107,4 @@ std::vector<ErrorProfile> profile_errors(const Scene& scene, const Comparisons& 
   return profiles;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

@@ -8,7 +8,7 @@
 #include "model/golden/encoding.hpp"
 #include "model/number/float_format.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// Precision, in bits, of the true values that errors are measured against.
 inline constexpr mpfr_prec_t error_truth_precision = 500;
@@ -54,4 +54,4 @@ private:
   golden::BigFloat largest_{error_precision};
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

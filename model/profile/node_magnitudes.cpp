@@ -6,7 +6,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -145,4 +145,4 @@ std::vector<NodeMagnitude> node_magnitudes(const TypedGraph& lane, int precision
   return magnitudes;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

@@ -6,7 +6,7 @@
 #include "model/data/operand_source.hpp"
 #include "model/expression/typed_graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// Limits on the values of one lane node that hold for all comparisons of the data.
 struct NodeMagnitude {
@@ -30,4 +30,4 @@ std::vector<NodeMagnitude> node_magnitudes(const TypedGraph& lane, int precision
 /// Whether the operation rounds its result; the others are exact.
 bool rounds(Operation operation);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

@@ -8,7 +8,7 @@
 
 #include "model/profile/envelope_kernels.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 namespace {
 
 using envelope_kernels::for_each_lane;
@@ -31,9 +31,9 @@ Gap gap_of(const Envelope& envelope, const EnvelopeBlock& block) {
           std::ldexp(outward, envelope.anchor() - 53)};
 }
 
-std::vector<const Lane*> lanes_from(const SystemLanes& system, std::size_t part,
-                                    std::size_t index) {
-  std::vector<const Lane*> lanes;
+std::vector<const error::Lane*> lanes_from(const SystemLanes& system, std::size_t part,
+                                           std::size_t index) {
+  std::vector<const error::Lane*> lanes;
   for (; index < system.lanes.size(); ++index) {
     lanes.push_back(system.lanes[index] ? &system.lanes[index]->parts[part] : nullptr);
   }
@@ -43,7 +43,8 @@ std::vector<const Lane*> lanes_from(const SystemLanes& system, std::size_t part,
 Threshold threshold_of(const SystemLanes& system, std::size_t part, int index,
                        const Envelope& envelope) {
   if (system.kind == SystemKind::lanes_alone) return Threshold::of_order();
-  const std::vector<const Lane*> lanes = lanes_from(system, part, static_cast<std::size_t>(index));
+  const std::vector<const error::Lane*> lanes =
+      lanes_from(system, part, static_cast<std::size_t>(index));
   return Threshold::of_lanes(lanes, envelope);
 }
 
@@ -114,7 +115,7 @@ PrecisionBand::PrecisionBand(const Envelope::Options& options, int next, int fir
   for (const SystemLanes& system : systems) {
     std::vector<Runner>& runners = runners_.emplace_back();
     for (int precision = anchor(); precision < next; ++precision) {
-      const std::optional<CombinedLane>& lane = system.lanes[precision - first];
+      const std::optional<error::CombinedLane>& lane = system.lanes[precision - first];
       Runner& runner = runners.emplace_back(Runner{system.kind, std::nullopt});
       if (lane) runner.emulator.emplace(*lane);
     }
@@ -177,4 +178,4 @@ void PrecisionBand::find_verdicts(const Part& part, const EnvelopeBlock& block,
   }
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

@@ -10,7 +10,7 @@
 #include "model/profile/systems.hpp"
 #include "model/profile/threshold.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// The last precision at which a comparison may be open, in one byte. It is open for a system at a
 /// precision where the system may be undecided or wrong.
@@ -35,7 +35,7 @@ public:
   /// exist.
   struct Runner {
     SystemKind kind;
-    std::optional<Emulator> emulator;
+    std::optional<emulator::Emulator> emulator;
   };
 
   /// `systems` have lanes from precision `first` on.
@@ -74,4 +74,4 @@ private:
   std::vector<std::vector<Runner>> runners_;  ///< [system][precision - anchor()]
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

@@ -14,7 +14,7 @@
 /// Errors, recomputations and wrong verdicts of a scene's comparisons at every precision: figures 4
 /// and 5 of the paper, and a check against exact arithmetic. docs/profile.md says what the numbers
 /// mean and proves that the fast way counts exactly.
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// How the counts are found. Both methods give the same counts.
 enum class ProfileMethod {
@@ -23,8 +23,8 @@ enum class ProfileMethod {
 };
 
 struct ProfileOptions {
-  int first_precision = limits::lane_precision.least;
-  int last_precision = limits::lane_precision.most;
+  int first_precision = settings::limits::lane_precision.least;
+  int last_precision = settings::limits::lane_precision.most;
   std::uint64_t error_samples = 1'000'000;  ///< for figure 4 and the profiled constants
   unsigned threads = 0;                     ///< 0: as many as the machine has
   ProfileMethod method = ProfileMethod::envelope;
@@ -35,7 +35,7 @@ struct ProfileOptions {
 
 /// Rejects formats that double does not hold and precisions that no lane can have; the error names
 /// the field or option.
-Result<Done> check_profile(const Scene& scene, const ProfileOptions& options);
+Result<Done> check_profile(const scene::Scene& scene, const ProfileOptions& options);
 
 /// Figure 4: the relative error of f and g at one precision; of several parts the largest.
 struct ErrorAtPrecision {
@@ -57,7 +57,7 @@ struct ErrorProfile {
 };
 
 /// One profile for each of `inputs`; the true values are computed once for all.
-std::vector<ErrorProfile> profile_errors(const Scene& scene, const Comparisons& data,
+std::vector<ErrorProfile> profile_errors(const scene::Scene& scene, const data::Comparisons& data,
                                          const std::vector<LaneInputs>& inputs,
                                          const ProfileOptions& options);
 
@@ -80,8 +80,8 @@ struct SystemCounts {
 };
 
 struct SystemProfile {
-  std::string name;                  ///< "lanes_alone", or the name of its bound
-  std::optional<BoundChoice> bound;  ///< none: lanes alone
+  std::string name;                         ///< "lanes_alone", or the name of its bound
+  std::optional<scene::BoundChoice> bound;  ///< none: lanes alone
   SystemKind kind = SystemKind::certified;
   std::vector<SystemCounts> counts;  ///< one per precision
   std::string reason;                ///< why there is no lane at some precision
@@ -90,7 +90,7 @@ struct SystemProfile {
 /// Figure 5 and the wrong verdicts.
 struct RateProfile {
   LaneInputs inputs = LaneInputs::exact;
-  int first_precision = limits::lane_precision.least;
+  int first_precision = settings::limits::lane_precision.least;
   std::uint64_t comparisons = 0;
   std::uint64_t reference_wrong = 0;  ///< verdicts of the reference datapath alone
   std::uint64_t true_verdicts = 0;    ///< how many MPFR had to compute
@@ -100,7 +100,7 @@ struct RateProfile {
   std::vector<SystemProfile> systems;
 };
 
-RateProfile profile_rates(const Scene& scene, const Comparisons& data, const ErrorProfile& errors,
-                          const ProfileOptions& options);
+RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& data,
+                          const ErrorProfile& errors, const ProfileOptions& options);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

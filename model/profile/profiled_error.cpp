@@ -8,16 +8,17 @@
 #include "model/golden/true_values.hpp"
 #include "model/profile/largest_relative_error.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
-ProfiledError profile_error(const Graph& graph, const TypedGraph& lane, const Comparisons& data,
-                            std::uint64_t sample_count, std::uint64_t seed) {
-  const Permutation permutation(data.size(), seed);
+error::ProfiledError profile_error(const Graph& graph, const TypedGraph& lane,
+                                   const data::Comparisons& data, std::uint64_t sample_count,
+                                   std::uint64_t seed) {
+  const data::Permutation permutation(data.size(), seed);
   const std::uint64_t count = std::min(sample_count, data.size());
   golden::TrueValues truth(graph, {graph.f(), graph.g()});
   LargestRelativeError f(lane.arithmetic.format), g(lane.arithmetic.format);
   std::vector<Bits> operands(data.input_count());
-  ProfiledError profiled;
+  error::ProfiledError profiled;
   for (std::uint64_t index = 0; index < count; ++index) {
     data.fetch(permutation(index), operands);
     if (!truth.compute(lane.input_format, operands)) continue;
@@ -33,4 +34,4 @@ ProfiledError profile_error(const Graph& graph, const TypedGraph& lane, const Co
   return profiled;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

@@ -4,7 +4,7 @@
 
 #include "model/golden/evaluate.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 namespace {
 
@@ -60,7 +60,7 @@ void RateWorker::start(std::uint64_t first, std::size_t count) {
   std::fill_n(candidates.systems.begin(), count, all);
   for (std::size_t k = 0; k < count; ++k) {
     if (job_.failing.empty()) break;
-    const Items items = job_.source.data().items(first + k);
+    const data::Items items = job_.source.data().items(first + k);
     candidates.failing[k] = 0;
     for (const RateJob::Failing& failing : job_.failing) {
       candidates.failing[k] |= failing.of_row[items.of(failing.item)];
@@ -227,4 +227,4 @@ void RateWorker::pass_on(const PrecisionBand& band, const Candidates& from, Cand
   }
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

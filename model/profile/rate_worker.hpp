@@ -7,21 +7,21 @@
 #include "model/profile/precision_band.hpp"
 #include "model/profile/workers.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// The data that all comparisons share: built once, read by all threads.
 struct RateJob {
-  const Scene& scene;
-  const OperandSource& source;
+  const scene::Scene& scene;
+  const data::OperandSource& source;
   ProfileMethod method;
   std::vector<SystemLanes> systems;
   std::vector<PrecisionBand> bands;  ///< the next() of each is the anchor() of the one after it
-  Emulator reference;
+  emulator::Emulator reference;
   /// The range checks that the values of one input fail. Bit k of of_row[row] is set where the
   /// value in that row of the input's table fails a range check of system k. Inputs that never fail
   /// are left out.
   struct Failing {
-    Item item;
+    data::Item item;
     std::vector<std::uint32_t> of_row;
   };
   std::vector<Failing> failing;
@@ -77,4 +77,4 @@ private:
   std::vector<Decision> decisions_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

@@ -6,7 +6,7 @@
 #include "model/golden/evaluate.hpp"
 #include "model/profile/rate_worker.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 namespace {
 
 /// The precisions at which envelopes are computed anew. They are closer together where precisions
@@ -23,7 +23,7 @@ std::vector<int> anchors_of(const ErrorProfile& errors) {
   return anchors;
 }
 
-std::vector<NodeMagnitude> input_magnitudes(const OperandSource& source) {
+std::vector<NodeMagnitude> input_magnitudes(const data::OperandSource& source) {
   std::vector<NodeMagnitude> magnitudes;
   for (std::size_t input = 0; input < source.data().input_count(); ++input) {
     magnitudes.push_back(magnitude_of(source.values(input)));
@@ -32,11 +32,11 @@ std::vector<NodeMagnitude> input_magnitudes(const OperandSource& source) {
 }
 
 /// The checks of a system's lanes. They repeat from precision to precision; one of each is enough.
-std::vector<RangeCheck> distinct_checks(const SystemLanes& system) {
-  std::vector<RangeCheck> checks;
-  for (const std::optional<CombinedLane>& lane : system.lanes) {
+std::vector<error::RangeCheck> distinct_checks(const SystemLanes& system) {
+  std::vector<error::RangeCheck> checks;
+  for (const std::optional<error::CombinedLane>& lane : system.lanes) {
     if (!lane) continue;
-    for (const RangeCheck& check : share(*lane).checks) {
+    for (const error::RangeCheck& check : share(*lane).checks) {
       if (std::find(checks.begin(), checks.end(), check) == checks.end()) checks.push_back(check);
     }
   }
@@ -44,11 +44,11 @@ std::vector<RangeCheck> distinct_checks(const SystemLanes& system) {
 }
 
 /// Bit k is set where the operand fails some check that system k makes of this input.
-std::uint32_t failing_systems(const std::vector<std::vector<RangeCheck>>& checks, int input,
+std::uint32_t failing_systems(const std::vector<std::vector<error::RangeCheck>>& checks, int input,
                               FloatFormat format, Bits operand) {
   std::uint32_t failing = 0;
   for (std::size_t system = 0; system < checks.size(); ++system) {
-    for (const RangeCheck& check : checks[system]) {
+    for (const error::RangeCheck& check : checks[system]) {
       const bool fails = check.input == input && !golden::passes(check, format, operand);
       failing |= std::uint32_t{fails} << system;
     }
@@ -57,12 +57,12 @@ std::uint32_t failing_systems(const std::vector<std::vector<RangeCheck>>& checks
 }
 
 void find_failing(RateJob& job) {
-  std::vector<std::vector<RangeCheck>> checks;
+  std::vector<std::vector<error::RangeCheck>> checks;
   for (const SystemLanes& system : job.systems) checks.push_back(distinct_checks(system));
-  const Comparisons& data = job.source.data();
+  const data::Comparisons& data = job.source.data();
   for (std::size_t input = 0; input < data.input_count(); ++input) {
-    const Comparisons::Source& source = data.sources()[input];
-    const Table& table = data.tables()[source.table];
+    const data::Comparisons::Source& source = data.sources()[input];
+    const data::Table& table = data.tables()[source.table];
     RateJob::Failing failing{.item = source.item, .of_row = {}};
     std::uint32_t any = 0;
     for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -111,16 +111,16 @@ RateTally run(const RateJob& job, const ProfileOptions& options) {
 
 }  // namespace
 
-RateProfile profile_rates(const Scene& scene, const Comparisons& data, const ErrorProfile& errors,
-                          const ProfileOptions& options) {
+RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& data,
+                          const ErrorProfile& errors, const ProfileOptions& options) {
   const std::vector<SystemLanes> systems = make_systems(scene, errors);
-  const OperandSource source(data);
+  const data::OperandSource source(data);
   RateJob job{.scene = scene,
               .source = source,
               .method = options.method,
               .systems = existing_systems(systems),
               .bands = {},
-              .reference = Emulator(reference_graphs(scene.graph, scene.reference)),
+              .reference = emulator::Emulator(reference_graphs(scene.graph, scene.reference)),
               .failing = {}};
   find_failing(job);
   add_stages(job, errors);
@@ -143,4 +143,4 @@ RateProfile profile_rates(const Scene& scene, const Comparisons& data, const Err
   return profile;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

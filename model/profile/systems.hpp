@@ -7,28 +7,28 @@
 #include "model/error/combined_lane.hpp"
 #include "model/profile/profile.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// The lanes with one kind of error bound, at every precision where they exist.
 struct SystemLanes {
   std::string name;
-  std::optional<BoundChoice> bound;  ///< none: lanes alone
+  std::optional<scene::BoundChoice> bound;  ///< none: lanes alone
   SystemKind kind;
-  std::vector<std::optional<CombinedLane>> lanes;  ///< one per precision
-  std::string reason;                              ///< why there is no lane at some precision
+  std::vector<std::optional<error::CombinedLane>> lanes;  ///< one per precision
+  std::string reason;  ///< why there is no lane at some precision
 
   bool exists() const;
 };
 
 /// The exponent bits of all lanes that a profile counts: those of reduced.format, or of the
 /// reference where reduced.format is "auto".
-int profiled_exponent_bits(const Scene& scene);
+int profiled_exponent_bits(const scene::Scene& scene);
 
 /// The lane's graphs at one precision, with `profiled_exponent_bits`.
-CombinedGraph graphs_at(const Scene& scene, int precision, LaneInputs inputs);
+CombinedGraph graphs_at(const scene::Scene& scene, int precision, LaneInputs inputs);
 
 /// Makes the systems to be profiled: lanes alone, lanes profiled with the constants of `errors`,
 /// and every certified candidate.
-std::vector<SystemLanes> make_systems(const Scene& scene, const ErrorProfile& errors);
+std::vector<SystemLanes> make_systems(const scene::Scene& scene, const ErrorProfile& errors);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

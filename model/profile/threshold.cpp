@@ -8,7 +8,7 @@
 #include "model/number/exact.hpp"
 #include "model/profile/envelope_kernels.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 namespace {
 
 using envelope_kernels::for_each_lane;
@@ -48,8 +48,8 @@ bool begins_alike(const TypedGraph& a, const TypedGraph& b, std::size_t count) {
 }
 
 /// The largest factor by which `guard_ulp` steps raise a number: theorem 3.
-double guard_factor(const Lane& lane) {
-  const Bits guard = std::get<AbsoluteBoundDecision>(lane.decision).guard_ulp;
+double guard_factor(const error::Lane& lane) {
+  const Bits guard = std::get<error::AbsoluteBoundDecision>(lane.decision).guard_ulp;
   const int precision = lane.graph.arithmetic.format.precision();
   const Bits binade = Bits{1} << (precision - 1);
   const double doublings = to_double(guard / binade);
@@ -57,7 +57,7 @@ double guard_factor(const Lane& lane) {
          outward;
 }
 
-bool looks_at_shared_nodes(const AbsoluteBoundDecision& decision, const Envelope& envelope) {
+bool looks_at_shared_nodes(const error::AbsoluteBoundDecision& decision, const Envelope& envelope) {
   const auto shared = [&](const auto& part) { return part.value < envelope.node_count(); };
   return decision.difference == envelope.difference() &&
          std::all_of(decision.bound.nodes.begin(), decision.bound.nodes.end(), shared) &&
@@ -70,8 +70,8 @@ Threshold Threshold::of_order() {
   return {Order{}, 0, 0, 0};
 }
 
-Threshold Threshold::of_lanes(std::span<const Lane* const> lanes, const Envelope& envelope) {
-  const bool known = std::all_of(lanes.begin(), lanes.end(), [&](const Lane* lane) {
+Threshold Threshold::of_lanes(std::span<const error::Lane* const> lanes, const Envelope& envelope) {
+  const bool known = std::all_of(lanes.begin(), lanes.end(), [&](const error::Lane* lane) {
     return lane != nullptr && lanes.front() != nullptr &&
            lane->decision.index() == lanes.front()->decision.index() &&
            begins_alike(lane->graph, envelope.graph(), envelope.node_count() - 1);
@@ -81,27 +81,32 @@ Threshold Threshold::of_lanes(std::span<const Lane* const> lanes, const Envelope
           envelope.graph().g};
 }
 
-Threshold::Kind Threshold::kind_of(std::span<const Lane* const> lanes, const Envelope& envelope) {
+Threshold::Kind Threshold::kind_of(std::span<const error::Lane* const> lanes,
+                                   const Envelope& envelope) {
   const auto& decision = lanes.front()->decision;
-  if (std::holds_alternative<UlpDistanceDecision>(decision)) return distance(lanes, envelope);
-  if (std::holds_alternative<IntervalDecision>(decision)) return interval(lanes, envelope);
+  if (std::holds_alternative<error::UlpDistanceDecision>(decision))
+    return distance(lanes, envelope);
+  if (std::holds_alternative<error::IntervalDecision>(decision)) return interval(lanes, envelope);
   return absolute(lanes, envelope);
 }
 
-Threshold::Kind Threshold::distance(std::span<const Lane* const> lanes, const Envelope& envelope) {
+Threshold::Kind Threshold::distance(std::span<const error::Lane* const> lanes,
+                                    const Envelope& envelope) {
   double guard = 0;
-  for (const Lane* lane : lanes) {
-    guard = std::max(guard, to_double(std::get<UlpDistanceDecision>(lane->decision).guard_ulp));
+  for (const error::Lane* lane : lanes) {
+    guard =
+        std::max(guard, to_double(std::get<error::UlpDistanceDecision>(lane->decision).guard_ulp));
   }
   return Distance{std::ldexp(guard, 1 - envelope.anchor())};
 }
 
-Threshold::Kind Threshold::interval(std::span<const Lane* const> lanes, const Envelope& envelope) {
+Threshold::Kind Threshold::interval(std::span<const error::Lane* const> lanes,
+                                    const Envelope& envelope) {
   double f = 0, g = 0;
   int precision = envelope.anchor();
-  for (const Lane* lane : lanes) {
+  for (const error::Lane* lane : lanes) {
     const TypedGraph& graph = lane->graph;
-    const auto& decision = std::get<IntervalDecision>(lane->decision);
+    const auto& decision = std::get<error::IntervalDecision>(lane->decision);
     // minimum = D - E, E = E_f + E_g, each a magnitude times a constant.
     const TypedNode& error = graph.nodes[graph.nodes[decision.minimum].operands[1]];
     MIXCMP_CHECK(error.operation == Operation::add);
@@ -115,12 +120,13 @@ Threshold::Kind Threshold::interval(std::span<const Lane* const> lanes, const En
   return Interval{f * factor, g * factor};
 }
 
-Threshold::Kind Threshold::absolute(std::span<const Lane* const> lanes, const Envelope& envelope) {
-  const auto decision = [&](std::size_t k) -> const AbsoluteBoundDecision& {
-    return std::get<AbsoluteBoundDecision>(lanes[k]->decision);
+Threshold::Kind Threshold::absolute(std::span<const error::Lane* const> lanes,
+                                    const Envelope& envelope) {
+  const auto decision = [&](std::size_t k) -> const error::AbsoluteBoundDecision& {
+    return std::get<error::AbsoluteBoundDecision>(lanes[k]->decision);
   };
   double guard = 1;
-  for (const Lane* lane : lanes) guard = std::max(guard, guard_factor(*lane));
+  for (const error::Lane* lane : lanes) guard = std::max(guard, guard_factor(*lane));
   Absolute absolute{.bounds = {}, .factor = guard * outward / (1 - envelope.unit())};
   const int last = envelope.anchor() + static_cast<int>(lanes.size()) - 1;
   for (std::size_t first = 0, next = 0; first < lanes.size(); first = next) {
@@ -163,4 +169,4 @@ void Threshold::evaluate(const EnvelopeBlock& block, EnvelopeRow& scaled, Envelo
   for_each_lane([&](std::size_t k) { fixed[k] += floor_; });
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

@@ -8,7 +8,7 @@
 #include "model/profile/bound_envelope.hpp"
 #include "model/profile/envelope.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// The distance of computed f and g from which on one kind of lane decides, for every precision L
 /// >= A at once: |computed f - computed g| > scaled 2^(A-L) + fixed suffices, unless the comparison
@@ -20,7 +20,7 @@ public:
   static Threshold of_order();
   /// `lanes` have the precisions A, A+1, ..., last. If a lane is missing, their kinds differ, or
   /// their graphs do not begin with the envelope's nodes, every comparison is wild.
-  static Threshold of_lanes(std::span<const Lane* const> lanes, const Envelope& envelope);
+  static Threshold of_lanes(std::span<const error::Lane* const> lanes, const Envelope& envelope);
 
   /// Computes `scaled` and `fixed` for each comparison; sets `wild` to 1 where no threshold is
   /// known.
@@ -44,14 +44,14 @@ private:
 
   Threshold(Kind kind, double floor, NodeId f, NodeId g)
       : kind_(std::move(kind)), floor_(floor), f_(f), g_(g) {}
-  static Kind kind_of(std::span<const Lane* const> lanes, const Envelope& envelope);
-  static Kind distance(std::span<const Lane* const> lanes, const Envelope& envelope);
-  static Kind interval(std::span<const Lane* const> lanes, const Envelope& envelope);
-  static Kind absolute(std::span<const Lane* const> lanes, const Envelope& envelope);
+  static Kind kind_of(std::span<const error::Lane* const> lanes, const Envelope& envelope);
+  static Kind distance(std::span<const error::Lane* const> lanes, const Envelope& envelope);
+  static Kind interval(std::span<const error::Lane* const> lanes, const Envelope& envelope);
+  static Kind absolute(std::span<const error::Lane* const> lanes, const Envelope& envelope);
 
   Kind kind_;
   double floor_;  ///< below it the lane's own difference might be flushed to zero
   NodeId f_, g_;
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

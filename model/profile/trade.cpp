@@ -2,7 +2,7 @@
 
 #include "model/profile/systems.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 namespace {
 
 double per_million(std::uint64_t count, const RateProfile& rates) {
@@ -17,7 +17,7 @@ TradePoint make_point(const RateProfile& rates, const SystemProfile& system,
   return point;
 }
 
-void price(const Trade& trade, const CombinedLane& lane, const MeasuredAreas& areas,
+void price(const Trade& trade, const error::CombinedLane& lane, const MeasuredAreas& areas,
            TradePoint& point) {
   const std::optional<double> measured = areas.of(point.system, point.precision);
   point.measured = measured.has_value();
@@ -26,14 +26,16 @@ void price(const Trade& trade, const CombinedLane& lane, const MeasuredAreas& ar
   point.per_kiloluts = 1000 / (point.lane_luts + share * trade.reference_luts);
 }
 
-bool qualifies(const TradePoint& point, double accepted_per_million) {
-  if (accepted_per_million > 0) return point.wrong_per_million <= accepted_per_million;
-  return point.kind == SystemKind::certified && point.wrong_per_million == 0;
+bool qualifies(const TradePoint& point, double undetermined_per_million,
+               double accepted_per_million) {
+  const bool proven = point.kind == SystemKind::certified;
+  return (proven || accepted_per_million > 0) &&
+         point.wrong_per_million + undetermined_per_million <= accepted_per_million;
 }
 
 }  // namespace
 
-Trade make_trade(const Scene& scene, const RateProfile& rates, const ErrorProfile& errors,
+Trade make_trade(const scene::Scene& scene, const RateProfile& rates, const ErrorProfile& errors,
                  const MeasuredAreas& areas) {
   const CombinedGraph reference = reference_graphs(scene.graph, scene.reference);
   Trade trade{.inputs = rates.inputs,
@@ -41,6 +43,7 @@ Trade make_trade(const Scene& scene, const RateProfile& rates, const ErrorProfil
               .reference_luts = areas.reference().value_or(reference_luts(reference)),
               .reference_measured = areas.reference().has_value(),
               .reference_wrong_per_million = per_million(rates.reference_wrong, rates),
+              .undetermined_per_million = per_million(rates.undetermined, rates),
               .points = {}};
   const std::vector<SystemLanes> systems = make_systems(scene, errors);
   for (std::size_t s = 0; s < systems.size(); ++s) {
@@ -58,10 +61,10 @@ Trade make_trade(const Scene& scene, const RateProfile& rates, const ErrorProfil
 const TradePoint* cheapest(const Trade& trade, double accepted_per_million) {
   const TradePoint* best = nullptr;
   for (const TradePoint& point : trade.points) {
-    if (!qualifies(point, accepted_per_million)) continue;
+    if (!qualifies(point, trade.undetermined_per_million, accepted_per_million)) continue;
     if (best == nullptr || point.per_kiloluts > best->per_kiloluts) best = &point;
   }
   return best;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

@@ -6,7 +6,7 @@
 #include "model/profile/cost_model.hpp"
 #include "model/profile/profile.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// The wrong verdicts and the area of one system at one precision.
 struct TradePoint {
@@ -28,16 +28,20 @@ struct Trade {
   double reference_luts = 0;
   bool reference_measured = false;
   double reference_wrong_per_million = 0;
+  /// Comparisons whose truth is undetermined, in a million. They count as wrong of no point, though
+  /// any verdict on them may be.
+  double undetermined_per_million = 0;
   std::vector<TradePoint> points;  ///< ordered by system, then by precision
 };
 
 /// Makes a point of every lane that exists. `rates` must have been counted with the constants of
 /// `errors`.
-Trade make_trade(const Scene& scene, const RateProfile& rates, const ErrorProfile& errors,
+Trade make_trade(const scene::Scene& scene, const RateProfile& rates, const ErrorProfile& errors,
                  const MeasuredAreas& areas);
 
 /// The point with the most comparisons per LUT among those with at most so many wrong verdicts per
-/// million; for 0 only certified systems without a wrong verdict qualify. Null where none does.
+/// million, where each undetermined truth counts as one; for 0 only certified systems qualify. Null
+/// where no point does.
 const TradePoint* cheapest(const Trade& trade, double accepted_per_million);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

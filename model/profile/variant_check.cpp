@@ -5,10 +5,11 @@
 #include "model/common/check.hpp"
 #include "model/golden/evaluate.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
-VariantCheck check_variant(const Scene& given, const Scene& variant, const Comparisons& data,
-                           std::uint64_t most, const std::function<void(double)>& progress) {
+VariantCheck check_variant(const scene::Scene& given, const scene::Scene& variant,
+                           const data::Comparisons& data, std::uint64_t most,
+                           const std::function<void(double)>& progress) {
   MIXCMP_CHECK(given.graph.inputs() == variant.graph.inputs());
   const FloatFormat format = given.reference.format;
   const CombinedGraph reference = reference_graphs(given.graph, given.reference);
@@ -33,4 +34,4 @@ VariantCheck check_variant(const Scene& given, const Scene& variant, const Compa
   return check;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

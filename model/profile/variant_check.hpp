@@ -9,7 +9,7 @@
 #include "model/number/verdict.hpp"
 #include "model/scene/scene.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// The result of a check on data that a variant decides as [comparison] does.
 struct VariantCheck {
@@ -38,8 +38,8 @@ constexpr std::uint64_t checked_comparisons = 250'000;
 
 /// Checks all comparisons, or `most` of them at even distances. Both scenes have the same inputs in
 /// the same order. `progress` is called with the fraction that is done.
-VariantCheck check_variant(const Scene& given, const Scene& variant, const Comparisons& data,
-                           std::uint64_t most = checked_comparisons,
+VariantCheck check_variant(const scene::Scene& given, const scene::Scene& variant,
+                           const data::Comparisons& data, std::uint64_t most = checked_comparisons,
                            const std::function<void(double)>& progress = {});
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

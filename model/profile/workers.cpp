@@ -4,10 +4,11 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 namespace {
 
 class Job {
@@ -67,10 +68,15 @@ void run_workers(const WorkSplit& split, const std::function<void(const BlockSou
   const std::uint64_t count =
       std::clamp<std::uint64_t>(wanted, 1, std::max<std::uint64_t>(blocks, 1));
   std::vector<std::jthread> others;
-  for (std::uint64_t k = 1; k < count; ++k) others.emplace_back(run);
+  try {
+    for (std::uint64_t k = 1; k < count; ++k) others.emplace_back(run);
+  } catch (const std::system_error&) {
+    // The system gives no more threads. Those that run take all blocks; results do not depend on
+    // it.
+  }
   run();
   others.clear();
   job.finish();
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

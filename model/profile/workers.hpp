@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace mixcmp::model {
+namespace mixcmp::profile {
 
 /// How a job is split; results must not depend on it.
 struct WorkSplit {
@@ -19,4 +19,4 @@ using BlockSource = std::function<bool(std::uint64_t& first, std::uint64_t& coun
 /// Runs `work` once per thread. An exception in one thread stops the others and is rethrown.
 void run_workers(const WorkSplit& split, const std::function<void(const BlockSource&)>& work);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::profile

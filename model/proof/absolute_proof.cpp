@@ -9,7 +9,7 @@
 #include "model/proof/node_prover.hpp"
 #include "model/proof/rule_proof.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 void append(std::vector<Finding>& findings, std::vector<Finding> more) {
@@ -17,13 +17,13 @@ void append(std::vector<Finding>& findings, std::vector<Finding> more) {
 }
 
 /// The operands of the difference whose sign is the lane's decision.
-std::array<NodeId, 2> sides(const Lane& lane, const AbsoluteBoundDecision& decision) {
+std::array<NodeId, 2> sides(const error::Lane& lane, const error::AbsoluteBoundDecision& decision) {
   const TypedNode& difference = lane.graph.nodes[decision.difference];
   MIXCMP_CHECK(difference.operation == Operation::subtract);
   return difference.operands;
 }
 
-Finding prove_from_ranges(const Lane& lane, const AbsoluteBoundDecision& decision,
+Finding prove_from_ranges(const error::Lane& lane, const error::AbsoluteBoundDecision& decision,
                           const Prove& prove) {
   Finding finding{"f - g, the whole expression, from the ranges", Outcome::not_expressible, ""};
   const auto [f, g] = sides(lane, decision);
@@ -41,9 +41,9 @@ Finding prove_from_ranges(const Lane& lane, const AbsoluteBoundDecision& decisio
 
 }  // namespace
 
-LaneProof prove_absolute(const Lane& lane, const ErrorAnalysis& analysis, const Prove& prove,
-                         Effort effort) {
-  const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
+LaneProof prove_absolute(const error::Lane& lane, const error::ErrorAnalysis& analysis,
+                         const Prove& prove, Effort effort) {
+  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision);
   const bool constant = is_constant(decision);
   LaneProof proof;
   proof.lane = describe_arithmetic(lane.graph.arithmetic);
@@ -74,4 +74,4 @@ LaneProof prove_absolute(const Lane& lane, const ErrorAnalysis& analysis, const 
   return proof;
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -7,7 +7,7 @@
 #include "model/error/lane.hpp"
 #include "model/proof/lane_proof.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 /// A script that bounds |(true f - true g) - (computed f - computed g)| wherever every operand
 /// passes its check, for the whole expression at once, from the ranges that the checks enforce.
@@ -16,11 +16,11 @@ struct RangeScript {
   std::optional<std::string> script;
   std::string obstacle;
 };
-RangeScript range_script(const Lane& lane, NodeId f, NodeId g, const mpq_class& bound);
+RangeScript range_script(const error::Lane& lane, NodeId f, NodeId g, const mpq_class& bound);
 
 /// Proves a running or a constant bound; `analysis` is that of the lane's graph. Effort::whole
 /// first tries one script for the whole expression of a constant, then one for each operation.
-LaneProof prove_absolute(const Lane& lane, const ErrorAnalysis& analysis, const Prove& prove,
-                         Effort effort);
+LaneProof prove_absolute(const error::Lane& lane, const error::ErrorAnalysis& analysis,
+                         const Prove& prove, Effort effort);
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

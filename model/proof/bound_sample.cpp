@@ -7,7 +7,7 @@
 #include "model/common/check.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 mpq_class random_number(std::mt19937_64& random) {
@@ -33,20 +33,20 @@ BoundSample::BoundSample(const TypedGraph& graph, std::uint64_t seed) {
   }
 }
 
-mpq_class BoundSample::value(const std::vector<BoundNode>& bounds, BoundId id) const {
-  if (id == no_bound_node) return 0;
-  const BoundNode& node = bounds[id];
+mpq_class BoundSample::value(const std::vector<error::BoundNode>& bounds, error::BoundId id) const {
+  if (id == error::no_bound_node) return 0;
+  const error::BoundNode& node = bounds[id];
   const auto operand = [&](int k) { return value(bounds, node.operands[k]); };
   switch (node.operation) {
-    case BoundOperation::constant: return node.constant;
-    case BoundOperation::magnitude: return magnitude(node.value);
-    case BoundOperation::binade: return binade(node.value);
-    case BoundOperation::reciprocal: return reciprocal(node.value);
-    case BoundOperation::add: return operand(0) + operand(1);
-    case BoundOperation::multiply: return operand(0) * operand(1);
-    case BoundOperation::maximum: return std::max(operand(0), operand(1));
+    case error::BoundOperation::constant: return node.constant;
+    case error::BoundOperation::magnitude: return magnitude(node.value);
+    case error::BoundOperation::binade: return binade(node.value);
+    case error::BoundOperation::reciprocal: return reciprocal(node.value);
+    case error::BoundOperation::add: return operand(0) + operand(1);
+    case error::BoundOperation::multiply: return operand(0) * operand(1);
+    case error::BoundOperation::maximum: return std::max(operand(0), operand(1));
   }
   MIXCMP_CHECK(false);
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -6,7 +6,7 @@
 #include "model/error/bound_graph_builder.hpp"
 #include "model/expression/typed_graph.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 /// Random positive numbers that stand for the node values which bound graphs read. Their sizes
 /// differ widely, so that every term of a bound is the largest in some sample. Two bounds that are
@@ -22,7 +22,7 @@ public:
   const mpq_class& binade(NodeId id) const { return binades_[id]; }
   const mpq_class& reciprocal(NodeId id) const { return reciprocals_[id]; }
   /// The value of a bound at this sample; 0 for no_bound_node.
-  mpq_class value(const std::vector<BoundNode>& bounds, BoundId id) const;
+  mpq_class value(const std::vector<error::BoundNode>& bounds, error::BoundId id) const;
 
 private:
   std::vector<mpq_class> magnitudes_;
@@ -30,4 +30,4 @@ private:
   std::vector<mpq_class> reciprocals_;
 };
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

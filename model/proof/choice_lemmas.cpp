@@ -8,7 +8,7 @@
 #include "model/proof/cone.hpp"
 #include "model/proof/script.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 /// Larger than the ratio of any two numbers of any format.
@@ -18,8 +18,8 @@ constexpr const char* huge = "1b40000";
 enum class ComputedIs { smaller, larger };
 
 /// s is true / computed of the operand that is chosen, t that of the other one.
-std::string choice_script(ComputedIs computed, const RelativeBound& s, const RelativeBound& t,
-                          const RelativeBound& result) {
+std::string choice_script(ComputedIs computed, const error::RelativeBound& s,
+                          const error::RelativeBound& t, const error::RelativeBound& result) {
   const bool smaller = computed == ComputedIs::smaller;
   Script script;
   script.comment("Computed a, true b t: q = b / a, a s and b t the true operands.");
@@ -34,8 +34,8 @@ std::string choice_script(ComputedIs computed, const RelativeBound& s, const Rel
   return script.text();
 }
 
-std::string absolute_script(const char* sign, const RelativeBound& operand,
-                            const RelativeBound& result) {
+std::string absolute_script(const char* sign, const error::RelativeBound& operand,
+                            const error::RelativeBound& result) {
   Script script;
   script.comment("The absolute of a number of known sign.");
   script.assume_within("|c|", "1b-40000", huge);
@@ -50,11 +50,11 @@ std::vector<std::string> choice_scripts(const TypedGraph& graph,
                                         const std::vector<NodeClaim>& claims, NodeId id) {
   const TypedNode& node = graph.nodes[id];
   const auto bound = [&](NodeId of) { return provable(*claims[of].relative, depth_of(graph, of)); };
-  const RelativeBound a = bound(node.operands[0]), result = bound(id);
+  const error::RelativeBound a = bound(node.operands[0]), result = bound(id);
   if (node.operation == Operation::absolute) {
     return {absolute_script("", a, result), absolute_script("-", a, result)};
   }
-  const RelativeBound b = bound(node.operands[1]);
+  const error::RelativeBound b = bound(node.operands[1]);
   std::vector<std::string> scripts;
   for (const ComputedIs computed : {ComputedIs::smaller, ComputedIs::larger}) {
     scripts.push_back(choice_script(computed, a, b, result));
@@ -80,4 +80,4 @@ bool signs_follow(const TypedGraph& graph, const std::vector<NodeClaim>& claims,
          follows(claim.nonpositive, a.nonpositive, b.nonpositive, !minimum);
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -5,7 +5,7 @@
 
 #include "model/proof/claims.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 /// Scripts that prove the claim of a minimum, a maximum or an absolute value, for which Gappa has
 /// no operation. Let a and b be the computed operands of a minimum or maximum, a s and b t the true
@@ -20,4 +20,4 @@ std::vector<std::string> choice_scripts(const TypedGraph& graph,
 /// operands.
 bool signs_follow(const TypedGraph& graph, const std::vector<NodeClaim>& claims, NodeId id);
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -4,7 +4,7 @@
 
 #include "model/error/error_analysis.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 constexpr long kept_digits = 460;
@@ -23,25 +23,25 @@ mpq_class shortened(const mpq_class& value, Direction direction) {
 
 }  // namespace
 
-std::vector<NodeClaim> relative_claims(const Lane& lane) {
+std::vector<NodeClaim> relative_claims(const error::Lane& lane) {
   std::vector<bool> nonnegative;
   for (int input = 0; input < lane.graph.input_count; ++input) {
     nonnegative.push_back(is_checked_nonnegative(lane.checks, input));
   }
   std::vector<NodeClaim> claims;
-  for (const NodeBound& bound : analyse_errors(lane.graph, nonnegative).nodes) {
+  for (const error::NodeBound& bound : error::analyse_errors(lane.graph, nonnegative).nodes) {
     claims.push_back({bound.relative, bound.unrounded, bound.nonnegative, bound.nonpositive});
   }
   return claims;
 }
 
-bool is_checked_nonnegative(const std::vector<RangeCheck>& checks, int input) {
-  return std::any_of(checks.begin(), checks.end(), [&](const RangeCheck& check) {
-    return check.input == input && check.sign == RequiredSign::nonnegative;
+bool is_checked_nonnegative(const std::vector<error::RangeCheck>& checks, int input) {
+  return std::any_of(checks.begin(), checks.end(), [&](const error::RangeCheck& check) {
+    return check.input == input && check.sign == error::RequiredSign::nonnegative;
   });
 }
 
-RelativeBound provable(const RelativeBound& bound, int depth) {
+error::RelativeBound provable(const error::RelativeBound& bound, int depth) {
   if (bound.low == 1 && bound.high == 1) return bound;
   const mpq_class slack = power_of_two(2L * depth - slack_bits);
   return {shortened(bound.low * (1 - slack), Direction::down),
@@ -63,4 +63,4 @@ long binade_of(const mpq_class& value) {
   return bits(value.get_num()) - bits(value.get_den());
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

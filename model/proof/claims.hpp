@@ -7,15 +7,15 @@
 #include "model/error/lane.hpp"
 #include "model/number/dyadic.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 /// The statement of the error analysis about one node, which Gappa is to prove
 /// (docs/error_bounds.md).
 /// `relative` says that true value = computed value * t, low <= t <= high; `unrounded` says that
 /// true value = x * t, where x is the operation's exact result, before its own rounding.
 struct NodeClaim {
-  std::optional<RelativeBound> relative;
-  std::optional<RelativeBound> unrounded;
+  std::optional<error::RelativeBound> relative;
+  std::optional<error::RelativeBound> unrounded;
   bool nonnegative = false;
   bool nonpositive = false;
 
@@ -24,16 +24,16 @@ struct NodeClaim {
 
 /// One claim per node, from an error analysis that assumes only the input signs that the lane
 /// checks.
-std::vector<NodeClaim> relative_claims(const Lane& lane);
+std::vector<NodeClaim> relative_claims(const error::Lane& lane);
 
 /// Whether a check keeps the lane from deciding where this input's sign bit is set.
-bool is_checked_nonnegative(const std::vector<RangeCheck>& checks, int input);
+bool is_checked_nonnegative(const std::vector<error::RangeCheck>& checks, int input);
 
 /// Moves the ends of `bound` outward by a relative 2^(2 depth - 400) and shortens them to dyadic
 /// rationals of some 460 binary digits; [1, 1] stays as it is. Gappa's own interval ends are dyadic
 /// and rounded outward, so that it could not prove an end like 1/3, nor a chain of them, to the
 /// last digit.
-RelativeBound provable(const RelativeBound& bound, int depth);
+error::RelativeBound provable(const error::RelativeBound& bound, int depth);
 
 /// These round a value >= 0 to some 460 binary digits.
 mpq_class rounded_down(const mpq_class& value);
@@ -47,4 +47,4 @@ long binade_of(const mpq_class& value);
 /// The deepest graph for which `provable` moves ends by less than one part in 2^300.
 constexpr int max_provable_depth = 50;
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -5,7 +5,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 bool is_power_of_two(const TypedNode& node) {
@@ -45,7 +45,7 @@ bool is_inexpressible(const TypedGraph& graph, const std::vector<NodeClaim>& cla
 }
 
 Cone whole_cone(const TypedGraph& graph, const std::vector<NodeClaim>& claims,
-                const std::vector<RangeCheck>& checks, NodeId root) {
+                const std::vector<error::RangeCheck>& checks, NodeId root) {
   std::vector<bool> is_leaf;
   for (NodeId id = 0; id < static_cast<NodeId>(graph.nodes.size()); ++id) {
     const bool given = arity(graph.nodes[id].operation) == 0;
@@ -55,7 +55,7 @@ Cone whole_cone(const TypedGraph& graph, const std::vector<NodeClaim>& claims,
 }
 
 Cone node_cone(const TypedGraph& graph, const std::vector<NodeClaim>& claims,
-               const std::vector<RangeCheck>& checks, NodeId root) {
+               const std::vector<error::RangeCheck>& checks, NodeId root) {
   std::vector<bool> is_leaf(graph.nodes.size(), true);
   is_leaf[root] = false;
   return {&graph, &claims, &checks, root, std::move(is_leaf)};
@@ -112,4 +112,4 @@ OwnRounding own_rounding(const TypedGraph& graph, const TypedNode& node) {
   MIXCMP_CHECK(false);
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -6,14 +6,14 @@
 
 #include "model/proof/claims.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 /// A subgraph whose root's claim is to be proven from the claims of its leaves. Every operation
 /// between them becomes an expression of the script, with and without its rounding.
 struct Cone {
   const TypedGraph* graph;
   const std::vector<NodeClaim>* claims;
-  const std::vector<RangeCheck>* checks;
+  const std::vector<error::RangeCheck>* checks;
   NodeId root;
   std::vector<bool> is_leaf;  ///< per node: its claim stands for its expression
 };
@@ -25,10 +25,10 @@ bool is_inexpressible(const TypedGraph& graph, const std::vector<NodeClaim>& cla
 
 /// The cone of the root's whole expression, down to inputs, constants and inexpressible nodes.
 Cone whole_cone(const TypedGraph& graph, const std::vector<NodeClaim>& claims,
-                const std::vector<RangeCheck>& checks, NodeId root);
+                const std::vector<error::RangeCheck>& checks, NodeId root);
 /// The cone of the root's operation alone.
 Cone node_cone(const TypedGraph& graph, const std::vector<NodeClaim>& claims,
-               const std::vector<RangeCheck>& checks, NodeId root);
+               const std::vector<error::RangeCheck>& checks, NodeId root);
 
 /// Nodes of the cone: operands before users, the root last.
 std::vector<NodeId> nodes_of(const Cone& cone);
@@ -54,4 +54,4 @@ struct ConeCase {
 constexpr std::size_t max_zero_nodes = 6;
 std::optional<std::vector<ConeCase>> cases_of(const Cone& cone);
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -9,7 +9,7 @@
 #include "model/proof/script.hpp"
 #include "model/proof/zero_patterns.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 /// Writes the script of one case. Node number k of the cone is named ck as computed and tk in exact
@@ -55,7 +55,7 @@ private:
   std::string expression(NodeId id, std::string Names::*name) const;
   std::string sum(const TypedNode& node, std::string Names::*name) const;
   const NodeClaim& claim(NodeId id) const { return (*cone_.claims)[id]; }
-  RelativeBound bound(NodeId id, const RelativeBound& exactly) const {
+  error::RelativeBound bound(NodeId id, const error::RelativeBound& exactly) const {
     return provable(exactly, depth_of(graph_, id));
   }
   std::string rounded(const TypedNode& node, const std::string& expression) const {
@@ -253,4 +253,4 @@ std::optional<std::vector<ConeCase>> cases_of(const Cone& cone) {
   return cases;
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

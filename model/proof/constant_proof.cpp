@@ -15,7 +15,7 @@
 #include "model/proof/rule.hpp"
 #include "model/proof/script.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 std::string quotient(const mpq_class& value) {
@@ -26,7 +26,7 @@ std::string quotient(const mpq_class& value) {
 
 class ConstantProof {
 public:
-  ConstantProof(const Lane& lane, const ErrorAnalysis& analysis, const Prove& prove)
+  ConstantProof(const error::Lane& lane, const error::ErrorAnalysis& analysis, const Prove& prove)
       : lane_(lane),
         graph_(lane.graph),
         analysis_(analysis),
@@ -37,19 +37,19 @@ public:
 
 private:
   void prove_bound();
-  void prove_condition(const BoundCondition& condition);
-  void prove_at_most(std::string what, BoundId bound, const mpq_class& factor,
+  void prove_condition(const error::BoundCondition& condition);
+  void prove_at_most(std::string what, error::BoundId bound, const mpq_class& factor,
                      const mpq_class& most);
   void prove_binade(NodeId id);
-  void add_bound(Script& script, BoundId id, std::set<std::string>& known);
+  void add_bound(Script& script, error::BoundId id, std::set<std::string>& known);
   void add_value(Script& script, NodeId id, std::set<std::string>& known);
-  mpq_class greatest(BoundId id);
+  mpq_class greatest(error::BoundId id);
   mpq_class greatest_binade(NodeId id);
-  static std::string name(BoundId id) { return fmt::format("b{}", id); }
+  static std::string name(error::BoundId id) { return fmt::format("b{}", id); }
 
-  const Lane& lane_;
+  const error::Lane& lane_;
   const TypedGraph& graph_;
-  const ErrorAnalysis& analysis_;
+  const error::ErrorAnalysis& analysis_;
   const std::vector<NodeClaim> no_claims_;
   NodeProver nodes_;
   NodeRanges ranges_;
@@ -58,35 +58,35 @@ private:
 
 std::vector<Finding> ConstantProof::run() && {
   prove_bound();
-  for (const BoundCondition& condition : analysis_.conditions) prove_condition(condition);
+  for (const error::BoundCondition& condition : analysis_.conditions) prove_condition(condition);
   return std::move(nodes_).take();
 }
 
 /// Proves that A / l of theorem 8 is at most `decided_beyond`.
 void ConstantProof::prove_bound() {
-  const NodeId difference = std::get<AbsoluteBoundDecision>(lane_.decision).difference;
-  const MixedBound& bound = *analysis_.nodes[difference].mixed;
+  const NodeId difference = std::get<error::AbsoluteBoundDecision>(lane_.decision).difference;
+  const error::MixedBound& bound = *analysis_.nodes[difference].mixed;
   const std::optional<mpq_class> most = decided_beyond(lane_);
   const std::string what = "the constant, from that bound and the ranges";
-  if (!most || bound.absolute.bound == no_bound_node) {
+  if (!most || bound.absolute.bound == error::no_bound_node) {
     nodes_.add({what, Outcome::proven, "by exact arithmetic"});
     return;
   }
-  const RelativeBound own =
+  const error::RelativeBound own =
       rounding_interval(graph_.arithmetic.format.precision(), graph_.arithmetic.rounding);
   const mpq_class low = std::min<mpq_class>(1, bound.factor.low / own.low);
   const mpq_class factor = rounded_up(provable_fudge(graph_, analysis_, difference) / low);
   prove_at_most(what, bound.absolute.bound, factor, *most);
 }
 
-void ConstantProof::prove_condition(const BoundCondition& condition) {
+void ConstantProof::prove_condition(const error::BoundCondition& condition) {
   const mpq_class least = least_magnitude(ranges_.prove_range(condition.value));
   prove_at_most(fmt::format("{} is never closer to zero than its condition asks",
                             nodes_.text(condition.value)),
                 condition.bound, 1, least);
 }
 
-void ConstantProof::prove_at_most(std::string what, BoundId bound, const mpq_class& factor,
+void ConstantProof::prove_at_most(std::string what, error::BoundId bound, const mpq_class& factor,
                                   const mpq_class& most) {
   Script script;
   script.comment(
@@ -100,27 +100,28 @@ void ConstantProof::prove_at_most(std::string what, BoundId bound, const mpq_cla
 /// Defines a bound, its operands first. A maximum becomes a variable up to a limit that, as the
 /// script also concludes, neither operand exceeds. The operands do not depend on the variable, so
 /// that the limit holds for the true maximum.
-void ConstantProof::add_bound(Script& script, BoundId id, std::set<std::string>& known) {
+void ConstantProof::add_bound(Script& script, error::BoundId id, std::set<std::string>& known) {
   if (!known.insert(name(id)).second) return;
-  const BoundNode& node = analysis_.bounds[id];
+  const error::BoundNode& node = analysis_.bounds[id];
   for (int k = 0; k < arity(node.operation); ++k) add_bound(script, node.operands[k], known);
   const std::string a = name(node.operands[0]), b = name(node.operands[1]);
   switch (node.operation) {
-    case BoundOperation::constant: return script.define(name(id), quotient(node.constant));
-    case BoundOperation::magnitude:
+    case error::BoundOperation::constant: return script.define(name(id), quotient(node.constant));
+    case error::BoundOperation::magnitude:
       add_value(script, node.value, known);
       return script.define(name(id), fmt::format("|c{}|", node.value));
-    case BoundOperation::reciprocal:
+    case error::BoundOperation::reciprocal:
       add_value(script, node.value, known);
       return script.define(name(id), fmt::format("1 / |c{}|", node.value));
-    case BoundOperation::binade:
+    case error::BoundOperation::binade:
       prove_binade(node.value);
       script.define(name(id), fmt::format("e{}", node.value));
       return script.assume_within(fmt::format("e{}", node.value), "0",
                                   dyadic(greatest_binade(node.value)));
-    case BoundOperation::add: return script.define(name(id), fmt::format("{} + {}", a, b));
-    case BoundOperation::multiply: return script.define(name(id), fmt::format("{} * {}", a, b));
-    case BoundOperation::maximum: {
+    case error::BoundOperation::add: return script.define(name(id), fmt::format("{} + {}", a, b));
+    case error::BoundOperation::multiply:
+      return script.define(name(id), fmt::format("{} * {}", a, b));
+    case error::BoundOperation::maximum: {
       const std::string most = dyadic(greatest(id));
       for (const std::string& operand : {a, b}) {
         script.conclude(fmt::format("{} in [0, {}]", operand, most));
@@ -167,39 +168,40 @@ mpq_class ConstantProof::greatest_binade(NodeId id) {
 
 /// An upper limit of the bound, a little too large, which Gappa checks. The reciprocal of a value
 /// that may be zero has no limit; the result is then 0, which Gappa cannot prove.
-mpq_class ConstantProof::greatest(BoundId id) {
-  const BoundNode& node = analysis_.bounds[id];
+mpq_class ConstantProof::greatest(error::BoundId id) {
+  const error::BoundNode& node = analysis_.bounds[id];
   const auto operand = [&](int k) { return greatest(node.operands[k]); };
   const auto widened = [](const mpq_class& value) {
     return rounded_up(value * (1 + power_of_two(-slack_bits)));
   };
   switch (node.operation) {
-    case BoundOperation::constant: return widened(node.constant);
-    case BoundOperation::magnitude: return greatest_magnitude(ranges_.prove_range(node.value));
-    case BoundOperation::binade: return greatest_binade(node.value);
-    case BoundOperation::reciprocal: {
+    case error::BoundOperation::constant: return widened(node.constant);
+    case error::BoundOperation::magnitude:
+      return greatest_magnitude(ranges_.prove_range(node.value));
+    case error::BoundOperation::binade: return greatest_binade(node.value);
+    case error::BoundOperation::reciprocal: {
       const mpq_class least = least_magnitude(ranges_.prove_range(node.value));
       return least == 0 ? mpq_class(0) : widened(1 / least);
     }
-    case BoundOperation::add: return widened(operand(0) + operand(1));
-    case BoundOperation::multiply: return widened(operand(0) * operand(1));
-    case BoundOperation::maximum: return std::max<mpq_class>(operand(0), operand(1));
+    case error::BoundOperation::add: return widened(operand(0) + operand(1));
+    case error::BoundOperation::multiply: return widened(operand(0) * operand(1));
+    case error::BoundOperation::maximum: return std::max<mpq_class>(operand(0), operand(1));
   }
   MIXCMP_CHECK(false);
 }
 
 }  // namespace
 
-bool is_constant(const AbsoluteBoundDecision& decision) {
-  const std::vector<BoundNode>& nodes = decision.bound.nodes;
+bool is_constant(const error::AbsoluteBoundDecision& decision) {
+  const std::vector<error::BoundNode>& nodes = decision.bound.nodes;
   return decision.guard_ulp == 0 && decision.conditions.empty() && nodes.size() == 1 &&
-         nodes.front().operation == BoundOperation::constant;
+         nodes.front().operation == error::BoundOperation::constant;
 }
 
 /// Numbers of P digits are more than one part in 2^P apart, and an f - g less than half a step
 /// beyond the constant is still rounded to it.
-std::optional<mpq_class> decided_beyond(const Lane& lane) {
-  const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
+std::optional<mpq_class> decided_beyond(const error::Lane& lane) {
+  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision);
   MIXCMP_CHECK(is_constant(decision));
   const BoundFormat format = decision.bound.format;
   const Bits encoded = encode_bound(format, decision.bound.nodes.front().constant);
@@ -208,9 +210,9 @@ std::optional<mpq_class> decided_beyond(const Lane& lane) {
   return mpq_class(bound_value(format, encoded) * (1 + power_of_two(-precision - 2)));
 }
 
-std::vector<Finding> prove_constant(const Lane& lane, const ErrorAnalysis& analysis,
+std::vector<Finding> prove_constant(const error::Lane& lane, const error::ErrorAnalysis& analysis,
                                     const Prove& prove) {
   return ConstantProof(lane, analysis, prove).run();
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -6,20 +6,20 @@
 #include "model/error/error_analysis.hpp"
 #include "model/proof/lane_proof.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 /// Whether the bound of a lane's decision is a number, with neither guard nor conditions.
-bool is_constant(const AbsoluteBoundDecision& decision);
+bool is_constant(const error::AbsoluteBoundDecision& decision);
 
 /// A number that |f - g|, the unrounded difference of the computed f and g, exceeds wherever a lane
 /// with a constant bound decides: the constant as the hardware holds it, times 1 + 2^-(P+2). None
 /// where the constant is infinite, which decides nothing.
-std::optional<mpq_class> decided_beyond(const Lane& lane);
+std::optional<mpq_class> decided_beyond(const error::Lane& lane);
 
 /// Proves that the lane's constant is at least the analysis' bound of f - g wherever every operand
 /// passes its check, and that every condition of the analysis holds there. `analysis` is that of
 /// the lane's graph. The ranges of the values in the bound are proven operation by operation.
-std::vector<Finding> prove_constant(const Lane& lane, const ErrorAnalysis& analysis,
+std::vector<Finding> prove_constant(const error::Lane& lane, const error::ErrorAnalysis& analysis,
                                     const Prove& prove);
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -6,7 +6,7 @@
 
 #include "model/common/process.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 constexpr std::uint64_t most_memory_bytes = std::uint64_t{2} << 30;
@@ -57,4 +57,4 @@ GappaRun run_gappa(const std::string& script, Certificate certificate, double se
           .certificate = verdict == GappaVerdict::proven ? std::move(outcome.output) : ""};
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

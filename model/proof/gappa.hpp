@@ -4,7 +4,7 @@
 
 #include "model/common/result.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 /// The answer of Gappa (https://gappa.gitlabpages.inria.fr) to a script. It never refutes by a
 /// counterexample: `not_proven` is a search that ended without a proof.
@@ -33,4 +33,4 @@ Result<std::string> gappa_version();
 /// Runs the gappa that PATH finds on a script, for at most `seconds` of wall time.
 GappaRun run_gappa(const std::string& script, Certificate certificate, double seconds);
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -11,14 +11,14 @@
 #include "model/proof/node_prover.hpp"
 #include "model/proof/node_ranges.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 enum class Side { above, below };  ///< of zero
 
 class HazardProof {
 public:
-  HazardProof(const Lane& lane, const Prove& prove)
+  HazardProof(const error::Lane& lane, const Prove& prove)
       : lane_(lane),
         graph_(lane.graph),
         nodes_(lane, no_claims_, prove),
@@ -29,7 +29,9 @@ public:
 
 private:
   const TypedNode& node(NodeId id) const { return graph_.nodes[id]; }
-  const Hazards& hazards(NodeId id) const { return lane_.hazards[static_cast<std::size_t>(id)]; }
+  const error::Hazards& hazards(NodeId id) const {
+    return lane_.hazards[static_cast<std::size_t>(id)];
+  }
 
   template <typename Predicate>
   bool all_operands(NodeId id, Predicate predicate) {
@@ -48,7 +50,7 @@ private:
   bool lies(NodeId id, Side side);
   bool is_signed_by_hand(NodeId id) const;
 
-  const Lane& lane_;
+  const error::Lane& lane_;
   const TypedGraph& graph_;
   const std::vector<NodeClaim> no_claims_;
   NodeProver nodes_;
@@ -59,13 +61,13 @@ private:
 std::vector<Finding> HazardProof::run() && {
   if (lane_.hazards.empty()) return {};
   for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) {
-    if (has_unit(node(id).operation)) prove_unbuilt(id);
+    if (error::has_unit(node(id).operation)) prove_unbuilt(id);
   }
   return std::move(nodes_).take();
 }
 
 void HazardProof::prove_unbuilt(NodeId id) {
-  const Hazards& built = hazards(id);
+  const error::Hazards& built = hazards(id);
   std::string left_out, doubtful;
   const auto leave_out = [&](const char* name, bool holds) {
     left_out += (left_out.empty() ? "" : ", ") + std::string(name);
@@ -184,17 +186,17 @@ bool HazardProof::lies(NodeId id, Side side) {
 bool HazardProof::is_signed_by_hand(NodeId id) const {
   std::vector<bool> nonnegative;
   for (const auto& range : checked_) nonnegative.push_back(range && range->low >= 0);
-  const std::vector<Sign> signs = analyse_signs(graph_, nonnegative);
+  const std::vector<error::Sign> signs = error::analyse_signs(graph_, nonnegative);
   const auto [a, b] = node(id).operands;
   const bool subtracts = node(id).operation == Operation::subtract;
-  const Sign sum = sum_sign(signs[a], subtracts ? signs[b].negated() : signs[b]);
+  const error::Sign sum = error::sum_sign(signs[a], subtracts ? signs[b].negated() : signs[b]);
   return sum.nonnegative || sum.nonpositive;
 }
 
 }  // namespace
 
-std::vector<Finding> prove_hazards(const Lane& lane, const Prove& prove) {
+std::vector<Finding> prove_hazards(const error::Lane& lane, const Prove& prove) {
   return HazardProof(lane, prove).run();
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

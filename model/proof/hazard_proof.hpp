@@ -4,12 +4,12 @@
 
 #include "model/proof/lane_proof.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 /// Proves that the hazards for which the lane's operations have no hardware cannot occur where
 /// every operand passes its check and no earlier operation was exceptional. Gappa proves the
 /// ranges, operation by operation; conclusions compare the ends of ranges. A lane with hardware for
 /// all hazards has no findings.
-std::vector<Finding> prove_hazards(const Lane& lane, const Prove& prove);
+std::vector<Finding> prove_hazards(const error::Lane& lane, const Prove& prove);
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -9,7 +9,7 @@
 #include "model/proof/hazard_proof.hpp"
 #include "model/proof/rule_proof.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 /// The first finding with this outcome that something depends on.
@@ -34,7 +34,7 @@ void add_new(std::vector<Finding>& findings, std::vector<Finding> more) {
   }
 }
 
-void add_hazards(LaneProof& proof, const Lane& lane, const Prove& prove) {
+void add_hazards(LaneProof& proof, const error::Lane& lane, const Prove& prove) {
   add_new(proof.findings, prove_hazards(lane, prove));
   if (lane.checks.empty()) return;
   proof.by_hand.push_back(
@@ -104,10 +104,10 @@ ByHand scaling_by_hand() {
       "rounding and its error scale with powers of two, and that products with these are exact"};
 }
 
-LaneProof prove_lane(const Lane& lane, const Prove& prove, Effort effort) {
+LaneProof prove_lane(const error::Lane& lane, const Prove& prove, Effort effort) {
   LaneProof proof;
   if (lane.certified()) {
-    proof = std::holds_alternative<UlpDistanceDecision>(lane.decision)
+    proof = std::holds_alternative<error::UlpDistanceDecision>(lane.decision)
                 ? prove_relative(lane, relative_claims(lane), prove, effort)
                 : prove_absolute(lane, analysis_of(lane), prove, effort);
     add_hazards(proof, lane, prove);
@@ -120,7 +120,7 @@ LaneProof prove_lane(const Lane& lane, const Prove& prove, Effort effort) {
   return proof;
 }
 
-LaneProof prove_lane(const CombinedLane& lane, const Prove& prove, Effort effort) {
+LaneProof prove_lane(const error::CombinedLane& lane, const Prove& prove, Effort effort) {
   if (lane.parts.size() == 1) return prove_lane(lane.parts.front(), prove, effort);
   LaneProof whole;
   for (std::size_t k = 0; k < lane.parts.size(); ++k) {
@@ -139,4 +139,4 @@ LaneProof prove_lane(const CombinedLane& lane, const Prove& prove, Effort effort
   return whole;
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

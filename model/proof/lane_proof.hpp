@@ -7,7 +7,7 @@
 #include "model/error/combined_lane.hpp"
 #include "model/proof/claims.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 enum class Outcome {
   proven,      ///< by Gappa, or by exact arithmetic where the finding says so
@@ -71,12 +71,12 @@ ByHand scaling_by_hand();
 
 /// Proves the statements on which the lane's decision rests, and that hazards without hardware
 /// cannot occur; see docs/error_bounds.md.
-LaneProof prove_lane(const Lane& lane, const Prove& prove, Effort effort);
+LaneProof prove_lane(const error::Lane& lane, const Prove& prove, Effort effort);
 /// Proves a lane part by part. That the parts' decisions give the lane's is theorem 11, by hand.
-LaneProof prove_lane(const CombinedLane& lane, const Prove& prove, Effort effort);
+LaneProof prove_lane(const error::CombinedLane& lane, const Prove& prove, Effort effort);
 
 /// Proves a lane with a relative bound from the claims of the analysis, one for each node.
-LaneProof prove_relative(const Lane& lane, const std::vector<NodeClaim>& claims, const Prove& prove,
-                         Effort effort);
+LaneProof prove_relative(const error::Lane& lane, const std::vector<NodeClaim>& claims,
+                         const Prove& prove, Effort effort);
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -11,13 +11,13 @@
 #include "model/proof/choice_lemmas.hpp"
 #include "model/proof/script.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 /// Interval ends beyond 2^200 or 2^-200 would need more digits than Gappa has.
 constexpr long most_doublings = 200;
 
-bool is_moderate(const RelativeBound& bound) {
+bool is_moderate(const error::RelativeBound& bound) {
   const mpq_class most(mpz_class(1) << most_doublings);
   return bound.low >= 1 / most && bound.high <= most;
 }
@@ -159,4 +159,4 @@ std::string NodeProver::text(NodeId id) const {
   return to_text(graph_.nodes, graph_.input_names, id, readable_length);
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -8,7 +8,7 @@
 #include "model/proof/cone.hpp"
 #include "model/proof/lane_proof.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 /// "s17e8, nearest_even".
 std::string describe_arithmetic(const Arithmetic& arithmetic);
@@ -20,7 +20,7 @@ Outcome worse(Outcome a, Outcome b);
 /// Proves claims one by one and gathers findings, at most one for a node's claim.
 class NodeProver {
 public:
-  NodeProver(const Lane& lane, const std::vector<NodeClaim>& claims, const Prove& prove)
+  NodeProver(const error::Lane& lane, const std::vector<NodeClaim>& claims, const Prove& prove)
       : lane_(lane), graph_(lane.graph), claims_(claims), prove_(prove) {}
 
   /// Proves theorem 1 for every precision that the graph rounds to, and that the operations whose
@@ -47,7 +47,7 @@ private:
   void check_exact_input(NodeId id);
   void prove_choice(NodeId id);
 
-  const Lane& lane_;
+  const error::Lane& lane_;
   const TypedGraph& graph_;
   const std::vector<NodeClaim>& claims_;
   const Prove& prove_;
@@ -55,4 +55,4 @@ private:
   std::vector<Finding> findings_;
 };
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

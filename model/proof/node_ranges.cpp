@@ -11,7 +11,7 @@
 #include "model/number/exact.hpp"
 #include "model/proof/script.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 /// The value of a finite magnitude, from its encoded fields.
@@ -40,23 +40,23 @@ void assume_in(Script& script, const std::string& name, const Range& range) {
 
 }  // namespace
 
-std::optional<Range> enforced_range(const RangeCheck& check, FloatFormat format) {
+std::optional<Range> enforced_range(const error::RangeCheck& check, FloatFormat format) {
   const int rest = format.width() - 1 - check.leading_bits;
   const Bits greatest = ((check.greatest + 1) << rest) - 1;
   const Bits first_special = low_mask(format.exponent_bits()) << format.fraction_bits();
   if (check.leading_bits == 0 || greatest >= first_special) return std::nullopt;
   const mpq_class low = value_of(format, check.least << rest), high = value_of(format, greatest);
   switch (check.sign) {
-    case RequiredSign::any: return Range{-high, high};
-    case RequiredSign::nonnegative: return Range{low, high};
-    case RequiredSign::nonpositive: return Range{-high, -low};
+    case error::RequiredSign::any: return Range{-high, high};
+    case error::RequiredSign::nonnegative: return Range{low, high};
+    case error::RequiredSign::nonpositive: return Range{-high, -low};
   }
   MIXCMP_CHECK(false);
 }
 
-std::vector<std::optional<Range>> enforced_ranges(const Lane& lane) {
+std::vector<std::optional<Range>> enforced_ranges(const error::Lane& lane) {
   std::vector<std::optional<Range>> ranges(static_cast<std::size_t>(lane.graph.input_count));
-  for (const RangeCheck& check : lane.checks) {
+  for (const error::RangeCheck& check : lane.checks) {
     ranges[static_cast<std::size_t>(check.input)] = enforced_range(check, lane.graph.input_format);
   }
   return ranges;
@@ -81,7 +81,7 @@ std::string result_text(const TypedNode& node, const std::string& a, const std::
   MIXCMP_CHECK(false);
 }
 
-bool flags_overflow(const Lane& lane, NodeId id) {
+bool flags_overflow(const error::Lane& lane, NodeId id) {
   return lane.hazards.empty() || lane.hazards[static_cast<std::size_t>(id)].overflow;
 }
 
@@ -107,10 +107,10 @@ mpq_class greatest_magnitude(const Range& range) {
   return std::max<mpq_class>(abs(range.low), abs(range.high));
 }
 
-NodeRanges::NodeRanges(const Lane& lane, NodeProver& nodes)
+NodeRanges::NodeRanges(const error::Lane& lane, NodeProver& nodes)
     : lane_(lane), graph_(lane.graph), nodes_(nodes), done_(lane.graph.nodes.size(), false) {
-  const auto proposed = analyse_ranges(graph_, checked_ranges(graph_, lane.checks));
-  for (const NodeRange& node : proposed) ranges_.push_back(node.value);
+  const auto proposed = error::analyse_ranges(graph_, error::checked_ranges(graph_, lane.checks));
+  for (const error::NodeRange& node : proposed) ranges_.push_back(node.value);
 }
 
 const Range& NodeRanges::prove_range(NodeId id) {
@@ -187,7 +187,7 @@ std::string NodeRanges::script(NodeId id) const {
     assume_in(script, "b", b);
   }
   const std::string exact = result_text(node, "a", same ? "a" : "b");
-  script.define("c", has_unit(node.operation) ? fmt::format("rnd({})", exact) : exact);
+  script.define("c", error::has_unit(node.operation) ? fmt::format("rnd({})", exact) : exact);
   const Range all = any_finite(node.format);
   const bool clamped = ranges_[id].low <= all.low || ranges_[id].high >= all.high;
   if (clamped && flagged) assume_in(script, "c", all);
@@ -221,4 +221,4 @@ std::vector<std::string> NodeRanges::selection_scripts(NodeId id) const {
   return scripts;
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

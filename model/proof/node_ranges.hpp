@@ -7,19 +7,19 @@
 #include "model/error/lane.hpp"
 #include "model/proof/node_prover.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 /// The range of the operands that pass the check, from the bits that the hardware compares and not
 /// from the scene's range. None where a NaN or an infinity would pass, too.
-std::optional<Range> enforced_range(const RangeCheck& check, FloatFormat format);
+std::optional<Range> enforced_range(const error::RangeCheck& check, FloatFormat format);
 /// One range per input of the lane's graph; none for an input whose magnitude is not checked.
-std::vector<std::optional<Range>> enforced_ranges(const Lane& lane);
+std::vector<std::optional<Range>> enforced_ranges(const error::Lane& lane);
 
 /// An operation's exact result in Gappa's syntax; not for inputs, constants, minima and maxima.
 std::string result_text(const TypedNode& node, const std::string& a, const std::string& b);
 
 /// Whether the unit of this node raises a flag on overflow and on division by zero.
-bool flags_overflow(const Lane& lane, NodeId id);
+bool flags_overflow(const error::Lane& lane, NodeId id);
 
 /// The smallest positive and the largest finite number of a format.
 mpq_class smallest_number(FloatFormat format);
@@ -36,7 +36,7 @@ mpq_class greatest_magnitude(const Range& range);
 /// their checks enforce.
 class NodeRanges {
 public:
-  NodeRanges(const Lane& lane, NodeProver& nodes);
+  NodeRanges(const error::Lane& lane, NodeProver& nodes);
 
   /// Proves the ranges of the node and of all nodes that it depends on, each once. Returns the
   /// range even if the proof fails; whether it is proven stands in the findings of the NodeProver.
@@ -49,11 +49,11 @@ private:
   std::vector<std::string> selection_scripts(NodeId id) const;
   bool is_any_finite_quotient(NodeId id) const;
 
-  const Lane& lane_;
+  const error::Lane& lane_;
   const TypedGraph& graph_;
   NodeProver& nodes_;
   std::vector<Range> ranges_;
   std::vector<bool> done_;
 };
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

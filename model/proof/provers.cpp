@@ -11,7 +11,7 @@
 #include "model/common/output_file.hpp"
 #include "model/proof/gappa.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 namespace fs = std::filesystem;
@@ -129,4 +129,4 @@ Result<Done> ProofDirectory::write_report(const std::string& file_name,
   return Done{};
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

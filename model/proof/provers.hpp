@@ -10,7 +10,7 @@
 #include "model/common/result.hpp"
 #include "model/proof/lane_proof.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 /// A prover that keeps no files. It runs each script once, all of them within `budget_seconds`.
 /// Without Gappa every script is unchecked.
@@ -73,4 +73,4 @@ private:
   std::optional<Error> failure_;
 };
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -7,13 +7,14 @@
 #include "model/proof/node_ranges.hpp"
 #include "model/proof/script.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 /// Writes every node as computed (c) and in exact arithmetic (t), from inputs in their ranges.
 class RangeWriter {
 public:
-  explicit RangeWriter(const Lane& lane) : graph_(lane.graph), ranges_(enforced_ranges(lane)) {}
+  explicit RangeWriter(const error::Lane& lane)
+      : graph_(lane.graph), ranges_(enforced_ranges(lane)) {}
 
   RangeScript run(NodeId f, NodeId g, const mpq_class& bound) &&;
 
@@ -92,8 +93,8 @@ std::string RangeWriter::expression(const TypedNode& node, char kind) const {
 
 }  // namespace
 
-RangeScript range_script(const Lane& lane, NodeId f, NodeId g, const mpq_class& bound) {
+RangeScript range_script(const error::Lane& lane, NodeId f, NodeId g, const mpq_class& bound) {
   return RangeWriter(lane).run(f, g, bound);
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

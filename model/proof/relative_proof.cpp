@@ -7,7 +7,7 @@
 #include "model/proof/lane_proof.hpp"
 #include "model/proof/node_prover.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 /// Which form of a bound is used.
@@ -18,7 +18,7 @@ enum class Width {
 
 class RelativeProof {
 public:
-  RelativeProof(const Lane& lane, const std::vector<NodeClaim>& claims, const Prove& prove,
+  RelativeProof(const error::Lane& lane, const std::vector<NodeClaim>& claims, const Prove& prove,
                 Effort effort)
       : lane_(lane),
         graph_(lane.graph),
@@ -35,12 +35,13 @@ private:
   bool prove_whole(const std::string& name, const Cone& cone);
   void check_guard();
   Bits guard_from(Width width) const;
-  RelativeBound before_rounding(NodeId id, Width width) const;
-  RelativeBound claimed(NodeId id, const std::optional<RelativeBound>& bound, Width width) const {
+  error::RelativeBound before_rounding(NodeId id, Width width) const;
+  error::RelativeBound claimed(NodeId id, const std::optional<error::RelativeBound>& bound,
+                               Width width) const {
     return width == Width::exact ? *bound : provable(*bound, depth_of(graph_, id));
   }
 
-  const Lane& lane_;
+  const error::Lane& lane_;
   const TypedGraph& graph_;
   const std::vector<NodeClaim>& claims_;
   Effort effort_;
@@ -101,7 +102,7 @@ bool RelativeProof::prove_whole(const std::string& name, const Cone& cone) {
 
 /// Theorem 4's bound of the real number whose rounding to the lane's format is the node. It is
 /// written from the theorem, independently of the analysis.
-RelativeBound RelativeProof::before_rounding(NodeId id, Width width) const {
+error::RelativeBound RelativeProof::before_rounding(NodeId id, Width width) const {
   const TypedNode& node = graph_.nodes[id];
   if (claims_[id].unrounded) return claimed(id, claims_[id].unrounded, width);
   switch (node.operation) {
@@ -130,17 +131,18 @@ RelativeBound RelativeProof::before_rounding(NodeId id, Width width) const {
 Bits RelativeProof::guard_from(Width width) const {
   const FloatFormat format = graph_.arithmetic.format;
   const NodeClaim &f = claims_[graph_.f], &g = claims_[graph_.g];
-  return std::min(guard_ulp(claimed(graph_.f, f.relative, width),
-                            claimed(graph_.g, g.relative, width), format.precision()),
-                  guard_ulp_before_rounding(before_rounding(graph_.f, width),
-                                            before_rounding(graph_.g, width), format.precision()));
+  return std::min(
+      guard_ulp(claimed(graph_.f, f.relative, width), claimed(graph_.g, g.relative, width),
+                format.precision()),
+      error::guard_ulp_before_rounding(before_rounding(graph_.f, width),
+                                       before_rounding(graph_.g, width), format.precision()));
 }
 
 /// Checks the guard against the proven bounds. Where f and g have the same constant factor, its
 /// error cancels exactly, but with any slack it does not: there the guard follows from the exact
 /// bounds only.
 void RelativeProof::check_guard() {
-  const auto& decision = std::get<UlpDistanceDecision>(lane_.decision);
+  const auto& decision = std::get<error::UlpDistanceDecision>(lane_.decision);
   const NodeClaim &f = claims_[graph_.f], &g = claims_[graph_.g];
   const bool beyond = decision.guard_ulp == low_mask(graph_.arithmetic.format.width());
   const bool signs = !decision.nonnegative || (f.nonnegative && g.nonnegative);
@@ -161,8 +163,8 @@ void RelativeProof::check_guard() {
 
 }  // namespace
 
-LaneProof prove_relative(const Lane& lane, const std::vector<NodeClaim>& claims, const Prove& prove,
-                         Effort effort) {
+LaneProof prove_relative(const error::Lane& lane, const std::vector<NodeClaim>& claims,
+                         const Prove& prove, Effort effort) {
   LaneProof proof;
   proof.lane = describe_arithmetic(lane.graph.arithmetic);
   proof.kind = "relative";
@@ -172,4 +174,4 @@ LaneProof prove_relative(const Lane& lane, const std::vector<NodeClaim>& claims,
   return proof;
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -12,7 +12,7 @@
 #include "model/proof/cone.hpp"
 #include "model/proof/script.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 /// A divisor's error is at most this fraction of it, as the lane's condition ensures.
@@ -22,7 +22,7 @@ using Weight = std::function<mpq_class(const BoundSample&)>;
 
 class RuleWriter {
 public:
-  RuleWriter(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id)
+  RuleWriter(const TypedGraph& graph, const error::ErrorAnalysis& analysis, NodeId id)
       : graph_(graph),
         analysis_(analysis),
         id_(id),
@@ -33,7 +33,7 @@ public:
   NodeRules run() &&;
 
 private:
-  const MixedBound& mixed(NodeId id) const { return *analysis_.nodes[id].mixed; }
+  const error::MixedBound& mixed(NodeId id) const { return *analysis_.nodes[id].mixed; }
   bool has_error(NodeId id) const { return !mixed(id).is_relative(); }
   bool is_signed_sum() const;
   Weight error(NodeId id) const;
@@ -56,7 +56,7 @@ private:
   void square_root();
 
   const TypedGraph& graph_;
-  const ErrorAnalysis& analysis_;
+  const error::ErrorAnalysis& analysis_;
   NodeId id_;
   const TypedNode& node_;
   NodeId a_;
@@ -112,9 +112,9 @@ NodeRules RuleWriter::run() && {
 /// Whether the operands have one sign or exact factors. Either way the sum's factor is a mean of
 /// both.
 bool RuleWriter::is_signed_sum() const {
-  const NodeBound &a = analysis_.nodes[a_], &b = analysis_.nodes[b_];
+  const error::NodeBound &a = analysis_.nodes[a_], &b = analysis_.nodes[b_];
   const bool minus = node_.operation == Operation::subtract;
-  if (is_exact(mixed(a_).factor) && is_exact(mixed(b_).factor)) return true;
+  if (error::is_exact(mixed(a_).factor) && error::is_exact(mixed(b_).factor)) return true;
   return (a.nonnegative && (minus ? b.nonpositive : b.nonnegative)) ||
          (a.nonpositive && (minus ? b.nonnegative : b.nonpositive));
 }
@@ -130,7 +130,7 @@ Weight RuleWriter::magnitude(NodeId id) const {
 }
 
 RuleVariable RuleWriter::factor(const char* name, NodeId id) const {
-  const RelativeBound bound = provable(mixed(id).factor, depth_of(graph_, id));
+  const error::RelativeBound bound = provable(mixed(id).factor, depth_of(graph_, id));
   return {name, bound.low, bound.high};
 }
 
@@ -141,7 +141,8 @@ RuleVariable RuleWriter::error_factor(const char* name, NodeId id) const {
 
 RuleVariable RuleWriter::own_rounding_factor(const char* name) const {
   if (own_rounding(graph_, node_) != OwnRounding::rounds) return {name, 1, 1};
-  const RelativeBound own = rounding_interval(node_.format.precision(), graph_.arithmetic.rounding);
+  const error::RelativeBound own =
+      rounding_interval(node_.format.precision(), graph_.arithmetic.rounding);
   return {name, own.low, own.high};
 }
 
@@ -176,7 +177,8 @@ void RuleWriter::sum() {
 /// (a s + C p) + (b t + D q) = (a + b) m + C p + D q + a (s - m) + b (t - m).
 void RuleWriter::cancelling_sum() {
   sum();
-  const RelativeBound own = rounding_interval(node_.format.precision(), graph_.arithmetic.rounding);
+  const error::RelativeBound own =
+      rounding_interval(node_.format.precision(), graph_.arithmetic.rounding);
   result_.center = mixed(id_).factor.low / own.low;
   rule_.identity = {"(a * s + c * p + (b * t + d * q)) - (a + b) * m",
                     "c * p + d * q + a * (s - m) + b * (t - m)"};
@@ -189,13 +191,14 @@ void RuleWriter::add_deviations() {
   Weight largest;
   for (const auto& [operand, part, factor_name, unit_name] :
        {std::tuple(a_, "v", "s", "al"), std::tuple(b_, "w", "t", "be")}) {
-    const RelativeBound& operand_factor = mixed(operand).factor;
+    const error::RelativeBound& operand_factor = mixed(operand).factor;
     const TypedNode& operand_node = graph_.nodes[operand];
     const bool plain = operand_node.operation == Operation::constant ||
                        !(operand_node.format == graph_.arithmetic.format);
-    const NodeBound& bound = analysis_.nodes[operand];
-    const bool rounded_once = bound.relative && bound.unrounded && is_exact(*bound.unrounded);
-    if (is_exact(operand_factor) && center == 1) continue;
+    const error::NodeBound& bound = analysis_.nodes[operand];
+    const bool rounded_once =
+        bound.relative && bound.unrounded && error::is_exact(*bound.unrounded);
+    if (error::is_exact(operand_factor) && center == 1) continue;
     if (center == 1 && (plain || rounded_once)) {
       const mpq_class size =
           plain ? constant_error(operand)
@@ -218,7 +221,7 @@ void RuleWriter::add_deviations() {
     largest = largest ? larger(largest, magnitude(operand)) : magnitude(operand);
   }
   if (!largest) return;
-  const RelativeBound exact_center = provable({center, center}, depth_of(graph_, a_));
+  const error::RelativeBound exact_center = provable({center, center}, depth_of(graph_, a_));
   rule_.variables.push_back({"m", exact_center.low, exact_center.high});
   add_largest(largest, deviation);
 }
@@ -272,12 +275,12 @@ void RuleWriter::square() {
 /// quotient; 1 / |b| is `o` times the bound's power of two.
 void RuleWriter::divide() {
   const Weight reciprocal = [id = b_](const BoundSample& sample) { return sample.reciprocal(id); };
-  const RelativeBound& divisor = mixed(b_).factor;
+  const error::RelativeBound& divisor = mixed(b_).factor;
   rule_.variables = {factor("s", a_),       factor("t", b_),          error_factor("p", a_),
                      error_factor("q", b_), own_rounding_factor("r"), any_share};
   mpq_class share = 0;
   if (has_error(b_)) {
-    const RelativeBound proven = provable(divisor, depth_of(graph_, b_));
+    const error::RelativeBound proven = provable(divisor, depth_of(graph_, b_));
     const mpq_class& claimed = mixed(b_).absolute.slack_factor;
     const mpq_class excess = provable_fudge(graph_, analysis_, b_) / claimed;
     share = rounded_up(divisor_share * excess * divisor.low / proven.low);
@@ -307,13 +310,13 @@ void RuleWriter::square_root() {
 
 }  // namespace
 
-NodeRules rules_of(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id) {
+NodeRules rules_of(const TypedGraph& graph, const error::ErrorAnalysis& analysis, NodeId id) {
   return RuleWriter(graph, analysis, id).run();
 }
 
 /// A factor enters by its distance from one, which is about an ulp. Relative to that distance the
 /// slack of `provable` is about 2^P times as large, and so is the slack here.
-mpq_class provable_fudge(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id) {
+mpq_class provable_fudge(const TypedGraph& graph, const error::ErrorAnalysis& analysis, NodeId id) {
   const mpq_class& slack_factor = analysis.nodes[id].mixed->absolute.slack_factor;
   const long slack =
       2L * depth_of(graph, id) + graph.arithmetic.format.precision() + 4 - slack_bits;
@@ -337,4 +340,4 @@ std::string rule_script(const Rule& rule, const mpq_class& slack_factor) {
   return script.text();
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

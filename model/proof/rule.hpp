@@ -8,7 +8,7 @@
 #include "model/error/error_analysis.hpp"
 #include "model/proof/bound_sample.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 /// A variable of a script: any number in [low, high].
 struct RuleVariable {
@@ -52,14 +52,14 @@ struct NodeRules {
   /// The factor before a sum's own rounding, where its operands may cancel.
   std::optional<mpq_class> center;
 };
-NodeRules rules_of(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id);
+NodeRules rules_of(const TypedGraph& graph, const error::ErrorAnalysis& analysis, NodeId id);
 
 /// A node's slack_factor as it is proven: a little larger than claimed, see `provable`.
-mpq_class provable_fudge(const TypedGraph& graph, const ErrorAnalysis& analysis, NodeId id);
+mpq_class provable_fudge(const TypedGraph& graph, const error::ErrorAnalysis& analysis, NodeId id);
 
 /// A script that proves that no factor exceeds `slack_factor` in magnitude, so that the sum of
 /// terms does not exceed `slack_factor` times the sum of weights. It also states the rule's
 /// identity, which Gappa checks by normalising both sides.
 std::string rule_script(const Rule& rule, const mpq_class& slack_factor);
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -12,7 +12,7 @@
 #include "model/proof/rule.hpp"
 #include "model/proof/script.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 std::vector<BoundSample> samples_of(const TypedGraph& graph) {
@@ -24,9 +24,9 @@ std::vector<BoundSample> samples_of(const TypedGraph& graph) {
 }
 
 /// Claims with the factors of mixed bounds, without their absolute parts.
-std::vector<NodeClaim> factor_claims(const ErrorAnalysis& analysis) {
+std::vector<NodeClaim> factor_claims(const error::ErrorAnalysis& analysis) {
   std::vector<NodeClaim> claims;
-  for (const NodeBound& bound : analysis.nodes) {
+  for (const error::NodeBound& bound : analysis.nodes) {
     NodeClaim claim{.relative = {},
                     .unrounded = bound.unrounded,
                     .nonnegative = bound.nonnegative,
@@ -39,7 +39,7 @@ std::vector<NodeClaim> factor_claims(const ErrorAnalysis& analysis) {
 
 class RuleProof {
 public:
-  RuleProof(const Lane& lane, const ErrorAnalysis& analysis, const Prove& prove)
+  RuleProof(const error::Lane& lane, const error::ErrorAnalysis& analysis, const Prove& prove)
       : graph_(lane.graph),
         analysis_(analysis),
         claims_(factor_claims(analysis)),
@@ -55,10 +55,10 @@ private:
   void check_lost_constant(NodeId id);
   void check_condition(const RuleCondition& condition);
   bool is_the_bound(NodeId id, const Rule& rule) const;
-  const MixedBound& mixed(NodeId id) const { return *analysis_.nodes[id].mixed; }
+  const error::MixedBound& mixed(NodeId id) const { return *analysis_.nodes[id].mixed; }
 
   const TypedGraph& graph_;
-  const ErrorAnalysis& analysis_;
+  const error::ErrorAnalysis& analysis_;
   std::vector<NodeClaim> claims_;
   std::vector<BoundSample> samples_;
   NodeProver nodes_;
@@ -94,9 +94,9 @@ void RuleProof::prove_binade_rounding() {
 
 void RuleProof::prove_factor(NodeId id, const NodeRules& rules) {
   if (!rules.center) return nodes_.prove_node(id);
-  const RelativeBound own =
+  const error::RelativeBound own =
       rounding_interval(graph_.arithmetic.format.precision(), graph_.arithmetic.rounding);
-  const RelativeBound& factor = mixed(id).factor;
+  const error::RelativeBound& factor = mixed(id).factor;
   const bool holds = factor.low <= *rules.center * own.low &&
                      *rules.center * own.high <= factor.high && *rules.center > 0;
   nodes_.add({fmt::format("{} {}, factor", to_string(graph_.nodes[id].operation), nodes_.text(id)),
@@ -132,7 +132,7 @@ bool RuleProof::is_the_bound(NodeId id, const Rule& rule) const {
 void RuleProof::check_lost_constant(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
   const mpq_class computed = to_rational(node.format, node.constant);
-  const MixedBound& bound = mixed(id);
+  const error::MixedBound& bound = mixed(id);
   const mpq_class error = samples_.front().value(analysis_.bounds, bound.absolute.bound);
   const auto within = [&](const mpq_class& factor) {
     return abs(node.value - computed * factor) <= bound.absolute.slack_factor * error;
@@ -144,7 +144,7 @@ void RuleProof::check_lost_constant(NodeId id) {
 }
 
 void RuleProof::check_condition(const RuleCondition& condition) {
-  const auto asks = [&](const BoundCondition& known) {
+  const auto asks = [&](const error::BoundCondition& known) {
     return known.value == condition.value &&
            std::all_of(samples_.begin(), samples_.end(), [&](const BoundSample& sample) {
              return sample.value(analysis_.bounds, known.bound) >= condition.bound(sample);
@@ -157,8 +157,9 @@ void RuleProof::check_condition(const RuleCondition& condition) {
 }
 
 /// Whether a node of the lane's bound graph equals the analysis' bound in every sample.
-bool stands_for(const Lane& lane, int lane_bound, const ErrorAnalysis& analysis, BoundId bound) {
-  const auto& nodes = std::get<AbsoluteBoundDecision>(lane.decision).bound.nodes;
+bool stands_for(const error::Lane& lane, int lane_bound, const error::ErrorAnalysis& analysis,
+                error::BoundId bound) {
+  const auto& nodes = std::get<error::AbsoluteBoundDecision>(lane.decision).bound.nodes;
   const std::vector<BoundSample> samples = samples_of(lane.graph);
   return std::all_of(samples.begin(), samples.end(), [&](const BoundSample& sample) {
     return sample.value(nodes, lane_bound) == sample.value(analysis.bounds, bound);
@@ -169,41 +170,43 @@ bool stands_for(const Lane& lane, int lane_bound, const ErrorAnalysis& analysis,
 /// proof's own slack, since numbers of P digits are further apart.
 bool guards(Bits guard, const mpq_class& slack_factor, int precision) {
   if (slack_factor <= 1 + power_of_two(-precision - 2)) return true;
-  return guard >= steps_beyond(slack_factor, precision);
+  return guard >= error::steps_beyond(slack_factor, precision);
 }
 
 }  // namespace
 
-ErrorAnalysis analysis_of(const Lane& lane) {
+error::ErrorAnalysis analysis_of(const error::Lane& lane) {
   std::vector<bool> nonnegative;
   for (int input = 0; input < lane.graph.input_count; ++input) {
     nonnegative.push_back(is_checked_nonnegative(lane.checks, input));
   }
-  return analyse_errors(lane.graph, nonnegative);
+  return error::analyse_errors(lane.graph, nonnegative);
 }
 
-std::vector<Finding> prove_rules(const Lane& lane, const ErrorAnalysis& analysis,
+std::vector<Finding> prove_rules(const error::Lane& lane, const error::ErrorAnalysis& analysis,
                                  const Prove& prove) {
   return RuleProof(lane, analysis, prove).run();
 }
 
-std::vector<Finding> check_running_decision(const Lane& lane, const ErrorAnalysis& analysis) {
-  const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
+std::vector<Finding> check_running_decision(const error::Lane& lane,
+                                            const error::ErrorAnalysis& analysis) {
+  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision);
   const Arithmetic& arithmetic = lane.graph.arithmetic;
   const int precision = arithmetic.format.precision();
   const auto finding = [](std::string what, bool holds) {
     return Finding{std::move(what), holds ? Outcome::proven : Outcome::not_proven,
                    "by exact arithmetic"};
   };
-  const MixedBound& bound = *analysis.nodes[decision.difference].mixed;
+  const error::MixedBound& bound = *analysis.nodes[decision.difference].mixed;
   const auto last = static_cast<int>(decision.bound.nodes.size()) - 1;
   const mpq_class low = bound.factor.low / rounding_interval(precision, arithmetic.rounding).low;
   const mpq_class slack_factor =
       provable_fudge(lane.graph, analysis, decision.difference) / std::min<mpq_class>(1, low);
   const bool conditions = std::all_of(
-      analysis.conditions.begin(), analysis.conditions.end(), [&](const BoundCondition& needed) {
+      analysis.conditions.begin(), analysis.conditions.end(),
+      [&](const error::BoundCondition& needed) {
         return std::any_of(decision.conditions.begin(), decision.conditions.end(),
-                           [&](const BoundCondition& held) {
+                           [&](const error::BoundCondition& held) {
                              return held.value == needed.value &&
                                     stands_for(lane, held.bound, analysis, needed.bound);
                            });
@@ -216,4 +219,4 @@ std::vector<Finding> check_running_decision(const Lane& lane, const ErrorAnalysi
           finding("it asks for every condition", conditions)};
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

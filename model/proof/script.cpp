@@ -7,7 +7,7 @@
 #include "model/common/check.hpp"
 #include "model/proof/claims.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 /// The lowest exponent of a rounding operator: as low as Gappa accepts, and below every exponent of
@@ -15,7 +15,7 @@ namespace {
 constexpr int lowest_exponent = -65000;
 
 std::string relative_fact(const std::string& truth, const std::string& computed,
-                          const RelativeBound& bound) {
+                          const error::RelativeBound& bound) {
   return fmt::format("{} -/ {} in [{}, {}]", truth, computed, dyadic(bound.low - 1),
                      dyadic(bound.high - 1));
 }
@@ -46,7 +46,7 @@ std::string rounding_operator(int precision, Rounding rounding) {
   return fmt::format("float<{}, {}, {}>", precision, lowest_exponent, direction());
 }
 
-RelativeBound rounding_interval(int precision, Rounding rounding) {
+error::RelativeBound rounding_interval(int precision, Rounding rounding) {
   const mpq_class u(1, mpz_class(1) << precision);
   switch (rounding) {
     case Rounding::nearest_even: return {1 - u, 1 + u};
@@ -77,7 +77,7 @@ void Script::assume_within(const std::string& expression, const std::string& low
 }
 
 void Script::assume_relative(const std::string& truth, const std::string& computed,
-                             const RelativeBound& bound) {
+                             const error::RelativeBound& bound) {
   assume(relative_fact(truth, computed, bound));
 }
 
@@ -86,7 +86,7 @@ void Script::conclude(const std::string& fact) {
 }
 
 void Script::conclude_relative(const std::string& truth, const std::string& computed,
-                               const RelativeBound& bound) {
+                               const error::RelativeBound& bound) {
   conclude(relative_fact(truth, computed, bound));
 }
 
@@ -126,7 +126,7 @@ std::vector<std::string> scripts_of_one_rounding(int precision, Rounding roundin
 }  // namespace
 
 std::vector<std::string> rounding_scripts(int precision, Rounding rounding) {
-  const RelativeBound bound = rounding_interval(precision, rounding);
+  const error::RelativeBound bound = rounding_interval(precision, rounding);
   return scripts_of_one_rounding(
       precision, rounding,
       fmt::format("(c - y) / c in [{}, {}]", dyadic(1 - bound.high), dyadic(1 - bound.low)));
@@ -169,4 +169,4 @@ std::string exactness_script(ExactOperation operation, int operand_precision, in
   return script.text();
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -5,7 +5,7 @@
 
 #include "model/error/relative_bound.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 /// A dyadic rational in Gappa's syntax: "-3b-17" is -3 * 2^-17.
 std::string dyadic(const mpq_class& value);
@@ -15,7 +15,7 @@ std::string dyadic(const mpq_class& value);
 std::string rounding_operator(int precision, Rounding rounding);
 
 /// Theorem 1 of docs/error_bounds.md: exact result = rounded result * t, t in this interval.
-RelativeBound rounding_interval(int precision, Rounding rounding);
+error::RelativeBound rounding_interval(int precision, Rounding rounding);
 
 /// A Gappa script: definitions, then hypotheses that imply goals.
 class Script {
@@ -29,10 +29,10 @@ public:
                      const std::string& high);
   /// Assumes truth = computed * t with t in the bound.
   void assume_relative(const std::string& truth, const std::string& computed,
-                       const RelativeBound& bound);
+                       const error::RelativeBound& bound);
   void conclude(const std::string& fact);
   void conclude_relative(const std::string& truth, const std::string& computed,
-                         const RelativeBound& bound);
+                         const error::RelativeBound& bound);
   /// Tells Gappa that both sides are equal numbers, so that a bound of the second bounds the first.
   void hint(const std::string& from, const std::string& to);
 
@@ -63,4 +63,4 @@ std::string_view to_string(ExactOperation operation);
 std::string exactness_script(ExactOperation operation, int operand_precision, int precision,
                              Rounding rounding);
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -5,7 +5,7 @@
 
 #include "model/common/check.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 namespace {
 
 bool is_inner(const Cone& cone, NodeId id) {
@@ -120,4 +120,4 @@ Zeros zeros_from(const Cone& cone, const std::vector<NodeId>& atoms, unsigned lo
   return zeros;
 }
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

@@ -4,7 +4,7 @@
 
 #include "model/proof/cone.hpp"
 
-namespace mixcmp::model::proof {
+namespace mixcmp::proof {
 
 /// Which nodes of a graph are zero in one case; meaningful for the cone's nodes.
 using Zeros = std::vector<bool>;
@@ -20,4 +20,4 @@ std::vector<NodeId> zero_atoms(const Cone& cone);
 /// exceptional.
 Zeros zeros_from(const Cone& cone, const std::vector<NodeId>& atoms, unsigned long pattern);
 
-}  // namespace mixcmp::model::proof
+}  // namespace mixcmp::proof

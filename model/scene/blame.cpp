@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 
 Error with_setting(Error error, std::span<const std::string> overrides, const Attempt& attempt) {
   if (overrides.empty() || error.file.starts_with("--")) return error;
@@ -22,4 +22,4 @@ Error with_setting(Error error, std::span<const std::string> overrides, const At
   return error;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

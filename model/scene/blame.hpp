@@ -7,7 +7,7 @@
 
 #include "model/common/result.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 
 /// Reads a scene with these overrides and returns the error that this gives; none: it succeeds.
 using Attempt = std::function<std::optional<Error>(std::span<const std::string> overrides)>;
@@ -17,4 +17,4 @@ using Attempt = std::function<std::optional<Error>(std::span<const std::string> 
 /// error that comes up without any override, or that names an option already, stays as it is.
 Error with_setting(Error error, std::span<const std::string> overrides, const Attempt& attempt);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

@@ -8,7 +8,7 @@
 #include "model/common/quote.hpp"
 #include "model/settings/limits.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
 using Kind = BoundChoice::Kind;
@@ -25,11 +25,12 @@ std::string_view word(Kind kind) {
   MIXCMP_CHECK(false);
 }
 
-BoundChoice choice_of_part(const Lane& lane) {
+BoundChoice choice_of_part(const error::Lane& lane) {
   if (!lane.certified()) return {Kind::profiled};
-  const auto* absolute = std::get_if<AbsoluteBoundDecision>(&lane.decision);
+  const auto* absolute = std::get_if<error::AbsoluteBoundDecision>(&lane.decision);
   if (absolute == nullptr) return {Kind::relative};
-  if (absolute->bound.nodes.back().operation == BoundOperation::constant) return {Kind::constant};
+  if (absolute->bound.nodes.back().operation == error::BoundOperation::constant)
+    return {Kind::constant};
   return {Kind::running, absolute->bound.format.precision};
 }
 
@@ -48,7 +49,7 @@ Result<BoundChoice> parse_bound_choice(std::string_view name) {
   for (const Kind kind : {Kind::constant, Kind::profiled, Kind::relative}) {
     if (name == word(kind)) return BoundChoice{kind};
   }
-  constexpr Limits digits = limits::bound_digits;
+  constexpr settings::Limits digits = settings::limits::bound_digits;
   static_assert(digits.most <= 9, "one character names the digits");
   if (name.size() == running_prefix.size() + 1 && name.starts_with(running_prefix) &&
       digits.allow(name.back() - '0')) {
@@ -60,19 +61,19 @@ Result<BoundChoice> parse_bound_choice(std::string_view name) {
                                        digits.least, digits.most)};
 }
 
-std::optional<BoundChoice> bound_choice(const CombinedLane& lane) {
+std::optional<BoundChoice> bound_choice(const error::CombinedLane& lane) {
   const BoundChoice first = choice_of_part(lane.parts.front());
-  const bool all_alike = std::all_of(lane.parts.begin(), lane.parts.end(), [&](const Lane& part) {
-    return choice_of_part(part) == first;
-  });
+  const bool all_alike =
+      std::all_of(lane.parts.begin(), lane.parts.end(),
+                  [&](const error::Lane& part) { return choice_of_part(part) == first; });
   return all_alike ? std::optional(first) : std::nullopt;
 }
 
-BoundChoice bound_choice(const CandidateLanes& candidate) {
+BoundChoice bound_choice(const error::CandidateLanes& candidate) {
   switch (candidate.kind) {
-    case ErrorBoundKind::relative: return {Kind::relative};
-    case ErrorBoundKind::running: return {Kind::running, candidate.bound_digits};
-    case ErrorBoundKind::constant: return {Kind::constant};
+    case error::ErrorBoundKind::relative: return {Kind::relative};
+    case error::ErrorBoundKind::running: return {Kind::running, candidate.bound_digits};
+    case error::ErrorBoundKind::constant: return {Kind::constant};
   }
   MIXCMP_CHECK(false);
 }
@@ -90,10 +91,10 @@ ReducedSpec with_bound(const ReducedSpec& reduced, const BoundChoice& choice) {
   ReducedSpec copy = reduced;
   copy.bound = BoundKind::certified;
   switch (choice.kind) {
-    case Kind::constant: copy.error_bound = ErrorBoundKind::constant; break;
-    case Kind::relative: copy.error_bound = ErrorBoundKind::relative; break;
+    case Kind::constant: copy.error_bound = error::ErrorBoundKind::constant; break;
+    case Kind::relative: copy.error_bound = error::ErrorBoundKind::relative; break;
     case Kind::running:
-      copy.error_bound = ErrorBoundKind::running;
+      copy.error_bound = error::ErrorBoundKind::running;
       copy.bound_digits = choice.digits;
       break;
     case Kind::profiled:
@@ -104,4 +105,4 @@ ReducedSpec with_bound(const ReducedSpec& reduced, const BoundChoice& choice) {
   return copy;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

@@ -8,7 +8,7 @@
 #include "model/error/combined_lane.hpp"
 #include "model/scene/scene.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 
 /// A way to bound the errors of a lane, whatever its format. Profiles, tables and options name it
 /// "relative", "running_4" (digits), "constant" or "profiled".
@@ -29,9 +29,9 @@ std::string to_string(const std::optional<BoundChoice>& choice);
 Result<BoundChoice> parse_bound_choice(std::string_view name);
 
 /// How a lane bounds its errors; none if its parts do so in different ways.
-std::optional<BoundChoice> bound_choice(const CombinedLane& lane);
+std::optional<BoundChoice> bound_choice(const error::CombinedLane& lane);
 /// The choice with which `candidate_lanes` made a candidate.
-BoundChoice bound_choice(const CandidateLanes& candidate);
+BoundChoice bound_choice(const error::CandidateLanes& candidate);
 
 /// The choices that a profile counts.
 std::span<const BoundChoice> profiled_bound_choices();
@@ -39,4 +39,4 @@ std::span<const BoundChoice> profiled_bound_choices();
 /// Returns a copy of `reduced` with this bound.
 ReducedSpec with_bound(const ReducedSpec& reduced, const BoundChoice& choice);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

@@ -8,18 +8,18 @@
 #include "model/scene/sections.hpp"
 #include "model/settings/section.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
 /// Turns an error's column within an expression into a line and a column of the file. Where the
 /// file does not contain the text literally (escapes, --set), the message gives the position in the
 /// text instead.
-Error locate(const Setting& setting, Error error) {
+Error locate(const settings::Setting& setting, Error error) {
   const auto column = static_cast<std::size_t>(error.column);
   static const std::string nothing;
   const std::string& source = setting.file ? setting.file->text : nothing;
   const auto& text = std::get<std::string>(setting.value);
-  error.file = file_of(setting);
+  error.file = settings::file_of(setting);
   error.line = setting.line;
   error.column = 0;
   std::size_t line_start = 0;
@@ -54,24 +54,24 @@ Error locate(const Setting& setting, Error error) {
 
 /// Gives a place in the file to an error in the text of `setting`, whose key is `field`, or in the
 /// text of a let that it uses.
-Error locate_in(const Settings& settings, const Setting& setting, const std::string& field,
-                Error error) {
+Error locate_in(const settings::Settings& settings, const settings::Setting& setting,
+                const std::string& field, Error error) {
   if (error.field.empty()) {
     error.field = field;
     return locate(setting, error);
   }
   const std::string let = error.field.substr(std::string_view("let.").size());
-  const auto& let_table = std::get<Setting::Table>(settings.root.find("let")->value);
+  const auto& let_table = std::get<settings::Setting::Table>(settings.root.find("let")->value);
   return locate(*let_table.find(let), error);
 }
 
 /// The context in which all expressions of a comparison are parsed.
 struct Reading {
-  const Settings& settings;
+  const settings::Settings& settings;
   std::span<const LetDefinition> lets;
   std::set<std::string> used_lets = {};
 
-  Result<NodeId> parse(Graph& graph, const Setting& setting, const std::string& field,
+  Result<NodeId> parse(Graph& graph, const settings::Setting& setting, const std::string& field,
                        std::span<const IndexValue> indices) {
     const Result<NodeId> node =
         parse_expression(graph, std::get<std::string>(setting.value), lets, &used_lets, indices);
@@ -87,14 +87,14 @@ Result<Done> check_index_name(const ComparisonSpec& comparison, const Graph& gra
   const std::string& name = comparison.parts.front().indices.front().name;
   const std::vector<std::string>& inputs = graph.inputs();
   if (std::find(inputs.begin(), inputs.end(), name) == inputs.end()) return Done{};
-  return mistake_at(*comparison.index, "comparison.for",
-                    fmt::format("the index {} has the name of an input", name),
-                    comparison.index->shown(), "a name of no let, function or input");
+  return settings::mistake_at(*comparison.index, "comparison.for",
+                              fmt::format("the index {} has the name of an input", name),
+                              comparison.index->shown(), "a name of no let, function or input");
 }
 
 }  // namespace
 
-Result<Done> expand_parts(const Settings& settings, std::span<const LetDefinition> lets,
+Result<Done> expand_parts(const settings::Settings& settings, std::span<const LetDefinition> lets,
                           ComparisonSpec& comparison) {
   if (comparison.index == nullptr) return Done{};
   const auto parsed = parse_index_range(std::get<std::string>(comparison.index->value), lets);
@@ -102,9 +102,9 @@ Result<Done> expand_parts(const Settings& settings, std::span<const LetDefinitio
   const std::vector<PartSettings> listed = std::exchange(comparison.parts, {});
   for (long value = parsed->first; value <= parsed->last; ++value) {
     if (comparison.parts.size() + listed.size() > max_parts) {
-      return mistake_at(*comparison.index, "comparison.for", "too many parts",
-                        comparison.index->shown(),
-                        fmt::format("at most {} values", max_parts / listed.size()));
+      return settings::mistake_at(*comparison.index, "comparison.for", "too many parts",
+                                  comparison.index->shown(),
+                                  fmt::format("at most {} values", max_parts / listed.size()));
     }
     for (const PartSettings& part : listed) {
       comparison.parts.push_back({part.f, part.g, {{parsed->name, value}}});
@@ -113,7 +113,7 @@ Result<Done> expand_parts(const Settings& settings, std::span<const LetDefinitio
   return Done{};
 }
 
-Result<Graph> read_graph(const Settings& settings, const ComparisonSpec& comparison,
+Result<Graph> read_graph(const settings::Settings& settings, const ComparisonSpec& comparison,
                          std::span<const LetDefinition> lets,
                          const std::vector<std::string>& inputs, std::set<std::string>& used_lets) {
   Graph graph;
@@ -129,24 +129,25 @@ Result<Graph> read_graph(const Settings& settings, const ComparisonSpec& compari
   graph.compare(std::move(parts), comparison.combination);
   used_lets.merge(reading.used_lets);
   if (graph.inputs().empty()) {
-    const Section section(settings, "comparison");
+    const settings::Section section(settings, "comparison");
     return section.mistake("f", "f and g name no input", "constants only",
                            "at least one input name");
   }
   return graph;
 }
 
-Result<Done> check_unused_lets(const Settings& settings, std::span<const LetDefinition> lets,
+Result<Done> check_unused_lets(const settings::Settings& settings,
+                               std::span<const LetDefinition> lets,
                                const std::set<std::string>& used) {
   for (const LetDefinition& let : lets) {
     if (used.contains(let.name)) continue;
     Graph scratch;
     Reading reading{settings, lets};
-    const auto& table = std::get<Setting::Table>(settings.root.find("let")->value);
+    const auto& table = std::get<settings::Setting::Table>(settings.root.find("let")->value);
     MIXCMP_TRY(node, reading.parse(scratch, *table.find(let.name), "let." + let.name, {}));
     MIXCMP_CHECK(node >= 0);
   }
   return Done{};
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

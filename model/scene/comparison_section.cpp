@@ -4,18 +4,19 @@
 #include "model/scene/sections.hpp"
 #include "model/settings/section.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
 /// Reads a key whose value is an expression or a list of expressions.
-std::vector<const Setting*> read_expressions(Section& section, const std::string& key) {
-  const Setting* setting = section.find(key);
+std::vector<const settings::Setting*> read_expressions(settings::Section& section,
+                                                       const std::string& key) {
+  const settings::Setting* setting = section.find(key);
   if (setting == nullptr) return {};
   if (std::holds_alternative<std::string>(setting->value)) return {setting};
   constexpr const char* accepted = "a string, or a list of strings, one for each part";
-  const auto* list = std::get_if<Setting::Array>(&setting->value);
-  std::vector<const Setting*> expressions;
-  for (const Setting& element : list == nullptr ? Setting::Array{} : *list) {
+  const auto* list = std::get_if<settings::Setting::Array>(&setting->value);
+  std::vector<const settings::Setting*> expressions;
+  for (const settings::Setting& element : list == nullptr ? settings::Setting::Array{} : *list) {
     if (!std::holds_alternative<std::string>(element.value)) {
       section.fail(key, "not an expression in the list",
                    fmt::format("{} ({})", element.shown(), element.kind()), accepted);
@@ -26,17 +27,17 @@ std::vector<const Setting*> read_expressions(Section& section, const std::string
                  fmt::format("{} ({})", setting->shown(), setting->kind()), accepted);
     return {};
   }
-  for (const Setting& element : *list) expressions.push_back(&element);
+  for (const settings::Setting& element : *list) expressions.push_back(&element);
   return expressions;
 }
 
-bool is_list(Section& section, const std::string& key) {
-  const Setting* setting = section.find(key);
-  return setting != nullptr && std::holds_alternative<Setting::Array>(setting->value);
+bool is_list(settings::Section& section, const std::string& key) {
+  const settings::Setting* setting = section.find(key);
+  return setting != nullptr && std::holds_alternative<settings::Setting::Array>(setting->value);
 }
 
 /// Checks that f and g are both strings or both lists of the same length, at most max_parts.
-void check_lists(Section& section, std::size_t f_count, std::size_t g_count) {
+void check_lists(settings::Section& section, std::size_t f_count, std::size_t g_count) {
   const bool f_list = is_list(section, "f"), g_list = is_list(section, "g");
   if (f_list != g_list || f_count != g_count) {
     const auto shown = [](bool list, std::size_t count) {
@@ -52,7 +53,7 @@ void check_lists(Section& section, std::size_t f_count, std::size_t g_count) {
 }
 
 /// Checks that `combine` is given if and only if f and g are lists or there is an index.
-void check_combination(Section& section) {
+void check_combination(settings::Section& section) {
   const bool list = is_list(section, "f"), indexed = section.find("for") != nullptr;
   const bool combined = section.find("combine") != nullptr;
   if ((list || indexed) && !combined) {
@@ -67,10 +68,10 @@ void check_combination(Section& section) {
 
 }  // namespace
 
-Result<ComparisonSpec> read_comparison(const Settings& settings,
+Result<ComparisonSpec> read_comparison(const settings::Settings& settings,
                                        std::span<const LetDefinition> lets) {
   ComparisonSpec comparison;
-  Section section(settings, "comparison");
+  settings::Section section(settings, "comparison");
   section.require("name");
   section.require("f");
   section.require("g");
@@ -80,8 +81,8 @@ Result<ComparisonSpec> read_comparison(const Settings& settings,
     section.fail("name", problem, fmt::format("\"{}\"", comparison.name),
                  std::string(accepted_names()));
   }
-  const std::vector<const Setting*> f = read_expressions(section, "f");
-  const std::vector<const Setting*> g = read_expressions(section, "g");
+  const std::vector<const settings::Setting*> f = read_expressions(section, "f");
+  const std::vector<const settings::Setting*> g = read_expressions(section, "g");
   section.choice("combine", comparison.combination, {Combination::all, Combination::any});
   std::string range;
   section.text("for", range);
@@ -94,4 +95,4 @@ Result<ComparisonSpec> read_comparison(const Settings& settings,
   return comparison;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

@@ -12,13 +12,13 @@
 #include "model/scene/sections.hpp"
 #include "model/settings/section.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
 constexpr double largest_number = 1e30;
 
-void read_data_file(Section& section, const std::string& key, const std::filesystem::path& scene,
-                    std::filesystem::path& path) {
+void read_data_file(settings::Section& section, const std::string& key,
+                    const std::filesystem::path& scene, std::filesystem::path& path) {
   std::string file;
   section.text(key, file);
   if (section.find(key) == nullptr) return;
@@ -30,7 +30,7 @@ void read_data_file(Section& section, const std::string& key, const std::filesys
   }
 }
 
-std::optional<ColumnKey> column_key(const Setting& setting) {
+std::optional<data::ColumnKey> column_key(const settings::Setting& setting) {
   const auto* name = std::get_if<std::string>(&setting.value);
   if (name != nullptr) return *name;
   const auto* number = std::get_if<std::int64_t>(&setting.value);
@@ -40,17 +40,17 @@ std::optional<ColumnKey> column_key(const Setting& setting) {
 
 /// Reads an entry that is one column or a list of columns. On a mistake the result has no columns,
 /// and `wrong` points to the faulty entry or element.
-ColumnNames read_column_names(const std::string& field, const Setting& entry,
-                              const Setting*& wrong) {
-  ColumnNames names{.name = name_spelling(entry.key),
-                    .columns = {},
-                    .field = field,
-                    .place = {.file = file_of(entry), .line = entry.line}};
-  const auto* list = std::get_if<Setting::Array>(&entry.value);
+data::ColumnNames read_column_names(const std::string& field, const settings::Setting& entry,
+                                    const settings::Setting*& wrong) {
+  data::ColumnNames names{.name = name_spelling(entry.key),
+                          .columns = {},
+                          .field = field,
+                          .place = {.file = settings::file_of(entry), .line = entry.line}};
+  const auto* list = std::get_if<settings::Setting::Array>(&entry.value);
   names.is_list = list != nullptr;
   wrong = &entry;
-  for (const Setting& item : list == nullptr ? Setting::Array{entry} : *list) {
-    const std::optional<ColumnKey> column = column_key(item);
+  for (const settings::Setting& item : list == nullptr ? settings::Setting::Array{entry} : *list) {
+    const std::optional<data::ColumnKey> column = column_key(item);
     if (!column) {
       if (list != nullptr) wrong = &item;
       names.columns.clear();
@@ -61,39 +61,42 @@ ColumnNames read_column_names(const std::string& field, const Setting& entry,
   return names;
 }
 
-void read_columns(Section& section, const std::string& key, std::vector<ColumnNames>& columns) {
-  const Setting* setting = section.find(key);
+void read_columns(settings::Section& section, const std::string& key,
+                  std::vector<data::ColumnNames>& columns) {
+  const settings::Setting* setting = section.find(key);
   if (setting == nullptr) return;
-  const auto* table = std::get_if<Setting::Table>(&setting->value);
+  const auto* table = std::get_if<settings::Setting::Table>(&setting->value);
   if (table == nullptr) {
     section.fail(key, "wrong type", setting->shown(), "{ p = [\"x\", \"y\"], r = \"radius\" }");
     return;
   }
-  for (const Setting& entry : table->entries) {
+  for (const settings::Setting& entry : table->entries) {
     const std::string field = fmt::format("data.{}.{}", key, entry.key);
     const std::string problem = subscript_problem(entry.key);
     if (!problem.empty()) {
-      section.fail(mistake_at(entry, field, problem, fmt::format("\"{}\"", entry.key),
-                              std::string(accepted_subscripts())));
+      section.fail(settings::mistake_at(entry, field, problem, fmt::format("\"{}\"", entry.key),
+                                        std::string(accepted_subscripts())));
     }
-    const Setting* wrong = nullptr;
+    const settings::Setting* wrong = nullptr;
     columns.push_back(read_column_names(field, entry, wrong));
     if (!columns.back().columns.empty()) continue;
-    section.fail(mistake_at(entry, field, "not a column", wrong->shown(),
-                            "the name of a column, its number counted from 0, or a list of "
-                            "these"));
+    section.fail(
+        settings::mistake_at(entry, field, "not a column", wrong->shown(),
+                             "the name of a column, its number counted from 0, or a list of "
+                             "these"));
   }
 }
 
-void read_second_table(Section& section, const std::filesystem::path& scene, DataSpec& spec) {
+void read_second_table(settings::Section& section, const std::filesystem::path& scene,
+                       DataSpec& spec) {
   read_data_file(section, "with", scene, spec.with);
   read_columns(section, "with_columns", spec.with_columns);
   const bool given = section.find("with") != nullptr;
-  if (given && !has_second_table(spec.pairing)) {
+  if (given && !data::has_second_table(spec.pairing)) {
     section.fail("with", "a second file needs pairs that use it", section.find("with")->shown(),
                  "pairs = \"cross\" or \"arg_min\" beside it");
   }
-  if (!given && has_second_table(spec.pairing)) {
+  if (!given && data::has_second_table(spec.pairing)) {
     section.fail("with", "required", "nothing",
                  fmt::format("a second file, for pairs = \"{}\"", to_string(spec.pairing)));
   }
@@ -102,7 +105,7 @@ void read_second_table(Section& section, const std::filesystem::path& scene, Dat
   }
 }
 
-void check_family(Section& section, const DataSpec& spec) {
+void check_family(settings::Section& section, const DataSpec& spec) {
   const bool given = section.find("family") != nullptr;
   if (spec.items != "sphere_family") {
     if (!given) return;
@@ -110,35 +113,36 @@ void check_family(Section& section, const DataSpec& spec) {
                  "no family here");
     return;
   }
-  const std::vector<std::string> names = sphere_family_names();
+  const std::vector<std::string> names = data::sphere_family_names();
   if (!given) {
-    section.fail("family", "required", "nothing", accepted_sphere_families(""));
+    section.fail("family", "required", "nothing", data::accepted_sphere_families(""));
   } else if (std::find(names.begin(), names.end(), spec.family) == names.end()) {
     section.fail("family", "not a family of sphere pairs", in_quotes(spec.family),
-                 accepted_sphere_families(spec.family));
+                 data::accepted_sphere_families(spec.family));
   }
-  if (spec.pairing != Pairing::rows) {
+  if (spec.pairing != data::Pairing::rows) {
     section.fail("pairs", "the rows of a family are pairs already",
                  in_quotes(std::string(to_string(spec.pairing))), "no pairs here");
   }
 }
 
 /// The key to blame where both sources are given: the one that a plan or --set adds to the scene.
-std::string later_source(Section& section, const Settings& settings) {
-  return file_of(*section.find("file")) == settings.path.string() ? "items" : "file";
+std::string later_source(settings::Section& section, const settings::Settings& settings) {
+  return settings::file_of(*section.find("file")) == settings.path.string() ? "items" : "file";
 }
 
 /// Refuses keys that this source of data does not use.
-void refuse_unused(Section& section, std::initializer_list<const char*> keys,
+void refuse_unused(settings::Section& section, std::initializer_list<const char*> keys,
                    const std::string& reason, const std::string& accepted) {
   for (const char* key : keys) {
-    const Setting* setting = section.find(key);
+    const settings::Setting* setting = section.find(key);
     if (setting == nullptr) continue;
     section.fail(key, "not used: " + reason, setting->shown(), "no such key here, or " + accepted);
   }
 }
 
-void check_data_source(Section& section, const Settings& settings, const DataSpec& spec) {
+void check_data_source(settings::Section& section, const settings::Settings& settings,
+                       const DataSpec& spec) {
   const bool items = section.find("items") != nullptr;
   const bool file = section.find("file") != nullptr;
   if (items == file) {
@@ -170,23 +174,24 @@ std::string table_name(const DataSpec& data, std::size_t which) {
   return data.file.empty() ? data.items : data.file.filename().string();
 }
 
-Result<std::optional<DataSpec>> read_data(const Settings& settings) {
-  Section section(settings, "data");
-  const Setting* data = settings.root.find("data");
+Result<std::optional<DataSpec>> read_data(const settings::Settings& settings) {
+  settings::Section section(settings, "data");
+  const settings::Setting* data = settings.root.find("data");
   if (data == nullptr) return std::optional<DataSpec>();
   DataSpec spec;
-  spec.places[""] = {.file = file_of(*data), .line = data->line};
-  for (const Setting& entry : section.entries()) {
-    spec.places[entry.key] = {.file = file_of(entry), .line = entry.line};
+  spec.places[""] = {.file = settings::file_of(*data), .line = data->line};
+  for (const settings::Setting& entry : section.entries()) {
+    spec.places[entry.key] = {.file = settings::file_of(entry), .line = entry.line};
   }
   section.text("items", spec.items);
   section.text("family", spec.family);
   read_data_file(section, "file", settings.path, spec.file);
-  section.integer("count", spec.count, limits::items);
+  section.integer("count", spec.count, settings::limits::items);
   section.number("side", spec.side, 0, largest_number);
   section.number("radius_max", spec.radius_max, 0, largest_number);
   section.integer("seed", spec.seed, 0, std::numeric_limits<std::int64_t>::max());
-  section.choice("pairs", spec.pairing, {Pairing::all, Pairing::cross, Pairing::arg_min});
+  section.choice("pairs", spec.pairing,
+                 {data::Pairing::all, data::Pairing::cross, data::Pairing::arg_min});
   read_columns(section, "columns", spec.columns);
   read_second_table(section, settings.path, spec);
   check_data_source(section, settings, spec);
@@ -194,4 +199,4 @@ Result<std::optional<DataSpec>> read_data(const Settings& settings) {
   return std::optional<DataSpec>(spec);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

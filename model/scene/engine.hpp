@@ -7,7 +7,7 @@
 #include "model/number/verdict.hpp"
 #include "model/settings/limits.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 
 /// The engine around a generated system, which forms the comparisons on the chip from items that
 /// are loaded once.
@@ -19,7 +19,7 @@ enum class EngineKind {
 std::string_view to_string(EngineKind kind);
 
 struct EngineSpec {
-  static constexpr int max_capacity = limits::engine_capacity.most;
+  static constexpr int max_capacity = settings::limits::engine_capacity.most;
 
   EngineKind kind = EngineKind::none;
   int capacity = 1024;    ///< for pairwise: items that the memory holds, 2..max_capacity
@@ -40,4 +40,4 @@ int index_bits_for(int count);
 /// The names of the verdicts that an engine reports.
 std::vector<std::string_view> reported_verdicts(const EngineSpec& engine);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

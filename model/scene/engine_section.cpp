@@ -9,13 +9,13 @@
 #include "model/scene/sections.hpp"
 #include "model/settings/section.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
 /// Checks the keys of [system] that the pairwise engine sets: a scene may repeat the engine's value
 /// but not give another.
-Result<Done> check_pairwise_system(const Settings& settings, const EngineSpec& engine) {
-  Section section(settings, "system");
+Result<Done> check_pairwise_system(const settings::Settings& settings, const EngineSpec& engine) {
+  settings::Section section(settings, "system");
   const auto refuse = [&](const char* key, const std::string& received,
                           const std::string& accepted) {
     return section.mistake(key, "the pairwise engine decides it", received, accepted);
@@ -27,7 +27,7 @@ Result<Done> check_pairwise_system(const Settings& settings, const EngineSpec& e
                   "\"refetched\", or no key: the engine's memory holds the operands");
   }
   int tag_bits = engine.tag_bits();
-  section.integer("tag_bits", tag_bits, limits::tag_bits);
+  section.integer("tag_bits", tag_bits, settings::limits::tag_bits);
   if (tag_bits != engine.tag_bits()) {
     return refuse("tag_bits", fmt::format("{}", tag_bits),
                   fmt::format("{}, the numbers of two of {} items, or no key", engine.tag_bits(),
@@ -38,8 +38,8 @@ Result<Done> check_pairwise_system(const Settings& settings, const EngineSpec& e
 
 /// Checks the keys of [system] with an arg-min engine. It needs at least one reference: its chain
 /// of comparisons cannot go on from one that stays undecided.
-Result<Done> check_arg_min_system(const Settings& settings, const EngineSpec& engine) {
-  Section section(settings, "system");
+Result<Done> check_arg_min_system(const settings::Settings& settings, const EngineSpec& engine) {
+  settings::Section section(settings, "system");
   const auto refuse = [&](const char* key, const std::string& message, const std::string& received,
                           const std::string& accepted) {
     return section.mistake(key, message, received, accepted);
@@ -56,14 +56,14 @@ Result<Done> check_arg_min_system(const Settings& settings, const EngineSpec& en
     return refuse("order", decided, "\"tagged\"", "\"in_order\", or no key");
   }
   int tag_bits = engine.tag_bits();
-  section.integer("tag_bits", tag_bits, limits::tag_bits);
+  section.integer("tag_bits", tag_bits, settings::limits::tag_bits);
   if (tag_bits != engine.tag_bits()) {
     return refuse(
         "tag_bits", decided, fmt::format("{}", tag_bits),
         fmt::format("{}, or no key: a row's tag is engine.tag_bits wide", engine.tag_bits()));
   }
   std::optional<int> references;
-  section.integer_or_auto("references", references, limits::references);
+  section.integer_or_auto("references", references, settings::limits::references);
   if (references && *references == 0) {
     return refuse("references", "the arg-min engine needs every verdict", "0",
                   fmt::format("1..{}", max_references));
@@ -71,9 +71,10 @@ Result<Done> check_arg_min_system(const Settings& settings, const EngineSpec& en
   return Done{};
 }
 
-Result<Done> check_pairwise_inputs(const Section& section, const std::vector<std::string>& inputs) {
+Result<Done> check_pairwise_inputs(const settings::Section& section,
+                                   const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
-    if (item_column(input)) continue;
+    if (data::item_column(input)) continue;
     return section.mistake("kind", "the pairwise engine compares item i with item j",
                            fmt::format("the input {}", input),
                            "inputs that are a column's name followed by i or j");
@@ -82,12 +83,13 @@ Result<Done> check_pairwise_inputs(const Section& section, const std::vector<std
 }
 
 /// Checks that some inputs belong to the candidates and some to the row.
-Result<Done> check_arg_min_inputs(const Section& section, const std::vector<std::string>& inputs) {
+Result<Done> check_arg_min_inputs(const settings::Section& section,
+                                  const std::vector<std::string>& inputs) {
   const bool has_candidates =
       std::any_of(inputs.begin(), inputs.end(),
-                  [](const std::string& name) { return item_column(name).has_value(); });
+                  [](const std::string& name) { return data::item_column(name).has_value(); });
   const bool has_rows = std::any_of(inputs.begin(), inputs.end(), [](const std::string& name) {
-    return !item_column(name).has_value();
+    return !data::item_column(name).has_value();
   });
   if (has_candidates && has_rows) return Done{};
   return section.mistake("kind", "the arg-min engine compares candidates i and j for a row",
@@ -95,35 +97,36 @@ Result<Done> check_arg_min_inputs(const Section& section, const std::vector<std:
                          "names that end in i or j for candidates, and others for the row");
 }
 
-Result<Done> check_data(const Settings& settings, const std::optional<DataSpec>& data,
-                        Pairing wanted, const char* message) {
+Result<Done> check_data(const settings::Settings& settings, const std::optional<DataSpec>& data,
+                        data::Pairing wanted, const char* message) {
   if (!data || data->pairing == wanted) return Done{};
-  const Section section(settings, "data");
-  const bool absent = data->pairing == Pairing::rows;
+  const settings::Section section(settings, "data");
+  const bool absent = data->pairing == data::Pairing::rows;
   return section.mistake("pairs", message,
                          absent ? "nothing" : fmt::format("\"{}\"", to_string(data->pairing)),
                          fmt::format("pairs = \"{}\"", to_string(wanted)));
 }
 
-Result<Done> check_pairwise(const Settings& settings, const Section& section,
+Result<Done> check_pairwise(const settings::Settings& settings, const settings::Section& section,
                             const EngineSpec& engine, const std::vector<std::string>& inputs,
                             const std::optional<DataSpec>& data) {
   MIXCMP_TRY(system_checked, check_pairwise_system(settings, engine));
   MIXCMP_TRY(inputs_checked, check_pairwise_inputs(section, inputs));
-  return check_data(settings, data, Pairing::all, "the pairwise engine compares every two items");
+  return check_data(settings, data, data::Pairing::all,
+                    "the pairwise engine compares every two items");
 }
 
-Result<Done> check_arg_min(const Settings& settings, const Section& section,
+Result<Done> check_arg_min(const settings::Settings& settings, const settings::Section& section,
                            const EngineSpec& engine, const std::vector<std::string>& inputs,
                            const std::optional<DataSpec>& data) {
   MIXCMP_TRY(system_checked, check_arg_min_system(settings, engine));
   MIXCMP_TRY(inputs_checked, check_arg_min_inputs(section, inputs));
-  return check_data(settings, data, Pairing::arg_min,
+  return check_data(settings, data, data::Pairing::arg_min,
                     "the arg-min engine compares candidates for each row");
 }
 
-void read_pairwise_keys(Section& section, EngineSpec& engine) {
-  section.integer("capacity", engine.capacity, limits::engine_capacity);
+void read_pairwise_keys(settings::Section& section, EngineSpec& engine) {
+  section.integer("capacity", engine.capacity, settings::limits::engine_capacity);
   std::vector<Verdict> report;
   section.choices("report", report,
                   {Verdict::less, Verdict::equal, Verdict::greater, Verdict::unordered});
@@ -172,9 +175,10 @@ std::vector<std::string_view> reported_verdicts(const EngineSpec& engine) {
   return words;
 }
 
-Result<EngineSpec> read_engine(const Settings& settings, const std::vector<std::string>& inputs,
+Result<EngineSpec> read_engine(const settings::Settings& settings,
+                               const std::vector<std::string>& inputs,
                                const std::optional<DataSpec>& data) {
-  Section section(settings, "engine");
+  settings::Section section(settings, "engine");
   EngineSpec engine;
   if (section.present()) section.require("kind");
   section.choice("kind", engine.kind,
@@ -182,7 +186,7 @@ Result<EngineSpec> read_engine(const Settings& settings, const std::vector<std::
   // A key of the other kind of engine is an error; with kind = "none" all keys are read and unused.
   if (engine.kind != EngineKind::arg_min) read_pairwise_keys(section, engine);
   if (engine.kind != EngineKind::pairwise) {
-    section.integer("tag_bits", engine.row_tag_bits, limits::tag_bits);
+    section.integer("tag_bits", engine.row_tag_bits, settings::limits::tag_bits);
   }
   if (const auto error = section.finish()) return *error;
   switch (engine.kind) {
@@ -199,4 +203,4 @@ Result<EngineSpec> read_engine(const Settings& settings, const std::vector<std::
   return engine;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

@@ -1,6 +1,6 @@
 #include "model/scene/scene.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
 template <class Groups>
@@ -62,4 +62,4 @@ Scene Scene::with_one_kind() const {
   return scene;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

@@ -11,7 +11,7 @@
 #include "model/number/dyadic.hpp"
 #include "model/settings/section.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
 bool is_pattern(const std::string& key) {
@@ -23,15 +23,15 @@ struct InputDeclaration {
   std::optional<mpq_class> grid;
 };
 
-Result<InputDeclaration> read_input(const Setting& entry) {
+Result<InputDeclaration> read_input(const settings::Setting& entry) {
   const std::string field = "inputs." + entry.key;
   const std::string accepted = "{ range = [low, high] }, low <= high, and a grid beside it";
-  if (!std::holds_alternative<Setting::Table>(entry.value)) {
-    return mistake_at(entry, field, "wrong type", entry.shown(), accepted);
+  if (!std::holds_alternative<settings::Setting::Table>(entry.value)) {
+    return settings::mistake_at(entry, field, "wrong type", entry.shown(), accepted);
   }
-  Section section(field, entry);
+  settings::Section section(field, entry);
   section.require("range");
-  const Setting* range = section.find("range");
+  const settings::Setting* range = section.find("range");
   std::optional<mpq_class> grid;
   section.exact("grid", grid);
   if (grid && !is_power_of_two(*grid)) {
@@ -42,10 +42,10 @@ Result<InputDeclaration> read_input(const Setting& entry) {
     return section.mistake("range", std::move(message), std::move(received),
                            "[low, high], low <= high");
   };
-  const auto* bounds = std::get_if<Setting::Array>(&range->value);
+  const auto* bounds = std::get_if<settings::Setting::Array>(&range->value);
   if (bounds == nullptr || bounds->size() != 2) return wrong("not a range", range->shown());
-  const auto low = exact_value((*bounds)[0]);
-  const auto high = exact_value((*bounds)[1]);
+  const auto low = settings::exact_value((*bounds)[0]);
+  const auto high = settings::exact_value((*bounds)[1]);
   if (!low) return wrong("the low end is not a finite number", (*bounds)[0].shown());
   if (!high) return wrong("the high end is not a finite number", (*bounds)[1].shown());
   if (*low > *high) {
@@ -56,36 +56,38 @@ Result<InputDeclaration> read_input(const Setting& entry) {
 
 /// Checks that keys have well-formed subscripts and that no two keys spell the same name. TOML
 /// accepts any text as a key and takes "p[2]" and p_2 for different keys.
-Result<Done> check_spellings(std::span<const Setting> entries) {
-  std::map<std::string, const Setting*> known;
-  for (const Setting& entry : entries) {
+Result<Done> check_spellings(std::span<const settings::Setting> entries) {
+  std::map<std::string, const settings::Setting*> known;
+  for (const settings::Setting& entry : entries) {
     const std::string problem = subscript_problem(entry.key);
     if (!problem.empty()) {
-      return mistake_at(entry, "inputs." + entry.key, problem, fmt::format("\"{}\"", entry.key),
-                        std::string(accepted_subscripts()));
+      return settings::mistake_at(entry, "inputs." + entry.key, problem,
+                                  fmt::format("\"{}\"", entry.key),
+                                  std::string(accepted_subscripts()));
     }
     const auto [other, is_new] = known.try_emplace(name_spelling(entry.key), &entry);
     if (is_new) continue;
-    return mistake_at(entry, "inputs." + entry.key,
-                      fmt::format("the same inputs as \"{}\"", other->second->key),
-                      fmt::format("\"{}\"", entry.key), "one key for p[2] and p_2");
+    return settings::mistake_at(entry, "inputs." + entry.key,
+                                fmt::format("the same inputs as \"{}\"", other->second->key),
+                                fmt::format("\"{}\"", entry.key), "one key for p[2] and p_2");
   }
   return Done{};
 }
 
 /// The entry that declares `input`, if any.
-Result<const Setting*> entry_for(std::span<const Setting> entries, const std::string& input) {
-  const Setting* pattern = nullptr;
-  for (const Setting& entry : entries) {
+Result<const settings::Setting*> entry_for(std::span<const settings::Setting> entries,
+                                           const std::string& input) {
+  const settings::Setting* pattern = nullptr;
+  for (const settings::Setting& entry : entries) {
     if (name_spelling(entry.key) == input) return &entry;
   }
-  for (const Setting& entry : entries) {
+  for (const settings::Setting& entry : entries) {
     if (!is_pattern(entry.key) || !matches(name_spelling(entry.key), input)) continue;
     if (pattern != nullptr) {
-      return mistake_at(entry, "inputs." + entry.key,
-                        fmt::format("two patterns match the input {}", input),
-                        fmt::format("\"{}\" and \"{}\"", pattern->key, entry.key),
-                        fmt::format("one pattern, or the exact key {}", input));
+      return settings::mistake_at(entry, "inputs." + entry.key,
+                                  fmt::format("two patterns match the input {}", input),
+                                  fmt::format("\"{}\" and \"{}\"", pattern->key, entry.key),
+                                  fmt::format("one pattern, or the exact key {}", input));
     }
     pattern = &entry;
   }
@@ -113,17 +115,18 @@ bool matches(std::string_view pattern, std::string_view name) {
   return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
-Result<InputDeclarations> read_inputs(const Settings& settings,
+Result<InputDeclarations> read_inputs(const settings::Settings& settings,
                                       const std::vector<std::string>& inputs) {
-  const Section section(settings, "inputs");
+  const settings::Section section(settings, "inputs");
   if (settings.root.find("inputs") != nullptr && !section.present()) return *section.finish();
   MIXCMP_TRY(spelt_once, check_spellings(section.entries()));
-  for (const Setting& entry : section.entries()) {
+  for (const settings::Setting& entry : section.entries()) {
     const std::string pattern = name_spelling(entry.key);
     const auto match = [&](const std::string& input) { return matches(pattern, input); };
     if (std::none_of(inputs.begin(), inputs.end(), match)) {
-      return mistake_at(entry, "inputs." + entry.key, "matches no input of f and g",
-                        fmt::format("\"{}\"", entry.key), list_with_nearest(entry.key, inputs));
+      return settings::mistake_at(entry, "inputs." + entry.key, "matches no input of f and g",
+                                  fmt::format("\"{}\"", entry.key),
+                                  list_with_nearest(entry.key, inputs));
     }
   }
   InputDeclarations declared;
@@ -139,4 +142,4 @@ Result<InputDeclarations> read_inputs(const Settings& settings,
   return declared;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

@@ -3,7 +3,7 @@
 #include "model/scene/scene.hpp"
 #include "model/settings/settings.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 
 /// The declarations of [inputs], one entry per input in the order of `inputs`.
 struct InputDeclarations {
@@ -13,10 +13,10 @@ struct InputDeclarations {
 
 /// Reads [inputs]. In a pattern, '*' stands for any characters; an exact key beats patterns. A key
 /// that matches nothing, and two patterns that match the same input, are errors.
-Result<InputDeclarations> read_inputs(const Settings& settings,
+Result<InputDeclarations> read_inputs(const settings::Settings& settings,
                                       const std::vector<std::string>& inputs);
 
 /// Whether `name` matches `pattern`.
 bool matches(std::string_view pattern, std::string_view name);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

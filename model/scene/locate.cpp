@@ -3,11 +3,11 @@
 #include "model/scene/plan.hpp"
 #include "model/settings/section.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
-const Setting* find_in(const Setting* table, const std::string& key) {
-  const auto* entries = std::get_if<Setting::Table>(&table->value);
+const settings::Setting* find_in(const settings::Setting* table, const std::string& key) {
+  const auto* entries = std::get_if<settings::Setting::Table>(&table->value);
   return entries == nullptr ? nullptr : entries->find(key);
 }
 
@@ -19,13 +19,13 @@ Error with_location(Error error, const std::filesystem::path& scene,
   if (error.line > 0 || dot == std::string::npos || error.file.starts_with("--set")) return error;
   const Result<SceneSettings> read = read_scene_settings(scene, overrides);
   if (!read.ok()) return error;
-  const Setting* section = read->settings.root.find(error.field.substr(0, dot));
+  const settings::Setting* section = read->settings.root.find(error.field.substr(0, dot));
   if (section == nullptr) return error;
-  const Setting* key = find_in(section, error.field.substr(dot + 1));
-  const Setting& place = key != nullptr ? *key : *section;
-  error.file = file_of(place);
+  const settings::Setting* key = find_in(section, error.field.substr(dot + 1));
+  const settings::Setting& place = key != nullptr ? *key : *section;
+  error.file = settings::file_of(place);
   error.line = place.line;
   return error;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

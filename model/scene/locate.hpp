@@ -6,7 +6,7 @@
 
 #include "model/common/result.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 
 /// Adds a place to an error that was found after the scene had been read: the file and line of the
 /// key that `error.field` names or, where the scene does not have the key, of its section. An error
@@ -15,4 +15,4 @@ namespace mixcmp::model {
 Error with_location(Error error, const std::filesystem::path& scene,
                     std::span<const std::string> overrides);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

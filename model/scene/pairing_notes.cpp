@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
 /// The input that is the same column of the other item: "ci_2" for "cj_2".
-std::string fellow_of(const std::string& input, const ItemColumn& column) {
+std::string fellow_of(const std::string& input, const data::ItemColumn& column) {
   const std::size_t letter = input.find_last_not_of("0123456789_");
   std::string fellow = input;
   fellow[letter] = column.second ? 'i' : 'j';
@@ -23,7 +23,7 @@ bool has_input(const Graph& graph, const std::string& name) {
 std::vector<std::string> lonely_inputs(const Graph& graph) {
   std::vector<std::string> lonely;
   for (const std::string& input : graph.inputs()) {
-    const auto column = item_column(input);
+    const auto column = data::item_column(input);
     if (column && !has_input(graph, fellow_of(input, *column))) lonely.push_back(input);
   }
   return lonely;
@@ -56,7 +56,7 @@ bool is_one_cost(const Graph& graph, const Sides& part) {
     };
     if (node.operation == Operation::input) {
       const std::string& input = graph.inputs()[static_cast<std::size_t>(node.input)];
-      const auto column = item_column(input);
+      const auto column = data::item_column(input);
       if (column && column->second) return false;
       image[id] = renamed.input(column ? fellow_of(input, *column) : input);
     } else if (node.operation == Operation::constant) {
@@ -71,12 +71,12 @@ bool is_one_cost(const Graph& graph, const Sides& part) {
 
 }  // namespace
 
-std::vector<std::string> pairing_notes(const Graph& graph, Pairing pairing) {
-  if (pairing != Pairing::all && pairing != Pairing::arg_min) return {};
-  const char* item = pairing == Pairing::all ? "item" : "candidate";
+std::vector<std::string> pairing_notes(const Graph& graph, data::Pairing pairing) {
+  if (pairing != data::Pairing::all && pairing != data::Pairing::arg_min) return {};
+  const char* item = pairing == data::Pairing::all ? "item" : "candidate";
   std::vector<std::string> notes;
   for (const std::string& input : lonely_inputs(graph)) {
-    const ItemColumn column = *item_column(input);
+    const data::ItemColumn column = *data::item_column(input);
     notes.push_back(
         fmt::format("the input {} is a column of {} {} by its last letter, and there "
                     "is no {}: if that is not meant, give it another name",
@@ -85,7 +85,7 @@ std::vector<std::string> pairing_notes(const Graph& graph, Pairing pairing) {
   const auto& parts = graph.parts();
   const bool one_cost = std::all_of(parts.begin(), parts.end(),
                                     [&](const Sides& part) { return is_one_cost(graph, part); });
-  if (pairing == Pairing::arg_min && notes.empty() && !one_cost) {
+  if (pairing == data::Pairing::arg_min && notes.empty() && !one_cost) {
     notes.emplace_back(
         "g is not f with candidate j in the place of i, as it is written: unless the two are equal "
         "otherwise, the contests are no arg-min of one cost");
@@ -93,4 +93,4 @@ std::vector<std::string> pairing_notes(const Graph& graph, Pairing pairing) {
   return notes;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

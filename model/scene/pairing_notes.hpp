@@ -6,11 +6,11 @@
 #include "model/data/pairing.hpp"
 #include "model/expression/graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 
 /// Notes for the user about what looks like a slip in how f and g name items i and j. Where both
 /// items are rows of one table, a note names each input of one item whose column is no input of the
 /// other ("cxi" without "cxj"). With arg_min, a note says if g is not f with j in the place of i.
-std::vector<std::string> pairing_notes(const Graph& graph, Pairing pairing);
+std::vector<std::string> pairing_notes(const Graph& graph, data::Pairing pairing);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

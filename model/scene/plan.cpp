@@ -8,7 +8,7 @@
 
 #include "model/settings/section.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
 namespace fs = std::filesystem;
@@ -16,9 +16,10 @@ namespace fs = std::filesystem;
 constexpr std::string_view a_scene = "the path of a scene file, as seen from the plan";
 
 /// The file that the plan `from.back()` names; an error if it is one of `from`.
-Result<fs::path> scene_of(const Setting& key, const std::vector<fs::path>& from) {
+Result<fs::path> scene_of(const settings::Setting& key, const std::vector<fs::path>& from) {
   const auto wrong = [&](std::string message) {
-    return mistake_at(key, "scene", std::move(message), key.shown(), std::string(a_scene));
+    return settings::mistake_at(key, "scene", std::move(message), key.shown(),
+                                std::string(a_scene));
   };
   const auto* name = std::get_if<std::string>(&key.value);
   if (name == nullptr || name->empty()) return wrong("not a path");
@@ -31,22 +32,22 @@ Result<fs::path> scene_of(const Setting& key, const std::vector<fs::path>& from)
   return scene;
 }
 
-bool is_number(const Setting& setting) {
+bool is_number(const settings::Setting& setting) {
   return std::holds_alternative<std::int64_t>(setting.value) ||
          std::holds_alternative<double>(setting.value);
 }
 
-bool is_text(const Setting& setting) {
+bool is_text(const settings::Setting& setting) {
   return std::holds_alternative<std::string>(setting.value);
 }
 
-Result<PlanReport> read_report(const Settings& plan) {
+Result<PlanReport> read_report(const settings::Settings& plan) {
   constexpr std::array numbers = {"throughput_per_s", "clock_mhz", "recomputation_rate", "slack"};
   constexpr std::array texts = {"device", "command", "clock_basis"};
   PlanReport report{.path = plan.path, .values = {}};
-  const Section section(plan, "plan");
+  const settings::Section section(plan, "plan");
   if (const auto error = section.finish(); error && !section.present()) return *error;
-  for (const Setting& entry : section.entries()) {
+  for (const settings::Setting& entry : section.entries()) {
     const auto is_one_of = [&](const auto& names) {
       return std::find(names.begin(), names.end(), entry.key) != names.end();
     };
@@ -64,47 +65,49 @@ Result<PlanReport> read_report(const Settings& plan) {
   return report;
 }
 
-void erase(Setting::Table& table, const std::string& key) {
-  std::erase_if(table.entries, [&](const Setting& entry) { return entry.key == key; });
+void erase(settings::Setting::Table& table, const std::string& key) {
+  std::erase_if(table.entries, [&](const settings::Setting& entry) { return entry.key == key; });
 }
 
-Setting::Table* section_of(Setting::Table& root, const std::string& name) {
-  for (Setting& entry : root.entries) {
-    if (entry.key == name) return std::get_if<Setting::Table>(&entry.value);
+settings::Setting::Table* section_of(settings::Setting::Table& root, const std::string& name) {
+  for (settings::Setting& entry : root.entries) {
+    if (entry.key == name) return std::get_if<settings::Setting::Table>(&entry.value);
   }
   return nullptr;
 }
 
 /// If the plan gives the number of lanes (or references, by `name`), as [[name]] or system.name,
 /// erases both of these from the scene.
-void forget_counts(Setting::Table& root, Setting::Table& plan, const std::string& name) {
-  const Setting::Table* system = section_of(plan, "system");
+void forget_counts(settings::Setting::Table& root, settings::Setting::Table& plan,
+                   const std::string& name) {
+  const settings::Setting::Table* system = section_of(plan, "system");
   const bool counted =
       plan.find(name) != nullptr || (system != nullptr && system->find(name) != nullptr);
   if (!counted) return;
   erase(root, name);
-  if (Setting::Table* old = section_of(root, "system")) erase(*old, name);
+  if (settings::Setting::Table* old = section_of(root, "system")) erase(*old, name);
 }
 
-void lay_over(Setting::Table& root, Setting::Table& plan) {
+void lay_over(settings::Setting::Table& root, settings::Setting::Table& plan) {
   for (const char* name : {"lanes", "references"}) forget_counts(root, plan, name);
-  for (Setting& entry : plan.entries) {
+  for (settings::Setting& entry : plan.entries) {
     if (entry.key == "scene" || entry.key == "plan") continue;
-    Setting::Table* old = section_of(root, entry.key);
-    auto* section = std::get_if<Setting::Table>(&entry.value);
+    settings::Setting::Table* old = section_of(root, entry.key);
+    auto* section = std::get_if<settings::Setting::Table>(&entry.value);
     if (old == nullptr || section == nullptr) {
-      find_or_add(root, entry.key) = std::move(entry);
+      settings::find_or_add(root, entry.key) = std::move(entry);
       continue;
     }
-    for (Setting& setting : section->entries) find_or_add(*old, setting.key) = std::move(setting);
+    for (settings::Setting& setting : section->entries)
+      settings::find_or_add(*old, setting.key) = std::move(setting);
   }
 }
 
 /// Reads the file `from.back()` and the files below it. `from` begins with the plans that led to
 /// that file.
 Result<SceneSettings> read_layers(std::vector<fs::path> from) {
-  MIXCMP_TRY(file, read_settings(from.back(), {}));
-  const Setting* named = file.root.find("scene");
+  MIXCMP_TRY(file, settings::read_settings(from.back(), {}));
+  const settings::Setting* named = file.root.find("scene");
   if (named == nullptr) {
     return SceneSettings{.settings = std::move(file), .plan = {}, .files = std::move(from)};
   }
@@ -122,8 +125,8 @@ Result<SceneSettings> read_layers(std::vector<fs::path> from) {
 Result<SceneSettings> read_scene_settings(const fs::path& path,
                                           std::span<const std::string> overrides) {
   MIXCMP_TRY(read, read_layers({path}));
-  MIXCMP_TRY(applied, apply_overrides(read.settings, overrides));
+  MIXCMP_TRY(applied, settings::apply_overrides(read.settings, overrides));
   return read;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

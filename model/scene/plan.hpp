@@ -8,10 +8,10 @@
 #include "model/scene/scene.hpp"
 #include "model/settings/settings.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 
 struct SceneSettings {
-  Settings settings;
+  settings::Settings settings;
   std::optional<PlanReport> plan;
   std::vector<std::filesystem::path> files;  ///< files read: plans first, the scene last
 };
@@ -23,4 +23,4 @@ struct SceneSettings {
 Result<SceneSettings> read_scene_settings(const std::filesystem::path& path,
                                           std::span<const std::string> overrides);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

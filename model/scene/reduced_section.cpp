@@ -6,7 +6,7 @@
 #include "model/scene/sections.hpp"
 #include "model/settings/section.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
 /// The precision in a word without exponent bits: 17 for "s17".
@@ -16,19 +16,19 @@ std::optional<int> precision_alone(const std::string& word) {
   return shaped ? std::optional(std::stoi(word.substr(1))) : std::nullopt;
 }
 
-std::string accepted_lane_formats(Limits precisions) {
-  const bool narrowed = precisions.most < limits::lane_precision.most;
+std::string accepted_lane_formats(settings::Limits precisions) {
+  const bool narrowed = precisions.most < settings::limits::lane_precision.most;
   return fmt::format("\"auto\", sP or {}{}",
                      FloatFormat::accepted(precisions.least, precisions.most),
                      narrowed ? "; P at most the reference's" : "");
 }
 
-void read_reduced_format(Section& section, FloatFormat reference, ReducedSpec& spec) {
-  const Setting* setting = section.find("format");
+void read_reduced_format(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
+  const settings::Setting* setting = section.find("format");
   if (setting == nullptr) return;
   spec.format.reset();
   spec.exponent_bits_from_ranges = false;
-  const Limits allowed = lane_precisions(reference);
+  const settings::Limits allowed = settings::lane_precisions(reference);
   const std::string accepted = accepted_lane_formats(allowed);
   const auto* word = std::get_if<std::string>(&setting->value);
   if (word != nullptr && *word == "auto") return;
@@ -41,13 +41,14 @@ void read_reduced_format(Section& section, FloatFormat reference, ReducedSpec& s
   spec.exponent_bits_from_ranges = true;
 }
 
-void read_error_bound(Section& section, std::optional<ErrorBoundKind>& target) {
+void read_error_bound(settings::Section& section, std::optional<error::ErrorBoundKind>& target) {
   if (section.find("error_bound") == nullptr) return;
   target.reset();
   std::string word = "auto";
   section.text("error_bound", word);
-  for (const ErrorBoundKind kind :
-       {ErrorBoundKind::relative, ErrorBoundKind::running, ErrorBoundKind::constant}) {
+  for (const error::ErrorBoundKind kind :
+       {error::ErrorBoundKind::relative, error::ErrorBoundKind::running,
+        error::ErrorBoundKind::constant}) {
     if (word == to_string(kind)) target = kind;
   }
   if (target || word == "auto") return;
@@ -55,7 +56,7 @@ void read_error_bound(Section& section, std::optional<ErrorBoundKind>& target) {
                "auto, relative, running, constant");
 }
 
-void read_relative_error(Section& section, const std::string& key,
+void read_relative_error(settings::Section& section, const std::string& key,
                          std::optional<mpq_class>& target) {
   section.exact(key, target);
   if (target && (*target < 0 || *target >= 1)) {
@@ -64,11 +65,11 @@ void read_relative_error(Section& section, const std::string& key,
 }
 
 /// Reads every key of [reduced]; an absent key leaves `spec` as it is.
-void read_lane_keys(Section& section, FloatFormat reference, ReducedSpec& spec) {
+void read_lane_keys(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
   read_reduced_format(section, reference, spec);
   section.choice("bound", spec.bound, {BoundKind::certified, BoundKind::profiled});
   read_error_bound(section, spec.error_bound);
-  section.integer("bound_digits", spec.bound_digits, limits::bound_digits);
+  section.integer("bound_digits", spec.bound_digits, settings::limits::bound_digits);
   section.choice("inputs", spec.inputs, {LaneInputs::rounded, LaneInputs::exact});
   section.choice("rounding", spec.rounding, {Rounding::nearest_even, Rounding::toward_zero});
   section.choice("subnormals", spec.subnormals, {Subnormals::flush, Subnormals::gradual});
@@ -78,18 +79,19 @@ void read_lane_keys(Section& section, FloatFormat reference, ReducedSpec& spec) 
 }
 
 /// The tables of [[name]]; an error if system.name gives their number, too.
-Result<std::span<const Setting>> read_groups(const Settings& settings, const std::string& name) {
+Result<std::span<const settings::Setting>> read_groups(const settings::Settings& settings,
+                                                       const std::string& name) {
   MIXCMP_TRY(groups, tables_of(settings, name, "one table for each kind"));
   if (groups.empty()) return groups;
-  Section system(settings, "system");
-  if (const Setting* count = system.find(name)) {
-    return mistake_at(*count, "system." + name, fmt::format("given beside [[{}]]", name),
-                      count->shown(), "one of the two");
+  settings::Section system(settings, "system");
+  if (const settings::Setting* count = system.find(name)) {
+    return settings::mistake_at(*count, "system." + name, fmt::format("given beside [[{}]]", name),
+                                count->shown(), "one of the two");
   }
   return groups;
 }
 
-void read_count(Section& section, std::optional<int>& count, int& total, int most) {
+void read_count(settings::Section& section, std::optional<int>& count, int& total, int most) {
   section.require("count");
   int value = 0;
   section.integer("count", value, 1, most);
@@ -102,23 +104,24 @@ void read_count(Section& section, std::optional<int>& count, int& total, int mos
 
 }  // namespace
 
-Result<ReducedSpec> read_reduced(const Settings& settings, FloatFormat reference) {
+Result<ReducedSpec> read_reduced(const settings::Settings& settings, FloatFormat reference) {
   ReducedSpec spec;
-  Section section(settings, "reduced");
+  settings::Section section(settings, "reduced");
   read_lane_keys(section, reference, spec);
   if (const auto error = section.finish()) return *error;
   return spec;
 }
 
-Result<std::vector<LaneGroupSpec>> read_lane_groups(const Settings& settings, FloatFormat reference,
+Result<std::vector<LaneGroupSpec>> read_lane_groups(const settings::Settings& settings,
+                                                    FloatFormat reference,
                                                     const ReducedSpec& defaults) {
   MIXCMP_TRY(tables, read_groups(settings, "lanes"));
   std::vector<LaneGroupSpec> groups;
   int total = 0;
-  for (const Setting& table : tables) {
-    LaneGroupSpec& group = groups.emplace_back(
-        LaneGroupSpec{.count = {}, .reduced = defaults, .place = {file_of(table), table.line}});
-    Section section("lanes", table);
+  for (const settings::Setting& table : tables) {
+    LaneGroupSpec& group = groups.emplace_back(LaneGroupSpec{
+        .count = {}, .reduced = defaults, .place = {settings::file_of(table), table.line}});
+    settings::Section section("lanes", table);
     read_count(section, group.count, total, max_lanes);
     read_lane_keys(section, reference, group.reduced);
     if (const auto error = section.finish()) return *error;
@@ -126,15 +129,15 @@ Result<std::vector<LaneGroupSpec>> read_lane_groups(const Settings& settings, Fl
   return groups;
 }
 
-Result<std::vector<ReferenceGroupSpec>> read_reference_groups(const Settings& settings,
+Result<std::vector<ReferenceGroupSpec>> read_reference_groups(const settings::Settings& settings,
                                                               Multipliers defaults) {
   MIXCMP_TRY(tables, read_groups(settings, "references"));
   std::vector<ReferenceGroupSpec> groups;
   int total = 0;
-  for (const Setting& table : tables) {
+  for (const settings::Setting& table : tables) {
     ReferenceGroupSpec& group =
         groups.emplace_back(ReferenceGroupSpec{.count = {}, .multipliers = defaults});
-    Section section("references", table);
+    settings::Section section("references", table);
     read_count(section, group.count, total, max_references);
     section.choice("multipliers", group.multipliers, {Multipliers::embedded, Multipliers::logic});
     if (const auto error = section.finish()) return *error;
@@ -142,19 +145,20 @@ Result<std::vector<ReferenceGroupSpec>> read_reference_groups(const Settings& se
   return groups;
 }
 
-std::vector<std::string> overridden_keys(const Settings& settings) {
-  const Setting* lanes = settings.root.find("lanes");
+std::vector<std::string> overridden_keys(const settings::Settings& settings) {
+  const settings::Setting* lanes = settings.root.find("lanes");
   if (lanes == nullptr) return {};
-  const auto& groups = std::get<Setting::Array>(lanes->value);
-  const Section reduced(settings, "reduced");
+  const auto& groups = std::get<settings::Setting::Array>(lanes->value);
+  const settings::Section reduced(settings, "reduced");
   std::vector<std::string> keys;
-  for (const Setting& entry : reduced.entries()) {
-    const bool everywhere = std::all_of(groups.begin(), groups.end(), [&](const Setting& group) {
-      return std::get<Setting::Table>(group.value).find(entry.key) != nullptr;
-    });
+  for (const settings::Setting& entry : reduced.entries()) {
+    const bool everywhere =
+        std::all_of(groups.begin(), groups.end(), [&](const settings::Setting& group) {
+          return std::get<settings::Setting::Table>(group.value).find(entry.key) != nullptr;
+        });
     if (everywhere) keys.push_back(entry.key);
   }
   return keys;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

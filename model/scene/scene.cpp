@@ -19,27 +19,27 @@
 #include "model/scene/variant.hpp"
 #include "model/settings/section.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
-Result<Done> check_section_names(const Settings& settings) {
+Result<Done> check_section_names(const settings::Settings& settings) {
   const std::vector<std::string> names = {"comparison", "variant", "let",   "inputs",
                                           "reference",  "reduced", "lanes", "references",
                                           "system",     "engine",  "data"};
-  for (const Setting& entry : settings.root.entries) {
+  for (const settings::Setting& entry : settings.root.entries) {
     if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
-    const bool is_section = std::holds_alternative<Setting::Table>(entry.value);
-    return mistake_at(entry, entry.key,
-                      is_section ? "unknown section" : "a key outside of any section", entry.key,
-                      list_with_nearest(entry.key, names));
+    const bool is_section = std::holds_alternative<settings::Setting::Table>(entry.value);
+    return settings::mistake_at(entry, entry.key,
+                                is_section ? "unknown section" : "a key outside of any section",
+                                entry.key, list_with_nearest(entry.key, names));
   }
   return Done{};
 }
 
-Result<std::vector<LetDefinition>> read_lets(const Settings& settings) {
-  Section section(settings, "let");
+Result<std::vector<LetDefinition>> read_lets(const settings::Settings& settings) {
+  settings::Section section(settings, "let");
   std::vector<LetDefinition> lets;
-  for (const Setting& entry : section.entries()) {
+  for (const settings::Setting& entry : section.entries()) {
     const std::string problem = is_function_name(entry.key)
                                     ? fmt::format("{} is a function", entry.key)
                                     : name_problem(entry.key);
@@ -63,10 +63,10 @@ Error in_variant(const std::string& variant, Error error) {
   return error;
 }
 
-std::string place_of_f(const Settings& settings) {
-  Section comparison(settings, "comparison");
-  const Setting& f = *comparison.find("f");
-  return f.line == 0 ? file_of(f) : fmt::format("{}:{}", file_of(f), f.line);
+std::string place_of_f(const settings::Settings& settings) {
+  settings::Section comparison(settings, "comparison");
+  const settings::Setting& f = *comparison.find("f");
+  return f.line == 0 ? settings::file_of(f) : fmt::format("{}:{}", settings::file_of(f), f.line);
 }
 
 /// Tells how two sets of inputs differ: "z is none of them, y is missing".
@@ -84,16 +84,17 @@ std::string differences(const std::set<std::string>& named, const std::set<std::
 /// Reads a variant in the place of [comparison]. It must have the same inputs and gets them in the
 /// same order, so that data and ports fit all variants.
 Result<ComparisonSpec> read_variant(const Formulation& formulation,
-                                    std::span<const LetDefinition> lets, const Settings& given,
-                                    const ComparisonSpec& base, std::set<std::string>& used_lets) {
-  const Settings& settings = formulation.settings;
+                                    std::span<const LetDefinition> lets,
+                                    const settings::Settings& given, const ComparisonSpec& base,
+                                    std::set<std::string>& used_lets) {
+  const settings::Settings& settings = formulation.settings;
   MIXCMP_TRY(variant, read_comparison(settings, lets));
   MIXCMP_TRY(alone, read_graph(settings, variant, lets, {}, used_lets));
   const std::set<std::string> named(alone.inputs().begin(), alone.inputs().end());
   const auto& inputs = base.graph.inputs();
   const std::set<std::string> wanted(inputs.begin(), inputs.end());
   if (named != wanted) {
-    const Section section(settings, "comparison");
+    const settings::Section section(settings, "comparison");
     return section.mistake("f",
                            fmt::format("f and g have other inputs than those at {}: {}",
                                        place_of_f(given), differences(named, wanted)),
@@ -113,7 +114,7 @@ Result<ComparisonSpec> read_variant(const Formulation& formulation,
 Result<ComparisonSpec> read_formulation(const Formulations& formulations,
                                         std::span<const LetDefinition> lets,
                                         std::vector<std::string>& notes) {
-  const Settings& settings = formulations.all.front().settings;
+  const settings::Settings& settings = formulations.all.front().settings;
   MIXCMP_TRY(base, read_comparison(settings, lets));
   std::set<std::string> used_lets;
   MIXCMP_TRY(graph, read_graph(settings, base, lets, {}, used_lets));
@@ -160,7 +161,7 @@ void choose_exponent_bits(ReducedSpec& reduced, const Graph& graph, FloatFormat 
                           const std::vector<std::optional<Range>>& ranges) {
   if (!reduced.exponent_bits_from_ranges || reduced.bound == BoundKind::profiled) return;
   const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
-  const int bits = lane_exponent_bits(graph, reference, arithmetic, reduced.inputs, ranges);
+  const int bits = error::lane_exponent_bits(graph, reference, arithmetic, reduced.inputs, ranges);
   reduced.format = FloatFormat::make(reduced.format->precision(), bits).value();
 }
 
@@ -170,7 +171,8 @@ struct LaneSpecs {
 };
 
 /// Reads [reduced] and [[lanes]], and chooses their exponent bits.
-Result<LaneSpecs> read_lanes(const Settings& settings, const Graph& graph, FloatFormat reference,
+Result<LaneSpecs> read_lanes(const settings::Settings& settings, const Graph& graph,
+                             FloatFormat reference,
                              const std::vector<std::optional<Range>>& ranges) {
   MIXCMP_TRY(reduced, read_reduced(settings, reference));
   MIXCMP_TRY(groups, read_lane_groups(settings, reference, reduced));
@@ -182,7 +184,7 @@ Result<LaneSpecs> read_lanes(const Settings& settings, const Graph& graph, Float
 }
 
 /// Notes keys that no lane looks at.
-void note_unused_keys(const Scene& scene, const Settings& settings,
+void note_unused_keys(const Scene& scene, const settings::Settings& settings,
                       std::vector<std::string>& notes) {
   for (const std::string& key : overridden_keys(settings)) {
     notes.push_back(fmt::format("reduced.{} is not used: each of [[lanes]] has its own", key));
@@ -201,7 +203,7 @@ void note_unused_keys(const Scene& scene, const Settings& settings,
 
 /// Notes constants that the reference format only approximates; one that it cannot hold at all is a
 /// mistake in the choice of format.
-Result<Done> check_constants(const Settings& settings, const Graph& graph,
+Result<Done> check_constants(const settings::Settings& settings, const Graph& graph,
                              const Arithmetic& reference, std::vector<std::string>& notes) {
   const FloatFormat format = reference.format;
   for (const Node& node : graph.nodes()) {
@@ -210,7 +212,7 @@ Result<Done> check_constants(const Settings& settings, const Graph& graph,
     const bool vanishes = format.is_zero(bits) ||
                           (reference.subnormals == Subnormals::flush && format.is_subnormal(bits));
     if (format.is_infinite(bits) || (vanishes && node.value != 0)) {
-      const Section section(settings, "reference");
+      const settings::Section section(settings, "reference");
       return section.mistake("format",
                              fmt::format("it cannot hold the constant {}", to_text(node.value)),
                              format.name(), "a format with more exponent bits");
@@ -247,7 +249,7 @@ Result<Scene> load_with(const std::filesystem::path& path, std::span<const std::
   MIXCMP_TRY(read, read_scene_settings(path, overrides));
   MIXCMP_TRY(names_checked, check_section_names(read.settings));
   MIXCMP_TRY(formulations, read_formulations(read.settings));
-  const Settings& settings = formulations.all[formulations.chosen].settings;
+  const settings::Settings& settings = formulations.all[formulations.chosen].settings;
   std::vector<std::string> notes;
   MIXCMP_TRY(lets, read_lets(settings));
   MIXCMP_TRY(comparison, read_formulation(formulations, lets, notes));
@@ -298,4 +300,4 @@ Result<Scene> load_scene(const std::filesystem::path& path,
   });
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

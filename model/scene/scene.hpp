@@ -18,7 +18,7 @@
 #include "model/scene/engine.hpp"
 #include "model/settings/limits.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 
 enum class BoundKind {
   certified,
@@ -45,8 +45,7 @@ enum class Multipliers {
 
 /// The words of scene files, options and reports.
 std::string_view to_string(BoundKind bound);
-std::string_view to_string(LaneInputs inputs);
-std::string_view to_string(std::optional<ErrorBoundKind> bound);  ///< none: "auto"
+std::string_view to_string(std::optional<error::ErrorBoundKind> bound);  ///< none: "auto"
 std::string_view to_string(ResultOrder order);
 std::string_view to_string(OperandStore store);
 std::string_view to_string(Multipliers multipliers);
@@ -56,7 +55,7 @@ struct ReducedSpec {
   /// Written as "s17": the format's exponent bits are the fewest that the ranges allow.
   bool exponent_bits_from_ranges = false;
   BoundKind bound = BoundKind::certified;
-  std::optional<ErrorBoundKind> error_bound;  ///< kind of a certified bound; none: "auto"
+  std::optional<error::ErrorBoundKind> error_bound;  ///< kind of a certified bound; none: "auto"
   int bound_digits = 4;  ///< digits of a running bound, 1..8; 1: exponents alone
   LaneInputs inputs = LaneInputs::exact;
   Rounding rounding = Rounding::nearest_even;
@@ -67,8 +66,8 @@ struct ReducedSpec {
   std::optional<mpq_class> relative_error_g;
 };
 
-inline constexpr int max_lanes = limits::lanes.most;
-inline constexpr int max_references = limits::references.most;
+inline constexpr int max_lanes = settings::limits::lanes.most;
+inline constexpr int max_references = settings::limits::references.most;
 
 /// Lanes of one kind.
 struct LaneGroupSpec {
@@ -112,10 +111,10 @@ struct DataSpec {
   double side = 100;
   double radius_max = 25;
   std::uint64_t seed = 1;
-  Pairing pairing = Pairing::rows;
-  std::filesystem::path with;        ///< the second table's file, where the pairing has one
-  std::vector<ColumnNames> columns;  ///< the names that the scene gives to columns
-  std::vector<ColumnNames> with_columns;
+  data::Pairing pairing = data::Pairing::rows;
+  std::filesystem::path with;              ///< the second table's file, where the pairing has one
+  std::vector<data::ColumnNames> columns;  ///< the names that the scene gives to columns
+  std::vector<data::ColumnNames> with_columns;
   /// The place of each key that is given, and of [data] itself under "", for errors that are found
   /// when data are read.
   std::map<std::string, Place> places;
@@ -183,4 +182,4 @@ struct Scene {
 /// instead of a line.
 Result<Scene> load_scene(const std::filesystem::path& path, std::span<const std::string> overrides);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

@@ -10,12 +10,12 @@
 
 /// Readers of the sections of a scene, one function each; load_scene puts the results together.
 /// Errors name file, line and key.
-namespace mixcmp::model {
+namespace mixcmp::scene {
 
 /// The settings of one part's two expressions; they live as long as the settings they are from.
 struct PartSettings {
-  const Setting* f;
-  const Setting* g;
+  const settings::Setting* f;
+  const settings::Setting* g;
   std::vector<IndexValue> indices = {};  ///< the index of `for` and its value in this part
 };
 
@@ -23,27 +23,29 @@ struct ComparisonSpec {
   std::string name;
   Combination combination = Combination::all;
   std::vector<PartSettings> parts;
-  const Setting* index = nullptr;  ///< `for`, whose values are the parts; null: there is none
-  Graph graph = {};                ///< once the expressions have been parsed
+  const settings::Setting* index =
+      nullptr;       ///< `for`, whose values are the parts; null: there is none
+  Graph graph = {};  ///< once the expressions have been parsed
 };
 
 /// Reads [comparison] without parsing its expressions.
-Result<ComparisonSpec> read_comparison(const Settings& settings,
+Result<ComparisonSpec> read_comparison(const settings::Settings& settings,
                                        std::span<const LetDefinition> lets);
 
 /// Replaces comparison.parts by a copy of them for each value of the index of `for`; does nothing
 /// where the comparison has no `for`.
-Result<Done> expand_parts(const Settings& settings, std::span<const LetDefinition> lets,
+Result<Done> expand_parts(const settings::Settings& settings, std::span<const LetDefinition> lets,
                           ComparisonSpec& comparison);
 
 /// Parses all parts into one graph whose inputs begin with `inputs`; adds the lets that they need
 /// to `used_lets`.
-Result<Graph> read_graph(const Settings& settings, const ComparisonSpec& comparison,
+Result<Graph> read_graph(const settings::Settings& settings, const ComparisonSpec& comparison,
                          std::span<const LetDefinition> lets,
                          const std::vector<std::string>& inputs, std::set<std::string>& used_lets);
 
 /// Parses the lets that are not in `used`, so that their mistakes are found, too.
-Result<Done> check_unused_lets(const Settings& settings, std::span<const LetDefinition> lets,
+Result<Done> check_unused_lets(const settings::Settings& settings,
+                               std::span<const LetDefinition> lets,
                                const std::set<std::string>& used);
 
 struct ReferenceSpec {
@@ -51,31 +53,33 @@ struct ReferenceSpec {
   Multipliers multipliers = Multipliers::embedded;
 };
 
-Result<ReferenceSpec> read_reference(const Settings& settings);
+Result<ReferenceSpec> read_reference(const settings::Settings& settings);
 
 /// Reads [reduced]. Neither this function nor read_lane_groups chooses the exponent bits that
 /// depend on ranges.
-Result<ReducedSpec> read_reduced(const Settings& settings, FloatFormat reference);
+Result<ReducedSpec> read_reduced(const settings::Settings& settings, FloatFormat reference);
 
 /// Reads [[lanes]]; a key that a table leaves out has its value in `defaults`. Empty where there is
 /// no [[lanes]].
-Result<std::vector<LaneGroupSpec>> read_lane_groups(const Settings& settings, FloatFormat reference,
+Result<std::vector<LaneGroupSpec>> read_lane_groups(const settings::Settings& settings,
+                                                    FloatFormat reference,
                                                     const ReducedSpec& defaults);
 
 /// Reads [[references]]; empty where there is none.
-Result<std::vector<ReferenceGroupSpec>> read_reference_groups(const Settings& settings,
+Result<std::vector<ReferenceGroupSpec>> read_reference_groups(const settings::Settings& settings,
                                                               Multipliers defaults);
 
 /// The keys of [reduced] without effect, because each of [[lanes]] has its own.
-std::vector<std::string> overridden_keys(const Settings& settings);
+std::vector<std::string> overridden_keys(const settings::Settings& settings);
 
-Result<SystemSpec> read_system(const Settings& settings);
+Result<SystemSpec> read_system(const settings::Settings& settings);
 
 /// Reads [engine] and checks that it fits the inputs, [data] and [system]. Where the section is
 /// absent, the kind is EngineKind::none.
-Result<EngineSpec> read_engine(const Settings& settings, const std::vector<std::string>& inputs,
+Result<EngineSpec> read_engine(const settings::Settings& settings,
+                               const std::vector<std::string>& inputs,
                                const std::optional<DataSpec>& data);
 
-Result<std::optional<DataSpec>> read_data(const Settings& settings);
+Result<std::optional<DataSpec>> read_data(const settings::Settings& settings);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

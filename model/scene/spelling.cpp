@@ -1,6 +1,6 @@
 #include "model/scene/scene.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 
 std::string_view to_string(BoundKind bound) {
   switch (bound) {
@@ -10,15 +10,7 @@ std::string_view to_string(BoundKind bound) {
   MIXCMP_CHECK(false);
 }
 
-std::string_view to_string(LaneInputs inputs) {
-  switch (inputs) {
-    case LaneInputs::rounded: return "rounded";
-    case LaneInputs::exact: return "exact";
-  }
-  MIXCMP_CHECK(false);
-}
-
-std::string_view to_string(std::optional<ErrorBoundKind> bound) {
+std::string_view to_string(std::optional<error::ErrorBoundKind> bound) {
   return bound ? to_string(*bound) : "auto";
 }
 
@@ -46,4 +38,4 @@ std::string_view to_string(Multipliers multipliers) {
   MIXCMP_CHECK(false);
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

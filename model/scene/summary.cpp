@@ -11,7 +11,7 @@
 #include "model/number/decimal.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
 constexpr std::size_t max_expression_length = 60;
@@ -34,23 +34,24 @@ std::vector<OperatorCount> count_operators(const TypedGraph& graph) {
   return counts;
 }
 
-bool knows(const TypedGraph& graph, Event event) {
+bool knows(const TypedGraph& graph, error::Event event) {
   const auto has = [&](Operation operation) {
     return std::any_of(graph.nodes.begin(), graph.nodes.end(),
                        [&](const TypedNode& node) { return node.operation == operation; });
   };
   switch (event) {
-    case Event::overflow:
-    case Event::underflow: return true;
-    case Event::division_by_zero: return has(Operation::divide);
-    case Event::root_of_negative: return has(Operation::square_root);
+    case error::Event::overflow:
+    case error::Event::underflow: return true;
+    case error::Event::division_by_zero: return has(Operation::divide);
+    case error::Event::root_of_negative: return has(Operation::square_root);
   }
   MIXCMP_CHECK(false);
 }
 
 /// Adds an operation in which the event in question may happen. The answer becomes `possible` if
 /// all ranges under the operation are declared, else `unknown` unless it is `possible` already.
-void add_way(RangeQuestion& finding, const TypedGraph& graph, NodeId node, const NodeRange& range) {
+void add_way(RangeQuestion& finding, const TypedGraph& graph, NodeId node,
+             const error::NodeRange& range) {
   finding.operations.push_back(
       to_text(graph.nodes, graph.input_names, node, max_expression_length));
   for (const int input : range.rangeless_inputs) {
@@ -67,8 +68,9 @@ DatapathSummary summarise_datapath(const std::string& name, const TypedGraph& gr
                                    const std::vector<std::optional<Range>>& ranges) {
   DatapathSummary summary{
       .name = name, .arithmetic = graph.arithmetic, .operators = count_operators(graph)};
-  const std::vector<NodeRange> nodes = analyse_ranges(graph, ranges, Infinities::followed);
-  for (const Event event : all_events) {
+  const std::vector<error::NodeRange> nodes =
+      error::analyse_ranges(graph, ranges, error::Infinities::followed);
+  for (const error::Event event : error::all_events) {
     if (!knows(graph, event)) continue;
     RangeQuestion& finding = summary.events.emplace_back();
     finding.question = to_string(event);
@@ -80,7 +82,7 @@ DatapathSummary summarise_datapath(const std::string& name, const TypedGraph& gr
 }
 
 SideSummary summarise_side(const std::string& name, const std::string& text,
-                           const TypedGraph& graph, NodeId root, const NodeRange& range) {
+                           const TypedGraph& graph, NodeId root, const error::NodeRange& range) {
   SideSummary side{.name = name,
                    .text = text,
                    .value = range.value,
@@ -126,7 +128,7 @@ struct Breaches {
 /// Checks each number of the tables against the range and the grid of every input that reads it.
 class DataCheck {
 public:
-  DataCheck(const Scene& scene, const Comparisons& data) : scene_(scene), data_(data) {}
+  DataCheck(const Scene& scene, const data::Comparisons& data) : scene_(scene), data_(data) {}
 
   void run() {
     for (std::size_t table = 0; table < data_.tables().size(); ++table) {
@@ -143,11 +145,11 @@ public:
 
 private:
   void check_number(std::size_t table_index, std::size_t row, std::size_t column) {
-    const Table& table = data_.tables()[table_index];
+    const data::Table& table = data_.tables()[table_index];
     const Bits bits = table.at(row, column);
     bool within = true, on_grid = true;
     for (std::size_t input = 0; input < data_.sources().size(); ++input) {
-      const Comparisons::Source& source = data_.sources()[input];
+      const data::Comparisons::Source& source = data_.sources()[input];
       if (source.table != table_index || source.column != column) continue;
       if (!data_.takes_part(source, row)) continue;
       const auto& range = scene_.ranges[input];
@@ -170,13 +172,13 @@ private:
   }
 
   std::string number(std::size_t table_index, std::size_t row, std::size_t column) const {
-    const Table& table = data_.tables()[table_index];
+    const data::Table& table = data_.tables()[table_index];
     return fmt::format("{}: {} = {}", place(table, row), table.columns[column],
                        to_text(table.format, table.at(row, column)));
   }
 
   /// "points.csv:7" where rows have lines, else the row's label or its number, counted from 0.
-  std::string place(const Table& table, std::size_t row) const {
+  std::string place(const data::Table& table, std::size_t row) const {
     if (!table.lines.empty()) return fmt::format("{}:{}", table.source, table.lines[row]);
     const std::string label = table.labels.empty() ? fmt::format("row {}", row) : table.labels[row];
     return data_.tables().size() > 1 ? fmt::format("{} {}", table.source, label) : label;
@@ -185,28 +187,28 @@ private:
   const std::string& name(std::size_t input) const { return scene_.graph.inputs()[input]; }
 
   const Scene& scene_;
-  const Comparisons& data_;
+  const data::Comparisons& data_;
   Breaches ranges_, grids_;
 };
 
-DataSummary summarise_data(const Scene& scene, const Comparisons& data) {
+DataSummary summarise_data(const Scene& scene, const data::Comparisons& data) {
   DataCheck check(scene, data);
   check.run();
   return {.source = scene.data ? data_source(*scene.data) : "",
           .pairing = data.pairing(),
           .rows = data.table().rows(),
           .with = scene.data ? scene.data->with.filename().string() : "",
-          .with_rows = has_second_table(data.pairing()) ? data.tables()[1].rows() : 0,
+          .with_rows = data::has_second_table(data.pairing()) ? data.tables()[1].rows() : 0,
           .comparisons = data.size(),
           .out_of_range = check.ranges().count,
           .first_out_of_range = check.ranges().first,
           .off_grid = check.grids().count,
           .first_off_grid = check.grids().first,
-          .inputs = input_sources(data, scene.graph.inputs())};
+          .inputs = data::input_sources(data, scene.graph.inputs())};
 }
 
 Exactness summarise_exactness(const Scene& scene, const TypedGraph& reference) {
-  const std::vector<bool> exact = exact_on_grid(reference, scene.ranges, scene.grids);
+  const std::vector<bool> exact = error::exact_on_grid(reference, scene.ranges, scene.grids);
   const auto first = std::find(exact.begin(), exact.end(), false);
   if (first == exact.end()) return {.exact = true, .first_rounding = {}};
   return {
@@ -215,8 +217,8 @@ Exactness summarise_exactness(const Scene& scene, const TypedGraph& reference) {
                                 static_cast<NodeId>(first - exact.begin()), max_expression_length)};
 }
 
-void count_saved(LaneSavings& savings, Operation operation, const Hazards& hazards) {
-  if (!has_unit(operation)) return;
+void count_saved(LaneSavings& savings, Operation operation, const error::Hazards& hazards) {
+  if (!error::has_unit(operation)) return;
   ++savings.operations;
   savings.without_special_operands += hazards.special_operand ? 0 : 1;
   savings.without_overflow += hazards.overflow ? 0 : 1;
@@ -228,13 +230,13 @@ void count_saved(LaneSavings& savings, Operation operation, const Hazards& hazar
 std::optional<LaneSavings> summarise_savings(const Scene& scene, const ReducedSpec& reduced,
                                              const CombinedGraph& graph) {
   if (reduced.bound != BoundKind::certified) return std::nullopt;
-  const Result<CombinedLane> lane = certified_lanes(
+  const Result<error::CombinedLane> lane = error::certified_lanes(
       graph,
       {.kind = reduced.error_bound, .bound_digits = reduced.bound_digits, .ranges = scene.ranges});
   if (!lane.ok()) return std::nullopt;
-  const SharedLane shared = share(*lane);
+  const error::SharedLane shared = share(*lane);
   LaneSavings savings;
-  for (const RangeCheck& check : shared.checks) {
+  for (const error::RangeCheck& check : shared.checks) {
     const std::string& name = scene.graph.inputs()[static_cast<std::size_t>(check.input)];
     auto& checked = savings.checked_inputs;
     if (std::find(checked.begin(), checked.end(), name) == checked.end()) checked.push_back(name);
@@ -257,8 +259,8 @@ DatapathSummary summarise_lane(const std::string& name, const Scene& scene,
 
 /// The sides of the comparison: f and g of a single part, f[0], g[0], f[1], ... of several.
 std::vector<SideSummary> summarise_sides(const Scene& scene, const SharedGraph& reference) {
-  const std::vector<NodeRange> ranges =
-      analyse_ranges(reference.graph, scene.ranges, Infinities::followed);
+  const std::vector<error::NodeRange> ranges =
+      error::analyse_ranges(reference.graph, scene.ranges, error::Infinities::followed);
   std::vector<SideSummary> sides;
   for (std::size_t k = 0; k < reference.sides.size(); ++k) {
     const std::string index = reference.sides.size() == 1 ? "" : fmt::format("[{}]", k);
@@ -296,7 +298,7 @@ std::string_view to_string(Possibility possibility) {
   MIXCMP_CHECK(false);
 }
 
-Summary summarise(const Scene& scene, const Comparisons* data) {
+Summary summarise(const Scene& scene, const data::Comparisons* data) {
   const SharedGraph shared = share(reference_graphs(scene.graph, scene.reference));
   const TypedGraph& reference = shared.graph;
   Summary summary{.scene = &scene};
@@ -313,4 +315,4 @@ Summary summarise(const Scene& scene, const Comparisons* data) {
   return summary;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

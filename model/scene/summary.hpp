@@ -7,7 +7,7 @@
 #include "model/error/range_analysis.hpp"
 #include "model/scene/scene.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 
 struct OperatorCount {
   Operation operation;
@@ -66,7 +66,7 @@ struct Exactness {
 
 struct DataSummary {
   std::string source;
-  Pairing pairing = Pairing::rows;
+  data::Pairing pairing = data::Pairing::rows;
   std::uint64_t rows = 0;
   std::string with;             ///< the second table, where there is one
   std::uint64_t with_rows = 0;  ///< rows of the second table; with arg_min, the candidates
@@ -75,7 +75,7 @@ struct DataSummary {
   std::string first_out_of_range;  ///< the first of them in words; empty if none
   std::uint64_t off_grid = 0;      ///< numbers of the table that are no multiple of a declared grid
   std::string first_off_grid;
-  std::vector<InputSource> inputs;  ///< which column feeds which input
+  std::vector<data::InputSource> inputs;  ///< which column feeds which input
 };
 
 /// What `mixcmp check` prints.
@@ -92,6 +92,6 @@ std::vector<std::string> lane_group_labels(const Scene& scene);
 
 /// The summary keeps a pointer to `scene`, which must outlive it. `data`: the scene's comparisons;
 /// null if they were not read.
-Summary summarise(const Scene& scene, const Comparisons* data);
+Summary summarise(const Scene& scene, const data::Comparisons* data);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

@@ -5,11 +5,11 @@
 #include "model/scene/sections.hpp"
 #include "model/settings/section.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
 /// Checks that a Verilog identifier may begin with the prefix.
-void check_prefix(Section& section, const std::string& prefix) {
+void check_prefix(settings::Section& section, const std::string& prefix) {
   constexpr std::size_t longest = 32;
   if (prefix.size() <= longest && name_problem(prefix + "x").empty()) return;
   section.fail("prefix", "does not begin a Verilog name", in_quotes(prefix),
@@ -18,12 +18,12 @@ void check_prefix(Section& section, const std::string& prefix) {
 
 }  // namespace
 
-Result<ReferenceSpec> read_reference(const Settings& settings) {
-  Section section(settings, "reference");
+Result<ReferenceSpec> read_reference(const settings::Settings& settings) {
+  settings::Section section(settings, "reference");
   std::optional<FloatFormat> format;
   Subnormals subnormals = Subnormals::gradual;
   section.require("format");
-  constexpr Limits precisions = limits::reference_precision;
+  constexpr settings::Limits precisions = settings::limits::reference_precision;
   section.format("format", format, precisions,
                  FloatFormat::accepted(precisions.least, precisions.most));
   section.choice("subnormals", subnormals, {Subnormals::flush, Subnormals::gradual});
@@ -33,18 +33,19 @@ Result<ReferenceSpec> read_reference(const Settings& settings) {
   return ReferenceSpec{{.format = *format, .subnormals = subnormals}, multipliers};
 }
 
-Result<SystemSpec> read_system(const Settings& settings) {
+Result<SystemSpec> read_system(const settings::Settings& settings) {
   SystemSpec spec;
-  Section section(settings, "system");
+  settings::Section section(settings, "system");
   section.text("device", spec.device);
-  section.integer_or_auto("lanes", spec.lanes, limits::lanes);
-  section.integer_or_auto("references", spec.references, limits::references);
+  section.integer_or_auto("lanes", spec.lanes, settings::limits::lanes);
+  section.integer_or_auto("references", spec.references, settings::limits::references);
   section.number("slack", spec.slack, 0, 0.95);
   section.number("target_mhz", spec.target_mhz, 1, 2000);
   section.choice("order", spec.order, {ResultOrder::tagged, ResultOrder::in_order});
   section.choice("operands", spec.operands, {OperandStore::carried, OperandStore::refetched});
-  section.integer("tag_bits", spec.tag_bits, limits::tag_bits);
-  section.integer_or_zero("counter_bits", spec.counter_bits, limits::counter_bits, "no counters");
+  section.integer("tag_bits", spec.tag_bits, settings::limits::tag_bits);
+  section.integer_or_zero("counter_bits", spec.counter_bits, settings::limits::counter_bits,
+                          "no counters");
   section.text("prefix", spec.prefix);
   check_prefix(section, spec.prefix);
   if (spec.device.empty()) section.fail("device", "empty", "\"\"", "a device's name");
@@ -52,4 +53,4 @@ Result<SystemSpec> read_system(const Settings& settings) {
   return spec;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

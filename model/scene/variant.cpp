@@ -9,35 +9,38 @@
 #include "model/expression/name.hpp"
 #include "model/settings/section.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 namespace {
 
-Setting::Table* table_of(Setting::Table& root, const std::string& name) {
-  const auto found = std::find_if(root.entries.begin(), root.entries.end(),
-                                  [&](const Setting& entry) { return entry.key == name; });
-  return found == root.entries.end() ? nullptr : std::get_if<Setting::Table>(&found->value);
+settings::Setting::Table* table_of(settings::Setting::Table& root, const std::string& name) {
+  const auto found =
+      std::find_if(root.entries.begin(), root.entries.end(),
+                   [&](const settings::Setting& entry) { return entry.key == name; });
+  return found == root.entries.end() ? nullptr
+                                     : std::get_if<settings::Setting::Table>(&found->value);
 }
 
-void erase(Setting::Table& table, const std::string& key) {
-  std::erase_if(table.entries, [&](const Setting& entry) { return entry.key == key; });
+void erase(settings::Setting::Table& table, const std::string& key) {
+  std::erase_if(table.entries, [&](const settings::Setting& entry) { return entry.key == key; });
 }
 
 /// The settings without anything that speaks of variants.
-Settings without_variants(Settings settings) {
+settings::Settings without_variants(settings::Settings settings) {
   erase(settings.root, "variant");
-  if (Setting::Table* comparison = table_of(settings.root, "comparison")) {
+  if (settings::Setting::Table* comparison = table_of(settings.root, "comparison")) {
     erase(*comparison, "variant");
   }
   return settings;
 }
 
 /// The name of a [[variant]]: unique, and fit to be a part of a module's name.
-Result<std::string> read_name(const Setting& table, const std::vector<Formulation>& known) {
-  Section section("variant", table);
+Result<std::string> read_name(const settings::Setting& table,
+                              const std::vector<Formulation>& known) {
+  settings::Section section("variant", table);
   std::string name;
   section.require("name");
   section.text("name", name);
-  for (const Setting& entry : section.entries()) section.find(entry.key);
+  for (const settings::Setting& entry : section.entries()) section.find(entry.key);
   if (const auto error = section.finish()) return *error;
   const std::string problem = name_problem(name);
   if (!problem.empty()) {
@@ -51,25 +54,29 @@ Result<std::string> read_name(const Setting& table, const std::vector<Formulatio
 }
 
 /// Lays a variant's keys over [comparison], which keeps its name and all other keys.
-Result<Formulation> lay_over(const Setting& table, std::string name, const Settings& base) {
-  Formulation formulation{
-      .variant = std::move(name), .settings = base, .file = file_of(table), .line = table.line};
-  Setting::Table* comparison = table_of(formulation.settings.root, "comparison");
+Result<Formulation> lay_over(const settings::Setting& table, std::string name,
+                             const settings::Settings& base) {
+  Formulation formulation{.variant = std::move(name),
+                          .settings = base,
+                          .file = settings::file_of(table),
+                          .line = table.line};
+  settings::Setting::Table* comparison = table_of(formulation.settings.root, "comparison");
   if (comparison == nullptr) return formulation;  // read_comparison reports it
   bool says_something = false;
-  for (const Setting& entry : std::get<Setting::Table>(table.value).entries) {
+  for (const settings::Setting& entry : std::get<settings::Setting::Table>(table.value).entries) {
     if (entry.key == "name") continue;
     says_something = true;
-    find_or_add(*comparison, entry.key) = entry;
+    settings::find_or_add(*comparison, entry.key) = entry;
   }
   if (says_something) return formulation;
-  return mistake_at(table, "variant", "says nothing of its own", in_quotes(formulation.variant),
-                    "f, g or both");
+  return settings::mistake_at(table, "variant", "says nothing of its own",
+                              in_quotes(formulation.variant), "f, g or both");
 }
 
-Result<std::size_t> chosen_one(const Settings& settings, const std::vector<Formulation>& all) {
-  Section section(settings, "comparison");
-  const Setting* key = section.find("variant");
+Result<std::size_t> chosen_one(const settings::Settings& settings,
+                               const std::vector<Formulation>& all) {
+  settings::Section section(settings, "comparison");
+  const settings::Setting* key = section.find("variant");
   if (key == nullptr) return std::size_t{0};
   std::string name;
   section.text("variant", name);
@@ -98,17 +105,18 @@ Error Formulation::name_mistake(std::string message, std::string received) const
           .accepted = std::string(accepted_names())};
 }
 
-Result<Formulations> read_formulations(const Settings& settings) {
+Result<Formulations> read_formulations(const settings::Settings& settings) {
   Formulations formulations;
-  const Settings base = without_variants(settings);
+  const settings::Settings base = without_variants(settings);
   formulations.all.push_back({.variant = {}, .settings = base});
   MIXCMP_TRY(tables, tables_of(settings, "variant", "one table for each formulation"));
   constexpr std::size_t max_variants = 64;
   if (tables.size() > max_variants) {
-    return mistake_at(tables[max_variants], "variant", "too many variants",
-                      fmt::format("{}", tables.size()), fmt::format("at most {}", max_variants));
+    return settings::mistake_at(tables[max_variants], "variant", "too many variants",
+                                fmt::format("{}", tables.size()),
+                                fmt::format("at most {}", max_variants));
   }
-  for (const Setting& table : tables) {
+  for (const settings::Setting& table : tables) {
     MIXCMP_TRY(name, read_name(table, formulations.all));
     MIXCMP_TRY(formulation, lay_over(table, name, base));
     formulations.all.push_back(std::move(formulation));
@@ -118,4 +126,4 @@ Result<Formulations> read_formulations(const Settings& settings) {
   return formulations;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

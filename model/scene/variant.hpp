@@ -5,13 +5,13 @@
 
 #include "model/settings/settings.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::scene {
 
 /// One formulation of the scene's comparison: the scene's settings with the keys of a [[variant]]
 /// laid over those of [comparison].
 struct Formulation {
   std::string variant;  ///< empty: as [comparison] has it
-  Settings settings;
+  settings::Settings settings;
   /// An error about the variant's name.
   Error name_mistake(std::string message, std::string received) const;
 
@@ -25,6 +25,6 @@ struct Formulations {
 };
 
 /// Reads [[variant]] and comparison.variant; neither is left in the settings that come back.
-Result<Formulations> read_formulations(const Settings& settings);
+Result<Formulations> read_formulations(const settings::Settings& settings);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::scene

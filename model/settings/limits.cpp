@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace mixcmp::model {
+namespace mixcmp::settings {
 
 std::string to_string(Limits limits) {
   return fmt::format("{}..{}", limits.least, limits.most);
@@ -15,4 +15,4 @@ Limits lane_precisions(FloatFormat reference) {
           std::min(limits::lane_precision.most, reference.precision())};
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::settings

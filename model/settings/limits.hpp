@@ -4,7 +4,7 @@
 
 #include "model/number/float_format.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::settings {
 
 /// The whole numbers `least`..`most`, both included, that a user may give for something.
 struct Limits {
@@ -40,4 +40,4 @@ inline constexpr Limits seeds{1, 1000};     ///< router seeds
 /// The precisions that a lane beside a reference of this format can have.
 Limits lane_precisions(FloatFormat reference);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::settings

@@ -9,7 +9,7 @@
 #include "model/common/nearest.hpp"
 #include "model/number/literal.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::settings {
 
 std::string file_of(const Setting& setting) {
   return setting.file ? setting.file->path.string() : "--set";
@@ -246,4 +246,4 @@ Result<std::span<const Setting>> tables_of(const Settings& settings, const std::
                     fmt::format("[[{}]], {}", name, purpose));
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::settings

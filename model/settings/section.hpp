@@ -13,7 +13,7 @@
 #include "model/settings/limits.hpp"
 #include "model/settings/settings.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::settings {
 
 /// Reads one table of a scene, key by key, into variables that keep their defaults where a key is
 /// absent. The first mistake is kept until `finish`, which also finds keys that nobody asked for.
@@ -128,4 +128,4 @@ void Section::choices(const std::string& key, std::vector<Enum>& target,
   }
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::settings

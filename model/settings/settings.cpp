@@ -13,7 +13,7 @@
 #include "model/common/file.hpp"
 #include "model/common/quote.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::settings {
 namespace {
 
 using File = std::shared_ptr<const SettingsFile>;
@@ -344,4 +344,4 @@ Result<Settings> read_settings(const std::filesystem::path& path,
   return settings;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::settings

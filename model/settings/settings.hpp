@@ -10,7 +10,7 @@
 
 #include "model/common/result.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::settings {
 
 /// A file of settings as written.
 struct SettingsFile {
@@ -74,4 +74,4 @@ Setting::Table overridden_entries(const Setting::Table& root,
 /// The entry with that key; where there is none, an empty table is added.
 Setting& find_or_add(Setting::Table& table, const std::string& key);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::settings

@@ -14,14 +14,14 @@
 #include "model/data/uniform_spheres.hpp"
 #include "model/workload/reference_contest.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::workload {
 namespace {
 
 /// The columns that the inputs need of each table, in order of first need.
-Result<std::array<std::vector<std::string>, 2>> needed_columns(const Scene& scene) {
+Result<std::array<std::vector<std::string>, 2>> needed_columns(const scene::Scene& scene) {
   std::array<std::vector<std::string>, 2> columns;
   for (const std::string& input : scene.graph.inputs()) {
-    MIXCMP_TRY(place, input_column(scene.data->pairing, input));
+    MIXCMP_TRY(place, data::input_column(scene.data->pairing, input));
     std::vector<std::string>& known = columns[place.table];
     if (std::find(known.begin(), known.end(), place.name) == known.end()) {
       known.push_back(place.name);
@@ -30,21 +30,21 @@ Result<std::array<std::vector<std::string>, 2>> needed_columns(const Scene& scen
   return columns;
 }
 
-Result<Table> generated_table(const DataSpec& data, FloatFormat format) {
+Result<data::Table> generated_table(const scene::DataSpec& data, FloatFormat format) {
   const auto count = static_cast<std::uint64_t>(data.count);
   if (data.items == "sphere_family") {
-    return sphere_family({.name = data.family, .count = count, .seed = data.seed}, format);
+    return data::sphere_family({.name = data.family, .count = count, .seed = data.seed}, format);
   }
-  return uniform_spheres(
+  return data::uniform_spheres(
       {.count = count, .side = data.side, .radius_max = data.radius_max, .seed = data.seed},
       format);
 }
 
 /// Selects the wanted columns of a table that was read or generated whole. If the scene names no
 /// columns, all of them stay.
-Result<Table> chosen_columns(Table table, std::span<const ColumnNames> names,
-                             std::span<const WantedColumn> wanted) {
-  MIXCMP_TRY(selected, select_columns(table, wanted));
+Result<data::Table> chosen_columns(data::Table table, std::span<const data::ColumnNames> names,
+                                   std::span<const data::WantedColumn> wanted) {
+  MIXCMP_TRY(selected, data::select_columns(table, wanted));
   if (!names.empty()) return selected;
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
     table.origins.push_back({.number = k, .name = table.columns[k]});
@@ -53,25 +53,26 @@ Result<Table> chosen_columns(Table table, std::span<const ColumnNames> names,
 }
 
 /// Reads or generates the table `which`, 0 or 1, of the scene; its columns get the scene's names.
-Result<Table> read_table(const DataSpec& data, std::size_t which, FloatFormat format,
-                         std::span<const WantedColumn> wanted) {
+Result<data::Table> read_table(const scene::DataSpec& data, std::size_t which, FloatFormat format,
+                               std::span<const data::WantedColumn> wanted) {
   const std::filesystem::path& file = which == 0 ? data.file : data.with;
-  if (file.extension() == ".csv") return read_csv(file, format, wanted);
-  if (file.extension() == ".npy") return read_npy(file, format, wanted);
-  MIXCMP_TRY(table, file.empty() ? generated_table(data, format) : read_pdb(file, format));
-  table.source = table_name(data, which);
+  if (file.extension() == ".csv") return data::read_csv(file, format, wanted);
+  if (file.extension() == ".npy") return data::read_npy(file, format, wanted);
+  MIXCMP_TRY(table, file.empty() ? generated_table(data, format) : data::read_pdb(file, format));
+  table.source = scene::table_name(data, which);
   return chosen_columns(std::move(table), which == 0 ? data.columns : data.with_columns, wanted);
 }
 
 /// The rule that assigns an input to a table by its name, as the end of an error message.
-std::string input_rule(const DataSpec& data) {
-  const std::string first = table_name(data, 0), second = table_name(data, 1);
+std::string input_rule(const scene::DataSpec& data) {
+  const std::string first = scene::table_name(data, 0), second = scene::table_name(data, 1);
   switch (data.pairing) {
-    case Pairing::rows: return "";
-    case Pairing::all: return fmt::format(": an input ending in i or j is of an item of {}", first);
-    case Pairing::cross:
+    case data::Pairing::rows: return "";
+    case data::Pairing::all:
+      return fmt::format(": an input ending in i or j is of an item of {}", first);
+    case data::Pairing::cross:
       return fmt::format(": an input ending in i is of an item of {}, in j of {}", first, second);
-    case Pairing::arg_min:
+    case data::Pairing::arg_min:
       return fmt::format(
           ": an input ending in i or j is of a candidate of {}, any other of a row of {}", second,
           first);
@@ -80,28 +81,28 @@ std::string input_rule(const DataSpec& data) {
 }
 
 /// The first input that needs the column which the scene calls `column`.
-std::string needing_input(const Scene& scene, std::size_t which, const std::string& column) {
+std::string needing_input(const scene::Scene& scene, std::size_t which, const std::string& column) {
   for (const std::string& input : scene.graph.inputs()) {
-    const Result<InputColumn> place = input_column(scene.data->pairing, input);
+    const Result<data::InputColumn> place = data::input_column(scene.data->pairing, input);
     if (place.ok() && place->table == which && place->name == column) return input;
   }
   MIXCMP_CHECK(false);
 }
 
-Place place_of(const DataSpec& data, const std::string& key) {
+Place place_of(const scene::DataSpec& data, const std::string& key) {
   const auto found = data.places.find(key);
   if (found != data.places.end()) return found->second;
   const auto section = data.places.find("");
   return section == data.places.end() ? Place{} : section->second;
 }
 
-std::string source_key(const DataSpec& data, std::size_t which) {
+std::string source_key(const scene::DataSpec& data, std::size_t which) {
   if (which == 1) return "with";
   return data.file.empty() ? "items" : "file";
 }
 
 /// Checks that the file can be read; the error is placed at the key that names the file.
-Result<Done> check_source(const DataSpec& data, std::size_t which) {
+Result<Done> check_source(const scene::DataSpec& data, std::size_t which) {
   const std::filesystem::path& path = which == 0 ? data.file : data.with;
   if (path.empty()) return Done{};
   const Result<Done> readable = check_readable(path);
@@ -117,7 +118,8 @@ Result<Done> check_source(const DataSpec& data, std::size_t which) {
 
 /// Adds to the error of a missing column the input that needs it, and the rule that assigns this
 /// input to the table.
-Error with_input(const Scene& scene, std::size_t which, const std::string& wanted, Error error) {
+Error with_input(const scene::Scene& scene, std::size_t which, const std::string& wanted,
+                 Error error) {
   const std::string need = fmt::format(
       ", which the input {} needs{}", needing_input(scene, which, wanted), input_rule(*scene.data));
   if (!error.file.empty()) {
@@ -131,37 +133,38 @@ Error with_input(const Scene& scene, std::size_t which, const std::string& wante
 
 /// Places an error about missing column numbers at the key that gives such numbers or, where that
 /// is absent, at the key that names the file.
-Error with_columns_key(const DataSpec& data, std::size_t which, Error error) {
+Error with_columns_key(const scene::DataSpec& data, std::size_t which, Error error) {
   const std::string key = which == 0 ? "columns" : "with_columns";
   const Place place = place_of(data, data.places.contains(key) ? key : source_key(data, which));
   error.file = place.file;
   error.line = place.line;
   error.field = "data." + key;
-  error.message += ", and " + table_name(data, which) + " is one";
+  error.message += ", and " + scene::table_name(data, which) + " is one";
   return error;
 }
 
-Result<Table> load_table(const Scene& scene, std::size_t which,
-                         const std::vector<std::string>& wanted) {
-  const DataSpec& data = *scene.data;
+Result<data::Table> load_table(const scene::Scene& scene, std::size_t which,
+                               const std::vector<std::string>& wanted) {
+  const scene::DataSpec& data = *scene.data;
   MIXCMP_TRY(source_checked, check_source(data, which));
-  MIXCMP_TRY(columns, file_columns(which == 0 ? data.columns : data.with_columns, wanted));
-  const Result<Table> table = read_table(data, which, scene.reference.format, columns);
+  MIXCMP_TRY(columns, data::file_columns(which == 0 ? data.columns : data.with_columns, wanted));
+  const Result<data::Table> table = read_table(data, which, scene.reference.format, columns);
   if (table.ok()) return table;
   const Error& error = table.error();
   if (error.kind == ErrorKind::unnamed_columns) return with_columns_key(data, which, error);
   if (error.kind != ErrorKind::missing_column) return error;
-  const auto missing = std::find_if(
-      columns.begin(), columns.end(),
-      [&](const WantedColumn& column) { return column.column == ColumnKey(error.field); });
+  const auto missing =
+      std::find_if(columns.begin(), columns.end(), [&](const data::WantedColumn& column) {
+        return column.column == data::ColumnKey(error.field);
+      });
   return with_input(scene, which, missing->name, error);
 }
 
 /// Makes a contest report its progress.
-Contest with_progress(Contest contest, const ContestProgress& progress) {
+data::Contest with_progress(data::Contest contest, const ContestProgress& progress) {
   if (!progress) return contest;
   return [contest = std::move(contest), progress, done = std::uint64_t{0}](
-             const Comparisons& data, std::span<const Items> items,
+             const data::Comparisons& data, std::span<const data::Items> items,
              std::span<std::uint8_t> greater) mutable {
     contest(data, items, greater);
     done += items.size();
@@ -169,37 +172,37 @@ Contest with_progress(Contest contest, const ContestProgress& progress) {
   };
 }
 
-Result<Comparisons> arrange(const Scene& scene, const ContestProgress& progress) {
+Result<data::Comparisons> arrange(const scene::Scene& scene, const ContestProgress& progress) {
   const std::vector<std::string>& inputs = scene.graph.inputs();
   MIXCMP_TRY(needed, needed_columns(scene));
   MIXCMP_TRY(first, load_table(scene, 0, needed[0]));
   switch (scene.data->pairing) {
-    case Pairing::rows: return Comparisons::rows(std::move(first), inputs);
-    case Pairing::all: return Comparisons::all_pairs(std::move(first), inputs);
-    case Pairing::cross:
-    case Pairing::arg_min: break;
+    case data::Pairing::rows: return data::Comparisons::rows(std::move(first), inputs);
+    case data::Pairing::all: return data::Comparisons::all_pairs(std::move(first), inputs);
+    case data::Pairing::cross:
+    case data::Pairing::arg_min: break;
   }
   MIXCMP_TRY(second, load_table(scene, 1, needed[1]));
-  if (scene.data->pairing == Pairing::cross) {
-    return Comparisons::cross(std::move(first), std::move(second), inputs);
+  if (scene.data->pairing == data::Pairing::cross) {
+    return data::Comparisons::cross(std::move(first), std::move(second), inputs);
   }
-  const Contest contest = reference_contest(reference_graphs(scene.graph, scene.reference));
-  return Comparisons::arg_min(std::move(first), std::move(second), inputs,
-                              with_progress(contest, progress));
+  const data::Contest contest = reference_contest(reference_graphs(scene.graph, scene.reference));
+  return data::Comparisons::arg_min(std::move(first), std::move(second), inputs,
+                                    with_progress(contest, progress));
 }
 
 /// Places an error that has no file yet at the key that it names, or at [data]. An error about one
 /// table also names that table.
-Error in_scene(const Scene& scene, Error error) {
+Error in_scene(const scene::Scene& scene, Error error) {
   if (!error.file.empty()) return error;
   error.file = scene.path.string();
   if (error.field.empty()) error.field = "data";
   if (!scene.data) return error;
-  const DataSpec& data = *scene.data;
+  const scene::DataSpec& data = *scene.data;
   for (const std::size_t which : {std::size_t{0}, std::size_t{1}}) {
     if (error.field != (which == 0 ? "data.file" : "data.with")) continue;
     error.field = "data." + source_key(data, which);
-    error.received += " in " + table_name(data, which);
+    error.received += " in " + scene::table_name(data, which);
     break;
   }
   const std::string_view section = "data.";
@@ -212,15 +215,16 @@ Error in_scene(const Scene& scene, Error error) {
 
 }  // namespace
 
-Result<Comparisons> load_comparisons(const Scene& scene, const ContestProgress& progress) {
+Result<data::Comparisons> load_comparisons(const scene::Scene& scene,
+                                           const ContestProgress& progress) {
   if (!scene.data) {
     return in_scene(scene, {.message = "the scene has no data",
                             .received = "nothing",
                             .accepted = "a section [data]"});
   }
-  Result<Comparisons> comparisons = arrange(scene, progress);
+  Result<data::Comparisons> comparisons = arrange(scene, progress);
   if (!comparisons.ok()) return in_scene(scene, comparisons.error());
   return comparisons;
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::workload

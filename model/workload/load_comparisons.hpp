@@ -6,13 +6,14 @@
 #include "model/data/comparisons.hpp"
 #include "model/scene/scene.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::workload {
 
 /// Called with the number of comparisons of an arg_min that are decided so far, and of all.
 using ContestProgress = std::function<void(std::uint64_t done, std::uint64_t all)>;
 
 /// Reads or generates what [data] names and arranges it into comparisons. Those of arg_min depend
 /// on the verdicts of the scene's reference. A scene without [data] is an error.
-Result<Comparisons> load_comparisons(const Scene& scene, const ContestProgress& progress = {});
+Result<data::Comparisons> load_comparisons(const scene::Scene& scene,
+                                           const ContestProgress& progress = {});
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::workload

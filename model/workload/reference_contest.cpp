@@ -7,12 +7,12 @@
 #include "model/number/double.hpp"
 #include "model/number/verdict.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::workload {
 namespace {
 
 /// Decides one comparison after the other in the golden model, for formats that double cannot hold.
-void evaluate_contests(const CombinedGraph& reference, const Comparisons& data,
-                       std::span<const Items> items, std::span<std::uint8_t> greater) {
+void evaluate_contests(const CombinedGraph& reference, const data::Comparisons& data,
+                       std::span<const data::Items> items, std::span<std::uint8_t> greater) {
   std::vector<Bits> operands(data.input_count());
   for (std::size_t k = 0; k < items.size(); ++k) {
     data.fetch(items[k], operands);
@@ -20,8 +20,8 @@ void evaluate_contests(const CombinedGraph& reference, const Comparisons& data,
   }
 }
 
-void emulate_contests(const Emulator& emulator, const Comparisons& data,
-                      std::span<const Items> items, std::span<std::uint8_t> greater) {
+void emulate_contests(const emulator::Emulator& emulator, const data::Comparisons& data,
+                      std::span<const data::Items> items, std::span<std::uint8_t> greater) {
   std::vector<std::vector<double>> columns(data.input_count(), std::vector<double>(items.size()));
   std::vector<const double*> pointers;
   for (const std::vector<double>& column : columns) pointers.push_back(column.data());
@@ -41,18 +41,17 @@ void emulate_contests(const Emulator& emulator, const Comparisons& data,
 
 }  // namespace
 
-Contest reference_contest(const CombinedGraph& reference) {
+data::Contest reference_contest(const CombinedGraph& reference) {
   if (!fits_double(reference.input_format())) {
-    return [reference](const Comparisons& data, std::span<const Items> items,
+    return [reference](const data::Comparisons& data, std::span<const data::Items> items,
                        std::span<std::uint8_t> greater) {
       evaluate_contests(reference, data, items, greater);
     };
   }
   return
-      [emulator = std::make_shared<const Emulator>(reference)](
-          const Comparisons& data, std::span<const Items> items, std::span<std::uint8_t> greater) {
-        emulate_contests(*emulator, data, items, greater);
-      };
+      [emulator = std::make_shared<const emulator::Emulator>(reference)](
+          const data::Comparisons& data, std::span<const data::Items> items,
+          std::span<std::uint8_t> greater) { emulate_contests(*emulator, data, items, greater); };
 }
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::workload

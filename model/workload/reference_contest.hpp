@@ -3,9 +3,9 @@
 #include "model/data/comparisons.hpp"
 #include "model/expression/combined_graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::workload {
 
 /// Makes a Contest that decides as a reference datapath does, bit for bit.
-Contest reference_contest(const CombinedGraph& reference);
+data::Contest reference_contest(const CombinedGraph& reference);
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::workload

@@ -11,15 +11,15 @@
 namespace mixcmp {
 namespace {
 
-using model::Area;
+using devices::Area;
 
 /// Areas and clocks as rows of a characterisation are spread; half of the kinds take DSPs.
-model::AllocationProblem problem_of(int precision) {
+optimise::AllocationProblem problem_of(int precision) {
   std::mt19937 engine(static_cast<unsigned>(precision));
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution(low, high)(engine);
   };
-  model::AllocationProblem problem;
+  optimise::AllocationProblem problem;
   for (int k = 0; k < 20; ++k) {
     const bool embedded = k % 2 != 0;
     const double luts =
@@ -46,8 +46,8 @@ model::AllocationProblem problem_of(int precision) {
 }
 
 void allocate_at_precision(benchmark::State& state) {
-  const model::AllocationProblem problem = problem_of(static_cast<int>(state.range(0)));
-  for (auto unused : state) benchmark::DoNotOptimize(model::allocate(problem));
+  const optimise::AllocationProblem problem = problem_of(static_cast<int>(state.range(0)));
+  for (auto unused : state) benchmark::DoNotOptimize(optimise::allocate(problem));
 }
 BENCHMARK(allocate_at_precision)->Unit(benchmark::kMillisecond)->DenseRange(4, 52, 8);
 

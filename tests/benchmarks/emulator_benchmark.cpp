@@ -15,9 +15,7 @@
 namespace mixcmp {
 namespace {
 
-using model::Decision;
-using model::Emulator;
-using model::LaneInputs;
+using emulator::Emulator;
 
 /// As many as a caller gathers at once; operands fit the second-level cache.
 constexpr std::size_t pair_count = 2048;
@@ -125,19 +123,16 @@ void time(benchmark::State& state, const Emulator& emulator, Task task, std::int
 
 /// A certified lane.
 void by_emulator(benchmark::State& state, std::int64_t target, LaneInputs inputs, Task task) {
-  const auto lane_format = model::FloatFormat::make(static_cast<int>(state.range(0)), 8).value();
-  const model::Arithmetic reduced = {lane_format, model::Rounding::nearest_even,
-                                     model::Subnormals::flush};
-  model::TypedGraph graph =
-      lane_graph(test::sphere_graph(), test::format("s53e8"), reduced, inputs);
-  const model::Lane lane = model::certified_lane(std::move(graph), {}).value();
+  const auto lane_format = FloatFormat::make(static_cast<int>(state.range(0)), 8).value();
+  const Arithmetic reduced = {lane_format, Rounding::nearest_even, Subnormals::flush};
+  TypedGraph graph = lane_graph(test::sphere_graph(), test::format("s53e8"), reduced, inputs);
+  const error::Lane lane = error::certified_lane(std::move(graph), {}).value();
   time(state, Emulator(lane), task, target);
 }
 
 void by_reference(benchmark::State& state, std::int64_t target) {
   const Emulator emulator(reference_graph(
-      test::sphere_graph(),
-      {test::format("s53e8"), model::Rounding::nearest_even, model::Subnormals::flush}));
+      test::sphere_graph(), {test::format("s53e8"), Rounding::nearest_even, Subnormals::flush}));
   time(state, emulator, Task::decide, target);
 }
 

@@ -9,12 +9,12 @@ namespace mixcmp {
 namespace {
 
 void generate_108_lanes_3_references(benchmark::State& state) {
-  const model::Design design =
+  const design::Design design =
       test::sphere_design(test::format("s17e8"), test::format("s53e8"), 108, 3);
   test::ScratchDirectory scratch;
   for (auto unused : state) {
-    const auto system = gen::generate_system(design, "mixcmp generate scene.toml");
-    if (!gen::write_system(*system, scratch.path() / "out").ok()) {
+    const auto system = emit::generate_system(design, "mixcmp generate scene.toml");
+    if (!emit::write_system(*system, scratch.path() / "out").ok()) {
       state.SkipWithError("cannot be written");
     }
   }

@@ -16,14 +16,9 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::FloatFormat;
-using model::LaneInputs;
-using model::NearTie;
-using model::NearTieShape;
-using model::NearTieTarget;
-using model::Rounding;
-using model::Verdict;
+using data::NearTie;
+using data::NearTieShape;
+using data::NearTieTarget;
 
 struct Case {
   int precision;
@@ -41,45 +36,45 @@ void PrintTo(const Case& c, std::ostream* stream) {
 class NearTies : public testing::TestWithParam<Case> {
 protected:
   const FloatFormat reference_ = format("s53e8");
-  const model::Graph graph_ = sphere_graph();
+  const Graph graph_ = sphere_graph();
 
   NearTieTarget target() const {
     return {GetParam().precision, GetParam().inputs, GetParam().rounding, GetParam().shape,
             reference_};
   }
-  model::TypedGraph lane() const {
-    const model::Arithmetic reduced = {format_of(GetParam().precision, 8), GetParam().rounding,
-                                       model::Subnormals::flush};
+  TypedGraph lane() const {
+    const Arithmetic reduced = {format_of(GetParam().precision, 8), GetParam().rounding,
+                                Subnormals::flush};
     return lane_graph(graph_, reference_, reduced, GetParam().inputs);
   }
   static NearTie tie_of_row(const NearTieTarget& target, std::uint64_t row) {
-    model::RowRandom random(1, 0, row);
+    data::RowRandom random(1, 0, row);
     return near_tie(target, {.attempts = 32, .enough_ulp = 100}, random);
   }
-  std::vector<Bits> encode(const model::DyadicPair& pair) const {
+  std::vector<Bits> encode(const data::DyadicPair& pair) const {
     std::vector<Bits> operands;
     for (const mpz_class& number : pair.numbers) {
       mpq_class value = number;
       mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-pair.exponent));
-      operands.push_back(model::from_rational(reference_, value));
-      EXPECT_EQ(model::to_rational(reference_, operands.back()), value);
+      operands.push_back(from_rational(reference_, value));
+      EXPECT_EQ(to_rational(reference_, operands.back()), value);
     }
     return operands;
   }
 };
 
 TEST_P(NearTies, DeceiveTheGoldenModelAsFarAsTheyClaim) {
-  const model::TypedGraph typed = lane();
+  const TypedGraph typed = lane();
   const FloatFormat reduced = typed.arithmetic.format;
   for (std::uint64_t row = 0; row < 100; ++row) {
     const NearTie tie = tie_of_row(target(), row);
     const std::vector<Bits> operands = encode(tie.pair);
-    const auto values = model::golden::evaluate(typed, operands);
-    const mpq_class f = model::to_rational(reduced, values[typed.f].bits);
-    const mpq_class g = model::to_rational(reduced, values[typed.g].bits);
+    const auto values = golden::evaluate(typed, operands);
+    const mpq_class f = to_rational(reduced, values[typed.f].bits);
+    const mpq_class g = to_rational(reduced, values[typed.g].bits);
     const mpq_class difference = (f - g) / std::max(f, g);
     const double computed_ulp = std::ldexp(difference.get_d(), GetParam().precision);
-    const Verdict truth = model::golden::true_verdict(graph_, reference_, operands).value();
+    const Verdict truth = golden::true_verdict(graph_, reference_, operands).value();
     ASSERT_NE(truth, Verdict::equal);
     EXPECT_NEAR(truth == Verdict::less ? computed_ulp : -computed_ulp, tie.contradiction_ulp, 1e-9)
         << row;

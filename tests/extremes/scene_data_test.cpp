@@ -13,9 +13,9 @@ namespace {
 const std::string scene_path = MIXCMP_SOURCE_DIR "/examples/extremes/scene.toml";
 
 std::string error_of(const std::vector<std::string>& overrides) {
-  const auto scene = model::load_scene(scene_path, overrides);
+  const auto scene = scene::load_scene(scene_path, overrides);
   if (!scene.ok()) return scene.error().to_string();
-  const auto data = model::load_comparisons(*scene);
+  const auto data = workload::load_comparisons(*scene);
   return data.ok() ? "" : data.error().to_string();
 }
 
@@ -23,13 +23,13 @@ TEST(SceneData, IsTheFamilyThatTheSceneNames) {
   for (const char* family : {"tangent", "near_tie_17"}) {
     const std::vector<std::string> overrides = {std::string("data.family=") + family,
                                                 "data.count=50", "data.seed=3"};
-    const auto scene = model::load_scene(scene_path, overrides);
+    const auto scene = scene::load_scene(scene_path, overrides);
     ASSERT_TRUE(scene.ok()) << scene.error().to_string();
-    const auto data = model::load_comparisons(*scene);
+    const auto data = workload::load_comparisons(*scene);
     ASSERT_TRUE(data.ok()) << data.error().to_string();
-    EXPECT_EQ(data->pairing(), model::Pairing::rows);
+    EXPECT_EQ(data->pairing(), data::Pairing::rows);
     const auto expected =
-        model::sphere_family({.name = family, .count = 50, .seed = 3}, scene->reference.format);
+        data::sphere_family({.name = family, .count = 50, .seed = 3}, scene->reference.format);
     EXPECT_EQ(data->table().values, expected->values);
   }
 }

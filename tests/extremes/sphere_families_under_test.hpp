@@ -12,14 +12,14 @@
 
 namespace mixcmp::test {
 
-inline model::Table family_of(const std::string& name, model::FloatFormat format,
-                              std::uint64_t count, std::uint64_t seed = 1) {
-  auto table = model::sphere_family({.name = name, .count = count, .seed = seed}, format);
+inline data::Table family_of(const std::string& name, FloatFormat format, std::uint64_t count,
+                             std::uint64_t seed = 1) {
+  auto table = data::sphere_family({.name = name, .count = count, .seed = seed}, format);
   EXPECT_TRUE(table.ok()) << (table.ok() ? "" : table.error().to_string());
-  return table.ok() ? std::move(table).value() : model::Table{.format = format};
+  return table.ok() ? std::move(table).value() : data::Table{.format = format};
 }
 
-inline std::vector<model::Bits> row_of(const model::Table& table, std::size_t row) {
+inline std::vector<Bits> row_of(const data::Table& table, std::size_t row) {
   const auto first = table.values.begin() + static_cast<long>(row * table.columns.size());
   return {first, first + static_cast<long>(table.columns.size())};
 }

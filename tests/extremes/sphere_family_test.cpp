@@ -19,9 +19,7 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::FloatFormat;
-using model::Table;
+using data::Table;
 
 constexpr std::size_t count = 400;
 
@@ -47,7 +45,7 @@ std::vector<Pair> pairs_of(const Table& table) {
   std::vector<Pair> pairs(table.rows());
   for (std::size_t row = 0; row < pairs.size(); ++row) {
     for (std::size_t k = 0; k < 8; ++k) {
-      pairs[row].numbers[k] = model::to_rational(table.format, table.at(row, k));
+      pairs[row].numbers[k] = to_rational(table.format, table.at(row, k));
     }
   }
   return pairs;
@@ -72,14 +70,14 @@ double share_of_encodings(const Table& table, const std::function<bool(Bits)>& h
 }
 
 std::string error_of(const std::string& name, const char* format_name) {
-  const auto table = model::sphere_family({.name = name, .count = 64}, format(format_name));
+  const auto table = data::sphere_family({.name = name, .count = 64}, format(format_name));
   return table.ok() ? "" : table.error().to_string();
 }
 
 TEST(SphereFamily, EveryOneFitsTheUsualFormats) {
   for (const char* name : {"s53e8", "binary64", "binary128", "binary32", "bfloat16"}) {
-    for (const std::string& family : model::sphere_family_names()) {
-      const auto table = model::sphere_family({.name = family, .count = 20}, format(name));
+    for (const std::string& family : data::sphere_family_names()) {
+      const auto table = data::sphere_family({.name = family, .count = 20}, format(name));
       if (table.ok()) {
         EXPECT_EQ(table->rows(), 20u) << family;
         EXPECT_EQ(table->columns, sphere_graph().inputs()) << family;
@@ -93,7 +91,7 @@ TEST(SphereFamily, EveryOneFitsTheUsualFormats) {
 
 TEST(SphereFamily, IsFiniteUnlessItsNameSaysOtherwise) {
   const FloatFormat wide = format("s53e8");
-  for (const std::string& name : model::sphere_family_names()) {
+  for (const std::string& name : data::sphere_family_names()) {
     const double share = share_of_encodings(family_of(name, wide, 50), [&](Bits bits) {
       return wide.is_nan(bits) || wide.is_infinite(bits);
     });
@@ -103,7 +101,7 @@ TEST(SphereFamily, IsFiniteUnlessItsNameSaysOtherwise) {
 
 TEST(SphereFamily, RowsDependOnSeedAndNumberAlone) {
   std::set<std::vector<Bits>> known;
-  for (const std::string& name : model::sphere_family_names()) {
+  for (const std::string& name : data::sphere_family_names()) {
     const Table few = family_of(name, format("s53e8"), 10);
     const Table many = family_of(name, format("s53e8"), 30);
     EXPECT_TRUE(std::equal(few.values.begin(), few.values.end(), many.values.begin())) << name;
@@ -132,7 +130,7 @@ TEST(SphereFamily, NumbersBeyondTheFormatAreAnError) {
             "bits");
   EXPECT_EQ(error_of("offset_1e4", "binary16"), "");
   for (const char* name : {"s11e2", "s11e3", "s24e4", "s113e15", "s8e8"}) {
-    for (const std::string& family : model::sphere_family_names()) {
+    for (const std::string& family : data::sphere_family_names()) {
       const std::string error = error_of(family, name);
       EXPECT_TRUE(error.empty() || error.find("data.family: " + family) == 0) << error;
     }
@@ -229,7 +227,7 @@ TEST(SphereFamily, LargestReachesTheLargestFiniteNumber) {
           table, [&](Bits bits) { return wide.magnitude(bits) == wide.largest_finite(false); }),
       0.01);
   const auto pairs = pairs_of(table);
-  const mpq_class end = model::to_rational(wide, wide.largest_finite(false));
+  const mpq_class end = to_rational(wide, wide.largest_finite(false));
   EXPECT_GT(share_of(pairs, [&](const Pair& pair) { return pair.f() > end; }), 0.3);
   EXPECT_GT(
       share_of(pairs, [&](const Pair& pair) { return pair.f() > end / 4096 && pair.f() < end; }),

@@ -19,9 +19,7 @@
 namespace mixcmp {
 namespace {
 
-using model::Decision;
-using model::LaneInputs;
-using model::SystemKind;
+using profile::SystemKind;
 
 constexpr int shown_precisions[] = {8, 11, 17, 24, 32, 40, 52};
 
@@ -37,27 +35,27 @@ bool shown(const std::string& family) {
 /// One family's comparisons, what is true of them and what the reference says.
 class Family {
 public:
-  Family(std::string name, const model::Scene& scene, const model::Comparisons& data)
+  Family(std::string name, const scene::Scene& scene, const data::Comparisons& data)
       : name_(std::move(name)), block_(data.input_count(), data.size()) {
-    const model::OperandSource source(data);
+    const data::OperandSource source(data);
     source.fetch(0, data.size(), block_);
-    std::vector<model::Bits> operands(data.input_count());
+    std::vector<Bits> operands(data.input_count());
     for (std::uint64_t row = 0; row < data.size(); ++row) {
       data.fetch(row, operands);
-      truth_.push_back(decision_of(
-          model::golden::true_verdict(scene.graph, data.table().format, operands).value()));
+      truth_.push_back(
+          decision_of(golden::true_verdict(scene.graph, data.table().format, operands).value()));
     }
-    reference_ = decisions(model::Emulator(reference_graph(scene.graph, scene.reference)));
+    reference_ = decisions(emulator::Emulator(reference_graph(scene.graph, scene.reference)));
   }
 
   const std::string& name() const { return name_; }
   std::uint64_t size() const { return truth_.size(); }
-  std::vector<Decision> decisions(const model::Emulator& lane) const {
+  std::vector<Decision> decisions(const emulator::Emulator& lane) const {
     std::vector<Decision> result(size());
     lane.decide(block_.columns(), size(), result);
     return result;
   }
-  std::vector<Decision> orders(const model::Emulator& lane) const {
+  std::vector<Decision> orders(const emulator::Emulator& lane) const {
     std::vector<Decision> result(size());
     lane.compare(block_.columns(), size(), result);
     return result;
@@ -83,7 +81,7 @@ private:
   }
 
   std::string name_;
-  model::OperandBlock block_;
+  data::OperandBlock block_;
   std::vector<Decision> truth_;
   std::vector<Decision> reference_;
 };
@@ -98,8 +96,8 @@ struct Entry {
 };
 
 Entry entry_of(const Family& family, LaneInputs inputs, int precision,
-               const model::SystemLanes& system, const model::CombinedLane& lane) {
-  const model::Emulator emulator(lane);
+               const profile::SystemLanes& system, const error::CombinedLane& lane) {
+  const emulator::Emulator emulator(lane);
   const std::vector<Decision> decisions =
       system.kind == SystemKind::lanes_alone ? family.orders(emulator) : family.decisions(emulator);
   return {family.name(),
@@ -113,9 +111,9 @@ Entry entry_of(const Family& family, LaneInputs inputs, int precision,
 }
 
 std::vector<Entry> entries_of(const Family& family, LaneInputs inputs, int first_precision,
-                              const std::vector<model::SystemLanes>& systems) {
+                              const std::vector<profile::SystemLanes>& systems) {
   std::vector<Entry> entries;
-  for (const model::SystemLanes& system : systems) {
+  for (const profile::SystemLanes& system : systems) {
     for (std::size_t k = 0; k < system.lanes.size(); ++k) {
       const int precision = first_precision + static_cast<int>(k);
       if (!shown(precision) || !system.lanes[k]) continue;
@@ -192,25 +190,25 @@ void print_rates(const std::vector<Family>& families, const std::vector<Entry>& 
 }
 
 /// The errors that the paper would have measured: all pairs of 8192 spheres, radii up to 25.
-model::Result<std::vector<model::ErrorProfile>> paper_errors(model::Scene scene) {
-  scene.data = model::DataSpec{.items = "uniform_spheres", .pairing = model::Pairing::all};
-  MIXCMP_TRY(checked, model::check_profile(scene, {}));
-  MIXCMP_TRY(data, model::load_comparisons(scene));
-  return model::profile_errors(scene, data, {LaneInputs::exact, LaneInputs::rounded}, {});
+Result<std::vector<profile::ErrorProfile>> paper_errors(scene::Scene scene) {
+  scene.data = scene::DataSpec{.items = "uniform_spheres", .pairing = data::Pairing::all};
+  MIXCMP_TRY(checked, profile::check_profile(scene, {}));
+  MIXCMP_TRY(data, workload::load_comparisons(scene));
+  return profile::profile_errors(scene, data, {LaneInputs::exact, LaneInputs::rounded}, {});
 }
 
-model::Result<std::vector<Family>> load_families(model::Scene scene) {
+Result<std::vector<Family>> load_families(scene::Scene scene) {
   std::vector<Family> families;
-  for (const std::string& name : model::sphere_family_names()) {
+  for (const std::string& name : data::sphere_family_names()) {
     if (!shown(name)) continue;
     scene.data->family = name;
-    MIXCMP_TRY(data, model::load_comparisons(scene));
+    MIXCMP_TRY(data, workload::load_comparisons(scene));
     families.emplace_back(name, scene, data);
   }
   return families;
 }
 
-model::Result<model::Done> write_csv(const char* path, const std::vector<Entry>& entries) {
+Result<Done> write_csv(const char* path, const std::vector<Entry>& entries) {
   std::ofstream file(path, std::ios::binary);
   file << "family,inputs,L,system,comparisons,undecided,wrong\n";
   for (const Entry& entry : entries) {
@@ -219,28 +217,27 @@ model::Result<model::Done> write_csv(const char* path, const std::vector<Entry>&
                         entry.wrong);
   }
   file.flush();
-  if (file) return model::Done{};
-  return model::Error{.file = path, .message = "cannot be written"};
+  if (file) return Done{};
+  return Error{.file = path, .message = "cannot be written"};
 }
 
-model::Result<model::Done> check_certified(const std::vector<Entry>& entries) {
+Result<Done> check_certified(const std::vector<Entry>& entries) {
   for (const Entry& entry : entries) {
     if (entry.kind != SystemKind::certified || entry.wrong == 0) continue;
-    return model::Error{
-        .message = fmt::format("{} with {} inputs is wrong on {} at L = {}", entry.system,
-                               to_string(entry.inputs), entry.family, entry.precision),
-        .received = fmt::format("{} wrong verdicts", entry.wrong),
-        .accepted = "none of a certified lane"};
+    return Error{.message = fmt::format("{} with {} inputs is wrong on {} at L = {}", entry.system,
+                                        to_string(entry.inputs), entry.family, entry.precision),
+                 .received = fmt::format("{} wrong verdicts", entry.wrong),
+                 .accepted = "none of a certified lane"};
   }
-  return model::Done{};
+  return Done{};
 }
 
-model::Result<model::Done> run(const char* scene_path, const char* csv_path) {
-  MIXCMP_TRY(scene, model::load_scene(scene_path, {}));
+Result<Done> run(const char* scene_path, const char* csv_path) {
+  MIXCMP_TRY(scene, scene::load_scene(scene_path, {}));
   MIXCMP_TRY(errors, paper_errors(scene));
   MIXCMP_TRY(families, load_families(scene));
   std::vector<Entry> entries;
-  for (const model::ErrorProfile& measured : errors) {
+  for (const profile::ErrorProfile& measured : errors) {
     const auto systems = make_systems(scene, measured);
     for (const Family& family : families) {
       const auto found =

@@ -24,13 +24,8 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::ErrorBoundKind;
-using model::FloatFormat;
-using model::Graph;
-using model::Lane;
-using model::LaneInputs;
-using model::Verdict;
+using error::ErrorBoundKind;
+using error::Lane;
 
 constexpr std::uint64_t family_rows = MIXCMP_FAMILY_ROWS;
 constexpr std::uint64_t profile_samples = MIXCMP_PROFILE_SAMPLES;
@@ -46,7 +41,7 @@ struct Judged {
 /// By exact rationals: another judge than golden::true_verdict, that it must agree with.
 Verdict rational_verdict(FloatFormat format, const std::vector<Bits>& row) {
   std::vector<mpq_class> numbers;
-  for (const Bits bits : row) numbers.push_back(model::to_rational(format, bits));
+  for (const Bits bits : row) numbers.push_back(to_rational(format, bits));
   const auto square = [](const mpq_class& value) { return mpq_class(value * value); };
   const mpq_class f = square(numbers[0] - numbers[1]) + square(numbers[2] - numbers[3]) +
                       square(numbers[4] - numbers[5]);
@@ -55,12 +50,12 @@ Verdict rational_verdict(FloatFormat format, const std::vector<Bits>& row) {
 }
 
 Judged judged(const std::string& family, FloatFormat format, std::uint64_t rows) {
-  const model::Table table = family_of(family, format, rows);
+  const data::Table table = family_of(family, format, rows);
   const Graph graph = sphere_graph();
   Judged result = {family, format, {}, {}};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto& operands = result.rows.emplace_back(row_of(table, row));
-    const Verdict truth = model::golden::true_verdict(graph, format, operands).value();
+    const Verdict truth = golden::true_verdict(graph, format, operands).value();
     const bool finite = std::all_of(operands.begin(), operands.end(), [&](Bits bits) {
       return !format.is_nan(bits) && !format.is_infinite(bits);
     });
@@ -79,7 +74,7 @@ struct Counts {
 Counts count(const Lane& lane, const Judged& data) {
   Counts counts;
   for (std::size_t row = 0; row < data.rows.size(); ++row) {
-    const auto result = model::golden::evaluate_lane(lane, data.rows[row]);
+    const auto result = golden::evaluate_lane(lane, data.rows[row]);
     if (!result.decided) continue;
     ++counts.decided;
     if (result.verdict == data.truths[row]) continue;
@@ -93,9 +88,9 @@ struct NamedLane {
   Lane lane;
 };
 
-std::vector<std::optional<model::Range>> paper_ranges() {
-  std::vector<std::optional<model::Range>> ranges(6, model::Range{0, 100});
-  ranges.resize(8, model::Range{0, 25});
+std::vector<std::optional<Range>> paper_ranges() {
+  std::vector<std::optional<Range>> ranges(6, Range{0, 100});
+  ranges.resize(8, Range{0, 25});
   return ranges;
 }
 
@@ -103,12 +98,12 @@ std::vector<std::optional<model::Range>> paper_ranges() {
 std::vector<NamedLane> certified_lanes(FloatFormat reference, int precision) {
   const FloatFormat format = format_of(precision, reference.exponent_bits());
   std::vector<NamedLane> lanes;
-  for (const model::Arithmetic& arithmetic : every_arithmetic(format)) {
+  for (const Arithmetic& arithmetic : every_arithmetic(format)) {
     for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
       for (const bool ranged : {false, true}) {
         const auto graph = lane_graph(sphere_graph(), reference, arithmetic, inputs);
-        const std::vector<std::optional<model::Range>> open(8);
-        for (auto& candidate : candidate_lanes(graph, ranged ? paper_ranges() : open)) {
+        const std::vector<std::optional<Range>> open(8);
+        for (auto& candidate : error::candidate_lanes(graph, ranged ? paper_ranges() : open)) {
           if (!candidate.lane.ok()) continue;
           lanes.push_back(
               {fmt::format("{} {} {} {}, bound {} {}{}", format.name(),
@@ -130,7 +125,7 @@ bool concerns(const std::string& family, int precision) {
 }
 
 bool exists(const std::string& family, FloatFormat format) {
-  return model::sphere_family({.name = family, .count = 64}, format).ok();
+  return data::sphere_family({.name = family, .count = 64}, format).ok();
 }
 
 struct Case {
@@ -149,7 +144,7 @@ TEST_P(CertifiedLanes, AreNeverWrong) {
   const int precision = GetParam().precision;
   const std::vector<NamedLane> lanes = certified_lanes(reference, precision);
   ASSERT_GE(lanes.size(), 20u);
-  for (const std::string& name : model::sphere_family_names()) {
+  for (const std::string& name : data::sphere_family_names()) {
     if (!concerns(name, precision) || !exists(name, reference)) continue;
     const Judged data = judged(name, reference, family_rows);
     for (const auto& [lane_name, lane] : lanes) {
@@ -170,11 +165,10 @@ INSTANTIATE_TEST_SUITE_P(Precisions, CertifiedLanes,
 /// What the families would be worth if lanes decided nothing on them.
 TEST(CertifiedLanes, DecideWhatIsClear) {
   const FloatFormat reference = format("s53e8");
-  const model::Arithmetic reduced = {format("s17e8"), model::Rounding::nearest_even,
-                                     model::Subnormals::flush};
+  const Arithmetic reduced = {format("s17e8"), Rounding::nearest_even, Subnormals::flush};
   for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
     const Lane lane =
-        certified_lane(lane_graph(sphere_graph(), reference, reduced, inputs), {}).value();
+        error::certified_lane(lane_graph(sphere_graph(), reference, reduced, inputs), {}).value();
     for (const char* family : {"uniform", "nested", "grid"}) {
       const Counts counts = count(lane, judged(family, reference, 200));
       EXPECT_GT(counts.decided, family == std::string("grid") ? 80u : 190u) << family;
@@ -186,12 +180,11 @@ TEST(CertifiedLanes, DecideWhatIsClear) {
 TEST(NearTies, MisleadALaneWhoseGuardIsTooSmall) {
   const FloatFormat reference = format("s53e8");
   for (const int precision : {17, 24, 40, 52}) {
-    const model::Arithmetic reduced = {format_of(precision, 8), model::Rounding::nearest_even,
-                                       model::Subnormals::flush};
+    const Arithmetic reduced = {format_of(precision, 8), Rounding::nearest_even, Subnormals::flush};
     Lane lane =
-        certified_lane(lane_graph(sphere_graph(), reference, reduced, LaneInputs::exact), {})
+        error::certified_lane(lane_graph(sphere_graph(), reference, reduced, LaneInputs::exact), {})
             .value();
-    auto& decision = std::get<model::UlpDistanceDecision>(lane.decision);
+    auto& decision = std::get<error::UlpDistanceDecision>(lane.decision);
     ASSERT_EQ(decision.guard_ulp, Bits{7});
     const Judged data = judged(fmt::format("near_tie_{}", precision), reference, 400);
     EXPECT_EQ(count(lane, data).wrong, 0u) << precision;
@@ -203,23 +196,21 @@ TEST(NearTies, MisleadALaneWhoseGuardIsTooSmall) {
 /// The largest wrong difference as a share of its bound, of a lane with rounded inputs.
 double attained(int precision, int bound_digits) {
   const FloatFormat reference = format("s53e8");
-  const model::Arithmetic reduced = {format_of(precision, 8), model::Rounding::nearest_even,
-                                     model::Subnormals::flush};
+  const Arithmetic reduced = {format_of(precision, 8), Rounding::nearest_even, Subnormals::flush};
   const Lane lane =
-      certified_lane(lane_graph(sphere_graph(), reference, reduced, LaneInputs::rounded),
-                     {.kind = ErrorBoundKind::running, .bound_digits = bound_digits})
+      error::certified_lane(lane_graph(sphere_graph(), reference, reduced, LaneInputs::rounded),
+                            {.kind = ErrorBoundKind::running, .bound_digits = bound_digits})
           .value();
-  const auto& decision = std::get<model::AbsoluteBoundDecision>(lane.decision);
+  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision);
   const Judged data = judged(fmt::format("near_tie_{}", precision), reference, 2000);
   mpq_class most = 0;
   for (std::size_t row = 0; row < data.rows.size(); ++row) {
-    const auto values = model::golden::evaluate(lane.graph, data.rows[row]);
-    const auto bounds = model::golden::evaluate_bound(decision.bound, lane.graph, values);
-    const mpq_class difference =
-        model::to_rational(reduced.format, values[decision.difference].bits);
+    const auto values = golden::evaluate(lane.graph, data.rows[row]);
+    const auto bounds = golden::evaluate_bound(decision.bound, lane.graph, values);
+    const mpq_class difference = to_rational(reduced.format, values[decision.difference].bits);
     const Verdict verdict = difference < 0 ? Verdict::less : Verdict::greater;
     if (difference == 0 || verdict == data.truths[row]) continue;
-    const mpq_class bound = model::bound_value(decision.bound.format, bounds.back());
+    const mpq_class bound = bound_value(decision.bound.format, bounds.back());
     most = std::max<mpq_class>(most, abs(difference) / bound);
   }
   return most.get_d();
@@ -238,13 +229,12 @@ Lane profiled_lane(int precision, LaneInputs inputs) {
   const FloatFormat reference = format("s53e8");
   const Graph graph = sphere_graph();
   const auto spheres =
-      model::uniform_spheres({.count = 4096, .side = 100, .radius_max = 25, .seed = 1}, reference);
-  const auto data = model::Comparisons::all_pairs(spheres, graph.inputs()).value();
-  const model::Arithmetic reduced = {format_of(precision, 8), model::Rounding::nearest_even,
-                                     model::Subnormals::flush};
-  model::TypedGraph typed = lane_graph(graph, reference, reduced, inputs);
-  const auto error = model::profile_error(graph, typed, data, profile_samples, 1);
-  return model::profiled_lane(std::move(typed), error.f, error.g);
+      data::uniform_spheres({.count = 4096, .side = 100, .radius_max = 25, .seed = 1}, reference);
+  const auto data = data::Comparisons::all_pairs(spheres, graph.inputs()).value();
+  const Arithmetic reduced = {format_of(precision, 8), Rounding::nearest_even, Subnormals::flush};
+  TypedGraph typed = lane_graph(graph, reference, reduced, inputs);
+  const auto error = profile::profile_error(graph, typed, data, profile_samples, 1);
+  return error::profiled_lane(std::move(typed), error.f, error.g);
 }
 
 TEST(ProfiledLanes, AreWrongOnCounterexamples) {

@@ -107,11 +107,11 @@ protected:
     return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
   }
 
-  int stored() { return model::ResultStore::open(store()).value().size().value(); }
+  int stored() { return characterise::ResultStore::open(store()).value().size().value(); }
   fs::path store() const { return path("s.sqlite"); }
   fs::path table() const { return path("characterisation") / "scene-virtex6-lx760.csv"; }
-  model::Characterisation read_table() {
-    const auto read_back = model::read_characterisation(table());
+  characterise::Characterisation read_table() {
+    const auto read_back = characterise::read_characterisation(table());
     EXPECT_TRUE(read_back.ok()) << read_back.error().to_string();
     return *read_back;
   }

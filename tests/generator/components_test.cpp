@@ -18,9 +18,6 @@
 namespace mixcmp::test {
 namespace {
 
-using namespace model;
-using namespace gen;
-
 constexpr const char* spheres =
     "[comparison]\nname = \"spheres\"\n"
     "f = \"(xi - xj)^2 + (yi - yj)^2\"\ng = \"(ri + rj)^2\"\n"
@@ -30,19 +27,19 @@ constexpr const char* spheres =
 class Components : public testing::Test {
 protected:
   /// The scene with further sections behind it.
-  Scene scene(const std::string& rest, const std::string& head = spheres) {
+  scene::Scene scene(const std::string& rest, const std::string& head = spheres) {
     const auto path = directory_.path() / "scene.toml";
     std::ofstream(path) << head << rest;
-    const auto loaded = load_scene(path, {});
+    const auto loaded = scene::load_scene(path, {});
     EXPECT_TRUE(loaded.ok()) << loaded.error().to_string();
     return *loaded;
   }
 
   struct Found {
-    std::map<ComponentKey, Component> components;
-    std::vector<MissingLane> missing;
+    std::map<characterise::ComponentKey, components::Component> components;
+    std::vector<components::MissingLane> missing;
 
-    int count(ComponentKind kind) const {
+    int count(characterise::ComponentKind kind) const {
       return static_cast<int>(
           std::count_if(components.begin(), components.end(),
                         [&](const auto& entry) { return entry.first.kind == kind; }));
@@ -50,34 +47,36 @@ protected:
     std::vector<std::string> formats(const std::string& bound) const {
       std::vector<std::string> names;
       for (const auto& [key, component] : components) {
-        if (key.kind == ComponentKind::lane && to_string(key.bound) == bound)
+        if (key.kind == characterise::ComponentKind::lane && scene::to_string(key.bound) == bound)
           names.push_back(key.format);
       }
       return names;
     }
   };
 
-  static Found find(const Scene& scene, const ComponentQuery& query) {
-    ComponentMaker maker(scene, nullptr);
+  static Found find(const scene::Scene& scene, const components::ComponentQuery& query) {
+    components::ComponentMaker maker(scene, nullptr);
     Found found;
-    const auto missing = for_each_component(maker, query, [&](const Component& component) {
-      EXPECT_TRUE(found.components.emplace(component.key, component).second) << "told twice";
-    });
+    const auto missing =
+        for_each_component(maker, query, [&](const components::Component& component) {
+          EXPECT_TRUE(found.components.emplace(component.key, component).second) << "told twice";
+        });
     EXPECT_TRUE(missing.ok()) << missing.error().to_string();
     found.missing = *missing;
     return found;
   }
 
-  static ComponentQuery lanes(std::vector<int> precisions, const std::vector<std::string>& names) {
-    std::vector<model::BoundChoice> bounds;
+  static components::ComponentQuery lanes(std::vector<int> precisions,
+                                          const std::vector<std::string>& names) {
+    std::vector<scene::BoundChoice> bounds;
     for (const std::string& name : names) {
-      bounds.push_back(model::parse_bound_choice(name).value());
+      bounds.push_back(scene::parse_bound_choice(name).value());
     }
-    return {.kinds = {ComponentKind::lane},
+    return {.kinds = {characterise::ComponentKind::lane},
             .precisions = std::move(precisions),
             .bounds = std::move(bounds),
             .inputs = {LaneInputs::exact},
-            .multipliers = {Multipliers::embedded}};
+            .multipliers = {scene::Multipliers::embedded}};
   }
 
   ScratchDirectory directory_;
@@ -86,19 +85,19 @@ protected:
 const std::string one_system =
     "[reduced]\nformat = \"s12e8\"\n[system]\nlanes = 1\nreferences = 1\nprefix = \"\"\n";
 
-std::string source(const Component& component, const std::string& name) {
-  for (const SourceText& text : component.job.sources) {
+std::string source(const components::Component& component, const std::string& name) {
+  for (const characterise::SourceText& text : component.job.sources) {
     if (text.name == name) return text.text;
   }
   return "";
 }
 
 /// The file of a generated system whose name contains `part`, without its comments.
-std::string generated(const GeneratedSystem& system, const std::string& part) {
-  for (const GeneratedFile& file : system.files) {
+std::string generated(const emit::GeneratedSystem& system, const std::string& part) {
+  for (const emit::GeneratedFile& file : system.files) {
     const bool is_channel = file.name.find("channel") != std::string::npos;
     if (file.name.find(part) != std::string::npos && !is_channel)
-      return without_comments(file.text);
+      return components::without_comments(file.text);
   }
   return "";
 }
@@ -108,35 +107,37 @@ std::string from_ports(const std::string& verilog) {
 }
 
 TEST_F(Components, AreWhatGenerateWrites) {
-  const Scene spheres_scene = scene(one_system);
-  const auto system = generate_system(make_design(spheres_scene, nullptr).value(), "");
+  const scene::Scene spheres_scene = scene(one_system);
+  const auto system =
+      emit::generate_system(design::make_design(spheres_scene, nullptr).value(), "");
   ASSERT_TRUE(system.ok());
-  ComponentQuery query = lanes({12}, {"relative"});
-  query.kinds = {ComponentKind::lane, ComponentKind::reference, ComponentKind::fifo,
-                 ComponentKind::crossbar};
+  components::ComponentQuery query = lanes({12}, {"relative"});
+  query.kinds = {characterise::ComponentKind::lane, characterise::ComponentKind::reference,
+                 characterise::ComponentKind::fifo, characterise::ComponentKind::crossbar};
   query.ports = {1};
   const Found found = find(spheres_scene, query);
   ASSERT_EQ(found.components.size(), 4u);
   for (const auto& [key, component] : found.components) {
-    if (key.kind == ComponentKind::lane) {
+    if (key.kind == characterise::ComponentKind::lane) {
       EXPECT_EQ(component.latency_cycles, system->signature.lane_groups[0].latency_cycles);
       EXPECT_EQ(from_ports(source(component, "lane.v")), from_ports(generated(*system, "_lane_")));
     }
-    if (key.kind == ComponentKind::reference) {
+    if (key.kind == characterise::ComponentKind::reference) {
       EXPECT_EQ(component.latency_cycles, system->signature.reference_groups[0].latency_cycles);
       EXPECT_EQ(from_ports(source(component, "reference.v")),
                 from_ports(generated(*system, "_reference_")));
     }
-    if (key.kind == ComponentKind::fifo) {
+    if (key.kind == characterise::ComponentKind::fifo) {
       EXPECT_EQ(key.ports, system->signature.slots);
     }
   }
 }
 
 TEST_F(Components, ExponentBitsFollowTheScene) {
-  const ComponentQuery query = lanes({8, 12}, {"relative"});
-  const auto formats = [&](const std::string& rest, std::optional<LaneExponents> exponents) {
-    ComponentQuery asked = query;
+  const components::ComponentQuery query = lanes({8, 12}, {"relative"});
+  const auto formats = [&](const std::string& rest,
+                           std::optional<components::LaneExponents> exponents) {
+    components::ComponentQuery asked = query;
     asked.exponents = exponents;
     return find(scene(rest), asked).formats("relative");
   };
@@ -148,26 +149,27 @@ TEST_F(Components, ExponentBitsFollowTheScene) {
   const Names fewest = formats(ranged, {});
   EXPECT_EQ(fewest.size(), 2u);
   EXPECT_NE(fewest, (Names{"s12e8", "s8e8"}));
-  EXPECT_EQ(formats(fixed, LaneExponents::ranges), fewest);
-  EXPECT_EQ(formats(ranged, LaneExponents::reference), (Names{"s12e8", "s8e8"}));
+  EXPECT_EQ(formats(fixed, components::LaneExponents::ranges), fewest);
+  EXPECT_EQ(formats(ranged, components::LaneExponents::reference), (Names{"s12e8", "s8e8"}));
 }
 
 TEST_F(Components, LanesThatDoNotExistAreToldWithTheirReason) {
-  ComponentQuery query = lanes({4, 12}, {"relative", "running_4", "constant"});
+  components::ComponentQuery query = lanes({4, 12}, {"relative", "running_4", "constant"});
   query.inputs = {LaneInputs::exact, LaneInputs::rounded};
   const Found found = find(scene("[reduced]\nformat = \"auto\"\n"), query);
   EXPECT_FALSE(found.missing.empty());
-  for (const MissingLane& lane : found.missing) EXPECT_FALSE(lane.reason.message.empty());
+  for (const components::MissingLane& lane : found.missing)
+    EXPECT_FALSE(lane.reason.message.empty());
   EXPECT_EQ(found.components.size() + found.missing.size(), 12u);
-  const auto is_rounded_relative = [](const MissingLane& lane) {
-    return to_string(lane.key.bound) == "relative" && lane.key.inputs == "rounded";
+  const auto is_rounded_relative = [](const components::MissingLane& lane) {
+    return scene::to_string(lane.key.bound) == "relative" && lane.key.inputs == "rounded";
   };
   EXPECT_EQ(std::count_if(found.missing.begin(), found.missing.end(), is_rounded_relative), 2)
       << "differences of rounded operands have no relative bound";
 }
 
 TEST_F(Components, ProfiledLanesTakeTheirConstantsFromTheSceneOrItsData) {
-  const ComponentQuery query = lanes({12}, {"profiled"});
+  const components::ComponentQuery query = lanes({12}, {"profiled"});
   const Found none = find(scene("[reduced]\nformat = \"auto\"\n"), query);
   ASSERT_EQ(none.missing.size(), 1u);
   EXPECT_NE(none.missing[0].reason.field.find("relative_error"), std::string::npos);
@@ -175,44 +177,45 @@ TEST_F(Components, ProfiledLanesTakeTheirConstantsFromTheSceneOrItsData) {
                                  "relative_error_f = 0.001\nrelative_error_g = 0.001\n"),
                            query);
   ASSERT_EQ(given.components.size(), 1u);
-  const Scene with_data = scene("[data]\nfile = \"rows.csv\"\n");
+  const scene::Scene with_data = scene("[data]\nfile = \"rows.csv\"\n");
   std::ofstream(directory_.path() / "rows.csv")
       << "xi,xj,yi,yj,ri,rj\n0.1,3.7,2.2,9.1,1.3,4.4\n5.1,3.3,8.7,0.9,2.3,3.1\n";
-  const auto data = load_comparisons(with_data);
+  const auto data = workload::load_comparisons(with_data);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
-  ComponentMaker maker(with_data, &*data);
+  components::ComponentMaker maker(with_data, &*data);
   const auto measured = maker.make(given.components.begin()->first);
   ASSERT_TRUE(measured.ok()) << measured.error().to_string();
   EXPECT_NE(source(*measured, "lane.v"), source(given.components.begin()->second, "lane.v"));
   // The lane that `generate` makes measures the same two comparisons.
-  ReducedSpec reduced = with_bound(with_data.reduced, {model::BoundChoice::Kind::profiled});
+  scene::ReducedSpec reduced = with_bound(with_data.reduced, {scene::BoundChoice::Kind::profiled});
   reduced.format = FloatFormat::parse("s12e8").value();
-  const auto lane = design_lane(with_data, reduced, &*data, model::profile_error);
+  const auto lane = design::design_lane(with_data, reduced, &*data, profile::profile_error);
   ASSERT_TRUE(lane.ok()) << lane.error().to_string();
-  const auto rtl = lane_rtl(with_data.graph.inputs(), *lane, reduced.multipliers, with_data.system);
-  EXPECT_EQ(source(*measured, "lane.v"), module_job(rtl->module).sources.back().text);
+  const auto rtl =
+      components::lane_rtl(with_data.graph.inputs(), *lane, reduced.multipliers, with_data.system);
+  EXPECT_EQ(source(*measured, "lane.v"), components::module_job(rtl->module).sources.back().text);
 }
 
 TEST_F(Components, WithoutProductsThereIsOneKindOfMultipliers) {
   const std::string sums =
       "[comparison]\nname = \"sums\"\nf = \"a + b\"\ng = \"c\"\n"
       "[reference]\nformat = \"s24e8\"\n[reduced]\nformat = \"auto\"\n";
-  ComponentQuery query = lanes({12}, {"running_4"});
-  query.kinds.insert(ComponentKind::reference);
-  query.multipliers = {Multipliers::embedded, Multipliers::logic};
+  components::ComponentQuery query = lanes({12}, {"running_4"});
+  query.kinds.insert(characterise::ComponentKind::reference);
+  query.multipliers = {scene::Multipliers::embedded, scene::Multipliers::logic};
   const Found found = find(scene("", sums), query);
   EXPECT_EQ(found.components.size(), 2u);
   for (const auto& [key, component] : found.components) EXPECT_EQ(key.multipliers, "");
-  EXPECT_EQ(find(scene(one_system), query).count(ComponentKind::reference), 2);
+  EXPECT_EQ(find(scene(one_system), query).count(characterise::ComponentKind::reference), 2);
 }
 
 TEST_F(Components, FifosHaveTheSlotsThatTheLanesNeed) {
-  ComponentQuery query = lanes({6, 23}, {"relative"});
+  components::ComponentQuery query = lanes({6, 23}, {"relative"});
   std::set<int> needed;
   for (const auto& [key, lane] : find(scene(one_system), query).components) {
-    needed.insert(slots_for(lane.latency_cycles, true));
+    needed.insert(design::slots_for(lane.latency_cycles, true));
   }
-  query.kinds = {ComponentKind::fifo};
+  query.kinds = {characterise::ComponentKind::fifo};
   std::set<int> built;
   for (const auto& [key, fifo] : find(scene(one_system), query).components) {
     built.insert(key.ports);
@@ -226,29 +229,32 @@ TEST_F(Components, FifosHaveTheSlotsThatTheLanesNeed) {
 }
 
 TEST_F(Components, CrossbarsTakeTheirPortsAndThePayload) {
-  ComponentQuery query{.kinds = {ComponentKind::crossbar}, .ports = {1, 5, 17}};
+  components::ComponentQuery query{.kinds = {characterise::ComponentKind::crossbar},
+                                   .ports = {1, 5, 17}};
   const Found carried = find(scene(one_system), query);
   ASSERT_EQ(carried.components.size(), 3u);
-  const Component& five = carried.components.at({.kind = ComponentKind::crossbar, .ports = 5});
+  const components::Component& five =
+      carried.components.at({.kind = characterise::ComponentKind::crossbar, .ports = 5});
   EXPECT_NE(source(five, "stream_crossbar.v").find("parameter LANES = 5,"), std::string::npos);
   EXPECT_NE(source(five, "stream_crossbar.v").find("parameter PAYLOAD_BITS = 192,"),
             std::string::npos)
       << "six operands of 32 bits";
   EXPECT_EQ(five.latency_cycles, 4);
   const Found refetched = find(scene(one_system + "operands = \"refetched\"\n"), query);
-  const Component& tags = refetched.components.at({.kind = ComponentKind::crossbar, .ports = 5});
+  const components::Component& tags =
+      refetched.components.at({.kind = characterise::ComponentKind::crossbar, .ports = 5});
   EXPECT_NE(source(tags, "stream_crossbar.v").find("parameter PAYLOAD_BITS = 32,"),
             std::string::npos);
 }
 
 TEST_F(Components, UnitsAreMadeFromTheirNamesAlone) {
-  ComponentQuery query = lanes({12}, {"relative", "running_4"});
-  query.kinds = {ComponentKind::unit};
+  components::ComponentQuery query = lanes({12}, {"relative", "running_4"});
+  query.kinds = {characterise::ComponentKind::unit};
   const Found found = find(scene(one_system), query);
   EXPECT_GT(found.components.size(), 4u);
   for (const auto& [key, unit] : found.components) {
-    EXPECT_EQ(key.kind, ComponentKind::unit);
-    const auto again = job_of_instance_name(key.name);
+    EXPECT_EQ(key.kind, characterise::ComponentKind::unit);
+    const auto again = components::job_of_instance_name(key.name);
     ASSERT_TRUE(again.ok()) << key.name;
     EXPECT_EQ(again->top, unit.job.top);
     EXPECT_EQ(again->sources.back().text, unit.job.sources.back().text);
@@ -260,56 +266,61 @@ TEST_F(Components, UnitsAreMadeFromTheirNamesAlone) {
       EXPECT_NE(text.find("= " + value), std::string::npos) << key.name << "\n" << text;
     }
   }
-  EXPECT_TRUE(job_of_instance_name("fp_convert PRECISION=24 SCALE=-3").ok());
-  EXPECT_FALSE(job_of_instance_name("").ok());
-  EXPECT_FALSE(job_of_instance_name("fp_nothing PRECISION=3").ok());
-  EXPECT_FALSE(job_of_instance_name("fp_add NOTHING=3").ok());
-  EXPECT_FALSE(job_of_instance_name("fp_add PRECISION").ok());
-  EXPECT_FALSE(job_of_instance_name("fp_add PRECISION=3)").ok());
+  EXPECT_TRUE(components::job_of_instance_name("fp_convert PRECISION=24 SCALE=-3").ok());
+  EXPECT_FALSE(components::job_of_instance_name("").ok());
+  EXPECT_FALSE(components::job_of_instance_name("fp_nothing PRECISION=3").ok());
+  EXPECT_FALSE(components::job_of_instance_name("fp_add NOTHING=3").ok());
+  EXPECT_FALSE(components::job_of_instance_name("fp_add PRECISION").ok());
+  EXPECT_FALSE(components::job_of_instance_name("fp_add PRECISION=3)").ok());
 }
 
 TEST_F(Components, SourcesHoldNothingButHardware) {
   const Found found = find(scene(one_system), lanes({12}, {"relative"}));
-  for (const SourceText& text : found.components.begin()->second.job.sources) {
+  for (const characterise::SourceText& text : found.components.begin()->second.job.sources) {
     EXPECT_EQ(text.text.find("//"), std::string::npos);
     EXPECT_EQ(text.text.find("\n\n"), std::string::npos);
   }
-  EXPECT_EQ(without_comments("// a\n\nwire b;  // c\n  wire d; \n"), "wire b;\n  wire d;\n");
+  EXPECT_EQ(components::without_comments("// a\n\nwire b;  // c\n  wire d; \n"),
+            "wire b;\n  wire d;\n");
 }
 
 TEST_F(Components, ATableIsCurrentUntilTheSceneChanges) {
-  const Scene before = scene(one_system);
-  const Device device = find_device("ice40-hx8k").value();
-  ComponentQuery query = lanes({8, 12}, {"relative"});
-  query.kinds = {ComponentKind::lane, ComponentKind::reference, ComponentKind::crossbar};
+  const scene::Scene before = scene(one_system);
+  const devices::Device device = devices::find_device("ice40-hx8k").value();
+  components::ComponentQuery query = lanes({8, 12}, {"relative"});
+  query.kinds = {characterise::ComponentKind::lane, characterise::ComponentKind::reference,
+                 characterise::ComponentKind::crossbar};
   query.ports = {2};
-  Characterisation table;
+  characterise::Characterisation table;
   for (const auto& [key, component] : find(before, query).components) {
-    Measurement row{.key = key, .hash = "", .tools = "Yosys of another machine"};
-    row.timing_seeds = key.kind == ComponentKind::lane ? 3 : 0;
-    const SynthesisOptions options = row.timing_seeds == 0
-                                         ? SynthesisOptions{.effort = TimingEffort::area_only}
-                                         : SynthesisOptions{.seeds = 3};
+    characterise::Measurement row{.key = key, .hash = "", .tools = "Yosys of another machine"};
+    row.timing_seeds = key.kind == characterise::ComponentKind::lane ? 3 : 0;
+    const characterise::SynthesisOptions options =
+        row.timing_seeds == 0
+            ? characterise::SynthesisOptions{.effort = characterise::TimingEffort::area_only}
+            : characterise::SynthesisOptions{.seeds = 3};
     row.hash = job_hash(component.job, device, options, row.tools);
     table.rows.push_back(row);
   }
   ASSERT_GE(table.rows.size(), 4u);
   const int rows = static_cast<int>(table.rows.size());
-  EXPECT_EQ(check_currency(table, before, nullptr, device).outdated, 0);
-  EXPECT_EQ(check_currency(table, before, nullptr, device).rows, rows);
+  EXPECT_EQ(components::check_currency(table, before, nullptr, device).outdated, 0);
+  EXPECT_EQ(components::check_currency(table, before, nullptr, device).rows, rows);
 
-  const Scene refetching = scene(one_system + "operands = \"refetched\"\n");
-  EXPECT_EQ(check_currency(table, refetching, nullptr, device).outdated, 1) << "the crossbar";
-  const Scene other = scene(one_system + "target_mhz = 50\n");
-  EXPECT_GE(check_currency(table, other, nullptr, device).outdated, 3) << "lanes and references";
-  Device remapped = device;
+  const scene::Scene refetching = scene(one_system + "operands = \"refetched\"\n");
+  EXPECT_EQ(components::check_currency(table, refetching, nullptr, device).outdated, 1)
+      << "the crossbar";
+  const scene::Scene other = scene(one_system + "target_mhz = 50\n");
+  EXPECT_GE(components::check_currency(table, other, nullptr, device).outdated, 3)
+      << "lanes and references";
+  devices::Device remapped = device;
   remapped.synthesis += " -abc2";
-  EXPECT_EQ(check_currency(table, before, nullptr, remapped).outdated, rows);
+  EXPECT_EQ(components::check_currency(table, before, nullptr, remapped).outdated, rows);
 
   table.rows[0].timing_seeds = 5;
-  EXPECT_EQ(check_currency(table, before, nullptr, device).outdated, 1);
+  EXPECT_EQ(components::check_currency(table, before, nullptr, device).outdated, 1);
   table.rows[0].key.format = "no format";
-  EXPECT_EQ(check_currency(table, before, nullptr, device).outdated, 1);
+  EXPECT_EQ(components::check_currency(table, before, nullptr, device).outdated, 1);
 }
 
 }  // namespace

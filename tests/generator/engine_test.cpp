@@ -7,68 +7,66 @@
 #include "tests/support/scratch_directory.hpp"
 #include "tests/support/sphere.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::test {
 namespace {
 
-using test::format;
-
-model::Design with_pairs(model::Design design, const model::EngineSpec& engine) {
+design::Design with_pairs(design::Design design, const scene::EngineSpec& engine) {
   design.system = with_engine(design.system, engine);
   return design;
 }
 
-GeneratedSystem generated(const model::Design& design) {
-  return generate_system(design, "mixcmp generate scene.toml").value();
+emit::GeneratedSystem generated(const design::Design& design) {
+  return emit::generate_system(design, "mixcmp generate scene.toml").value();
 }
 
-model::Design spheres(int lanes, int references) {
+design::Design spheres(int lanes, int references) {
   return with_pairs(
       test::sphere_design(format("s17e8"), format("s53e8"), lanes, references),
-      {.kind = model::EngineKind::pairwise, .capacity = 1000, .report = {model::Verdict::less}});
+      {.kind = scene::EngineKind::pairwise, .capacity = 1000, .report = {Verdict::less}});
 }
 
 /// One lane and a reference for `f` against `g`.
-model::Design design_of(const std::string& f, const std::string& g) {
-  model::Graph graph;
-  const model::NodeId left = parse_expression(graph, f, {}).value();
+design::Design design_of(const std::string& f, const std::string& g) {
+  Graph graph;
+  const NodeId left = parse_expression(graph, f, {}).value();
   graph.compare(left, parse_expression(graph, g, {}).value());
-  model::TypedGraph lane =
-      lane_graph(graph, format("s24e8"), {format("s8e8")}, model::LaneInputs::exact);
+  TypedGraph lane = lane_graph(graph, format("s24e8"), {format("s8e8")}, LaneInputs::exact);
   const std::vector<bool> any_sign(graph.inputs().size(), false);
   return {.name = "comparison",
           .inputs = graph.inputs(),
           .lanes = {{.lane = test::relative_lane(std::move(lane), any_sign).value(), .count = 1}},
-          .reference = model::reference_graph(graph, {format("s24e8")}),
+          .reference = reference_graph(graph, {format("s24e8")}),
           .references = {{.count = 1}},
           .system = {}};
 }
 
-std::string verilog_of(const GeneratedSystem& system, const std::string& module) {
-  const auto found = std::find_if(system.files.begin(), system.files.end(),
-                                  [&](const GeneratedFile& f) { return f.name == module + ".v"; });
+std::string verilog_of(const emit::GeneratedSystem& system, const std::string& module) {
+  const auto found =
+      std::find_if(system.files.begin(), system.files.end(),
+                   [&](const emit::GeneratedFile& f) { return f.name == module + ".v"; });
   EXPECT_NE(found, system.files.end()) << module;
   return found == system.files.end() ? "" : found->text;
 }
 
-int width_of(const SignatureEngine& engine, const std::string& port) {
+int width_of(const emit::SignatureEngine& engine, const std::string& port) {
   const auto found = std::find_if(engine.ports.begin(), engine.ports.end(),
-                                  [&](const SignaturePort& p) { return p.name == port; });
+                                  [&](const emit::SignaturePort& p) { return p.name == port; });
   return found == engine.ports.end() ? 0 : found->width;
 }
 
 TEST(Engine, WithoutOneNothingOfItIsWritten) {
-  const GeneratedSystem system =
+  const emit::GeneratedSystem system =
       generated(test::sphere_design(format("s17e8"), format("s53e8"), 8, 1));
   EXPECT_FALSE(system.signature.engine.has_value());
-  for (const GeneratedFile& file : system.files) {
+  for (const emit::GeneratedFile& file : system.files) {
     EXPECT_EQ(file.text.find("pairwise"), std::string::npos) << file.name;
   }
 }
 
 TEST(Engine, SignatureTellsItsStreams) {
-  const GeneratedSystem system = generated(spheres(8, 1));
+  const emit::GeneratedSystem system = generated(spheres(8, 1));
   ASSERT_TRUE(system.signature.engine.has_value());
-  const SignatureEngine& engine = *system.signature.engine;
+  const emit::SignatureEngine& engine = *system.signature.engine;
   EXPECT_EQ(system.signature.top, "sphere_s17e8_8x1");
   EXPECT_EQ(engine.top, "sphere_s17e8_8x1_pairwise");
   EXPECT_EQ(engine.columns, (std::vector<std::string>{"cx", "cy", "cz", "r"}));
@@ -80,21 +78,21 @@ TEST(Engine, SignatureTellsItsStreams) {
   EXPECT_EQ(width_of(engine, "comparisons"), 8 * 32);
   EXPECT_EQ(width_of(engine, "reports"), 32);
   EXPECT_EQ(system.signature.tag_bits, 20);
-  EXPECT_EQ(system.signature.operands, model::OperandStore::refetched);
+  EXPECT_EQ(system.signature.operands, scene::OperandStore::refetched);
 }
 
 TEST(Engine, SignatureIsReadBackWhole) {
   test::ScratchDirectory scratch;
-  const GeneratedSystem system = generated(spheres(3, 2));
-  ASSERT_TRUE(write_system(system, scratch.path() / "out").ok());
-  const auto read = read_signature(scratch.path() / "out" / (system.signature.top + ".json"));
+  const emit::GeneratedSystem system = generated(spheres(3, 2));
+  ASSERT_TRUE(emit::write_system(system, scratch.path() / "out").ok());
+  const auto read = emit::read_signature(scratch.path() / "out" / (system.signature.top + ".json"));
   ASSERT_TRUE(read.ok()) << read.error().to_string();
   EXPECT_EQ(to_json(*read), to_json(system.signature));
 }
 
 TEST(Engine, EachOperandComesFromItsItem) {
-  const GeneratedSystem system = generated(with_pairs(
-      design_of("aj - bi", "aj * ci"), {.kind = model::EngineKind::pairwise, .capacity = 2}));
+  const emit::GeneratedSystem system = generated(with_pairs(
+      design_of("aj - bi", "aj * ci"), {.kind = scene::EngineKind::pairwise, .capacity = 2}));
   const std::string text = verilog_of(system, "comparison_s8e8_1x1_pairwise");
   // Columns a, b, c of 32 bits; the operands are aj, bi, ci.
   EXPECT_NE(text.find("operand_aj = item_j[31:0];"), std::string::npos) << text;
@@ -115,16 +113,16 @@ TEST(Engine, TemplateIsToldWhatTheSystemIs) {
 }
 
 /// One of four candidates; only f reads w, only g reads o.
-GeneratedSystem arg_min_of_four() {
-  model::Design design = with_pairs(design_of("(p - ci)^2 + (wi * q)^2", "(p - cj)^2 + oj^2"),
-                                    {.kind = model::EngineKind::arg_min, .row_tag_bits = 5});
+emit::GeneratedSystem arg_min_of_four() {
+  design::Design design = with_pairs(design_of("(p - ci)^2 + (wi * q)^2", "(p - cj)^2 + oj^2"),
+                                     {.kind = scene::EngineKind::arg_min, .row_tag_bits = 5});
   design.lanes.front().count = 3;
   return generated(design);
 }
 
 TEST(ArgMinEngine, SignatureTellsItsStreams) {
-  const SignatureEngine engine = *arg_min_of_four().signature.engine;
-  EXPECT_EQ(engine.kind, model::EngineKind::arg_min);
+  const emit::SignatureEngine engine = *arg_min_of_four().signature.engine;
+  EXPECT_EQ(engine.kind, scene::EngineKind::arg_min);
   EXPECT_EQ(engine.capacity, 4);
   EXPECT_EQ(engine.index_bits, 2);
   EXPECT_EQ(engine.columns, (std::vector<std::string>{"c", "w", "o"}));
@@ -141,15 +139,15 @@ TEST(ArgMinEngine, SignatureTellsItsStreams) {
 
 TEST(ArgMinEngine, SignatureIsReadBackWhole) {
   test::ScratchDirectory scratch;
-  const GeneratedSystem system = arg_min_of_four();
-  ASSERT_TRUE(write_system(system, scratch.path() / "out").ok());
-  const auto read = read_signature(scratch.path() / "out" / (system.signature.top + ".json"));
+  const emit::GeneratedSystem system = arg_min_of_four();
+  ASSERT_TRUE(emit::write_system(system, scratch.path() / "out").ok());
+  const auto read = emit::read_signature(scratch.path() / "out" / (system.signature.top + ".json"));
   ASSERT_TRUE(read.ok()) << read.error().to_string();
   EXPECT_EQ(to_json(*read), to_json(system.signature));
 }
 
 TEST(ArgMinEngine, EachOperandComesFromItsItem) {
-  const GeneratedSystem system = arg_min_of_four();
+  const emit::GeneratedSystem system = arg_min_of_four();
   const std::string text = verilog_of(system, system.signature.engine->top);
   for (const char* line :
        {"operand_p = row[31:0];", "operand_ci = best[31:0];", "operand_wi = best[63:32];",
@@ -160,7 +158,7 @@ TEST(ArgMinEngine, EachOperandComesFromItsItem) {
 }
 
 TEST(Engine, SameDesignGivesTheSameBytes) {
-  const GeneratedSystem once = generated(spheres(3, 1)), again = generated(spheres(3, 1));
+  const emit::GeneratedSystem once = generated(spheres(3, 1)), again = generated(spheres(3, 1));
   ASSERT_EQ(once.files.size(), again.files.size());
   for (std::size_t k = 0; k < once.files.size(); ++k) {
     EXPECT_EQ(once.files[k].text, again.files[k].text) << once.files[k].name;
@@ -168,4 +166,4 @@ TEST(Engine, SameDesignGivesTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::test

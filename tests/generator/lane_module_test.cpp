@@ -11,22 +11,19 @@
 #include "tests/support/sphere.hpp"
 
 /// What a generated lane instantiates, and with which parameters.
-namespace mixcmp::gen {
+namespace mixcmp::test {
 namespace {
 
-using model::ErrorBoundKind;
-using model::Lane;
-using model::Range;
-using test::format;
-using test::graph_of;
+using error::ErrorBoundKind;
+using error::Lane;
 
 std::vector<rtl::Instance> instances(
-    const model::Graph& graph, const Lane& lane,
-    model::Multipliers multipliers = model::Multipliers::embedded) {
-  const Schedule schedule =
-      schedule_lane(lane, multipliers, delays_of("virtex6-lx760").value(), 250);
+    const Graph& graph, const Lane& lane,
+    scene::Multipliers multipliers = scene::Multipliers::embedded) {
+  const datapath::Schedule schedule =
+      datapath::schedule_lane(lane, multipliers, datapath::delays_of("virtex6-lx760").value(), 250);
   std::vector<rtl::Instance> found;
-  for (const rtl::Item& item : lane_module("lane", graph.inputs(), lane, schedule).items) {
+  for (const rtl::Item& item : rtl::lane_module("lane", graph.inputs(), lane, schedule).items) {
     if (const auto* instance = std::get_if<rtl::Instance>(&item)) found.push_back(*instance);
   }
   return found;
@@ -56,21 +53,22 @@ const rtl::Instance& only(const std::vector<rtl::Instance>& all, const std::stri
                        [&](const rtl::Instance& instance) { return instance.module == module; });
 }
 
-Lane lane_of(const model::Graph& graph, ErrorBoundKind kind, model::Subnormals subnormals,
+Lane lane_of(const Graph& graph, ErrorBoundKind kind, Subnormals subnormals,
              std::optional<Range> range) {
-  const model::Arithmetic reduced = {format("s8e8"), model::Rounding::nearest_even, subnormals};
-  return certified_lane(lane_graph(graph, format("s24e8"), reduced, model::LaneInputs::rounded),
-                        {.kind = kind,
-                         .ranges = std::vector<std::optional<Range>>(graph.inputs().size(), range)})
+  const Arithmetic reduced = {format("s8e8"), Rounding::nearest_even, subnormals};
+  return error::certified_lane(
+             lane_graph(graph, format("s24e8"), reduced, LaneInputs::rounded),
+             {.kind = kind,
+              .ranges = std::vector<std::optional<Range>>(graph.inputs().size(), range)})
       .value();
 }
 
 TEST(LaneModule, BoundHasAUnitForEveryOperation) {
-  const model::Graph graph = graph_of("a / (b - 1.1)", "sqrt(a - 0.7)");
-  const Lane lane = lane_of(graph, ErrorBoundKind::running, model::Subnormals::gradual, {});
-  const auto& decision = std::get<model::AbsoluteBoundDecision>(lane.decision);
+  const Graph graph = graph_of("a / (b - 1.1)", "sqrt(a - 0.7)");
+  const Lane lane = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, {});
+  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision);
   std::map<std::string, int> expected;
-  for (const model::BoundNode& node : decision.bound.nodes) {
+  for (const error::BoundNode& node : decision.bound.nodes) {
     ++expected["bound_" + std::string(to_string(node.operation))];
   }
   ASSERT_GT(decision.guard_ulp, 0u);
@@ -86,8 +84,8 @@ TEST(LaneModule, BoundHasAUnitForEveryOperation) {
 }
 
 TEST(LaneModule, BoundsReadSubnormalNumbersOnlyWhereThereMayBeSome) {
-  const model::Graph graph = graph_of("a * b", "a + b");
-  const auto gradual = [&](model::Subnormals subnormals, std::optional<Range> range) {
+  const Graph graph = graph_of("a * b", "a + b");
+  const auto gradual = [&](Subnormals subnormals, std::optional<Range> range) {
     const Lane lane = lane_of(graph, ErrorBoundKind::running, subnormals, range);
     long long any = 0;
     for (const rtl::Instance& instance : instances(graph, lane)) {
@@ -96,19 +94,19 @@ TEST(LaneModule, BoundsReadSubnormalNumbersOnlyWhereThereMayBeSome) {
     }
     return any;
   };
-  EXPECT_EQ(gradual(model::Subnormals::gradual, {}), 1);
-  EXPECT_EQ(gradual(model::Subnormals::flush, {}), 0);
-  EXPECT_EQ(gradual(model::Subnormals::gradual, Range{1, 100}), 0) << "ruled out by the ranges";
+  EXPECT_EQ(gradual(Subnormals::gradual, {}), 1);
+  EXPECT_EQ(gradual(Subnormals::flush, {}), 0);
+  EXPECT_EQ(gradual(Subnormals::gradual, Range{1, 100}), 0) << "ruled out by the ranges";
 }
 
 TEST(LaneModule, ProductsAndNothingElseAreToldToBeLogic) {
-  const model::Graph graph = graph_of("a * b + a^2", "a + b");
-  const Lane lane = lane_of(graph, ErrorBoundKind::running, model::Subnormals::gradual, {});
+  const Graph graph = graph_of("a * b + a^2", "a + b");
+  const Lane lane = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, {});
   for (const rtl::Instance& instance : instances(graph, lane)) {
     EXPECT_EQ(parameter(instance, "EMBEDDED"), std::nullopt) << instance.module;
   }
   int products = 0;
-  for (const rtl::Instance& instance : instances(graph, lane, model::Multipliers::logic)) {
+  for (const rtl::Instance& instance : instances(graph, lane, scene::Multipliers::logic)) {
     const bool product = instance.module == "fp_multiply" || instance.module == "fp_square";
     EXPECT_EQ(parameter(instance, "EMBEDDED"), product ? std::optional(0) : std::nullopt)
         << instance.module;
@@ -118,16 +116,16 @@ TEST(LaneModule, ProductsAndNothingElseAreToldToBeLogic) {
 }
 
 TEST(LaneModule, HazardsThatRangesRuleOutAreNotBuilt) {
-  const model::Graph graph = graph_of("a * b", "a + b");
+  const Graph graph = graph_of("a * b", "a + b");
   const Range range = {1, 100};
-  const Lane lane = lane_of(graph, ErrorBoundKind::running, model::Subnormals::gradual, range);
+  const Lane lane = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, range);
   const std::vector<rtl::Instance> all = instances(graph, lane);
   EXPECT_EQ(count(all, "fp_range_check"), 2);
   const rtl::Instance product = only(all, "fp_multiply");
   EXPECT_EQ(parameter(product, "SPECIAL_OPERANDS"), 0);
   EXPECT_EQ(parameter(product, "OVERFLOW"), 0);
   EXPECT_EQ(parameter(product, "UNDERFLOW"), 0);
-  const Lane unchecked = lane_of(graph, ErrorBoundKind::running, model::Subnormals::gradual, {});
+  const Lane unchecked = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, {});
   const std::vector<rtl::Instance> unranged = instances(graph, unchecked);
   for (const char* hazard : {"SPECIAL_OPERANDS", "OVERFLOW", "UNDERFLOW"}) {
     EXPECT_EQ(parameter(only(unranged, "fp_multiply"), hazard), std::nullopt);
@@ -135,14 +133,13 @@ TEST(LaneModule, HazardsThatRangesRuleOutAreNotBuilt) {
 }
 
 TEST(LaneModule, RangeChecksAreThoseOfTheLane) {
-  const model::Graph graph = graph_of("a * b", "a + b");
-  const Lane lane =
-      lane_of(graph, ErrorBoundKind::constant, model::Subnormals::flush, Range{-100, -1});
+  const Graph graph = graph_of("a * b", "a + b");
+  const Lane lane = lane_of(graph, ErrorBoundKind::constant, Subnormals::flush, Range{-100, -1});
   const std::vector<rtl::Instance> all = instances(graph, lane);
   std::size_t k = 0;
   for (const rtl::Instance& instance : all) {
     if (instance.module != "fp_range_check") continue;
-    const model::RangeCheck& check = lane.checks.at(k++);
+    const error::RangeCheck& check = lane.checks.at(k++);
     EXPECT_EQ(parameter(instance, "SIGN"), 2);
     EXPECT_EQ(parameter(instance, "PRECISION"), 24) << "the operand's, not the lane's";
     EXPECT_EQ(parameter(instance, "LEADING_BITS"), check.leading_bits);
@@ -153,16 +150,16 @@ TEST(LaneModule, RangeChecksAreThoseOfTheLane) {
 }
 
 TEST(LaneModule, SignChecksAreWires) {
-  const model::Graph graph = graph_of("a + b", "a * 0.3");
-  const Lane lane = certified_lane(lane_graph(graph, format("s24e8"), {format("s8e8")},
-                                              model::LaneInputs::rounded),
-                                   {.kind = ErrorBoundKind::relative,
-                                    .ranges = {Range{0, 100}, Range{0, 100}},
-                                    .hazards = model::HazardRemoval::keep})
+  const Graph graph = graph_of("a + b", "a * 0.3");
+  const Lane lane = error::certified_lane(
+                        lane_graph(graph, format("s24e8"), {format("s8e8")}, LaneInputs::rounded),
+                        {.kind = ErrorBoundKind::relative,
+                         .ranges = {Range{0, 100}, Range{0, 100}},
+                         .hazards = error::HazardRemoval::keep})
                         .value();
   ASSERT_EQ(lane.checks.size(), 2u);
   EXPECT_EQ(count(instances(graph, lane), "fp_range_check"), 0);
 }
 
 }  // namespace
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::test

@@ -146,6 +146,17 @@ TEST_F(OptimiseCommand, AnOlderPlanThatStaysIsTold) {
   EXPECT_EQ(read("plan.toml"), "old\n");
 }
 
+TEST_F(OptimiseCommand, ItsFilesAreOfOneRun) {
+  ASSERT_EQ(mixcmp("optimise scene.toml --csv f9.csv -o plan.toml").exit_code, 0);
+  const std::string table = read("f9.csv"), plan = read("plan.toml");
+  const std::string other = "optimise scene.toml --first 12 --csv f9.csv -o plan.toml --lp ";
+  EXPECT_EQ(mixcmp(other + "/dev/full").exit_code, 1);
+  EXPECT_EQ(read("f9.csv"), table);
+  EXPECT_EQ(read("plan.toml"), plan);
+  ASSERT_EQ(mixcmp(other + "p.lp").exit_code, 0);
+  EXPECT_NE(read("f9.csv"), table);
+}
+
 TEST_F(OptimiseCommand, TheBestVariantIsChosenAndThePlanNamesIt) {
   std::ofstream(path("scene.toml"), std::ios::app)
       << "[[variant]]\nname = \"root\"\ng = \"ri + rj\"\n"

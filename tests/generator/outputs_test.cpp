@@ -243,6 +243,25 @@ TEST_F(Outputs, WavesAndTheirSaveFileAreOfOneRun) {
   EXPECT_EQ(read("t.gtkw"), save_file);
 }
 
+TEST_F(Outputs, WavesOfIcarusHaveAnyName) {
+  fs::create_directory(path("höhe × breite"));
+  const Outcome run =
+      mixcmp("verify scene.toml --simulator icarus --work w --trace 'höhe × breite/wellen→.fst'");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_TRUE(fs::exists(path("höhe × breite/wellen→.fst")));
+}
+
+TEST_F(Outputs, NoShellReadsAPathForIcarus) {
+  for (const char* work : {"a$(touch RUN)", "a`touch RUN`", "a\"b"}) {
+    expect_refused(fmt::format("verify scene.toml --simulator icarus --work '{}'", work),
+                   "Icarus cannot compile where the path has one of");
+  }
+  EXPECT_FALSE(fs::exists(path("RUN")));
+  const Outcome run =
+      mixcmp("verify scene.toml --simulator icarus --work \"it's; a & (b) <c> *?[d]#!|\"");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+}
+
 TEST_F(Outputs, WavesThatCannotBePlacedAreRefusedBeforeTheSimulation) {
   fs::create_directory(path("w.gtkw"));
   expect_refused("verify scene.toml --trace w.fst", "w.gtkw: waves cannot be written there");
@@ -298,7 +317,8 @@ TEST_F(Outputs, IcarusKeepsWhatItWasGivenAndWhatItSaid) {
 }
 
 TEST_F(Outputs, ATmpdirThatDoesNotExistIsNamed) {
-  for (const char* verb : {"check scene.toml --costs", "baseline scene.toml"}) {
+  for (const char* verb : {"check scene.toml --costs", "baseline scene.toml",
+                           "verify scene.toml --simulator icarus"}) {
     const Outcome run = mixcmp(verb, "TMPDIR=/no/such/folder");
     EXPECT_NE(run.exit_code, 0) << verb << run.output;
     EXPECT_NE(run.output.find("/no/such/folder: TMPDIR: no folder can be made there"),

@@ -11,19 +11,15 @@
 #include "model/expression/parser.hpp"
 #include "tests/support/sphere.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::test {
 namespace {
-
-using model::Operation;
-using test::format;
-using test::sphere_design;
 
 constexpr double targets_mhz[] = {1, 50, 150, 250, 400, 600, 2000};
 
-double longest_path_ns(const Step& step) {
+double longest_path_ns(const datapath::Step& step) {
   double longest = 0, path = 0;
   for (std::size_t k = 0; k < step.unit.stages.size(); ++k) {
-    const Stage& stage = step.unit.stages[k];
+    const datapath::Stage& stage = step.unit.stages[k];
     path += path > 0 ? stage.delay_ns - stage.overlap_ns : stage.delay_ns;
     longest = std::max(longest, path);
     if (step.cuts[k]) path = 0;
@@ -31,9 +27,9 @@ double longest_path_ns(const Step& step) {
   return longest;
 }
 
-double slowest_stage_ns(const Unit& unit) {
+double slowest_stage_ns(const datapath::Unit& unit) {
   double slowest = 0;
-  for (const Stage& stage : unit.stages) slowest = std::max(slowest, stage.delay_ns);
+  for (const datapath::Stage& stage : unit.stages) slowest = std::max(slowest, stage.delay_ns);
   return slowest;
 }
 
@@ -42,7 +38,7 @@ int registers(const std::vector<bool>& cuts) {
 }
 
 /// Each cut that asks for another has it.
-bool has_needed_cuts(const Step& step) {
+bool has_needed_cuts(const datapath::Step& step) {
   for (std::size_t k = 0; k < step.cuts.size(); ++k) {
     const int needed = step.unit.stages[k].cut_needs;
     if (step.cuts[k] && needed >= 0 && !step.cuts[static_cast<std::size_t>(needed)]) return false;
@@ -51,11 +47,11 @@ bool has_needed_cuts(const Step& step) {
 }
 
 /// Fewest registers, the last included, with no path over `limit_ns`: tries every mask.
-int fewest_registers(const Unit& unit, double limit_ns) {
+int fewest_registers(const datapath::Unit& unit, double limit_ns) {
   const int stages = static_cast<int>(unit.stages.size());
   int fewest = stages;
   for (int mask = 0; mask < 1 << (stages - 1); ++mask) {
-    Step step = {unit, {}, 0, 0};
+    datapath::Step step = {unit, {}, 0, 0};
     for (int k = 0; k < stages; ++k) step.cuts.push_back(k == stages - 1 || (mask >> k & 1) != 0);
     if (!has_needed_cuts(step)) continue;
     if (longest_path_ns(step) <= limit_ns) fewest = std::min(fewest, registers(step.cuts));
@@ -65,18 +61,18 @@ int fewest_registers(const Unit& unit, double limit_ns) {
 
 class ScheduleAtTarget : public testing::TestWithParam<double> {
 protected:
-  model::Design design_ = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
-  DelayTable delays_ = delays_of("virtex6-lx760").value();
+  design::Design design_ = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
+  datapath::DelayTable delays_ = datapath::delays_of("virtex6-lx760").value();
 };
 
 TEST_P(ScheduleAtTarget, OperandsAreReadyBeforeTheyAreRead) {
-  const Schedule schedule =
-      schedule_lane(design_.lanes.front().lane, model::Multipliers::embedded, delays_, GetParam());
+  const datapath::Schedule schedule = datapath::schedule_lane(
+      design_.lanes.front().lane, scene::Multipliers::embedded, delays_, GetParam());
   const auto& nodes = design_.lanes.front().lane.parts.front().graph.nodes;
   ASSERT_EQ(schedule.steps.size(), nodes.size());
   for (std::size_t id = 0; id < nodes.size(); ++id) {
     int latest = 0;
-    for (int k = 0; k < model::arity(nodes[id].operation); ++k) {
+    for (int k = 0; k < arity(nodes[id].operation); ++k) {
       latest = std::max(latest, schedule.steps[nodes[id].operands[k]].ready_cycle);
     }
     EXPECT_EQ(schedule.steps[id].start_cycle, latest) << "node " << id;
@@ -85,25 +81,25 @@ TEST_P(ScheduleAtTarget, OperandsAreReadyBeforeTheyAreRead) {
 }
 
 TEST_P(ScheduleAtTarget, LatencyOfAUnitIsTheNumberOfItsRegisters) {
-  const Schedule schedule =
-      schedule_reference(design_.reference, model::Multipliers::embedded, delays_, GetParam());
-  for (const Step& step : schedule.steps) {
+  const datapath::Schedule schedule = datapath::schedule_reference(
+      design_.reference, scene::Multipliers::embedded, delays_, GetParam());
+  for (const datapath::Step& step : schedule.steps) {
     EXPECT_EQ(step.ready_cycle - step.start_cycle, registers(step.cuts));
   }
 }
 
-class CutsOfProducts : public testing::TestWithParam<std::tuple<double, model::Multipliers>> {
+class CutsOfProducts : public testing::TestWithParam<std::tuple<double, scene::Multipliers>> {
 protected:
-  model::Design design_ = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
-  DelayTable delays_ = delays_of("virtex6-lx760").value();
+  design::Design design_ = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
+  datapath::DelayTable delays_ = datapath::delays_of("virtex6-lx760").value();
 };
 
 TEST_P(CutsOfProducts, AreTheFewestThatMeetThePeriodAndTheOutputIsRegistered) {
   const auto [target_mhz, multipliers] = GetParam();
   const double logic_ns = std::max(0.0, 1000 / target_mhz - delays_.register_ns);
-  const Schedule schedule =
-      schedule_lane(design_.lanes.front().lane, multipliers, delays_, target_mhz);
-  for (const Step& step : schedule.steps) {
+  const datapath::Schedule schedule =
+      datapath::schedule_lane(design_.lanes.front().lane, multipliers, delays_, target_mhz);
+  for (const datapath::Step& step : schedule.steps) {
     if (step.unit.module.empty()) continue;
     EXPECT_TRUE(step.cuts.back()) << step.unit.module;
     if (slowest_stage_ns(step.unit) <= logic_ns) {
@@ -116,11 +112,12 @@ TEST_P(CutsOfProducts, AreTheFewestThatMeetThePeriodAndTheOutputIsRegistered) {
 }
 
 /// Of a product of multipliers: no cut between two rows but with one behind the multipliers.
-bool rows_wait_for_multipliers(const Step& step, int rows) {
+bool rows_wait_for_multipliers(const datapath::Step& step, int rows) {
   const auto& stages = step.unit.stages;
-  const auto multiply = std::find_if(stages.begin(), stages.end(),
-                                     [](const Stage& stage) { return stage.name == "multiply"; }) -
-                        stages.begin();
+  const auto multiply =
+      std::find_if(stages.begin(), stages.end(),
+                   [](const datapath::Stage& stage) { return stage.name == "multiply"; }) -
+      stages.begin();
   bool cut_between_rows = false;
   for (int row = 0; row < std::min(rows - 1, 4); ++row) {
     cut_between_rows |= step.cuts[static_cast<std::size_t>(multiply + 1 + row)];
@@ -131,12 +128,12 @@ bool rows_wait_for_multipliers(const Step& step, int rows) {
 /// Behind a cut between rows an unregistered multiplier would stand in one cycle with its adder.
 TEST_P(ScheduleAtTarget, RowsOfMultipliersAreCutBehindRegisteredMultipliers) {
   for (const char* device : {"virtex6-lx760", "ecp5-85k", "ice40-up5k"}) {
-    const DelayTable delays = delays_of(device).value();
+    const datapath::DelayTable delays = datapath::delays_of(device).value();
     const double logic_ns = std::max(0.0, 1000 / GetParam() - delays.register_ns);
-    const Schedule schedule =
-        schedule_reference(design_.reference, model::Multipliers::embedded, delays, GetParam());
+    const datapath::Schedule schedule = datapath::schedule_reference(
+        design_.reference, scene::Multipliers::embedded, delays, GetParam());
     int squares = 0;
-    for (const Step& step : schedule.steps) {
+    for (const datapath::Step& step : schedule.steps) {
       if (step.unit.module != "fp_square") continue;
       ++squares;
       const int rows = (53 + delays.multiplier.b_bits - 1) / delays.multiplier.b_bits;
@@ -152,21 +149,22 @@ TEST_P(ScheduleAtTarget, RowsOfMultipliersAreCutBehindRegisteredMultipliers) {
 /// What a lane checks and bounds beside its values is ready when it is read, and the decision waits
 /// for all of it.
 TEST_P(ScheduleAtTarget, BoundsFollowTheirOperandsAndPrecedeTheDecision) {
-  const model::Graph graph = test::sphere_graph();
-  const model::Lane lane =
-      certified_lane(
-          lane_graph(graph, format("s53e8"), {format("s17e8")}, model::LaneInputs::rounded),
-          {.kind = model::ErrorBoundKind::running,
-           .ranges = std::vector<std::optional<model::Range>>(8, model::Range{0, 100})})
+  const Graph graph = test::sphere_graph();
+  const error::Lane lane =
+      error::certified_lane(
+          lane_graph(graph, format("s53e8"), {format("s17e8")}, LaneInputs::rounded),
+          {.kind = error::ErrorBoundKind::running,
+           .ranges = std::vector<std::optional<Range>>(8, Range{0, 100})})
           .value();
-  const auto& decision = std::get<model::AbsoluteBoundDecision>(lane.decision);
-  const Schedule schedule = schedule_lane(lane, model::Multipliers::embedded, delays_, GetParam());
+  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision);
+  const datapath::Schedule schedule =
+      datapath::schedule_lane(lane, scene::Multipliers::embedded, delays_, GetParam());
   ASSERT_EQ(schedule.parts.front().bounds.size(), decision.bound.nodes.size());
   ASSERT_EQ(schedule.checks.size(), 8u);
   for (std::size_t id = 0; id < decision.bound.nodes.size(); ++id) {
-    const model::BoundNode& node = decision.bound.nodes[id];
+    const error::BoundNode& node = decision.bound.nodes[id];
     int latest = node.value >= 0 ? schedule.steps[node.value].ready_cycle : 0;
-    for (int k = 0; k < model::arity(node.operation); ++k) {
+    for (int k = 0; k < error::arity(node.operation); ++k) {
       latest = std::max(latest, schedule.parts.front().bounds[node.operands[k]].ready_cycle);
     }
     EXPECT_EQ(schedule.parts.front().bounds[id].start_cycle, latest) << "bound node " << id;
@@ -175,7 +173,7 @@ TEST_P(ScheduleAtTarget, BoundsFollowTheirOperandsAndPrecedeTheDecision) {
             schedule.parts.front().bounds.back().ready_cycle);
   EXPECT_GE(schedule.parts.front().decision.start_cycle,
             schedule.steps[decision.difference].ready_cycle);
-  for (const Step& check : schedule.checks) {
+  for (const datapath::Step& check : schedule.checks) {
     EXPECT_EQ(check.unit.module, "fp_range_check");
     EXPECT_GE(schedule.parts.front().decision.start_cycle, check.ready_cycle);
   }
@@ -184,28 +182,29 @@ TEST_P(ScheduleAtTarget, BoundsFollowTheirOperandsAndPrecedeTheDecision) {
 INSTANTIATE_TEST_SUITE_P(Targets, ScheduleAtTarget, testing::ValuesIn(targets_mhz));
 INSTANTIATE_TEST_SUITE_P(Targets, CutsOfProducts,
                          testing::Combine(testing::ValuesIn(targets_mhz),
-                                          testing::Values(model::Multipliers::embedded,
-                                                          model::Multipliers::logic)));
+                                          testing::Values(scene::Multipliers::embedded,
+                                                          scene::Multipliers::logic)));
 
 /// Chains that follow each other without a register run at the same time.
 TEST(Schedule, NoRegisterIsBoughtForChainsThatOverlap) {
-  const DelayTable delays = {.lut_ns = 1,
-                             .carry_start_ns = 1,
-                             .carry_ns_per_bit = 0.1,
-                             .multiplier_ns = 1,
-                             .multiplier_add_ns = 1,
-                             .register_ns = 0};
-  const model::TypedNode node{.operation = Operation::multiply,
-                              .operand_format = format("s24e8"),
-                              .format = format("s24e8")};
-  const Unit unit = unit_for(node, model::Subnormals::flush, model::Multipliers::logic, delays);
+  const datapath::DelayTable delays = {.lut_ns = 1,
+                                       .carry_start_ns = 1,
+                                       .carry_ns_per_bit = 0.1,
+                                       .multiplier_ns = 1,
+                                       .multiplier_add_ns = 1,
+                                       .register_ns = 0};
+  const TypedNode node{.operation = Operation::multiply,
+                       .operand_format = format("s24e8"),
+                       .format = format("s24e8")};
+  const datapath::Unit unit =
+      datapath::unit_for(node, Subnormals::flush, scene::Multipliers::logic, delays);
   ASSERT_EQ(unit.stages.size(), 13u);
   ASSERT_EQ(unit.stages[2].name, "level 0");
   // Rows of 30 bits, two bits apart: a LUT, then three chains that each start once the one before
   // has passed two bits.
   const auto first = unit.stages.begin() + 2;
-  const Step levels = {.unit = {.module = {}, .stages = {first, first + 3}},
-                       .cuts = {false, false, false}};
+  const datapath::Step levels = {.unit = {.module = {}, .stages = {first, first + 3}},
+                                 .cuts = {false, false, false}};
   EXPECT_DOUBLE_EQ(longest_path_ns(levels), 1 + 3 * 1 + (30 + 2 + 2) * 0.1);
   // 13 rows: four sums of four or less, two, one.
   EXPECT_GT(unit.stages[6].delay_ns, 0);
@@ -215,8 +214,8 @@ TEST(Schedule, NoRegisterIsBoughtForChainsThatOverlap) {
 
 /// The one multiplication of `text`, in s24e8 with subnormals.
 struct Product {
-  model::TypedGraph graph;
-  const model::TypedNode& node() const {
+  TypedGraph graph;
+  const TypedNode& node() const {
     return *std::find_if(graph.nodes.begin(), graph.nodes.end(), [](const auto& candidate) {
       return candidate.operation == Operation::multiply;
     });
@@ -224,64 +223,66 @@ struct Product {
 };
 
 Product product(const std::string& text) {
-  model::Graph graph;
-  const model::NodeId f = *model::parse_expression(graph, text, {});
-  graph.compare(f, *model::parse_expression(graph, "y", {}));
+  Graph graph;
+  const NodeId f = *parse_expression(graph, text, {});
+  graph.compare(f, *parse_expression(graph, "y", {}));
   return {reference_graph(graph, {format("s24e8")})};
 }
 
 TEST(Schedule, AProductWithAPowerOfTwoTakesNoMultiplier) {
-  const DelayTable delays = delays_of("virtex6-lx760").value();
+  const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
   const std::vector<std::pair<std::string, int>> scalings = {
       {"x * 0.25", -2}, {"8 * x", 3}, {"x / 16", -4}, {"x * 1", 0}, {"x * 0x1p-126", -126}};
   for (const auto& [text, exponent] : scalings) {
     const Product scaled = product(text);
-    const auto scaling = scaling_of(scaled.graph, scaled.node());
+    const auto scaling = datapath::scaling_of(scaled.graph, scaled.node());
     ASSERT_TRUE(scaling) << text;
     EXPECT_EQ(scaling->exponent, exponent) << text;
     EXPECT_EQ(scaled.graph.nodes[static_cast<std::size_t>(scaling->operand)].operation,
               Operation::input);
-    const Unit unit = unit_for(scaled.graph, scaled.node(), model::Multipliers::embedded, delays);
+    const datapath::Unit unit =
+        datapath::unit_for(scaled.graph, scaled.node(), scene::Multipliers::embedded, delays);
     EXPECT_EQ(unit.module, "fp_convert");
     EXPECT_EQ(unit.stages.size(), 5u);
   }
   // The last of these is a subnormal number: the unit would need more than its exponent.
   for (const char* text : {"x * 3", "x * -0.5", "x * y", "x * 0", "x * 0x1p-127"}) {
     const Product plain = product(text);
-    EXPECT_FALSE(scaling_of(plain.graph, plain.node())) << text;
-    const Unit unit = unit_for(plain.graph, plain.node(), model::Multipliers::embedded, delays);
+    EXPECT_FALSE(datapath::scaling_of(plain.graph, plain.node())) << text;
+    const datapath::Unit unit =
+        datapath::unit_for(plain.graph, plain.node(), scene::Multipliers::embedded, delays);
     EXPECT_EQ(unit.module, "fp_multiply") << text;
   }
 }
 
 TEST(Schedule, ScalingsThatDropNoDigitAreShort) {
-  const DelayTable delays = delays_of("virtex6-lx760").value();
-  model::Graph graph;
-  const model::NodeId f = *model::parse_expression(graph, "x / 4", {});
-  graph.compare(f, *model::parse_expression(graph, "y", {}));
-  const auto start_of_the_comparison = [&](model::Subnormals subnormals) {
-    const model::TypedGraph typed =
-        reference_graph(graph, {format("s53e8"), model::Rounding::nearest_even, subnormals});
-    return schedule_reference(typed, model::Multipliers::embedded, delays, 200)
+  const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
+  Graph graph;
+  const NodeId f = *parse_expression(graph, "x / 4", {});
+  graph.compare(f, *parse_expression(graph, "y", {}));
+  const auto start_of_the_comparison = [&](Subnormals subnormals) {
+    const TypedGraph typed =
+        reference_graph(graph, {format("s53e8"), Rounding::nearest_even, subnormals});
+    return datapath::schedule_reference(typed, scene::Multipliers::embedded, delays, 200)
         .parts.front()
         .decision.start_cycle;
   };
-  EXPECT_LE(start_of_the_comparison(model::Subnormals::flush), 2);
-  EXPECT_GT(start_of_the_comparison(model::Subnormals::gradual), 2);
+  EXPECT_LE(start_of_the_comparison(Subnormals::flush), 2);
+  EXPECT_GT(start_of_the_comparison(Subnormals::gradual), 2);
 }
 
 TEST(Schedule, FasterTargetsNeverShortenTheLatency) {
-  const model::Design design = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
-  const DelayTable delays = delays_of("virtex6-lx760").value();
+  const design::Design design = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
+  const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
   int previous = 0;
   for (const double target_mhz : targets_mhz) {
-    const int latency =
-        schedule_reference(design.reference, model::Multipliers::embedded, delays, target_mhz)
-            .latency_cycles;
+    const int latency = datapath::schedule_reference(design.reference, scene::Multipliers::embedded,
+                                                     delays, target_mhz)
+                            .latency_cycles;
     EXPECT_GE(latency, previous) << target_mhz << " MHz";
     previous = latency;
   }
 }
 
 }  // namespace
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::test

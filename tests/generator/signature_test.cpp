@@ -6,46 +6,46 @@
 
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::test {
 namespace {
 
-Signature some_signature() {
+emit::Signature some_signature() {
   return {.top = "top",
           .generator_version = "1.2.3",
           .spec_hash = "abc",
-          .reference_format = *model::FloatFormat::parse("s53e11"),
+          .reference_format = *FloatFormat::parse("s53e11"),
           .certified = true,
           .inputs = {"a", "b", "c"},
           .lanes = 87,
           .references = 3,
           .lane_groups = {{.count = 80,
                            .module = "channel",
-                           .format = *model::FloatFormat::parse("s17e8"),
+                           .format = *FloatFormat::parse("s17e8"),
                            .latency_cycles = 20,
                            .certified = true,
                            .decision = "certified: always",
-                           .inputs = model::LaneInputs::rounded},
+                           .inputs = LaneInputs::rounded},
                           {.count = 7,
                            .module = "narrow_channel",
-                           .format = *model::FloatFormat::parse("s8e8"),
+                           .format = *FloatFormat::parse("s8e8"),
                            .latency_cycles = 15,
-                           .multipliers = model::Multipliers::logic}},
+                           .multipliers = scene::Multipliers::logic}},
           .reference_groups = {{.count = 3, .module = "reference", .latency_cycles = 40}},
           .tdata_bytes = 24,
           .tag_bits = 31,
           .counter_bits = 48,
           .slots = 64,
-          .order = model::ResultOrder::in_order,
-          .operands = model::OperandStore::refetched,
+          .order = scene::ResultOrder::in_order,
+          .operands = scene::OperandStore::refetched,
           .target_mhz = 312.5,
           .files = {"top.v", "channel.v"}};
 }
 
-model::Result<Signature> read_text(const std::string& text) {
+Result<emit::Signature> read_text(const std::string& text) {
   const test::ScratchDirectory scratch;
   const auto path = scratch.path() / "top.json";
   std::ofstream(path) << text;
-  return read_signature(path);
+  return emit::read_signature(path);
 }
 
 std::string without(const std::string& text, const std::string& part, const std::string& instead) {
@@ -60,9 +60,9 @@ TEST(Signature, ReadsBackAsWritten) {
   ASSERT_TRUE(read.ok()) << read.error().to_string();
   EXPECT_EQ(to_json(*read), text);
   EXPECT_EQ(read->lanes, 87);
-  EXPECT_EQ(read->reference_format, *model::FloatFormat::parse("s53e11"));
-  EXPECT_EQ(read->order, model::ResultOrder::in_order);
-  EXPECT_EQ(read->operands, model::OperandStore::refetched);
+  EXPECT_EQ(read->reference_format, *FloatFormat::parse("s53e11"));
+  EXPECT_EQ(read->order, scene::ResultOrder::in_order);
+  EXPECT_EQ(read->operands, scene::OperandStore::refetched);
   EXPECT_EQ(read->files, some_signature().files);
 }
 
@@ -92,8 +92,8 @@ TEST(Signature, NamesTheFieldThatDoesNotFit) {
 TEST(Signature, RefusesWhatIsNotAnObject) {
   EXPECT_EQ(read_text("top = 1").error().message, "not JSON");
   EXPECT_FALSE(read_text("[]").ok());
-  EXPECT_FALSE(read_signature("/nonexistent/top.json").ok());
+  EXPECT_FALSE(emit::read_signature("/nonexistent/top.json").ok());
 }
 
 }  // namespace
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::test

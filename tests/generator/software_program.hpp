@@ -23,26 +23,26 @@ struct SoftwareScene {
 class CompiledSoftware {
 public:
   explicit CompiledSoftware(const SoftwareScene& text) : scene_(read(text)) {
-    filters_ = gen::float_filters(scene_);
+    filters_ = software::float_filters(scene_);
   }
 
-  const model::Scene& scene() const { return scene_; }
-  const gen::FloatFilters& filters() const { return filters_; }
+  const scene::Scene& scene() const { return scene_; }
+  const software::FloatFilters& filters() const { return filters_; }
 
-  model::Comparisons comparisons(model::Table table, bool pairs = false) const {
+  data::Comparisons comparisons(data::Table table, bool pairs = false) const {
     const auto& inputs = scene_.graph.inputs();
-    return pairs ? model::Comparisons::all_pairs(std::move(table), inputs).value()
-                 : model::Comparisons::rows(std::move(table), inputs).value();
+    return pairs ? data::Comparisons::all_pairs(std::move(table), inputs).value()
+                 : data::Comparisons::rows(std::move(table), inputs).value();
   }
 
   /// Compiles at the first call.
-  std::vector<gen::KernelOutput> verdicts(const model::Comparisons& data) {
+  std::vector<software::KernelOutput> verdicts(const data::Comparisons& data) {
     if (!program_) program_ = compile(data);
     return program_->verdicts(data).value();
   }
 
 private:
-  model::Scene read(const SoftwareScene& text) const {
+  scene::Scene read(const SoftwareScene& text) const {
     const auto path = directory_.path() / "scene.toml";
     const auto quoted = [&](const std::string& side) {
       return text.combine.empty() ? "\"" + side + "\"" : "[" + side + "]";
@@ -53,18 +53,18 @@ private:
     if (!text.combine.empty()) scene << "combine = \"" << text.combine << "\"\n";
     scene << "[reference]\nformat = \"binary64\"\n[inputs]\n" << text.inputs;
     scene.close();
-    return model::load_scene(path, {}).value();
+    return scene::load_scene(path, {}).value();
   }
 
-  gen::SoftwareProgram compile(const model::Comparisons& data) const {
-    return gen::SoftwareProgram::compile(scene_, data, filters_, {.work = directory_.path()})
+  software::SoftwareProgram compile(const data::Comparisons& data) const {
+    return software::SoftwareProgram::compile(scene_, data, filters_, {.work = directory_.path()})
         .value();
   }
 
   ScratchDirectory directory_;
-  model::Scene scene_;
-  gen::FloatFilters filters_;
-  std::optional<gen::SoftwareProgram> program_;
+  scene::Scene scene_;
+  software::FloatFilters filters_;
+  std::optional<software::SoftwareProgram> program_;
 };
 
 }  // namespace mixcmp::test

@@ -18,9 +18,7 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::ErrorBoundKind;
-using model::Verdict;
+using error::ErrorBoundKind;
 
 constexpr std::string_view letters_of_verdicts = "<=>u";
 
@@ -34,19 +32,19 @@ struct Seen {
 
 /// Doubles say what the golden model says, filters what is true or nothing, and long runs count
 /// what single comparisons say. What the filters decided, one a filter.
-std::vector<Seen> expect_right(CompiledSoftware& software, const model::Comparisons& data,
+std::vector<Seen> expect_right(CompiledSoftware& software, const data::Comparisons& data,
                                const std::string& what) {
-  const auto doubles = reference_graphs(software.scene().graph, {gen::software_format()});
-  const std::vector<gen::KernelOutput> kernels = software.verdicts(data);
+  const auto doubles = reference_graphs(software.scene().graph, {software::software_format()});
+  const std::vector<software::KernelOutput> kernels = software.verdicts(data);
   EXPECT_EQ(kernels.size(), software.filters().filters.size() + 1);
   std::vector<Seen> seen(kernels.size() - 1);
   std::vector<Bits> operands(data.input_count());
   for (std::size_t k = 0; k < data.size(); ++k) {
     data.fetch(k, operands);
-    EXPECT_EQ(kernels[0].letters[k], letter(model::golden::evaluate_reference(doubles, operands)))
+    EXPECT_EQ(kernels[0].letters[k], letter(golden::evaluate_reference(doubles, operands)))
         << what << ", comparison " << k;
     const char truth =
-        letter(model::golden::true_verdict(software.scene().graph, gen::software_format(), operands)
+        letter(golden::true_verdict(software.scene().graph, software::software_format(), operands)
                    .value());
     for (std::size_t filter = 1; filter < kernels.size(); ++filter) {
       const char decided = kernels[filter].letters[k];
@@ -60,8 +58,9 @@ std::vector<Seen> expect_right(CompiledSoftware& software, const model::Comparis
     return static_cast<std::uint64_t>(
         std::count(kernels[0].letters.begin(), kernels[0].letters.end(), c));
   };
-  for (const gen::KernelOutput& kernel : kernels) {
-    EXPECT_EQ(kernel.verdicts, (gen::VerdictCounts{count('<'), count('='), count('>'), count('u')}))
+  for (const software::KernelOutput& kernel : kernels) {
+    EXPECT_EQ(kernel.verdicts,
+              (software::VerdictCounts{count('<'), count('='), count('>'), count('u')}))
         << what << ", " << kernel.name;
   }
   return seen;
@@ -70,11 +69,11 @@ std::vector<Seen> expect_right(CompiledSoftware& software, const model::Comparis
 using Random = std::mt19937_64;
 
 /// Rows of encodings: special ones, random ones of any scale, and neighbours of one another.
-model::Table extreme_rows(const std::vector<std::string>& inputs, std::size_t count,
-                          Random& random) {
-  const model::FloatFormat format = gen::software_format();
+data::Table extreme_rows(const std::vector<std::string>& inputs, std::size_t count,
+                         Random& random) {
+  const FloatFormat format = software::software_format();
   const std::vector<Bits> special = special_encodings(format);
-  model::Table table{.format = format, .columns = inputs};
+  data::Table table{.format = format, .columns = inputs};
   for (std::size_t row = 0; row < count; ++row) {
     const Bits near = random_encoding(format, random);
     for (std::size_t k = 0; k < inputs.size(); ++k) {
@@ -92,9 +91,9 @@ Bits encoded(double value) {
 }
 
 /// Numbers between 1/2 and 8 that differ by anything from a quarter to a last place of a double.
-model::Table close_rows(const std::vector<std::string>& inputs, std::size_t count, Random& random,
-                        bool any_sign) {
-  model::Table table{.format = gen::software_format(), .columns = inputs};
+data::Table close_rows(const std::vector<std::string>& inputs, std::size_t count, Random& random,
+                       bool any_sign) {
+  data::Table table{.format = software::software_format(), .columns = inputs};
   std::uniform_real_distribution<double> around(0.5, 6);
   for (std::size_t row = 0; row < count; ++row) {
     const double base = around(random);
@@ -109,9 +108,9 @@ model::Table close_rows(const std::vector<std::string>& inputs, std::size_t coun
 
 /// Numbers of few digits between the ends of floats and a little below, each of its own scale or
 /// all of one: they and what is computed from them underflow, or overflow.
-model::Table wide_rows(const std::vector<std::string>& inputs, std::size_t count, Random& random) {
+data::Table wide_rows(const std::vector<std::string>& inputs, std::size_t count, Random& random) {
   constexpr int least = -154, scales = 274;
-  model::Table table{.format = gen::software_format(), .columns = inputs};
+  data::Table table{.format = software::software_format(), .columns = inputs};
   const auto scale = [&] { return least + static_cast<int>(random() % scales); };
   for (std::size_t row = 0; row < count; ++row) {
     const int common = random() % 2 != 0 ? scale() : least + static_cast<int>(random() % 12);
@@ -124,9 +123,9 @@ model::Table wide_rows(const std::vector<std::string>& inputs, std::size_t count
 }
 
 /// Spheres whose squared distances are some last places of the smallest floats.
-model::Table tiny_spheres(const std::vector<std::string>& inputs, std::size_t count,
-                          Random& random) {
-  model::Table table{.format = gen::software_format(), .columns = inputs};
+data::Table tiny_spheres(const std::vector<std::string>& inputs, std::size_t count,
+                         Random& random) {
+  data::Table table{.format = software::software_format(), .columns = inputs};
   for (std::size_t k = 0; k < count * inputs.size(); ++k) {
     table.values.push_back(encoded(std::ldexp(static_cast<double>(random() % 256), -80)));
   }
@@ -141,9 +140,9 @@ TEST(Software, FiltersNeverDecideSphereFamiliesWrongly) {
   text.inputs = "\"c*\" = { range = [-128, 128] }\n\"r*\" = { range = [0, 64] }\n";
   CompiledSoftware software(text);
   ASSERT_EQ(software.filters().filters.size(), 2u);
-  for (const std::string& name : model::sphere_family_names()) {
+  for (const std::string& name : data::sphere_family_names()) {
     if (name.starts_with("near_tie_") && name != "near_tie_24" && name != "near_tie_23") continue;
-    auto rows = model::sphere_family({.name = name, .count = 300}, gen::software_format());
+    auto rows = data::sphere_family({.name = name, .count = 300}, software::software_format());
     ASSERT_TRUE(rows.ok()) << rows.error().to_string();
     const auto seen = expect_right(software, software.comparisons(*rows), name);
     if (name != "uniform") continue;
@@ -155,7 +154,8 @@ TEST(Software, RunningBoundsSurviveNearTiesAndUnderflow) {
   CompiledSoftware software(sphere_scene);
   ASSERT_EQ(software.filters().filters.size(), 1u);
   EXPECT_EQ(software.filters().filters[0].kind, ErrorBoundKind::running);
-  auto rows = model::sphere_family({.name = "near_tie_24", .count = 4000}, gen::software_format());
+  auto rows =
+      data::sphere_family({.name = "near_tie_24", .count = 4000}, software::software_format());
   const auto seen = expect_right(software, software.comparisons(*rows), "near_tie_24");
   EXPECT_LT(seen[0].decided, seen[0].comparisons);
   Random random(11);
@@ -197,31 +197,31 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"names", {"float + EOF", "columns * i + j^3", "\"*\" = { range = [-8, 8] }\n"}}),
     [](const auto& test) { return test.param.name; });
 
-std::uint64_t at(const std::vector<std::uint64_t>& counts, model::Decision decision) {
+std::uint64_t at(const std::vector<std::uint64_t>& counts, Decision decision) {
   return counts[static_cast<std::size_t>(decision)];
 }
 
 /// All pairs through the emulator, which shares nothing with the program.
-gen::VerdictCounts emulated(const model::Scene& scene, const model::Comparisons& data) {
-  const model::Emulator reference(reference_graph(scene.graph, {gen::software_format()}));
-  const model::OperandSource source(data);
-  model::OperandBlock block(data.input_count(), 1 << 14);
-  std::vector<model::Decision> decisions(block.capacity());
+software::VerdictCounts emulated(const scene::Scene& scene, const data::Comparisons& data) {
+  const emulator::Emulator reference(reference_graph(scene.graph, {software::software_format()}));
+  const data::OperandSource source(data);
+  data::OperandBlock block(data.input_count(), 1 << 14);
+  std::vector<Decision> decisions(block.capacity());
   std::vector<std::uint64_t> counts(5);
   for (std::uint64_t first = 0; first < data.size(); first += block.size()) {
     source.fetch(first, std::min<std::uint64_t>(block.capacity(), data.size() - first), block);
     reference.decide(block.columns(), block.size(), decisions);
     for (std::size_t k = 0; k < block.size(); ++k) ++counts[static_cast<std::size_t>(decisions[k])];
   }
-  return {at(counts, model::Decision::less), at(counts, model::Decision::equal),
-          at(counts, model::Decision::greater), at(counts, model::Decision::unordered)};
+  return {at(counts, Decision::less), at(counts, Decision::equal), at(counts, Decision::greater),
+          at(counts, Decision::unordered)};
 }
 
-model::Table items_on_a_grid(std::size_t count, Random& random) {
-  model::Table items{.format = gen::software_format(), .columns = {"x", "r"}};
+data::Table items_on_a_grid(std::size_t count, Random& random) {
+  data::Table items{.format = software::software_format(), .columns = {"x", "r"}};
   for (std::size_t k = 0; k < count; ++k) {
     items.values.push_back(encoded(static_cast<double>(random() % 64)));
-    items.values.push_back(k % 100 == 3 ? gen::software_format().quiet_nan()
+    items.values.push_back(k % 100 == 3 ? software::software_format().quiet_nan()
                                         : encoded(static_cast<double>(random() % 8) / 4));
   }
   return items;
@@ -232,17 +232,18 @@ TEST(Software, EveryPairIsCountedOnceAtTheEdgesOfRuns) {
   CompiledSoftware software({"(xi - xj)^2", "(ri + rj)^2",
                              "\"x*\" = { range = [0, 64] }\n\"r*\" = { range = [0, 2] }\n"});
   Random random(3);
-  std::optional<gen::SoftwareProgram> program;
+  std::optional<software::SoftwareProgram> program;
   for (const std::size_t items : {2u, 3u, 1024u, 1025u, 4097u}) {
     const auto data = software.comparisons(items_on_a_grid(items, random), true);
     if (!program) {
-      program = gen::SoftwareProgram::compile(software.scene(), data, software.filters(),
-                                              {.work = work.path(), .rounds = 1, .seconds = 0.001})
-                    .value();
+      program =
+          software::SoftwareProgram::compile(software.scene(), data, software.filters(),
+                                             {.work = work.path(), .rounds = 1, .seconds = 0.001})
+              .value();
     }
-    const gen::VerdictCounts expected = emulated(software.scene(), data);
-    const std::vector<gen::KernelOutput> kernels = program->measure(data, 3).value();
-    for (const gen::KernelOutput& kernel : kernels) {
+    const software::VerdictCounts expected = emulated(software.scene(), data);
+    const std::vector<software::KernelOutput> kernels = program->measure(data, 3).value();
+    for (const software::KernelOutput& kernel : kernels) {
       EXPECT_EQ(kernel.verdicts, expected) << kernel.name << ", " << items << " items";
       ASSERT_EQ(kernel.rates.size(), 2u);
       EXPECT_GT(kernel.rates[1].best_per_s, 0);
@@ -255,22 +256,23 @@ TEST(Software, EveryRowMeetsEveryOtherAtTheEdgesOfRuns) {
   CompiledSoftware software({"(xi - xj)^2", "(ri + rj)^2",
                              "\"x*\" = { range = [0, 64] }\n\"r*\" = { range = [0, 2] }\n"});
   Random random(3);
-  std::optional<gen::SoftwareProgram> program;
+  std::optional<software::SoftwareProgram> program;
   const std::vector<std::pair<std::size_t, std::size_t>> sizes = {
       {1, 1}, {3, 1025}, {4097, 2}, {1024, 1024}};
   for (const auto& [first, second] : sizes) {
     const auto data =
-        model::Comparisons::cross(items_on_a_grid(first, random), items_on_a_grid(second, random),
-                                  software.scene().graph.inputs())
+        data::Comparisons::cross(items_on_a_grid(first, random), items_on_a_grid(second, random),
+                                 software.scene().graph.inputs())
             .value();
     if (!program) {
-      program = gen::SoftwareProgram::compile(software.scene(), data, software.filters(),
-                                              {.work = work.path(), .rounds = 1, .seconds = 0.001})
-                    .value();
+      program =
+          software::SoftwareProgram::compile(software.scene(), data, software.filters(),
+                                             {.work = work.path(), .rounds = 1, .seconds = 0.001})
+              .value();
     }
-    const gen::VerdictCounts expected = emulated(software.scene(), data);
-    const std::vector<gen::KernelOutput> kernels = program->measure(data, 3).value();
-    for (const gen::KernelOutput& kernel : kernels) {
+    const software::VerdictCounts expected = emulated(software.scene(), data);
+    const std::vector<software::KernelOutput> kernels = program->measure(data, 3).value();
+    for (const software::KernelOutput& kernel : kernels) {
       EXPECT_EQ(kernel.verdicts, expected) << kernel.name << ", " << first << " by " << second;
     }
   }
@@ -282,11 +284,12 @@ TEST(Software, ABaselineOfTwoTablesIsChecked) {
                              "\"x*\" = { range = [0, 64] }\n\"r*\" = { range = [0, 2] }\n"});
   Random random(4);
   const auto& graph = software.scene().graph;
-  const auto contest = model::reference_contest(reference_graph(graph, {gen::software_format()}));
-  const auto data = model::Comparisons::arg_min(items_on_a_grid(300, random),
-                                                items_on_a_grid(5, random), graph.inputs(), contest)
+  const auto contest =
+      workload::reference_contest(reference_graph(graph, {software::software_format()}));
+  const auto data = data::Comparisons::arg_min(items_on_a_grid(300, random),
+                                               items_on_a_grid(5, random), graph.inputs(), contest)
                         .value();
-  const auto baseline = gen::software_baseline(
+  const auto baseline = software::software_baseline(
       software.scene(), data,
       {.work = work.path(), .threads = 2, .rounds = 1, .seconds = 0.002, .sample = 500});
   ASSERT_TRUE(baseline.ok()) << baseline.error().to_string();
@@ -300,7 +303,7 @@ TEST(Software, ABaselineIsCheckedMeasuredAndReported) {
   CompiledSoftware software({"a * b", "c", "\"*\" = { range = [0.25, 16] }\n"});
   Random random(5);
   const auto data = software.comparisons(close_rows({"a", "b", "c"}, 5000, random, false));
-  const auto baseline = gen::software_baseline(
+  const auto baseline = software::software_baseline(
       software.scene(), data,
       {.work = work.path(), .threads = 2, .rounds = 2, .seconds = 0.002, .sample = 500});
   ASSERT_TRUE(baseline.ok()) << baseline.error().to_string();
@@ -310,9 +313,9 @@ TEST(Software, ABaselineIsCheckedMeasuredAndReported) {
   EXPECT_EQ(baseline->exact().all_cores.threads, 2u);
   EXPECT_EQ(baseline->check.comparisons, 500u);
   EXPECT_EQ(baseline->comparisons, 5000u);
-  for (const gen::BaselineKernel& kernel : baseline->kernels) {
+  for (const software::BaselineKernel& kernel : baseline->kernels) {
     EXPECT_LE(kernel.one_core.median_per_s, kernel.one_core.best_per_s);
-    EXPECT_NE(gen::to_text(*baseline).find(kernel_name(kernel)), std::string::npos);
+    EXPECT_NE(software::to_text(*baseline).find(kernel_name(kernel)), std::string::npos);
   }
 }
 
@@ -322,18 +325,18 @@ TEST(Software, NobodyIsWrongWhereTheTruthIsUndetermined) {
   CompiledSoftware software({f, g, "\"*\" = { range = [0.25, 16] }\n"});
   Random random(6);
   const auto data = software.comparisons(close_rows({"a", "b"}, 50, random, false));
-  const auto baseline = gen::software_baseline(
+  const auto baseline = software::software_baseline(
       software.scene(), data,
       {.work = work.path(), .threads = 1, .rounds = 1, .seconds = 0.002, .sample = 50});
   ASSERT_TRUE(baseline.ok()) << baseline.error().to_string();
   EXPECT_TRUE(baseline->passed());
   EXPECT_EQ(baseline->check.undetermined, 50u);
   EXPECT_EQ(baseline->check.not_true, 0u);
-  EXPECT_NE(gen::to_text(*baseline).find("50 not held against the truth"), std::string::npos);
+  EXPECT_NE(software::to_text(*baseline).find("50 not held against the truth"), std::string::npos);
 }
 
 TEST(Software, AFilterThatCountsOtherwiseFailsTheBaseline) {
-  gen::Baseline baseline;
+  software::Baseline baseline;
   baseline.kernels.resize(2);
   EXPECT_TRUE(baseline.passed());
   baseline.kernels[1].verdicts.less = 1;
@@ -345,10 +348,10 @@ TEST(Software, AFilterThatCountsOtherwiseFailsTheBaseline) {
 
 TEST(Software, TheSameSceneGivesTheSameBytes) {
   const CompiledSoftware one(sphere_scene), other(sphere_scene);
-  auto rows = model::sphere_family({.name = "uniform", .count = 2}, gen::software_format());
+  auto rows = data::sphere_family({.name = "uniform", .count = 2}, software::software_format());
   const auto data = one.comparisons(*rows);
-  EXPECT_EQ(gen::software_source(one.scene(), data, one.filters()),
-            gen::software_source(other.scene(), data, other.filters()));
+  EXPECT_EQ(software::software_source(one.scene(), data, one.filters()),
+            software::software_source(other.scene(), data, other.filters()));
 }
 
 TEST(Software, SeveralPartsAreDecidedTogether) {
@@ -360,7 +363,7 @@ TEST(Software, SeveralPartsAreDecidedTogether) {
                                .combine = combine});
     ASSERT_EQ(software.filters().filters.size(), 2u);
     const auto& inputs = software.scene().graph.inputs();
-    for (const model::Table& table :
+    for (const data::Table& table :
          {extreme_rows(inputs, 2000, random), close_rows(inputs, 2000, random, false),
           close_rows(inputs, 2000, random, true), wide_rows(inputs, 2000, random)}) {
       expect_right(software, software.comparisons(table), combine);
@@ -379,11 +382,11 @@ TEST(Software, WhyAFilterIsMissingIsTold) {
 }
 
 TEST(Software, FactorsOfBoundsRoundUp) {
-  EXPECT_EQ(gen::float_at_least(1), 1.0f);
-  EXPECT_EQ(gen::float_at_least(1 + mpq_class(1, mpz_class(1) << 40)), 1.0f + 0x1p-23f);
-  EXPECT_EQ(gen::float_at_least(mpq_class(1, mpz_class(1) << 140)), 0x1p-126f);
-  EXPECT_EQ(gen::float_at_least(0), 0.0f);
-  EXPECT_TRUE(std::isinf(gen::float_at_least(mpq_class(mpz_class(1) << 128))));
+  EXPECT_EQ(software::float_at_least(1), 1.0f);
+  EXPECT_EQ(software::float_at_least(1 + mpq_class(1, mpz_class(1) << 40)), 1.0f + 0x1p-23f);
+  EXPECT_EQ(software::float_at_least(mpq_class(1, mpz_class(1) << 140)), 0x1p-126f);
+  EXPECT_EQ(software::float_at_least(0), 0.0f);
+  EXPECT_TRUE(std::isinf(software::float_at_least(mpq_class(mpz_class(1) << 128))));
 }
 
 }  // namespace

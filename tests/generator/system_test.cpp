@@ -12,24 +12,21 @@
 #include "tests/support/scratch_directory.hpp"
 #include "tests/support/sphere.hpp"
 
-namespace mixcmp::gen {
+namespace mixcmp::test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::format;
-using test::ScratchDirectory;
-using test::sphere_design;
 
 constexpr const char* command = "mixcmp generate scene.toml";
 
-GeneratedSystem sphere_system(int lanes = 8, int references = 1) {
-  return generate_system(sphere_design(format("s17e8"), format("s53e8"), lanes, references),
-                         command)
+emit::GeneratedSystem sphere_system(int lanes = 8, int references = 1) {
+  return emit::generate_system(sphere_design(format("s17e8"), format("s53e8"), lanes, references),
+                               command)
       .value();
 }
 
-const GeneratedFile* find(const GeneratedSystem& system, const std::string& name) {
-  for (const GeneratedFile& file : system.files) {
+const emit::GeneratedFile* find(const emit::GeneratedSystem& system, const std::string& name) {
+  for (const emit::GeneratedFile& file : system.files) {
     if (file.name == name) return &file;
   }
   return nullptr;
@@ -50,8 +47,8 @@ std::set<std::string> names_in(const fs::path& directory) {
 }
 
 TEST(System, SameDesignGivesTheSameBytes) {
-  const GeneratedSystem first = sphere_system();
-  const GeneratedSystem second = sphere_system();
+  const emit::GeneratedSystem first = sphere_system();
+  const emit::GeneratedSystem second = sphere_system();
   ASSERT_EQ(first.files.size(), second.files.size());
   for (std::size_t k = 0; k < first.files.size(); ++k) {
     EXPECT_EQ(first.files[k].name, second.files[k].name);
@@ -59,8 +56,8 @@ TEST(System, SameDesignGivesTheSameBytes) {
   }
 }
 
-GeneratedSystem mixed_system() {
-  return generate_system(test::mixed_sphere_design(), command).value();
+emit::GeneratedSystem mixed_system() {
+  return emit::generate_system(test::mixed_sphere_design(), command).value();
 }
 
 /// The identifiers of a Verilog text, comments included.
@@ -76,11 +73,11 @@ std::set<std::string> words_of(const std::string& text) {
 }
 
 TEST(System, EveryModuleButTheTopCarriesThePrefix) {
-  model::Design design = sphere_design(format("s17e8"), format("s53e8"), 2, 1);
+  design::Design design = sphere_design(format("s17e8"), format("s53e8"), 2, 1);
   design.inputs.front() = "fp_add";  // an input's name is the user's
   for (const std::string prefix : {"mixcmp_", "other_", ""}) {
     design.system.prefix = prefix;
-    const GeneratedSystem system = generate_system(design, command).value();
+    const emit::GeneratedSystem system = emit::generate_system(design, command).value();
     const std::string& top = system.signature.top;
     EXPECT_EQ(top, "sphere_s17e8_2x1");
     for (const std::string& name : system.signature.files) {
@@ -101,7 +98,7 @@ TEST(System, EveryModuleButTheTopCarriesThePrefix) {
 }
 
 TEST(MixedSystem, SameDesignGivesTheSameBytes) {
-  const GeneratedSystem first = mixed_system(), second = mixed_system();
+  const emit::GeneratedSystem first = mixed_system(), second = mixed_system();
   ASSERT_EQ(first.files.size(), second.files.size());
   for (std::size_t k = 0; k < first.files.size(); ++k) {
     EXPECT_EQ(first.files[k].name, second.files[k].name);
@@ -110,10 +107,11 @@ TEST(MixedSystem, SameDesignGivesTheSameBytes) {
 }
 
 TEST(MixedSystem, EachKindHasItsModuleAndEqualKindsShareOne) {
-  const GeneratedSystem system = mixed_system();
+  const emit::GeneratedSystem system = mixed_system();
   EXPECT_EQ(system.signature.top, "sphere_s6e8_4_s9e8_3x3");
   std::vector<std::string> modules;
-  for (const SignatureLanes& group : system.signature.lane_groups) modules.push_back(group.module);
+  for (const emit::SignatureLanes& group : system.signature.lane_groups)
+    modules.push_back(group.module);
   ASSERT_EQ(modules.size(), 4u);
   EXPECT_TRUE(modules[0].starts_with("mixcmp_sphere_lane_s6e8_exact_relative_l")) << modules[0];
   EXPECT_TRUE(modules[1].starts_with("mixcmp_sphere_lane_s6e8_rounded_running_4_l")) << modules[1];
@@ -125,12 +123,12 @@ TEST(MixedSystem, EachKindHasItsModuleAndEqualKindsShareOne) {
 }
 
 TEST(MixedSystem, LanesOfOneNameAreToldApartByANumberUnlessTheyAreOneHardware) {
-  model::Design design = sphere_design(format("s8e8"), format("s24e8"), 1, 1);
+  design::Design design = sphere_design(format("s8e8"), format("s24e8"), 1, 1);
   design.lanes.push_back(design.lanes.front());
   auto& decision =
-      std::get<model::UlpDistanceDecision>(design.lanes[1].lane.parts.front().decision);
+      std::get<error::UlpDistanceDecision>(design.lanes[1].lane.parts.front().decision);
   decision.guard_ulp += 1;
-  const GeneratedSystem system = generate_system(design, command).value();
+  const emit::GeneratedSystem system = emit::generate_system(design, command).value();
   const std::string& first = system.signature.lane_groups[0].module;
   const std::string& second = system.signature.lane_groups[1].module;
   const std::string suffix = "_channel";
@@ -138,7 +136,7 @@ TEST(MixedSystem, LanesOfOneNameAreToldApartByANumberUnlessTheyAreOneHardware) {
 }
 
 TEST(MixedSystem, TopNumbersLanesThroughTheGroups) {
-  const GeneratedSystem system = mixed_system();
+  const emit::GeneratedSystem system = mixed_system();
   const std::string& top = find(system, system.signature.top + ".v")->text;
   for (const char* loop :
        {"for (lane = 0; lane < 2; lane = lane + 1) begin : g_lanes_s6e8_exact_relative\n",
@@ -161,16 +159,16 @@ TEST(MixedSystem, ReferencesOfTwoMakesDifferInLatency) {
 }
 
 TEST(MixedSystem, SlotsAreEnoughForTheSlowestLane) {
-  const Signature signature = mixed_system().signature;
-  for (const SignatureLanes& group : signature.lane_groups) {
+  const emit::Signature signature = mixed_system().signature;
+  for (const emit::SignatureLanes& group : signature.lane_groups) {
     EXPECT_GE(signature.slots, group.latency_cycles + 6) << group.module;
   }
 }
 
 TEST(System, TwoFoldersHoldTheSameBytes) {
   ScratchDirectory scratch;
-  ASSERT_TRUE(write_system(sphere_system(), scratch.path() / "one").ok());
-  ASSERT_TRUE(write_system(sphere_system(), scratch.path() / "deep" / "two").ok());
+  ASSERT_TRUE(emit::write_system(sphere_system(), scratch.path() / "one").ok());
+  ASSERT_TRUE(emit::write_system(sphere_system(), scratch.path() / "deep" / "two").ok());
   const auto names = names_in(scratch.path() / "one");
   EXPECT_EQ(names, names_in(scratch.path() / "deep" / "two"));
   for (const std::string& name : names) {
@@ -180,11 +178,11 @@ TEST(System, TwoFoldersHoldTheSameBytes) {
 }
 
 TEST(System, OneModuleAFileOfTheSameName) {
-  const GeneratedSystem system = sphere_system(7, 3);
+  const emit::GeneratedSystem system = sphere_system(7, 3);
   std::set<std::string> names;
   for (const std::string& name : system.signature.files) {
     ASSERT_TRUE(names.insert(name).second) << name;
-    const GeneratedFile* file = find(system, name);
+    const emit::GeneratedFile* file = find(system, name);
     ASSERT_NE(file, nullptr) << name;
     const std::string module = name.substr(0, name.size() - 2);
     int modules = 0;
@@ -197,7 +195,7 @@ TEST(System, OneModuleAFileOfTheSameName) {
 }
 
 TEST(System, EveryVerilogFileSaysItIsUnencumberedAndNamesNoPathOrDate) {
-  const GeneratedSystem system = sphere_system();
+  const emit::GeneratedSystem system = sphere_system();
   for (const std::string& name : system.signature.files) {
     const std::string& text = find(system, name)->text;
     EXPECT_NE(text.find("unencumbered"), std::string::npos) << name;
@@ -210,7 +208,7 @@ TEST(System, EveryVerilogFileSaysItIsUnencumberedAndNamesNoPathOrDate) {
 /// docs/ports.md has the cycles beside the lane; simulation measures the same minimum.
 TEST(System, TopNamesTheLatencyFromPortToPort) {
   for (const int references : {0, 1}) {
-    const GeneratedSystem system = sphere_system(2, references);
+    const emit::GeneratedSystem system = sphere_system(2, references);
     const int channel = references == 0 ? 4 : 5;
     const std::string fact =
         "latency " + std::to_string(system.signature.lane_groups.front().latency_cycles + channel) +
@@ -221,7 +219,7 @@ TEST(System, TopNamesTheLatencyFromPortToPort) {
 }
 
 TEST(System, FileListAndSignatureNameTheSameFiles) {
-  const GeneratedSystem system = sphere_system();
+  const emit::GeneratedSystem system = sphere_system();
   std::istringstream list(find(system, system.signature.top + ".f")->text);
   std::vector<std::string> listed;
   for (std::string line; std::getline(list, line);) {
@@ -232,17 +230,17 @@ TEST(System, FileListAndSignatureNameTheSameFiles) {
 
 TEST(System, SignatureIsReadBackWhole) {
   ScratchDirectory scratch;
-  const GeneratedSystem system = sphere_system();
-  ASSERT_TRUE(write_system(system, scratch.path() / "out").ok());
-  const auto read = read_signature(scratch.path() / "out" / (system.signature.top + ".json"));
+  const emit::GeneratedSystem system = sphere_system();
+  ASSERT_TRUE(emit::write_system(system, scratch.path() / "out").ok());
+  const auto read = emit::read_signature(scratch.path() / "out" / (system.signature.top + ".json"));
   ASSERT_TRUE(read.ok()) << read.error().to_string();
   EXPECT_EQ(to_json(*read), to_json(system.signature));
 }
 
 TEST(System, ConstraintHoldsThePeriodOfTheTarget) {
-  model::Design design = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
+  design::Design design = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
   design.system.target_mhz = 160;
-  const GeneratedSystem system = generate_system(design, command).value();
+  const emit::GeneratedSystem system = emit::generate_system(design, command).value();
   const std::string& text = find(system, system.signature.top + ".sdc")->text;
   EXPECT_NE(text.find("-period 6.250 [get_ports aclk]"), std::string::npos) << text;
 }
@@ -256,7 +254,7 @@ TEST(System, ADifferentSpecHasADifferentHash) {
 }
 
 TEST(System, LaneOnlySystemHasNoReference) {
-  const GeneratedSystem system = sphere_system(4, 0);
+  const emit::GeneratedSystem system = sphere_system(4, 0);
   for (const std::string& name : system.signature.files) {
     EXPECT_EQ(name.find("reference"), std::string::npos) << name;
     EXPECT_NE(name, "crossbar.v");
@@ -266,11 +264,11 @@ TEST(System, LaneOnlySystemHasNoReference) {
 TEST(System, AFailedWriteLeavesTheOldOutputWhole) {
   ScratchDirectory scratch;
   const fs::path out = scratch.path() / "out";
-  ASSERT_TRUE(write_system(sphere_system(), out).ok());
+  ASSERT_TRUE(emit::write_system(sphere_system(), out).ok());
   const auto before = names_in(out);
-  GeneratedSystem broken = sphere_system(2, 1);
+  emit::GeneratedSystem broken = sphere_system(2, 1);
   broken.files.push_back({"no/such/folder.v", "text"});  // cannot be created
-  const auto result = write_system(broken, out);
+  const auto result = emit::write_system(broken, out);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(names_in(out), before);
   EXPECT_EQ(names_in(scratch.path()), std::set<std::string>{"out"}) << "something was left behind";
@@ -279,9 +277,9 @@ TEST(System, AFailedWriteLeavesTheOldOutputWhole) {
 TEST(System, AnOldOutputIsReplacedWhole) {
   ScratchDirectory scratch;
   const fs::path out = scratch.path() / "out";
-  ASSERT_TRUE(write_system(sphere_system(8, 1), out).ok());
-  const GeneratedSystem next = sphere_system(4, 0);
-  ASSERT_TRUE(write_system(next, out).ok());
+  ASSERT_TRUE(emit::write_system(sphere_system(8, 1), out).ok());
+  const emit::GeneratedSystem next = sphere_system(4, 0);
+  ASSERT_TRUE(emit::write_system(next, out).ok());
   EXPECT_EQ(names_in(out).size(), next.files.size());
   EXPECT_EQ(names_in(scratch.path()), std::set<std::string>{"out"});
 }
@@ -289,9 +287,9 @@ TEST(System, AnOldOutputIsReplacedWhole) {
 TEST(System, AFileOfTheUserIsNeverLost) {
   ScratchDirectory scratch;
   const fs::path out = scratch.path() / "out";
-  ASSERT_TRUE(write_system(sphere_system(), out).ok());
+  ASSERT_TRUE(emit::write_system(sphere_system(), out).ok());
   std::ofstream(out / "notes.txt") << "mine";
-  const auto result = write_system(sphere_system(), out);
+  const auto result = emit::write_system(sphere_system(), out);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().received, "notes.txt");
   EXPECT_EQ(content(out / "notes.txt"), "mine");
@@ -300,23 +298,23 @@ TEST(System, AFileOfTheUserIsNeverLost) {
 TEST(System, AnEmptyFolderIsFilled) {
   ScratchDirectory scratch;
   fs::create_directory(scratch.path() / "out");
-  EXPECT_TRUE(write_system(sphere_system(), scratch.path() / "out").ok());
+  EXPECT_TRUE(emit::write_system(sphere_system(), scratch.path() / "out").ok());
   EXPECT_FALSE(names_in(scratch.path() / "out").empty());
 }
 
 TEST(System, AFinalSlashChangesNothing) {
   ScratchDirectory scratch;
-  ASSERT_TRUE(write_system(sphere_system(), (scratch.path() / "out").string() + "/").ok());
-  ASSERT_TRUE(write_system(sphere_system(), (scratch.path() / "out").string() + "/").ok());
+  ASSERT_TRUE(emit::write_system(sphere_system(), (scratch.path() / "out").string() + "/").ok());
+  ASSERT_TRUE(emit::write_system(sphere_system(), (scratch.path() / "out").string() + "/").ok());
   EXPECT_EQ(names_in(scratch.path()), std::set<std::string>{"out"});
 }
 
 TEST(System, AFileInTheWayIsAnError) {
   ScratchDirectory scratch;
   std::ofstream(scratch.path() / "out") << "mine";
-  EXPECT_FALSE(write_system(sphere_system(), scratch.path() / "out").ok());
+  EXPECT_FALSE(emit::write_system(sphere_system(), scratch.path() / "out").ok());
   EXPECT_EQ(content(scratch.path() / "out"), "mine");
 }
 
 }  // namespace
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mixcmp::gen {
+namespace mixcmp::test {
 namespace {
 
 using namespace rtl;
@@ -24,7 +24,7 @@ TEST(Verilog, PrintsAStructuralModule) {
                            {{"WIDTH", 16}, {"CUTS", Literal{5, 0b10010}}},
                            {{"aclk", net("aclk")}, {"d", literal(12, 0xabc)}}},
                   std::shared_ptr<const ForGenerate>(loop)};
-  EXPECT_EQ(to_verilog(module), R"(// pair: two of something.
+  EXPECT_EQ(emit::to_verilog(module), R"(// pair: two of something.
 //
 // No reset.
 
@@ -66,7 +66,7 @@ endmodule
 TEST(Verilog, AnyOfNothingIsZeroAndOfOneIsItself) {
   Module module = {"m", {}, {{Direction::input, 1, "a"}}, {}};
   module.items = {Wire{1, "x", any_of({})}, Wire{1, "y", any_of({net("a")})}};
-  const std::string text = to_verilog(module);
+  const std::string text = emit::to_verilog(module);
   EXPECT_NE(text.find("wire x = 1'b0;"), std::string::npos);
   EXPECT_NE(text.find("wire y = a;"), std::string::npos);
 }
@@ -76,20 +76,20 @@ TEST(Verilog, LongConcatenationsAreBrokenBetweenParts) {
   Module module = {"m", {}, {}, {}};
   module.items = {Wire{1, "x", nullptr},
                   Assignment{net("x"), concatenation({net(part), net(part), net("b"), net(part)})}};
-  EXPECT_NE(to_verilog(module).find("  assign x =\n      {" + part + ", " + part + ", b,\n       " +
-                                    part + "};\n"),
+  EXPECT_NE(emit::to_verilog(module).find("  assign x =\n      {" + part + ", " + part +
+                                          ", b,\n       " + part + "};\n"),
             std::string::npos)
-      << to_verilog(module);
+      << emit::to_verilog(module);
 }
 
 TEST(Verilog, LongAlternativesTakeALineEach) {
   const std::string longest(60, 'a');
   Module module = {"m", {}, {}, {}};
   module.items = {Wire{1, "x", any_of({net(longest), net("b"), net(longest)})}};
-  EXPECT_NE(to_verilog(module).find("  wire x =\n      " + longest + "\n      | b\n      | " +
-                                    longest + ";\n"),
+  EXPECT_NE(emit::to_verilog(module).find("  wire x =\n      " + longest + "\n      | b\n      | " +
+                                          longest + ";\n"),
             std::string::npos);
 }
 
 }  // namespace
-}  // namespace mixcmp::gen
+}  // namespace mixcmp::test

@@ -4,12 +4,6 @@
 
 namespace mixcmp::test {
 
-using model::Arithmetic;
-using model::Bits;
-using model::FloatFormat;
-using model::Rounding;
-using model::Subnormals;
-
 FloatFormat format_of(int precision, int exponent_bits) {
   return FloatFormat::make(precision, exponent_bits).value();
 }
@@ -42,7 +36,7 @@ Bits random_bits(std::mt19937_64& random) {
 }
 
 Bits random_fraction(FloatFormat format, std::mt19937_64& random) {
-  const Bits mask = model::low_mask(format.fraction_bits());
+  const Bits mask = low_mask(format.fraction_bits());
   const auto shift = static_cast<int>(random() % static_cast<unsigned>(format.fraction_bits()));
   switch (random() % 4) {
     case 0: return (random_bits(random) << shift) & mask;

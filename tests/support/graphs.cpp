@@ -4,34 +4,33 @@
 
 namespace mixcmp::test {
 
-model::Graph graph_of(const std::string& f, const std::string& g) {
-  return graph_of({{f, g}}, model::Combination::all);
+Graph graph_of(const std::string& f, const std::string& g) {
+  return graph_of({{f, g}}, Combination::all);
 }
 
-model::Graph graph_of(const std::vector<std::pair<std::string, std::string>>& parts,
-                      model::Combination combination) {
-  model::Graph graph;
-  std::vector<model::Sides> sides;
+Graph graph_of(const std::vector<std::pair<std::string, std::string>>& parts,
+               Combination combination) {
+  Graph graph;
+  std::vector<Sides> sides;
   for (const auto& [f, g] : parts) {
-    const model::NodeId left = parse_expression(graph, f, {}).value();
-    const model::NodeId right = parse_expression(graph, g, {}).value();
+    const NodeId left = parse_expression(graph, f, {}).value();
+    const NodeId right = parse_expression(graph, g, {}).value();
     sides.push_back({left, right});
   }
   graph.compare(std::move(sides), combination);
   return graph;
 }
 
-const model::UlpDistanceDecision& certified_decision(const model::Lane& lane) {
+const error::UlpDistanceDecision& certified_decision(const error::Lane& lane) {
   MIXCMP_CHECK(lane.certified());
-  return std::get<model::UlpDistanceDecision>(lane.decision);
+  return std::get<error::UlpDistanceDecision>(lane.decision);
 }
 
-model::Result<model::Lane> relative_lane(model::TypedGraph graph,
-                                         const std::vector<bool>& nonnegative) {
-  model::CertifiedOptions options{.kind = model::ErrorBoundKind::relative,
-                                  .hazards = model::HazardRemoval::keep};
+Result<error::Lane> relative_lane(TypedGraph graph, const std::vector<bool>& nonnegative) {
+  error::CertifiedOptions options{.kind = error::ErrorBoundKind::relative,
+                                  .hazards = error::HazardRemoval::keep};
   for (const bool input : nonnegative) {
-    options.ranges.push_back(input ? std::optional(model::Range{0, 1}) : std::nullopt);
+    options.ranges.push_back(input ? std::optional(Range{0, 1}) : std::nullopt);
   }
   return certified_lane(std::move(graph), options);
 }

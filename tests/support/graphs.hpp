@@ -10,18 +10,17 @@
 namespace mixcmp::test {
 
 /// The comparison of two expressions that are known to be valid.
-model::Graph graph_of(const std::string& f, const std::string& g);
+Graph graph_of(const std::string& f, const std::string& g);
 
 /// The same of several parts {f, g}.
-model::Graph graph_of(const std::vector<std::pair<std::string, std::string>>& parts,
-                      model::Combination combination);
+Graph graph_of(const std::vector<std::pair<std::string, std::string>>& parts,
+               Combination combination);
 
 /// Where the certified decision exists: what it is.
-const model::UlpDistanceDecision& certified_decision(const model::Lane& lane);
+const error::UlpDistanceDecision& certified_decision(const error::Lane& lane);
 
 /// The lane with a relative bound, if there is one, and nothing left out of its operations; the
 /// ranges of these inputs exclude negative values.
-model::Result<model::Lane> relative_lane(model::TypedGraph graph,
-                                         const std::vector<bool>& nonnegative);
+Result<error::Lane> relative_lane(TypedGraph graph, const std::vector<bool>& nonnegative);
 
 }  // namespace mixcmp::test

@@ -8,13 +8,9 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::FloatFormat;
-using model::Hazards;
-using model::Lane;
-using model::Operation;
-using model::TypedNode;
-using model::golden::Rounded;
+using error::Hazards;
+using error::Lane;
+using golden::Rounded;
 
 bool is_special(FloatFormat format, Bits bits) {
   return format.is_nan(bits) || format.is_infinite(bits);
@@ -23,7 +19,7 @@ bool is_special(FloatFormat format, Bits bits) {
 class Judge {
 public:
   Judge(const Lane& lane, std::span<const Bits> inputs)
-      : lane_(lane), values_(model::golden::evaluate(lane.graph, inputs)) {}
+      : lane_(lane), values_(golden::evaluate(lane.graph, inputs)) {}
 
   std::string run() {
     for (std::size_t id = 0; id < values_.size(); ++id) {
@@ -47,7 +43,7 @@ private:
   }
 
   std::string broken_by(std::size_t id) const {
-    if (!has_unit(node(id).operation)) return "";
+    if (!error::has_unit(node(id).operation)) return "";
     const Hazards& hazards = lane_.hazards[id];
     const FloatFormat format = node(id).format;
     const Bits result = values_[id].bits;
@@ -84,9 +80,9 @@ private:
 
 std::string broken_promise(const Lane& lane, std::span<const Bits> inputs) {
   if (lane.hazards.empty()) return "";
-  for (const model::RangeCheck& check : lane.checks) {
+  for (const error::RangeCheck& check : lane.checks) {
     const Bits operand = inputs[static_cast<std::size_t>(check.input)];
-    if (!model::golden::passes(check, lane.graph.input_format, operand)) return "";
+    if (!golden::passes(check, lane.graph.input_format, operand)) return "";
   }
   return Judge(lane, inputs).run();
 }

@@ -5,8 +5,6 @@
 namespace mixcmp::test::integer_float {
 namespace {
 
-using model::Rounding;
-
 enum class Kind {
   finite,
   infinite,

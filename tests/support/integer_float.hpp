@@ -9,12 +9,7 @@
 /// hand. It shares the result type with the golden model and no arithmetic.
 namespace mixcmp::test::integer_float {
 
-using model::Arithmetic;
-using model::Bits;
-using model::FloatFormat;
-using model::Subnormals;
-using model::Verdict;
-using model::golden::Rounded;
+using golden::Rounded;
 
 Rounded add(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
 Rounded subtract(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);

@@ -14,25 +14,25 @@ fs::path test_work_dir(const std::string& name) {
   return fs::path(MIXCMP_TEST_WORK_DIR) / name;
 }
 
-fs::path generate_to(const model::Design& design, const std::string& folder) {
-  const auto system = gen::generate_system(design, "mixcmp generate test.toml");
+fs::path generate_to(const design::Design& design, const std::string& folder) {
+  const auto system = emit::generate_system(design, "mixcmp generate test.toml");
   EXPECT_TRUE(system.ok()) << system.error().to_string();
   const fs::path directory = test_work_dir(folder);
-  const auto written = gen::write_system(*system, directory);
+  const auto written = emit::write_system(*system, directory);
   EXPECT_TRUE(written.ok()) << written.error().to_string();
   return directory;
 }
 
-tb::VerifyReport simulate(const model::Design& design, const model::Comparisons& data,
-                          tb::VerifyOptions options) {
+verilator_tb::VerifyReport simulate(const design::Design& design, const data::Comparisons& data,
+                                    verilator_tb::VerifyOptions options) {
   // Tests run side by side: each process has its Verilog, all share the builds.
   const fs::path rtl = generate_to(design, fmt::format("rtl_{}", getpid()));
   options.work_dir = test_work_dir("builds");
-  const auto report = tb::verify(design, data, rtl, options);
+  const auto report = verilator_tb::verify(design, data, rtl, options);
   std::error_code ignored;
   fs::remove_all(rtl, ignored);
   EXPECT_TRUE(report.ok()) << report.error().to_string();
-  return report.ok() ? *report : tb::VerifyReport{};
+  return report.ok() ? *report : verilator_tb::VerifyReport{};
 }
 
 }  // namespace mixcmp::test

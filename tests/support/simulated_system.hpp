@@ -10,13 +10,13 @@ namespace mixcmp::test {
 
 /// Generates `design` and verifies it on `data`. Builds are kept below the build tree and found
 /// again by content; a failure to run is a test failure.
-tb::VerifyReport simulate(const model::Design& design, const model::Comparisons& data,
-                          tb::VerifyOptions options);
+verilator_tb::VerifyReport simulate(const design::Design& design, const data::Comparisons& data,
+                                    verilator_tb::VerifyOptions options);
 
 /// A folder of this name for a test's files, below the build tree.
 std::filesystem::path test_work_dir(const std::string& name);
 
 /// Writes the design's Verilog to a folder below the build tree, and says where.
-std::filesystem::path generate_to(const model::Design& design, const std::string& folder);
+std::filesystem::path generate_to(const design::Design& design, const std::string& folder);
 
 }  // namespace mixcmp::test

@@ -7,10 +7,8 @@
 /// The paper's comparison, built without the parser.
 namespace mixcmp::test {
 
-inline model::Graph sphere_graph() {
-  using model::NodeId;
-  using model::Operation;
-  model::Graph graph;
+inline Graph sphere_graph() {
+  Graph graph;
   NodeId f = -1;
   for (const char* axis : {"cx", "cy", "cz"}) {
     const NodeId i = graph.input(std::string(axis) + "i");
@@ -26,31 +24,29 @@ inline model::Graph sphere_graph() {
 }
 
 /// p_H of one kind.
-inline std::vector<model::ReferenceGroup> references_of(int count) {
+inline std::vector<design::ReferenceGroup> references_of(int count) {
   if (count == 0) return {};
   return {{.count = count}};
 }
 
 /// A certified system with exact inputs.
-inline model::Design sphere_design(model::FloatFormat lane, model::FloatFormat reference, int lanes,
-                                   int references) {
-  const model::Graph graph = sphere_graph();
-  const model::Arithmetic reduced = {lane, model::Rounding::nearest_even, model::Subnormals::flush};
+inline design::Design sphere_design(FloatFormat lane, FloatFormat reference, int lanes,
+                                    int references) {
+  const Graph graph = sphere_graph();
+  const Arithmetic reduced = {lane, Rounding::nearest_even, Subnormals::flush};
   const std::vector<bool> any_sign(graph.inputs().size(), false);
-  model::Lane certified =
-      relative_lane(model::lane_graph(graph, reference, reduced, model::LaneInputs::exact),
-                    any_sign)
-          .value();
+  error::Lane certified =
+      relative_lane(lane_graph(graph, reference, reduced, LaneInputs::exact), any_sign).value();
   return {.name = "sphere",
           .inputs = graph.inputs(),
           .lanes = {{.lane = std::move(certified), .count = lanes}},
-          .reference = model::reference_graph(graph, {reference}),
+          .reference = reference_graph(graph, {reference}),
           .references = references_of(references),
           .system = {}};
 }
 
-inline model::FloatFormat format(const char* name) {
-  return model::FloatFormat::parse(name).value();
+inline FloatFormat format(const char* name) {
+  return FloatFormat::parse(name).value();
 }
 
 }  // namespace mixcmp::test

@@ -6,13 +6,13 @@
 
 namespace mixcmp::test {
 
-std::vector<SphereFamily> sphere_families(model::FloatFormat format, int lane_precision,
-                                          std::size_t count, std::uint64_t seed) {
+std::vector<SphereFamily> sphere_families(FloatFormat format, int lane_precision, std::size_t count,
+                                          std::uint64_t seed) {
   const std::string aimed = "near_tie_" + std::to_string(lane_precision);
   std::vector<SphereFamily> families;
-  for (const std::string& name : model::sphere_family_names()) {
+  for (const std::string& name : data::sphere_family_names()) {
     if (name.starts_with("near_tie_") && name != aimed) continue;
-    auto pairs = model::sphere_family({.name = name, .count = count, .seed = seed}, format);
+    auto pairs = data::sphere_family({.name = name, .count = count, .seed = seed}, format);
     if (pairs.ok()) families.push_back({name, std::move(pairs).value()});
   }
   return families;

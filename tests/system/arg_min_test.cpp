@@ -20,22 +20,21 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Squared distances in the plane: K candidates, K - 1 lanes of a few digits.
-model::Design nearest_point(int lanes, int references, const char* reduced = "s6e8") {
-  model::Graph graph;
-  const model::NodeId f = parse_expression(graph, "(x - cxi)^2 + (y - cyi)^2", {}).value();
+design::Design nearest_point(int lanes, int references, const char* reduced = "s6e8") {
+  Graph graph;
+  const NodeId f = parse_expression(graph, "(x - cxi)^2 + (y - cyi)^2", {}).value();
   graph.compare(f, parse_expression(graph, "(x - cxj)^2 + (y - cyj)^2", {}).value());
-  model::TypedGraph lane =
-      lane_graph(graph, format("s24e8"), {format(reduced)}, model::LaneInputs::exact);
+  TypedGraph lane = lane_graph(graph, format("s24e8"), {format(reduced)}, LaneInputs::exact);
   const std::vector<bool> any_sign(graph.inputs().size(), false);
-  model::Design design{
+  design::Design design{
       .name = "nearest",
       .inputs = graph.inputs(),
       .lanes = {{.lane = relative_lane(std::move(lane), any_sign).value(), .count = lanes}},
-      .reference = model::reference_graph(graph, {format("s24e8")}),
+      .reference = reference_graph(graph, {format("s24e8")}),
       .references = {{.count = references}},
       .system = {}};
   design.system =
-      with_engine(design.system, {.kind = model::EngineKind::arg_min, .row_tag_bits = 11});
+      with_engine(design.system, {.kind = scene::EngineKind::arg_min, .row_tag_bits = 11});
   return design;
 }
 
@@ -46,29 +45,30 @@ enum class Special {
 };
 
 /// Points of a grid of `steps` steps.
-model::Table points(model::FloatFormat format, const std::vector<std::string>& columns,
-                    std::size_t count, std::uint64_t steps, std::uint64_t seed, Special special) {
-  model::Table table{format, columns, {}, {}};
+data::Table points(FloatFormat format, const std::vector<std::string>& columns, std::size_t count,
+                   std::uint64_t steps, std::uint64_t seed, Special special) {
+  data::Table table{format, columns, {}, {}};
   for (std::size_t k = 0; k < columns.size() * count; ++k) {
     const std::size_t twice = k / columns.size() / 2 * columns.size() + k % columns.size();
-    const std::uint64_t random = tb::counter_random(seed, special == Special::twins ? twice : k);
+    const std::uint64_t random =
+        verilator_tb::counter_random(seed, special == Special::twins ? twice : k);
     const bool is_nan = special == Special::nans && (random >> 32) % 16 == 0;
-    table.values.push_back(is_nan ? format.quiet_nan()
-                                  : model::from_rational(format, random % steps));
+    table.values.push_back(is_nan ? format.quiet_nan() : from_rational(format, random % steps));
   }
   return table;
 }
 
-model::Comparisons data(const model::Design& design, std::size_t rows, std::size_t candidates,
-                        std::uint64_t steps, Special special = Special::none) {
-  const model::FloatFormat format = design.reference.input_format();
-  return model::Comparisons::arg_min(points(format, {"x", "y"}, rows, steps, 1, special),
-                                     points(format, {"cx", "cy"}, candidates, steps, 2, special),
-                                     design.inputs, model::reference_contest(design.reference))
+data::Comparisons data(const design::Design& design, std::size_t rows, std::size_t candidates,
+                       std::uint64_t steps, Special special = Special::none) {
+  const FloatFormat format = design.reference.input_format();
+  return data::Comparisons::arg_min(points(format, {"x", "y"}, rows, steps, 1, special),
+                                    points(format, {"cx", "cy"}, candidates, steps, 2, special),
+                                    design.inputs, workload::reference_contest(design.reference))
       .value();
 }
 
-void expect_passed(const tb::VerifyReport& report, std::uint64_t rows, std::uint64_t candidates) {
+void expect_passed(const verilator_tb::VerifyReport& report, std::uint64_t rows,
+                   std::uint64_t candidates) {
   EXPECT_TRUE(report.passed()) << to_text(report);
   EXPECT_EQ(report.comparisons, rows * (candidates - 1));
   ASSERT_TRUE(report.arg_min.has_value());
@@ -79,24 +79,25 @@ void expect_passed(const tb::VerifyReport& report, std::uint64_t rows, std::uint
 class ArgMinSystem : public testing::TestWithParam<int> {};
 
 TEST_P(ArgMinSystem, ChoosesWhatTheModelChoosesARowACycle) {
-  const model::Design design = nearest_point(GetParam(), 1, "s16e8");
+  const design::Design design = nearest_point(GetParam(), 1, "s16e8");
   const auto candidates = static_cast<std::size_t>(GetParam()) + 1;
-  const tb::VerifyReport report = simulate(design, data(design, 500, candidates, 1'000'000), {});
+  const verilator_tb::VerifyReport report =
+      simulate(design, data(design, 500, candidates, 1'000'000), {});
   expect_passed(report, 500, candidates);
   EXPECT_LT(report.cycles, 500u + report.arg_min->latency.maximum_cycles + 100);
 }
 
 TEST_P(ArgMinSystem, AndUnderStallsAndResetsWithTiesAndNans) {
-  const model::Design design = nearest_point(GetParam(), 1);
+  const design::Design design = nearest_point(GetParam(), 1);
   const auto candidates = static_cast<std::size_t>(GetParam()) + 1;
   for (const std::uint64_t seed : {1, 2}) {
-    const tb::VerifyReport report = simulate(
+    const verilator_tb::VerifyReport report = simulate(
         design, data(design, 200, candidates, 5, seed == 1 ? Special::twins : Special::nans),
-        {.traffic = tb::TrafficKind::stressed, .traffic_seed = seed, .resets = 3});
+        {.traffic = verilator_tb::TrafficKind::stressed, .traffic_seed = seed, .resets = 3});
     expect_passed(report, 200, candidates);
     EXPECT_GT(report.recomputations, 10u);
-    const auto seen = report.verdicts[static_cast<std::size_t>(
-        seed == 1 ? model::Verdict::equal : model::Verdict::unordered)];
+    const auto seen =
+        report.verdicts[static_cast<std::size_t>(seed == 1 ? Verdict::equal : Verdict::unordered)];
     EXPECT_GT(seen, 10u) << to_text(report);
   }
 }
@@ -105,16 +106,16 @@ INSTANTIATE_TEST_SUITE_P(Lanes, ArgMinSystem, testing::Values(1, 2, 5),
                          [](const auto& instance) { return fmt::format("{}", instance.param); });
 
 TEST(ArgMinSystemOf, FewerCandidatesThanItHolds) {
-  const model::Design design = nearest_point(5, 2);
-  const tb::VerifyReport report = simulate(design, data(design, 100, 3, 20), {});
+  const design::Design design = nearest_point(5, 2);
+  const verilator_tb::VerifyReport report = simulate(design, data(design, 100, 3, 20), {});
   expect_passed(report, 100, 3);
 }
 
 TEST(ArgMinSystemOf, MoreCandidatesThanItHoldsAreRefused) {
-  const model::Design design = nearest_point(2, 1);
+  const design::Design design = nearest_point(2, 1);
   const fs::path rtl = generate_to(design, "arg_min_too_many");
-  const auto report =
-      tb::verify(design, data(design, 9, 4, 20), rtl, {.work_dir = test_work_dir("builds")});
+  const auto report = verilator_tb::verify(design, data(design, 9, 4, 20), rtl,
+                                           {.work_dir = test_work_dir("builds")});
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.error().field, "system.lanes");
   EXPECT_EQ(report.error().received, "4 candidates, 2 lanes");
@@ -132,17 +133,17 @@ class BrokenArgMin : public testing::TestWithParam<Fault> {};
 
 TEST_P(BrokenArgMin, IsFoundOut) {
   const Fault& fault = GetParam();
-  const model::Design design = nearest_point(2, 1);
+  const design::Design design = nearest_point(2, 1);
   const fs::path rtl = generate_to(design, std::string("broken_arg_min_") + fault.name);
   std::ifstream in(rtl / fault.file);
   std::string text{std::istreambuf_iterator<char>(in), {}};
   const std::size_t place = text.find(fault.from);
   ASSERT_NE(place, std::string::npos);
   std::ofstream(rtl / fault.file) << text.replace(place, std::string(fault.from).size(), fault.to);
-  const auto report = tb::verify(design, data(design, 200, 3, 5), rtl,
-                                 {.work_dir = test_work_dir("builds"),
-                                  .traffic = tb::TrafficKind::stressed,
-                                  .hang_cycles = 2'000});
+  const auto report = verilator_tb::verify(design, data(design, 200, 3, 5), rtl,
+                                           {.work_dir = test_work_dir("builds"),
+                                            .traffic = verilator_tb::TrafficKind::stressed,
+                                            .hang_cycles = 2'000});
   ASSERT_TRUE(report.ok()) << report.error().to_string();
   EXPECT_FALSE(report->passed()) << to_text(*report);
 }

@@ -15,11 +15,7 @@
 namespace mixcmp::test {
 namespace {
 
-using model::ErrorBoundKind;
-using model::LaneInputs;
-using model::Range;
-using model::Rounding;
-using model::Subnormals;
+using error::ErrorBoundKind;
 
 struct Case {
   const char* name;
@@ -38,27 +34,27 @@ void PrintTo(const Case& c, std::ostream* stream) {
   *stream << c.name;
 }
 
-model::Design design_of(const Case& c, const model::Graph& graph, model::FloatFormat reference) {
+design::Design design_of(const Case& c, const Graph& graph, FloatFormat reference) {
   const std::vector<std::optional<Range>> ranges(graph.inputs().size(), c.range);
-  const model::Arithmetic reduced = {format(c.lane), c.rounding, c.subnormals};
+  const Arithmetic reduced = {format(c.lane), c.rounding, c.subnormals};
   return {.name = "bounded",
           .inputs = graph.inputs(),
-          .lanes = {{.lane = certified_lane(
+          .lanes = {{.lane = error::certified_lane(
                                  lane_graph(graph, reference, reduced, c.inputs),
                                  {.kind = c.kind, .bound_digits = c.digits, .ranges = ranges})
                                  .value(),
                      .inputs = c.inputs}},
-          .reference = model::reference_graph(graph, {reference}),
+          .reference = reference_graph(graph, {reference}),
           .references = {{}},
           .system = {}};
 }
 
 /// Every pair of encodings, NaNs and infinities too.
-model::Table every_pair(model::FloatFormat format) {
-  model::Table table{.format = format, .columns = {"a", "b"}, .values = {}, .labels = {}};
-  const model::Bits count = model::Bits{1} << format.width();
-  for (model::Bits a = 0; a < count; ++a) {
-    for (model::Bits b = 0; b < count; ++b) table.values.insert(table.values.end(), {a, b});
+data::Table every_pair(FloatFormat format) {
+  data::Table table{.format = format, .columns = {"a", "b"}, .values = {}, .labels = {}};
+  const Bits count = Bits{1} << format.width();
+  for (Bits a = 0; a < count; ++a) {
+    for (Bits b = 0; b < count; ++b) table.values.insert(table.values.end(), {a, b});
   }
   return table;
 }
@@ -66,13 +62,13 @@ model::Table every_pair(model::FloatFormat format) {
 class EveryOperand : public testing::TestWithParam<Case> {};
 
 TEST_P(EveryOperand, IsDecidedAsTheGoldenModelSaysAndTruly) {
-  const model::Graph graph = graph_of(GetParam().f, GetParam().g);
-  const model::FloatFormat s4e4 = format("s4e4");
-  const model::Design design = design_of(GetParam(), graph, s4e4);
-  const auto data = model::Comparisons::rows(every_pair(s4e4), design.inputs);
+  const Graph graph = graph_of(GetParam().f, GetParam().g);
+  const FloatFormat s4e4 = format("s4e4");
+  const design::Design design = design_of(GetParam(), graph, s4e4);
+  const auto data = data::Comparisons::rows(every_pair(s4e4), design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
-  const tb::VerifyReport report =
-      simulate(design, *data, {.truth = tb::TruthCheck{.graph = &graph}});
+  const verilator_tb::VerifyReport report =
+      simulate(design, *data, {.truth = verilator_tb::TruthCheck{.graph = &graph}});
   EXPECT_TRUE(report.passed()) << to_text(report);
   EXPECT_EQ(report.comparisons, 65'536u);
   EXPECT_GT(report.recomputations, 100u);
@@ -113,11 +109,11 @@ INSTANTIATE_TEST_SUITE_P(
 class Spheres : public testing::TestWithParam<Case> {};
 
 /// All families of pairs made to mislead a lane, one after the other.
-model::Table every_family(model::FloatFormat format, int precision) {
+data::Table every_family(FloatFormat format, int precision) {
   std::vector<SphereFamily> families = sphere_families(format, precision, 400, 5);
-  model::Table all = std::move(families.front().pairs);
+  data::Table all = std::move(families.front().pairs);
   for (std::size_t k = 1; k < families.size(); ++k) {
-    const model::Table& more = families[k].pairs;
+    const data::Table& more = families[k].pairs;
     MIXCMP_CHECK(more.columns == all.columns);
     all.values.insert(all.values.end(), more.values.begin(), more.values.end());
   }
@@ -125,14 +121,14 @@ model::Table every_family(model::FloatFormat format, int precision) {
 }
 
 TEST_P(Spheres, AreDecidedAsTheGoldenModelSaysAndTruly) {
-  const model::Graph graph = sphere_graph();
-  const model::FloatFormat s53e8 = format("s53e8");
-  const model::Design design = design_of(GetParam(), graph, s53e8);
+  const Graph graph = sphere_graph();
+  const FloatFormat s53e8 = format("s53e8");
+  const design::Design design = design_of(GetParam(), graph, s53e8);
   const int precision = design.lanes.front().lane.arithmetic().format.precision();
-  const auto data = model::Comparisons::rows(every_family(s53e8, precision), design.inputs);
+  const auto data = data::Comparisons::rows(every_family(s53e8, precision), design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
-  const tb::VerifyReport report =
-      simulate(design, *data, {.truth = tb::TruthCheck{.graph = &graph}});
+  const verilator_tb::VerifyReport report =
+      simulate(design, *data, {.truth = verilator_tb::TruthCheck{.graph = &graph}});
   EXPECT_TRUE(report.passed()) << to_text(report);
   EXPECT_EQ(report.truth->wrong_by_lane, 0u) << to_text(report);
   EXPECT_LT(report.recomputations, report.comparisons);
@@ -140,15 +136,15 @@ TEST_P(Spheres, AreDecidedAsTheGoldenModelSaysAndTruly) {
 
 /// Rows of ordinary numbers in [1, 64) in turn with rows of fields at random, zeros, subnormals,
 /// infinities and NaNs among them.
-model::Table any_numbers(model::FloatFormat format, const std::vector<std::string>& columns) {
-  const std::vector<model::Bits> special = special_encodings(format);
+data::Table any_numbers(FloatFormat format, const std::vector<std::string>& columns) {
+  const std::vector<Bits> special = special_encodings(format);
   std::mt19937_64 random(3);
-  model::Table table{.format = format, .columns = columns, .values = {}, .labels = {}};
-  model::Bits near = special.front();
+  data::Table table{.format = format, .columns = columns, .values = {}, .labels = {}};
+  Bits near = special.front();
   for (std::size_t k = 0; k < 20'000 * columns.size(); ++k) {
     if (k / columns.size() % 2 == 0) {
       const int exponent = format.bias() + static_cast<int>(random() % 6);
-      const model::Bits fraction = random() & model::low_mask(format.fraction_bits());
+      const Bits fraction = random() & low_mask(format.fraction_bits());
       near = format.pack(false, exponent, fraction);
     } else if (random() % 40 == 0) {
       near = special[random() % special.size()];
@@ -163,12 +159,12 @@ model::Table any_numbers(model::FloatFormat format, const std::vector<std::strin
 }
 
 TEST_P(Spheres, OfAnyNumbersAreDecidedAsTheGoldenModelSays) {
-  const model::Graph graph = sphere_graph();
-  const model::FloatFormat s53e8 = format("s53e8");
-  const model::Design design = design_of(GetParam(), graph, s53e8);
-  const auto data = model::Comparisons::rows(any_numbers(s53e8, design.inputs), design.inputs);
+  const Graph graph = sphere_graph();
+  const FloatFormat s53e8 = format("s53e8");
+  const design::Design design = design_of(GetParam(), graph, s53e8);
+  const auto data = data::Comparisons::rows(any_numbers(s53e8, design.inputs), design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
-  const tb::VerifyReport report = simulate(design, *data, {});
+  const verilator_tb::VerifyReport report = simulate(design, *data, {});
   EXPECT_TRUE(report.passed()) << to_text(report);
   EXPECT_GT(report.recomputations, 1'000u);
   EXPECT_LT(report.recomputations, 19'000u);

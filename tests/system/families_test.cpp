@@ -17,10 +17,10 @@ struct Case {
   const char* name;
   const char* lane;
   const char* reference;
-  model::Rounding rounding = model::Rounding::nearest_even;
-  model::Subnormals lane_subnormals = model::Subnormals::flush;
-  model::Subnormals reference_subnormals = model::Subnormals::gradual;
-  model::Multipliers multipliers = model::Multipliers::embedded;
+  Rounding rounding = Rounding::nearest_even;
+  Subnormals lane_subnormals = Subnormals::flush;
+  Subnormals reference_subnormals = Subnormals::gradual;
+  scene::Multipliers multipliers = scene::Multipliers::embedded;
 };
 
 void PrintTo(const Case& c, std::ostream* stream) {
@@ -29,32 +29,32 @@ void PrintTo(const Case& c, std::ostream* stream) {
 
 class Families : public testing::TestWithParam<Case> {};
 
-model::Design design_of(const Case& c) {
-  const model::Graph graph = sphere_graph();
-  model::Design design = sphere_design(format(c.lane), format(c.reference), 2, 1);
-  const model::Arithmetic reduced = {format(c.lane), c.rounding, c.lane_subnormals};
-  design.lanes.front().lane = relative_lane(model::lane_graph(graph, format(c.reference), reduced,
-                                                              model::LaneInputs::exact),
-                                            std::vector<bool>(8, false))
-                                  .value();
+design::Design design_of(const Case& c) {
+  const Graph graph = sphere_graph();
+  design::Design design = sphere_design(format(c.lane), format(c.reference), 2, 1);
+  const Arithmetic reduced = {format(c.lane), c.rounding, c.lane_subnormals};
+  design.lanes.front().lane =
+      relative_lane(lane_graph(graph, format(c.reference), reduced, LaneInputs::exact),
+                    std::vector<bool>(8, false))
+          .value();
   design.lanes.front().multipliers = c.multipliers;
   design.references.front().multipliers = c.multipliers;
-  design.reference = model::reference_graph(
-      graph, {format(c.reference), model::Rounding::nearest_even, c.reference_subnormals});
+  design.reference =
+      reference_graph(graph, {format(c.reference), Rounding::nearest_even, c.reference_subnormals});
   return design;
 }
 
 TEST_P(Families, VerdictsAreTheGoldenModelsAndLanesTellTheTruth) {
-  const model::Graph graph = sphere_graph();
-  const model::Design design = design_of(GetParam());
+  const Graph graph = sphere_graph();
+  const design::Design design = design_of(GetParam());
   const int precision = design.lanes.front().lane.arithmetic().format.precision();
   std::uint64_t checked = 0;
   for (const SphereFamily& family :
        sphere_families(design.reference.arithmetic().format, precision, 4'000, 7)) {
-    const auto data = model::Comparisons::rows(family.pairs, design.inputs);
+    const auto data = data::Comparisons::rows(family.pairs, design.inputs);
     ASSERT_TRUE(data.ok()) << data.error().to_string();
-    const tb::VerifyReport report =
-        simulate(design, *data, {.truth = tb::TruthCheck{.graph = &graph}});
+    const verilator_tb::VerifyReport report =
+        simulate(design, *data, {.truth = verilator_tb::TruthCheck{.graph = &graph}});
     EXPECT_TRUE(report.passed()) << family.name << ":\n" << to_text(report);
     ASSERT_TRUE(report.truth) << family.name;
     checked += report.truth->checked;
@@ -71,33 +71,32 @@ INSTANTIATE_TEST_SUITE_P(Systems, Families,
                                          Case{.name = "s9e8_of_s24e8_of_logic",
                                               .lane = "s9e8",
                                               .reference = "s24e8",
-                                              .multipliers = model::Multipliers::logic},
+                                              .multipliers = scene::Multipliers::logic},
                                          Case{"s12e6_toward_zero_gradual_of_binary64_flush",
-                                              "s12e6", "s53e11", model::Rounding::toward_zero,
-                                              model::Subnormals::gradual,
-                                              model::Subnormals::flush}),
+                                              "s12e6", "s53e11", Rounding::toward_zero,
+                                              Subnormals::gradual, Subnormals::flush}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 /// The paper's form with the error measured on ordinary spheres, then shown tangent ones: the
 /// hardware does what the golden model says, and that is wrong.
 TEST(ProfiledLanes, AreWrongOnTangentSpheres) {
-  const model::Graph graph = sphere_graph();
-  const model::FloatFormat s53e8 = format("s53e8");
-  model::Design design = sphere_design(format("s8e8"), s53e8, 2, 1);
+  const Graph graph = sphere_graph();
+  const FloatFormat s53e8 = format("s53e8");
+  design::Design design = sphere_design(format("s8e8"), s53e8, 2, 1);
   const std::vector<SphereFamily> families = sphere_families(s53e8, 8, 4'000, 11);
   const auto family = [&](const std::string& name) {
     const auto found = std::find_if(families.begin(), families.end(),
                                     [&](const auto& candidate) { return candidate.name == name; });
-    return model::Comparisons::rows(found->pairs, design.inputs).value();
+    return data::Comparisons::rows(found->pairs, design.inputs).value();
   };
-  model::TypedGraph typed = model::lane_graph(
-      graph, s53e8, {format("s8e8"), model::Rounding::nearest_even, model::Subnormals::flush},
-      model::LaneInputs::rounded);
-  const model::ProfiledError error =
-      model::profile_error(graph, typed, family("uniform"), 4'000, 1);
-  design.lanes.front().lane = model::profiled_lane(std::move(typed), error.f, error.g);
-  const tb::VerifyReport report =
-      simulate(design, family("tangent"), {.truth = tb::TruthCheck{.graph = &graph}});
+  TypedGraph typed =
+      lane_graph(graph, s53e8, {format("s8e8"), Rounding::nearest_even, Subnormals::flush},
+                 LaneInputs::rounded);
+  const error::ProfiledError error =
+      profile::profile_error(graph, typed, family("uniform"), 4'000, 1);
+  design.lanes.front().lane = error::profiled_lane(std::move(typed), error.f, error.g);
+  const verilator_tb::VerifyReport report =
+      simulate(design, family("tangent"), {.truth = verilator_tb::TruthCheck{.graph = &graph}});
   EXPECT_TRUE(report.passed()) << to_text(report);
   EXPECT_FALSE(report.certified);
   EXPECT_GT(report.truth->wrong_by_lane, 0u) << to_text(report);

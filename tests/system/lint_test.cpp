@@ -20,74 +20,74 @@ namespace fs = std::filesystem;
 
 struct Variant {
   std::string name;
-  model::Design design;
+  design::Design design;
 };
 
 void PrintTo(const Variant& variant, std::ostream* stream) {
   *stream << variant.name;
 }
 
-model::Design with(model::Design design, const std::function<void(model::Design&)>& change) {
+design::Design with(design::Design design, const std::function<void(design::Design&)>& change) {
   change(design);
   return design;
 }
 
 /// Two certified lanes and a reference for any comparison.
-model::Design design_of(const std::string& f, const std::string& g, model::Arithmetic reduced,
-                        model::FloatFormat reference) {
-  model::Graph graph;
-  const model::NodeId left = parse_expression(graph, f, {}).value();
+design::Design design_of(const std::string& f, const std::string& g, Arithmetic reduced,
+                         FloatFormat reference) {
+  Graph graph;
+  const NodeId left = parse_expression(graph, f, {}).value();
   graph.compare(left, parse_expression(graph, g, {}).value());
-  model::TypedGraph lane = lane_graph(graph, reference, reduced, model::LaneInputs::exact);
+  TypedGraph lane = lane_graph(graph, reference, reduced, LaneInputs::exact);
   const std::vector<bool> any_sign(graph.inputs().size(), false);
   return {.name = "comparison",
           .inputs = graph.inputs(),
           .lanes = {{.lane = relative_lane(std::move(lane), any_sign).value(), .count = 2}},
-          .reference = model::reference_graph(graph, {reference}),
+          .reference = reference_graph(graph, {reference}),
           .references = {{.count = 1}},
           .system = {}};
 }
 
 /// Spheres in a lane of any kind of error bound.
-model::Design bounded(model::ErrorBoundKind kind, int digits, model::Arithmetic reduced,
-                      std::optional<model::Range> range) {
-  const model::Graph graph = sphere_graph();
-  model::Design design = sphere_design(reduced.format, format("s53e8"), 2, 1);
-  const model::FloatFormat reference = design.reference.input_format();
+design::Design bounded(error::ErrorBoundKind kind, int digits, Arithmetic reduced,
+                       std::optional<Range> range) {
+  const Graph graph = sphere_graph();
+  design::Design design = sphere_design(reduced.format, format("s53e8"), 2, 1);
+  const FloatFormat reference = design.reference.input_format();
   design.lanes.front().lane =
-      certified_lane(lane_graph(graph, reference, reduced, model::LaneInputs::rounded),
-                     {.kind = kind,
-                      .bound_digits = digits,
-                      .ranges = std::vector<std::optional<model::Range>>(8, range)})
+      error::certified_lane(lane_graph(graph, reference, reduced, LaneInputs::rounded),
+                            {.kind = kind,
+                             .bound_digits = digits,
+                             .ranges = std::vector<std::optional<Range>>(8, range)})
           .value();
   return design;
 }
 
-model::Design with_pairs(model::Design design, int capacity) {
+design::Design with_pairs(design::Design design, int capacity) {
   design.system =
-      with_engine(design.system, {.kind = model::EngineKind::pairwise, .capacity = capacity});
+      with_engine(design.system, {.kind = scene::EngineKind::pairwise, .capacity = capacity});
   return design;
 }
 
 /// The nearest of some points, for a row that needs not all of its columns to be read twice.
-model::Design with_arg_min(int lanes, const std::function<void(model::Design&)>& change) {
-  model::Design design = design_of("(x - cxi)^2 + (y - cyi)^2", "(x - cxj)^2 + (y - cyj)^2",
-                                   {format("s9e8")}, format("s23e8"));
+design::Design with_arg_min(int lanes, const std::function<void(design::Design&)>& change) {
+  design::Design design = design_of("(x - cxi)^2 + (y - cyi)^2", "(x - cxj)^2 + (y - cyj)^2",
+                                    {format("s9e8")}, format("s23e8"));
   design.lanes.front().count = lanes;
-  design.system = with_engine(design.system, {.kind = model::EngineKind::arg_min});
+  design.system = with_engine(design.system, {.kind = scene::EngineKind::arg_min});
   change(design);
   return design;
 }
 
 std::vector<Variant> variants() {
-  const model::Design base = sphere_design(format("s17e8"), format("s53e8"), 8, 1);
-  constexpr auto running = model::ErrorBoundKind::running;
-  const model::Design odd = sphere_design(format("s8e5"), format("s24e7"), 7, 3);
+  const design::Design base = sphere_design(format("s17e8"), format("s53e8"), 8, 1);
+  constexpr auto running = error::ErrorBoundKind::running;
+  const design::Design odd = sphere_design(format("s8e5"), format("s24e7"), 7, 3);
   return {
       {"tagged_8x1", base},
-      {"in_order_8x1", with(base, [](auto& d) { d.system.order = model::ResultOrder::in_order; })},
+      {"in_order_8x1", with(base, [](auto& d) { d.system.order = scene::ResultOrder::in_order; })},
       {"refetched_8x1",
-       with(base, [](auto& d) { d.system.operands = model::OperandStore::refetched; })},
+       with(base, [](auto& d) { d.system.operands = scene::OperandStore::refetched; })},
       {"no_counters_odd_tag", with(base,
                                    [](auto& d) {
                                      d.system.counter_bits = 0;
@@ -99,29 +99,26 @@ std::vector<Variant> variants() {
       {"mixed_7x3", mixed_sphere_design()},
       {"mixed_refetched_in_order_7x3", with(mixed_sphere_design(),
                                             [](auto& d) {
-                                              d.system.operands = model::OperandStore::refetched;
-                                              d.system.order = model::ResultOrder::in_order;
+                                              d.system.operands = scene::OperandStore::refetched;
+                                              d.system.order = scene::ResultOrder::in_order;
                                             })},
       {"mixed_lanes_only", with(mixed_sphere_design(), [](auto& d) { d.references.clear(); })},
       {"refetched_padded_7x3",
-       with(odd, [](auto& d) { d.system.operands = model::OperandStore::refetched; })},
+       with(odd, [](auto& d) { d.system.operands = scene::OperandStore::refetched; })},
       {"every_operation",
        design_of("max(abs(a) * b^2, min(-a, 0.3)) / (b - 1)", "sqrt(abs(b)) + a^2",
-                 {format("s9e6"), model::Rounding::toward_zero, model::Subnormals::gradual},
-                 format("s24e8"))},
+                 {format("s9e6"), Rounding::toward_zero, Subnormals::gradual}, format("s24e8"))},
       {"magnitude_alone", design_of("abs(a)", "max(b, -c)", {format("s4e2")}, format("s53e11"))},
       {"lane_format_is_reference",
        design_of("sqrt(a) / b", "c", {format("s11e5")}, format("s11e5"))},
       {"running_4_digits", bounded(running, 4, {format("s17e8")}, {})},
       {"running_exponents_alone_in_ranges",
-       bounded(running, 1, {format("s17e8"), model::Rounding::toward_zero}, model::Range{0, 100})},
+       bounded(running, 1, {format("s17e8"), Rounding::toward_zero}, Range{0, 100})},
       {"running_8_digits_flushing",
-       bounded(running, 8,
-               {format("s8e8"), model::Rounding::nearest_even, model::Subnormals::flush}, {})},
+       bounded(running, 8, {format("s8e8"), Rounding::nearest_even, Subnormals::flush}, {})},
       {"constant_in_ranges",
-       bounded(model::ErrorBoundKind::constant, 0,
-               {format("s17e8"), model::Rounding::nearest_even, model::Subnormals::flush},
-               model::Range{0, 100})},
+       bounded(error::ErrorBoundKind::constant, 0,
+               {format("s17e8"), Rounding::nearest_even, Subnormals::flush}, Range{0, 100})},
       {"pairwise_8x1", with_pairs(base, 1024)},
       {"pairwise_padded_7x3", with_pairs(odd, 300)},
       {"pairwise_lanes_only", with_pairs(sphere_design(format("s12e6"), format("s24e8"), 3, 0), 2)},
@@ -160,7 +157,7 @@ class Lint : public testing::TestWithParam<Variant> {
 protected:
   void SetUp() override {
     directory_ = fs::absolute(generate_to(GetParam().design, "lint_" + GetParam().name));
-    const auto system = tb::load_system(directory_);
+    const auto system = verilator_tb::load_system(directory_);
     ASSERT_TRUE(system.ok()) << system.error().to_string();
     list_ = system->signature.top + ".f";
     top_ = system->signature.engine ? system->signature.engine->top : system->signature.top;

@@ -20,33 +20,33 @@ namespace fs = std::filesystem;
 
 constexpr int capacity = 60;
 
-model::Design with_pairs(model::Design design) {
+design::Design with_pairs(design::Design design) {
   design.system =
-      with_engine(design.system, {.kind = model::EngineKind::pairwise, .capacity = capacity});
+      with_engine(design.system, {.kind = scene::EngineKind::pairwise, .capacity = capacity});
   return design;
 }
 
-model::Design spheres(int lanes, int references) {
+design::Design spheres(int lanes, int references) {
   return with_pairs(sphere_design(format("s6e8"), format("s24e8"), lanes, references));
 }
 
-model::Comparisons random_spheres(const model::Design& design, std::uint64_t count) {
-  const model::Table table = model::uniform_spheres(
+data::Comparisons random_spheres(const design::Design& design, std::uint64_t count) {
+  const data::Table table = data::uniform_spheres(
       {.count = count, .side = 100, .radius_max = 30, .seed = 3}, design.reference.input_format());
-  return model::Comparisons::all_pairs(table, design.inputs).value();
+  return data::Comparisons::all_pairs(table, design.inputs).value();
 }
 
 /// Whole numbers 0..3: ties and equal items abound.
-model::Comparisons grid_spheres(const model::Design& design, std::size_t count) {
-  model::Table table{design.reference.input_format(), {"cx", "cy", "cz", "r"}, {}, {}};
+data::Comparisons grid_spheres(const design::Design& design, std::size_t count) {
+  data::Table table{design.reference.input_format(), {"cx", "cy", "cz", "r"}, {}, {}};
   for (std::size_t k = 0; k < 4 * count; ++k) {
-    const auto number = tb::counter_random(7, k) % (k % 4 == 3 ? 2 : 4);
-    table.values.push_back(model::from_rational(table.format, number));
+    const auto number = verilator_tb::counter_random(7, k) % (k % 4 == 3 ? 2 : 4);
+    table.values.push_back(from_rational(table.format, number));
   }
-  return model::Comparisons::all_pairs(table, design.inputs).value();
+  return data::Comparisons::all_pairs(table, design.inputs).value();
 }
 
-void expect_passed(const tb::VerifyReport& report, std::uint64_t items) {
+void expect_passed(const verilator_tb::VerifyReport& report, std::uint64_t items) {
   EXPECT_TRUE(report.passed()) << to_text(report);
   EXPECT_EQ(report.comparisons, items * (items - 1) / 2);
   ASSERT_TRUE(report.engine.has_value());
@@ -65,29 +65,29 @@ struct Size {
 class PairwiseSystem : public testing::TestWithParam<Size> {};
 
 TEST_P(PairwiseSystem, ReportsWhatTheModelSaysAtFullRate) {
-  const model::Design design = spheres(GetParam().lanes, GetParam().references);
-  const tb::VerifyReport report = simulate(design, random_spheres(design, capacity), {});
+  const design::Design design = spheres(GetParam().lanes, GetParam().references);
+  const verilator_tb::VerifyReport report = simulate(design, random_spheres(design, capacity), {});
   expect_passed(report, capacity);
   EXPECT_GT(report.recomputations + report.undecided, 0u);
   EXPECT_EQ(report.counters.size(), 4u);
 }
 
 TEST_P(PairwiseSystem, ReportsItUnderStallsAndResets) {
-  const model::Design design = spheres(GetParam().lanes, GetParam().references);
+  const design::Design design = spheres(GetParam().lanes, GetParam().references);
   for (const std::uint64_t seed : {1, 2, 3}) {
-    const tb::VerifyReport report =
-        simulate(design, random_spheres(design, capacity - 7),
-                 {.traffic = tb::TrafficKind::stressed, .traffic_seed = seed, .resets = 3});
+    const verilator_tb::VerifyReport report = simulate(
+        design, random_spheres(design, capacity - 7),
+        {.traffic = verilator_tb::TrafficKind::stressed, .traffic_seed = seed, .resets = 3});
     expect_passed(report, capacity - 7);
   }
 }
 
 TEST_P(PairwiseSystem, TiesAndEqualItemsAreReported) {
-  const model::Design design = spheres(GetParam().lanes, GetParam().references);
-  const tb::VerifyReport report = simulate(design, grid_spheres(design, capacity), {});
+  const design::Design design = spheres(GetParam().lanes, GetParam().references);
+  const verilator_tb::VerifyReport report = simulate(design, grid_spheres(design, capacity), {});
   expect_passed(report, capacity);
   if (GetParam().references == 0) return;
-  EXPECT_GT(report.verdicts[static_cast<std::size_t>(model::Verdict::equal)], 50u);
+  EXPECT_GT(report.verdicts[static_cast<std::size_t>(Verdict::equal)], 50u);
 }
 
 std::string name_of(const testing::TestParamInfo<Size>& info) {
@@ -98,18 +98,19 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PairwiseSystem,
                          testing::Values(Size{1, 1}, Size{3, 0}, Size{8, 2}, Size{24, 1}), name_of);
 
 TEST(PairwiseSystemOf, LanesOfSeveralKindsAndThreeReferences) {
-  const model::Design design = with_pairs(mixed_sphere_design());
-  const tb::VerifyReport report = simulate(design, random_spheres(design, capacity),
-                                           {.traffic = tb::TrafficKind::stressed, .resets = 1});
+  const design::Design design = with_pairs(mixed_sphere_design());
+  const verilator_tb::VerifyReport report =
+      simulate(design, random_spheres(design, capacity),
+               {.traffic = verilator_tb::TrafficKind::stressed, .resets = 1});
   expect_passed(report, capacity);
-  for (const tb::GroupReport& group : report.groups) EXPECT_GT(group.recomputations, 0u);
+  for (const verilator_tb::GroupReport& group : report.groups) EXPECT_GT(group.recomputations, 0u);
 }
 
 TEST(PairwiseSystemOf, MoreItemsThanItHoldsAreRefused) {
-  const model::Design design = spheres(1, 1);
+  const design::Design design = spheres(1, 1);
   const fs::path rtl = generate_to(design, "pairwise_too_many");
-  const auto report = tb::verify(design, random_spheres(design, capacity + 1), rtl,
-                                 {.work_dir = test_work_dir("builds")});
+  const auto report = verilator_tb::verify(design, random_spheres(design, capacity + 1), rtl,
+                                           {.work_dir = test_work_dir("builds")});
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.error().field, "engine.capacity");
   EXPECT_EQ(report.error().received, "61 items, a capacity of 60");
@@ -127,17 +128,17 @@ class BrokenEngine : public testing::TestWithParam<Fault> {};
 
 TEST_P(BrokenEngine, IsFoundOut) {
   const Fault& fault = GetParam();
-  const model::Design design = spheres(3, 1);
+  const design::Design design = spheres(3, 1);
   const fs::path rtl = generate_to(design, std::string("broken_") + fault.name);
   std::ifstream in(rtl / fault.file);
   std::string text{std::istreambuf_iterator<char>(in), {}};
   const std::size_t place = text.find(fault.from);
   ASSERT_NE(place, std::string::npos);
   std::ofstream(rtl / fault.file) << text.replace(place, std::string(fault.from).size(), fault.to);
-  const auto report = tb::verify(design, random_spheres(design, 41), rtl,
-                                 {.work_dir = test_work_dir("builds"),
-                                  .traffic = tb::TrafficKind::stressed,
-                                  .hang_cycles = 2'000});
+  const auto report = verilator_tb::verify(design, random_spheres(design, 41), rtl,
+                                           {.work_dir = test_work_dir("builds"),
+                                            .traffic = verilator_tb::TrafficKind::stressed,
+                                            .hang_cycles = 2'000});
   ASSERT_TRUE(report.ok()) << report.error().to_string();
   EXPECT_FALSE(report->passed()) << to_text(*report);
 }

@@ -12,17 +12,17 @@ namespace {
 class PaperBenchmark : public testing::TestWithParam<int> {};
 
 TEST_P(PaperBenchmark, VerdictsAreTrue) {
-  const model::Graph graph = sphere_graph();
-  const model::Design design = sphere_design(format("s12e8"), format("s53e8"), 8, 1);
-  const model::Table spheres = model::uniform_spheres(
-      {.radius_max = static_cast<double>(GetParam())}, design.reference.input_format());
-  const auto data = model::Comparisons::all_pairs(spheres, design.inputs);
+  const Graph graph = sphere_graph();
+  const design::Design design = sphere_design(format("s12e8"), format("s53e8"), 8, 1);
+  const data::Table spheres = data::uniform_spheres({.radius_max = static_cast<double>(GetParam())},
+                                                    design.reference.input_format());
+  const auto data = data::Comparisons::all_pairs(spheres, design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
   EXPECT_EQ(data->size(), 33'550'336u);
-  const tb::VerifyReport report =
+  const verilator_tb::VerifyReport report =
       simulate(design, *data,
-               {.selection = {.limit = 200'000, .sampling = tb::Sampling::random},
-                .truth = tb::TruthCheck{.graph = &graph}});
+               {.selection = {.limit = 200'000, .sampling = verilator_tb::Sampling::random},
+                .truth = verilator_tb::TruthCheck{.graph = &graph}});
   EXPECT_TRUE(report.passed()) << to_text(report);
   EXPECT_EQ(report.comparisons, 200'000u);
   EXPECT_EQ(report.truth->wrong_by_lane, 0u) << to_text(report);

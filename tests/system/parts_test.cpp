@@ -14,10 +14,7 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Combination;
-using model::ErrorBoundKind;
-using model::LaneInputs;
-using model::Range;
+using error::ErrorBoundKind;
 
 struct Case {
   const char* name;
@@ -33,14 +30,14 @@ void PrintTo(const Case& c, std::ostream* stream) {
   *stream << c.name;
 }
 
-model::CombinedLane lane_of(const Case& c, const model::CombinedGraph& graph, std::size_t inputs) {
-  if (!c.certified) return profiled_lanes(graph, mpq_class(1, 8), mpq_class(1, 8));
+error::CombinedLane lane_of(const Case& c, const CombinedGraph& graph, std::size_t inputs) {
+  if (!c.certified) return error::profiled_lanes(graph, mpq_class(1, 8), mpq_class(1, 8));
   const std::vector<std::optional<Range>> ranges(inputs, c.range);
-  return certified_lanes(graph, {.ranges = ranges}).value();
+  return error::certified_lanes(graph, {.ranges = ranges}).value();
 }
 
-model::Design design_of(const Case& c, const model::Graph& graph, model::FloatFormat reference) {
-  const model::CombinedGraph reduced = lane_graphs(graph, reference, {format(c.lane)}, c.inputs);
+design::Design design_of(const Case& c, const Graph& graph, FloatFormat reference) {
+  const CombinedGraph reduced = lane_graphs(graph, reference, {format(c.lane)}, c.inputs);
   return {.name = "parts",
           .inputs = graph.inputs(),
           .lanes = {{.lane = lane_of(c, reduced, graph.inputs().size()), .inputs = c.inputs}},
@@ -49,11 +46,11 @@ model::Design design_of(const Case& c, const model::Graph& graph, model::FloatFo
           .system = {}};
 }
 
-model::Table every_pair(model::FloatFormat format) {
-  model::Table table{.format = format, .columns = {"a", "b"}, .values = {}, .labels = {}};
-  const model::Bits count = model::Bits{1} << format.width();
-  for (model::Bits a = 0; a < count; ++a) {
-    for (model::Bits b = 0; b < count; ++b) table.values.insert(table.values.end(), {a, b});
+data::Table every_pair(FloatFormat format) {
+  data::Table table{.format = format, .columns = {"a", "b"}, .values = {}, .labels = {}};
+  const Bits count = Bits{1} << format.width();
+  for (Bits a = 0; a < count; ++a) {
+    for (Bits b = 0; b < count; ++b) table.values.insert(table.values.end(), {a, b});
   }
   return table;
 }
@@ -62,13 +59,13 @@ class SeveralParts : public testing::TestWithParam<Case> {};
 
 TEST_P(SeveralParts, AreDecidedAsTheGoldenModelSaysAndTruly) {
   const Case& c = GetParam();
-  const model::Graph graph = graph_of(c.parts, c.combination);
-  const model::FloatFormat s4e4 = format_of(4, 4);
-  const model::Design design = design_of(c, graph, s4e4);
-  const auto data = model::Comparisons::rows(every_pair(s4e4), design.inputs);
+  const Graph graph = graph_of(c.parts, c.combination);
+  const FloatFormat s4e4 = format_of(4, 4);
+  const design::Design design = design_of(c, graph, s4e4);
+  const auto data = data::Comparisons::rows(every_pair(s4e4), design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
-  const tb::VerifyReport report =
-      simulate(design, *data, {.truth = tb::TruthCheck{.graph = &graph}});
+  const verilator_tb::VerifyReport report =
+      simulate(design, *data, {.truth = verilator_tb::TruthCheck{.graph = &graph}});
   EXPECT_TRUE(report.passed()) << to_text(report);
   EXPECT_EQ(report.comparisons, 65'536u);
   EXPECT_GT(report.recomputations, 50u);

@@ -20,19 +20,18 @@ using Pairs = std::set<std::pair<std::uint64_t, std::uint64_t>>;
 
 /// The colliding pairs by exact arithmetic, without hardware, lanes or reference.
 Pairs truly_colliding(const fs::path& scene_file) {
-  const auto scene = model::load_scene(scene_file, {});
+  const auto scene = scene::load_scene(scene_file, {});
   EXPECT_TRUE(scene.ok()) << scene.error().to_string();
-  const auto data = model::load_comparisons(*scene);
+  const auto data = workload::load_comparisons(*scene);
   EXPECT_TRUE(data.ok()) << data.error().to_string();
   EXPECT_EQ(data->size(), 207'046u);
   Pairs pairs;
-  std::vector<model::Bits> operands(data->input_count());
+  std::vector<Bits> operands(data->input_count());
   for (std::uint64_t index = 0; index < data->size(); ++index) {
     data->fetch(index, operands);
-    const auto verdict =
-        model::golden::true_verdict(scene->graph, scene->reference.format, operands);
-    if (verdict != model::Verdict::less) continue;
-    const model::Items items = data->items(index);
+    const auto verdict = golden::true_verdict(scene->graph, scene->reference.format, operands);
+    if (verdict != Verdict::less) continue;
+    const data::Items items = data->items(index);
     pairs.emplace(items.first, items.second);
   }
   return pairs;

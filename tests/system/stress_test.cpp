@@ -12,8 +12,8 @@ namespace {
 struct Shape {
   int lanes;
   int references;
-  model::ResultOrder order;
-  model::OperandStore operands;
+  scene::ResultOrder order;
+  scene::OperandStore operands;
 };
 
 void PrintTo(const Shape& s, std::ostream* stream) {
@@ -24,26 +24,26 @@ class Stress : public testing::TestWithParam<Shape> {};
 
 TEST_P(Stress, EveryComparisonLeavesOnce) {
   const Shape shape = GetParam();
-  model::Design design =
+  design::Design design =
       sphere_design(format("s5e8"), format("s24e8"), shape.lanes, shape.references);
   design.system.order = shape.order;
   design.system.operands = shape.operands;
-  const model::Table spheres = model::uniform_spheres(
+  const data::Table spheres = data::uniform_spheres(
       {.count = 1'415, .side = 100, .radius_max = 50, .seed = 3}, format("s24e8"));
-  const auto data = model::Comparisons::all_pairs(spheres, design.inputs);
+  const auto data = data::Comparisons::all_pairs(spheres, design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
-  const tb::VerifyReport report =
-      simulate(design, *data, {.traffic = tb::TrafficKind::stressed, .resets = 5});
+  const verilator_tb::VerifyReport report =
+      simulate(design, *data, {.traffic = verilator_tb::TrafficKind::stressed, .resets = 5});
   EXPECT_TRUE(report.passed()) << to_text(report);
   EXPECT_GE(report.comparisons, 1'000'000u);
   EXPECT_EQ(report.resets, 5u);
   EXPECT_GT(report.references == 0 ? report.undecided : report.recomputations, 10'000u);
 }
 
-constexpr auto tagged = model::ResultOrder::tagged;
-constexpr auto in_order = model::ResultOrder::in_order;
-constexpr auto carried = model::OperandStore::carried;
-constexpr auto refetched = model::OperandStore::refetched;
+constexpr auto tagged = scene::ResultOrder::tagged;
+constexpr auto in_order = scene::ResultOrder::in_order;
+constexpr auto carried = scene::OperandStore::carried;
+constexpr auto refetched = scene::OperandStore::refetched;
 
 INSTANTIATE_TEST_SUITE_P(
     Shapes, Stress,

@@ -14,13 +14,13 @@ namespace mixcmp::test {
 namespace {
 
 /// s24e8 is binary32.
-model::Bits bits_of(float value) {
+Bits bits_of(float value) {
   return std::bit_cast<std::uint32_t>(value);
 }
 
 /// One pair of spheres each: undecided ones touch, f = g = 1, the others are far apart, f = 9.
-model::Comparisons pairs(const model::Design& design, const std::vector<bool>& undecided) {
-  model::Table table{format("s24e8"), design.inputs, {}, {}};
+data::Comparisons pairs(const design::Design& design, const std::vector<bool>& undecided) {
+  data::Table table{format("s24e8"), design.inputs, {}, {}};
   for (const bool touching : undecided) {
     for (const std::string& input : design.inputs) {
       float value = 1;
@@ -29,7 +29,7 @@ model::Comparisons pairs(const model::Design& design, const std::vector<bool>& u
       table.values.push_back(bits_of(value));
     }
   }
-  return model::Comparisons::rows(std::move(table), design.inputs).value();
+  return data::Comparisons::rows(std::move(table), design.inputs).value();
 }
 
 }  // namespace
@@ -38,8 +38,8 @@ void PrintTo(const Shape& shape, std::ostream* stream) {
   *stream << shape.lanes << "x" << shape.references;
 }
 
-model::Design design_of(const Shape& shape) {
-  model::Design design =
+design::Design design_of(const Shape& shape) {
+  design::Design design =
       sphere_design(format("s5e8"), format("s24e8"), shape.lanes, shape.references);
   design.system.order = shape.order;
   return design;
@@ -53,11 +53,11 @@ std::vector<bool> random_pattern(std::size_t count, double rate, unsigned seed) 
   return pattern;
 }
 
-model::LaneStreams streams_of(const model::Design& design, int reference) {
-  const auto system = gen::generate_system(design, "mixcmp generate test.toml");
+performance::LaneStreams streams_of(const design::Design& design, int reference) {
+  const auto system = emit::generate_system(design, "mixcmp generate test.toml");
   EXPECT_TRUE(system.ok()) << system.error().to_string();
-  const gen::Signature& signature = system->signature;
-  const auto served = model::lanes_of_references(signature.lanes, signature.references);
+  const emit::Signature& signature = system->signature;
+  const auto served = performance::lanes_of_references(signature.lanes, signature.references);
   return {.order = signature.order,
           .lane_latency_cycles = signature.lane_groups[0].latency_cycles,
           .reference_latency_cycles = signature.reference_groups[0].latency_cycles,
@@ -65,23 +65,23 @@ model::LaneStreams streams_of(const model::Design& design, int reference) {
           .lanes_served = served[reference]};
 }
 
-double predicted_per_cycle(const model::Design& design, double rate) {
+double predicted_per_cycle(const design::Design& design, double rate) {
   double sum = 0;
   for (int r = 0; r < design.reference_count(); ++r) {
-    const model::LaneStreams streams = streams_of(design, r);
-    sum += streams.lanes_served * model::random_throughput(streams, rate);
+    const performance::LaneStreams streams = streams_of(design, r);
+    sum += streams.lanes_served * performance::random_throughput(streams, rate);
   }
   return sum;
 }
 
-tb::VerifyReport run(const model::Design& design, const std::vector<bool>& undecided) {
-  const tb::VerifyReport report = simulate(design, pairs(design, undecided), {});
+verilator_tb::VerifyReport run(const design::Design& design, const std::vector<bool>& undecided) {
+  const verilator_tb::VerifyReport report = simulate(design, pairs(design, undecided), {});
   EXPECT_TRUE(report.passed()) << to_text(report);
   return report;
 }
 
-std::uint64_t stalls_of(const tb::VerifyReport& report) {
-  for (const tb::CounterTotal& counter : report.counters) {
+std::uint64_t stalls_of(const verilator_tb::VerifyReport& report) {
+  for (const verilator_tb::CounterTotal& counter : report.counters) {
     if (counter.name == "stalls") return counter.counted;
   }
   ADD_FAILURE() << "the system does not count stalls";

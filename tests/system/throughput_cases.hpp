@@ -16,24 +16,24 @@ inline constexpr double throughput_tolerance = 0.05;
 struct Shape {
   int lanes;
   int references;
-  model::ResultOrder order;
+  scene::ResultOrder order;
 };
 void PrintTo(const Shape& shape, std::ostream* stream);
 
 /// s5e8 of s24e8, certified.
-model::Design design_of(const Shape& shape);
+design::Design design_of(const Shape& shape);
 
 std::vector<bool> random_pattern(std::size_t count, double rate, unsigned seed);
 
 /// What the generator says of the lanes that a reference serves.
-model::LaneStreams streams_of(const model::Design& design, int reference);
+performance::LaneStreams streams_of(const design::Design& design, int reference);
 
 /// Comparisons per cycle of all lanes where this part is undecided at random.
-double predicted_per_cycle(const model::Design& design, double rate);
+double predicted_per_cycle(const design::Design& design, double rate);
 
 /// One comparison each, undecided where marked, through the generated system.
-tb::VerifyReport run(const model::Design& design, const std::vector<bool>& undecided);
+verilator_tb::VerifyReport run(const design::Design& design, const std::vector<bool>& undecided);
 
-std::uint64_t stalls_of(const tb::VerifyReport& report);
+std::uint64_t stalls_of(const verilator_tb::VerifyReport& report);
 
 }  // namespace mixcmp::test

@@ -15,9 +15,9 @@ constexpr std::size_t comparisons = 120'000;
 class ThroughputSweep : public testing::TestWithParam<Shape> {};
 
 TEST_P(ThroughputSweep, IsThePredictedOneAtEveryRecomputationRate) {
-  const model::Design design = design_of(GetParam());
+  const design::Design design = design_of(GetParam());
   for (const double rate : {0.0, 0.02, 0.04, 0.1, 0.125, 0.25, 0.5, 1.0}) {
-    const tb::VerifyReport report = run(design, random_pattern(comparisons, rate, 7));
+    const verilator_tb::VerifyReport report = run(design, random_pattern(comparisons, rate, 7));
     EXPECT_NEAR(report.recomputation_rate(), rate, 0.02);
     const double expected = predicted_per_cycle(design, report.recomputation_rate());
     EXPECT_NEAR(report.comparisons_per_cycle(), expected, throughput_tolerance * expected)
@@ -25,7 +25,7 @@ TEST_P(ThroughputSweep, IsThePredictedOneAtEveryRecomputationRate) {
   }
 }
 
-using model::ResultOrder;
+using scene::ResultOrder;
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ThroughputSweep,
                          testing::Values(Shape{1, 1, ResultOrder::tagged},

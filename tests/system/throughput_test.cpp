@@ -9,14 +9,14 @@
 namespace mixcmp::test {
 namespace {
 
-constexpr Shape shape{8, 1, model::ResultOrder::tagged};
+constexpr Shape shape{8, 1, scene::ResultOrder::tagged};
 
 TEST(Throughput, IsEquation8OnBothSidesOfTheOptimalRatio) {
-  const model::Design design = design_of(shape);
+  const design::Design design = design_of(shape);
   for (const double rate : {0.02, 0.25}) {
-    const tb::VerifyReport report = run(design, random_pattern(16'000, rate, 5));
+    const verilator_tb::VerifyReport report = run(design, random_pattern(16'000, rate, 5));
     EXPECT_NEAR(report.recomputation_rate(), rate, 0.02);
-    const double expected = model::equivalent_throughput(
+    const double expected = performance::equivalent_throughput(
         {{.count = 8, .throughput_per_s = 1, .recomputation_rate = report.recomputation_rate()}},
         {{.count = 1, .throughput_per_s = 1}});
     EXPECT_NEAR(report.comparisons_per_cycle(), expected, throughput_tolerance * expected);
@@ -33,8 +33,8 @@ std::vector<bool> bursts(int burst, int period, int repetitions) {
 }
 
 TEST(Throughput, IsFullUpToTheLongestBurstThatSlotsHold) {
-  const model::Design design = design_of(shape);
-  const int absorbed = model::absorbed_burst(streams_of(design, 0));
+  const design::Design design = design_of(shape);
+  const int absorbed = performance::absorbed_burst(streams_of(design, 0));
   // A lane whose comparisons come a cycle later meets its reference a cycle later, too.
   constexpr int margin = 2;
   EXPECT_EQ(stalls_of(run(design, bursts(absorbed - margin, 600, 2))), 0u);
@@ -44,12 +44,12 @@ TEST(Throughput, IsFullUpToTheLongestBurstThatSlotsHold) {
 TEST(Throughput, FallsBelowEquation8WhereSlotsDoNotHoldABurst) {
   constexpr int period = 1'000;
   constexpr int burst = 110;  // 88 % of what the reference could do on average
-  const model::Design design = design_of(shape);
+  const design::Design design = design_of(shape);
   std::vector<bool> one_lane(period, false);
   std::fill_n(one_lane.begin(), burst, true);
   const double expected =
-      period * shape.lanes / model::repeated_cycles(streams_of(design, 0), one_lane);
-  const tb::VerifyReport report = run(design, bursts(burst, period, 4));
+      period * shape.lanes / performance::repeated_cycles(streams_of(design, 0), one_lane);
+  const verilator_tb::VerifyReport report = run(design, bursts(burst, period, 4));
   EXPECT_NEAR(report.comparisons_per_cycle(), expected, throughput_tolerance * expected);
   EXPECT_LT(report.comparisons_per_cycle(),
             0.9 * predicted_per_cycle(design, report.recomputation_rate()));

@@ -6,18 +6,18 @@
 
 #include "tests/verilator_tb/fake_system.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::test {
 namespace {
 
 namespace fs = std::filesystem;
 
 TEST(Build, IsFoundAgainByItsContent) {
-  const auto system = load_system(write_fake_system({.name = "good"}));
+  const auto system = verilator_tb::load_system(write_fake_system({.name = "good"}));
   ASSERT_TRUE(system.ok()) << system.error().to_string();
-  const BuildOptions options{.work_dir = fake_work_dir() / "builds"};
-  const auto first = build_simulator(*system, options);
+  const verilator_tb::BuildOptions options{.work_dir = fake_work_dir() / "builds"};
+  const auto first = verilator_tb::build_simulator(*system, options);
   ASSERT_TRUE(first.ok()) << first.error().to_string();
-  const auto second = build_simulator(*system, options);
+  const auto second = verilator_tb::build_simulator(*system, options);
   ASSERT_TRUE(second.ok());
   EXPECT_EQ(second->path, first->path);
   EXPECT_EQ(second->build_seconds, 0);
@@ -25,16 +25,16 @@ TEST(Build, IsFoundAgainByItsContent) {
 
 /// What a killed compiler or linker leaves is newer than what it is made of.
 TEST(Build, StartsAnewWhereItWasInterrupted) {
-  const auto system = load_system(write_fake_system({.name = "good"}));
+  const auto system = verilator_tb::load_system(write_fake_system({.name = "good"}));
   ASSERT_TRUE(system.ok()) << system.error().to_string();
-  const BuildOptions options{.work_dir = fake_work_dir() / "interrupted"};
-  const auto first = build_simulator(*system, options);
+  const verilator_tb::BuildOptions options{.work_dir = fake_work_dir() / "interrupted"};
+  const auto first = verilator_tb::build_simulator(*system, options);
   ASSERT_TRUE(first.ok()) << first.error().to_string();
   const fs::path objects = first->path.parent_path();
   ASSERT_TRUE(fs::remove(objects.parent_path() / "complete"));
   fs::resize_file(first->path, 0);
   std::ofstream(objects / "half.o") << "half";
-  const auto second = build_simulator(*system, options);
+  const auto second = verilator_tb::build_simulator(*system, options);
   ASSERT_TRUE(second.ok()) << second.error().to_string();
   EXPECT_GT(fs::file_size(second->path), 0u);
   EXPECT_FALSE(fs::exists(objects / "half.o")) << "nothing of it is used again";
@@ -42,13 +42,13 @@ TEST(Build, StartsAnewWhereItWasInterrupted) {
 
 TEST(Build, OfOtherSourcesIsAnother) {
   const auto folder = write_fake_system({.name = "broken"});
-  const auto good = load_system(write_fake_system({.name = "good"}));
-  const BuildOptions options{.work_dir = fake_work_dir() / "builds"};
+  const auto good = verilator_tb::load_system(write_fake_system({.name = "good"}));
+  const verilator_tb::BuildOptions options{.work_dir = fake_work_dir() / "builds"};
   std::ofstream(folder / "fake_fifo.v", std::ios::app) << "module unfinished;\n";
-  const auto broken = load_system(folder);
+  const auto broken = verilator_tb::load_system(folder);
   ASSERT_TRUE(broken.ok());
-  ASSERT_TRUE(build_simulator(*good, options).ok());
-  const auto built = build_simulator(*broken, options);
+  ASSERT_TRUE(verilator_tb::build_simulator(*good, options).ok());
+  const auto built = verilator_tb::build_simulator(*broken, options);
   ASSERT_FALSE(built.ok());
   EXPECT_TRUE(fs::exists(built.error().file)) << "the log";
   EXPECT_NE(built.error().message.find("syntax error"), std::string::npos)
@@ -58,18 +58,19 @@ TEST(Build, OfOtherSourcesIsAnother) {
 TEST(Build, NamesAMissingSource) {
   const auto folder = write_fake_system({.name = "incomplete"});
   fs::remove(folder / "fake_fifo.v");
-  const auto system = load_system(folder);
+  const auto system = verilator_tb::load_system(folder);
   ASSERT_TRUE(system.ok());
-  const auto built = build_simulator(*system, {.work_dir = fake_work_dir() / "builds"});
+  const auto built =
+      verilator_tb::build_simulator(*system, {.work_dir = fake_work_dir() / "builds"});
   ASSERT_FALSE(built.ok());
   EXPECT_EQ(fs::path(built.error().file).filename(), "fake_fifo.v");
 }
 
 TEST(Build, NamesAFolderWithoutASystem) {
-  const auto system = load_system(fake_work_dir() / "nothing_here");
+  const auto system = verilator_tb::load_system(fake_work_dir() / "nothing_here");
   ASSERT_FALSE(system.ok());
   EXPECT_NE(system.error().message.find("no generated system"), std::string::npos);
 }
 
 }  // namespace
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::test

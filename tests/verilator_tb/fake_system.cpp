@@ -7,14 +7,14 @@
 #include <fstream>
 #include <iterator>
 
-namespace mixcmp::tb {
+namespace mixcmp::test {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-model::FloatFormat binary16() {
-  return *model::FloatFormat::make(11, 5);
+FloatFormat binary16() {
+  return *FloatFormat::make(11, 5);
 }
 
 void replace(std::string& text, const std::string& from, const std::string& to) {
@@ -35,17 +35,17 @@ void write(const fs::path& path, const std::string& text) {
   fs::rename(draft, path);
 }
 
-std::vector<gen::SignatureReferences> reference_signatures(const FakeSystem& fake) {
+std::vector<emit::SignatureReferences> reference_signatures(const FakeSystem& fake) {
   if (fake.route == FakeRoute::none) return {};
   return {{.count = fake.lanes, .module = "fake_reference"}};
 }
 
-std::vector<model::ReferenceGroup> references_of(const FakeSystem& fake) {
+std::vector<design::ReferenceGroup> references_of(const FakeSystem& fake) {
   if (fake.route == FakeRoute::none) return {};
   return {{.count = fake.lanes}};
 }
 
-gen::Signature fake_signature(const FakeSystem& fake) {
+emit::Signature fake_signature(const FakeSystem& fake) {
   return {.top = "fake_system",
           .generator_version = "fake",
           .spec_hash = "fake",
@@ -60,8 +60,8 @@ gen::Signature fake_signature(const FakeSystem& fake) {
           .tag_bits = fake.tag_bits,
           .counter_bits = 16,
           .slots = 8,
-          .order = fake.route == FakeRoute::in_order ? model::ResultOrder::in_order
-                                                     : model::ResultOrder::tagged,
+          .order = fake.route == FakeRoute::in_order ? scene::ResultOrder::in_order
+                                                     : scene::ResultOrder::tagged,
           .operands = fake.operands,
           .files = {"fake_system.v", "fake_channel.v", "fake_reference.v", "fake_fifo.v"}};
 }
@@ -75,53 +75,53 @@ fs::path fake_work_dir() {
 fs::path write_fake_system(const FakeSystem& fake) {
   const fs::path folder = fake_work_dir() / fake.name;
   fs::create_directories(folder);
-  const gen::Signature signature = fake_signature(fake);
+  const emit::Signature signature = fake_signature(fake);
   for (const std::string& file : signature.files) {
     std::string text = read(fs::path(MIXCMP_FAKE_SOURCE_DIR) / file);
     if (file == "fake_system.v") {
       replace(text, "LANES = 2", fmt::format("LANES = {}", fake.lanes));
       replace(text, "TAG_BITS = 12", fmt::format("TAG_BITS = {}", fake.tag_bits));
       replace(text, "ROUTE = 0", fmt::format("ROUTE = {}", static_cast<int>(fake.route)));
-      if (fake.operands == model::OperandStore::refetched) text = "`define REFETCHED\n" + text;
+      if (fake.operands == scene::OperandStore::refetched) text = "`define REFETCHED\n" + text;
     }
     write(folder / file, text);
   }
-  write(folder / "fake_system.json", gen::to_json(signature));
+  write(folder / "fake_system.json", emit::to_json(signature));
   return folder;
 }
 
-model::Design fake_design(const FakeSystem& fake) {
+design::Design fake_design(const FakeSystem& fake) {
   const auto input = [](int k) {
-    return model::TypedNode{.operation = model::Operation::input,
-                            .operand_format = binary16(),
-                            .format = binary16(),
-                            .input = k};
+    return TypedNode{.operation = Operation::input,
+                     .operand_format = binary16(),
+                     .format = binary16(),
+                     .input = k};
   };
-  const model::TypedGraph graph{.nodes = {input(0), input(1)},
-                                .input_count = 2,
-                                .input_format = binary16(),
-                                .arithmetic = {binary16()},
-                                .f = 0,
-                                .g = 1};
-  const model::UlpDistanceDecision decision{.guard_ulp = 4, .nonnegative = true};
+  const TypedGraph graph{.nodes = {input(0), input(1)},
+                         .input_count = 2,
+                         .input_format = binary16(),
+                         .arithmetic = {binary16()},
+                         .f = 0,
+                         .g = 1};
+  const error::UlpDistanceDecision decision{.guard_ulp = 4, .nonnegative = true};
   return {.name = "fake",
           .inputs = {"a", "b"},
-          .lanes = {{.lane = model::Lane{graph, decision}, .count = fake.lanes}},
+          .lanes = {{.lane = error::Lane{graph, decision}, .count = fake.lanes}},
           .reference = graph,
           .references = references_of(fake)};
 }
 
-model::Comparisons fake_comparisons(std::size_t count) {
-  model::Table table{.format = binary16(), .columns = {"a", "b"}};
+data::Comparisons fake_comparisons(std::size_t count) {
+  data::Table table{.format = binary16(), .columns = {"a", "b"}};
   for (std::size_t k = 0; k < count; ++k) {
-    const std::uint64_t random = counter_random(7, k);
+    const std::uint64_t random = verilator_tb::counter_random(7, k);
     const std::uint64_t a = 0x0800 + random % 0x7000;
     const std::uint64_t near = a + (random >> 32) % 9 - 4;
     const std::uint64_t far = 0x0800 + (random >> 32) % 0x7000;
     table.values.push_back(a);
     table.values.push_back((random >> 20 & 1) != 0 ? near : far);
   }
-  return *model::Comparisons::rows(table, {"a", "b"});
+  return *data::Comparisons::rows(table, {"a", "b"});
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::test

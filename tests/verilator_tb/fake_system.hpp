@@ -5,7 +5,7 @@
 
 #include "verilator_tb/verify.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::test {
 
 /// What becomes of comparisons that a lane of the fake system does not decide; as its ROUTE.
 enum class FakeRoute {
@@ -19,7 +19,7 @@ struct FakeSystem {
   int lanes = 2;
   int tag_bits = 12;
   FakeRoute route = FakeRoute::reference;
-  model::OperandStore operands = model::OperandStore::carried;
+  scene::OperandStore operands = scene::OperandStore::carried;
 };
 
 /// The folder of all fake systems and of their builds, kept between runs.
@@ -29,9 +29,9 @@ std::filesystem::path fake_work_dir();
 std::filesystem::path write_fake_system(const FakeSystem& fake);
 
 /// The design that the fake system implements.
-model::Design fake_design(const FakeSystem& fake);
+design::Design fake_design(const FakeSystem& fake);
 
 /// Pairs of positive binary16 numbers; about half of them too close for a lane.
-model::Comparisons fake_comparisons(std::size_t count);
+data::Comparisons fake_comparisons(std::size_t count);
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::test

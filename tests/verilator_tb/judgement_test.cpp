@@ -12,12 +12,8 @@
 
 /// What is held against the truth, what is not and why, and what a report says beside its numbers;
 /// without a simulator.
-namespace mixcmp::tb {
+namespace mixcmp::test {
 namespace {
-
-using model::ResultWord;
-using model::Verdict;
-using test::graph_of;
 
 constexpr auto less = Verdict::less, equal = Verdict::equal, greater = Verdict::greater,
                unordered = Verdict::unordered;
@@ -29,7 +25,8 @@ constexpr ResultWord recomputed(Verdict verdict) {
 /// Results of a fake system, whose reference compares a with b, held against another truth.
 class Truths {
 public:
-  explicit Truths(model::Graph truth, TruthScope scope = TruthScope::all, FakeSystem fake = {})
+  explicit Truths(Graph truth, verilator_tb::TruthScope scope = verilator_tb::TruthScope::all,
+                  FakeSystem fake = {})
       : graph_(std::move(truth)), scope_(scope), design_(fake_design(fake)) {}
 
   Truths& hold(const std::string& a, const std::string& b, Verdict verdict) {
@@ -38,22 +35,21 @@ public:
 
   Truths& hold(const std::string& a, const std::string& b, ResultWord word) {
     const auto format = design_.reference.input_format();
-    const std::vector<model::Bits> operands = {model::from_text(format, a).value(),
-                                               model::from_text(format, b).value()};
-    check_against_truth({&graph_, scope_}, design_, operands, word, count, group);
+    const std::vector<Bits> operands = {from_text(format, a).value(), from_text(format, b).value()};
+    verilator_tb::check_against_truth({&graph_, scope_}, design_, operands, word, count, group);
     ++comparisons;
     EXPECT_EQ(count.checked + count.not_checked(), comparisons);
     return *this;
   }
 
-  TruthCount count;
-  GroupReport group;
+  verilator_tb::TruthCount count;
+  verilator_tb::GroupReport group;
   std::uint64_t comparisons = 0;
 
 private:
-  model::Graph graph_;
-  TruthScope scope_;
-  model::Design design_;
+  Graph graph_;
+  verilator_tb::TruthScope scope_;
+  design::Design design_;
 };
 
 TEST(HoldAgainstTruth, BlamesNobodyForTheRootOfAHiddenZero) {
@@ -70,7 +66,7 @@ TEST(HoldAgainstTruth, BlamesNobodyForTheRootOfAHiddenZero) {
 TEST(HoldAgainstTruth, BlamesNobodyForWhatIsUndetermined) {
   const auto [f, g] = test::unproven_tie();
   Truths truths(graph_of(f, g));
-  for (const Verdict verdict : model::all_verdicts) {
+  for (const Verdict verdict : all_verdicts) {
     truths.hold("0.3", "0.7", verdict).hold("0.3", "0.7", recomputed(verdict));
   }
   EXPECT_EQ(truths.count.undetermined, 8u);
@@ -92,7 +88,7 @@ TEST(HoldAgainstTruth, HoldsLanesButNoReferenceWhereThereIsNoValue) {
 }
 
 TEST(HoldAgainstTruth, SaysWhatItsScopeLeavesOut) {
-  Truths truths(graph_of("a", "b"), TruthScope::recomputed);
+  Truths truths(graph_of("a", "b"), verilator_tb::TruthScope::recomputed);
   truths.hold("1", "2", greater).hold("1", "2", recomputed(less));
   EXPECT_EQ(truths.count.decided_by_lane, 1u);
   EXPECT_EQ(truths.count.checked, 1u);
@@ -100,7 +96,7 @@ TEST(HoldAgainstTruth, SaysWhatItsScopeLeavesOut) {
 }
 
 TEST(HoldAgainstTruth, CountsTheUndecided) {
-  Truths truths(graph_of("a", "b"), TruthScope::all, {.route = FakeRoute::none});
+  Truths truths(graph_of("a", "b"), verilator_tb::TruthScope::all, {.route = FakeRoute::none});
   truths.hold("1", "2", ResultWord(8 | 2)).hold("1", "2", less);
   EXPECT_EQ(truths.count.undecided, 1u);
   EXPECT_EQ(truths.count.checked, 1u);
@@ -121,8 +117,8 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 /// 100 comparisons, 10 of them recomputed.
-VerifyReport usual_report() {
-  VerifyReport report;
+verilator_tb::VerifyReport usual_report() {
+  verilator_tb::VerifyReport report;
   report.references = 1;
   report.requested = report.comparisons = 100;
   report.verdicts = {60, 10, 30, 0};
@@ -132,8 +128,8 @@ VerifyReport usual_report() {
   return report;
 }
 
-void expect_note(const VerifyReport& report, const std::string& note) {
-  const auto notes = notes_on(report);
+void expect_note(const verilator_tb::VerifyReport& report, const std::string& note) {
+  const auto notes = verilator_tb::notes_on(report);
   EXPECT_EQ(notes, std::vector<std::string>{note});
   EXPECT_TRUE(contains(to_text(report), note)) << to_text(report);
   EXPECT_EQ(to_json(report)["notes"][0], note);
@@ -141,14 +137,14 @@ void expect_note(const VerifyReport& report, const std::string& note) {
 }
 
 TEST(Report, SaysWhatWasNotCheckedAndWhy) {
-  VerifyReport report = usual_report();
-  report.truth = TruthCount{.checked = 93,
-                            .reference_alone_checked = 93,
-                            .reference_alone_wrong = 4,
-                            .undefined = 2,
-                            .undetermined = 1,
-                            .undecided = 3,
-                            .decided_by_lane = 1};
+  verilator_tb::VerifyReport report = usual_report();
+  report.truth = verilator_tb::TruthCount{.checked = 93,
+                                          .reference_alone_checked = 93,
+                                          .reference_alone_wrong = 4,
+                                          .undefined = 2,
+                                          .undetermined = 1,
+                                          .undecided = 3,
+                                          .decided_by_lane = 1};
   const std::string text = to_text(report);
   EXPECT_TRUE(contains(text,
                        "against the truth      93 checked, 0 wrong by a lane, 0 by a reference\n"
@@ -167,13 +163,13 @@ TEST(Report, SaysWhatWasNotCheckedAndWhy) {
 }
 
 TEST(Report, HasNoNotesOnTheUsual) {
-  EXPECT_TRUE(notes_on(usual_report()).empty());
+  EXPECT_TRUE(verilator_tb::notes_on(usual_report()).empty());
   EXPECT_EQ(to_json(usual_report())["notes"], nlohmann::ordered_json::array());
   EXPECT_FALSE(contains(to_text(usual_report()), "note"));
 }
 
 TEST(Report, NotesLanesThatDecidedNothing) {
-  VerifyReport report = usual_report();
+  verilator_tb::VerifyReport report = usual_report();
   report.groups.push_back(report.groups.front());
   report.groups.back().name = "s4e8";
   report.groups.back().recomputations = 100;
@@ -182,23 +178,23 @@ TEST(Report, NotesLanesThatDecidedNothing) {
   report.groups.back().undecided = 100;
   expect_note(report, "the lanes s4e8 decided nothing: all of 100 comparisons were left undecided");
   report.groups.back().undecided = 99;
-  EXPECT_TRUE(notes_on(report).empty());
+  EXPECT_TRUE(verilator_tb::notes_on(report).empty());
 }
 
 TEST(Report, NotesLanesThatSawNothing) {
-  VerifyReport report = usual_report();
+  verilator_tb::VerifyReport report = usual_report();
   report.groups.push_back({.name = "s4e8", .lanes = 1, .certified = true});
   expect_note(report, "no comparison went through the lanes s4e8");
 }
 
 TEST(Report, NotesARunOfNothing) {
-  VerifyReport report = usual_report();
+  verilator_tb::VerifyReport report = usual_report();
   report.requested = report.comparisons = report.recomputations = 0;
   expect_note(report, "no comparison was made, so nothing was verified");
 }
 
 TEST(Report, NotesWrongVerdictsThatPass) {
-  VerifyReport report = usual_report();
+  verilator_tb::VerifyReport report = usual_report();
   report.groups.front().certified = false;
   report.groups.front().wrong_by_lane = 3;
   expect_note(report,
@@ -207,7 +203,7 @@ TEST(Report, NotesWrongVerdictsThatPass) {
 }
 
 TEST(Report, NotesWhatWasNotPutToTheTest) {
-  VerifyReport report = usual_report();
+  verilator_tb::VerifyReport report = usual_report();
   report.recomputations = 0;
   expect_note(report,
               "none of these comparisons was recomputed: they put no reference to the test");
@@ -215,9 +211,9 @@ TEST(Report, NotesWhatWasNotPutToTheTest) {
   report.verdicts = {0, 0, 0, 100};
   expect_note(report, "every verdict is unordered");
   report = usual_report();
-  report.truth = TruthCount{.undefined = 100};
+  report.truth = verilator_tb::TruthCount{.undefined = 100};
   expect_note(report, "no verdict was held against the truth");
 }
 
 }  // namespace
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::test

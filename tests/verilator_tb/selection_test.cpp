@@ -4,27 +4,29 @@
 
 #include <cstdint>
 
-namespace mixcmp::tb {
+namespace mixcmp::test {
 namespace {
 
 TEST(Selection, TakesAllOrTheFirst) {
-  EXPECT_EQ(Selection(10, {}).size(), 10u);
-  EXPECT_EQ(Selection(10, {.limit = 4}).size(), 4u);
-  EXPECT_EQ(Selection(10, {.limit = 4}).index(3), 3u);
-  EXPECT_EQ(Selection(10, {.limit = 40}).size(), 10u);
+  EXPECT_EQ(verilator_tb::Selection(10, {}).size(), 10u);
+  EXPECT_EQ(verilator_tb::Selection(10, {.limit = 4}).size(), 4u);
+  EXPECT_EQ(verilator_tb::Selection(10, {.limit = 4}).index(3), 3u);
+  EXPECT_EQ(verilator_tb::Selection(10, {.limit = 40}).size(), 10u);
 }
 
 TEST(Selection, TakesOneAlone) {
-  const Selection one(10, {.limit = 4, .only = 7});
+  const verilator_tb::Selection one(10, {.limit = 4, .only = 7});
   EXPECT_EQ(one.size(), 1u);
   EXPECT_EQ(one.index(0), 7u);
-  EXPECT_EQ(Selection(10, {.only = 10}).size(), 0u);
+  EXPECT_EQ(verilator_tb::Selection(10, {.only = 10}).size(), 0u);
 }
 
 TEST(Selection, RandomOnesRiseWithoutRepetitionAndDependOnTheSeed) {
   constexpr std::uint64_t available = std::uint64_t{1} << 62;
-  const Selection sample(available, {.limit = 1000, .sampling = Sampling::random, .seed = 1});
-  const Selection other(available, {.limit = 1000, .sampling = Sampling::random, .seed = 2});
+  const verilator_tb::Selection sample(
+      available, {.limit = 1000, .sampling = verilator_tb::Sampling::random, .seed = 1});
+  const verilator_tb::Selection other(
+      available, {.limit = 1000, .sampling = verilator_tb::Sampling::random, .seed = 2});
   int equal = 0;
   for (std::uint64_t k = 0; k < 1000; ++k) {
     if (k > 0) {
@@ -37,18 +39,19 @@ TEST(Selection, RandomOnesRiseWithoutRepetitionAndDependOnTheSeed) {
 }
 
 TEST(Selection, RandomSampleOfAllIsAll) {
-  const Selection sample(100, {.limit = 100, .sampling = Sampling::random});
+  const verilator_tb::Selection sample(100,
+                                       {.limit = 100, .sampling = verilator_tb::Sampling::random});
   for (std::uint64_t k = 0; k < 100; ++k) EXPECT_EQ(sample.index(k), k);
 }
 
 TEST(PackOperands, PutsOperandKAtBitKTimesWidth) {
   std::vector<std::uint8_t> tdata(5);
-  const model::Bits operands[] = {0x7ff, 0x001, 0x400};
-  pack_operands(operands, 11, true, tdata);
+  const Bits operands[] = {0x7ff, 0x001, 0x400};
+  verilator_tb::pack_operands(operands, 11, true, tdata);
   EXPECT_EQ(tdata, (std::vector<std::uint8_t>{0xff, 0x0f, 0x00, 0x00, 0xff}));
-  pack_operands(operands, 11, false, tdata);
+  verilator_tb::pack_operands(operands, 11, false, tdata);
   EXPECT_EQ(tdata, (std::vector<std::uint8_t>{0xff, 0x0f, 0x00, 0x00, 0x01}));
 }
 
 }  // namespace
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::test

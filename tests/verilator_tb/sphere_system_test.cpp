@@ -6,22 +6,21 @@
 #include "tests/support/sphere.hpp"
 #include "tests/verilator_tb/fake_system.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::format;
 
 /// Items of all kinds: random spheres, tangent and coincident ones, infinities, NaNs, extremes.
-model::Comparisons sphere_pairs(std::size_t random_spheres) {
-  const model::FloatFormat s53e8 = format("s53e8");
-  model::Table table{.format = s53e8, .columns = {"cx", "cy", "cz", "r"}};
+data::Comparisons sphere_pairs(std::size_t random_spheres) {
+  const FloatFormat s53e8 = format("s53e8");
+  data::Table table{.format = s53e8, .columns = {"cx", "cy", "cz", "r"}};
   for (std::size_t k = 0; k < 4 * random_spheres; ++k) {
-    const mpz_class random(static_cast<unsigned long>(counter_random(5, k) >> 11));
+    const mpz_class random(static_cast<unsigned long>(verilator_tb::counter_random(5, k) >> 11));
     mpq_class value(random, mpz_class(1) << 53);
     value *= k % 4 == 3 ? 25 : 100;
     value.canonicalize();
-    table.values.push_back(model::from_rational(s53e8, value));
+    table.values.push_back(from_rational(s53e8, value));
   }
   const char* const special[][4] = {{"0", "0", "0", "2"},
                                     {"3", "4", "0", "3"},
@@ -41,31 +40,33 @@ model::Comparisons sphere_pairs(std::size_t random_spheres) {
                                     {"1e-45", "0", "0", "1e-45"}};
   for (const auto& sphere : special) {
     for (const char* text : sphere) {
-      table.values.push_back(model::from_text(s53e8, text).value());
+      table.values.push_back(from_text(s53e8, text).value());
     }
   }
-  return model::Comparisons::all_pairs(table, test::sphere_graph().inputs()).value();
+  return data::Comparisons::all_pairs(table, test::sphere_graph().inputs()).value();
 }
 
-fs::path generate(const model::Design& design, const std::string& folder) {
-  const auto system = gen::generate_system(design, "mixcmp generate sphere.toml");
+fs::path generate(const design::Design& design, const std::string& folder) {
+  const auto system = emit::generate_system(design, "mixcmp generate sphere.toml");
   EXPECT_TRUE(system.ok()) << system.error().to_string();
   const fs::path path = fake_work_dir() / folder;
-  const auto written = gen::write_system(*system, path);
+  const auto written = emit::write_system(*system, path);
   EXPECT_TRUE(written.ok()) << written.error().to_string();
   return path;
 }
 
-void expect_pass(const model::Design& design, const std::string& folder, SimulatorKind simulator,
-                 std::size_t random_spheres) {
-  const model::Graph graph = test::sphere_graph();
-  for (const TrafficKind traffic : {TrafficKind::full_rate, TrafficKind::stressed}) {
-    const auto report = verify(design, sphere_pairs(random_spheres), generate(design, folder),
-                               {.simulator = simulator,
-                                .work_dir = fake_work_dir() / "builds",
-                                .traffic = traffic,
-                                .resets = traffic == TrafficKind::stressed ? 4 : 0,
-                                .truth = TruthCheck{.graph = &graph}});
+void expect_pass(const design::Design& design, const std::string& folder,
+                 verilator_tb::SimulatorKind simulator, std::size_t random_spheres) {
+  const Graph graph = test::sphere_graph();
+  for (const verilator_tb::TrafficKind traffic :
+       {verilator_tb::TrafficKind::full_rate, verilator_tb::TrafficKind::stressed}) {
+    const auto report =
+        verilator_tb::verify(design, sphere_pairs(random_spheres), generate(design, folder),
+                             {.simulator = simulator,
+                              .work_dir = fake_work_dir() / "builds",
+                              .traffic = traffic,
+                              .resets = traffic == verilator_tb::TrafficKind::stressed ? 4 : 0,
+                              .truth = verilator_tb::TruthCheck{.graph = &graph}});
     ASSERT_TRUE(report.ok()) << report.error().to_string();
     EXPECT_TRUE(report->passed()) << to_text(*report);
     EXPECT_EQ(report->truth->wrong_by_lane, 0u) << to_text(*report);
@@ -82,29 +83,30 @@ void expect_pass(const model::Design& design, const std::string& folder, Simulat
 }
 
 /// Every other row a pair of tangent spheres, which only a reference can decide.
-model::Comparisons half_tangent(std::size_t rows) {
-  const model::FloatFormat s53e8 = format("s53e8");
+data::Comparisons half_tangent(std::size_t rows) {
+  const FloatFormat s53e8 = format("s53e8");
   const auto inputs = test::sphere_graph().inputs();
-  model::Table table{.format = s53e8, .columns = inputs};
+  data::Table table{.format = s53e8, .columns = inputs};
   for (std::size_t k = 0; k < rows; ++k) {
-    const auto scale = static_cast<long>(1 + counter_random(9, k) % 1000);
+    const auto scale = static_cast<long>(1 + verilator_tb::counter_random(9, k) % 1000);
     const long gap = k % 2 == 0 ? 0 : scale;
     const long values[] = {3 * scale + gap, 0, 4 * scale, 0, gap, 0, 2 * scale, 3 * scale};
     for (const long value : values) {
-      table.values.push_back(model::from_rational(s53e8, value));
+      table.values.push_back(from_rational(s53e8, value));
     }
   }
-  return model::Comparisons::rows(table, inputs).value();
+  return data::Comparisons::rows(table, inputs).value();
 }
 
 TEST(SphereSystem, HalfOfEverythingRecomputed) {
   const auto design = test::sphere_design(format("s12e8"), format("s53e8"), 7, 3);
   const auto data = half_tangent(20'000);
   const auto folder = generate(design, "sphere_half_recomputed");
-  for (const TrafficKind traffic : {TrafficKind::full_rate, TrafficKind::stressed}) {
-    const auto report =
-        verify(design, data, folder,
-               {.work_dir = fake_work_dir() / "builds", .traffic = traffic, .resets = 6});
+  for (const verilator_tb::TrafficKind traffic :
+       {verilator_tb::TrafficKind::full_rate, verilator_tb::TrafficKind::stressed}) {
+    const auto report = verilator_tb::verify(
+        design, data, folder,
+        {.work_dir = fake_work_dir() / "builds", .traffic = traffic, .resets = 6});
     ASSERT_TRUE(report.ok()) << report.error().to_string();
     EXPECT_TRUE(report->passed()) << to_text(*report);
     EXPECT_EQ(report->recomputations, 10'000u);
@@ -114,37 +116,37 @@ TEST(SphereSystem, HalfOfEverythingRecomputed) {
 
 TEST(SphereSystem, OneLaneOneReferenceInVerilator) {
   expect_pass(test::sphere_design(format("s12e8"), format("s53e8"), 1, 1), "sphere_1x1",
-              SimulatorKind::verilator, 100);
+              verilator_tb::SimulatorKind::verilator, 100);
 }
 
 TEST(SphereSystem, OneLaneOneReferenceInIcarus) {
   expect_pass(test::sphere_design(format("s12e8"), format("s53e8"), 1, 1), "sphere_1x1_icarus",
-              SimulatorKind::icarus, 10);
+              verilator_tb::SimulatorKind::icarus, 10);
 }
 
 TEST(SphereSystem, SevenLanesThreeReferencesInVerilator) {
   expect_pass(test::sphere_design(format("s12e8"), format("s53e8"), 7, 3), "sphere_7x3",
-              SimulatorKind::verilator, 200);
+              verilator_tb::SimulatorKind::verilator, 200);
 }
 
 TEST(SphereSystem, InOrderAndRefetchedInVerilator) {
-  model::Design design = test::sphere_design(format("s12e8"), format("s53e8"), 3, 2);
-  design.system.order = model::ResultOrder::in_order;
-  design.system.operands = model::OperandStore::refetched;
-  expect_pass(design, "sphere_in_order_refetched", SimulatorKind::verilator, 100);
+  design::Design design = test::sphere_design(format("s12e8"), format("s53e8"), 3, 2);
+  design.system.order = scene::ResultOrder::in_order;
+  design.system.operands = scene::OperandStore::refetched;
+  expect_pass(design, "sphere_in_order_refetched", verilator_tb::SimulatorKind::verilator, 100);
 }
 
 TEST(SphereSystem, RefetchedInIcarus) {
-  model::Design design = test::sphere_design(format("s12e8"), format("s53e8"), 2, 1);
-  design.system.operands = model::OperandStore::refetched;
-  expect_pass(design, "sphere_refetched_icarus", SimulatorKind::icarus, 10);
+  design::Design design = test::sphere_design(format("s12e8"), format("s53e8"), 2, 1);
+  design.system.operands = scene::OperandStore::refetched;
+  expect_pass(design, "sphere_refetched_icarus", verilator_tb::SimulatorKind::icarus, 10);
 }
 
 TEST(SphereSystem, LanesAloneInVerilator) {
-  model::Design design = test::sphere_design(format("s12e8"), format("s53e8"), 2, 0);
+  design::Design design = test::sphere_design(format("s12e8"), format("s53e8"), 2, 0);
   design.system.counter_bits = 0;
-  expect_pass(design, "sphere_2x0", SimulatorKind::verilator, 100);
+  expect_pass(design, "sphere_2x0", verilator_tb::SimulatorKind::verilator, 100);
 }
 
 }  // namespace
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::test

@@ -10,30 +10,34 @@
 #include "tests/support/sphere.hpp"
 #include "tests/verilator_tb/fake_system.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::test {
 namespace {
 
-constexpr SimulatorKind simulators[] = {SimulatorKind::verilator, SimulatorKind::icarus};
+constexpr verilator_tb::SimulatorKind simulators[] = {verilator_tb::SimulatorKind::verilator,
+                                                      verilator_tb::SimulatorKind::icarus};
 
-VerifyReport run(const FakeSystem& fake, std::size_t count, VerifyOptions options) {
+verilator_tb::VerifyReport run(const FakeSystem& fake, std::size_t count,
+                               verilator_tb::VerifyOptions options) {
   options.work_dir = fake_work_dir() / "builds";
   const auto folder = write_fake_system(fake);
-  auto report = judge_system(load_system(folder).value(), fake_design(fake),
-                             fake_comparisons(count), options);
+  auto report = verilator_tb::judge_system(verilator_tb::load_system(folder).value(),
+                                           fake_design(fake), fake_comparisons(count), options);
   EXPECT_TRUE(report.ok()) << report.error().to_string();
-  return report.ok() ? *report : VerifyReport{};
+  return report.ok() ? *report : verilator_tb::VerifyReport{};
 }
 
-class FakeSystems : public testing::TestWithParam<SimulatorKind> {
+class FakeSystems : public testing::TestWithParam<verilator_tb::SimulatorKind> {
 protected:
   /// At full rate and stressed with resets, every comparison must come back as it should.
   void expect_pass(const FakeSystem& fake) {
-    for (const TrafficKind traffic : {TrafficKind::full_rate, TrafficKind::stressed}) {
-      const VerifyReport report = run(fake, 3000,
-                                      {.simulator = GetParam(),
-                                       .traffic = traffic,
-                                       .resets = traffic == TrafficKind::stressed ? 5 : 0,
-                                       .block_size = 1000});
+    for (const verilator_tb::TrafficKind traffic :
+         {verilator_tb::TrafficKind::full_rate, verilator_tb::TrafficKind::stressed}) {
+      const verilator_tb::VerifyReport report =
+          run(fake, 3000,
+              {.simulator = GetParam(),
+               .traffic = traffic,
+               .resets = traffic == verilator_tb::TrafficKind::stressed ? 5 : 0,
+               .block_size = 1000});
       EXPECT_TRUE(report.passed()) << to_text(report);
       EXPECT_EQ(report.comparisons, 3000u);
     }
@@ -41,7 +45,7 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(In, FakeSystems, testing::ValuesIn(simulators), [](const auto& test) {
-  return test.param == SimulatorKind::icarus ? "Icarus" : "Verilator";
+  return test.param == verilator_tb::SimulatorKind::icarus ? "Icarus" : "Verilator";
 });
 
 TEST_P(FakeSystems, GoodOnePasses) {
@@ -55,13 +59,13 @@ TEST_P(FakeSystems, GoodOneInOrderPasses) {
 TEST_P(FakeSystems, GoodOneWithoutReferencesPassesAndSaysUndecided) {
   const FakeSystem fake{.name = "lanes_only", .tag_bits = 64, .route = FakeRoute::none};
   expect_pass(fake);
-  const VerifyReport report = run(fake, 1000, {.simulator = GetParam()});
+  const verilator_tb::VerifyReport report = run(fake, 1000, {.simulator = GetParam()});
   EXPECT_GT(report.undecided, 300u);
   EXPECT_EQ(report.recomputations, 0u);
 }
 
 TEST_P(FakeSystems, GoodOneThatRefetchesThroughHierarchicalBlocksPasses) {
-  expect_pass({.name = "refetching", .lanes = 3, .operands = model::OperandStore::refetched});
+  expect_pass({.name = "refetching", .lanes = 3, .operands = scene::OperandStore::refetched});
 }
 
 TEST_P(FakeSystems, GoodOneWithFewerTagsThanSlotsPasses) {
@@ -95,12 +99,13 @@ constexpr Fault faults[] = {
     {"ValidInReset", 12, "tvalid high in reset", FakeRoute::reference, 3},
 };
 
-class Faults : public testing::TestWithParam<std::tuple<SimulatorKind, Fault>> {};
+class Faults : public testing::TestWithParam<std::tuple<verilator_tb::SimulatorKind, Fault>> {};
 
 INSTANTIATE_TEST_SUITE_P(In, Faults,
                          testing::Combine(testing::ValuesIn(simulators), testing::ValuesIn(faults)),
                          [](const auto& test) {
-                           const bool icarus = std::get<0>(test.param) == SimulatorKind::icarus;
+                           const bool icarus =
+                               std::get<0>(test.param) == verilator_tb::SimulatorKind::icarus;
                            return std::string(icarus ? "Icarus" : "Verilator") +
                                   std::get<1>(test.param).name;
                          });
@@ -108,10 +113,10 @@ INSTANTIATE_TEST_SUITE_P(In, Faults,
 TEST_P(Faults, AreCaughtAndNamed) {
   const auto [simulator, fault] = GetParam();
   const bool in_order = fault.route == FakeRoute::in_order;
-  const VerifyReport report =
+  const verilator_tb::VerifyReport report =
       run({.name = in_order ? "in_order" : "good", .route = fault.route}, 2000,
           {.simulator = simulator,
-           .traffic = TrafficKind::stressed,
+           .traffic = verilator_tb::TrafficKind::stressed,
            .resets = fault.resets,
            .hang_cycles = 3000,
            .repeat_command = "repeat",
@@ -133,20 +138,23 @@ TEST_P(Faults, AreCaughtAndNamed) {
 }
 
 TEST(Verify, FullRateFeedsEveryLaneInEveryCycle) {
-  const VerifyReport report = run({.name = "lanes_only", .tag_bits = 64, .route = FakeRoute::none},
-                                  20'000, {.block_size = 4096});
+  const verilator_tb::VerifyReport report =
+      run({.name = "lanes_only", .tag_bits = 64, .route = FakeRoute::none}, 20'000,
+          {.block_size = 4096});
   EXPECT_GT(report.comparisons_per_cycle(), 1.99);
   EXPECT_EQ(report.counters.at(2).counted, 0u) << "stalls";
 }
 
 TEST(Verify, TellsResultsInOrderOfIndex) {
-  std::vector<VerifiedResult> results;
-  const VerifyReport report =
+  std::vector<verilator_tb::VerifiedResult> results;
+  const verilator_tb::VerifyReport report =
       run({.name = "good"}, 5000,
-          {.selection = {.limit = 700, .sampling = Sampling::random, .seed = 3},
-           .traffic = TrafficKind::stressed,
+          {.selection = {.limit = 700, .sampling = verilator_tb::Sampling::random, .seed = 3},
+           .traffic = verilator_tb::TrafficKind::stressed,
            .block_size = 100,
-           .on_result = [&](const VerifiedResult& result) { results.push_back(result); }});
+           .on_result = [&](const verilator_tb::VerifiedResult& result) {
+             results.push_back(result);
+           }});
   ASSERT_TRUE(report.passed()) << to_text(report);
   ASSERT_EQ(results.size(), 700u);
   for (std::size_t k = 1; k < results.size(); ++k) {
@@ -154,19 +162,19 @@ TEST(Verify, TellsResultsInOrderOfIndex) {
   }
   EXPECT_GT(results.back().index, 4900u);
   const auto comparisons = fake_comparisons(5000);
-  for (const VerifiedResult& result : results) {
-    model::Bits operands[2];
+  for (const verilator_tb::VerifiedResult& result : results) {
+    Bits operands[2];
     comparisons.fetch(result.index, operands);
-    EXPECT_EQ(result.word.verdict() == model::Verdict::less, operands[0] < operands[1]);
+    EXPECT_EQ(result.word.verdict() == Verdict::less, operands[0] < operands[1]);
   }
 }
 
 TEST(Verify, RepeatsOneComparisonAlone) {
   std::uint64_t index = 0;
-  const VerifyReport report =
+  const verilator_tb::VerifyReport report =
       run({.name = "good"}, 5000,
           {.selection = {.only = 4321},
-           .on_result = [&](const VerifiedResult& result) { index = result.index; }});
+           .on_result = [&](const verilator_tb::VerifiedResult& result) { index = result.index; }});
   EXPECT_TRUE(report.passed()) << to_text(report);
   EXPECT_EQ(report.comparisons, 1u);
   EXPECT_EQ(index, 4321u);
@@ -174,11 +182,12 @@ TEST(Verify, RepeatsOneComparisonAlone) {
 
 TEST(Verify, CountsVerdictsThatAreNotTheTruth) {
   // The true f and g are exchanged: whatever is not equal is called wrong.
-  model::Graph graph;
+  Graph graph;
   const auto a = graph.input("a");
   const auto b = graph.input("b");
   graph.compare(b, a);
-  const VerifyReport report = run({.name = "good"}, 1000, {.truth = TruthCheck{.graph = &graph}});
+  const verilator_tb::VerifyReport report =
+      run({.name = "good"}, 1000, {.truth = verilator_tb::TruthCheck{.graph = &graph}});
   ASSERT_TRUE(report.truth.has_value());
   EXPECT_FALSE(report.passed()) << "a certified lane that is wrong";
   EXPECT_EQ(report.truth->checked, 1000u);
@@ -188,19 +197,21 @@ TEST(Verify, CountsVerdictsThatAreNotTheTruth) {
   EXPECT_EQ(report.truth->not_checked(), 0u);
   EXPECT_EQ(report.truth->reference_alone_checked, 1000u);
   EXPECT_EQ(report.truth->reference_alone_wrong, 1000 - report.verdicts[1]);
-  const VerifyReport fewer =
+  const verilator_tb::VerifyReport fewer =
       run({.name = "good"}, 1000,
-          {.truth = TruthCheck{.graph = &graph, .scope = TruthScope::recomputed}});
+          {.truth = verilator_tb::TruthCheck{.graph = &graph,
+                                             .scope = verilator_tb::TruthScope::recomputed}});
   EXPECT_EQ(fewer.truth->checked, report.recomputations);
   EXPECT_EQ(fewer.truth->decided_by_lane, 1000 - report.recomputations);
 }
 
 TEST(Verify, CountsWhatNobodyDecidedAsNotChecked) {
-  model::Graph graph;
+  Graph graph;
   const auto a = graph.input("a");
   graph.compare(a, graph.input("b"));
-  const VerifyReport report = run({.name = "lanes_only", .tag_bits = 64, .route = FakeRoute::none},
-                                  1000, {.truth = TruthCheck{.graph = &graph}});
+  const verilator_tb::VerifyReport report =
+      run({.name = "lanes_only", .tag_bits = 64, .route = FakeRoute::none}, 1000,
+          {.truth = verilator_tb::TruthCheck{.graph = &graph}});
   ASSERT_TRUE(report.passed()) << to_text(report);
   EXPECT_GT(report.undecided, 0u);
   EXPECT_EQ(report.truth->undecided, report.undecided);
@@ -209,14 +220,14 @@ TEST(Verify, CountsWhatNobodyDecidedAsNotChecked) {
 
 /// Whatever has left before the run stopped is checked, or counted as not checked.
 TEST(Verify, AccountsForEveryResultOfARunThatStopped) {
-  model::Graph graph;
+  Graph graph;
   const auto a = graph.input("a");
   graph.compare(a, graph.input("b"));
-  const VerifyReport report = run({.name = "good"}, 2000,
-                                  {.traffic = TrafficKind::stressed,
-                                   .hang_cycles = 3000,
-                                   .truth = TruthCheck{.graph = &graph},
-                                   .plusargs = {"fault=7"}});
+  const verilator_tb::VerifyReport report = run({.name = "good"}, 2000,
+                                                {.traffic = verilator_tb::TrafficKind::stressed,
+                                                 .hang_cycles = 3000,
+                                                 .truth = verilator_tb::TruthCheck{.graph = &graph},
+                                                 .plusargs = {"fault=7"}});
   EXPECT_FALSE(report.passed());
   EXPECT_GT(report.comparisons, 0u);
   EXPECT_LT(report.comparisons, report.requested);
@@ -224,29 +235,30 @@ TEST(Verify, AccountsForEveryResultOfARunThatStopped) {
 }
 
 TEST(Verify, RefusesASystemOfAnotherDesign) {
-  const auto lane = model::FloatFormat::parse("s8e8").value();
-  const auto reference = model::FloatFormat::parse("s53e8").value();
-  const model::Design design = test::sphere_design(lane, reference, 2, 1);
-  const System system{"here", gen::generate_system(design, "").value().signature};
-  EXPECT_TRUE(check_design(system, design).ok());
+  const auto lane = FloatFormat::parse("s8e8").value();
+  const auto reference = FloatFormat::parse("s53e8").value();
+  const design::Design design = test::sphere_design(lane, reference, 2, 1);
+  const verilator_tb::System system{"here", emit::generate_system(design, "").value().signature};
+  EXPECT_TRUE(verilator_tb::check_design(system, design).ok());
 
-  std::vector<model::Design> others(5, design);
+  std::vector<design::Design> others(5, design);
   others[0].lanes.front().count = 3;
   std::swap(others[1].inputs[0], others[1].inputs[1]);
   others[2].references.clear();
   others[3].system.tag_bits = 7;
-  others[4] = test::sphere_design(model::FloatFormat::parse("s9e8").value(), reference, 2, 1);
-  for (const model::Design& other : others) EXPECT_FALSE(check_design(system, other).ok());
+  others[4] = test::sphere_design(FloatFormat::parse("s9e8").value(), reference, 2, 1);
+  for (const design::Design& other : others)
+    EXPECT_FALSE(verilator_tb::check_design(system, other).ok());
 
-  System older = system;
+  verilator_tb::System older = system;
   older.signature.generator_version = "0.0.1";
-  const auto refused = check_design(older, design);
+  const auto refused = verilator_tb::check_design(older, design);
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().received.find("0.0.1"), std::string::npos);
 }
 
 TEST(Verify, ReportsItselfAsJson) {
-  const VerifyReport report = run({.name = "good"}, 500, {});
+  const verilator_tb::VerifyReport report = run({.name = "good"}, 500, {});
   const auto json = to_json(report);
   EXPECT_EQ(json["passed"], true);
   EXPECT_EQ(json["comparisons"], 500);
@@ -263,7 +275,7 @@ TEST(Verify, ReportsItselfAsJson) {
 TEST(VerifyReport, TellsTheColumnOfEveryInput) {
   const auto source = [](const char* input, std::uint64_t number, const char* name,
                          const char* file, const char* item) {
-    model::InputSource told;
+    data::InputSource told;
     told.input = input;
     told.column.number = number;
     told.column.name = name;
@@ -271,7 +283,7 @@ TEST(VerifyReport, TellsTheColumnOfEveryInput) {
     told.item = item;
     return told;
   };
-  VerifyReport report;
+  verilator_tb::VerifyReport report;
   report.inputs.push_back(source("xi", 2, "width", "points.csv", "item i"));
   report.inputs.push_back(source("y", 0, "", "rows.npy", ""));
   EXPECT_NE(to_text(report).find(
@@ -290,4 +302,4 @@ TEST(VerifyReport, TellsTheColumnOfEveryInput) {
 }
 
 }  // namespace
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::test

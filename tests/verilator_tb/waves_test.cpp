@@ -8,7 +8,7 @@
 
 #include "tests/verilator_tb/fake_system.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -42,22 +42,24 @@ std::set<std::string> declared(const std::string& vcd) {
   return names;
 }
 
-class WavesOf : public testing::TestWithParam<SimulatorKind> {};
+class WavesOf : public testing::TestWithParam<verilator_tb::SimulatorKind> {};
 
 INSTANTIATE_TEST_SUITE_P(In, WavesOf,
-                         testing::Values(SimulatorKind::verilator, SimulatorKind::icarus),
+                         testing::Values(verilator_tb::SimulatorKind::verilator,
+                                         verilator_tb::SimulatorKind::icarus),
                          [](const auto& test) {
-                           return test.param == SimulatorKind::icarus ? "Icarus" : "Verilator";
+                           return test.param == verilator_tb::SimulatorKind::icarus ? "Icarus"
+                                                                                    : "Verilator";
                          });
 
 TEST_P(WavesOf, AreReadableAndTheSaveFileNamesWhatIsInThem) {
   const FakeSystem fake{.name = "good"};
   const auto folder = write_fake_system(fake);
-  const bool icarus = GetParam() == SimulatorKind::icarus;
+  const bool icarus = GetParam() == verilator_tb::SimulatorKind::icarus;
   const fs::path waves = fs::absolute(fake_work_dir()) / (icarus ? "icarus.fst" : "verilator.fst");
   fs::remove(waves);
-  const auto report = judge_system(
-      load_system(folder).value(), fake_design(fake), fake_comparisons(200),
+  const auto report = verilator_tb::judge_system(
+      verilator_tb::load_system(folder).value(), fake_design(fake), fake_comparisons(200),
       {.simulator = GetParam(), .work_dir = fake_work_dir() / "builds", .waves = waves});
   ASSERT_TRUE(report.ok()) << report.error().to_string();
   EXPECT_TRUE(report->passed());
@@ -67,13 +69,13 @@ TEST_P(WavesOf, AreReadableAndTheSaveFileNamesWhatIsInThem) {
                                    .directory = "/",
                                    .log = waves.string() + ".log"});
   ASSERT_TRUE(converted.ok()) << converted.error().to_string();
-  EXPECT_TRUE(is_whole_fst(waves));
+  EXPECT_TRUE(verilator_tb::is_whole_fst(waves));
   const fs::path half = fs::path(waves).replace_extension(".half");
   const std::string whole = read(waves);
   for (const std::size_t size :
        {std::size_t{0}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) {
     std::ofstream(half, std::ios::binary) << whole.substr(0, size);
-    EXPECT_FALSE(is_whole_fst(half)) << size << " of " << whole.size() << " bytes";
+    EXPECT_FALSE(verilator_tb::is_whole_fst(half)) << size << " of " << whole.size() << " bytes";
   }
   const std::set<std::string> names = declared(read(vcd));
   EXPECT_GT(names.size(), 40u) << "waves show the inside";
@@ -92,12 +94,12 @@ TEST_P(WavesOf, AreReadableAndTheSaveFileNamesWhatIsInThem) {
 
 TEST(Waves, OfHierarchicalBlocksShowTheInsideOfTheFirst) {
   const FakeSystem fake{
-      .name = "refetching", .lanes = 3, .operands = model::OperandStore::refetched};
+      .name = "refetching", .lanes = 3, .operands = scene::OperandStore::refetched};
   const fs::path waves = fs::absolute(fake_work_dir()) / "hierarchical.fst";
   fs::remove(waves);
-  const auto report =
-      judge_system(load_system(write_fake_system(fake)).value(), fake_design(fake),
-                   fake_comparisons(200), {.work_dir = fake_work_dir() / "builds", .waves = waves});
+  const auto report = verilator_tb::judge_system(
+      verilator_tb::load_system(write_fake_system(fake)).value(), fake_design(fake),
+      fake_comparisons(200), {.work_dir = fake_work_dir() / "builds", .waves = waves});
   ASSERT_TRUE(report.ok()) << report.error().to_string();
   EXPECT_TRUE(report->passed());
   const fs::path vcd = fs::path(waves).replace_extension(".vcd");
@@ -113,4 +115,4 @@ TEST(Waves, OfHierarchicalBlocksShowTheInsideOfTheFirst) {
 }
 
 }  // namespace
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::test

@@ -11,7 +11,7 @@
 #include "channel.hpp"
 #include "engine_simulator.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 namespace {
 
@@ -202,11 +202,11 @@ private:
 
 }  // namespace
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness
 
 int main(int argc, char** argv) {
-  mixcmp::tb::Channel channel;
-  mixcmp::tb::ArgMinSimulator simulator(argc, argv);
+  mixcmp::harness::Channel channel;
+  mixcmp::harness::ArgMinSimulator simulator(argc, argv);
   simulator.serve(channel);
   return 0;
 }

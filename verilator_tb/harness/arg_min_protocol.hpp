@@ -6,7 +6,7 @@
 
 /// What the host and the simulator of an arg-min engine exchange, by the rules of protocol.hpp: a
 /// request is one load of candidates and the rows after it; its response holds the rows that left.
-namespace mixcmp::tb::wire {
+namespace mixcmp::harness::wire {
 
 /// The head of a request, followed by the candidates, item_bytes for each, and the rows, row_bytes
 /// for each.
@@ -45,4 +45,4 @@ struct RowResult {
   std::uint64_t cycle_left;
 };
 
-}  // namespace mixcmp::tb::wire
+}  // namespace mixcmp::harness::wire

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdlib>
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 /// The socket to the host. The simulator ends when the host closes it.
 class Channel {
@@ -37,4 +37,4 @@ private:
   int descriptor_;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness

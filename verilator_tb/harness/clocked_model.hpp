@@ -12,7 +12,7 @@
 #include "verilated_fst_c.h"
 #endif
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 /// The verilated model with its clock and its waves.
 class ClockedModel {
@@ -71,4 +71,4 @@ private:
 #endif
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness

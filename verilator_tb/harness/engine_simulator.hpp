@@ -12,7 +12,7 @@
 #include "system_ports.hpp"
 #include "traffic.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 /// The base of all engines' simulators: the model, its clock, resets, protocol violations,
 /// counters.
@@ -100,4 +100,4 @@ private:
   std::uint64_t violation_count_ = 0;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness

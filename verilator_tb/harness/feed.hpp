@@ -9,7 +9,7 @@
 
 #include "in_flight.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 /// The queue of comparisons for the lanes. Those that a reset has discarded come first.
 class Feed {
@@ -56,4 +56,4 @@ private:
   std::deque<std::pair<std::uint64_t, std::vector<std::uint8_t>>> returned_;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness

@@ -5,7 +5,7 @@
 
 #include "protocol.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 /// Checks on one stream the AXI4-Stream rule that valid and payload, once raised, hold until
 /// accepted.
@@ -33,4 +33,4 @@ private:
   std::uint64_t user_ = 0;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness

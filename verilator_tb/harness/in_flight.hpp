@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 /// One comparison that a lane was offered.
 struct Entry {
@@ -72,4 +72,4 @@ private:
   std::vector<Entry> ring_;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness

@@ -12,7 +12,7 @@
 #include "traffic.hpp"
 #include "verdict.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 /// The testbench of one lane's two streams: it offers comparisons, takes results and records both.
 class Lane {
@@ -160,7 +160,7 @@ private:
     entry->state = Entry::State::left;
     last_left_ = std::max(last_left_, entry->sequence);
     --inside_;
-    if (!model::ResultWord(tdata).is_decided_by_lane()) ++observed_.recomputations;
+    if (!ResultWord(tdata).is_decided_by_lane()) ++observed_.recomputations;
     recorder_.result({entry->position, entry->cycle, cycle, index_, tdata});
   }
 
@@ -194,4 +194,4 @@ private:
   std::uint64_t last_left_ = 0;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness

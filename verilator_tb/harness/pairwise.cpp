@@ -12,7 +12,7 @@
 #include "engine_simulator.hpp"
 #include "pairwise_protocol.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 namespace {
 
@@ -162,11 +162,11 @@ private:
 
 }  // namespace
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness
 
 int main(int argc, char** argv) {
-  mixcmp::tb::Channel channel;
-  mixcmp::tb::PairwiseSimulator simulator(argc, argv);
+  mixcmp::harness::Channel channel;
+  mixcmp::harness::PairwiseSimulator simulator(argc, argv);
   simulator.serve(channel);
   return 0;
 }

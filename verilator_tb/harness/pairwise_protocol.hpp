@@ -6,7 +6,7 @@
 
 /// What the host and the simulator of a pairwise engine exchange, by the rules of protocol.hpp: a
 /// request is one set of items; its response holds the reports that left.
-namespace mixcmp::tb::wire {
+namespace mixcmp::harness::wire {
 
 /// The head of a request, followed by the items, item_bytes for each.
 struct SetRequest {
@@ -43,4 +43,4 @@ struct Report {
   std::uint64_t tuser;
 };
 
-}  // namespace mixcmp::tb::wire
+}  // namespace mixcmp::harness::wire

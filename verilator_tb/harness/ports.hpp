@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 /// A port of a verilated model seen as bits: CData, SData, IData, QData and VlWide alike store
 /// theirs from the lowest byte up (the host is little-endian, as is every machine we run on).
@@ -80,4 +80,4 @@ struct ArgMinPorts {
   Port rows, stalled_cycles;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness

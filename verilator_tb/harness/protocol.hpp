@@ -6,7 +6,7 @@
 /// byte order. This file is compiled into both. Positions number the comparisons of a run from 0,
 /// in the order the host sends them. Every request gets one response; a comparison's result is in
 /// the response to its own block or in a later one, in any order.
-namespace mixcmp::tb::wire {
+namespace mixcmp::harness::wire {
 
 /// The head of a request, followed by `resets` positions (each std::uint64_t: reset the system as
 /// soon as so many comparisons were offered) and by the operands, tdata_bytes for each comparison.
@@ -76,4 +76,4 @@ struct LaneEnd {
   std::uint64_t observed[3];
 };
 
-}  // namespace mixcmp::tb::wire
+}  // namespace mixcmp::harness::wire

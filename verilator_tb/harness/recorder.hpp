@@ -6,7 +6,7 @@
 
 #include "protocol.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 /// Records the results and violations since the last response.
 class Recorder {
@@ -36,4 +36,4 @@ private:
   std::uint64_t last_result_cycle_ = 0;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness

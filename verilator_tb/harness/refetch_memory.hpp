@@ -7,7 +7,7 @@
 
 #include "lane.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 /// The user's memory behind one reference: takes tags, answers with operands, in order.
 class RefetchMemory {
@@ -75,4 +75,4 @@ private:
   std::uint64_t latency_ = 0;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness

@@ -5,7 +5,7 @@
 
 #include "traffic.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 struct Settings {
   Traffic::Kind traffic = Traffic::Kind::full_rate;
@@ -29,4 +29,4 @@ inline Settings read_settings(int count, char** words) {
   return settings;
 }
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness

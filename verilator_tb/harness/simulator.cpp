@@ -12,7 +12,7 @@
 #include "settings.hpp"
 #include "system_ports.hpp"
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 namespace {
 
@@ -139,11 +139,11 @@ private:
 
 }  // namespace
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness
 
 int main(int argc, char** argv) {
-  mixcmp::tb::Channel channel;
-  mixcmp::tb::Simulator simulator(argc, argv);
+  mixcmp::harness::Channel channel;
+  mixcmp::harness::Simulator simulator(argc, argv);
   simulator.serve(channel);
   return 0;
 }

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace mixcmp::tb {
+namespace mixcmp::harness {
 
 /// Decides in which cycles the two sides of a stream are ready to transfer. A decision depends on
 /// the seed, the stream and the cycle alone.
@@ -39,4 +39,4 @@ private:
   std::uint64_t seed_;
 };
 
-}  // namespace mixcmp::tb
+}  // namespace mixcmp::harness

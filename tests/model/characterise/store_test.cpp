@@ -13,25 +13,24 @@
 namespace mixcmp::test {
 namespace {
 
-using namespace model;
 namespace fs = std::filesystem;
 
-SynthesisResult measured(int luts) {
+characterise::SynthesisResult measured(int luts) {
   return {
       .area =
           {.luts = luts, .registers = 2, .dsps = 3, .memories = 4, .carries = 5, .shift_luts = 6},
-      .clock = Clock{.mhz = 0.1,
-                     .low_mhz = 0.05,
-                     .high_mhz = 300,
-                     .seeds = 5,
-                     .source = ClockSource::routed},
+      .clock = characterise::Clock{.mhz = 0.1,
+                                   .low_mhz = 0.05,
+                                   .high_mhz = 300,
+                                   .seeds = 5,
+                                   .source = characterise::ClockSource::routed},
       .no_clock = ""};
 }
 
 class Store : public testing::Test {
 protected:
   void expect_refused(const std::string& words) {
-    const auto store = ResultStore::open(path_);
+    const auto store = characterise::ResultStore::open(path_);
     ASSERT_FALSE(store.ok());
     EXPECT_EQ(store.error().file, path_.string());
     EXPECT_NE(store.error().to_string().find(words), std::string::npos)
@@ -51,14 +50,15 @@ protected:
 };
 
 TEST_F(Store, GivesBackWhatItWasGiven) {
-  SynthesisResult no_clock{.area = {.luts = 1}, .clock = std::nullopt, .no_clock = "it's \"so\""};
+  characterise::SynthesisResult no_clock{
+      .area = {.luts = 1}, .clock = std::nullopt, .no_clock = "it's \"so\""};
   {
-    ResultStore store = ResultStore::open(path_).value();
+    characterise::ResultStore store = characterise::ResultStore::open(path_).value();
     ASSERT_TRUE(store.add("a", measured(7), "Yosys").ok());
     ASSERT_TRUE(store.add("b", no_clock, "Yosys").ok());
     ASSERT_TRUE(store.add("a", measured(8), "Yosys").ok());
   }
-  const auto store = ResultStore::open(path_);
+  const auto store = characterise::ResultStore::open(path_);
   ASSERT_TRUE(store.ok()) << store.error().to_string();
   EXPECT_EQ(store->size().value(), 2);
   const auto a = store->find("a").value(), b = store->find("b").value();
@@ -69,7 +69,7 @@ TEST_F(Store, GivesBackWhatItWasGiven) {
   EXPECT_EQ(a->clock->low_mhz, 0.05);
   EXPECT_EQ(a->clock->high_mhz, 300);
   EXPECT_EQ(a->clock->seeds, 5);
-  EXPECT_EQ(a->clock->source, ClockSource::routed);
+  EXPECT_EQ(a->clock->source, characterise::ClockSource::routed);
   EXPECT_FALSE(b->clock);
   EXPECT_EQ(b->no_clock, no_clock.no_clock);
   EXPECT_FALSE(store->find("c").value());
@@ -89,14 +89,14 @@ TEST_F(Store, RefusesADatabaseOfSomethingElse) {
 }
 
 TEST_F(Store, RefusesAnotherVersion) {
-  ASSERT_TRUE(ResultStore::open(path_).ok());
+  ASSERT_TRUE(characterise::ResultStore::open(path_).ok());
   change("PRAGMA user_version = 99;");
   expect_refused("another version");
 }
 
 TEST_F(Store, RefusesADamagedFile) {
   {
-    ResultStore store = ResultStore::open(path_).value();
+    characterise::ResultStore store = characterise::ResultStore::open(path_).value();
     for (int k = 0; k < 200; ++k) {
       ASSERT_TRUE(store.add(std::string(30, 'h') + std::to_string(k), measured(k), "t").ok());
     }
@@ -112,7 +112,7 @@ TEST_F(Store, RefusesAFolderAndATruncatedFile) {
   fs::create_directories(path_);
   expect_refused("SQLite");
   fs::remove(path_);
-  ASSERT_TRUE(ResultStore::open(path_).ok());
+  ASSERT_TRUE(characterise::ResultStore::open(path_).ok());
   fs::resize_file(path_, 100);
   expect_refused("");
 }
@@ -124,9 +124,9 @@ TEST_F(Store, TakesFromManyProcessesAtOnce) {
     const pid_t child = fork();
     if (child == 0) {
       for (int k = 0; k < each; ++k) {
-        auto opened = ResultStore::open(path_);
+        auto opened = characterise::ResultStore::open(path_);
         if (!opened.ok()) _exit(1);
-        ResultStore store = std::move(opened).value();
+        characterise::ResultStore store = std::move(opened).value();
         const std::string hash = std::to_string(process) + "." + std::to_string(k);
         if (!store.add(hash, measured(k), "t").ok()) _exit(1);
       }
@@ -139,32 +139,34 @@ TEST_F(Store, TakesFromManyProcessesAtOnce) {
     ASSERT_EQ(waitpid(child, &status, 0), child);
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
   }
-  EXPECT_EQ(ResultStore::open(path_).value().size().value(), processes * each);
+  EXPECT_EQ(characterise::ResultStore::open(path_).value().size().value(), processes * each);
 }
 
 TEST(StorePath, FollowsTheXdgSpecification) {
   setenv("HOME", "/home/someone", 1);
   setenv("XDG_CACHE_HOME", "/cache", 1);
-  EXPECT_EQ(default_store_path().value(), "/cache/mixcmp/characterisation.sqlite");
+  EXPECT_EQ(characterise::default_store_path().value(), "/cache/mixcmp/characterisation.sqlite");
   setenv("XDG_CACHE_HOME", "relative", 1);
-  EXPECT_EQ(default_store_path().value(), "/home/someone/.cache/mixcmp/characterisation.sqlite");
+  EXPECT_EQ(characterise::default_store_path().value(),
+            "/home/someone/.cache/mixcmp/characterisation.sqlite");
   unsetenv("XDG_CACHE_HOME");
-  EXPECT_EQ(default_store_path().value(), "/home/someone/.cache/mixcmp/characterisation.sqlite");
+  EXPECT_EQ(characterise::default_store_path().value(),
+            "/home/someone/.cache/mixcmp/characterisation.sqlite");
   unsetenv("HOME");
-  ASSERT_FALSE(default_store_path().ok());
-  EXPECT_EQ(default_store_path().error().field, "--store");
+  ASSERT_FALSE(characterise::default_store_path().ok());
+  EXPECT_EQ(characterise::default_store_path().error().field, "--store");
 }
 
 class JobHash : public testing::Test {
 protected:
   std::string hash() const { return job_hash(job_, device_, options_, tools_); }
 
-  SynthesisJob job_{.sources = {{"a.v", "module a; endmodule\n"}}, .top = "a"};
-  Device device_{.name = "d",
-                 .synthesis = "synth_ice40",
-                 .timing = TimingTool::nextpnr_ice40,
-                 .timing_arguments = {"--hx8k"}};
-  SynthesisOptions options_;
+  characterise::SynthesisJob job_{.sources = {{"a.v", "module a; endmodule\n"}}, .top = "a"};
+  devices::Device device_{.name = "d",
+                          .synthesis = "synth_ice40",
+                          .timing = devices::TimingTool::nextpnr_ice40,
+                          .timing_arguments = {"--hx8k"}};
+  characterise::SynthesisOptions options_;
   std::string tools_ = "Yosys 0.23";
   const std::string before_ = hash();
 };
@@ -183,26 +185,26 @@ TEST_F(JobHash, TellsEverythingApartThatAResultDependsOn) {
   expect_change(job_.sources[0].text, std::string("module a;endmodule\n"));
   expect_change(job_.sources[0].name, std::string("b.v"));
   expect_change(device_.synthesis, std::string("synth_ice40 -dsp"));
-  expect_change(device_.timing, TimingTool::none);
+  expect_change(device_.timing, devices::TimingTool::none);
   expect_change(device_.timing_arguments, std::vector<std::string>{"--up5k"});
   expect_change(device_.timing_synthesis, std::string("synth_ice40 -abc9"));
   expect_change(device_.available.luts, 7);
   expect_change(options_.seeds, 4);
-  expect_change(options_.effort, TimingEffort::area_only);
+  expect_change(options_.effort, characterise::TimingEffort::area_only);
 }
 
 TEST_F(JobHash, AsksNothingOfWhatDoesNotMatter) {
   device_.name = "the same silicon under another name";
   device_.delays.lut_ns = 100;
   EXPECT_EQ(hash(), before_);
-  options_.effort = TimingEffort::area_only;
+  options_.effort = characterise::TimingEffort::area_only;
   const std::string area = hash();
   options_.seeds = 9;
   device_.available.luts = 7;
-  device_.timing = TimingTool::none;
+  device_.timing = devices::TimingTool::none;
   EXPECT_EQ(hash(), area);
-  options_.effort = TimingEffort::timing;
-  device_.timing = TimingTool::yosys_sta;
+  options_.effort = characterise::TimingEffort::timing;
+  device_.timing = devices::TimingTool::yosys_sta;
   const std::string estimated = hash();
   options_.seeds = 1;
   EXPECT_EQ(hash(), estimated) << "an estimate has no seeds";

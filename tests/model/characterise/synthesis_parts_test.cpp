@@ -10,14 +10,14 @@
 #include "model/characterise/static_timing.hpp"
 
 /// What is read from the tools' files, without the tools.
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 using nlohmann::json;
 
 TEST(MappedArea, ACellNobodyCountedIsAnError) {
   for (const char* cell : {"$add", "$_DFF_P_", "SB_SPRAM256KA", "my_black_box", "RAM512X1S"}) {
-    const auto area = area_of_cell(cell);
+    const auto area = characterise::area_of_cell(cell);
     ASSERT_FALSE(area.ok()) << cell;
     EXPECT_EQ(area.error().received, cell);
   }
@@ -28,23 +28,23 @@ TEST(MappedArea, MemoryInLutsCountsAsTheVendorsGuidesSay) {
       {"SRL16E", 1}, {"SRLC32E", 1}, {"RAM32X1D", 2}, {"RAM64X1D", 2},       {"RAM128X1D", 4},
       {"RAM32M", 4}, {"RAM64M", 4},  {"RAM32M16", 8}, {"TRELLIS_DPR16X4", 6}};
   for (const auto& [cell, count] : luts) {
-    const Area area = area_of_cell(cell).value();
-    EXPECT_EQ(area, (Area{.luts = count, .shift_luts = count})) << cell;
+    const devices::Area area = characterise::area_of_cell(cell).value();
+    EXPECT_EQ(area, (devices::Area{.luts = count, .shift_luts = count})) << cell;
   }
 }
 
 TEST(MappedArea, ABlockOf36KbIsTwoOf18Kb) {
-  EXPECT_EQ(area_of_cell("RAMB18E1")->memories, 1);
-  EXPECT_EQ(area_of_cell("RAMB36E1")->memories, 2);
-  EXPECT_EQ(area_of_cell("RAMB36E2")->memories, 2);
+  EXPECT_EQ(characterise::area_of_cell("RAMB18E1")->memories, 1);
+  EXPECT_EQ(characterise::area_of_cell("RAMB36E1")->memories, 2);
+  EXPECT_EQ(characterise::area_of_cell("RAMB36E2")->memories, 2);
 }
 
 TEST(MappedArea, EveryFlipFlopAndMultiplierOfEveryFamilyCounts) {
   for (const char* cell : {"FDRE", "FDSE", "FDRE_1", "FDCE", "TRELLIS_FF", "SB_DFF", "SB_DFFESR"}) {
-    EXPECT_EQ(area_of_cell(cell).value(), Area{.registers = 1}) << cell;
+    EXPECT_EQ(characterise::area_of_cell(cell).value(), devices::Area{.registers = 1}) << cell;
   }
   for (const char* cell : {"DSP48E", "DSP48E1", "DSP48E2", "MULT18X18D", "SB_MAC16"}) {
-    EXPECT_EQ(area_of_cell(cell).value(), Area{.dsps = 1}) << cell;
+    EXPECT_EQ(characterise::area_of_cell(cell).value(), devices::Area{.dsps = 1}) << cell;
   }
 }
 
@@ -52,12 +52,13 @@ TEST(MappedArea, StatisticsOfOldAndNewYosysAddUp) {
   const json old_form = json::parse(R"({"creator": "Yosys 0.23", "modules": {"\\dut": {}},
       "design": {"num_cells": 88, "num_cells_by_type":
                  {"CARRY4": 4, "FDRE": 48, "LUT2": 16, "SRL16E": 8, "RAM32M": 3, "DSP48E1": 2}}})");
-  const Area expected = {.luts = 36, .registers = 48, .dsps = 2, .carries = 4, .shift_luts = 20};
-  EXPECT_EQ(area_of_statistics(old_form).value(), expected);
+  const devices::Area expected = {
+      .luts = 36, .registers = 48, .dsps = 2, .carries = 4, .shift_luts = 20};
+  EXPECT_EQ(characterise::area_of_statistics(old_form).value(), expected);
   json new_form = old_form;
   new_form["design"]["num_ports"] = 4;
   new_form["design"]["num_cells_by_type"]["$scopeinfo"] = 12;
-  EXPECT_EQ(area_of_statistics(new_form).value(), expected);
+  EXPECT_EQ(characterise::area_of_statistics(new_form).value(), expected);
 }
 
 /// A netlist of iCE40 cells, their ports as nets.
@@ -82,7 +83,7 @@ protected:
   void output(int net) {
     module_["ports"]["y"] = {{"direction", "output"}, {"bits", json::array({net})}};
   }
-  int count() { return ice40_logic_cells({{"modules", {{"dut", module_}}}}, "dut"); }
+  int count() { return characterise::ice40_logic_cells({{"modules", {{"dut", module_}}}}, "dut"); }
 
   json module_ = {{"cells", json::object()}, {"ports", json::object()}};
 };
@@ -143,8 +144,9 @@ TEST_F(Ice40Cells, TwoCarriesOfTheSameBitsNeedTwoLuts) {
 }
 
 TEST(StaticTiming, TheLatestArrivalIsRead) {
-  EXPECT_EQ(longest_path_ps("7. Executing STA pass.\nLatest arrival time in 'dut' is 1631:\n"
-                            "    1631 $auto$ff (FDRE.D)\n")
+  EXPECT_EQ(characterise::longest_path_ps(
+                "7. Executing STA pass.\nLatest arrival time in 'dut' is 1631:\n"
+                "    1631 $auto$ff (FDRE.D)\n")
                 .value(),
             1631);
 }
@@ -152,27 +154,27 @@ TEST(StaticTiming, TheLatestArrivalIsRead) {
 TEST(StaticTiming, APathThroughACellWithoutDelaysIsNoClock) {
   for (const char* warning : {"Warning: Cell type 'DSP48E2' not recognised! Ignoring.\n",
                               "Warning: Module 'DSP48E2' has no timing arcs!\n"}) {
-    const auto path =
-        longest_path_ps(std::string(warning) + "Latest arrival time in 'dut' is 303:\n");
+    const auto path = characterise::longest_path_ps(std::string(warning) +
+                                                    "Latest arrival time in 'dut' is 303:\n");
     ASSERT_FALSE(path.ok()) << warning;
     EXPECT_NE(path.error().message.find("DSP48E2"), std::string::npos) << warning;
   }
 }
 
 TEST(StaticTiming, NoPathIsNoClock) {
-  EXPECT_FALSE(longest_path_ps("Latest arrival time in 'dut' is 0:\n").ok());
-  EXPECT_FALSE(longest_path_ps("").ok());
+  EXPECT_FALSE(characterise::longest_path_ps("Latest arrival time in 'dut' is 0:\n").ok());
+  EXPECT_FALSE(characterise::longest_path_ps("").ok());
 }
 
 TEST(Router, TheSlowestClockOfAReportCounts) {
   const json report = {{"fmax",
                         {{"aclk", {{"achieved", 253.5}, {"constraint", 400}}},
                          {"other", {{"achieved", 81.25}, {"constraint", 400}}}}}};
-  EXPECT_EQ(routed_mhz(report).value(), 81.25);
+  EXPECT_EQ(characterise::routed_mhz(report).value(), 81.25);
 }
 
 TEST(Router, AReportWithoutClocksIsNoClock) {
-  EXPECT_FALSE(routed_mhz(json::parse(R"({"fmax": {}})")).value().has_value());
+  EXPECT_FALSE(characterise::routed_mhz(json::parse(R"({"fmax": {}})")).value().has_value());
 }
 
 TEST(Router, AReportOfAnotherFormIsAnError) {
@@ -180,13 +182,13 @@ TEST(Router, AReportOfAnotherFormIsAnError) {
        {"{}", "[]", "\"fmax\"", R"({"fmax": null})", R"({"fmax": {"aclk": {}}})",
         R"({"fmax": {"aclk": {"achieved": 0}}})", R"({"fmax": {"aclk": {"achieved": -100}}})",
         R"({"fmax": {"aclk": {"achieved": 1e300}}})", R"({"fmax": {"aclk": {"achieved": "9"}}})"}) {
-    EXPECT_FALSE(routed_mhz(json::parse(text)).ok()) << text;
+    EXPECT_FALSE(characterise::routed_mhz(json::parse(text)).ok()) << text;
   }
 }
 
 TEST(MappedArea, NumbersOfCellsAreWholeAndWithinReason) {
   const auto area = [](const char* counts) {
-    return area_of_statistics(
+    return characterise::area_of_statistics(
         json::parse(fmt::format(R"({{"design": {{"num_cells_by_type": {}}}}})", counts)));
   };
   EXPECT_EQ(area(R"({"LUT1": 7})").value().luts, 7);
@@ -194,17 +196,17 @@ TEST(MappedArea, NumbersOfCellsAreWholeAndWithinReason) {
                              R"({"LUT1": 1.5})", R"({"LUT1": "7"})", "null", "[]"}) {
     EXPECT_FALSE(area(counts).ok()) << counts;
   }
-  EXPECT_FALSE(area_of_statistics(json::array()).ok());
+  EXPECT_FALSE(characterise::area_of_statistics(json::array()).ok());
 }
 
 TEST(Router, SeedsGiveMedianAndExtremes) {
-  const Clock odd = clock_over_seeds({90, 70, 80});
+  const characterise::Clock odd = characterise::clock_over_seeds({90, 70, 80});
   EXPECT_EQ(odd.mhz, 80);
   EXPECT_EQ(odd.low_mhz, 70);
   EXPECT_EQ(odd.high_mhz, 90);
   EXPECT_EQ(odd.seeds, 3);
-  EXPECT_EQ(odd.source, ClockSource::routed);
-  EXPECT_EQ(clock_over_seeds({100, 70, 80, 90}).mhz, 80);
+  EXPECT_EQ(odd.source, characterise::ClockSource::routed);
+  EXPECT_EQ(characterise::clock_over_seeds({100, 70, 80, 90}).mhz, 80);
 }
 
 json module_with(const json& ports) {
@@ -216,7 +218,7 @@ json port(const char* direction, int width) {
 }
 
 TEST(RegisterWrapper, APortOfTwoDirectionsIsAnError) {
-  const auto wrapper = register_wrapper(
+  const auto wrapper = characterise::register_wrapper(
       module_with(
           {{"aclk", port("input", 1)}, {"pad", port("inout", 1)}, {"y", port("output", 1)}}),
       "dut", "aclk", "w");
@@ -225,16 +227,18 @@ TEST(RegisterWrapper, APortOfTwoDirectionsIsAnError) {
 }
 
 TEST(RegisterWrapper, AModuleWithoutOutputsIsAnError) {
-  EXPECT_FALSE(register_wrapper(module_with({{"a", port("input", 8)}}), "dut", "aclk", "w").ok());
+  EXPECT_FALSE(
+      characterise::register_wrapper(module_with({{"a", port("input", 8)}}), "dut", "aclk", "w")
+          .ok());
 }
 
 TEST(RegisterWrapper, AModuleWithoutInputsOrClockIsWrapped) {
   const auto wrapper =
-      register_wrapper(module_with({{"y", port("output", 3)}}), "dut", "aclk", "w");
+      characterise::register_wrapper(module_with({{"y", port("output", 3)}}), "dut", "aclk", "w");
   ASSERT_TRUE(wrapper.ok());
   EXPECT_EQ(wrapper->find("inputs"), std::string::npos);
   EXPECT_NE(wrapper->find(".\\y (outputs[2:0])"), std::string::npos);
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

@@ -11,7 +11,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// Small modules whose mapping is known, through the real tools.
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 /// Two 16-bit registers in, their sum in a third: 48 flip-flops, 16 LUTs on a carry chain.
@@ -108,27 +108,30 @@ endmodule
 
 class Synthesis : public testing::Test {
 protected:
-  static Device device(const std::string& name) { return find_device(name).value(); }
-
-  Result<SynthesisResult> run(const char* text, const Device& device,
-                              const SynthesisOptions& options) {
-    return synthesise({.sources = {{"dut.v", text}}, .top = "dut"}, device, options,
-                      directory_.path());
+  static devices::Device device(const std::string& name) {
+    return devices::find_device(name).value();
   }
 
-  Area area(const char* text, const std::string& name) {
-    const auto result = run(text, device(name), {.effort = TimingEffort::area_only});
+  Result<characterise::SynthesisResult> run(const char* text, const devices::Device& device,
+                                            const characterise::SynthesisOptions& options) {
+    return characterise::synthesise({.sources = {{"dut.v", text}}, .top = "dut"}, device, options,
+                                    directory_.path());
+  }
+
+  devices::Area area(const char* text, const std::string& name) {
+    const auto result = run(text, device(name), {.effort = characterise::TimingEffort::area_only});
     EXPECT_TRUE(result.ok()) << result.error().to_string();
-    return result.ok() ? result->area : Area{};
+    return result.ok() ? result->area : devices::Area{};
   }
 
   test::ScratchDirectory directory_;
 };
 
-#define SKIP_WITHOUT_YOSYS() \
-  if (!yosys_version(device("ice40-hx8k")).ok()) GTEST_SKIP() << "yosys is not installed"
+#define SKIP_WITHOUT_YOSYS()                                   \
+  if (!characterise::yosys_version(device("ice40-hx8k")).ok()) \
+  GTEST_SKIP() << "yosys is not installed"
 #define SKIP_WITHOUT_ROUTER(name) \
-  if (!router_version(device(name)).ok()) GTEST_SKIP() << "no router for " << name
+  if (!characterise::router_version(device(name)).ok()) GTEST_SKIP() << "no router for " << name
 
 TEST_F(Synthesis, BrokenVerilogIsAnErrorWithTheEndOfTheLog) {
   SKIP_WITHOUT_YOSYS();
@@ -140,14 +143,15 @@ TEST_F(Synthesis, BrokenVerilogIsAnErrorWithTheEndOfTheLog) {
 
 TEST_F(Synthesis, AnAbsentTopIsAnError) {
   SKIP_WITHOUT_YOSYS();
-  const auto result = synthesise({.sources = {{"dut.v", adder}}, .top = "dud"},
-                                 device("ice40-hx8k"), {}, directory_.path());
+  const auto result = characterise::synthesise({.sources = {{"dut.v", adder}}, .top = "dud"},
+                                               device("ice40-hx8k"), {}, directory_.path());
   ASSERT_FALSE(result.ok());
   EXPECT_NE(result.error().message.find("dud"), std::string::npos);
 }
 
 TEST_F(Synthesis, AToolThatTakesTooLongIsEnded) {
-  const auto ran = run_in(directory_.path(), {"sleep", "100"}, "sleep.log", {.seconds = 1});
+  const auto ran =
+      characterise::run_in(directory_.path(), {"sleep", "100"}, "sleep.log", {.seconds = 1});
   EXPECT_FALSE(ran.ok());
 }
 
@@ -156,17 +160,17 @@ TEST_F(Synthesis, Virtex6CountsLutsAndWhatTheyServeAs) {
   EXPECT_EQ(area(everything, "virtex6-lx760"),
             // 16 of the sum, 8 shift registers of one LUT, 3 RAM32M (6 bits each) of 4, 16 of the
             // XOR that follows; the two DSP48E1 take most of the product's registers.
-            (Area{.luts = 16 + 8 + 12 + 16,
-                  .registers = 48 + 16 + 17,
-                  .dsps = 2,
-                  .memories = 1,
-                  .carries = 4,
-                  .shift_luts = 8 + 12}));
+            (devices::Area{.luts = 16 + 8 + 12 + 16,
+                           .registers = 48 + 16 + 17,
+                           .dsps = 2,
+                           .memories = 1,
+                           .carries = 4,
+                           .shift_luts = 8 + 12}));
 }
 
 TEST_F(Synthesis, ThePapersSmallerDeviceMultipliesInLuts) {
   SKIP_WITHOUT_YOSYS();
-  const Area found = area(multiplier, "virtex5-lx330t");
+  const devices::Area found = area(multiplier, "virtex5-lx330t");
   EXPECT_EQ(found.dsps, 0);
   EXPECT_EQ(found.registers, 96);
   EXPECT_GT(found.luts, 24 * 24 / 2);
@@ -174,8 +178,8 @@ TEST_F(Synthesis, ThePapersSmallerDeviceMultipliesInLuts) {
 
 TEST_F(Synthesis, Ecp5CountsTwoLutsForACarryAndSixForADistributedRam) {
   SKIP_WITHOUT_YOSYS();
-  EXPECT_EQ(area(adder, "ecp5-85k"), (Area{.luts = 16, .registers = 48, .carries = 8}));
-  const Area found = area(small_memory, "ecp5-85k");
+  EXPECT_EQ(area(adder, "ecp5-85k"), (devices::Area{.luts = 16, .registers = 48, .carries = 8}));
+  const devices::Area found = area(small_memory, "ecp5-85k");
   EXPECT_EQ(found.shift_luts, 6 * 8);  // twice 16 words, in fours of bits
   EXPECT_EQ(area(multiplier, "ecp5-85k").dsps, 4);
   EXPECT_EQ(area(memory, "ecp5-85k").memories, 1);
@@ -184,7 +188,7 @@ TEST_F(Synthesis, Ecp5CountsTwoLutsForACarryAndSixForADistributedRam) {
 TEST_F(Synthesis, Ice40CountsLogicCells) {
   SKIP_WITHOUT_YOSYS();
   // The sum's LUTs, carries and flip-flops share 16 cells; 32 operands fill one each.
-  EXPECT_EQ(area(adder, "ice40-hx8k"), (Area{.luts = 48, .registers = 48, .carries = 15}));
+  EXPECT_EQ(area(adder, "ice40-hx8k"), (devices::Area{.luts = 48, .registers = 48, .carries = 15}));
   EXPECT_EQ(area(delay, "ice40-hx8k").luts, 96);
   EXPECT_EQ(area(memory, "ice40-hx8k").memories, 5);
   EXPECT_EQ(area(multiplier, "ice40-up5k").dsps, 4);
@@ -196,10 +200,11 @@ TEST_F(Synthesis, Ice40CountsLogicCells) {
 TEST_F(Synthesis, OurLogicCellsAreThoseThatNextpnrPacks) {
   SKIP_WITHOUT_YOSYS();
   SKIP_WITHOUT_ROUTER("ice40-hx8k");
-  const Device hx8k = device("ice40-hx8k");
+  const devices::Device hx8k = device("ice40-hx8k");
   for (const char* text : {adder, multiplier, delay, memory}) {
     const int ours = area(text, "ice40-hx8k").luts;
-    const auto packed = packed_luts(hx8k, directory_.path(), "map.json", {.seconds = 60});
+    const auto packed =
+        characterise::packed_luts(hx8k, directory_.path(), "map.json", {.seconds = 60});
     ASSERT_TRUE(packed.ok()) << packed.error().to_string();
     const int luts = std::get<int>(*packed);
     EXPECT_GE(luts, ours) << text;
@@ -212,8 +217,8 @@ TEST_F(Synthesis, Ecp5CountsAreThoseThatNextpnrPacks) {
   SKIP_WITHOUT_ROUTER("ecp5-85k");
   for (const char* text : {adder, multiplier, small_memory}) {
     const int ours = area(text, "ecp5-85k").luts;
-    const auto packed =
-        packed_luts(device("ecp5-85k"), directory_.path(), "map.json", {.seconds = 60});
+    const auto packed = characterise::packed_luts(device("ecp5-85k"), directory_.path(), "map.json",
+                                                  {.seconds = 60});
     ASSERT_TRUE(packed.ok()) << packed.error().to_string();
     EXPECT_GE(std::get<int>(*packed), ours) << text;
     EXPECT_LE(std::get<int>(*packed), ours + 20)
@@ -226,7 +231,7 @@ TEST_F(Synthesis, WrappingLosesNoRegister) {
   SKIP_WITHOUT_ROUTER("ice40-hx8k");
   const auto result = run(adder, device("ice40-hx8k"), {.seeds = 1});
   ASSERT_TRUE(result.ok()) << result.error().to_string();
-  const auto wrapped = read_json(directory_.path() / "wrapped.json").value();
+  const auto wrapped = characterise::read_json(directory_.path() / "wrapped.json").value();
   int registers = 0;
   for (const auto& [name, cell] :
        wrapped.at("modules").at("mixcmp_wrapper_of_dut").at("cells").items()) {
@@ -241,8 +246,8 @@ TEST_F(Synthesis, Ice40IsRoutedOverSeeds) {
   const auto result = run(adder, device("ice40-hx8k"), {.seeds = 3});
   ASSERT_TRUE(result.ok()) << result.error().to_string();
   ASSERT_TRUE(result->clock.has_value()) << result->no_clock;
-  const Clock clock = *result->clock;
-  EXPECT_EQ(clock.source, ClockSource::routed);
+  const characterise::Clock clock = *result->clock;
+  EXPECT_EQ(clock.source, characterise::ClockSource::routed);
   EXPECT_EQ(clock.seeds, 3);
   EXPECT_LE(clock.low_mhz, clock.mhz);
   EXPECT_LE(clock.mhz, clock.high_mhz);
@@ -264,7 +269,7 @@ TEST_F(Synthesis, TheWrapperAloneIsFasterThanAnyComponent) {
 TEST_F(Synthesis, WhatDoesNotFitHasAnAreaAndNoClock) {
   SKIP_WITHOUT_YOSYS();
   SKIP_WITHOUT_ROUTER("ice40-hx8k");
-  Device small = device("ice40-hx8k");
+  devices::Device small = device("ice40-hx8k");
   small.available.luts = 47;
   const auto result = run(adder, small, {});
   ASSERT_TRUE(result.ok()) << result.error().to_string();
@@ -279,7 +284,7 @@ TEST_F(Synthesis, WhatDoesNotFitHasAnAreaAndNoClock) {
 TEST_F(Synthesis, WhatTheRouterRefusesHasItsReason) {
   SKIP_WITHOUT_YOSYS();
   SKIP_WITHOUT_ROUTER("ice40-hx8k");
-  Device small = device("ice40-hx8k");
+  devices::Device small = device("ice40-hx8k");
   small.timing_arguments = {"--lp384", "--package", "qn32"};
   const auto result = run(wide_register, small, {.seeds = 1});
   ASSERT_TRUE(result.ok()) << result.error().to_string();
@@ -302,7 +307,7 @@ TEST_F(Synthesis, AnEstimateBeforeRoutingSeesTheCarryChain) {
   const auto result = run(adder, device("artix7-200t"), {});
   ASSERT_TRUE(result.ok()) << result.error().to_string();
   ASSERT_TRUE(result->clock.has_value()) << result->no_clock;
-  EXPECT_EQ(result->clock->source, ClockSource::estimate_before_routing);
+  EXPECT_EQ(result->clock->source, characterise::ClockSource::estimate_before_routing);
   // Clock-to-output 303 ps, a LUT 238, onto the chain 400..600, along it 3 x 114, off it 200..340.
   EXPECT_GT(result->clock->mhz, 1e6 / 1900);
   EXPECT_LT(result->clock->mhz, 1e6 / 1400);
@@ -349,13 +354,14 @@ private:
 };
 
 TEST_F(ScriptedRouter, TheVariablesCommandIsSplitAtBlanks) {
-  EXPECT_EQ(router_version(device("ecp5-85k")).value(), "router 1.0");
+  EXPECT_EQ(characterise::router_version(device("ecp5-85k")).value(), "router 1.0");
 }
 
 TEST_F(ScriptedRouter, SeedsThatAreRefusedAreLeftOut) {
-  const auto routed = route(device("ecp5-85k"), directory_.path(), "x.json", 5, {.seconds = 10});
+  const auto routed =
+      characterise::route(device("ecp5-85k"), directory_.path(), "x.json", 5, {.seconds = 10});
   ASSERT_TRUE(routed.ok()) << routed.error().to_string();
-  const Clock& clock = std::get<Clock>(*routed);
+  const characterise::Clock& clock = std::get<characterise::Clock>(*routed);
   EXPECT_EQ(clock.seeds, 3);
   EXPECT_EQ(clock.low_mhz, 10);
   EXPECT_EQ(clock.mhz, 30);
@@ -363,15 +369,17 @@ TEST_F(ScriptedRouter, SeedsThatAreRefusedAreLeftOut) {
 }
 
 TEST_F(ScriptedRouter, PackedLutsAreThoseOfTheUtilisation) {
-  const auto packed = packed_luts(device("ecp5-85k"), directory_.path(), "x.json", {.seconds = 10});
+  const auto packed =
+      characterise::packed_luts(device("ecp5-85k"), directory_.path(), "x.json", {.seconds = 10});
   EXPECT_EQ(std::get<int>(packed.value()), 17);
 }
 
 TEST_F(ScriptedRouter, ARefusalIsToldInTheRoutersWords) {
   say("echo 'ERROR: Unable to place cell'\nexit 1\n");
-  const auto routed = route(device("ecp5-85k"), directory_.path(), "x.json", 2, {.seconds = 10});
+  const auto routed =
+      characterise::route(device("ecp5-85k"), directory_.path(), "x.json", 2, {.seconds = 10});
   ASSERT_TRUE(routed.ok()) << routed.error().to_string();
-  EXPECT_EQ(std::get<Refusal>(*routed).reason, "Unable to place cell");
+  EXPECT_EQ(std::get<characterise::Refusal>(*routed).reason, "Unable to place cell");
 }
 
 /// What broke once may not break again: it must not be kept as a property of the design.
@@ -379,11 +387,15 @@ TEST_F(ScriptedRouter, ARouterThatBreaksIsAnError) {
   for (const char* script : {"echo 'ERROR: Failed to open JSON file'\nexit 1\n", "kill -SEGV $$\n",
                              "sleep 20\n", "echo '{' > route_1.json\n"}) {
     say(script);
-    EXPECT_FALSE(route(device("ecp5-85k"), directory_.path(), "x.json", 1, {.seconds = 1}).ok())
+    EXPECT_FALSE(
+        characterise::route(device("ecp5-85k"), directory_.path(), "x.json", 1, {.seconds = 1})
+            .ok())
         << script;
   }
   say("kill -SEGV $$\n");
-  EXPECT_FALSE(packed_luts(device("ecp5-85k"), directory_.path(), "x.json", {.seconds = 1}).ok());
+  EXPECT_FALSE(
+      characterise::packed_luts(device("ecp5-85k"), directory_.path(), "x.json", {.seconds = 1})
+          .ok());
 }
 
 TEST_F(ScriptedRouter, WithoutOneThereIsAnAreaAndAReason) {
@@ -394,8 +406,9 @@ TEST_F(ScriptedRouter, WithoutOneThereIsAnAreaAndAReason) {
   EXPECT_EQ(result->area.luts, 16);
   EXPECT_FALSE(result->clock.has_value());
   EXPECT_NE(result->no_clock.find("nextpnr-ecp5"), std::string::npos) << result->no_clock;
-  EXPECT_TRUE(tool_versions(device("ecp5-85k"), TimingEffort::timing)->ends_with("; no router"));
+  EXPECT_TRUE(characterise::tool_versions(device("ecp5-85k"), characterise::TimingEffort::timing)
+                  ->ends_with("; no router"));
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

@@ -8,14 +8,12 @@
 namespace mixcmp::test {
 namespace {
 
-using namespace model;
-
-Measurement lane(const std::string& format, int luts) {
+characterise::Measurement lane(const std::string& format, int luts) {
   return {
-      .key = {.kind = ComponentKind::lane,
+      .key = {.kind = characterise::ComponentKind::lane,
               .format = format,
               .inputs = "exact",
-              .bound = BoundChoice{BoundChoice::Kind::running, 4},
+              .bound = scene::BoundChoice{scene::BoundChoice::Kind::running, 4},
               .multipliers = "logic"},
       .latency_cycles = 17,
       .area =
@@ -26,21 +24,21 @@ Measurement lane(const std::string& format, int luts) {
       .tools = "Yosys 0.23 (git sha1 7ce5011c24b, \"g++\")"};
 }
 
-Measurement crossbar(int ports) {
-  return {.key = {.kind = ComponentKind::crossbar, .ports = ports},
+characterise::Measurement crossbar(int ports) {
+  return {.key = {.kind = characterise::ComponentKind::crossbar, .ports = ports},
           .latency_cycles = 3,
           .area = {.luts = 100 * ports},
-          .clock = Clock{.mhz = 101.25,
-                         .low_mhz = 99.5,
-                         .high_mhz = 103.75,
-                         .seeds = 3,
-                         .source = ClockSource::routed},
+          .clock = characterise::Clock{.mhz = 101.25,
+                                       .low_mhz = 99.5,
+                                       .high_mhz = 103.75,
+                                       .seeds = 3,
+                                       .source = characterise::ClockSource::routed},
           .timing_seeds = 3,
           .hash = "f",
           .tools = "Yosys 0.23"};
 }
 
-Characterisation example() {
+characterise::Characterisation example() {
   return {.device = "ice40-hx8k",
           .scene = "spheres",
           .command = "mixcmp characterise scene.toml --set 'x=1: 2'",
@@ -50,9 +48,9 @@ Characterisation example() {
 
 class Table : public testing::Test {
 protected:
-  Result<Characterisation> read(const std::string& text) {
+  Result<characterise::Characterisation> read(const std::string& text) {
     std::ofstream(path_, std::ios::binary) << text;
-    return read_characterisation(path_);
+    return characterise::read_characterisation(path_);
   }
 
   /// The example with `old_text` replaced, which must be refused at this place.
@@ -75,7 +73,7 @@ protected:
 };
 
 TEST_F(Table, ComesBackAsItWasWritten) {
-  const Characterisation written = example();
+  const characterise::Characterisation written = example();
   const auto read_back = read(to_csv(written));
   ASSERT_TRUE(read_back.ok()) << read_back.error().to_string();
   EXPECT_EQ(read_back->device, written.device);
@@ -89,12 +87,12 @@ TEST_F(Table, ComesBackAsItWasWritten) {
   EXPECT_FALSE(read_back->rows[0].clock);
   ASSERT_TRUE(read_back->rows[3].clock);
   EXPECT_EQ(read_back->rows[3].clock->low_mhz, 99.5);
-  EXPECT_EQ(read_back->rows[3].clock->source, ClockSource::routed);
+  EXPECT_EQ(read_back->rows[3].clock->source, characterise::ClockSource::routed);
   EXPECT_EQ(read_back->rows[3].timing_seeds, 3);
 }
 
 TEST_F(Table, LinesOfOtherSystemsAndUnsortedRowsAreRead) {
-  Characterisation shuffled = example();
+  characterise::Characterisation shuffled = example();
   std::swap(shuffled.rows[0], shuffled.rows[3]);
   std::string text;
   for (const char c : to_csv(shuffled)) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
@@ -104,15 +102,15 @@ TEST_F(Table, LinesOfOtherSystemsAndUnsortedRowsAreRead) {
 }
 
 TEST_F(Table, FindsARowByAllOfItsKey) {
-  const Characterisation table = example();
-  ComponentKey key = lane("s8e8", 0).key;
+  const characterise::Characterisation table = example();
+  characterise::ComponentKey key = lane("s8e8", 0).key;
   ASSERT_NE(table.find(key), nullptr);
   EXPECT_EQ(table.find(key)->area.luts, 400);
   EXPECT_EQ(table.find(crossbar(11).key)->area.luts, 1100);
   EXPECT_EQ(table.find(crossbar(3).key), nullptr);
   key.inputs = "rounded";
   EXPECT_EQ(table.find(key), nullptr);
-  EXPECT_EQ(Characterisation().find(key), nullptr);
+  EXPECT_EQ(characterise::Characterisation().find(key), nullptr);
 }
 
 TEST_F(Table, ErrorsTellLineAndColumn) {
@@ -134,7 +132,7 @@ TEST_F(Table, ErrorsTellLineAndColumn) {
 }
 
 TEST_F(Table, OneRowForOneComponent) {
-  Characterisation doubled = example();
+  characterise::Characterisation doubled = example();
   doubled.rows.push_back(crossbar(2));
   const auto table = read(to_csv(doubled));
   ASSERT_FALSE(table.ok());
@@ -145,7 +143,7 @@ TEST_F(Table, IsNotAnyFile) {
   EXPECT_FALSE(read("").ok());
   EXPECT_FALSE(read("# device: x").ok());
   EXPECT_FALSE(read(to_csv(example()).substr(0, to_csv(example()).size() - 30)).ok());
-  EXPECT_FALSE(read_characterisation(directory_.path() / "nothing.csv").ok());
+  EXPECT_FALSE(characterise::read_characterisation(directory_.path() / "nothing.csv").ok());
 }
 
 }  // namespace

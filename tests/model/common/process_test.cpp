@@ -11,7 +11,7 @@
 #include "model/common/file.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -153,6 +153,15 @@ TEST_F(Processes, CapturesNoLongerThanItMayWhereStreamsAreClosed) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(100));
 }
 
+TEST_F(Processes, WhatAProgramLeavesRunningIsNotWaitedFor) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto run = capture({"sh", "-c", "sleep 1000 & echo done"}, {.seconds = 500});
+  ASSERT_TRUE(run.ok());
+  EXPECT_TRUE(run->succeeded());
+  EXPECT_EQ(run->output, "done\n");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(100));
+}
+
 TEST_F(Processes, AProgramFillsNoDisk) {
   const auto run = capture({"sh", "-c", "ulimit -S -f"});
   ASSERT_TRUE(run.ok() && run->succeeded());
@@ -205,4 +214,4 @@ TEST_F(Processes, ALogThatCannotBeWrittenIsAnError) {
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

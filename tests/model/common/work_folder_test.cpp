@@ -12,7 +12,7 @@
 #include "model/common/scratch_folder.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ TEST_F(WorkFolders, AFolderThatCannotBeMadeIsNamed) {
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

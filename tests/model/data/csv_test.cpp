@@ -6,15 +6,16 @@
 
 #include "tests/model/data/data_file_test.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 using CsvTest = DataFileTest;
-const std::vector<WantedColumn> xy = columns_by_name(std::vector<std::string>{"x", "y"});
+const std::vector<data::WantedColumn> xy =
+    data::columns_by_name(std::vector<std::string>{"x", "y"});
 
 TEST_F(CsvTest, ReadsColumnsByNameAndLeavesOthersAlone) {
-  const auto table =
-      read_csv(write("name,y,x\nfirst, 0.1 ,-2\n\"a, \"\"b\"\"\nc\",3e-2,0x1p4\n"), binary64_, xy);
+  const auto table = data::read_csv(
+      write("name,y,x\nfirst, 0.1 ,-2\n\"a, \"\"b\"\"\nc\",3e-2,0x1p4\n"), binary64_, xy);
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   ASSERT_EQ(table->rows(), 2U);
   EXPECT_EQ(text(*table, 0, 0), "-2");
@@ -24,7 +25,8 @@ TEST_F(CsvTest, ReadsColumnsByNameAndLeavesOthersAlone) {
 }
 
 TEST_F(CsvTest, ToleratesCarriageReturnsByteOrderMarkAndEmptyLines) {
-  const auto table = read_csv(write("\xef\xbb\xbfx,\"y\"\r\n\r\n1,\"2\"\r\n\n3,4"), binary64_, xy);
+  const auto table =
+      data::read_csv(write("\xef\xbb\xbfx,\"y\"\r\n\r\n1,\"2\"\r\n\n3,4"), binary64_, xy);
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   ASSERT_EQ(table->rows(), 2U);
   EXPECT_EQ(text(*table, 0, 1), "2");
@@ -32,7 +34,7 @@ TEST_F(CsvTest, ToleratesCarriageReturnsByteOrderMarkAndEmptyLines) {
 }
 
 TEST_F(CsvTest, InfinitiesAndNansAreData) {
-  const auto table = read_csv(write("x,y\n-inf,nan\n"), binary64_, xy);
+  const auto table = data::read_csv(write("x,y\n-inf,nan\n"), binary64_, xy);
   ASSERT_TRUE(table.ok());
   EXPECT_EQ(text(*table, 0, 0), "-inf");
   EXPECT_EQ(text(*table, 0, 1), "nan");
@@ -41,7 +43,7 @@ TEST_F(CsvTest, InfinitiesAndNansAreData) {
 TEST_F(CsvTest, RoundsOnce) {
   // Between 1 and its successor in binary16, above the middle by less than binary64 can see.
   const auto table =
-      read_csv(write("x,y\n1.000488281250000000000000001,1.00048828125\n"), binary16_, xy);
+      data::read_csv(write("x,y\n1.000488281250000000000000001,1.00048828125\n"), binary16_, xy);
   ASSERT_TRUE(table.ok());
   EXPECT_EQ(table->at(0, 0), Bits{0x3c01});
   EXPECT_EQ(table->at(0, 1), Bits{0x3c00});
@@ -49,7 +51,7 @@ TEST_F(CsvTest, RoundsOnce) {
 
 TEST_F(CsvTest, MistakesNameLineAndColumn) {
   const auto error = [&](const std::string& bytes) {
-    return told(read_csv(write(bytes), binary16_, xy));
+    return told(data::read_csv(write(bytes), binary16_, xy));
   };
   EXPECT_EQ(error(""),
             ": no header: received an empty file; accepted a first line that names the columns");
@@ -76,12 +78,12 @@ TEST_F(CsvTest, MistakesNameLineAndColumn) {
 }
 
 TEST_F(CsvTest, ColumnsGoByNumberToo) {
-  const std::vector<WantedColumn> wanted = {{.name = "p_0",
-                                             .column = std::uint64_t{2},
-                                             .field = "data.columns.p",
-                                             .place = {"s.toml", 9}},
-                                            {.name = "r", .column = "x"}};
-  const auto table = read_csv(write("x,y,x2\n\n1,2,3\n"), binary64_, wanted);
+  const std::vector<data::WantedColumn> wanted = {{.name = "p_0",
+                                                   .column = std::uint64_t{2},
+                                                   .field = "data.columns.p",
+                                                   .place = {"s.toml", 9}},
+                                                  {.name = "r", .column = "x"}};
+  const auto table = data::read_csv(write("x,y,x2\n\n1,2,3\n"), binary64_, wanted);
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   EXPECT_EQ(table->columns, (std::vector<std::string>{"p_0", "r"}));
   EXPECT_EQ(text(*table, 0, 0), "3");
@@ -90,10 +92,10 @@ TEST_F(CsvTest, ColumnsGoByNumberToo) {
   EXPECT_EQ(table->origins[0].name, "x2");
   EXPECT_EQ(table->lines, std::vector<int>{3});
   EXPECT_EQ(table->label(0), "of line 3");
-  EXPECT_EQ(read_csv(write("x,y\n1,2\n"), binary64_, wanted).error().to_string(),
+  EXPECT_EQ(data::read_csv(write("x,y\n1,2\n"), binary64_, wanted).error().to_string(),
             "s.toml:9: data.columns.p: no column of this number in data: received 2; accepted "
             "0..1, counted from 0");
-  EXPECT_EQ(told(read_csv(write("x,y,0.5\n1,2,3\n"), binary64_, wanted)),
+  EXPECT_EQ(told(data::read_csv(write("x,y,0.5\n1,2,3\n"), binary64_, wanted)),
             ":1: the first line seems to hold numbers, not names of columns: received \"0.5\" in "
             "column 2; accepted a first line that names the columns; in the scene, the name of a "
             "column that is called like a number");
@@ -101,7 +103,7 @@ TEST_F(CsvTest, ColumnsGoByNumberToo) {
 
 TEST_F(CsvTest, OtherSeparatorsAndMissingHeadersAreTold) {
   const auto error = [&](const std::string& bytes) {
-    return told(read_csv(write(bytes), binary64_, xy));
+    return told(data::read_csv(write(bytes), binary64_, xy));
   };
   const auto seems = [](const std::string& what) {
     return ":1: x: no such column: received a first line that seems to be " + what +
@@ -128,20 +130,20 @@ TEST_F(CsvTest, OtherSeparatorsAndMissingHeadersAreTold) {
 }
 
 TEST_F(CsvTest, NamesAndMessagesAreUtf8) {
-  const std::vector<WantedColumn> first = {{.name = "x", .column = std::uint64_t{0}}};
-  const auto table = read_csv(write("\xe9\xcf\x80\x1b[31m,y\n1,2\n"), binary64_, first);
+  const std::vector<data::WantedColumn> first = {{.name = "x", .column = std::uint64_t{0}}};
+  const auto table = data::read_csv(write("\xe9\xcf\x80\x1b[31m,y\n1,2\n"), binary64_, first);
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   EXPECT_EQ(table->origins[0].name, "?\xcf\x80?[31m");
-  EXPECT_EQ(told(read_csv(path_, binary64_, xy)).substr(0, 71),
+  EXPECT_EQ(told(data::read_csv(path_, binary64_, xy)).substr(0, 71),
             ":1: x: no such column: received nothing; accepted y (the nearest), ?\xcf\x80?");
-  EXPECT_EQ(told(read_csv(write("\"a\nb\",y\n1,2\n"), binary64_, xy)),
+  EXPECT_EQ(told(data::read_csv(write("\"a\nb\",y\n1,2\n"), binary64_, xy)),
             ":1: x: no such column: received nothing; accepted y (the nearest), a?b");
 }
 
 TEST_F(CsvTest, AMessageOfAWideFileIsShort) {
   std::string header;
   for (int column = 0; column < 200'000; ++column) header += fmt::format("c{},", column);
-  const std::string text = told(read_csv(write(header + "y\n"), binary64_, xy));
+  const std::string text = told(data::read_csv(write(header + "y\n"), binary64_, xy));
   EXPECT_LT(text.size(), 1000U);
   EXPECT_NE(text.find(", and 199961 more"), std::string::npos) << text;
 }
@@ -156,10 +158,10 @@ TEST_F(CsvTest, MutatedFilesGiveErrorsNotCrashes) {
       bytes[random() % bytes.size()] = static_cast<char>(random() % 256);
     }
     bytes.resize(random() % 4 == 0 ? random() % bytes.size() : bytes.size());
-    errors += !read_csv(write(bytes), binary64_, xy).ok();
+    errors += !data::read_csv(write(bytes), binary64_, xy).ok();
   }
   EXPECT_GT(errors, 500);
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

@@ -8,7 +8,7 @@
 #include "model/number/decimal.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 
 /// Writes data files and looks at what readers make of them.
 class DataFileTest : public testing::Test {
@@ -19,12 +19,12 @@ protected:
     return path_;
   }
 
-  static std::string text(const Table& table, std::size_t row, std::size_t column) {
+  static std::string text(const data::Table& table, std::size_t row, std::size_t column) {
     return to_text(table.format, table.at(row, column));
   }
 
   /// The error without the file's name, which it must have.
-  std::string told(const Result<Table>& table) const {
+  std::string told(const Result<data::Table>& table) const {
     EXPECT_FALSE(table.ok());
     if (table.ok()) return {};
     EXPECT_EQ(table.error().file, path_.string());
@@ -37,4 +37,4 @@ protected:
   std::filesystem::path path_ = directory_.path() / "data";
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

@@ -8,13 +8,14 @@
 
 #include "tests/model/data/data_file_test.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 using NpyTest = DataFileTest;
-const std::vector<WantedColumn> xy = {{.name = "x", .column = std::uint64_t{0}},
-                                      {.name = "y", .column = std::uint64_t{1}}};
-const std::vector<WantedColumn> fields = columns_by_name(std::vector<std::string>{"x", "y"});
+const std::vector<data::WantedColumn> xy = {{.name = "x", .column = std::uint64_t{0}},
+                                            {.name = "y", .column = std::uint64_t{1}}};
+const std::vector<data::WantedColumn> fields =
+    data::columns_by_name(std::vector<std::string>{"x", "y"});
 
 /// As NumPy writes it: magic, version, length, dictionary padded to 64 bytes.
 std::string npy(const std::string& type, const std::string& order, const std::string& shape,
@@ -50,13 +51,14 @@ const std::string six = bytes_of<double>({1, 2, 3, 4, 5, 0.1});
 
 TEST_F(NpyTest, ReadsRowsInEitherOrderAndEveryVersion) {
   for (const int version : {1, 2, 3}) {
-    const auto rows = read_npy(write(npy("'<f8'", "False", "(3, 2)", six, version)), binary64_, xy);
+    const auto rows =
+        data::read_npy(write(npy("'<f8'", "False", "(3, 2)", six, version)), binary64_, xy);
     ASSERT_TRUE(rows.ok()) << rows.error().to_string();
     ASSERT_EQ(rows->rows(), 3U);
     EXPECT_EQ(text(*rows, 1, 0), "3");
     EXPECT_EQ(text(*rows, 2, 1), "0.1");
   }
-  const auto columns = read_npy(write(npy("'<f8'", "True", "(3, 2)", six)), binary64_, xy);
+  const auto columns = data::read_npy(write(npy("'<f8'", "True", "(3, 2)", six)), binary64_, xy);
   ASSERT_TRUE(columns.ok()) << columns.error().to_string();
   EXPECT_EQ(text(*columns, 1, 0), "2");
   EXPECT_EQ(text(*columns, 0, 1), "4");
@@ -66,7 +68,7 @@ TEST_F(NpyTest, ReadsRowsInEitherOrderAndEveryVersion) {
 TEST_F(NpyTest, ReadsEveryNumberTypeInEitherByteOrder) {
   const auto second = [&](const std::string& type, const std::string& data) {
     const auto table =
-        read_npy(write(npy("'" + type + "'", "False", "(1, 2)", data)), binary64_, xy);
+        data::read_npy(write(npy("'" + type + "'", "False", "(1, 2)", data)), binary64_, xy);
     EXPECT_TRUE(table.ok()) << type << ": " << table.error().to_string();
     return table.ok() ? text(*table, 0, 1) : "";
   };
@@ -92,24 +94,25 @@ TEST_F(NpyTest, StructuredArraysAreReadByFieldName) {
   data += bytes_of<float>({0.25F}) + "abcd" + bytes_of<std::int16_t>({-1});
   data += bytes_of<float>({1.25F}) + "efgh" + bytes_of<std::int16_t>({0});
   const std::string type = "[('y', '<f4'), ('name', '|S4'), ('x', '<i2')]";
-  const auto table = read_npy(write(npy(type, "False", "(2,)", data)), binary64_, fields);
+  const auto table = data::read_npy(write(npy(type, "False", "(2,)", data)), binary64_, fields);
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   EXPECT_EQ(text(*table, 0, 0), "-1");
   EXPECT_EQ(text(*table, 1, 1), "1.25");
-  const auto name = columns_by_name(std::vector<std::string>{"name"});
-  EXPECT_EQ(told(read_npy(path_, binary64_, name)),
+  const auto name = data::columns_by_name(std::vector<std::string>{"name"});
+  EXPECT_EQ(told(data::read_npy(path_, binary64_, name)),
             ": name: not numbers we read: received |S4; accepted floats of 2, 4, 8 bytes or "
             "integers of 1, 2, 4, 8");
-  const auto other = columns_by_name(std::vector<std::string>{"nmae"});
-  EXPECT_EQ(told(read_npy(path_, binary64_, other)),
+  const auto other = data::columns_by_name(std::vector<std::string>{"nmae"});
+  EXPECT_EQ(told(data::read_npy(path_, binary64_, other)),
             ": nmae: no such column: received nothing; accepted name (the nearest), y, x");
 }
 
 TEST_F(NpyTest, PlainColumnsGoByNumberAndMayBeMore) {
-  const std::vector<WantedColumn> swapped = {{.name = "x", .column = std::uint64_t{2}},
-                                             {.name = "y", .column = std::uint64_t{0}}};
+  const std::vector<data::WantedColumn> swapped = {{.name = "x", .column = std::uint64_t{2}},
+                                                   {.name = "y", .column = std::uint64_t{0}}};
   for (const char* order : {"False", "True"}) {
-    const auto table = read_npy(write(npy("'<f8'", order, "(2, 3)", six)), binary64_, swapped);
+    const auto table =
+        data::read_npy(write(npy("'<f8'", order, "(2, 3)", six)), binary64_, swapped);
     ASSERT_TRUE(table.ok()) << table.error().to_string();
     EXPECT_EQ(table->columns, (std::vector<std::string>{"x", "y"}));
     const bool rows = std::string(order) == "False";
@@ -125,7 +128,7 @@ TEST_F(NpyTest, FieldsGoByNumberWithoutTheNamelessOnesOfPadding) {
   std::string data;
   data += bytes_of<float>({0.25F}) + "pad!" + bytes_of<double>({2});
   const std::string type = "[('y', '<f4'), ('', '|V4'), ('x', '<f8')]";
-  const auto table = read_npy(write(npy(type, "False", "(1,)", data)), binary64_, xy);
+  const auto table = data::read_npy(write(npy(type, "False", "(1,)", data)), binary64_, xy);
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   EXPECT_EQ(text(*table, 0, 0), "0.25");
   EXPECT_EQ(text(*table, 0, 1), "2");
@@ -134,35 +137,35 @@ TEST_F(NpyTest, FieldsGoByNumberWithoutTheNamelessOnesOfPadding) {
 
 TEST_F(NpyTest, NoOrderOfPlainColumnsIsImplied) {
   write(npy("'<f8'", "False", "(2, 3)", six));
-  EXPECT_EQ(told(read_npy(path_, binary64_, fields)),
+  EXPECT_EQ(told(data::read_npy(path_, binary64_, fields)),
             ": the columns of a plain array have no names: received no number for x, y; accepted "
             "the number of each one's column, counted from 0 and below 3, for example { x = 0, "
             "y = 1 }");
-  const std::vector<WantedColumn> partly = {{.name = "p_0", .column = std::uint64_t{0}},
-                                            {.name = "r", .column = "r"},
-                                            {.name = "p_1", .column = "p_1"},
-                                            {.name = "q", .column = "q"}};
-  EXPECT_EQ(told(read_npy(path_, binary64_, partly)),
+  const std::vector<data::WantedColumn> partly = {{.name = "p_0", .column = std::uint64_t{0}},
+                                                  {.name = "r", .column = "r"},
+                                                  {.name = "p_1", .column = "p_1"},
+                                                  {.name = "q", .column = "q"}};
+  EXPECT_EQ(told(data::read_npy(path_, binary64_, partly)),
             ": the columns of a plain array have no names: received no number for r, p_1, q; "
             "accepted the number of each one's column, counted from 0 and below 3, for example "
             "{ p = [0, 2], r = 1, q = ? }");
   const Place place = {"s.toml", 9};
-  const std::vector<WantedColumn> named = {
+  const std::vector<data::WantedColumn> named = {
       {.name = "x", .column = "c0", .field = "data.columns.x", .place = place}};
-  EXPECT_EQ(read_npy(path_, binary64_, named).error().to_string(),
+  EXPECT_EQ(data::read_npy(path_, binary64_, named).error().to_string(),
             "s.toml:9: data.columns.x: the columns of data have no names: received \"c0\"; "
             "accepted a number below 3, the first column being 0");
-  const std::vector<WantedColumn> beyond = {
+  const std::vector<data::WantedColumn> beyond = {
       {.name = "x", .column = std::uint64_t{3}, .field = "data.columns.x", .place = place}};
   EXPECT_EQ(
-      read_npy(path_, binary64_, beyond).error().to_string(),
+      data::read_npy(path_, binary64_, beyond).error().to_string(),
       "s.toml:9: data.columns.x: no column of this number in data: received 3; accepted 0..2, "
       "counted from 0");
 }
 
 TEST_F(NpyTest, MistakesTellWhatWasFoundAndAccepted) {
   const auto error = [&](const std::string& bytes) {
-    return told(read_npy(write(bytes), binary16_, xy));
+    return told(data::read_npy(write(bytes), binary16_, xy));
   };
   EXPECT_EQ(
       error("PK\3\4 and so on"),
@@ -179,8 +182,9 @@ TEST_F(NpyTest, MistakesTellWhatWasFoundAndAccepted) {
   EXPECT_EQ(error(npy("'<f8'", "False", "(3, 2)} (", six)).substr(0, 31),
             ": npy header: malformed: receiv");
   EXPECT_EQ(
-      told(read_npy(write(npy("[('x', '<f8'), ('y', '<f8'), ('x', '<f8')]", "False", "(2,)", six)),
-                    binary16_, fields)),
+      told(data::read_npy(
+          write(npy("[('x', '<f8'), ('y', '<f8'), ('x', '<f8')]", "False", "(2,)", six)), binary16_,
+          fields)),
       ": descr: two fields of this name: received \"x\"; accepted names that differ, as NumPy "
       "has them");
   EXPECT_EQ(error(npy("'<f8'", "False", "(4, 2)", six)),
@@ -214,10 +218,10 @@ TEST_F(NpyTest, MutatedFilesGiveErrorsNotCrashes) {
           static_cast<char>(random() % 256);
     }
     if (random() % 4 == 0) bytes.resize(random() % bytes.size());
-    errors += !read_npy(write(bytes), binary64_, round % 2 == 0 ? xy : fields).ok();
+    errors += !data::read_npy(write(bytes), binary64_, round % 2 == 0 ? xy : fields).ok();
   }
   EXPECT_GT(errors, 1000);
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

@@ -7,7 +7,7 @@
 #include "model/common/file.hpp"
 #include "tests/model/data/data_file_test.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 using PdbTest = DataFileTest;
@@ -25,7 +25,7 @@ std::string atom(const std::string& name, const std::string& element) {
 }
 
 TEST_F(PdbTest, ReadsCoordinatesRadiusAndLabel) {
-  const auto table = read_pdb(write("HEADER\n" + alpha_carbon + "TER\nEND\n"), binary64_);
+  const auto table = data::read_pdb(write("HEADER\n" + alpha_carbon + "TER\nEND\n"), binary64_);
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   ASSERT_EQ(table->columns, (std::vector<std::string>{"cx", "cy", "cz", "r"}));
   ASSERT_EQ(table->rows(), 1U);
@@ -37,7 +37,8 @@ TEST_F(PdbTest, ReadsCoordinatesRadiusAndLabel) {
 }
 
 TEST_F(PdbTest, ReadsTheProteinOfTheExample) {
-  const auto table = read_pdb(MIXCMP_SOURCE_DIR "/examples/protein_clash/1A8O.pdb", binary64_);
+  const auto table =
+      data::read_pdb(MIXCMP_SOURCE_DIR "/examples/protein_clash/1A8O.pdb", binary64_);
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   EXPECT_EQ(table->rows(), 644U);
   EXPECT_EQ(table->labels.size(), 644U);
@@ -50,7 +51,7 @@ TEST_F(PdbTest, ReadsTheProteinOfTheExample) {
 
 TEST_F(PdbTest, RadiiFollowTheElementElseTheName) {
   const auto radius = [&](const std::string& name, const std::string& element) {
-    const auto table = read_pdb(write(atom(name, element)), binary64_);
+    const auto table = data::read_pdb(write(atom(name, element)), binary64_);
     EXPECT_TRUE(table.ok()) << name << ": " << table.error().to_string();
     return table.ok() ? text(*table, 0, 3) : "";
   };
@@ -71,7 +72,7 @@ TEST_F(PdbTest, RadiiFollowTheElementElseTheName) {
 TEST_F(PdbTest, HeteroAtomsAndWatersAreKept) {
   const std::string water =
       "HETATM  557  O   HOH A 222      20.000  20.000  20.000  1.00 20.00           O  \n";
-  const auto table = read_pdb(write(alpha_carbon + water), binary64_);
+  const auto table = data::read_pdb(write(alpha_carbon + water), binary64_);
   ASSERT_TRUE(table.ok());
   ASSERT_EQ(table->rows(), 2U);
   EXPECT_EQ(table->labels[1], "A 222 HOH O");
@@ -85,7 +86,7 @@ TEST_F(PdbTest, OfAlternateLocationsTheLikeliestCounts) {
       lines += with(with(with(alpha_carbon, 17, letter), 55, occupancy), 31,
                     "   " + std::to_string(x++) + ".000");
     }
-    const auto table = read_pdb(write(lines), binary64_);
+    const auto table = data::read_pdb(write(lines), binary64_);
     EXPECT_TRUE(table.ok());
     EXPECT_EQ(table->rows(), 1U);
     return text(*table, 0, 0);
@@ -102,31 +103,31 @@ TEST_F(PdbTest, DifferentResiduesAndAtomsDoNotCompete) {
       with(alpha_carbon, 17, "A") + with(with(alpha_carbon, 17, "B"), 13, " CB ") +
       with(with(alpha_carbon, 17, "B"), 26, "2") + with(with(alpha_carbon, 17, "B"), 27, "Z") +
       with(with(alpha_carbon, 17, "B"), 22, "B");
-  const auto table = read_pdb(write(lines), binary64_);
+  const auto table = data::read_pdb(write(lines), binary64_);
   ASSERT_TRUE(table.ok());
   EXPECT_EQ(table->labels, (std::vector<std::string>{"A 151 MET CA", "A 151 MET CB", "A 152 MET CA",
                                                      "A 151Z MET CA", "B 151 MET CA"}));
 }
 
 TEST_F(PdbTest, OnlyTheFirstModelCounts) {
-  const auto table = read_pdb(write("MODEL        1\n" + alpha_carbon + "ENDMDL\nMODEL        2\n" +
-                                    alpha_carbon + "ENDMDL\n"),
-                              binary64_);
+  const auto table = data::read_pdb(write("MODEL        1\n" + alpha_carbon +
+                                          "ENDMDL\nMODEL        2\n" + alpha_carbon + "ENDMDL\n"),
+                                    binary64_);
   ASSERT_TRUE(table.ok());
   EXPECT_EQ(table->rows(), 1U);
 }
 
 TEST_F(PdbTest, CarriageReturnsAndMissingOccupancyAreTolerated) {
   std::string line = alpha_carbon.substr(0, 54) + "\r\n";
-  const auto table = read_pdb(write(line), binary64_);
+  const auto table = data::read_pdb(write(line), binary64_);
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   EXPECT_EQ(text(*table, 0, 2), "9.999");
   EXPECT_EQ(text(*table, 0, 3), "1.7");
 }
 
 TEST_F(PdbTest, NoAtomIsLostToAByteOrderMarkAndLabelsAreUtf8) {
-  const auto table =
-      read_pdb(write("\xef\xbb\xbf" + with(alpha_carbon, 18, "M\xffT") + alpha_carbon), binary64_);
+  const auto table = data::read_pdb(
+      write("\xef\xbb\xbf" + with(alpha_carbon, 18, "M\xffT") + alpha_carbon), binary64_);
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   ASSERT_EQ(table->rows(), 2U);
   EXPECT_NE(table->labels[0].find(" M?T "), std::string::npos) << table->labels[0];
@@ -134,7 +135,7 @@ TEST_F(PdbTest, NoAtomIsLostToAByteOrderMarkAndLabelsAreUtf8) {
 
 TEST_F(PdbTest, BadLinesAreToldByLineAndField) {
   const auto error = [&](const std::string& line) {
-    return told(read_pdb(write("HEADER\n" + alpha_carbon + line), binary64_));
+    return told(data::read_pdb(write("HEADER\n" + alpha_carbon + line), binary64_));
   };
   EXPECT_EQ(error(with(alpha_carbon, 39, "  24.x11")).substr(0, 57),
             ":3: y (columns 39-46): not a number: received \"  24.x11\";");
@@ -154,15 +155,16 @@ TEST_F(PdbTest, BadLinesAreToldByLineAndField) {
       unknown.substr(0, 83),
       ":3: element (columns 77-78): no van der Waals radius is known: received \"XX\"; accep");
   EXPECT_NE(unknown.find(" SE "), std::string::npos);
-  EXPECT_EQ(told(read_pdb(write(alpha_carbon.substr(0, 54) + "\r" + alpha_carbon), binary64_)),
-            ":1: not a line of a PDB file: received CR within it; accepted lines that end in LF or "
-            "CR LF");
-  EXPECT_EQ(told(read_pdb(write("HEADER\n"), binary64_)),
+  EXPECT_EQ(
+      told(data::read_pdb(write(alpha_carbon.substr(0, 54) + "\r" + alpha_carbon), binary64_)),
+      ":1: not a line of a PDB file: received CR within it; accepted lines that end in LF or "
+      "CR LF");
+  EXPECT_EQ(told(data::read_pdb(write("HEADER\n"), binary64_)),
             ": no atoms: received no ATOM or HETATM record; accepted a PDB file with at least one");
 }
 
 TEST_F(PdbTest, CoordinatesBeyondTheFormatAreAMistake) {
-  const auto table = read_pdb(write(with(alpha_carbon, 31, "99999.99")), binary16_);
+  const auto table = data::read_pdb(write(with(alpha_carbon, 31, "99999.99")), binary16_);
   EXPECT_EQ(told(table).substr(0, 62),
             ":1: x (columns 31-38): beyond the largest number of s11e5: rec");
 }
@@ -181,10 +183,10 @@ TEST_F(PdbTest, MutatedFilesGiveErrorsNotCrashes) {
       else
         bytes.erase(place, random() % 100);
     }
-    errors += !read_pdb(write(bytes), binary64_).ok();
+    errors += !data::read_pdb(write(bytes), binary64_).ok();
   }
   EXPECT_GT(errors, 300);
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

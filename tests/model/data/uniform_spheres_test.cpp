@@ -9,31 +9,33 @@
 #include "model/data/philox.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 const FloatFormat binary64 = FloatFormat::parse("binary64").value();
 
-double value(const Table& table, std::size_t row, std::size_t column) {
+double value(const data::Table& table, std::size_t row, std::size_t column) {
   return to_rational(table.format, table.at(row, column)).get_d();
 }
 
 // The known answers of the authors' Random123 distribution, kat_vectors.
 TEST(Philox, GivesItsAuthorsKnownAnswers) {
-  EXPECT_EQ(philox({0, 0, 0, 0}, {0, 0}),
-            (PhiloxCounter{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
-  EXPECT_EQ(philox({0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff}, {0xffffffff, 0xffffffff}),
-            (PhiloxCounter{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
-  EXPECT_EQ(philox({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}),
-            (PhiloxCounter{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
+  EXPECT_EQ(data::philox({0, 0, 0, 0}, {0, 0}),
+            (data::PhiloxCounter{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+  EXPECT_EQ(
+      data::philox({0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff}, {0xffffffff, 0xffffffff}),
+      (data::PhiloxCounter{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+  EXPECT_EQ(
+      data::philox({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}),
+      (data::PhiloxCounter{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
 
 TEST(UniformSpheres, AreTheDocumentedFunctionOfSeedAndIndex) {
   const std::uint64_t seed = 0x123456789abcdef0;
-  const Table table =
-      uniform_spheres({.count = 4, .side = 100, .radius_max = 25, .seed = seed}, binary64);
-  const auto xy = philox({3, 0, 0, 0}, {0x9abcdef0, 0x12345678});
-  const auto zr = philox({3, 0, 1, 0}, {0x9abcdef0, 0x12345678});
+  const data::Table table =
+      data::uniform_spheres({.count = 4, .side = 100, .radius_max = 25, .seed = seed}, binary64);
+  const auto xy = data::philox({3, 0, 0, 0}, {0x9abcdef0, 0x12345678});
+  const auto zr = data::philox({3, 0, 1, 0}, {0x9abcdef0, 0x12345678});
   const auto number = [](double limit, std::uint32_t high, std::uint32_t low) {
     return limit * (static_cast<double>((std::uint64_t{high} << 32 | low) >> 11) * 0x1p-53);
   };
@@ -44,15 +46,16 @@ TEST(UniformSpheres, AreTheDocumentedFunctionOfSeedAndIndex) {
 }
 
 TEST(UniformSpheres, DoNotDependOnTheirNumberButOnTheSeed) {
-  const Table few = uniform_spheres({.count = 10}, binary64);
-  const Table many = uniform_spheres({.count = 20}, binary64);
+  const data::Table few = data::uniform_spheres({.count = 10}, binary64);
+  const data::Table many = data::uniform_spheres({.count = 20}, binary64);
   EXPECT_TRUE(std::equal(few.values.begin(), few.values.end(), many.values.begin()));
-  EXPECT_NE(uniform_spheres({.count = 10, .seed = 2}, binary64).values, few.values);
+  EXPECT_NE(data::uniform_spheres({.count = 10, .seed = 2}, binary64).values, few.values);
 }
 
 TEST(UniformSpheres, FillCubeAndRadiiEvenly) {
   const std::size_t count = 8192;
-  const Table table = uniform_spheres({.count = count, .side = 100, .radius_max = 25}, binary64);
+  const data::Table table =
+      data::uniform_spheres({.count = count, .side = 100, .radius_max = 25}, binary64);
   ASSERT_EQ(table.rows(), count);
   for (std::size_t column = 0; column < 4; ++column) {
     const double limit = column == 3 ? 25 : 100;
@@ -69,4 +72,4 @@ TEST(UniformSpheres, FillCubeAndRadiiEvenly) {
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

@@ -12,16 +12,14 @@
 namespace mixcmp::test {
 namespace {
 
-using model::BoundKind;
-using model::Comparisons;
-using model::Design;
-using model::Error;
-using model::ErrorBoundKind;
-using model::IntervalDecision;
-using model::LaneGroupSpec;
-using model::LaneInputs;
-using model::Multipliers;
-using model::Scene;
+using data::Comparisons;
+using design::Design;
+using error::ErrorBoundKind;
+using error::IntervalDecision;
+using scene::BoundKind;
+using scene::LaneGroupSpec;
+using scene::Multipliers;
+using scene::Scene;
 
 /// a^2 against b^2 in s17e8 with every choice made.
 Scene complete_scene() {
@@ -37,13 +35,13 @@ Scene complete_scene() {
 }
 
 Error error_of(const Scene& scene) {
-  const auto design = make_design(scene, nullptr);
+  const auto design = design::make_design(scene, nullptr);
   EXPECT_FALSE(design.ok());
   return design.ok() ? Error{} : design.error();
 }
 
 TEST(MakeDesign, CarriesWhatTheSceneChose) {
-  const Design design = make_design(complete_scene(), nullptr).value();
+  const Design design = design::make_design(complete_scene(), nullptr).value();
   EXPECT_EQ(design.name, "squares");
   EXPECT_EQ(design.inputs, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(design.lane_count(), 8);
@@ -90,7 +88,7 @@ TEST(MakeDesign, KeepsTheOrderOfGroups) {
   scene.lanes[1].reduced.format = format_of(9, 8);
   scene.lanes[2].reduced.multipliers = Multipliers::logic;
   scene.references = {{.count = 1}, {.count = 2, .multipliers = Multipliers::logic}};
-  const Design design = make_design(scene, nullptr).value();
+  const Design design = design::make_design(scene, nullptr).value();
   EXPECT_EQ(design.lane_count(), 6);
   EXPECT_EQ(design.reference_count(), 3);
   std::vector<std::size_t> groups;
@@ -119,10 +117,10 @@ TEST(MakeDesign, NamesTheGroupThatCannotBe) {
 TEST(MakeDesign, IsCertifiedOnlyIfAllLanesAre) {
   Scene scene = complete_scene();
   scene.lanes = {group_of(scene, 3), group_of(scene, 1)};
-  EXPECT_TRUE(make_design(scene, nullptr)->certified());
+  EXPECT_TRUE(design::make_design(scene, nullptr)->certified());
   scene.lanes[1].reduced.bound = BoundKind::profiled;
   scene.lanes[1].reduced.relative_error_f = scene.lanes[1].reduced.relative_error_g = 0;
-  EXPECT_FALSE(make_design(scene, nullptr)->certified());
+  EXPECT_FALSE(design::make_design(scene, nullptr)->certified());
 }
 
 TEST(LaneGroupNames, SayWhatTellsLanesOfOneFormatApart) {
@@ -130,7 +128,7 @@ TEST(LaneGroupNames, SayWhatTellsLanesOfOneFormatApart) {
   scene.lanes = {group_of(scene, 1), group_of(scene, 1), group_of(scene, 1), group_of(scene, 1)};
   scene.lanes[1].reduced.error_bound = ErrorBoundKind::running;
   scene.lanes[2].reduced.inputs = LaneInputs::rounded;
-  const Design design = make_design(scene, nullptr).value();
+  const Design design = design::make_design(scene, nullptr).value();
   EXPECT_EQ(lane_group_names(design),
             (std::vector<std::string>{"s17e8_exact_relative", "s17e8_exact_running_4",
                                       "s17e8_rounded_relative", "s17e8_exact_relative"}));
@@ -142,7 +140,7 @@ TEST(LaneGroupNames, TellProfiledLanesOfOtherErrorsApart) {
   scene.reduced.relative_error_f = scene.reduced.relative_error_g = mpq_class(1, 8);
   scene.lanes = {group_of(scene, 1), group_of(scene, 1), group_of(scene, 1)};
   scene.lanes[1].reduced.relative_error_g = mpq_class(1, 4);
-  const Design design = make_design(scene, nullptr).value();
+  const Design design = design::make_design(scene, nullptr).value();
   EXPECT_EQ(lane_group_names(design),
             (std::vector<std::string>{"s17e8_RE_f_0.125_RE_g_0.125", "s17e8_RE_f_0.125_RE_g_0.25",
                                       "s17e8_RE_f_0.125_RE_g_0.125"}));
@@ -151,24 +149,24 @@ TEST(LaneGroupNames, TellProfiledLanesOfOtherErrorsApart) {
 TEST(MakeDesign, UsesTheRangesOfTheScene) {
   Scene scene = complete_scene();
   scene.graph = graph_of("a * b + a^2", "b");
-  scene.reduced.error_bound = model::ErrorBoundKind::relative;
+  scene.reduced.error_bound = error::ErrorBoundKind::relative;
   EXPECT_EQ(error_of(scene).field, "reduced.error_bound");
-  scene.ranges = {model::Range{0, 1}, model::Range{0, 1}};
-  EXPECT_TRUE(make_design(scene, nullptr).ok());
-  scene.ranges = {model::Range{0, 1}, model::Range{-1, 1}};
-  EXPECT_FALSE(make_design(scene, nullptr).ok());
+  scene.ranges = {Range{0, 1}, Range{0, 1}};
+  EXPECT_TRUE(design::make_design(scene, nullptr).ok());
+  scene.ranges = {Range{0, 1}, Range{-1, 1}};
+  EXPECT_FALSE(design::make_design(scene, nullptr).ok());
 }
 
 TEST(MakeDesign, RefusesAConstantBoundBeyondEveryDifference) {
   Scene scene = complete_scene();
   scene.graph = graph_of("a - b", "0.001 * a");
-  scene.reduced.inputs = model::LaneInputs::rounded;
-  scene.reduced.error_bound = model::ErrorBoundKind::constant;
-  scene.ranges = {model::Range{900, 901}, model::Range{900, 901}};
+  scene.reduced.inputs = LaneInputs::rounded;
+  scene.reduced.error_bound = error::ErrorBoundKind::constant;
+  scene.ranges = {Range{900, 901}, Range{900, 901}};
   scene.reduced.format = format_of(4, 8);
   EXPECT_NE(error_of(scene).message.find("far enough apart"), std::string::npos);
   scene.reduced.format = format_of(30, 8);
-  EXPECT_TRUE(make_design(scene, nullptr).ok());
+  EXPECT_TRUE(design::make_design(scene, nullptr).ok());
 }
 
 TEST(MakeDesign, NeedsConstantsOrDataForAProfiledBound) {
@@ -176,9 +174,9 @@ TEST(MakeDesign, NeedsConstantsOrDataForAProfiledBound) {
   scene.reduced.bound = BoundKind::profiled;
   EXPECT_NE(error_of(scene).field.find("relative_error_f"), std::string::npos);
   scene.reduced.relative_error_f = mpq_class(1, 1000);
-  EXPECT_FALSE(make_design(scene, nullptr).ok());
+  EXPECT_FALSE(design::make_design(scene, nullptr).ok());
   scene.reduced.relative_error_g = mpq_class(1, 2000);
-  const Design design = make_design(scene, nullptr).value();
+  const Design design = design::make_design(scene, nullptr).value();
   const auto& decision =
       std::get<IntervalDecision>(design.lanes.front().lane.parts.front().decision);
   EXPECT_EQ(decision.relative_error_f, mpq_class(1, 1000));
@@ -194,16 +192,16 @@ TEST(MakeDesign, RefusesALaneThatCouldNeverDecide) {
   EXPECT_EQ(error.field, "reduced.format");
   EXPECT_EQ(error.received, "s4e2");
   scene.reduced.format = format_of(17, 8);
-  EXPECT_TRUE(make_design(scene, nullptr).ok());
+  EXPECT_TRUE(design::make_design(scene, nullptr).ok());
 }
 
 TEST(MakeDesign, RefusesAProfileOfNothing) {
   Scene scene = complete_scene();
   scene.reduced.bound = BoundKind::profiled;
-  model::Table table{.format = format_of(53, 8), .columns = {"a", "b"}};
+  data::Table table{.format = format_of(53, 8), .columns = {"a", "b"}};
   table.values = {table.format.quiet_nan(), table.format.infinity(false)};
   const Comparisons data = Comparisons::rows(std::move(table), {"a", "b"}).value();
-  const auto design = make_design(scene, &data, model::profile_error);
+  const auto design = design::make_design(scene, &data, profile::profile_error);
   ASSERT_FALSE(design.ok());
   EXPECT_EQ(design.error().field, "reduced.bound");
   EXPECT_NE(design.error().received.find("1 comparisons"), std::string::npos);
@@ -213,12 +211,12 @@ TEST(MakeDesign, RefusesConstantsThatNoComparisonTells) {
   Scene scene = complete_scene();
   scene.reduced.bound = BoundKind::profiled;
   scene.reduced.format = format_of(17, 5);
-  model::Table table{.format = format_of(53, 8), .columns = {"a", "b"}};
+  data::Table table{.format = format_of(53, 8), .columns = {"a", "b"}};
   for (const char* value : {"1e30", "1e30"}) {
-    table.values.push_back(model::from_text(table.format, value).value());
+    table.values.push_back(from_text(table.format, value).value());
   }
   const Comparisons data = Comparisons::rows(std::move(table), {"a", "b"}).value();
-  const auto design = make_design(scene, &data, model::profile_error);
+  const auto design = design::make_design(scene, &data, profile::profile_error);
   ASSERT_FALSE(design.ok());
   EXPECT_EQ(design.error().field, "reduced.relative_error_f");
 }
@@ -227,12 +225,12 @@ TEST(MakeDesign, MeasuresMissingConstantsOnData) {
   Scene scene = complete_scene();
   scene.reduced.bound = BoundKind::profiled;
   scene.reduced.relative_error_g = mpq_class(1, 2000);
-  model::Table table{.format = format_of(53, 8), .columns = {"a", "b"}};
+  data::Table table{.format = format_of(53, 8), .columns = {"a", "b"}};
   for (const char* value : {"0.1", "0.3"}) {
-    table.values.push_back(model::from_text(table.format, value).value());
+    table.values.push_back(from_text(table.format, value).value());
   }
   const Comparisons data = Comparisons::rows(std::move(table), {"a", "b"}).value();
-  const Design design = make_design(scene, &data, model::profile_error).value();
+  const Design design = design::make_design(scene, &data, profile::profile_error).value();
   const auto& decision =
       std::get<IntervalDecision>(design.lanes.front().lane.parts.front().decision);
   EXPECT_GT(decision.relative_error_f, 0);
@@ -241,10 +239,10 @@ TEST(MakeDesign, MeasuresMissingConstantsOnData) {
 }
 
 /// 0, 1, 2, ...
-model::Table line(const char* column, std::uint64_t count) {
-  model::Table table{.format = format_of(53, 8), .columns = {column}};
+data::Table line(const char* column, std::uint64_t count) {
+  data::Table table{.format = format_of(53, 8), .columns = {column}};
   for (std::uint64_t k = 0; k < count; ++k) {
-    table.values.push_back(model::from_rational(table.format, k));
+    table.values.push_back(from_rational(table.format, k));
   }
   return table;
 }
@@ -253,7 +251,7 @@ model::Table line(const char* column, std::uint64_t count) {
 Comparisons points(const Scene& scene, std::uint64_t candidates) {
   const auto reference = reference_graphs(scene.graph, scene.reference);
   return Comparisons::arg_min(line("p", 1), line("c", candidates), scene.graph.inputs(),
-                              model::reference_contest(reference))
+                              workload::reference_contest(reference))
       .value();
 }
 
@@ -261,38 +259,38 @@ TEST(MakeDesign, AChainHasALaneForEachCandidateOfTheDataButTheFirst) {
   Scene scene = complete_scene();
   scene.graph = graph_of("(p - ci)^2", "(p - cj)^2");
   scene.ranges.assign(3, std::nullopt);
-  scene.system = with_engine(scene.system, {.kind = model::EngineKind::arg_min});
+  scene.system = with_engine(scene.system, {.kind = scene::EngineKind::arg_min});
   scene.system.lanes.reset();
   scene.system.references = 1;
   const Comparisons few = points(scene, 7), most = points(scene, 513), many = points(scene, 514);
-  EXPECT_EQ(make_design(scene, &few)->lane_count(), 6);
-  EXPECT_EQ(make_design(scene, &most)->lane_count(), 512);
-  const auto refused = make_design(scene, &many);
+  EXPECT_EQ(design::make_design(scene, &few)->lane_count(), 6);
+  EXPECT_EQ(design::make_design(scene, &most)->lane_count(), 512);
+  const auto refused = design::make_design(scene, &many);
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().field, "system.lanes");
   EXPECT_EQ(refused.error().received, "514 candidates");
   EXPECT_EQ(error_of(scene).field, "system.lanes");
   EXPECT_EQ(error_of(scene).message.find("optimise"), std::string::npos);
   scene.system.lanes = 8;  // two candidates fewer than it could
-  EXPECT_EQ(make_design(scene, &few)->lane_count(), 8);
+  EXPECT_EQ(design::make_design(scene, &few)->lane_count(), 8);
   scene.system.lanes = 6;
-  EXPECT_TRUE(make_design(scene, &few).ok());
+  EXPECT_TRUE(design::make_design(scene, &few).ok());
   scene.system.lanes = 5;
-  const auto short_chain = make_design(scene, &few);
+  const auto short_chain = design::make_design(scene, &few);
   ASSERT_FALSE(short_chain.ok());
   EXPECT_EQ(short_chain.error().field, "system.lanes");
   EXPECT_EQ(short_chain.error().received, "7 candidates, 5 lanes");
-  EXPECT_TRUE(make_design(scene, nullptr).ok());
+  EXPECT_TRUE(design::make_design(scene, nullptr).ok());
 }
 
 TEST(MakeDesign, APairwiseEngineHoldsAllItemsOfTheData) {
   Scene scene = complete_scene();
   scene.graph = graph_of("pi", "pj");
-  scene.system = with_engine(scene.system, {.kind = model::EngineKind::pairwise, .capacity = 4});
+  scene.system = with_engine(scene.system, {.kind = scene::EngineKind::pairwise, .capacity = 4});
   const Comparisons four = Comparisons::all_pairs(line("p", 4), scene.graph.inputs()).value();
   const Comparisons five = Comparisons::all_pairs(line("p", 5), scene.graph.inputs()).value();
-  EXPECT_TRUE(make_design(scene, &four).ok());
-  const auto refused = make_design(scene, &five);
+  EXPECT_TRUE(design::make_design(scene, &four).ok());
+  const auto refused = design::make_design(scene, &five);
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().field, "engine.capacity");
   EXPECT_EQ(refused.error().received, "5 items, a capacity of 4");

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 /// Every mistake in a device file is told with its file, line and field.
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 constexpr std::string_view valid = R"([device]
@@ -28,11 +28,11 @@ register_ns = 1
 luts = "a data sheet"
 )";
 
-Result<Device> with(std::string_view from, std::string_view to) {
+Result<devices::Device> with(std::string_view from, std::string_view to) {
   std::string text(valid);
   const std::size_t at = text.find(from);
   MIXCMP_CHECK(at != std::string::npos);
-  return read_device(text.replace(at, from.size(), to), "d.toml");
+  return devices::read_device(text.replace(at, from.size(), to), "d.toml");
 }
 
 struct Mistake {
@@ -104,9 +104,10 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(DeviceFile, IsReadAsWritten) {
   const auto device = with("luts", "luts");
   ASSERT_TRUE(device.ok()) << device.error().to_string();
-  EXPECT_EQ(device->available, (Area{.luts = 10, .registers = 20, .dsps = 0, .memories = 1}));
+  EXPECT_EQ(device->available,
+            (devices::Area{.luts = 10, .registers = 20, .dsps = 0, .memories = 1}));
   EXPECT_EQ(device->synthesis, "synth_ecp5 -abc9");
-  EXPECT_EQ(device->timing, TimingTool::nextpnr_ecp5);
+  EXPECT_EQ(device->timing, devices::TimingTool::nextpnr_ecp5);
   EXPECT_EQ(device->timing_arguments, (std::vector<std::string>{"--85k", "--speed", "8"}));
   EXPECT_EQ(device->delays.carry_ns_per_bit, 0.1);
   EXPECT_EQ(device->sources, std::vector<std::string>{"luts: a data sheet"});
@@ -120,4 +121,4 @@ TEST(DeviceFile, BrokenSyntaxIsToldWithItsLine) {
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

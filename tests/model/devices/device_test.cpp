@@ -9,13 +9,13 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// The devices that come with the program.
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 TEST(Devices, EveryListedNameIsFoundAndNamesItself) {
-  ASSERT_EQ(device_names().size(), 7u);
-  for (const std::string& name : device_names()) {
-    const auto device = find_device(name);
+  ASSERT_EQ(devices::device_names().size(), 7u);
+  for (const std::string& name : devices::device_names()) {
+    const auto device = devices::find_device(name);
     ASSERT_TRUE(device.ok()) << device.error().to_string();
     EXPECT_EQ(device->name, name);
     EXPECT_FALSE(device->vendor_name.empty()) << name;
@@ -24,21 +24,21 @@ TEST(Devices, EveryListedNameIsFoundAndNamesItself) {
 }
 
 TEST(Devices, HaveThePapersCapacities) {
-  const Area virtex5 = find_device("virtex5-lx330t")->available;
+  const devices::Area virtex5 = devices::find_device("virtex5-lx330t")->available;
   EXPECT_EQ(virtex5.luts, 207360);
-  const Area virtex6 = find_device("virtex6-lx760")->available;
+  const devices::Area virtex6 = devices::find_device("virtex6-lx760")->available;
   EXPECT_EQ(virtex6.luts, 474240);
   EXPECT_EQ(virtex6.dsps, 864);
 }
 
 TEST(Devices, ThePapersSmallerDeviceIsSynthesisedWithoutMultiplierBlocks) {
-  EXPECT_NE(find_device("virtex5-lx330t")->synthesis.find("-nodsp"), std::string::npos);
-  EXPECT_EQ(find_device("virtex6-lx760")->synthesis.find("-nodsp"), std::string::npos);
+  EXPECT_NE(devices::find_device("virtex5-lx330t")->synthesis.find("-nodsp"), std::string::npos);
+  EXPECT_EQ(devices::find_device("virtex6-lx760")->synthesis.find("-nodsp"), std::string::npos);
 }
 
 TEST(Devices, EveryFigureHasASource) {
-  for (const std::string& name : device_names()) {
-    const Device device = find_device(name).value();
+  for (const std::string& name : devices::device_names()) {
+    const devices::Device device = devices::find_device(name).value();
     for (const char* figure :
          {"technology_nm", "luts", "registers", "dsps", "memories", "delays"}) {
       const auto names_it = [&](const std::string& source) {
@@ -53,8 +53,8 @@ TEST(Devices, EveryFigureHasASource) {
 
 /// A longer chain, a larger multiplier: no delay is shorter than what it contains.
 TEST(Devices, DelaysAreOrdered) {
-  for (const std::string& name : device_names()) {
-    const DelayTable delays = find_device(name)->delays;
+  for (const std::string& name : devices::device_names()) {
+    const devices::DelayTable delays = devices::find_device(name)->delays;
     EXPECT_GT(delays.register_ns, 0) << name;
     EXPECT_GT(delays.lut_ns, 0) << name;
     EXPECT_GE(delays.carry_start_ns, delays.lut_ns) << name;
@@ -64,28 +64,29 @@ TEST(Devices, DelaysAreOrdered) {
 }
 
 TEST(Devices, OnlyDevicesThatAreRoutedPassArgumentsToARouter) {
-  for (const std::string& name : device_names()) {
-    const Device device = find_device(name).value();
-    const bool routed =
-        device.timing == TimingTool::nextpnr_ice40 || device.timing == TimingTool::nextpnr_ecp5;
+  for (const std::string& name : devices::device_names()) {
+    const devices::Device device = devices::find_device(name).value();
+    const bool routed = device.timing == devices::TimingTool::nextpnr_ice40 ||
+                        device.timing == devices::TimingTool::nextpnr_ecp5;
     EXPECT_EQ(!device.timing_arguments.empty(), routed) << name;
-    EXPECT_EQ(!device.timing_synthesis.empty(), device.timing == TimingTool::yosys_sta) << name;
+    EXPECT_EQ(!device.timing_synthesis.empty(), device.timing == devices::TimingTool::yosys_sta)
+        << name;
   }
 }
 
 TEST(Devices, AnUnknownNameIsToldWithTheNearestAndTheList) {
-  const auto device = find_device("virtex6-lx76");
+  const auto device = devices::find_device("virtex6-lx76");
   ASSERT_FALSE(device.ok());
   EXPECT_EQ(device.error().field, "system.device");
   EXPECT_EQ(device.error().received, "\"virtex6-lx76\"");
   EXPECT_TRUE(device.error().accepted.starts_with("virtex6-lx760 (the nearest), "));
-  for (const std::string& name : device_names()) {
+  for (const std::string& name : devices::device_names()) {
     EXPECT_NE(device.error().accepted.find(name), std::string::npos) << name;
   }
 }
 
 TEST(Devices, AnAbsentFileIsToldByItsPath) {
-  const auto device = find_device("no/such/device.toml");
+  const auto device = devices::find_device("no/such/device.toml");
   ASSERT_FALSE(device.ok());
   EXPECT_EQ(device.error().file, "no/such/device.toml");
 }
@@ -99,13 +100,14 @@ TEST(Devices, AUsersFileIsADevice) {
                          "[timing]\ntool = \"none\"\n"
                          "[delays]\nlut_ns = 1\ncarry_start_ns = 1.5\ncarry_ns_per_bit = 0.1\n"
                          "multiplier_ns = 9\nmultiplier_add_ns = 2\nregister_ns = 1\n";
-  const auto device = find_device(path.string());
+  const auto device = devices::find_device(path.string());
   ASSERT_TRUE(device.ok()) << device.error().to_string();
   EXPECT_EQ(device->name, "mine");
-  EXPECT_EQ(device->available, (Area{.luts = 1000, .registers = 2000, .dsps = 3, .memories = 4}));
+  EXPECT_EQ(device->available,
+            (devices::Area{.luts = 1000, .registers = 2000, .dsps = 3, .memories = 4}));
   EXPECT_EQ(device->delays.multiplier_ns, 9);
-  EXPECT_EQ(device->delays.multiplier, (MultiplierSize{.a_bits = 12, .b_bits = 9}));
+  EXPECT_EQ(device->delays.multiplier, (devices::MultiplierSize{.a_bits = 12, .b_bits = 9}));
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

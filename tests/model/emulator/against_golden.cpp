@@ -15,11 +15,7 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::Decision;
-using model::Emulator;
-using model::FloatFormat;
-using model::TypedGraph;
+using emulator::Emulator;
 
 /// All that the emulator says of one comparison.
 struct Answer {
@@ -48,15 +44,14 @@ std::vector<Bits> row(const Operands& operands, std::size_t index) {
 }
 
 Answer golden_values(const TypedGraph& graph, const std::vector<Bits>& inputs) {
-  const auto values = model::golden::evaluate(graph, inputs);
-  const auto value = [&](model::NodeId id) {
-    return bits_of(model::to_double(graph.nodes[id].format, values[id].bits));
+  const auto values = golden::evaluate(graph, inputs);
+  const auto value = [&](NodeId id) {
+    return bits_of(to_double(graph.nodes[id].format, values[id].bits));
   };
   Answer answer{.f = value(graph.f), .g = value(graph.g)};
   for (const auto& node : values) answer.exceptional |= node.exceptional;
-  answer.order =
-      decision_of(model::golden::compare(graph.arithmetic.format, graph.arithmetic.subnormals,
-                                         values[graph.f].bits, values[graph.g].bits));
+  answer.order = decision_of(golden::compare(graph.arithmetic.format, graph.arithmetic.subnormals,
+                                             values[graph.f].bits, values[graph.g].bits));
   return answer;
 }
 
@@ -76,16 +71,14 @@ std::vector<Answer> emulate(const Emulator& emulator, const OperandBatch& batch)
 }
 
 std::string describe(const TypedGraph& graph, const std::vector<Bits>& inputs) {
-  const auto text = [&](model::NodeId id) {
-    return to_text(graph.nodes, graph.input_names, id, 200);
-  };
+  const auto text = [&](NodeId id) { return to_text(graph.nodes, graph.input_names, id, 200); };
   std::string description =
       fmt::format("{} against {}, inputs {}, in {} {} {}:", text(graph.f), text(graph.g),
                   graph.input_format.name(), graph.arithmetic.format.name(),
                   to_string(graph.arithmetic.rounding), to_string(graph.arithmetic.subnormals));
   for (const Bits bits : inputs) {
-    description += fmt::format(" {} ({:a})", model::to_hex(bits, graph.input_format.width()),
-                               model::to_double(graph.input_format, bits));
+    description += fmt::format(" {} ({:a})", to_hex(bits, graph.input_format.width()),
+                               to_double(graph.input_format, bits));
   }
   return description;
 }
@@ -133,7 +126,7 @@ void expect_decisions(const Emulator& emulator, FloatFormat format, const Operan
 OperandBatch::OperandBatch(FloatFormat format, const Operands& operands) {
   for (const std::vector<Bits>& column : operands) {
     std::vector<double>& values = columns_.emplace_back();
-    for (const Bits bits : column) values.push_back(model::to_double(format, bits));
+    for (const Bits bits : column) values.push_back(to_double(format, bits));
   }
   for (const std::vector<double>& column : columns_) pointers_.push_back(column.data());
 }
@@ -153,25 +146,25 @@ void for_each_instruction_set(const std::function<void()>& test) {
   choose(0);
 }
 
-void expect_golden(const model::CombinedLane& lane, const Operands& operands) {
+void expect_golden(const error::CombinedLane& lane, const Operands& operands) {
   expect_decisions(Emulator(lane), lane.input_format(), operands, [&](std::span<const Bits> row) {
-    const model::golden::CombinedResult result = model::golden::evaluate_lane(lane, row);
+    const golden::CombinedResult result = golden::evaluate_lane(lane, row);
     return result.decided ? decision_of(result.verdict) : Decision::undecided;
   });
 }
 
-void expect_golden(const model::CombinedGraph& reference, const Operands& operands) {
+void expect_golden(const CombinedGraph& reference, const Operands& operands) {
   expect_decisions(Emulator(reference), reference.input_format(), operands,
                    [&](std::span<const Bits> row) {
-                     return decision_of(model::golden::evaluate_reference(reference, row));
+                     return decision_of(golden::evaluate_reference(reference, row));
                    });
 }
 
-std::uint64_t expect_golden(const model::Lane& lane, const Operands& operands) {
+std::uint64_t expect_golden(const error::Lane& lane, const Operands& operands) {
   std::vector<Answer> expected;
   for (std::size_t k = 0; k < operands.front().size(); ++k) {
     const std::vector<Bits> inputs = row(operands, k);
-    const model::golden::LaneResult result = model::golden::evaluate_lane(lane, inputs);
+    const golden::LaneResult result = golden::evaluate_lane(lane, inputs);
     Answer answer = golden_values(lane.graph, inputs);
     answer.decision = result.decided ? decision_of(result.verdict) : Decision::undecided;
     expected.push_back(answer);

@@ -9,14 +9,14 @@
 namespace mixcmp::test {
 
 /// Operands of comparisons: one column an input, encodings of the graph's input format.
-using Operands = std::vector<std::vector<model::Bits>>;
+using Operands = std::vector<std::vector<Bits>>;
 
 /// The same as doubles.
 class OperandBatch {
 public:
-  OperandBatch(model::FloatFormat format, const Operands& operands);
+  OperandBatch(FloatFormat format, const Operands& operands);
   std::size_t count() const { return columns_.empty() ? 0 : columns_.front().size(); }
-  model::OperandColumns columns() const { return pointers_; }
+  emulator::OperandColumns columns() const { return pointers_; }
 
 private:
   std::vector<std::vector<double>> columns_;
@@ -28,11 +28,11 @@ void for_each_instruction_set(const std::function<void()>& test);
 
 /// decide, compare and compute. One failure names the first comparison that differs. Returns how
 /// many calls of the golden model the emulator made per instruction set and function.
-std::uint64_t expect_golden(const model::Lane& lane, const Operands& operands);
-std::uint64_t expect_golden(const model::TypedGraph& reference, const Operands& operands);
+std::uint64_t expect_golden(const error::Lane& lane, const Operands& operands);
+std::uint64_t expect_golden(const TypedGraph& reference, const Operands& operands);
 
 /// decide, of all parts together.
-void expect_golden(const model::CombinedLane& lane, const Operands& operands);
-void expect_golden(const model::CombinedGraph& reference, const Operands& operands);
+void expect_golden(const error::CombinedLane& lane, const Operands& operands);
+void expect_golden(const CombinedGraph& reference, const Operands& operands);
 
 }  // namespace mixcmp::test

@@ -13,18 +13,12 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::Decision;
-using model::Emulator;
-using model::FloatFormat;
-using model::Lane;
-using model::LaneInputs;
-using model::Rounding;
-using model::Subnormals;
+using emulator::Emulator;
+using error::Lane;
 
 Lane sphere_lane(Arithmetic reduced) {
-  model::TypedGraph graph = lane_graph(sphere_graph(), format("s53e8"), reduced, LaneInputs::exact);
-  return model::certified_lane(std::move(graph), {}).value();
+  TypedGraph graph = lane_graph(sphere_graph(), format("s53e8"), reduced, LaneInputs::exact);
+  return error::certified_lane(std::move(graph), {}).value();
 }
 
 std::vector<std::vector<double>> plain_columns(std::size_t count, Random& random) {
@@ -147,12 +141,10 @@ TEST(OperandsDeathTest, ANumberThatTheFormatDoesNotHaveIsABrokenInvariant) {
 TEST(Operands, SurviveTheWayToDoublesAndBack) {
   for (const char* name : {"s4e4", "s24e8", "s53e8", "s53e11", "s2e2", "s17e5"}) {
     const FloatFormat number_format = format(name);
-    for (const model::Bits bits : special_encodings(number_format)) {
-      const double value = model::to_double(number_format, bits);
-      const model::Bits expected = number_format.is_nan(bits) ? number_format.quiet_nan() : bits;
-      EXPECT_EQ(model::to_hex(model::from_double(number_format, value), 64),
-                model::to_hex(expected, 64))
-          << name;
+    for (const Bits bits : special_encodings(number_format)) {
+      const double value = to_double(number_format, bits);
+      const Bits expected = number_format.is_nan(bits) ? number_format.quiet_nan() : bits;
+      EXPECT_EQ(to_hex(from_double(number_format, value), 64), to_hex(expected, 64)) << name;
     }
   }
 }

@@ -7,9 +7,6 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::FloatFormat;
-using model::Operation;
 using Random = std::mt19937_64;
 
 int below(Random& random, int end) {
@@ -34,7 +31,7 @@ double tiny(int digits, Random& random) {
 }
 
 Bits rounded(FloatFormat format, double value) {
-  return value == 0 ? Bits{0} : model::from_rational(format, mpq_class(value));
+  return value == 0 ? Bits{0} : from_rational(format, mpq_class(value));
 }
 
 /// x + y lies half way, or off it by less than what 53 digits show.
@@ -91,13 +88,13 @@ std::pair<Bits, Bits> hard_operands(Operation operation, FloatFormat format, int
   return {first, rounded(format, y)};
 }
 
-model::Graph graph_of(Operation operation) {
-  model::Graph graph;
-  const model::NodeId a = graph.input("a");
+Graph graph_of(Operation operation) {
+  Graph graph;
+  const NodeId a = graph.input("a");
   if (arity(operation) == 1) {
     graph.compare(graph.apply(operation, a), a);
   } else {
-    const model::NodeId b = graph.input("b");
+    const NodeId b = graph.input("b");
     graph.compare(graph.apply(operation, a, b), graph.apply(Operation::subtract, b, a));
   }
   return graph;

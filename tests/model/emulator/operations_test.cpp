@@ -11,12 +11,7 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::Bits;
-using model::FloatFormat;
-using model::Lane;
-using model::LaneInputs;
-using model::Operation;
+using error::Lane;
 
 constexpr Operation operations[] = {Operation::negate,   Operation::absolute,    Operation::add,
                                     Operation::subtract, Operation::multiply,    Operation::square,
@@ -26,7 +21,7 @@ constexpr Operation operations[] = {Operation::negate,   Operation::absolute,   
 Lane lane_of(Operation operation, FloatFormat reference, Arithmetic reduced, LaneInputs inputs,
              Bits guard) {
   return {.graph = lane_graph(graph_of(operation), reference, reduced, inputs),
-          .decision = model::UlpDistanceDecision{guard, false}};
+          .decision = error::UlpDistanceDecision{guard, false}};
 }
 
 /// All combinations of `values`.
@@ -52,7 +47,7 @@ std::vector<Bits> special_doubles(FloatFormat format) {
   const FloatFormat narrow =
       format_of(std::min(format.precision(), 53), std::min(format.exponent_bits(), 11));
   std::vector<Bits> encodings = special_encodings(narrow);
-  for (Bits& bits : encodings) bits = model::golden::convert({format}, narrow, bits).bits;
+  for (Bits& bits : encodings) bits = golden::convert({format}, narrow, bits).bits;
   return encodings;
 }
 
@@ -129,7 +124,7 @@ TEST_P(HalfWay, IsRoundedOnce) {
         if (arity(operation) == 2) operands[1].push_back(b);
       }
       for (const Arithmetic& reduced : every_arithmetic(format_of(digits, 8))) {
-        if (reduced.subnormals == model::Subnormals::gradual) continue;
+        if (reduced.subnormals == Subnormals::gradual) continue;
         expect_golden(lane_of(operation, reference, reduced, LaneInputs::exact, 2), operands);
         expect_golden(lane_of(operation, reference, reduced, LaneInputs::rounded, 2), operands);
       }

@@ -10,17 +10,14 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::ErrorBoundKind;
-using model::FloatFormat;
-using model::Lane;
-using model::LaneInputs;
+using error::ErrorBoundKind;
+using error::Lane;
 
-Operands operands_of(const model::Table& table) {
+Operands operands_of(const data::Table& table) {
   Operands operands(table.columns.size());
   for (std::size_t row = 0; row < table.rows(); ++row) {
     for (std::size_t column = 0; column < operands.size(); ++column) {
-      const model::Bits bits = table.at(row, column);
+      const Bits bits = table.at(row, column);
       operands[column].push_back(table.format.is_nan(bits) ? table.format.quiet_nan() : bits);
     }
   }
@@ -40,9 +37,9 @@ Operands every_family(FloatFormat reference, int lane_precision) {
 }
 
 Lane sphere_lane(FloatFormat reference, Arithmetic reduced, LaneInputs inputs, int bound_digits) {
-  model::TypedGraph graph = lane_graph(sphere_graph(), reference, reduced, inputs);
+  TypedGraph graph = lane_graph(sphere_graph(), reference, reduced, inputs);
   const bool relative = inputs == LaneInputs::exact;
-  return model::certified_lane(std::move(graph), {.kind = relative ? ErrorBoundKind::relative
+  return error::certified_lane(std::move(graph), {.kind = relative ? ErrorBoundKind::relative
                                                                    : ErrorBoundKind::running,
                                                   .bound_digits = bound_digits})
       .value();

@@ -7,10 +7,6 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::FloatFormat;
-using model::Graph;
-
 class RandomLanes : public testing::TestWithParam<int> {};
 
 TEST_P(RandomLanes, AreEmulatedBitForBit) {
@@ -19,7 +15,7 @@ TEST_P(RandomLanes, AreEmulatedBitForBit) {
     const Graph graph = random_graph(random);
     const FloatFormat reference = random_reference(random);
     const Arithmetic reduced = random_reduced(reference, random);
-    const model::Lane lane =
+    const error::Lane lane =
         random_lane(lane_graph(graph, reference, reduced, random_inputs(random)), random);
     const Operands operands = random_operands(lane.graph.input_count, reference, 200, random);
     expect_golden(lane, operands);
@@ -32,7 +28,7 @@ TEST_P(RandomLanes, SoAreReferences) {
     const Graph graph = random_graph(random);
     const FloatFormat format = random_reference(random);
     for (const Arithmetic& arithmetic : every_arithmetic(format)) {
-      const model::TypedGraph reference = reference_graph(graph, arithmetic);
+      const TypedGraph reference = reference_graph(graph, arithmetic);
       expect_golden(reference, random_operands(reference.input_count, format, 100, random));
     }
   }
@@ -44,12 +40,12 @@ TEST_P(RandomLanes, SoAreThoseOfSeveralParts) {
     const Graph graph = random_graph_of_parts(random);
     const FloatFormat format = random_reference(random);
     const Arithmetic reduced = random_reduced(format, random);
-    const model::LaneInputs inputs = random_inputs(random);
-    std::vector<model::Lane> parts;
-    for (model::TypedGraph& part : lane_graphs(graph, format, reduced, inputs).parts) {
+    const LaneInputs inputs = random_inputs(random);
+    std::vector<error::Lane> parts;
+    for (TypedGraph& part : lane_graphs(graph, format, reduced, inputs).parts) {
       parts.push_back(random_lane(std::move(part), random));
     }
-    const model::CombinedLane lane(graph.combination(), std::move(parts));
+    const error::CombinedLane lane(graph.combination(), std::move(parts));
     const Operands operands =
         random_operands(static_cast<int>(graph.inputs().size()), format, 200, random);
     expect_golden(lane, operands);

@@ -9,16 +9,10 @@
 
 namespace mixcmp::test {
 
-using model::Arithmetic;
-using model::Bits;
-using model::BoundOperation;
-using model::FloatFormat;
-using model::Lane;
-using model::NodeId;
-using model::Operation;
-using model::RangeCheck;
-using model::RequiredSign;
-using model::TypedGraph;
+using error::BoundOperation;
+using error::Lane;
+using error::RangeCheck;
+using error::RequiredSign;
 
 int below(Random& random, int end) {
   return static_cast<int>(random() % static_cast<unsigned>(end));
@@ -72,7 +66,7 @@ Bits random_guard(FloatFormat format, Random& random) {
   switch (below(random, 4)) {
     case 0: return static_cast<Bits>(below(random, 3));
     case 1: return Bits{1} << below(random, format.width());
-    case 2: return model::low_mask(format.width());
+    case 2: return low_mask(format.width());
     default: return static_cast<Bits>(below(random, 100));
   }
 }
@@ -84,7 +78,7 @@ NodeId lane_node(const TypedGraph& graph, Random& random) {
   }
 }
 
-model::BoundNode random_leaf(const TypedGraph& graph, Random& random) {
+error::BoundNode random_leaf(const TypedGraph& graph, Random& random) {
   static constexpr std::array leaves = {BoundOperation::magnitude, BoundOperation::binade,
                                         BoundOperation::reciprocal};
   if (below(random, 4) == 0) {
@@ -98,7 +92,7 @@ model::BoundNode random_leaf(const TypedGraph& graph, Random& random) {
   return {.operation = any_of(leaves, random), .value = lane_node(graph, random), .constant = {}};
 }
 
-model::BoundNode random_bound_operation(int node_count, Random& random) {
+error::BoundNode random_bound_operation(int node_count, Random& random) {
   static constexpr std::array operations = {BoundOperation::add, BoundOperation::add,
                                             BoundOperation::multiply, BoundOperation::maximum};
   return {.operation = any_of(operations, random),
@@ -108,8 +102,8 @@ model::BoundNode random_bound_operation(int node_count, Random& random) {
 
 }  // namespace
 
-model::Graph random_graph(Random& random) {
-  model::Graph graph;
+Graph random_graph(Random& random) {
+  Graph graph;
   std::vector<NodeId> nodes;
   const int input_count = 1 + below(random, 4);
   for (int k = 0; k < input_count; ++k) {
@@ -130,18 +124,17 @@ model::Graph random_graph(Random& random) {
   return graph;
 }
 
-model::Graph random_graph_of_parts(Random& random) {
-  model::Graph graph = random_graph(random);
-  std::vector<model::Sides> parts;
+Graph random_graph_of_parts(Random& random) {
+  Graph graph = random_graph(random);
+  std::vector<Sides> parts;
   const auto any = [&] { return below(random, static_cast<int>(graph.nodes().size())); };
   for (int k = 2 + below(random, 3); k > 0; --k) parts.push_back({any(), any()});
-  graph.compare(std::move(parts),
-                below(random, 2) == 0 ? model::Combination::all : model::Combination::any);
+  graph.compare(std::move(parts), below(random, 2) == 0 ? Combination::all : Combination::any);
   return graph;
 }
 
-model::LaneInputs random_inputs(Random& random) {
-  return below(random, 2) == 0 ? model::LaneInputs::exact : model::LaneInputs::rounded;
+LaneInputs random_inputs(Random& random) {
+  return below(random, 2) == 0 ? LaneInputs::exact : LaneInputs::rounded;
 }
 
 FloatFormat random_reference(Random& random) {
@@ -157,7 +150,7 @@ Arithmetic random_reduced(FloatFormat reference, Random& random) {
   return any_of(every_arithmetic(format_of(digits, exponent_bits)), random);
 }
 
-model::AbsoluteBoundDecision random_absolute_bound(TypedGraph& graph, Random& random) {
+error::AbsoluteBoundDecision random_absolute_bound(TypedGraph& graph, Random& random) {
   const FloatFormat format = graph.arithmetic.format;
   graph.nodes.push_back({.operation = Operation::subtract,
                          .operands = {graph.f, graph.g},
@@ -167,7 +160,7 @@ model::AbsoluteBoundDecision random_absolute_bound(TypedGraph& graph, Random& ra
   const int most_digits = std::min(format.precision(), 52);
   const int digits =
       1 + below(random, below(random, 4) == 0 ? most_digits : std::min(most_digits, 8));
-  model::AbsoluteBoundDecision decision = {
+  error::AbsoluteBoundDecision decision = {
       .difference = static_cast<NodeId>(graph.nodes.size()) - 1,
       .bound = {.format = {digits, format.exponent_bits()}, .nodes = {}},
       .conditions = {}};
@@ -185,15 +178,15 @@ model::AbsoluteBoundDecision random_absolute_bound(TypedGraph& graph, Random& ra
 }
 
 Lane random_lane(TypedGraph graph, Random& random) {
-  Lane lane{.graph = std::move(graph), .decision = model::UlpDistanceDecision{0, false}};
+  Lane lane{.graph = std::move(graph), .decision = error::UlpDistanceDecision{0, false}};
   switch (below(random, 4)) {
     case 0:
-      lane.decision = model::IntervalDecision{lane_node(lane.graph, random),
+      lane.decision = error::IntervalDecision{lane_node(lane.graph, random),
                                               lane_node(lane.graph, random), 0, 0};
       break;
     case 1: {
       const Bits guard = random_guard(lane.graph.arithmetic.format, random);
-      lane.decision = model::UlpDistanceDecision{guard, false};
+      lane.decision = error::UlpDistanceDecision{guard, false};
       break;
     }
     default: lane.decision = random_absolute_bound(lane.graph, random);

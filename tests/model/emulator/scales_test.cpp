@@ -11,13 +11,7 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::Bits;
-using model::FloatFormat;
-using model::Lane;
-using model::LaneInputs;
-using model::Rounding;
-using model::Subnormals;
+using error::Lane;
 
 /// Both operands within two steps of each other, at the ends of binade `exponent` or at random.
 Operands neighbours(FloatFormat format, int exponent, std::mt19937_64& random) {
@@ -34,7 +28,7 @@ Operands neighbours(FloatFormat format, int exponent, std::mt19937_64& random) {
 class Scales : public testing::TestWithParam<const char*> {};
 
 TEST_P(Scales, NeighboursAreEmulatedBitForBit) {
-  const model::Graph graph = graph_of(GetParam(), "(a + b)^2");
+  const Graph graph = graph_of(GetParam(), "(a + b)^2");
   std::mt19937_64 random(1);
   for (const char* name : {"s53e8", "s24e8", "s53e9"}) {
     const FloatFormat reference = format(name);
@@ -42,7 +36,7 @@ TEST_P(Scales, NeighboursAreEmulatedBitForBit) {
       const Arithmetic reduced = {format_of(17, reference.exponent_bits()), Rounding::nearest_even,
                                   Subnormals::flush};
       const Lane lane{.graph = lane_graph(graph, reference, reduced, inputs),
-                      .decision = model::UlpDistanceDecision{3, false}};
+                      .decision = error::UlpDistanceDecision{3, false}};
       const int highest = reference.max_exponent() - 1;
       for (int exponent = reference.min_exponent(); exponent <= highest; ++exponent) {
         expect_golden(lane, neighbours(reference, exponent, random));
@@ -59,8 +53,6 @@ INSTANTIATE_TEST_SUITE_P(Expressions, Scales,
 
 /// A change of sign does not look at what it changes: a subnormal operand is not exceptional there.
 TEST(FlushingLanes, DecideOnOperandsThatOnlyChangeSign) {
-  using model::Operation;
-  using model::TypedNode;
   const FloatFormat only = format("s9e4");
   const auto node = [&](Operation operation, int operand, int input) {
     return TypedNode{.operation = operation,
@@ -70,7 +62,7 @@ TEST(FlushingLanes, DecideOnOperandsThatOnlyChangeSign) {
                      .input = input,
                      .value = {}};
   };
-  const model::TypedGraph graph = {
+  const TypedGraph graph = {
       .nodes = {node(Operation::input, -1, 0), node(Operation::negate, 0, -1),
                 node(Operation::input, -1, 1), node(Operation::absolute, 2, -1)},
       .input_count = 2,
@@ -86,26 +78,26 @@ TEST(FlushingLanes, DecideOnOperandsThatOnlyChangeSign) {
       operands[1].push_back(only.is_nan(b) ? only.quiet_nan() : b);
     }
   }
-  expect_golden({.graph = graph, .decision = model::UlpDistanceDecision{2, false}}, operands);
+  expect_golden({.graph = graph, .decision = error::UlpDistanceDecision{2, false}}, operands);
 }
 
 /// Steps of the encoding below the smallest normal number are not those of a double.
 TEST(SubnormalConstants, AreAsFarApartAsTheirEncodings) {
   const FloatFormat reduced = format("s9e2");
-  const model::Graph graph = graph_of("max(a, 0.046875)", "-a");
-  const model::TypedGraph typed =
+  const Graph graph = graph_of("max(a, 0.046875)", "-a");
+  const TypedGraph typed =
       lane_graph(graph, format("s17e2"), {reduced, Rounding::nearest_even, Subnormals::gradual},
                  LaneInputs::rounded);
   std::mt19937_64 random(1);
   Operands operands(1);
   for (int k = 0; k < 500; ++k) operands[0].push_back(random_encoding(format("s17e2"), random));
   for (Bits guard = 1; guard < 1024; guard *= 2) {
-    expect_golden({.graph = typed, .decision = model::UlpDistanceDecision{guard, false}}, operands);
+    expect_golden({.graph = typed, .decision = error::UlpDistanceDecision{guard, false}}, operands);
   }
 }
 
 TEST(SafeOperands, OfTheSphereComparisonAreLimitedBySquares) {
-  const auto safe = model::emulator::safe_operands(
+  const auto safe = emulator::safe_operands(
       lane_graph(sphere_graph(), format("s53e8"), {format("s17e8")}, LaneInputs::exact));
   ASSERT_TRUE(safe.has_value());
   // Differences are multiples of 2^(low - 52): (2^-63)^2 is the smallest normal number.
@@ -115,18 +107,18 @@ TEST(SafeOperands, OfTheSphereComparisonAreLimitedBySquares) {
 }
 
 TEST(SafeOperands, DoNotExistWhereADivisorMayBeZero) {
-  EXPECT_FALSE(model::emulator::safe_operands(lane_graph(
-      graph_of("1 / (a - b)", "a"), format("s53e8"), {format("s17e8")}, LaneInputs::exact)));
+  EXPECT_FALSE(emulator::safe_operands(lane_graph(graph_of("1 / (a - b)", "a"), format("s53e8"),
+                                                  {format("s17e8")}, LaneInputs::exact)));
 }
 
 TEST(SafeOperands, DoNotExistWhereARadicandMayBeNegative) {
-  EXPECT_FALSE(model::emulator::safe_operands(
+  EXPECT_FALSE(emulator::safe_operands(
       lane_graph(graph_of("sqrt(a)", "b"), format("s53e8"), {format("s17e8")}, LaneInputs::exact)));
 }
 
 TEST(SafeOperands, DoNotExistWhereDifferencesMayVanishInASmallFormat) {
-  EXPECT_FALSE(model::emulator::safe_operands(lane_graph(
-      graph_of("(a - b)^2", "a"), format("s53e8"), {format("s8e4")}, LaneInputs::exact)));
+  EXPECT_FALSE(emulator::safe_operands(lane_graph(graph_of("(a - b)^2", "a"), format("s53e8"),
+                                                  {format("s8e4")}, LaneInputs::exact)));
 }
 
 }  // namespace

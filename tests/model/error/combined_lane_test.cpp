@@ -16,20 +16,12 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::Combination;
-using model::CombinedGraph;
-using model::CombinedLane;
-using model::FloatFormat;
-using model::Graph;
-using model::Lane;
-using model::LaneInputs;
-using model::Range;
-using model::Verdict;
-using model::golden::CombinedResult;
-using model::golden::evaluate_lane;
-using model::golden::LaneResult;
-using model::golden::true_verdict;
+using error::CombinedLane;
+using error::Lane;
+using golden::CombinedResult;
+using golden::evaluate_lane;
+using golden::LaneResult;
+using golden::true_verdict;
 
 using Parts = std::vector<std::pair<std::string, std::string>>;
 
@@ -48,15 +40,15 @@ std::vector<CombinedLane> lanes_of(const Graph& graph, FloatFormat reference,
   const std::vector<std::optional<Range>> ranges(graph.inputs().size(), range);
   std::vector<CombinedLane> lanes;
   const FloatFormat format = format_of(2, 4);
-  const auto add = [&](const model::Arithmetic& arithmetic, LaneInputs inputs) {
+  const auto add = [&](const Arithmetic& arithmetic, LaneInputs inputs) {
     const CombinedGraph typed = lane_graphs(graph, reference, arithmetic, inputs);
-    for (model::CandidateLanes& candidate : candidate_lanes(typed, ranges)) {
+    for (error::CandidateLanes& candidate : error::candidate_lanes(typed, ranges)) {
       if (candidate.lane.ok()) lanes.push_back(std::move(candidate.lane).value());
     }
-    lanes.push_back(certified_lanes(typed, {.ranges = ranges}).value());
+    lanes.push_back(error::certified_lanes(typed, {.ranges = ranges}).value());
   };
-  add({format, model::Rounding::nearest_even, model::Subnormals::flush}, LaneInputs::rounded);
-  add({format, model::Rounding::toward_zero, model::Subnormals::gradual}, LaneInputs::exact);
+  add({format, Rounding::nearest_even, Subnormals::flush}, LaneInputs::rounded);
+  add({format, Rounding::toward_zero, Subnormals::gradual}, LaneInputs::exact);
   return lanes;
 }
 
@@ -98,7 +90,7 @@ TEST_P(EveryTuple, IsDecidedAsThePartsSayAndAsTheRealNumbersAre) {
     std::vector<Bits> inputs(count);
     for (std::size_t k = 0; k < count; ++k) {
       inputs[k] =
-          index >> (k * static_cast<std::size_t>(format.width())) & model::low_mask(format.width());
+          index >> (k * static_cast<std::size_t>(format.width())) & low_mask(format.width());
     }
     const Verdict truth = true_verdict(graph, format, inputs).value();
     for (const CombinedLane& lane : lanes) {
@@ -132,14 +124,14 @@ INSTANTIATE_TEST_SUITE_P(
                          to_string(std::get<1>(instance.param)));
     });
 
-const model::Lane& part_of(const CombinedLane& lane, std::size_t part) {
+const error::Lane& part_of(const CombinedLane& lane, std::size_t part) {
   return lane.parts.at(part);
 }
 
 CombinedLane lane_of(const Graph& graph, LaneInputs inputs,
                      const std::vector<std::optional<Range>>& ranges) {
-  return certified_lanes(lane_graphs(graph, format_of(24, 8), {format_of(8, 8)}, inputs),
-                         {.ranges = ranges})
+  return error::certified_lanes(lane_graphs(graph, format_of(24, 8), {format_of(8, 8)}, inputs),
+                                {.ranges = ranges})
       .value();
 }
 
@@ -151,7 +143,7 @@ TEST(CombinedLane, APartIsHarmedOnlyByWhatItDependsOn) {
   EXPECT_EQ(part_of(lane, 0).checks.size(), 2u);
   EXPECT_EQ(part_of(lane, 1).checks.size(), 2u);
   const FloatFormat format = format_of(24, 8);
-  const auto number = [&](int value) { return model::from_rational(format, mpq_class(value)); };
+  const auto number = [&](int value) { return from_rational(format, mpq_class(value)); };
   const Bits nan = format.quiet_nan(), far = number(1000);
   // 2 + 2 > 1 * ... : part 0 is greater where a = b = 1, part 1 says nothing.
   for (const Bits bad : {nan, far, format.infinity(true)}) {
@@ -171,8 +163,8 @@ TEST(CombinedLane, APartIsHarmedOnlyByWhatItDependsOn) {
 TEST(CombinedLane, EachPartHasTheBoundThatItNeeds) {
   const Graph graph = graph_of({{"a * b", "c"}, {"a - b * c", "b"}, {"a", "b"}}, Combination::any);
   const CombinedLane lane = lane_of(graph, LaneInputs::exact, std::vector<std::optional<Range>>(3));
-  using model::AbsoluteBoundDecision;
-  using model::UlpDistanceDecision;
+  using error::AbsoluteBoundDecision;
+  using error::UlpDistanceDecision;
   EXPECT_TRUE(std::holds_alternative<UlpDistanceDecision>(part_of(lane, 0).decision));
   EXPECT_TRUE(std::holds_alternative<AbsoluteBoundDecision>(part_of(lane, 1).decision));
   EXPECT_TRUE(std::holds_alternative<UlpDistanceDecision>(part_of(lane, 2).decision));
@@ -182,9 +174,9 @@ TEST(CombinedLane, EachPartHasTheBoundThatItNeeds) {
 
 TEST(CombinedLane, AnErrorNamesThePart) {
   const Graph graph = graph_of({{"a", "b"}, {"a - b * b", "b"}}, Combination::all);
-  const auto lane =
-      certified_lanes(lane_graphs(graph, format_of(24, 8), {format_of(8, 8)}, LaneInputs::exact),
-                      {.kind = model::ErrorBoundKind::relative});
+  const auto lane = error::certified_lanes(
+      lane_graphs(graph, format_of(24, 8), {format_of(8, 8)}, LaneInputs::exact),
+      {.kind = error::ErrorBoundKind::relative});
   ASSERT_FALSE(lane.ok());
   EXPECT_EQ(lane.error().field, "reduced.error_bound");
   EXPECT_NE(lane.error().message.find("of f[1] and g[1], no relative bound"), std::string::npos)
@@ -196,19 +188,19 @@ TEST(SharedLane, BuildsWhatPartsHaveInCommonOnce) {
   const Graph graph = graph_of({{"(a - b)^2", "c"}, {"(a - b)^2 + c", "a"}}, Combination::all);
   const CombinedLane lane =
       lane_of(graph, LaneInputs::exact, std::vector<std::optional<Range>>(3, Range{0, 9}));
-  const model::SharedLane shared = share(lane);
-  const auto count = [&](model::Operation operation) {
+  const error::SharedLane shared = share(lane);
+  const auto count = [&](Operation operation) {
     return std::count_if(shared.graph.nodes.begin(), shared.graph.nodes.end(),
-                         [&](const model::TypedNode& node) { return node.operation == operation; });
+                         [&](const TypedNode& node) { return node.operation == operation; });
   };
-  EXPECT_EQ(count(model::Operation::input), 3);
-  EXPECT_EQ(count(model::Operation::subtract), 1);
-  EXPECT_EQ(count(model::Operation::square), 1);
-  EXPECT_EQ(count(model::Operation::add), 1);
+  EXPECT_EQ(count(Operation::input), 3);
+  EXPECT_EQ(count(Operation::subtract), 1);
+  EXPECT_EQ(count(Operation::square), 1);
+  EXPECT_EQ(count(Operation::add), 1);
   EXPECT_EQ(shared.checks.size(), 3u) << "each operand is checked once";
   ASSERT_EQ(shared.hazards.size(), shared.graph.nodes.size());
   EXPECT_EQ(shared.parts[0].sides.f, part_of(lane, 0).graph.f);
-  const model::SharedLane alone = share(CombinedLane(part_of(lane, 1)));
+  const error::SharedLane alone = share(CombinedLane(part_of(lane, 1)));
   EXPECT_EQ(alone.graph.nodes.size(), part_of(lane, 1).graph.nodes.size());
   EXPECT_EQ(alone.hazards, part_of(lane, 1).hazards);
 }

@@ -25,15 +25,8 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::FloatFormat;
-using model::from_rational;
-using model::Lane;
-using model::Range;
-using model::to_rational;
-using model::to_text;
-using model::Verdict;
-using model::golden::evaluate_lane;
+using error::Lane;
+using golden::evaluate_lane;
 
 using Rationals = std::vector<mpq_class>;
 
@@ -42,11 +35,11 @@ struct Aimed {
   const char* name;
   const char* f;
   FloatFormat lane;
-  model::Rounding rounding;
+  Rounding rounding;
   std::vector<Range> ranges;
   std::function<mpq_class(const Rationals&)> exact;
   bool is_square = false;
-  model::LaneInputs inputs = model::LaneInputs::exact;
+  LaneInputs inputs = LaneInputs::exact;
 };
 
 void PrintTo(const Aimed& aimed, std::ostream* stream) {
@@ -55,16 +48,16 @@ void PrintTo(const Aimed& aimed, std::ostream* stream) {
 
 const FloatFormat reference = format_of(24, 8);
 
-model::Result<Lane> lane_of(const Aimed& aimed) {
-  const model::Arithmetic arithmetic = {aimed.lane, aimed.rounding, model::Subnormals::gradual};
-  const model::Graph graph = graph_of(aimed.f, "c");
-  return certified_lane(lane_graph(graph, reference, arithmetic, aimed.inputs),
-                        {.kind = model::ErrorBoundKind::constant,
-                         .ranges = {aimed.ranges.begin(), aimed.ranges.end()}});
+Result<Lane> lane_of(const Aimed& aimed) {
+  const Arithmetic arithmetic = {aimed.lane, aimed.rounding, Subnormals::gradual};
+  const Graph graph = graph_of(aimed.f, "c");
+  return error::certified_lane(lane_graph(graph, reference, arithmetic, aimed.inputs),
+                               {.kind = error::ErrorBoundKind::constant,
+                                .ranges = {aimed.ranges.begin(), aimed.ranges.end()}});
 }
 
 mpq_class& constant_of(Lane& lane) {
-  return std::get<model::AbsoluteBoundDecision>(lane.decision).bound.nodes.back().constant;
+  return std::get<error::AbsoluteBoundDecision>(lane.decision).bound.nodes.back().constant;
 }
 
 Verdict order(const Aimed& aimed, const Rationals& operands, const mpq_class& c) {
@@ -202,26 +195,26 @@ INSTANTIATE_TEST_SUITE_P(
         Aimed{"product",
               "a * b * d",
               format_of(8, 8),
-              model::Rounding::nearest_even,
+              Rounding::nearest_even,
               {just_above_one, just_above_one, {mpq_class(5, 4), mpq_class(350, 256)}, up_to_two},
               [](const Rationals& x) { return mpq_class(x[0] * x[1] * x[2]); }},
         Aimed{"product_toward_zero",
               "a * b * d",
               format_of(9, 8),
-              model::Rounding::toward_zero,
+              Rounding::toward_zero,
               {just_above_one, just_above_one, {mpq_class(5, 4), mpq_class(350, 256)}, up_to_two},
               [](const Rationals& x) { return mpq_class(x[0] * x[1] * x[2]); }},
         Aimed{"root",
               "sqrt(a * b) * d",
               format_of(8, 8),
-              model::Rounding::nearest_even,
+              Rounding::nearest_even,
               {just_above_one, just_above_one, short_of_two, up_to_two},
               [](const Rationals& x) { return mpq_class(x[0] * x[1] * x[2] * x[2]); },
               true},
         Aimed{"constants_beside_the_middle",
               scaled_text,
               format_of(11, 8),
-              model::Rounding::nearest_even,
+              Rounding::nearest_even,
               {{mpq_class(13, 8), mpq_class(447, 256)}, up_to_two},
               [](const Rationals& x) {
                 mpq_class f = x[0];
@@ -231,7 +224,7 @@ INSTANTIATE_TEST_SUITE_P(
         Aimed{"quotient",
               "(a * b - d) / e",
               format_of(8, 8),
-              model::Rounding::nearest_even,
+              Rounding::nearest_even,
               {about_root_of_two,
                about_root_of_two,
                {2, mpq_class(9, 4) - mpq_class(1, 256)},
@@ -246,7 +239,7 @@ TEST(ConstantBoundOfAQuotient, NeedsADivisorWellAwayFromZero) {
     return lane_of({"",
                     "e / (a * b - d)",
                     format_of(8, 8),
-                    model::Rounding::nearest_even,
+                    Rounding::nearest_even,
                     {just_above_one, just_above_one, just_above_one, d, {-64, 64}},
                     {}});
   };

@@ -19,22 +19,12 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::Bits;
-using model::CertifiedOptions;
-using model::ErrorBoundKind;
-using model::FloatFormat;
-using model::Graph;
-using model::Lane;
-using model::LaneInputs;
-using model::Node;
-using model::NodeId;
-using model::Operation;
-using model::Range;
-using model::Verdict;
-using model::golden::evaluate_lane;
-using model::golden::LaneResult;
-using model::golden::true_verdict;
+using error::CertifiedOptions;
+using error::ErrorBoundKind;
+using error::Lane;
+using golden::evaluate_lane;
+using golden::LaneResult;
+using golden::true_verdict;
 
 using Random = std::mt19937_64;
 
@@ -113,7 +103,7 @@ FloatFormat random_reference(Random& random) {
 bool holds_constants(const Graph& graph, FloatFormat format) {
   for (const Node& node : graph.nodes()) {
     if (node.operation != Operation::constant) continue;
-    const Bits bits = model::from_rational(format, node.value);
+    const Bits bits = from_rational(format, node.value);
     if (format.is_infinite(bits) || (format.is_zero(bits) && node.value != 0)) return false;
   }
   return true;
@@ -153,7 +143,7 @@ private:
     if (node.operation == Operation::input) {
       const Bits input = inputs[static_cast<size_t>(node.input)];
       if (format.is_nan(input) || format.is_infinite(input)) return std::nullopt;
-      return model::to_rational(format, input);
+      return to_rational(format, input);
     }
     for (int k = 0; k < arity(node.operation); ++k) {
       if (!values_[static_cast<size_t>(node.operands[static_cast<size_t>(k)])]) return std::nullopt;
@@ -198,7 +188,7 @@ struct Target {
 };
 
 std::string describe(const Target& target, const std::vector<Bits>& inputs) {
-  const model::TypedGraph& lane = target.lane.graph;
+  const TypedGraph& lane = target.lane.graph;
   const auto text = [&](NodeId id) { return to_text(lane.nodes, lane.input_names, id, 200); };
   std::string description = fmt::format(
       "{} against {}, reference {}, lane {} {} {}, inputs {}, {}, operands checked {}:",
@@ -207,7 +197,7 @@ std::string describe(const Target& target, const std::vector<Bits>& inputs) {
       target.how == LaneInputs::exact ? "exact" : "rounded", describe_decision(target.lane),
       target.lane.checks.size());
   for (const Bits input : inputs) {
-    description += fmt::format(" 0x{}", model::to_hex(input, lane.input_format.width()));
+    description += fmt::format(" 0x{}", to_hex(input, lane.input_format.width()));
   }
   return description;
 }
@@ -222,12 +212,12 @@ Bits distance(FloatFormat format, const LaneResult& result) {
 /// By how many steps a decided lane is more certain than it had to be.
 Bits margin(const Lane& lane, const std::vector<Bits>& inputs, const LaneResult& result) {
   const FloatFormat format = lane.graph.arithmetic.format;
-  if (const auto* relative = std::get_if<model::UlpDistanceDecision>(&lane.decision)) {
+  if (const auto* relative = std::get_if<error::UlpDistanceDecision>(&lane.decision)) {
     return distance(format, result) - relative->guard_ulp;
   }
-  const auto& absolute = std::get<model::AbsoluteBoundDecision>(lane.decision);
-  const auto values = model::golden::evaluate(lane.graph, inputs);
-  const Bits bound = model::golden::evaluate_bound(absolute.bound, lane.graph, values).back();
+  const auto& absolute = std::get<error::AbsoluteBoundDecision>(lane.decision);
+  const auto values = golden::evaluate(lane.graph, inputs);
+  const Bits bound = golden::evaluate_bound(absolute.bound, lane.graph, values).back();
   const int padding = format.precision() - absolute.bound.format.precision;
   const Bits limit = (bound << padding) + absolute.guard_ulp;
   return format.magnitude(values[absolute.difference].bits) - limit - 1;
@@ -246,8 +236,8 @@ Bits moved(FloatFormat format, Bits operand, Random& random) {
     case 1: return random_operand(format, random);
     case 2:
     case 3:
-    case 4: return (operand + step) & model::low_mask(format.width());
-    default: return (operand - step) & model::low_mask(format.width());
+    case 4: return (operand + step) & low_mask(format.width());
+    default: return (operand - step) & low_mask(format.width());
   }
 }
 
@@ -337,10 +327,9 @@ TEST_P(RandomGraphs, AreDecidedAsTheRealNumbersAre) {
 Graph random_parts(Random& random) {
   Graph graph = random_graph(random);
   const auto any = [&] { return below(random, static_cast<int>(graph.nodes().size())); };
-  std::vector<model::Sides> parts;
+  std::vector<Sides> parts;
   for (int k = 2 + below(random, 2); k > 0; --k) parts.push_back({any(), any()});
-  graph.compare(std::move(parts),
-                one_in(random, 2) ? model::Combination::all : model::Combination::any);
+  graph.compare(std::move(parts), one_in(random, 2) ? Combination::all : Combination::any);
   return graph;
 }
 

@@ -14,27 +14,17 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::Bits;
-using model::Comparisons;
-using model::FloatFormat;
-using model::from_rational;
-using model::IntervalDecision;
-using model::Lane;
-using model::LaneInputs;
-using model::Operation;
-using model::ProfiledError;
-using model::Rounding;
-using model::Subnormals;
-using model::to_rational;
-using model::TypedGraph;
+using data::Comparisons;
+using error::IntervalDecision;
+using error::Lane;
+using error::ProfiledError;
 
 const FloatFormat wide = format_of(53, 11);
 const FloatFormat narrow = format_of(5, 6);
 
 /// Rows of a, b.
 Comparisons rows(const std::vector<std::pair<mpq_class, mpq_class>>& values) {
-  model::Table table{.format = wide, .columns = {"a", "b"}};
+  data::Table table{.format = wide, .columns = {"a", "b"}};
   for (const auto& [a, b] : values) {
     table.values.push_back(from_rational(wide, a));
     table.values.push_back(from_rational(wide, b));
@@ -42,14 +32,14 @@ Comparisons rows(const std::vector<std::pair<mpq_class, mpq_class>>& values) {
   return Comparisons::rows(std::move(table), {"a", "b"}).value();
 }
 
-TypedGraph typed(const model::Graph& graph, Subnormals subnormals = Subnormals::gradual) {
+TypedGraph typed(const Graph& graph, Subnormals subnormals = Subnormals::gradual) {
   const Arithmetic arithmetic{narrow, Rounding::nearest_even, subnormals};
   return lane_graph(graph, wide, arithmetic, LaneInputs::rounded);
 }
 
 ProfiledError profile(const Comparisons& data, std::uint64_t count, std::uint64_t seed = 1) {
-  const model::Graph graph = graph_of("a^2", "a + b");
-  return profile_error(graph, typed(graph), data, count, seed);
+  const Graph graph = graph_of("a^2", "a + b");
+  return profile::profile_error(graph, typed(graph), data, count, seed);
 }
 
 TEST(ProfileError, IsTheLargestRelativeErrorOfEach) {
@@ -108,10 +98,10 @@ TEST(ProfileError, SamplesBySeed) {
 
 TEST(ProfiledLane, AppendsThePapersErrorUnit) {
   const Lane lane =
-      profiled_lane(typed(graph_of("a^2", "a + b")), mpq_class(1, 8), mpq_class(1, 4));
+      error::profiled_lane(typed(graph_of("a^2", "a + b")), mpq_class(1, 8), mpq_class(1, 4));
   ASSERT_FALSE(lane.certified());
   std::string operations;
-  for (const model::TypedNode& node : lane.graph.nodes) {
+  for (const TypedNode& node : lane.graph.nodes) {
     operations += to_string(node.operation);
     operations += ' ';
   }
@@ -126,10 +116,10 @@ TEST(ProfiledLane, AppendsThePapersErrorUnit) {
 
 TEST(ProfiledLane, RoundsItsConstantsUp) {
   const auto constant = [](const mpq_class& value, Subnormals subnormals) {
-    const Lane lane = profiled_lane(typed(graph_of("a^2", "b^2"), subnormals), value, 0);
-    const auto node = std::find_if(
-        lane.graph.nodes.begin(), lane.graph.nodes.end(),
-        [](const model::TypedNode& each) { return each.operation == Operation::constant; });
+    const Lane lane = error::profiled_lane(typed(graph_of("a^2", "b^2"), subnormals), value, 0);
+    const auto node =
+        std::find_if(lane.graph.nodes.begin(), lane.graph.nodes.end(),
+                     [](const TypedNode& each) { return each.operation == Operation::constant; });
     return to_rational(narrow, node->constant);
   };
   EXPECT_EQ(constant(mpq_class(1, 8), Subnormals::flush), mpq_class(1, 8));

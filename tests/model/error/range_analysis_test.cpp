@@ -9,7 +9,7 @@
 #include "model/golden/evaluate.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 struct Case {
@@ -28,10 +28,10 @@ Arithmetic arithmetic(const char* format, Subnormals subnormals) {
   return {.format = FloatFormat::parse(format).value(), .subnormals = subnormals};
 }
 
-NodeRange root_of(const Case& scene, const char* format = "binary64",
-                  Subnormals subnormals = Subnormals::gradual) {
+error::NodeRange root_of(const Case& scene, const char* format = "binary64",
+                         Subnormals subnormals = Subnormals::gradual) {
   const TypedGraph graph = typed(scene.text, arithmetic(format, subnormals));
-  return analyse_ranges(graph, scene.ranges)[static_cast<std::size_t>(graph.f)];
+  return error::analyse_ranges(graph, scene.ranges)[static_cast<std::size_t>(graph.f)];
 }
 
 TEST(RangeAnalysis, EnclosesEachOperation) {
@@ -71,37 +71,38 @@ TEST(RangeAnalysis, RoundsOutwardToTheFormat) {
 }
 
 TEST(RangeAnalysis, EventsAreRuledOutOnlyWhereTheyCannotHappen) {
-  const auto may = [](const Case& scene, Event event, Subnormals subnormals = Subnormals::gradual) {
+  const auto may = [](const Case& scene, error::Event event,
+                      Subnormals subnormals = Subnormals::gradual) {
     return root_of(scene, "binary16", subnormals).may(event);
   };
-  EXPECT_FALSE(may({"x * x", {{{0, 255}}}}, Event::overflow));
-  EXPECT_TRUE(may({"x * x", {{{0, 256}}}}, Event::overflow));
-  EXPECT_FALSE(may({"x * x", {{{1, 2}}}}, Event::underflow));
-  EXPECT_TRUE(may({"x * x", {{{0, 2}}}}, Event::underflow));
-  EXPECT_FALSE(may({"x - y", {{{0, 2}}, {{0, 2}}}}, Event::underflow));
-  EXPECT_TRUE(may({"x - y", {{{0, 2}}, {{0, 2}}}}, Event::underflow, Subnormals::flush));
-  EXPECT_FALSE(may({"x - y", {{{3, 4}}, {{0, 2}}}}, Event::underflow, Subnormals::flush));
-  EXPECT_FALSE(may({"x / y", {{{1, 2}}, {{1, 2}}}}, Event::division_by_zero));
-  EXPECT_TRUE(may({"x / y", {{{1, 2}}, {{0, 2}}}}, Event::division_by_zero));
-  EXPECT_TRUE(may({"x / y", {{{1, 2}}, {{0, 2}}}}, Event::overflow));
-  EXPECT_FALSE(may({"sqrt(x)", {{{0, 2}}}}, Event::root_of_negative));
-  EXPECT_TRUE(may({"sqrt(x)", {{{-1, 2}}}}, Event::root_of_negative));
-  EXPECT_FALSE(may({"min(x, y)", {{}, {}}}, Event::overflow));
+  EXPECT_FALSE(may({"x * x", {{{0, 255}}}}, error::Event::overflow));
+  EXPECT_TRUE(may({"x * x", {{{0, 256}}}}, error::Event::overflow));
+  EXPECT_FALSE(may({"x * x", {{{1, 2}}}}, error::Event::underflow));
+  EXPECT_TRUE(may({"x * x", {{{0, 2}}}}, error::Event::underflow));
+  EXPECT_FALSE(may({"x - y", {{{0, 2}}, {{0, 2}}}}, error::Event::underflow));
+  EXPECT_TRUE(may({"x - y", {{{0, 2}}, {{0, 2}}}}, error::Event::underflow, Subnormals::flush));
+  EXPECT_FALSE(may({"x - y", {{{3, 4}}, {{0, 2}}}}, error::Event::underflow, Subnormals::flush));
+  EXPECT_FALSE(may({"x / y", {{{1, 2}}, {{1, 2}}}}, error::Event::division_by_zero));
+  EXPECT_TRUE(may({"x / y", {{{1, 2}}, {{0, 2}}}}, error::Event::division_by_zero));
+  EXPECT_TRUE(may({"x / y", {{{1, 2}}, {{0, 2}}}}, error::Event::overflow));
+  EXPECT_FALSE(may({"sqrt(x)", {{{0, 2}}}}, error::Event::root_of_negative));
+  EXPECT_TRUE(may({"sqrt(x)", {{{-1, 2}}}}, error::Event::root_of_negative));
+  EXPECT_FALSE(may({"min(x, y)", {{}, {}}}, error::Event::overflow));
 }
 
 TEST(RangeAnalysis, FlushedInputsMayBeZero) {
   const mpq_class tiny(1, 100'000);  // subnormal in binary16
   EXPECT_FALSE(
-      root_of({"y / x", {{{1, 1}}, {{tiny, 1}}}}, "binary16").may(Event::division_by_zero));
+      root_of({"y / x", {{{1, 1}}, {{tiny, 1}}}}, "binary16").may(error::Event::division_by_zero));
   EXPECT_TRUE(root_of({"y / x", {{{1, 1}}, {{tiny, 1}}}}, "binary16", Subnormals::flush)
-                  .may(Event::division_by_zero));
+                  .may(error::Event::division_by_zero));
 }
 
 TEST(RangeAnalysis, MissingRangesAreNamedAndCountAsAnyNumber) {
-  const NodeRange node = root_of({"x^2 + y", {std::nullopt, {{0, 1}}}});
+  const error::NodeRange node = root_of({"x^2 + y", {std::nullopt, {{0, 1}}}});
   EXPECT_EQ(node.rangeless_inputs, std::vector<int>{0});
   EXPECT_EQ(node.value.low, 0);
-  EXPECT_TRUE(node.may(Event::overflow));
+  EXPECT_TRUE(node.may(error::Event::overflow));
   EXPECT_TRUE(root_of({"x + y", {{{0, 1}}, {{0, 1}}}}).rangeless_inputs.empty());
 }
 
@@ -121,7 +122,7 @@ Bits draw(FloatFormat format, const std::optional<Range>& range, std::mt19937_64
 
 /// Holds all finite values of one evaluation by the golden model against an analysis that follows
 /// infinities.
-void check_followed(const TypedGraph& graph, const std::vector<NodeRange>& ranges,
+void check_followed(const TypedGraph& graph, const std::vector<error::NodeRange>& ranges,
                     const std::vector<golden::Rounded>& results, const std::string& text) {
   const auto operand = [&](const TypedNode& node, std::size_t k) {
     return results[static_cast<std::size_t>(node.operands[k])].bits;
@@ -130,11 +131,11 @@ void check_followed(const TypedGraph& graph, const std::vector<NodeRange>& range
     const TypedNode& node = graph.nodes[k];
     const FloatFormat format = node.format;
     if (node.operation == Operation::divide && format.is_zero(operand(node, 1))) {
-      ASSERT_TRUE(ranges[k].may(Event::division_by_zero)) << text << ", node " << k;
+      ASSERT_TRUE(ranges[k].may(error::Event::division_by_zero)) << text << ", node " << k;
     }
     if (node.operation == Operation::square_root && !format.is_nan(operand(node, 0)) &&
         !format.is_zero(operand(node, 0)) && format.sign(operand(node, 0))) {
-      ASSERT_TRUE(ranges[k].may(Event::root_of_negative)) << text << ", node " << k;
+      ASSERT_TRUE(ranges[k].may(error::Event::root_of_negative)) << text << ", node " << k;
     }
     if (format.is_nan(results[k].bits)) continue;
     if (format.is_infinite(results[k].bits)) {
@@ -150,7 +151,7 @@ void check_followed(const TypedGraph& graph, const std::vector<NodeRange>& range
 }
 
 /// Holds one evaluation by the golden model against the analysis.
-void check_evaluation(const TypedGraph& graph, const std::vector<NodeRange>& ranges,
+void check_evaluation(const TypedGraph& graph, const std::vector<error::NodeRange>& ranges,
                       const std::vector<golden::Rounded>& results, const std::string& text) {
   std::vector<bool> exceptional_below(results.size());
   for (std::size_t k = 0; k < results.size(); ++k) {
@@ -190,11 +191,12 @@ void check_evaluation(const TypedGraph& graph, const std::vector<NodeRange>& ran
 TEST(RangeAnalysis, FollowsInfinitiesWhereItIsAsked) {
   const Case scene{"x / (1 / (y * z))", {{{0, 1}}, {{1, 300}}, {{1, 300}}}};
   const TypedGraph graph = typed(scene.text, arithmetic("binary16", Subnormals::gradual));
-  const auto root = [&](Infinities infinities) {
-    return analyse_ranges(graph, scene.ranges, infinities)[static_cast<std::size_t>(graph.f)];
+  const auto root = [&](error::Infinities infinities) {
+    return error::analyse_ranges(graph, scene.ranges,
+                                 infinities)[static_cast<std::size_t>(graph.f)];
   };
-  EXPECT_FALSE(root(Infinities::excluded).may(Event::division_by_zero));
-  EXPECT_TRUE(root(Infinities::followed).may(Event::division_by_zero));
+  EXPECT_FALSE(root(error::Infinities::excluded).may(error::Event::division_by_zero));
+  EXPECT_TRUE(root(error::Infinities::followed).may(error::Event::division_by_zero));
 }
 
 /// An infinite square is positive, the infinity behind a zero of either sign is not.
@@ -202,8 +204,9 @@ TEST(RangeAnalysis, KnowsTheSignOfInfinities) {
   const auto root_of_negative = [](const std::string& text) {
     const std::vector<std::optional<Range>> ranges = {{{0, 300}}};
     const TypedGraph graph = typed(text, arithmetic("binary16", Subnormals::gradual));
-    return analyse_ranges(graph, ranges, Infinities::followed)[static_cast<std::size_t>(graph.f)]
-        .may(Event::root_of_negative);
+    return error::analyse_ranges(graph, ranges,
+                                 error::Infinities::followed)[static_cast<std::size_t>(graph.f)]
+        .may(error::Event::root_of_negative);
   };
   EXPECT_FALSE(root_of_negative("sqrt(x * x)"));
   EXPECT_FALSE(root_of_negative("sqrt(abs(1 / x))"));
@@ -229,9 +232,9 @@ TEST(RangeAnalysis, NothingTheGoldenModelComputesEscapesIt) {
           Arithmetic rules = arithmetic(format, subnormals);
           rules.rounding = rounding;
           const TypedGraph graph = typed(scene.text, rules);
-          const std::vector<NodeRange> ranges = analyse_ranges(graph, scene.ranges);
-          const std::vector<NodeRange> followed =
-              analyse_ranges(graph, scene.ranges, Infinities::followed);
+          const std::vector<error::NodeRange> ranges = error::analyse_ranges(graph, scene.ranges);
+          const std::vector<error::NodeRange> followed =
+              error::analyse_ranges(graph, scene.ranges, error::Infinities::followed);
           for (int round = 0; round < 300; ++round) {
             std::vector<Bits> inputs;
             for (const auto& range : scene.ranges) {
@@ -248,4 +251,4 @@ TEST(RangeAnalysis, NothingTheGoldenModelComputesEscapesIt) {
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

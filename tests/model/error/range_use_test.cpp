@@ -17,21 +17,12 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::Bits;
-using model::FloatFormat;
-using model::Hazards;
-using model::Lane;
-using model::LaneInputs;
-using model::Operation;
-using model::Range;
-using model::RangeCheck;
-using model::Rounding;
-using model::Subnormals;
-using model::to_rational;
-using model::golden::evaluate_reference;
-using model::golden::passes;
-using model::golden::true_verdict;
+using error::Hazards;
+using error::Lane;
+using error::RangeCheck;
+using golden::evaluate_reference;
+using golden::passes;
+using golden::true_verdict;
 
 using Ranges = std::vector<std::optional<Range>>;
 
@@ -47,7 +38,7 @@ const std::vector<Range> some_ranges = {
 TEST(RangeCheck, IsCoarserThanTheRangeAndAsWideAsItSays) {
   for (const FloatFormat format : {format_of(4, 4), format_of(6, 5), format_of(3, 3)}) {
     for (const Range& range : some_ranges) {
-      const RangeCheck check = range_check(0, format, range);
+      const RangeCheck check = error::range_check(0, format, range);
       const Range checked = checked_range(check, format);
       for (Bits bits = 0; bits < Bits{1} << format.width(); ++bits) {
         const bool pass = passes(check, format, bits);
@@ -69,15 +60,15 @@ TEST(RangeCheck, IsCoarserThanTheRangeAndAsWideAsItSays) {
 
 TEST(RangeCheck, LetsPassLittleBeyondTheRange) {
   const FloatFormat format = format_of(53, 8);
-  const Range checked = checked_range(model::range_check(0, format, {1, 100}), format);
+  const Range checked = checked_range(error::range_check(0, format, {1, 100}), format);
   EXPECT_EQ(checked.low, 1);
   EXPECT_LT(checked.high, 104);
-  EXPECT_EQ(checked_range(model::range_check(0, format, {-3, 100}), format).low, -checked.high);
+  EXPECT_EQ(checked_range(error::range_check(0, format, {-3, 100}), format).low, -checked.high);
 }
 
 TEST(RangeCheck, ThatChecksSignsAloneLetsNansPass) {
   const FloatFormat format = format_of(8, 5);
-  const RangeCheck check = model::sign_check(0, model::RequiredSign::nonnegative);
+  const RangeCheck check = error::sign_check(0, error::RequiredSign::nonnegative);
   EXPECT_TRUE(passes(check, format, format.quiet_nan()));
   EXPECT_FALSE(passes(check, format, format.zero(true)));
 }
@@ -85,13 +76,14 @@ TEST(RangeCheck, ThatChecksSignsAloneLetsNansPass) {
 /// Every operand pair that passes the checks: no operation meets what was ruled out of it.
 void hold_hazards(const std::string& f, const Ranges& ranges, FloatFormat reference,
                   const Arithmetic& reduced, LaneInputs inputs) {
-  const model::Graph graph = graph_of(f, "b");
-  const auto lane = certified_lane(lane_graph(graph, reference, reduced, inputs),
-                                   {.kind = model::ErrorBoundKind::running, .ranges = ranges});
+  const Graph graph = graph_of(f, "b");
+  const auto lane =
+      error::certified_lane(lane_graph(graph, reference, reduced, inputs),
+                            {.kind = error::ErrorBoundKind::running, .ranges = ranges});
   ASSERT_TRUE(lane.ok()) << f;
   ASSERT_EQ(lane->hazards.size(), lane->graph.nodes.size()) << f;
   for (Bits index = 0; index < Bits{1} << (2 * reference.width()); ++index) {
-    const std::vector<Bits> operands = {index & model::low_mask(reference.width()),
+    const std::vector<Bits> operands = {index & low_mask(reference.width()),
                                         index >> reference.width()};
     EXPECT_EQ(broken_promise(*lane, operands), "") << f;
   }
@@ -113,7 +105,7 @@ Hazards hazards_of(const std::string& f, const Ranges& ranges, FloatFormat lane)
       lane_graph(graph_of(f, "b"), format_of(24, 8),
                  {lane, Rounding::nearest_even, Subnormals::flush}, LaneInputs::exact);
   const auto certified =
-      certified_lane(typed, {.kind = model::ErrorBoundKind::running, .ranges = ranges});
+      error::certified_lane(typed, {.kind = error::ErrorBoundKind::running, .ranges = ranges});
   if (certified->hazards.empty()) return {};
   return certified->hazards[static_cast<size_t>(typed.f)];
 }
@@ -125,8 +117,8 @@ TEST(Hazards, GradualDifferencesMayBeSubnormal) {
   const auto typed =
       lane_graph(graph_of("a - b", "c"), format_of(24, 8), {format}, LaneInputs::rounded);
   const Range normal{mpq_class(16, 1000), mpq_class(1, 10)};
-  const auto lane =
-      certified_lane(typed, {.kind = model::ErrorBoundKind::running, .ranges = Ranges(3, normal)});
+  const auto lane = error::certified_lane(
+      typed, {.kind = error::ErrorBoundKind::running, .ranges = Ranges(3, normal)});
   EXPECT_TRUE(lane->hazards[static_cast<size_t>(typed.f)].underflow);
 }
 
@@ -147,26 +139,26 @@ TEST(Hazards, AreRuledOutWhereTheRangesDoSo) {
 }
 
 TEST(LaneExponentBits, AreTheFewestThatReachBothEnds) {
-  const model::Graph graph = sphere_graph();
+  const Graph graph = sphere_graph();
   const auto bits = [&](int precision, const Range& range) {
-    return lane_exponent_bits(graph, format("s53e8"), {format_of(precision, 8)}, LaneInputs::exact,
-                              Ranges(8, range));
+    return error::lane_exponent_bits(graph, format("s53e8"), {format_of(precision, 8)},
+                                     LaneInputs::exact, Ranges(8, range));
   };
   EXPECT_EQ(bits(17, {0, 100}), 6) << "2^15 / 2^34 = 2^-19; e5 ends at 2^-14, e6 at 2^-30";
   EXPECT_EQ(bits(4, {0, 100}), 5) << "43264 = 208^2 is beyond e4's 2^8, below e5's 2^16";
   EXPECT_EQ(bits(24, {0, 100}), 7);
   EXPECT_EQ(bits(52, {0, 100}), 8);
   EXPECT_EQ(bits(8, {0, 1e15}), 8);
-  EXPECT_EQ(lane_exponent_bits(graph, format("s53e8"), {format_of(17, 8)}, LaneInputs::exact,
-                               Ranges(8, std::nullopt)),
+  EXPECT_EQ(error::lane_exponent_bits(graph, format("s53e8"), {format_of(17, 8)}, LaneInputs::exact,
+                                      Ranges(8, std::nullopt)),
             8)
       << "without ranges";
 }
 
 TEST(LaneExponentBits, ServeEveryPart) {
   const auto bits = [](const std::vector<std::pair<std::string, std::string>>& parts) {
-    return lane_exponent_bits(graph_of(parts, model::Combination::all), format("s53e8"),
-                              {format_of(4, 8)}, LaneInputs::exact, {Range{0, 100}});
+    return error::lane_exponent_bits(graph_of(parts, Combination::all), format("s53e8"),
+                                     {format_of(4, 8)}, LaneInputs::exact, {Range{0, 100}});
   };
   EXPECT_EQ(bits({{"a", "1"}}), 4) << "100 is below e4's 2^8";
   EXPECT_EQ(bits({{"a", "1"}, {"a^3", "1"}}), 6) << "a million is above e5's 2^16";
@@ -184,15 +176,15 @@ TEST(ExactOnGrid, NodesAreExact) {
   for (const char* f :
        {"a + b", "a - b", "a * b", "a^2", "(a - b)^2", "a / 8", "abs(a) * -b", "min(a, b) + 0.75",
         "max(a, 0) - b", "a^3", "a / b", "sqrt(a)", "a + 0.1", "a * 0.375", "(a - b)^2 + a^2"}) {
-    const model::Graph graph = graph_of(f, "b");
+    const Graph graph = graph_of(f, "b");
     const auto typed = reference_graph(graph, {reference});
-    const auto exact = exact_on_grid(typed, ranges, grids);
+    const auto exact = error::exact_on_grid(typed, ranges, grids);
     if (!exact[static_cast<size_t>(typed.f)]) continue;
     ++exact_functions;
     for (mpq_class a = range.low; a <= range.high; a += grid) {
       for (mpq_class b = range.low; b <= range.high; b += grid) {
-        const std::vector<Bits> operands = {model::from_rational(reference, a),
-                                            model::from_rational(reference, b)};
+        const std::vector<Bits> operands = {from_rational(reference, a),
+                                            from_rational(reference, b)};
         EXPECT_EQ(to_string(evaluate_reference(typed, operands)),
                   to_string(true_verdict(graph, reference, operands)))
             << f << " " << a << " " << b;
@@ -205,8 +197,8 @@ TEST(ExactOnGrid, NodesAreExact) {
 TEST(ExactOnGrid, EndsWhereTheDigitsEnd) {
   const auto exact = [](int precision, const mpq_class& grid, const Range& range) -> bool {
     const auto typed = reference_graph(graph_of("(a - b)^2", "c"), {format_of(precision, 8)});
-    return exact_on_grid(typed, Ranges(3, range),
-                         std::vector(3, std::optional(grid)))[static_cast<size_t>(typed.f)];
+    return error::exact_on_grid(typed, Ranges(3, range),
+                                std::vector(3, std::optional(grid)))[static_cast<size_t>(typed.f)];
   };
   EXPECT_TRUE(exact(20, mpq_class(1, 8), {0, 128})) << "1024^2 = 2^20 quanta";
   EXPECT_FALSE(exact(19, mpq_class(1, 8), {0, 128}));

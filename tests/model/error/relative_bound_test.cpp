@@ -9,16 +9,9 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::Bits;
-using model::FloatFormat;
-using model::Graph;
-using model::Lane;
-using model::LaneInputs;
-using model::NodeBound;
-using model::RelativeBound;
-using model::Rounding;
-using model::Subnormals;
+using error::Lane;
+using error::NodeBound;
+using error::RelativeBound;
 
 const FloatFormat reference = format_of(53, 8);
 
@@ -30,7 +23,7 @@ struct Setting {
   std::vector<bool> nonnegative = {};
 };
 
-model::Result<Lane> certify(const Graph& graph, Setting setting) {
+Result<Lane> certify(const Graph& graph, Setting setting) {
   const Arithmetic arithmetic{format_of(setting.precision, 8), setting.rounding,
                               setting.subnormals};
   setting.nonnegative.resize(graph.inputs().size(), false);
@@ -45,12 +38,12 @@ NodeBound bound_of(const std::string& f, Setting setting) {
                               setting.subnormals};
   setting.nonnegative.resize(graph.inputs().size(), false);
   const auto typed = lane_graph(graph, reference, arithmetic, setting.inputs);
-  return analyse_errors(typed, setting.nonnegative).nodes[typed.f];
+  return error::analyse_errors(typed, setting.nonnegative).nodes[typed.f];
 }
 
 std::vector<int> checked_inputs(const Lane& lane) {
   std::vector<int> inputs;
-  for (const model::RangeCheck& check : lane.checks) inputs.push_back(check.input);
+  for (const error::RangeCheck& check : lane.checks) inputs.push_back(check.input);
   return inputs;
 }
 
@@ -109,8 +102,7 @@ TEST(RelativeBound, IsExactWhereNothingIsRounded) {
 TEST(RelativeBound, ReplacesAConstantByItsEncoding) {
   const mpq_class u = unit(17);
   const mpq_class written(1, 10);
-  const mpq_class encoded =
-      model::to_rational(format_of(17, 8), model::from_rational(format_of(17, 8), written));
+  const mpq_class encoded = to_rational(format_of(17, 8), from_rational(format_of(17, 8), written));
   ASSERT_NE(encoded, written);
   const mpq_class ratio = written / encoded;
   expect_bound("0.1 * (a - b)", {}, ratio * power(1 - u, 2), ratio * power(1 + u, 2));
@@ -188,7 +180,7 @@ TEST(CertifiedLane, RefusesConstantsThatItsFormatLoses) {
 
 /// value(key) of a positive encoding, for any key.
 mpq_class value_of(FloatFormat format, Bits key) {
-  return model::to_rational(format, key);
+  return to_rational(format, key);
 }
 
 /// Theorem 2 and its converse, over all encodings: `steps` multiply by more than `ratio`, one fewer
@@ -197,7 +189,7 @@ TEST(GuardUlp, IsTheSmallestThatTheBoundsAllow) {
   const FloatFormat format = format_of(4, 4);
   for (int numerator = 33; numerator < 300; numerator += 7) {
     const mpq_class ratio(numerator, 32);
-    const Bits guard = model::guard_ulp({1, 1}, {1, ratio}, format.precision());
+    const Bits guard = error::guard_ulp({1, 1}, {1, ratio}, format.precision());
     bool one_fewer_suffices = true;
     for (Bits g = 1; g + guard <= format.largest_finite(false); ++g) {
       EXPECT_GT(value_of(format, g + guard), ratio * value_of(format, g)) << ratio;
@@ -216,8 +208,8 @@ TEST(GuardUlp, IsSymmetricAndZeroForExactFunctions) {
 
 TEST(GuardUlp, NeverDecidesWhereTheBoundsAreBeyondAnyFormat) {
   const mpq_class huge(mpz_class(1) << 40'000);
-  EXPECT_EQ(model::guard_ulp({1, 1}, {1, huge}, 113), ~Bits{0});
-  EXPECT_EQ(model::guard_ulp_before_rounding({1, 1}, {1, huge}, 113), ~Bits{0});
+  EXPECT_EQ(error::guard_ulp({1, 1}, {1, huge}, 113), ~Bits{0});
+  EXPECT_EQ(error::guard_ulp_before_rounding({1, 1}, {1, huge}, 113), ~Bits{0});
 }
 
 /// x^80 and more: the bounds are worth more steps than so narrow a format has encodings.
@@ -227,7 +219,7 @@ TEST(GuardUlp, FitsTheWidthOfTheFormat) {
     const Graph graph = graph_of(f, "y");
     const auto lane =
         relative_lane(lane_graph(graph, reference, {narrow}, LaneInputs::exact), {false, false});
-    EXPECT_LE(certified_decision(*lane).guard_ulp, model::low_mask(narrow.width())) << f;
+    EXPECT_LE(certified_decision(*lane).guard_ulp, low_mask(narrow.width())) << f;
     EXPECT_GT(certified_decision(*lane).guard_ulp, 2 * narrow.largest_finite(false)) << f;
   }
 }
@@ -235,9 +227,9 @@ TEST(GuardUlp, FitsTheWidthOfTheFormat) {
 TEST(CertifiedLane, NamesADivisorThatMayBeZero) {
   const auto typed =
       lane_graph(graph_of("a / (b - c)", "a"), reference, {format_of(17, 8)}, LaneInputs::exact);
-  const std::vector<std::optional<model::Range>> ranges(3, model::Range{1, 4});
+  const std::vector<std::optional<Range>> ranges(3, Range{1, 4});
   const auto lane =
-      certified_lane(typed, {.kind = model::ErrorBoundKind::constant, .ranges = ranges});
+      error::certified_lane(typed, {.kind = error::ErrorBoundKind::constant, .ranges = ranges});
   ASSERT_FALSE(lane.ok());
   EXPECT_NE(lane.error().message.find("b - c may be zero"), std::string::npos);
   EXPECT_NE(lane.error().accepted.find("ranges that keep it away"), std::string::npos);
@@ -246,8 +238,8 @@ TEST(CertifiedLane, NamesADivisorThatMayBeZero) {
 /// Each step squares the bound and doubles its digits, were it kept exactly.
 TEST(CertifiedLane, GivesUpOnPowersOfPowers) {
   Graph graph;
-  model::NodeId power = graph.input("x");
-  for (int k = 0; k < 99; ++k) power = graph.apply(model::Operation::square, power);
+  NodeId power = graph.input("x");
+  for (int k = 0; k < 99; ++k) power = graph.apply(Operation::square, power);
   graph.compare(power, graph.input("y"));
   const auto lane = certify(graph, {});
   ASSERT_FALSE(lane.ok());
@@ -273,8 +265,8 @@ TEST(GuardUlp, OfTheSphereIsSeven) {
   }
 }
 
-Bits guard_of(const std::string& f, const std::string& g, model::Rounding rounding) {
-  const model::Arithmetic reduced = {format_of(8, 8), rounding, model::Subnormals::flush};
+Bits guard_of(const std::string& f, const std::string& g, Rounding rounding) {
+  const Arithmetic reduced = {format_of(8, 8), rounding, Subnormals::flush};
   const auto lane =
       relative_lane(lane_graph(graph_of(f, g), format_of(24, 8), reduced, LaneInputs::rounded), {});
   return certified_decision(lane.value()).guard_ulp;
@@ -283,7 +275,7 @@ Bits guard_of(const std::string& f, const std::string& g, model::Rounding roundi
 /// Rounding keeps order, and what is chosen among rounded numbers is the rounding of what is
 /// chosen.
 TEST(GuardUlp, OfSelectionsOfRoundedInputsIsOneStep) {
-  for (const auto rounding : {model::Rounding::nearest_even, model::Rounding::toward_zero}) {
+  for (const auto rounding : {Rounding::nearest_even, Rounding::toward_zero}) {
     EXPECT_EQ(guard_of("a", "b", rounding), 1);
     EXPECT_EQ(guard_of("max(a, b)", "min(c, d)", rounding), 1);
     EXPECT_EQ(guard_of("-abs(min(a, -b))", "max(-c, abs(d))", rounding), 1);
@@ -291,8 +283,8 @@ TEST(GuardUlp, OfSelectionsOfRoundedInputsIsOneStep) {
     EXPECT_GT(guard_of("max(a * b, c)", "d", rounding), 1);
     EXPECT_GT(guard_of("2 * (a * b)", "c", rounding), 1) << "what is rounded before is inexact";
   }
-  EXPECT_EQ(guard_of("max(a, 0.3)", "b", model::Rounding::nearest_even), 1);
-  EXPECT_GT(guard_of("max(a, 0.3)", "b", model::Rounding::toward_zero), 1)
+  EXPECT_EQ(guard_of("max(a, 0.3)", "b", Rounding::nearest_even), 1);
+  EXPECT_GT(guard_of("max(a, 0.3)", "b", Rounding::toward_zero), 1)
       << "constants are encoded to nearest";
 }
 

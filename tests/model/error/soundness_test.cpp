@@ -15,16 +15,10 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::FloatFormat;
-using model::Graph;
-using model::Lane;
-using model::LaneInputs;
-using model::Range;
-using model::Verdict;
-using model::golden::evaluate_lane;
-using model::golden::LaneResult;
-using model::golden::true_verdict;
+using error::Lane;
+using golden::evaluate_lane;
+using golden::LaneResult;
+using golden::true_verdict;
 
 struct Comparison {
   const char* name;
@@ -39,11 +33,11 @@ void PrintTo(const Comparison& comparison, std::ostream* stream) {
 
 std::string describe(const Comparison& comparison, const Lane& lane, FloatFormat format,
                      const std::vector<Bits>& inputs) {
-  const model::Arithmetic& arithmetic = lane.graph.arithmetic;
+  const Arithmetic& arithmetic = lane.graph.arithmetic;
   std::string text = fmt::format("{} against {} in {} {} {}, {}:", comparison.f, comparison.g,
                                  arithmetic.format.name(), to_string(arithmetic.rounding),
                                  to_string(arithmetic.subnormals), describe_decision(lane));
-  for (const Bits input : inputs) text += " " + model::to_text(format, input);
+  for (const Bits input : inputs) text += " " + to_text(format, input);
   return text;
 }
 
@@ -53,10 +47,10 @@ std::vector<Lane> lanes_of(const Graph& graph, FloatFormat reference, std::optio
   const std::vector<std::optional<Range>> ranges(graph.inputs().size(), range);
   std::vector<Lane> lanes;
   for (const FloatFormat format : {format_of(2, 4), format_of(4, 5)}) {
-    for (const model::Arithmetic& arithmetic : every_arithmetic(format)) {
+    for (const Arithmetic& arithmetic : every_arithmetic(format)) {
       for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
         const auto typed = lane_graph(graph, reference, arithmetic, inputs);
-        for (model::CandidateLanes& candidate : candidate_lanes(typed, ranges)) {
+        for (error::CandidateLanes& candidate : error::candidate_lanes(typed, ranges)) {
           if (candidate.lane.ok()) lanes.push_back(candidate.lane->parts.front());
         }
       }
@@ -68,8 +62,7 @@ std::vector<Lane> lanes_of(const Graph& graph, FloatFormat reference, std::optio
 std::vector<Bits> unpack(Bits index, FloatFormat format, size_t count) {
   std::vector<Bits> inputs(count);
   for (size_t k = 0; k < count; ++k) {
-    inputs[k] =
-        index >> (k * static_cast<size_t>(format.width())) & model::low_mask(format.width());
+    inputs[k] = index >> (k * static_cast<size_t>(format.width())) & low_mask(format.width());
   }
   return inputs;
 }
@@ -95,7 +88,7 @@ void judge(const Comparison& comparison, FloatFormat reference) {
   }
   for (size_t k = 0; k < lanes.size(); ++k) {
     // A bound of few digits may exceed all that so few digits of f and g can tell apart.
-    const bool is_able = std::holds_alternative<model::UlpDistanceDecision>(lanes[k].decision) ||
+    const bool is_able = std::holds_alternative<error::UlpDistanceDecision>(lanes[k].decision) ||
                          lanes[k].graph.arithmetic.format.precision() > 3;
     if (is_able) {
       EXPECT_GT(decided[k], 0u) << describe(comparison, lanes[k], reference, {});

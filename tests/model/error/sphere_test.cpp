@@ -18,19 +18,10 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::Bits;
-using model::FloatFormat;
-using model::from_rational;
-using model::Graph;
-using model::Lane;
-using model::LaneInputs;
-using model::Rounding;
-using model::Subnormals;
-using model::Verdict;
-using model::golden::evaluate_lane;
-using model::golden::LaneResult;
-using model::golden::true_verdict;
+using error::Lane;
+using golden::evaluate_lane;
+using golden::LaneResult;
+using golden::true_verdict;
 
 /// cxi, cxj, cyi, cyj, czi, czj, ri, rj.
 using Spheres = std::array<double, 8>;
@@ -89,9 +80,8 @@ private:
                                    to_string(arithmetic.rounding), to_string(arithmetic.subnormals),
                                    to_string(truth), to_string(result.verdict));
     for (size_t k = 0; k < inputs.size(); ++k) {
-      text += fmt::format(" {}={} ({})", graph_.inputs()[k],
-                          model::to_hex(inputs[k], reference_.width()),
-                          model::to_text(reference_, inputs[k]));
+      text += fmt::format(" {}={} ({})", graph_.inputs()[k], to_hex(inputs[k], reference_.width()),
+                          to_text(reference_, inputs[k]));
     }
     return text;
   }
@@ -235,7 +225,7 @@ protected:
       encode(reference_, {1.000244200230171, 0, 0.018906322899724187, 0, 0.00024414329029752815, 0,
                           1.000422894952754 / 2, 1.000422894952754 / 2});
 
-  model::TypedGraph typed() const {
+  TypedGraph typed() const {
     const Arithmetic reduced{format_of(24, 8), Rounding::nearest_even, Subnormals::flush};
     return lane_graph(graph_, reference_, reduced, LaneInputs::exact);
   }
@@ -247,7 +237,7 @@ TEST_F(Counterexample, IsLessInTruth) {
 
 TEST_F(Counterexample, IsDecidedWronglyByTheProfiledLane) {
   const mpq_class u(1, 1 << 24);
-  const Lane lane = profiled_lane(typed(), mpq_class(45, 10) * u, mpq_class(28, 10) * u);
+  const Lane lane = error::profiled_lane(typed(), mpq_class(45, 10) * u, mpq_class(28, 10) * u);
   const LaneResult result = evaluate_lane(lane, inputs_);
   EXPECT_TRUE(result.decided);
   EXPECT_EQ(result.verdict, Verdict::greater);

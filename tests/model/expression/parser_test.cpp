@@ -9,7 +9,7 @@
 #include "model/expression/name.hpp"
 #include "model/expression/typed_graph.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 using Inputs = std::vector<std::pair<std::string, mpq_class>>;
@@ -376,7 +376,7 @@ TEST(Parser, ReadsRangesAlone) {
   EXPECT_EQ(range->first, 0);
   EXPECT_EQ(range->last, 2);
   EXPECT_EQ(parse_index_range("k", lets).error().accepted, "an index and its values: k in 0..3");
-  const model::Error error = parse_index_range(" k = 0..2", lets).error();
+  const Error error = parse_index_range(" k = 0..2", lets).error();
   EXPECT_EQ(error.column, 2);
   EXPECT_EQ(error.message, "no index and its values");
   EXPECT_EQ(error.received, "\"k = 0..2\"");
@@ -471,4 +471,4 @@ TEST(Names, FollowTheRuleOfVerilogIdentifiers) {
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

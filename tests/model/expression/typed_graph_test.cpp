@@ -9,14 +9,6 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::FloatFormat;
-using model::Graph;
-using model::LaneInputs;
-using model::Operation;
-using model::TypedGraph;
-using model::TypedNode;
-
 const FloatFormat wide = format_of(53, 8);
 const Arithmetic narrow{format_of(17, 8)};
 
@@ -135,8 +127,8 @@ TEST(LaneGraph, EncodesAConstantWhereItIsUsed) {
             "square 0: s53e8 > s17e8\n"
             "multiply 3 4: s17e8\n"
             "f 2, g 5\n");
-  EXPECT_EQ(graph.nodes[1].constant, *model::from_text(wide, "0.1"));
-  EXPECT_EQ(graph.nodes[3].constant, *model::from_text(narrow.format, "0.1"));
+  EXPECT_EQ(graph.nodes[1].constant, *from_text(wide, "0.1"));
+  EXPECT_EQ(graph.nodes[3].constant, *from_text(narrow.format, "0.1"));
 }
 
 TEST(LaneGraph, LeavesOutWhatIsNotUsed) {

@@ -14,14 +14,7 @@
 namespace mixcmp::test {
 namespace {
 
-namespace golden = model::golden;
 using golden::Rounded;
-using model::Arithmetic;
-using model::Bits;
-using model::FloatFormat;
-using model::Rounding;
-using model::Subnormals;
-using model::to_hex;
 
 using Binary = Rounded (*)(const Arithmetic&, FloatFormat, Bits, Bits);
 using Unary = Rounded (*)(const Arithmetic&, FloatFormat, Bits);

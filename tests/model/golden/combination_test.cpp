@@ -13,12 +13,9 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::Combination;
-using model::Verdict;
-using model::golden::combine;
-using model::golden::evaluate_reference;
-using model::golden::true_verdict;
+using golden::combine;
+using golden::evaluate_reference;
+using golden::true_verdict;
 
 constexpr std::array order_of_all = {Verdict::less, Verdict::equal, Verdict::unordered,
                                      Verdict::greater};
@@ -53,11 +50,11 @@ Verdict of_parts(Combination combination, const std::vector<Verdict>& verdicts) 
 
 /// Every triple of encodings, NaNs and infinities among them, through three parts.
 TEST(Combination, OfTruthAndReferenceIsThatOfTheirParts) {
-  const model::FloatFormat format = format_of(3, 2);
+  const FloatFormat format = format_of(3, 2);
   for (const Combination combination : {Combination::all, Combination::any}) {
-    const model::Graph graph =
+    const Graph graph =
         graph_of({{"a", "b"}, {"b - c", "a * c"}, {"max(a, c)", "b / a"}}, combination);
-    const model::CombinedGraph reference = reference_graphs(graph, {format});
+    const CombinedGraph reference = reference_graphs(graph, {format});
     const Bits end = Bits{1} << format.width();
     for (Bits index = 0; index < end * end * end; ++index) {
       const std::vector<Bits> inputs = {index % end, index / end % end, index / end / end};

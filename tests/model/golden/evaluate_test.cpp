@@ -16,24 +16,14 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::Bits;
-using model::FloatFormat;
-using model::from_text;
-using model::Graph;
-using model::Lane;
-using model::LaneInputs;
-using model::Rounding;
-using model::Subnormals;
-using model::TypedGraph;
-using model::UlpDistanceDecision;
-using model::Verdict;
-using model::golden::evaluate;
-using model::golden::evaluate_lane;
-using model::golden::evaluate_reference;
-using model::golden::LaneResult;
-using model::golden::Rounded;
-using model::golden::true_verdict;
+using error::Lane;
+using error::UlpDistanceDecision;
+using golden::evaluate;
+using golden::evaluate_lane;
+using golden::evaluate_reference;
+using golden::LaneResult;
+using golden::Rounded;
+using golden::true_verdict;
 
 const FloatFormat binary64 = format_of(53, 11);
 
@@ -59,7 +49,7 @@ TEST(Evaluate, ComputesAsTheMachineDoes) {
     const double a = normal(random), b = normal(random), c = normal(random);
     std::vector<Bits> inputs;
     for (const double value : {a, b, c}) {
-      inputs.push_back(model::golden::from_rational(binary64, mpq_class(value)));
+      inputs.push_back(golden::from_rational(binary64, mpq_class(value)));
     }
     const std::vector<Rounded> values = evaluate(typed, inputs);
     EXPECT_EQ(real(values[typed.f].bits),
@@ -92,7 +82,7 @@ TEST(Evaluate, ChangesSignsOfNansAndInfinitiesAndSaysSo) {
 /// Compares two inputs that the lane holds exactly, by a chosen decision.
 LaneResult decide(const UlpDistanceDecision& decision, Bits a, Bits b,
                   Subnormals subnormals = Subnormals::gradual,
-                  std::vector<model::RangeCheck> checks = {}) {
+                  std::vector<error::RangeCheck> checks = {}) {
   const FloatFormat format = format_of(4, 4);
   const Arithmetic arithmetic{format, Rounding::nearest_even, subnormals};
   const Lane lane{lane_graph(graph_of("a", "b"), format, arithmetic, LaneInputs::rounded), decision,
@@ -145,7 +135,7 @@ TEST(UlpDistance, IsNeverDecidedWhereAnInputBreaksItsRange) {
   const Bits sign = format_of(4, 4).zero(true);
   const UlpDistanceDecision exact{.guard_ulp = 0, .nonnegative = false};
   const auto decided = [&](Bits a, Bits b) {
-    const auto second = model::sign_check(1, model::RequiredSign::nonnegative);
+    const auto second = error::sign_check(1, error::RequiredSign::nonnegative);
     return decide(exact, a, b, Subnormals::gradual, {second}).decided;
   };
   EXPECT_TRUE(decided(sign | 40, 40));
@@ -158,7 +148,7 @@ LaneResult decide_by_interval(const std::string& a, const std::string& b,
                               const mpq_class& relative_error_f = mpq_class(1, 8)) {
   const FloatFormat format = format_of(8, 6);
   TypedGraph typed = lane_graph(graph_of("a", "b"), format, {format}, LaneInputs::rounded);
-  const Lane lane = profiled_lane(std::move(typed), relative_error_f, mpq_class(1, 8));
+  const Lane lane = error::profiled_lane(std::move(typed), relative_error_f, mpq_class(1, 8));
   return evaluate_lane(lane, encode(format, {a, b}));
 }
 
@@ -204,7 +194,7 @@ std::optional<Verdict> truth(const std::string& f, const std::string& g,
 }
 
 /// The interval of few digits contains that of many, and neither is empty.
-void expect_nested(const model::golden::Interval& outer, const model::golden::Interval& inner) {
+void expect_nested(const golden::Interval& outer, const golden::Interval& inner) {
   EXPECT_TRUE(mpfr_lessequal_p(outer.low.get(), inner.low.get()));
   EXPECT_TRUE(mpfr_lessequal_p(inner.low.get(), inner.high.get()));
   EXPECT_TRUE(mpfr_lessequal_p(inner.high.get(), outer.high.get()));
@@ -219,12 +209,12 @@ TEST(Enclosure, ContainsTheEnclosureOfMoreDigits) {
         "(sqrt(a) * sqrt(a) - a) * (sqrt(b) * sqrt(b) - b)", "sqrt(sqrt(a) + 0.1)",
         "sqrt(a) - sqrt(b)", "min(sqrt(a), -sqrt(b))", "max(a / 3, b / 7)"}) {
     const Graph graph = graph_of(f, "0.1");
-    model::golden::Enclosure few(graph, 128), many(graph, 1024);
+    golden::Enclosure few(graph, 128), many(graph, 1024);
     for (int trial = 0; trial < 100; ++trial) {
       std::vector<Bits> inputs(graph.inputs().size());
       for (Bits& input : inputs) input = binary64.magnitude(random_encoding(binary64, random));
-      if (few.compute(binary64, inputs) != model::golden::Knowledge::enclosed) continue;
-      ASSERT_EQ(many.compute(binary64, inputs), model::golden::Knowledge::enclosed);
+      if (few.compute(binary64, inputs) != golden::Knowledge::enclosed) continue;
+      ASSERT_EQ(many.compute(binary64, inputs), golden::Knowledge::enclosed);
       expect_nested(few.f(), many.f());
       expect_nested(few.g(), many.g());
       ASSERT_FALSE(HasFailure()) << f;
@@ -279,7 +269,7 @@ TEST(TrueVerdict, IsUnorderedWhereThereIsNoRealValue) {
 
 TEST(TrueVerdict, IgnoresWhatFAndGDoNotNeed) {
   Graph graph = graph_of("a", "1");
-  graph.apply(model::Operation::square_root, graph.apply(model::Operation::negate, graph.f()));
+  graph.apply(Operation::square_root, graph.apply(Operation::negate, graph.f()));
   EXPECT_EQ(true_verdict(graph, binary64, encode(binary64, {"2"})), Verdict::greater);
 }
 

@@ -16,15 +16,8 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::Combination;
-using model::FloatFormat;
-using model::Graph;
-using model::NodeId;
-using model::Operation;
-using model::Verdict;
-using model::golden::true_verdict;
-using model::golden::verdict_within;
+using golden::true_verdict;
+using golden::verdict_within;
 
 const FloatFormat binary64 = format_of(53, 11);
 const std::optional<Verdict> undetermined;
@@ -32,7 +25,7 @@ const std::optional<Verdict> undetermined;
 std::vector<Bits> encode(const std::vector<std::string>& values) {
   std::vector<Bits> inputs;
   for (const std::string& value : values) {
-    inputs.push_back(model::from_text(binary64, value).value());
+    inputs.push_back(from_text(binary64, value).value());
   }
   return inputs;
 }
@@ -118,19 +111,19 @@ TEST(Truth, TellsTheSmallestDifferenceOfTwoRoots) {
 }
 
 TEST(Separation, BoundsEveryConjugate) {
-  using model::golden::Separation;
-  const Separation number = model::golden::separation_of(mpq_class(48, 5));  // 2^4 3/5
+  using golden::Separation;
+  const Separation number = golden::separation_of(mpq_class(48, 5));  // 2^4 3/5
   EXPECT_EQ(number.exponent, 4);
   EXPECT_EQ(number.numerator_bits, 2);
   EXPECT_EQ(number.denominator_bits, 3);
   EXPECT_EQ(number.least_exponent(), 1);
-  const Separation root = model::golden::separation_of_root(number, 0);  // 2^2 sqrt(15) / 5
+  const Separation root = golden::separation_of_root(number, 0);  // 2^2 sqrt(15) / 5
   EXPECT_EQ(root.exponent, 2);
   EXPECT_EQ(root.numerator_bits, 3);
   EXPECT_EQ(root.denominator_bits, 3);
   EXPECT_EQ(root.least_exponent(), 2 - 3 - 3);
-  const Separation odd = model::golden::separation_of_root(
-      model::golden::separation_of(mpq_class(15, 32)), 1);  // 2^-3 sqrt(2 * 15)
+  const Separation odd =
+      golden::separation_of_root(golden::separation_of(mpq_class(15, 32)), 1);  // 2^-3 sqrt(2 * 15)
   EXPECT_EQ(odd.exponent, -3);
   EXPECT_EQ(odd.numerator_bits, 3);
   const Separation sum = separation_of_sum(root, odd);  // 2^-3 (32 sqrt(15) + 5 sqrt(30)) / 5
@@ -145,10 +138,10 @@ TEST(Separation, BoundsEveryConjugate) {
 }
 
 TEST(Separation, IsUnknownBeyondItsNumbers) {
-  model::golden::Separation power = model::golden::separation_of(mpq_class(3));
+  golden::Separation power = golden::separation_of(mpq_class(3));
   for (int k = 0; k < 64; ++k) power = separation_of_product(power, power);
   EXPECT_EQ(power.least_exponent(), std::nullopt);
-  const auto sum = separation_of_sum(power, model::golden::separation_of(mpq_class(1)));
+  const auto sum = separation_of_sum(power, golden::separation_of(mpq_class(1)));
   EXPECT_EQ(sum.least_exponent(), std::nullopt);
 }
 
@@ -205,7 +198,7 @@ Graph tie_of_roots(int n) {
 std::vector<Bits> odd_operands(std::size_t count) {
   std::vector<Bits> inputs;
   for (std::size_t k = 0; k < count; ++k) {
-    inputs.push_back(model::golden::from_rational(binary64, mpq_class(2 * k + 3, 7)));
+    inputs.push_back(golden::from_rational(binary64, mpq_class(2 * k + 3, 7)));
   }
   return inputs;
 }
@@ -255,7 +248,7 @@ TEST(Truth, IsUnorderedBesideAnythingUndetermined) {
 /// A proven verdict of another part decides only where it dominates.
 TEST(Truth, OfSeveralPartsIsThatOfADominatingPartAlone) {
   for (const Combination combination : {Combination::all, Combination::any}) {
-    const Verdict dominating = model::golden::dominating_verdict(combination);
+    const Verdict dominating = golden::dominating_verdict(combination);
     for (const int constant : {-1, 0, 1}) {
       Graph graph;
       const NodeId f = sum_of_roots(graph, 14, false);
@@ -359,7 +352,7 @@ public:
 private:
   /// Whether the node has a value; the value is then in values_.
   bool compute(NodeId id) {
-    const model::Node& node = graph_.nodes()[id];
+    const Node& node = graph_.nodes()[id];
     mpq_class& y = values_[id];
     for (int k = 0; k < arity(node.operation); ++k) {
       if (!compute(node.operands[k])) return false;
@@ -370,7 +363,7 @@ private:
       case Operation::input: {
         const Bits bits = inputs_[node.input];
         if (format_.is_nan(bits) || format_.is_infinite(bits)) return false;
-        y = model::golden::to_rational(format_, bits);
+        y = golden::to_rational(format_, bits);
         break;
       }
       case Operation::constant: y = node.value; break;
@@ -419,7 +412,7 @@ public:
   }
 
 private:
-  using BigFloat = model::golden::BigFloat;
+  using BigFloat = golden::BigFloat;
   static BigFloat digits() { return BigFloat(8192); }
   mpfr_ptr at(NodeId id) { return values_[static_cast<std::size_t>(id)].get(); }
 
@@ -429,7 +422,7 @@ private:
 
   /// Whether the node has a value; the value is then in values_.
   bool compute(NodeId id) {
-    const model::Node& node = graph_.nodes()[id];
+    const Node& node = graph_.nodes()[id];
     for (int k = 0; k < arity(node.operation); ++k) {
       if (!compute(node.operands[k])) return false;
     }
@@ -437,8 +430,7 @@ private:
                    b = at(std::max(node.operands[1], 0));
     switch (node.operation) {
       case Operation::input:
-        mpfr_set_q(y, model::golden::to_rational(format_, inputs_[node.input]).get_mpq_t(),
-                   MPFR_RNDN);
+        mpfr_set_q(y, golden::to_rational(format_, inputs_[node.input]).get_mpq_t(), MPFR_RNDN);
         break;
       case Operation::constant: mpfr_set_q(y, node.value.get_mpq_t(), MPFR_RNDN); break;
       case Operation::negate: mpfr_neg(y, a, MPFR_RNDN); break;

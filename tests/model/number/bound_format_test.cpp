@@ -10,10 +10,6 @@
 namespace mixcmp::test {
 namespace {
 
-using model::BoundFormat;
-using model::encode_bound;
-using model::power_of_two;
-
 TEST(EncodeBound, IsTheLeastBoundNotBelow) {
   const BoundFormat format = {.precision = 3, .exponent_bits = 4};  // bias 7
   EXPECT_EQ(encode_bound(format, 0), 0u);
@@ -37,7 +33,7 @@ TEST(EncodeBound, IsTheGoldenModels) {
                       static_cast<unsigned long>(random() >> random() % 63) | 1);
       value.canonicalize();
       value *= power_of_two(static_cast<long>(random() % 400) - 200);
-      EXPECT_EQ(encode_bound(format, value), model::golden::bound_constant(format, value))
+      EXPECT_EQ(encode_bound(format, value), golden::bound_constant(format, value))
           << value << " in " << format.precision << " digits";
     }
   }
@@ -46,15 +42,15 @@ TEST(EncodeBound, IsTheGoldenModels) {
 /// One digit more than a 64-bit word holds.
 TEST(EncodeBound, HasAsManyDigitsAsALane) {
   const BoundFormat format = {.precision = 65, .exponent_bits = 8};
-  const model::Bits one = model::Bits{127} << 64;
+  const Bits one = Bits{127} << 64;
   EXPECT_EQ(encode_bound(format, 1 + power_of_two(-64)), one + 1);
-  EXPECT_EQ(encode_bound(format, 2 - power_of_two(-64)), one + model::low_mask(64));
+  EXPECT_EQ(encode_bound(format, 2 - power_of_two(-64)), one + low_mask(64));
 }
 
 TEST(BoundValue, IsWhatEncodesToTheSameBound) {
   for (const BoundFormat format : {BoundFormat{1, 4}, BoundFormat{3, 4}, BoundFormat{5, 3}}) {
     mpq_class before = -1;
-    for (model::Bits bound = 0; bound < format.infinity(); ++bound) {
+    for (Bits bound = 0; bound < format.infinity(); ++bound) {
       if (bound != 0 && bound < format.smallest()) continue;
       const mpq_class value = bound_value(format, bound);
       EXPECT_GT(value, before);

@@ -15,13 +15,6 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::FloatFormat;
-using model::from_text;
-using model::to_hex;
-using model::to_rational;
-using model::to_text;
-
 /// A dyadic rational as "<digits>e-<places>" in decimal, or "0x<digits>p-<places>" in hexadecimal.
 struct Places {
   mpz_class digits;

@@ -16,13 +16,6 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::FloatFormat;
-using model::from_rational;
-using model::from_rational_up;
-using model::to_hex;
-using model::to_rational;
-
 std::string shown(FloatFormat format, Bits bits) {
   return format.name() + " " + to_hex(bits, format.width());
 }
@@ -30,15 +23,15 @@ std::string shown(FloatFormat format, Bits bits) {
 /// The number itself, numbers a hair beside it and the midpoint to its neighbour.
 void judge_around(FloatFormat format, Bits bits) {
   const mpq_class value = to_rational(format, bits);
-  EXPECT_EQ(value, model::to_rational(format, bits)) << shown(format, bits);
+  EXPECT_EQ(value, to_rational(format, bits)) << shown(format, bits);
   if (value != 0) {
     EXPECT_EQ(from_rational(format, value), bits) << shown(format, bits);
   }
   const long place = std::max(format.biased_exponent(bits), 1) - format.bias();
-  const mpq_class half = model::power_of_two(place - format.fraction_bits() - 1);
+  const mpq_class half = power_of_two(place - format.fraction_bits() - 1);
   for (const mpq_class& offset : {mpq_class(half / 3), half, mpq_class(half * 5 / 4)}) {
     for (const mpq_class& near : {mpq_class(value + offset), mpq_class(value - offset)}) {
-      EXPECT_EQ(from_rational(format, near), model::from_rational(format, near))
+      EXPECT_EQ(from_rational(format, near), from_rational(format, near))
           << near << " in " << format.name();
     }
   }
@@ -74,16 +67,15 @@ TEST(Exact, OverflowsFromTheMidpointBeyondTheLargestOn) {
   const FloatFormat format = format_of(4, 3);  // largest 15, infinity from 15.5
   EXPECT_EQ(from_rational(format, mpq_class(15499, 1000)), format.largest_finite(false));
   EXPECT_EQ(from_rational(format, mpq_class(-31, 2)), format.infinity(true));
-  EXPECT_EQ(from_rational(format, model::power_of_two(100'000)), format.infinity(false));
-  EXPECT_EQ(from_rational(format, -model::power_of_two(-100'000)), format.zero(true));
+  EXPECT_EQ(from_rational(format, power_of_two(100'000)), format.infinity(false));
+  EXPECT_EQ(from_rational(format, -power_of_two(-100'000)), format.zero(true));
   EXPECT_EQ(from_rational(format, 0), format.zero(false));
 }
 
 TEST(Exact, ARatioNeedsNoLowestTerms) {
   const FloatFormat format = format_of(4, 3);
   for (const int factor : {1, 2, 3, 1000}) {
-    EXPECT_EQ(model::from_ratio(format, 9 * factor, 16 * factor),
-              from_rational(format, mpq_class(9, 16)));
+    EXPECT_EQ(from_ratio(format, 9 * factor, 16 * factor), from_rational(format, mpq_class(9, 16)));
   }
 }
 
@@ -92,9 +84,9 @@ TEST(Exact, RoundsUpToTheLeastNumberNotBelow) {
     for (Bits bits = 0; bits <= format.largest_finite(false); ++bits) {
       const mpq_class value = to_rational(format, bits);
       EXPECT_EQ(from_rational_up(format, value), bits);
-      EXPECT_EQ(from_rational_up(format, value + model::power_of_two(-100)), bits + 1);
+      EXPECT_EQ(from_rational_up(format, value + power_of_two(-100)), bits + 1);
     }
-    EXPECT_EQ(from_rational_up(format, model::power_of_two(100)), format.infinity(false));
+    EXPECT_EQ(from_rational_up(format, power_of_two(100)), format.infinity(false));
   }
 }
 
@@ -103,12 +95,12 @@ TEST(Double, HoldsEveryNumberOfFormatsThatFit) {
   for (const FloatFormat format : {format_of(11, 5), format_of(53, 8), format_of(53, 11)}) {
     for (int trial = 0; trial < 2'000; ++trial) {
       const Bits bits = random_encoding(format, random);
-      const double value = model::to_double(format, bits);
+      const double value = to_double(format, bits);
       if (format.is_nan(bits)) {
         EXPECT_NE(value, value);
         continue;
       }
-      EXPECT_EQ(model::from_double(format, value), bits) << shown(format, bits);
+      EXPECT_EQ(from_double(format, value), bits) << shown(format, bits);
       if (is_finite(format, bits)) {
         EXPECT_EQ(mpq_class(value), to_rational(format, bits));
       }
@@ -119,13 +111,13 @@ TEST(Double, HoldsEveryNumberOfFormatsThatFit) {
 TEST(Double, OfAWiderFormatIsTheNearest) {
   const FloatFormat format = format_of(113, 15);
   const auto nearest = [&](const mpq_class& value) {
-    return model::to_double(format, from_rational(format, value));
+    return to_double(format, from_rational(format, value));
   };
-  EXPECT_EQ(nearest(1 + model::power_of_two(-53)), 1) << "a tie goes to even";
-  EXPECT_EQ(nearest(1 + model::power_of_two(-53) + model::power_of_two(-100)), 1 + 0x1p-52);
-  EXPECT_EQ(nearest(-model::power_of_two(2000)), -std::numeric_limits<double>::infinity());
-  EXPECT_EQ(nearest(model::power_of_two(-1074) * 3 / 4), 0x1p-1074);
-  EXPECT_TRUE(std::signbit(model::to_double(format, format.zero(true))));
+  EXPECT_EQ(nearest(1 + power_of_two(-53)), 1) << "a tie goes to even";
+  EXPECT_EQ(nearest(1 + power_of_two(-53) + power_of_two(-100)), 1 + 0x1p-52);
+  EXPECT_EQ(nearest(-power_of_two(2000)), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(nearest(power_of_two(-1074) * 3 / 4), 0x1p-1074);
+  EXPECT_TRUE(std::signbit(to_double(format, format.zero(true))));
 }
 
 }  // namespace

@@ -7,9 +7,6 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::FloatFormat;
-
 TEST(FloatFormat, KnowsTheLayoutOfBinary32) {
   const FloatFormat format = *FloatFormat::parse("binary32");
   EXPECT_EQ(format.name(), "s24e8");
@@ -54,7 +51,7 @@ TEST(FloatFormat, FillsAllBitsOfBinary128) {
   EXPECT_EQ(format.width(), 128);
   EXPECT_TRUE(format.sign(format.zero(true)));
   EXPECT_EQ(format.biased_exponent(format.infinity(true)), 32767);
-  EXPECT_EQ(model::to_hex(format.largest_finite(true), 128), "fffeffffffffffffffffffffffffffff");
+  EXPECT_EQ(to_hex(format.largest_finite(true), 128), "fffeffffffffffffffffffffffffffff");
 }
 
 TEST(FloatFormat, ReadsNamesAndNotation) {
@@ -82,10 +79,10 @@ TEST(FloatFormat, RefusesWhatItCannotPack) {
 }
 
 TEST(ToHex, PadsToTheWidth) {
-  EXPECT_EQ(model::to_hex(0, 1), "0");
-  EXPECT_EQ(model::to_hex(0x1a, 8), "1a");
-  EXPECT_EQ(model::to_hex(0x1a, 9), "01a");
-  EXPECT_EQ(model::to_hex(model::low_mask(128), 128), std::string(32, 'f'));
+  EXPECT_EQ(to_hex(0, 1), "0");
+  EXPECT_EQ(to_hex(0x1a, 8), "1a");
+  EXPECT_EQ(to_hex(0x1a, 9), "01a");
+  EXPECT_EQ(to_hex(low_mask(128), 128), std::string(32, 'f'));
 }
 
 }  // namespace

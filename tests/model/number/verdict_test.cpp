@@ -6,11 +6,6 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Decision;
-using model::ResultWord;
-using model::Verdict;
-using model::VerdictSet;
-
 TEST(ResultWord, HasTheBitsThatThePageOfTheRtlSays) {
   EXPECT_EQ(ResultWord::decided(Verdict::less).bits(), 0b0000u);
   EXPECT_EQ(ResultWord::decided(Verdict::equal).bits(), 0b0001u);
@@ -27,7 +22,7 @@ TEST(ResultWord, IsReadFromAnyBits) {
     EXPECT_EQ(word.is_undecided(), (bits & 8) != 0) << bits;
     EXPECT_EQ(word.is_decided_by_lane(), (bits & 12) == 0) << bits;
     EXPECT_EQ(word.is_possible(), bits < 12) << bits;
-    EXPECT_EQ(word.verdict(), model::all_verdicts[bits % 4]) << bits;
+    EXPECT_EQ(word.verdict(), all_verdicts[bits % 4]) << bits;
   }
 }
 
@@ -44,16 +39,16 @@ TEST(VerdictSet, HasABitForEachVerdict) {
   EXPECT_EQ(VerdictSet().mask(), 0u);
   EXPECT_EQ((VerdictSet{Verdict::less, Verdict::equal, Verdict::unordered}.mask()), 11u);
   const VerdictSet greater = {Verdict::greater};
-  for (const Verdict verdict : model::all_verdicts) {
+  for (const Verdict verdict : all_verdicts) {
     EXPECT_EQ(greater.contains(verdict), verdict == Verdict::greater);
   }
 }
 
 TEST(Decisions, AreVerdictsOrNone) {
-  for (const Verdict verdict : model::all_verdicts) {
-    EXPECT_EQ(static_cast<int>(model::decision_of(verdict)), static_cast<int>(verdict));
+  for (const Verdict verdict : all_verdicts) {
+    EXPECT_EQ(static_cast<int>(decision_of(verdict)), static_cast<int>(verdict));
   }
-  EXPECT_EQ(model::decision_of(std::optional<Verdict>()), Decision::undecided);
+  EXPECT_EQ(decision_of(std::optional<Verdict>()), Decision::undecided);
 }
 
 }  // namespace

@@ -10,18 +10,17 @@
 namespace mixcmp::test {
 namespace {
 
-using namespace model;
-
-LaneKind lane(double mhz, double rate, Area area) {
+optimise::LaneKind lane(double mhz, double rate, devices::Area area) {
   return {.name = "lane", .throughput_per_s = mhz * 1e6, .recomputation_rate = rate, .area = area};
 }
-ReferenceKind reference(double mhz, Area area) {
+optimise::ReferenceKind reference(double mhz, devices::Area area) {
   return {.name = "reference", .throughput_per_s = mhz * 1e6, .area = area};
 }
 
-AllocationProblem problem_of(std::vector<LaneKind> lanes, std::vector<ReferenceKind> references,
-                             Area available) {
-  AllocationProblem problem;
+optimise::AllocationProblem problem_of(std::vector<optimise::LaneKind> lanes,
+                                       std::vector<optimise::ReferenceKind> references,
+                                       devices::Area available) {
+  optimise::AllocationProblem problem;
   problem.lanes = std::move(lanes);
   problem.references = std::move(references);
   problem.available = available;
@@ -29,37 +28,37 @@ AllocationProblem problem_of(std::vector<LaneKind> lanes, std::vector<ReferenceK
   return problem;
 }
 
-Allocation plan_of(const AllocationProblem& problem) {
-  const AllocationResult result = allocate(problem);
-  if (const auto* plan = std::get_if<Allocation>(&result)) return *plan;
-  ADD_FAILURE() << std::get<Infeasible>(result).message;
+optimise::Allocation plan_of(const optimise::AllocationProblem& problem) {
+  const optimise::AllocationResult result = allocate(problem);
+  if (const auto* plan = std::get_if<optimise::Allocation>(&result)) return *plan;
+  ADD_FAILURE() << std::get<optimise::Infeasible>(result).message;
   return {};
 }
 
-Infeasible shortage_of(const AllocationProblem& problem) {
-  const AllocationResult result = allocate(problem);
-  if (const auto* infeasible = std::get_if<Infeasible>(&result)) return *infeasible;
+optimise::Infeasible shortage_of(const optimise::AllocationProblem& problem) {
+  const optimise::AllocationResult result = allocate(problem);
+  if (const auto* infeasible = std::get_if<optimise::Infeasible>(&result)) return *infeasible;
   ADD_FAILURE() << "there is a plan";
   return {};
 }
 
 /// With several clock domains, lanes of different speed may reach the same throughput in two ways.
-bool one_way(const AllocationProblem& problem) {
-  if (problem.clocks == ClockDomains::single) return true;
-  for (const LaneKind& kind : problem.lanes) {
+bool one_way(const optimise::AllocationProblem& problem) {
+  if (problem.clocks == optimise::ClockDomains::single) return true;
+  for (const optimise::LaneKind& kind : problem.lanes) {
     if (kind.throughput_per_s != problem.lanes.front().throughput_per_s) return false;
   }
   return true;
 }
 
 /// Whether there is a plan.
-bool expect_same(const AllocationProblem& problem, int number) {
-  const AllocationResult solved = allocate(problem);
-  const AllocationResult tried = allocate_exhaustively(problem);
+bool expect_same(const optimise::AllocationProblem& problem, int number) {
+  const optimise::AllocationResult solved = allocate(problem);
+  const optimise::AllocationResult tried = allocate_exhaustively(problem);
   EXPECT_EQ(solved.index(), tried.index()) << "problem " << number << "\n" << to_lp(problem);
-  const auto* best = std::get_if<Allocation>(&tried);
+  const auto* best = std::get_if<optimise::Allocation>(&tried);
   if (best == nullptr || solved.index() != tried.index()) return false;
-  const Allocation& plan = std::get<Allocation>(solved);
+  const optimise::Allocation& plan = std::get<optimise::Allocation>(solved);
   EXPECT_EQ(plan.throughput_per_s, best->throughput_per_s) << "problem " << number << "\n"
                                                            << to_lp(problem);
   if (!one_way(problem)) return true;
@@ -82,19 +81,21 @@ TEST(Allocation, IsTheBestOfEverythingInRandomProblems) {
 TEST(Allocation, IsTheSameEveryTime) {
   RandomProblems problems(12);
   for (int number = 0; number < 40; ++number) {
-    const AllocationProblem problem = problems.next();
-    const AllocationResult first = allocate(problem);
-    const AllocationResult second = allocate(problem);
+    const optimise::AllocationProblem problem = problems.next();
+    const optimise::AllocationResult first = allocate(problem);
+    const optimise::AllocationResult second = allocate(problem);
     ASSERT_EQ(first.index(), second.index());
     if (first.index() != 0) continue;
-    EXPECT_EQ(std::get<Allocation>(first).lanes, std::get<Allocation>(second).lanes);
-    EXPECT_EQ(std::get<Allocation>(first).references, std::get<Allocation>(second).references);
+    EXPECT_EQ(std::get<optimise::Allocation>(first).lanes,
+              std::get<optimise::Allocation>(second).lanes);
+    EXPECT_EQ(std::get<optimise::Allocation>(first).references,
+              std::get<optimise::Allocation>(second).references);
   }
 }
 
 TEST(Allocation, MixesKindsWhereOneResourceRunsOut) {
   // Ten DSP lanes use up the DSPs, twenty of logic the rest of the LUTs.
-  AllocationProblem problem =
+  optimise::AllocationProblem problem =
       problem_of({lane(100, 0, {.luts = 10, .dsps = 4}), lane(100, 0, {.luts = 20})}, {},
                  {.luts = 500, .registers = 0, .dsps = 40});
   EXPECT_EQ(plan_of(problem).lanes, (std::vector<int>{10, 20}));
@@ -103,54 +104,54 @@ TEST(Allocation, MixesKindsWhereOneResourceRunsOut) {
 }
 
 TEST(Allocation, SlowerKindsAreLeftOutWhereTheyWouldSlowTheSystem) {
-  const std::vector<LaneKind> kinds{lane(400, 0, {.luts = 10, .dsps = 4}),
-                                    lane(300, 0, {.luts = 20})};
-  AllocationProblem problem = problem_of(kinds, {}, {.luts = 200, .dsps = 40});
+  const std::vector<optimise::LaneKind> kinds{lane(400, 0, {.luts = 10, .dsps = 4}),
+                                              lane(300, 0, {.luts = 20})};
+  optimise::AllocationProblem problem = problem_of(kinds, {}, {.luts = 200, .dsps = 40});
   // At one clock ten at 400 MHz make 4 G; with five of the others, all at 300 MHz, 4.5 G.
   EXPECT_EQ(plan_of(problem).lanes, (std::vector<int>{10, 5}));
   EXPECT_DOUBLE_EQ(plan_of(problem).throughput_per_s, 15 * 300e6);
   problem.available.luts = 150;  // twelve at 300 MHz: less than ten at 400 MHz
   EXPECT_EQ(plan_of(problem).lanes, (std::vector<int>{10, 0}));
-  problem.clocks = ClockDomains::separate;
+  problem.clocks = optimise::ClockDomains::separate;
   EXPECT_EQ(plan_of(problem).lanes, (std::vector<int>{10, 2}));
   EXPECT_DOUBLE_EQ(plan_of(problem).throughput_per_s, 10 * 400e6 + 2 * 300e6);
 }
 
 TEST(Allocation, ASlowReferenceSlowsASingleClockAndLimitsSeparateOnes) {
-  AllocationProblem problem =
+  optimise::AllocationProblem problem =
       problem_of({lane(400, 0.1, {.luts = 10})}, {reference(200, {.luts = 100})}, {.luts = 1000});
   problem.max_references = 1;
   // At 200 MHz the reference serves ten lanes; with a clock of its own only five at 400 MHz.
   EXPECT_DOUBLE_EQ(plan_of(problem).throughput_per_s, 10 * 200e6);
-  problem.clocks = ClockDomains::separate;
+  problem.clocks = optimise::ClockDomains::separate;
   EXPECT_DOUBLE_EQ(plan_of(problem).throughput_per_s, 5 * 400e6);
 }
 
 TEST(Allocation, EachReferenceMustServeTheLanesDealtToIt) {
   // 0.4 of a reference each: two references could serve five lanes only if they shared them.
-  AllocationProblem problem =
+  optimise::AllocationProblem problem =
       problem_of({lane(100, 0.4, {.luts = 10})}, {reference(100, {.luts = 10})}, {.luts = 75});
   problem.max_references = 2;
   EXPECT_EQ(plan_of(problem).lane_count(), 4);
-  problem.sharing = ReferenceSharing::pooled;
+  problem.sharing = optimise::ReferenceSharing::pooled;
   EXPECT_EQ(plan_of(problem).lane_count(), 5);
 }
 
 TEST(Allocation, KindsOfAPlanAreListedAsTheirLanesAreDealt) {
-  AllocationProblem problem =
+  optimise::AllocationProblem problem =
       problem_of({lane(300, 0.1, {.luts = 10}), lane(100, 0.25, {.luts = 10})},
                  {reference(100, {.luts = 10}), reference(200, {.luts = 10})}, {.luts = 75});
   // At one clock the second kind asks for more of a reference, with clocks of its own the first.
   EXPECT_EQ(lane_order(problem), (std::vector<int>{1, 0}));
   EXPECT_EQ(reference_order(problem), (std::vector<int>{1, 0}));
-  problem.clocks = ClockDomains::separate;
+  problem.clocks = optimise::ClockDomains::separate;
   EXPECT_EQ(lane_order(problem), (std::vector<int>{0, 1}));
 }
 
 TEST(Allocation, DecimalRatesThatJustFillAReferenceFillIt) {
   for (const int lanes : {3, 7, 9, 10, 11, 49, 100, 333}) {
-    AllocationProblem problem = problem_of({lane(337, 1.0 / lanes, {.luts = 1})},
-                                           {reference(337, {.luts = 1})}, {.luts = 1000});
+    optimise::AllocationProblem problem = problem_of({lane(337, 1.0 / lanes, {.luts = 1})},
+                                                     {reference(337, {.luts = 1})}, {.luts = 1000});
     problem.max_references = 1;
     EXPECT_EQ(plan_of(problem).lane_count(), lanes);
     // Nor does CBC's tolerance let one more lane in than there is room for.
@@ -160,7 +161,7 @@ TEST(Allocation, DecimalRatesThatJustFillAReferenceFillIt) {
 }
 
 TEST(Allocation, TinyRatesNeedAReferenceAndNoneNeedsNone) {
-  AllocationProblem problem =
+  optimise::AllocationProblem problem =
       problem_of({lane(408, 1e-9, {.luts = 10})}, {reference(285, {.luts = 100})}, {.luts = 500});
   EXPECT_EQ(plan_of(problem).lane_count(), 40);
   EXPECT_EQ(plan_of(problem).reference_count(), 1);
@@ -170,12 +171,12 @@ TEST(Allocation, TinyRatesNeedAReferenceAndNoneNeedsNone) {
 }
 
 TEST(Allocation, TheCrossbarCostsWhatItsReferencesServe) {
-  AllocationProblem problem =
+  optimise::AllocationProblem problem =
       problem_of({lane(100, 0.25, {.luts = 10})}, {reference(100, {.luts = 0})}, {.luts = 100});
   problem.max_references = 2;
   // Shares of 0, 1, 4, 9 and 16 LUTs: four lanes each would be 80 + 32, seven 70 + 16 + 9.
   problem.communication.crossbar = {{}, {.luts = 1}, {.luts = 4}, {.luts = 9}, {.luts = 16}};
-  const Allocation plan = plan_of(problem);
+  const optimise::Allocation plan = plan_of(problem);
   EXPECT_EQ(plan.lane_count(), 7);
   EXPECT_EQ(plan.used.luts, 70 + 16 + 9);
   problem.communication.crossbar.resize(3);  // two ports a reference
@@ -183,19 +184,19 @@ TEST(Allocation, TheCrossbarCostsWhatItsReferencesServe) {
 }
 
 TEST(Allocation, OfEqualPlansTheOneWithFewestReferencesThenLutsIsTaken) {
-  AllocationProblem problem =
+  optimise::AllocationProblem problem =
       problem_of({lane(100, 0.5, {.luts = 10}), lane(100, 0.5, {.luts = 8, .registers = 9}),
                   lane(100, 0.1, {.luts = 30})},
                  {reference(100, {.luts = 5}), reference(100, {.luts = 4, .dsps = 1})},
                  {.luts = 1000, .registers = 1000, .dsps = 10});
   problem.max_lanes = 2;
-  const Allocation plan = plan_of(problem);
+  const optimise::Allocation plan = plan_of(problem);
   EXPECT_EQ(plan.lanes, (std::vector<int>{0, 2, 0}));
   EXPECT_EQ(plan.references, (std::vector<int>{0, 1}));
 }
 
 TEST(Allocation, OfKindsThatAreTheSameTheFirstIsTaken) {
-  const AllocationProblem problem =
+  const optimise::AllocationProblem problem =
       problem_of({lane(100, 0.1, {.luts = 10}), lane(100, 0.1, {.luts = 10})},
                  {reference(100, {.luts = 10}), reference(100, {.luts = 10})}, {.luts = 60});
   EXPECT_EQ(plan_of(problem).lanes, (std::vector<int>{5, 0}));
@@ -205,9 +206,10 @@ TEST(Allocation, OfKindsThatAreTheSameTheFirstIsTaken) {
 TEST(Allocation, InfeasibleProblemsNameTheResourceAndByHowMuch) {
   const auto kinds = std::vector{lane(100, 0.1, {.luts = 100, .dsps = 2})};
   const auto reference_kinds = std::vector{reference(100, {.luts = 900, .dsps = 40})};
-  AllocationProblem problem = problem_of(kinds, reference_kinds, {.luts = 800, .dsps = 50});
+  optimise::AllocationProblem problem =
+      problem_of(kinds, reference_kinds, {.luts = 800, .dsps = 50});
   problem.communication.fixed.luts = 10;
-  Infeasible infeasible = shortage_of(problem);
+  optimise::Infeasible infeasible = shortage_of(problem);
   ASSERT_EQ(infeasible.shortages.size(), 1u);
   EXPECT_EQ(infeasible.shortages[0].resource, "lut");
   EXPECT_EQ(infeasible.shortages[0].usable, 800);
@@ -220,19 +222,19 @@ TEST(Allocation, InfeasibleProblemsNameTheResourceAndByHowMuch) {
 }
 
 TEST(Allocation, WhereKindsFailForDifferentReasonsTheNearestIsNamed) {
-  const AllocationProblem problem =
+  const optimise::AllocationProblem problem =
       problem_of({lane(100, 0, {.luts = 1000}), lane(100, 0, {.luts = 10, .dsps = 11})}, {},
                  {.luts = 100, .dsps = 10});
-  const Infeasible infeasible = shortage_of(problem);
+  const optimise::Infeasible infeasible = shortage_of(problem);
   ASSERT_EQ(infeasible.shortages.size(), 1u);
   EXPECT_EQ(infeasible.shortages[0].resource, "dsp");
   EXPECT_EQ(infeasible.shortages[0].needed, 11);
 }
 
 TEST(Allocation, WhatFailsEquation10HasNoShortage) {
-  AllocationProblem problem =
+  optimise::AllocationProblem problem =
       problem_of({lane(400, 1, {.luts = 1})}, {reference(100, {.luts = 1})}, {.luts = 100});
-  problem.clocks = ClockDomains::separate;
+  problem.clocks = optimise::ClockDomains::separate;
   EXPECT_TRUE(shortage_of(problem).shortages.empty());
   EXPECT_NE(shortage_of(problem).message.find("no reference is fast enough"), std::string::npos);
   problem.references.clear();
@@ -242,7 +244,7 @@ TEST(Allocation, WhatFailsEquation10HasNoShortage) {
 }
 
 TEST(Allocation, FixedCommunicationAloneMayBeTooMuch) {
-  AllocationProblem problem = problem_of({lane(100, 0, {.luts = 1})}, {}, {.luts = 100});
+  optimise::AllocationProblem problem = problem_of({lane(100, 0, {.luts = 1})}, {}, {.luts = 100});
   problem.communication.fixed.luts = 101;
   ASSERT_EQ(shortage_of(problem).shortages.size(), 1u);
   EXPECT_EQ(shortage_of(problem).shortages[0].needed, 102);

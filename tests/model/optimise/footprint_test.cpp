@@ -9,7 +9,7 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Footprint;
+using optimise::Footprint;
 
 /// Of spheres in s8e8 lanes, exact inputs and a relative bound, as the table of PlanningTest has
 /// them: 240 LUTs and 2 DSPs each, 20 LUTs of streams; a reference 3000 LUTs and 20 DSPs.
@@ -20,18 +20,18 @@ protected:
               [](const auto& a, const auto& b) { return a.key < b.key; });
   }
 
-  model::Design design(int lanes, int references = 1) {
+  design::Design design(int lanes, int references = 1) {
     return sphere_design(format("s8e8"), format("s53e8"), lanes, references);
   }
 
-  std::string excess(const model::Design& design, const model::Characterisation* table) {
-    return excess_of(footprint_of(design, table, device_), design, device_, "table.csv")
+  std::string excess(const design::Design& design, const characterise::Characterisation* table) {
+    return excess_of(optimise::footprint_of(design, table, device_), design, device_, "table.csv")
         .value_or("");
   }
 };
 
 TEST_F(FootprintTest, AddsUpWhatWasMeasured) {
-  const Footprint footprint = footprint_of(design(10), &table_, device_);
+  const Footprint footprint = optimise::footprint_of(design(10), &table_, device_);
   EXPECT_TRUE(footprint.measured);
   const int crossbar = 111;  // of 8 ports, the most that were measured below 10
   EXPECT_EQ(footprint.amounts[0], 10 * (240 + fifo_64_luts) + 3000 + crossbar);
@@ -50,7 +50,7 @@ TEST_F(FootprintTest, MeasuredAreasAreHeldAgainstWhatTheDeviceHas) {
 TEST_F(FootprintTest, WithoutATableTheRoughCostModelSpeaksOfPlainExcessAlone) {
   device_.available.luts = 100000;
   EXPECT_EQ(excess(design(1), nullptr), "");
-  const Footprint one = footprint_of(design(1, 0), nullptr, device_);
+  const Footprint one = optimise::footprint_of(design(1, 0), nullptr, device_);
   EXPECT_FALSE(one.measured);
   const int fitting = static_cast<int>(device_.available.luts / one.amounts[0]);
   EXPECT_EQ(excess(design(fitting, 0), nullptr), "");
@@ -60,14 +60,14 @@ TEST_F(FootprintTest, WithoutATableTheRoughCostModelSpeaksOfPlainExcessAlone) {
 }
 
 TEST_F(FootprintTest, ATableWithoutTheLaneIsNotUsed) {
-  const model::Design other = sphere_design(format("s9e8"), format("s53e8"), 1, 1);
-  EXPECT_FALSE(footprint_of(other, &table_, device_).measured);
+  const design::Design other = sphere_design(format("s9e8"), format("s53e8"), 1, 1);
+  EXPECT_FALSE(optimise::footprint_of(other, &table_, device_).measured);
 }
 
 TEST_F(FootprintTest, EmbeddedMultipliersTakeProductsOutOfTheEstimate) {
-  const Footprint embedded = footprint_of(design(1), nullptr, device_);
+  const Footprint embedded = optimise::footprint_of(design(1), nullptr, device_);
   device_.available.dsps = 0;
-  EXPECT_GT(footprint_of(design(1), nullptr, device_).amounts[0], embedded.amounts[0]);
+  EXPECT_GT(optimise::footprint_of(design(1), nullptr, device_).amounts[0], embedded.amounts[0]);
 }
 
 }  // namespace

@@ -13,8 +13,6 @@
 namespace mixcmp::test {
 namespace {
 
-using namespace model;
-
 class LinearProgram : public testing::Test {
 protected:
   void SetUp() override {
@@ -45,8 +43,8 @@ protected:
 };
 
 /// Comparisons a second that a unit of the objective stands for: as `to_lp` chose it.
-double unit_of(const AllocationProblem& problem, const Allocation& plan) {
-  const bool one_clock = problem.clocks == ClockDomains::single;
+double unit_of(const optimise::AllocationProblem& problem, const optimise::Allocation& plan) {
+  const bool one_clock = problem.clocks == optimise::ClockDomains::single;
   const double clock = one_clock ? plan.throughput_per_s / plan.lane_count() : 0;
   return exact_program(problem, {clock, plan.reference_count(), {}}).objective_per_s;
 }
@@ -55,12 +53,12 @@ double unit_of(const AllocationProblem& problem, const Allocation& plan) {
 TEST_F(LinearProgram, ThePlansClockIsNotRounded) {
   const double mhz = 66.48e6;
   ASSERT_GT(5 * mhz / 5, mhz * (1 - 1e-9));
-  const AllocationProblem problem = {.lanes = {{"lane", mhz, 0.01, {.luts = 10}}},
-                                     .references = {{"reference", mhz, {.luts = 10}}},
-                                     .communication = {},
-                                     .available = {.luts = 60},
-                                     .slack = 0};
-  const auto plan = std::get<Allocation>(allocate(problem));
+  const optimise::AllocationProblem problem = {.lanes = {{"lane", mhz, 0.01, {.luts = 10}}},
+                                               .references = {{"reference", mhz, {.luts = 10}}},
+                                               .communication = {},
+                                               .available = {.luts = 60},
+                                               .slack = 0};
+  const auto plan = std::get<optimise::Allocation>(allocate(problem));
   ASSERT_EQ(plan.lane_count(), 5);
   EXPECT_TRUE(optimum_by_glpk(to_lp(problem)).has_value());
 }
@@ -69,9 +67,9 @@ TEST_F(LinearProgram, HasTheSameOptimumForGlpk) {
   RandomProblems problems(13);
   int feasible = 0;
   for (int number = 0; number < 60; ++number) {
-    const AllocationProblem problem = problems.next();
-    const AllocationResult result = allocate(problem);
-    const auto* plan = std::get_if<Allocation>(&result);
+    const optimise::AllocationProblem problem = problems.next();
+    const optimise::AllocationResult result = allocate(problem);
+    const auto* plan = std::get_if<optimise::Allocation>(&result);
     if (plan == nullptr) continue;
     ++feasible;
     const auto optimum = optimum_by_glpk(to_lp(problem));
@@ -87,13 +85,13 @@ TEST_F(LinearProgram, HasTheSameOptimumForGlpk) {
 TEST_F(LinearProgram, NoOtherNumberOfReferencesIsBetterForGlpkEither) {
   RandomProblems problems(14);
   for (int number = 0; number < 25; ++number) {
-    AllocationProblem problem = problems.next();
-    problem.clocks = ClockDomains::separate;
-    const AllocationResult result = allocate(problem);
-    const auto* plan = std::get_if<Allocation>(&result);
+    optimise::AllocationProblem problem = problems.next();
+    problem.clocks = optimise::ClockDomains::separate;
+    const optimise::AllocationResult result = allocate(problem);
+    const auto* plan = std::get_if<optimise::Allocation>(&result);
     const double best = plan == nullptr ? 0 : plan->throughput_per_s;
     for (int references = 0; references <= problem.max_references; ++references) {
-      const AllocationProgram program = exact_program(problem, {0, references, {}});
+      const optimise::AllocationProgram program = exact_program(problem, {0, references, {}});
       const auto optimum = optimum_by_glpk(to_lp(program.program));
       if (!optimum) continue;
       EXPECT_LE(*optimum * program.objective_per_s, best * (1 + 1e-6))
@@ -104,7 +102,7 @@ TEST_F(LinearProgram, NoOtherNumberOfReferencesIsBetterForGlpkEither) {
 }
 
 TEST_F(LinearProgram, CountsTheCrossbarOfReferencesThatServeUnlikeNumbersOfLanes) {
-  AllocationProblem problem;
+  optimise::AllocationProblem problem;
   problem.lanes = {
       {.name = "s8e8", .throughput_per_s = 1e8, .recomputation_rate = 0.25, .area = {.luts = 10}}};
   problem.references = {{.name = "s53e8", .throughput_per_s = 1e8, .area = {}}};
@@ -114,25 +112,25 @@ TEST_F(LinearProgram, CountsTheCrossbarOfReferencesThatServeUnlikeNumbersOfLanes
   for (const auto& [luts, lanes] :
        {std::pair(95, 7), {94, 6}, {78, 6}, {77, 5}, {63, 5}, {62, 4}}) {
     problem.available.luts = luts;  // 10 a lane; 16 + 9, 9 + 9, 9 + 4 for two crossbar shares
-    const AllocationProgram program = exact_program(problem, {1e8, 2, {}});
+    const optimise::AllocationProgram program = exact_program(problem, {1e8, 2, {}});
     EXPECT_EQ(optimum_by_glpk(to_lp(program.program)), lanes) << luts;
     EXPECT_EQ(solve(program.program).value().front(), lanes) << luts;
   }
 }
 
 TEST_F(LinearProgram, OfAProblemWithoutAPlanHasNoSolution) {
-  AllocationProblem problem;
+  optimise::AllocationProblem problem;
   problem.lanes = {
       {.name = "s8e8", .throughput_per_s = 4e8, .recomputation_rate = 0.1, .area = {.luts = 100}}};
   problem.references = {{.name = "s53e8", .throughput_per_s = 3e8, .area = {.luts = 900}}};
   problem.available = {.luts = 800};
   problem.slack = 0;
-  ASSERT_TRUE(std::holds_alternative<Infeasible>(allocate(problem)));
+  ASSERT_TRUE(std::holds_alternative<optimise::Infeasible>(allocate(problem)));
   EXPECT_FALSE(optimum_by_glpk(to_lp(problem)));
 }
 
 TEST(LinearProgramText, NamesItsKindsAndEquations) {
-  AllocationProblem problem;
+  optimise::AllocationProblem problem;
   problem.lanes = {{.name = "s8e8 exact",
                     .throughput_per_s = 4e8,
                     .recomputation_rate = 0.1,

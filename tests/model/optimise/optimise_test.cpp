@@ -11,27 +11,27 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Allocation;
-using model::ComponentKind;
-using model::Optimisation;
-using model::OptimiseOptions;
-using model::PrecisionPlan;
+using characterise::ComponentKind;
+using optimise::Allocation;
+using optimise::Optimisation;
+using optimise::OptimiseOptions;
+using optimise::PrecisionPlan;
 
 class Optimise : public PlanningTest {
 protected:
-  static model::Setting::Table overrides() {
+  static settings::Setting::Table overrides() {
     const std::vector<std::string> settings = {
         "system.order=in_order", "data.count=12", "reduced.rounding=toward_zero",
         "system.target_mhz=7", "inputs.*={ range = [-1, 2.5] }"};
-    model::Settings scene;
+    settings::Settings scene;
     EXPECT_TRUE(apply_overrides(scene, settings).ok());
     return overridden_entries(scene.root, settings);
   }
 
-  const model::PlanSource source_ = {.scene_file = "../scene.toml",
-                                     .overrides = overrides(),
-                                     .device = "small",
-                                     .command = "mixcmp optimise"};
+  const optimise::PlanSource source_ = {.scene_file = "../scene.toml",
+                                        .overrides = overrides(),
+                                        .device = "small",
+                                        .command = "mixcmp optimise"};
 };
 
 bool notes_say(const Optimisation& found, const std::string& text) {
@@ -97,7 +97,7 @@ TEST_F(Optimise, ASmallCrossbarIsToldWhereItLimits) {
 
 TEST_F(Optimise, AnEngineThatIsNotCountedIsTold) {
   EXPECT_FALSE(notes_say(optimise_now(), "engine"));
-  scene_.system.engine.kind = model::EngineKind::pairwise;
+  scene_.system.engine.kind = scene::EngineKind::pairwise;
   EXPECT_TRUE(notes_say(optimise_now(), "the pairwise engine around the system is not counted"));
 }
 
@@ -115,12 +115,12 @@ TEST_F(Optimise, ProfiledLanesAreOnlyForScenesThatAskForThem) {
   const auto has_profiled = [](const Optimisation& found) {
     return std::any_of(found.plans.begin(), found.plans.end(), [](const PrecisionPlan& plan) {
       return std::any_of(plan.lanes.begin(), plan.lanes.end(), [](const auto& lane) {
-        return lane.measured.key.bound->kind == model::BoundChoice::Kind::profiled;
+        return lane.measured.key.bound->kind == scene::BoundChoice::Kind::profiled;
       });
     });
   };
   EXPECT_FALSE(has_profiled(optimise_now()));
-  scene_.reduced.bound = model::BoundKind::profiled;
+  scene_.reduced.bound = scene::BoundKind::profiled;
   EXPECT_TRUE(has_profiled(optimise_now()));
 }
 
@@ -139,7 +139,7 @@ TEST_F(Optimise, ALaneThatLeavesMoreThanHalfUndecidedIsLeftOut) {
   rates_ = rates_of({{8, 500'001}, {10, 500'000}, {12, 10}});
   const Optimisation found = optimise_now();
   ASSERT_EQ(found.plans.size(), 3u);
-  const auto* infeasible = std::get_if<model::Infeasible>(&found.plans[0].result);
+  const auto* infeasible = std::get_if<optimise::Infeasible>(&found.plans[0].result);
   ASSERT_NE(infeasible, nullptr);
   EXPECT_NE(infeasible->message.find("more than half undecided"), std::string::npos);
   EXPECT_NE(found.plans[1].allocation(), nullptr);
@@ -148,26 +148,26 @@ TEST_F(Optimise, ALaneThatLeavesMoreThanHalfUndecidedIsLeftOut) {
 /// 400 MHz as a target would win against 300 measured.
 TEST_F(Optimise, WhereSomeClocksAreMeasuredLanesWithoutAreLeftOut) {
   scene_.system.target_mhz = 400;
-  for (model::Measurement& row : table_.rows) {
+  for (characterise::Measurement& row : table_.rows) {
     const bool timed = row.key.format != "s8e8" && row.key.multipliers != "logic";
     if (!timed) row.clock.reset();
   }
   const Optimisation found = optimise_now();
-  EXPECT_EQ(found.basis, model::ClockBasis::estimate_before_routing);
+  EXPECT_EQ(found.basis, optimise::ClockBasis::estimate_before_routing);
   EXPECT_EQ(found.references.size(), 1u);
   for (const PrecisionPlan& plan : found.plans) EXPECT_EQ(plan.lanes.size(), 1u);
   EXPECT_EQ(found.plans.front().precision, 10);
   EXPECT_TRUE(notes_say(found, "lanes without a clock are left out"));
-  options_.clocks = {400, 150, model::ClockDomains::separate};
+  options_.clocks = {400, 150, optimise::ClockDomains::separate};
   EXPECT_EQ(optimise_now().plans.size(), 3u);
   EXPECT_EQ(optimise_now().references.size(), 2u);
 }
 
 TEST_F(Optimise, WithoutAnyClockTheTargetIsTakenAsMet) {
   scene_.system.target_mhz = 400;
-  for (model::Measurement& row : table_.rows) row.clock.reset();
+  for (characterise::Measurement& row : table_.rows) row.clock.reset();
   const Optimisation found = optimise_now();
-  EXPECT_EQ(found.basis, model::ClockBasis::target);
+  EXPECT_EQ(found.basis, optimise::ClockBasis::target);
   EXPECT_DOUBLE_EQ(found.best()->clock_mhz(), 400);
 }
 
@@ -188,14 +188,14 @@ TEST_F(Optimise, WhatTheOptionsExcludeIsNotUsed) {
 TEST_F(Optimise, ATableWithoutAReferenceIsRefused) {
   std::erase_if(table_.rows,
                 [](const auto& row) { return row.key.kind == ComponentKind::reference; });
-  const auto found = optimise(scene_, device_, table_, rates_, options_);
+  const auto found = optimise::optimise(scene_, device_, table_, rates_, options_);
   ASSERT_FALSE(found.ok());
   EXPECT_NE(found.error().to_string().find("no reference"), std::string::npos);
 }
 
 TEST_F(Optimise, OneClockDomainRunsAtTheSlowestOfWhatIsUsed) {
   const Optimisation one = optimise_now();
-  options_.clocks.domains = model::ClockDomains::separate;
+  options_.clocks.domains = optimise::ClockDomains::separate;
   const Optimisation two = optimise_now();
   // References are measured at 150 MHz, lanes at 300.
   EXPECT_DOUBLE_EQ(one.best()->clock_mhz(), 150);
@@ -203,9 +203,9 @@ TEST_F(Optimise, OneClockDomainRunsAtTheSlowestOfWhatIsUsed) {
 }
 
 TEST_F(Optimise, GivenClocksReplaceMeasuredOnes) {
-  options_.clocks = {408, 285, model::ClockDomains::separate};
+  options_.clocks = {408, 285, optimise::ClockDomains::separate};
   const Optimisation found = optimise_now();
-  EXPECT_EQ(found.basis, model::ClockBasis::given);
+  EXPECT_EQ(found.basis, optimise::ClockBasis::given);
   EXPECT_DOUBLE_EQ(found.best()->clock_mhz(), 408);
 }
 
@@ -252,11 +252,11 @@ TEST_F(Optimise, ThePlanFileLeavesOutWhatItDoesNotHave) {
 }
 
 TEST_F(Optimise, ScenarioTwoPlansForTheWorstRateOfEachKind) {
-  model::Rates bad = rates_of({{8, 90000}, {10, 20}, {12, 5}});
+  optimise::Rates bad = rates_of({{8, 90000}, {10, 20}, {12, 5}});
   const auto found = explore(scene_, device_, table_, {{"easy", rates_}, {"hard", bad}},
                              {{"ours", options_.clocks}}, options_);
   ASSERT_TRUE(found.ok()) << found.error().to_string();
-  const model::ResultsAtClocks& column = found->columns.front();
+  const optimise::ResultsAtClocks& column = found->columns.front();
   ASSERT_EQ(column.scenario_1.size(), 2u);
   const double worst = summary_of(column.worst).throughput_per_s;
   for (const auto& own : column.scenario_1) EXPECT_LE(worst, own.throughput_per_s);

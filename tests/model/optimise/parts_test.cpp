@@ -8,10 +8,10 @@
 #include "model/optimise/tangents.hpp"
 
 /// What allocation is made of.
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
-double at(const Line& line, double x) {
+double at(const optimise::Line& line, double x) {
   return line.slope * x + line.offset;
 }
 
@@ -21,7 +21,7 @@ TEST(LinesBelow, LieBelowEveryPointAndTouchTheHull) {
   for (int round = 0; round < 200; ++round) {
     std::vector<double> values(1 + round % 40);
     for (double& value : values) value = number(engine);
-    for (const Line& line : lines_below(values)) {
+    for (const optimise::Line& line : optimise::lines_below(values)) {
       double nearest = std::numeric_limits<double>::infinity();
       for (std::size_t k = 0; k < values.size(); ++k) {
         nearest = std::min(nearest, values[k] - at(line, static_cast<double>(k)));
@@ -37,57 +37,62 @@ TEST(LinesBelow, AreFewAndExactWhereThePointsAreALine) {
     line.push_back(3.0 * k + 7);
     parabola.push_back(static_cast<double>(k) * k);
   }
-  ASSERT_EQ(lines_below(line).size(), 1u);
-  EXPECT_DOUBLE_EQ(at(lines_below(line)[0], 100), 307);
-  EXPECT_LE(lines_below(parabola).size(), 11u);
-  EXPECT_DOUBLE_EQ(at(lines_below({})[0], 5), 0);
-  EXPECT_DOUBLE_EQ(at(lines_below({4})[0], 9), 4);
+  ASSERT_EQ(optimise::lines_below(line).size(), 1u);
+  EXPECT_DOUBLE_EQ(at(optimise::lines_below(line)[0], 100), 307);
+  EXPECT_LE(optimise::lines_below(parabola).size(), 11u);
+  EXPECT_DOUBLE_EQ(at(optimise::lines_below({})[0], 5), 0);
+  EXPECT_DOUBLE_EQ(at(optimise::lines_below({4})[0], 9), 4);
 }
 
 TEST(IntegerProgram, IsSolvedInIntegers) {
-  IntegerProgram knapsack;
+  optimise::IntegerProgram knapsack;
   for (const char* name : {"a", "b", "c"}) knapsack.add_column(name, 0, 10);
   knapsack.objective = {{0, 5}, {1, 4}, {2, 3}};
-  knapsack.add_row("weight", {{0, 2}, {1, 3}, {2, 1}}, IntegerProgram::Relation::at_most, 5);
-  knapsack.add_row("size", {{0, 4}, {1, 1}, {2, 2}}, IntegerProgram::Relation::at_most, 11);
-  knapsack.add_row("volume", {{0, 3}, {1, 4}, {2, 2}}, IntegerProgram::Relation::at_most, 8);
-  EXPECT_EQ(solve(knapsack), (std::vector<int>{2, 0, 1}));  // 13, by hand
-  knapsack.add_row("more", {{0, 1}, {1, 1}, {2, 1}}, IntegerProgram::Relation::at_least, 9);
-  EXPECT_EQ(solve(knapsack), std::nullopt);
+  knapsack.add_row("weight", {{0, 2}, {1, 3}, {2, 1}}, optimise::IntegerProgram::Relation::at_most,
+                   5);
+  knapsack.add_row("size", {{0, 4}, {1, 1}, {2, 2}}, optimise::IntegerProgram::Relation::at_most,
+                   11);
+  knapsack.add_row("volume", {{0, 3}, {1, 4}, {2, 2}}, optimise::IntegerProgram::Relation::at_most,
+                   8);
+  EXPECT_EQ(optimise::solve(knapsack), (std::vector<int>{2, 0, 1}));  // 13, by hand
+  knapsack.add_row("more", {{0, 1}, {1, 1}, {2, 1}}, optimise::IntegerProgram::Relation::at_least,
+                   9);
+  EXPECT_EQ(optimise::solve(knapsack), std::nullopt);
 }
 
 TEST(Crossover, IsWhereEveryLaneCostsMoreThanAReference) {
-  const Area usable{.luts = 1000, .registers = 0, .dsps = 100};
-  const std::vector<Area> reference{{.luts = 100}};
-  std::map<int, std::vector<Area>> lanes;
+  const devices::Area usable{.luts = 1000, .registers = 0, .dsps = 100};
+  const std::vector<devices::Area> reference{{.luts = 100}};
+  std::map<int, std::vector<devices::Area>> lanes;
   for (int precision = 4; precision <= 52; ++precision) {
     lanes[precision] = {{.luts = 60 + precision}};
   }
-  EXPECT_EQ(crossover_precision(lanes, reference, usable), 41);  // 100 is not dearer than 100
+  EXPECT_EQ(optimise::crossover_precision(lanes, reference, usable),
+            41);  // 100 is not dearer than 100
   lanes[50] = {{.luts = 10}};
-  EXPECT_EQ(crossover_precision(lanes, reference, usable), 51);
+  EXPECT_EQ(optimise::crossover_precision(lanes, reference, usable), 51);
   lanes[52].push_back({.luts = 80});  // another kind that is cheaper
-  EXPECT_EQ(crossover_precision(lanes, reference, usable), std::nullopt);
+  EXPECT_EQ(optimise::crossover_precision(lanes, reference, usable), std::nullopt);
 }
 
 TEST(Crossover, CountsWhateverADeviceRunsOutOfFirst) {
-  const Area usable{.luts = 1000, .registers = 0, .dsps = 100};
+  const devices::Area usable{.luts = 1000, .registers = 0, .dsps = 100};
   // The reference takes a tenth of the LUTs and two tenths of the DSPs.
-  const std::vector<Area> reference{{.luts = 100, .dsps = 20}};
-  EXPECT_DOUBLE_EQ(device_share(reference[0], usable), 0.2);
-  EXPECT_EQ(crossover_precision({{8, {{.luts = 150}}}}, reference, usable), std::nullopt);
-  EXPECT_EQ(crossover_precision({{8, {{.luts = 10, .dsps = 21}}}}, reference, usable), 8);
-  const Area no_dsps{.luts = 1000, .registers = 0, .dsps = 0};
-  EXPECT_EQ(
-      crossover_precision({{8, {{.luts = 150}}}}, {{.luts = 100}, {.luts = 9, .dsps = 1}}, no_dsps),
-      8);
+  const std::vector<devices::Area> reference{{.luts = 100, .dsps = 20}};
+  EXPECT_DOUBLE_EQ(optimise::device_share(reference[0], usable), 0.2);
+  EXPECT_EQ(optimise::crossover_precision({{8, {{.luts = 150}}}}, reference, usable), std::nullopt);
+  EXPECT_EQ(optimise::crossover_precision({{8, {{.luts = 10, .dsps = 21}}}}, reference, usable), 8);
+  const devices::Area no_dsps{.luts = 1000, .registers = 0, .dsps = 0};
+  EXPECT_EQ(optimise::crossover_precision({{8, {{.luts = 150}}}},
+                                          {{.luts = 100}, {.luts = 9, .dsps = 1}}, no_dsps),
+            8);
 }
 
 TEST(Crossover, NeedsSomethingToCompare) {
-  const Area usable{.luts = 1000};
-  EXPECT_EQ(crossover_precision({}, {{.luts = 100}}, usable), std::nullopt);
-  EXPECT_EQ(crossover_precision({{8, {{.luts = 150}}}}, {}, usable), std::nullopt);
+  const devices::Area usable{.luts = 1000};
+  EXPECT_EQ(optimise::crossover_precision({}, {{.luts = 100}}, usable), std::nullopt);
+  EXPECT_EQ(optimise::crossover_precision({{8, {{.luts = 150}}}}, {}, usable), std::nullopt);
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

@@ -31,52 +31,55 @@ protected:
     }
     table_.rows.push_back(reference_row("embedded", 3000, 20));
     table_.rows.push_back(reference_row("logic", 5000, 0));
-    table_.rows.push_back(stream_row(model::ComponentKind::fifo, 32, 10));
-    table_.rows.push_back(stream_row(model::ComponentKind::fifo, 64, fifo_64_luts));
-    table_.rows.push_back(stream_row(model::ComponentKind::crossbar, 1, 10));
-    table_.rows.push_back(stream_row(model::ComponentKind::crossbar, 8, 111));
+    table_.rows.push_back(stream_row(characterise::ComponentKind::fifo, 32, 10));
+    table_.rows.push_back(stream_row(characterise::ComponentKind::fifo, 64, fifo_64_luts));
+    table_.rows.push_back(stream_row(characterise::ComponentKind::crossbar, 1, 10));
+    table_.rows.push_back(stream_row(characterise::ComponentKind::crossbar, 8, 111));
     rates_ = rates_of({{8, 5000}, {10, 200}, {12, 10}});
   }
 
-  static model::Measurement lane_row(const std::string& format, const std::string& inputs,
-                                     const std::string& bound, const std::string& multipliers,
-                                     int luts, int dsps = 0) {
+  static characterise::Measurement lane_row(const std::string& format, const std::string& inputs,
+                                            const std::string& bound,
+                                            const std::string& multipliers, int luts,
+                                            int dsps = 0) {
     return {
-        .key = {.kind = model::ComponentKind::lane,
+        .key = {.kind = characterise::ComponentKind::lane,
                 .name = {},
                 .format = format,
                 .inputs = inputs,
                 .bound = bound.empty() ? std::nullopt
-                                       : std::optional(model::parse_bound_choice(bound).value()),
+                                       : std::optional(scene::parse_bound_choice(bound).value()),
                 .multipliers = multipliers},
         .latency_cycles = 20,
         .area = {.luts = luts, .registers = luts, .dsps = dsps},
-        .clock = model::Clock{.mhz = 300, .low_mhz = 300, .high_mhz = 300},
+        .clock = characterise::Clock{.mhz = 300, .low_mhz = 300, .high_mhz = 300},
         .hash = {},
         .tools = {}};
   }
 
-  static model::Measurement reference_row(const std::string& multipliers, int luts, int dsps) {
-    model::Measurement row = lane_row("s53e8", "", "", multipliers, luts, dsps);
-    row.key.kind = model::ComponentKind::reference;
+  static characterise::Measurement reference_row(const std::string& multipliers, int luts,
+                                                 int dsps) {
+    characterise::Measurement row = lane_row("s53e8", "", "", multipliers, luts, dsps);
+    row.key.kind = characterise::ComponentKind::reference;
     row.clock->mhz = 150;
     return row;
   }
 
-  static model::Measurement stream_row(model::ComponentKind kind, int ports, int luts) {
-    model::Measurement row = lane_row("", "", "", "", luts);
+  static characterise::Measurement stream_row(characterise::ComponentKind kind, int ports,
+                                              int luts) {
+    characterise::Measurement row = lane_row("", "", "", "", luts);
     row.key.kind = kind;
     row.key.ports = ports;
     return row;
   }
 
   /// Undecided of a million, by precision, for exact inputs; profiled lanes the same.
-  static model::Rates rates_of(const std::map<int, std::uint64_t>& undecided) {
-    model::RateProfile profile{.comparisons = 1'000'000};
-    for (const auto& [name, kind] : {std::pair("relative", model::SystemKind::certified),
-                                     std::pair("profiled", model::SystemKind::profiled)}) {
+  static optimise::Rates rates_of(const std::map<int, std::uint64_t>& undecided) {
+    profile::RateProfile profile{.comparisons = 1'000'000};
+    for (const auto& [name, kind] : {std::pair("relative", profile::SystemKind::certified),
+                                     std::pair("profiled", profile::SystemKind::profiled)}) {
       profile.systems.push_back({.name = name,
-                                 .bound = model::parse_bound_choice(name).value(),
+                                 .bound = scene::parse_bound_choice(name).value(),
                                  .kind = kind,
                                  .counts = {},
                                  .reason = {}});
@@ -87,20 +90,20 @@ protected:
             {.exists = exists, .undecided = exists ? found->second : 0});
       }
     }
-    return model::Rates::of({profile});
+    return optimise::Rates::of({profile});
   }
 
-  model::Optimisation optimise_now() const {
-    auto found = optimise(scene_, device_, table_, rates_, options_);
+  optimise::Optimisation optimise_now() const {
+    auto found = optimise::optimise(scene_, device_, table_, rates_, options_);
     if (!found.ok()) throw std::runtime_error(found.error().to_string());
     return std::move(found).value();
   }
 
-  model::Scene scene_ = scene_of(sphere_graph(), format_of(53, 8), {format_of(8, 8)});
-  model::Device device_;
-  model::Characterisation table_{.device = "small", .scene = {}, .command = {}, .rows = {}};
-  model::Rates rates_;
-  model::OptimiseOptions options_;
+  scene::Scene scene_ = scene_of(sphere_graph(), format_of(53, 8), {format_of(8, 8)});
+  devices::Device device_;
+  characterise::Characterisation table_{.device = "small", .scene = {}, .command = {}, .rows = {}};
+  optimise::Rates rates_;
+  optimise::OptimiseOptions options_;
 };
 
 }  // namespace mixcmp::test

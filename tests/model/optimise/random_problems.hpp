@@ -11,11 +11,12 @@ class RandomProblems {
 public:
   explicit RandomProblems(unsigned seed) : engine_(seed) {}
 
-  model::AllocationProblem next() {
-    using namespace model;
-    AllocationProblem problem;
-    problem.clocks = chance(0.5) ? ClockDomains::single : ClockDomains::separate;
-    problem.sharing = chance(0.7) ? ReferenceSharing::dealt : ReferenceSharing::pooled;
+  optimise::AllocationProblem next() {
+    optimise::AllocationProblem problem;
+    problem.clocks =
+        chance(0.5) ? optimise::ClockDomains::single : optimise::ClockDomains::separate;
+    problem.sharing =
+        chance(0.7) ? optimise::ReferenceSharing::dealt : optimise::ReferenceSharing::pooled;
     problem.max_lanes = number(1, 9);
     problem.max_references = number(0, 4);
     problem.slack = pick({0.0, 0.0, 0.1, 0.2, 0.2, 0.9});
@@ -47,7 +48,7 @@ private:
     return pick({0, 0, 1e-12, 1e-9, 1e-6, 0.01, 0.1, 0.3334, 0.50000001, 0.7, 1});
   }
 
-  model::LaneKind lane() {
+  optimise::LaneKind lane() {
     return {.name = "lane",
             .throughput_per_s = clock(),
             .recomputation_rate = rate(),
@@ -56,7 +57,7 @@ private:
                      .dsps = chance(0.6) ? 0 : number(0, 8),
                      .memories = chance(0.7) ? 0 : number(0, 3)}};
   }
-  model::ReferenceKind reference() {
+  optimise::ReferenceKind reference() {
     return {.name = "reference",
             .throughput_per_s = clock(),
             .area = {.luts = number(0, 120),
@@ -65,7 +66,7 @@ private:
   }
 
   /// Convex, concave, linear or none of it; sometimes short of ports.
-  void add_crossbar(model::Communication& communication) {
+  void add_crossbar(optimise::Communication& communication) {
     const int shape = number(0, 3);
     const int ports = chance(0.3) ? number(1, 4) : 9;
     int cost = number(0, 20);

@@ -9,17 +9,16 @@
 namespace mixcmp::test {
 namespace {
 
-using model::LaneInputs;
-using model::Rate;
-using model::RateKey;
-using model::Rates;
+using optimise::Rate;
+using optimise::RateKey;
+using optimise::Rates;
 
 constexpr const char* header =
     "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\n";
 
 class RatesFile : public testing::Test {
 protected:
-  model::Result<Rates> read(const std::string& text) {
+  Result<Rates> read(const std::string& text) {
     const auto path = directory_.path() / "figure5.csv";
     std::ofstream(path) << text;
     return Rates::read(path);
@@ -51,8 +50,8 @@ TEST_F(RatesFile, GivesWhatAProfileCounted) {
   ASSERT_TRUE(rates.ok()) << rates.error().to_string();
   EXPECT_EQ(rates->keys().size(), 2u);
   EXPECT_EQ(
-      rates->find({LaneInputs::rounded, {model::BoundChoice::Kind::running, 4}, 9})->undecided, 7u);
-  EXPECT_FALSE(rates->find({LaneInputs::exact, {model::BoundChoice::Kind::running, 4}, 9}));
+      rates->find({LaneInputs::rounded, {scene::BoundChoice::Kind::running, 4}, 9})->undecided, 7u);
+  EXPECT_FALSE(rates->find({LaneInputs::exact, {scene::BoundChoice::Kind::running, 4}, 9}));
 }
 
 TEST_F(RatesFile, OtherFilesAreRefused) {

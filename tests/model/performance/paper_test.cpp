@@ -12,23 +12,23 @@
 /// section V, cores and clocks of Table IV, a slack ratio of 0.2. Its figures are rounded to two or
 /// three digits, and some of them were rounded before they were divided: each comparison says how
 /// far the paper's own numbers are apart.
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 constexpr double slack = 0.2;
 
 struct Paper {
-  PublishedDevice table;
-  Area available;
+  optimise::PublishedDevice table;
+  devices::Area available;
 };
 
 Paper paper(const char* device) {
-  return {published(device).value(), find_device(device).value().available};
+  return {optimise::published(device).value(), devices::find_device(device).value().available};
 }
 
 /// The device full of reference datapaths and nothing else: lanes that recompute nothing.
-AllocationProblem baseline(const Paper& paper) {
-  AllocationProblem problem;
+optimise::AllocationProblem baseline(const Paper& paper) {
+  optimise::AllocationProblem problem;
   problem.lanes = {
       {.name = "s53e8",
        .throughput_per_s = paper.table.reference_mhz * 1e6,
@@ -39,15 +39,16 @@ AllocationProblem baseline(const Paper& paper) {
   return problem;
 }
 
-double baseline_per_s(const PublishedDevice& table) {
-  return aggregated_throughput(
+double baseline_per_s(const optimise::PublishedDevice& table) {
+  return performance::aggregated_throughput(
       {{.count = table.baseline_references, .throughput_per_s = table.reference_mhz * 1e6}});
 }
 
-double mixed_per_s(const PublishedDevice& table, int lanes, double lane_mhz, int references) {
+double mixed_per_s(const optimise::PublishedDevice& table, int lanes, double lane_mhz,
+                   int references) {
   // No plan of the paper's lets lanes wait: any rate that eq. 10 allows gives the same.
   const double rate = references * table.reference_mhz / (lanes * lane_mhz);
-  return equivalent_throughput(
+  return performance::equivalent_throughput(
       {{.count = lanes, .throughput_per_s = lane_mhz * 1e6, .recomputation_rate = rate}},
       {{.count = references, .throughput_per_s = table.reference_mhz * 1e6}});
 }
@@ -60,15 +61,15 @@ void expect_rounded(double computed, double printed, double last_digit) {
 TEST(PaperTable4, BaselinesAreWhatFitsBesideTheSlack) {
   for (const auto& [device, count] : {std::pair("virtex6-lx760", 17), {"virtex5-lx330t", 9}}) {
     const Paper p = paper(device);
-    const AllocationResult result = allocate(baseline(p));
-    ASSERT_TRUE(std::holds_alternative<Allocation>(result)) << device;
-    EXPECT_EQ(std::get<Allocation>(result).lane_count(), count);
+    const optimise::AllocationResult result = optimise::allocate(baseline(p));
+    ASSERT_TRUE(std::holds_alternative<optimise::Allocation>(result)) << device;
+    EXPECT_EQ(std::get<optimise::Allocation>(result).lane_count(), count);
     EXPECT_EQ(p.table.baseline_references, count);
   }
   // By DSPs on the Virtex-6 (691 / 40), by LUTs on the Virtex-5 (165888 / 17198).
-  EXPECT_EQ(usable(paper("virtex6-lx760").available, slack).dsps / 40, 17);
-  EXPECT_GT(usable(paper("virtex6-lx760").available, slack).luts / 7350, 17);
-  EXPECT_EQ(usable(paper("virtex5-lx330t").available, slack).luts / 17198, 9);
+  EXPECT_EQ(performance::usable(paper("virtex6-lx760").available, slack).dsps / 40, 17);
+  EXPECT_GT(performance::usable(paper("virtex6-lx760").available, slack).luts / 7350, 17);
+  EXPECT_EQ(performance::usable(paper("virtex5-lx330t").available, slack).luts / 17198, 9);
 }
 
 TEST(PaperTable4, BaselineThroughputs) {
@@ -77,14 +78,14 @@ TEST(PaperTable4, BaselineThroughputs) {
 }
 
 TEST(PaperTable4, MixedThroughputs) {
-  const PublishedDevice v6 = paper("virtex6-lx760").table;
+  const optimise::PublishedDevice v6 = paper("virtex6-lx760").table;
   expect_rounded(mixed_per_s(v6, 87, 408, 3) / 1e9, 35.5, 0.1);  // 35.496
   // 108 lanes at 408 MHz would be 44.1: the plan for 41.3 ran at 382 MHz, within the range printed.
   const double v6_best_mhz = v6.best_per_s / 108 / 1e6;
   EXPECT_GE(v6_best_mhz, v6.lane_mhz_low);
   EXPECT_LE(v6_best_mhz, v6.lane_mhz_high);
 
-  const PublishedDevice v5 = paper("virtex5-lx330t").table;
+  const optimise::PublishedDevice v5 = paper("virtex5-lx330t").table;
   // The paper prints 8.17 for 24 lanes of at most 337 MHz, which is 8.09: one percent apart. 32
   // lanes at 337 MHz would be 10.8; 10.6 is 331 MHz.
   expect_rounded(mixed_per_s(v5, 24, 337, 1) / 1e9, 8.09, 0.01);
@@ -95,8 +96,8 @@ TEST(PaperTable4, MixedThroughputs) {
 }
 
 TEST(PaperTable4, MixedPrecisionGains) {
-  const PublishedDevice v6 = paper("virtex6-lx760").table;
-  const PublishedDevice v5 = paper("virtex5-lx330t").table;
+  const optimise::PublishedDevice v6 = paper("virtex6-lx760").table;
+  const optimise::PublishedDevice v5 = paper("virtex5-lx330t").table;
   // From baselines as printed (4.8 and 2) the gains would be 7.40, 8.60, 4.09 and 5.30; from 17 x
   // 285 MHz and 9 x 223 MHz 7.33, 8.52, 4.07 and 5.28. What the paper prints is of neither.
   EXPECT_NEAR(v6.worst_per_s / v6.baseline_per_s, 7.37, 0.03);
@@ -110,8 +111,8 @@ TEST(PaperTable4, MixedPrecisionGains) {
 }
 
 TEST(PaperTable4, NormalisedSpeedups) {
-  const PublishedDevice v6 = paper("virtex6-lx760").table;
-  const PublishedDevice v5 = paper("virtex5-lx330t").table;
+  const optimise::PublishedDevice v6 = paper("virtex6-lx760").table;
+  const optimise::PublishedDevice v5 = paper("virtex5-lx330t").table;
   expect_rounded(v6.baseline_per_s / v6.cpu_per_s, 2.09, 0.01);
   expect_rounded(v6.worst_per_s / v6.cpu_per_s, 15.4, 0.1);
   expect_rounded(v6.best_per_s / v6.cpu_per_s, 18.0, 0.1);
@@ -124,4 +125,4 @@ TEST(PaperTable4, NormalisedSpeedups) {
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

@@ -7,10 +7,11 @@
 
 /// The model of the streams against itself and against queues simulated here; tests/system and
 /// tests/rtl_templates/stream hold it against the hardware.
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
-LaneStreams streams(int slots, int lanes_served, ResultOrder order = ResultOrder::tagged) {
+performance::LaneStreams streams(int slots, int lanes_served,
+                                 scene::ResultOrder order = scene::ResultOrder::tagged) {
   return {.order = order,
           .lane_latency_cycles = 19,
           .reference_latency_cycles = 26,
@@ -19,49 +20,53 @@ LaneStreams streams(int slots, int lanes_served, ResultOrder order = ResultOrder
 }
 
 TEST(Streams, TreeOfTheCrossbarGrowsByALevelAtPowersOfFour) {
-  for (const int lanes : {1, 2, 4}) EXPECT_EQ(crossbar_levels(lanes), 1) << lanes;
-  for (const int lanes : {5, 16}) EXPECT_EQ(crossbar_levels(lanes), 2) << lanes;
-  for (const int lanes : {17, 64}) EXPECT_EQ(crossbar_levels(lanes), 3) << lanes;
+  for (const int lanes : {1, 2, 4}) EXPECT_EQ(performance::crossbar_levels(lanes), 1) << lanes;
+  for (const int lanes : {5, 16}) EXPECT_EQ(performance::crossbar_levels(lanes), 2) << lanes;
+  for (const int lanes : {17, 64}) EXPECT_EQ(performance::crossbar_levels(lanes), 3) << lanes;
 }
 
 TEST(Streams, RequestsLimitAnEvenStream) {
-  EXPECT_DOUBLE_EQ(even_throughput(streams(64, 1), 0.5), 1);
-  EXPECT_DOUBLE_EQ(even_throughput(streams(64, 1), 1), 0.5);
-  EXPECT_DOUBLE_EQ(even_throughput(streams(64, 8), 0.125), 1);
-  EXPECT_DOUBLE_EQ(even_throughput(streams(64, 8), 0.5), 0.25);
-  EXPECT_DOUBLE_EQ(even_throughput(streams(64, 0), 1), 1);
+  EXPECT_DOUBLE_EQ(performance::even_throughput(streams(64, 1), 0.5), 1);
+  EXPECT_DOUBLE_EQ(performance::even_throughput(streams(64, 1), 1), 0.5);
+  EXPECT_DOUBLE_EQ(performance::even_throughput(streams(64, 8), 0.125), 1);
+  EXPECT_DOUBLE_EQ(performance::even_throughput(streams(64, 8), 0.5), 0.25);
+  EXPECT_DOUBLE_EQ(performance::even_throughput(streams(64, 0), 1), 1);
 }
 
 TEST(Streams, SlotsLimitAnEvenStream) {
-  EXPECT_DOUBLE_EQ(even_throughput(streams(10, 1), 0), 10.0 / 25);
-  EXPECT_DOUBLE_EQ(even_throughput(streams(10, 1), 1), 10.0 / 57);
+  EXPECT_DOUBLE_EQ(performance::even_throughput(streams(10, 1), 0), 10.0 / 25);
+  EXPECT_DOUBLE_EQ(performance::even_throughput(streams(10, 1), 1), 10.0 / 57);
   // In order, a lane with too few slots for one recomputation stalls at each.
-  const LaneStreams ordered = streams(24, 1, ResultOrder::in_order);
-  const double held = undecided_slot_cycles(ordered);
-  EXPECT_DOUBLE_EQ(even_throughput(ordered, 1), 24 / held);
-  EXPECT_LT(even_throughput(ordered, 0.01), 1);
-  EXPECT_DOUBLE_EQ(even_throughput(streams(64, 1, ResultOrder::in_order), 0.01), 1);
+  const performance::LaneStreams ordered = streams(24, 1, scene::ResultOrder::in_order);
+  const double held = performance::undecided_slot_cycles(ordered);
+  EXPECT_DOUBLE_EQ(performance::even_throughput(ordered, 1), 24 / held);
+  EXPECT_LT(performance::even_throughput(ordered, 0.01), 1);
+  EXPECT_DOUBLE_EQ(performance::even_throughput(streams(64, 1, scene::ResultOrder::in_order), 0.01),
+                   1);
 }
 
 TEST(Streams, ChanceCostsNothingFarFromSaturationAndSomethingAtIt) {
-  for (const ResultOrder order : {ResultOrder::tagged, ResultOrder::in_order}) {
+  for (const scene::ResultOrder order :
+       {scene::ResultOrder::tagged, scene::ResultOrder::in_order}) {
     for (const double rate : {0.0, 0.01, 0.1, 0.12, 0.125, 0.2, 0.5, 1.0}) {
-      const double random = random_throughput(streams(64, 8, order), rate);
-      EXPECT_LE(random, even_throughput(streams(64, 8, order), rate)) << rate;
-      EXPECT_GT(random, 0.8 * even_throughput(streams(64, 8, order), rate)) << rate;
+      const double random = performance::random_throughput(streams(64, 8, order), rate);
+      EXPECT_LE(random, performance::even_throughput(streams(64, 8, order), rate)) << rate;
+      EXPECT_GT(random, 0.8 * performance::even_throughput(streams(64, 8, order), rate)) << rate;
     }
-    EXPECT_NEAR(random_throughput(streams(64, 8, order), 0.05), 1, 1e-9);
-    EXPECT_LT(random_throughput(streams(64, 8, order), 0.125), 0.999);
+    EXPECT_NEAR(performance::random_throughput(streams(64, 8, order), 0.05), 1, 1e-9);
+    EXPECT_LT(performance::random_throughput(streams(64, 8, order), 0.125), 0.999);
   }
 }
 
 TEST(Streams, ThroughputFallsWithTheRateAndRisesWithSlots) {
-  for (const ResultOrder order : {ResultOrder::tagged, ResultOrder::in_order}) {
+  for (const scene::ResultOrder order :
+       {scene::ResultOrder::tagged, scene::ResultOrder::in_order}) {
     double before = 1;
     for (int percent = 0; percent <= 100; ++percent) {
-      const double now = random_throughput(streams(48, 4, order), percent / 100.0);
+      const double now = performance::random_throughput(streams(48, 4, order), percent / 100.0);
       EXPECT_LE(now, before + 1e-9) << percent;
-      EXPECT_LE(now, random_throughput(streams(64, 4, order), percent / 100.0) + 1e-9) << percent;
+      EXPECT_LE(now, performance::random_throughput(streams(64, 4, order), percent / 100.0) + 1e-9)
+          << percent;
       before = now;
     }
   }
@@ -90,55 +95,58 @@ double simulated_wait(int lanes, double rate, int service) {
 TEST(Streams, MeanWaitIsThatOfTwoQueuesInTurn) {
   for (const auto& [lanes, rate] : {std::pair(1, 0.1), {1, 0.45}, {2, 0.3}, {8, 0.1}, {16, 0.05}}) {
     const double expected = simulated_wait(1, rate, 2) + simulated_wait(lanes, rate, 1);
-    EXPECT_NEAR(mean_wait_cycles(streams(64, lanes), rate), expected, 0.05 * expected + 0.01)
+    EXPECT_NEAR(performance::mean_wait_cycles(streams(64, lanes), rate), expected,
+                0.05 * expected + 0.01)
         << lanes << " lanes, rate " << rate;
   }
-  EXPECT_TRUE(std::isinf(mean_wait_cycles(streams(64, 8), 0.125)));
-  EXPECT_TRUE(std::isinf(mean_wait_cycles(streams(64, 1), 0.5)));
+  EXPECT_TRUE(std::isinf(performance::mean_wait_cycles(streams(64, 8), 0.125)));
+  EXPECT_TRUE(std::isinf(performance::mean_wait_cycles(streams(64, 1), 0.5)));
 }
 
 /// docs/performance.md: until answers come a burst fills the free slots; from then on its excess.
-int absorbed_by_formula(const LaneStreams& s) {
-  const int decided = decided_slot_cycles(s);
-  const int undecided = undecided_slot_cycles(s);
+int absorbed_by_formula(const performance::LaneStreams& s) {
+  const int decided = performance::decided_slot_cycles(s);
+  const int undecided = performance::undecided_slot_cycles(s);
   if (s.slots <= undecided) return s.slots - decided;
-  const double excess = 1 - 1.0 / answer_interval_cycles(s);
+  const double excess = 1 - 1.0 / performance::answer_interval_cycles(s);
   return undecided - decided + static_cast<int>((s.slots - undecided) / excess);
 }
 
 TEST(Streams, LongestBurstIsWhatTheFormulaSays) {
   for (const int slots : {32, 57, 58, 64, 128, 256}) {
     for (const int lanes : {1, 2, 3, 8, 16, 40}) {
-      const LaneStreams s = streams(slots, lanes);
-      EXPECT_NEAR(absorbed_burst(s), absorbed_by_formula(s), 2) << slots << " " << lanes;
+      const performance::LaneStreams s = streams(slots, lanes);
+      EXPECT_NEAR(performance::absorbed_burst(s), absorbed_by_formula(s), 2)
+          << slots << " " << lanes;
     }
   }
 }
 
 TEST(Streams, LanesInOrderHoldNoBurstWithoutSlotsForARecomputation) {
-  EXPECT_EQ(absorbed_burst(streams(32, 2, ResultOrder::in_order)), 0);
-  EXPECT_GT(absorbed_burst(streams(128, 2, ResultOrder::in_order)), 0);
+  EXPECT_EQ(performance::absorbed_burst(streams(32, 2, scene::ResultOrder::in_order)), 0);
+  EXPECT_GT(performance::absorbed_burst(streams(128, 2, scene::ResultOrder::in_order)), 0);
 }
 
 TEST(Streams, RepeatedPatternsTakeWhatTheirPartsSay) {
   const std::vector<bool> decided(100, false);
   const std::vector<bool> undecided(100, true);
-  EXPECT_DOUBLE_EQ(repeated_cycles(streams(64, 8), decided), 100);
-  EXPECT_DOUBLE_EQ(repeated_cycles(streams(64, 8), undecided), 800);
-  EXPECT_DOUBLE_EQ(repeated_cycles(streams(64, 1), undecided), 200);
-  EXPECT_DOUBLE_EQ(repeated_cycles(streams(20, 8), decided), 125);  // 20 slots, 25 cycles each
+  EXPECT_DOUBLE_EQ(performance::repeated_cycles(streams(64, 8), decided), 100);
+  EXPECT_DOUBLE_EQ(performance::repeated_cycles(streams(64, 8), undecided), 800);
+  EXPECT_DOUBLE_EQ(performance::repeated_cycles(streams(64, 1), undecided), 200);
+  EXPECT_DOUBLE_EQ(performance::repeated_cycles(streams(20, 8), decided),
+                   125);  // 20 slots, 25 cycles each
   std::vector<bool> even(80, false);
   for (std::size_t k = 0; k < even.size(); k += 16) even[k] = true;
-  EXPECT_DOUBLE_EQ(repeated_cycles(streams(64, 8), even), 80);
+  EXPECT_DOUBLE_EQ(performance::repeated_cycles(streams(64, 8), even), 80);
 }
 
 TEST(Streams, BurstThatIsNotAbsorbedTakesTheReferencesTime) {
   std::vector<bool> pattern(1000, false);
   std::fill_n(pattern.begin(), 110, true);
-  const double cycles = repeated_cycles(streams(64, 8), pattern);
+  const double cycles = performance::repeated_cycles(streams(64, 8), pattern);
   EXPECT_GT(cycles, 1000 * 1.2);
   EXPECT_LT(cycles, 110 * 8 + 890);
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

@@ -20,25 +20,19 @@
 namespace mixcmp::test {
 namespace {
 
-using model::AbsoluteBoundDecision;
-using model::Arithmetic;
-using model::Bits;
-using model::BoundEnvelope;
-using model::Comparisons;
-using model::Envelope;
-using model::envelope_width;
-using model::EnvelopeBlock;
-using model::EnvelopeRow;
-using model::FloatFormat;
-using model::Lane;
-using model::LaneInputs;
-using model::NodeMagnitude;
-using model::Scene;
-using model::to_rational;
-using model::TypedGraph;
-using model::golden::bound_is_at_most;
-using model::golden::evaluate;
-using model::golden::Rounded;
+using data::Comparisons;
+using error::AbsoluteBoundDecision;
+using error::Lane;
+using golden::bound_is_at_most;
+using golden::evaluate;
+using golden::Rounded;
+using profile::BoundEnvelope;
+using profile::Envelope;
+using profile::envelope_width;
+using profile::EnvelopeBlock;
+using profile::EnvelopeRow;
+using profile::NodeMagnitude;
+using scene::Scene;
 
 mpq_class power_of_two(int exponent) {
   const mpq_class power(mpz_class(1) << std::abs(exponent));
@@ -54,7 +48,7 @@ struct Case {
         data(random_rows(scene, family, envelope_width, random)),
         source(data),
         envelope(graph(anchor), options(anchor, last)) {
-    model::OperandBlock operands(data.input_count(), envelope_width);
+    data::OperandBlock operands(data.input_count(), envelope_width);
     source.fetch(0, envelope_width, operands);
     envelope.evaluate(operands.columns(), block);
   }
@@ -69,7 +63,7 @@ struct Case {
   Envelope::Options options(int anchor, int last) const {
     std::vector<NodeMagnitude> magnitudes;
     for (std::size_t k = 0; k < data.input_count(); ++k) {
-      magnitudes.push_back(model::magnitude_of(source.values(k)));
+      magnitudes.push_back(profile::magnitude_of(source.values(k)));
     }
     return {
         .anchor = anchor, .last = last, .reference = scene.reference.format, .inputs = magnitudes};
@@ -84,7 +78,7 @@ struct Case {
   Scene scene;
   LaneInputs inputs;
   Comparisons data;
-  model::OperandSource source;
+  data::OperandSource source;
   Envelope envelope;
   EnvelopeBlock block;
 };
@@ -94,9 +88,9 @@ struct Truth {
 };
 
 std::optional<Truth> truth_of(const Case& test, std::size_t k) {
-  model::golden::Enclosure enclosure(test.scene.graph, 900);
+  golden::Enclosure enclosure(test.scene.graph, 900);
   if (enclosure.compute(test.scene.reference.format, test.operands(k)) !=
-      model::golden::Knowledge::enclosed) {
+      golden::Knowledge::enclosed) {
     return std::nullopt;
   }
   Truth truth;
@@ -111,8 +105,7 @@ void expect_within(const Case& test, std::size_t k, const TypedGraph& graph, int
   const std::vector<Rounded> values = evaluate(graph, test.operands(k));
   for (const Rounded& value : values) ASSERT_FALSE(value.exceptional);
   const mpq_class shrunk = power_of_two(test.envelope.anchor() - precision);
-  const auto expect = [&](const char* name, model::NodeId computed, model::NodeId id,
-                          const mpq_class& real) {
+  const auto expect = [&](const char* name, NodeId computed, NodeId id, const mpq_class& real) {
     const mpq_class value = to_rational(graph.nodes[computed].format, values[computed].bits);
     const mpq_class error = test.block.nodes[id].error[k] * shrunk;
     EXPECT_LE(abs(value - real), error)
@@ -127,7 +120,7 @@ void expect_within(const Case& test, std::size_t k, const TypedGraph& graph, int
 /// How many comparisons were tame.
 int expect_theorem_1(const Case& test, int last) {
   int tame = 0;
-  const model::TypedGraph reference = reference_graph(test.scene.graph, test.scene.reference);
+  const TypedGraph reference = reference_graph(test.scene.graph, test.scene.reference);
   for (std::size_t k = 0; k < envelope_width; k += 3) {
     if (test.block.wild[k] != 0) continue;
     ++tame;
@@ -238,13 +231,13 @@ void expect_bound_within(const Case& test, std::size_t k, const Lane& lane, doub
                          double fixed) {
   const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
   const std::vector<Rounded> values = evaluate(lane.graph, test.operands(k));
-  const std::vector<Bits> bounds = evaluate_bound(decision.bound, lane.graph, values);
-  const model::BoundFormat format = decision.bound.format;
+  const std::vector<Bits> bounds = golden::evaluate_bound(decision.bound, lane.graph, values);
+  const BoundFormat format = decision.bound.format;
   ASSERT_NE(bounds.back(), format.infinity());
   const int steps = lane.graph.arithmetic.format.precision() - test.envelope.anchor();
   const mpq_class allowed = mpq_class(scaled) * power_of_two(-steps) + mpq_class(fixed);
-  EXPECT_LE(model::bound_value(format, bounds.back()), allowed);
-  for (const model::BoundCondition& condition : decision.conditions) {
+  EXPECT_LE(bound_value(format, bounds.back()), allowed);
+  for (const error::BoundCondition& condition : decision.conditions) {
     EXPECT_TRUE(bound_is_at_most(format, bounds[condition.bound], lane.graph.arithmetic.format,
                                  values[condition.value].bits));
   }
@@ -268,7 +261,7 @@ std::optional<mpq_class> least_decided(const Lane& lane, const std::vector<Bits>
   const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
   const FloatFormat format = lane.graph.arithmetic.format;
   const auto values = evaluate(lane.graph, operands);
-  const Bits bound = evaluate_bound(decision.bound, lane.graph, values).back();
+  const Bits bound = golden::evaluate_bound(decision.bound, lane.graph, values).back();
   const Bits encoded =
       (bound << (format.precision() - decision.bound.format.precision)) + decision.guard_ulp;
   if (encoded > format.largest_finite(false)) return std::nullopt;
@@ -281,21 +274,21 @@ TEST(Threshold, IsNeverBelowBoundAndGuard) {
   int checked = 0, guarded = 0;
   for (const auto& [f, g] : expressions) {
     auto [scene, what] = draw(f, g, random);
-    for (auto& range : scene.ranges) range = model::Range{0, 4};
+    for (auto& range : scene.ranges) range = Range{0, 4};
     const int last = std::min(52, scene.reference.format.precision());
     SCOPED_TRACE(what);
     const Case test(scene, LaneInputs::rounded, 6, last, Family::uniform, random);
     std::vector<Lane> all;
     for (int precision = 6; precision <= last; ++precision) {
-      auto lane = certified_lane(test.graph(precision),
-                                 {.kind = model::ErrorBoundKind::running, .ranges = scene.ranges});
+      auto lane = error::certified_lane(
+          test.graph(precision), {.kind = error::ErrorBoundKind::running, .ranges = scene.ranges});
       if (lane.ok()) all.push_back(std::move(lane).value());
     }
     std::vector<const Lane*> lanes;
     for (const Lane& lane : all) lanes.push_back(&lane);
     if (static_cast<int>(lanes.size()) != last - 5) continue;
     EnvelopeRow scaled = {}, fixed = {}, wild = test.block.wild;
-    model::Threshold::of_lanes(lanes, test.envelope).evaluate(test.block, scaled, fixed, wild);
+    profile::Threshold::of_lanes(lanes, test.envelope).evaluate(test.block, scaled, fixed, wild);
     for (std::size_t k = 0; k < envelope_width; k += 8) {
       for (std::size_t n = 0; n < lanes.size() && wild[k] == 0; n += 4) {
         const auto least = least_decided(*lanes[n], test.operands(k));
@@ -314,7 +307,7 @@ TEST(Threshold, IsNeverBelowBoundAndGuard) {
 
 /// The lanes of one kind from the anchor on, where all exist and are of one structure.
 std::vector<const Lane*> lanes_of_kind(
-    const std::map<int, std::vector<model::CandidateLanes>>& candidates, std::size_t kind) {
+    const std::map<int, std::vector<error::CandidateLanes>>& candidates, std::size_t kind) {
   std::vector<const Lane*> lanes;
   for (const auto& [precision, all] : candidates) {
     if (!all[kind].lane.ok()) return {};
@@ -335,14 +328,14 @@ TEST(BoundEnvelope, IsNeverBelowWhatTheHardwareComputes) {
     for (const Family family :
          {Family::uniform, Family::neighbours, Family::lowest, Family::wide}) {
       auto [scene, what] = draw(f, g, random);
-      for (auto& range : scene.ranges) range = model::Range{0, 4};
+      for (auto& range : scene.ranges) range = Range{0, 4};
       const int last = std::min(52, scene.reference.format.precision());
       const int anchor = 6 + static_cast<int>(random() % 10);
       SCOPED_TRACE(fmt::format("{}, family {}, anchor {}", what, static_cast<int>(family), anchor));
       const Case test(scene, LaneInputs::rounded, anchor, last, family, random);
-      std::map<int, std::vector<model::CandidateLanes>> candidates;
+      std::map<int, std::vector<error::CandidateLanes>> candidates;
       for (int precision = anchor; precision <= last; ++precision) {
-        candidates[precision] = candidate_lanes(test.graph(precision), scene.ranges);
+        candidates[precision] = error::candidate_lanes(test.graph(precision), scene.ranges);
       }
       for (std::size_t kind = 0; kind < candidates[last].size(); ++kind) {
         const std::vector<const Lane*> lanes = lanes_of_kind(candidates, kind);

@@ -10,13 +10,11 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::Comparisons;
-using model::ErrorProfile;
-using model::LaneInputs;
-using model::ProfiledError;
-using model::ProfileOptions;
-using model::Scene;
+using data::Comparisons;
+using error::ProfiledError;
+using profile::ErrorProfile;
+using profile::ProfileOptions;
+using scene::Scene;
 
 /// Equal but for the last few of 2^-48 of itself.
 void expect_same(const mpq_class& got, const mpq_class& expected, const std::string& what) {
@@ -30,10 +28,11 @@ void expect_slow_profile(const Scene& scene, const Comparisons& data,
   const std::vector<ErrorProfile> profiles = profile_errors(scene, data, both, options);
   ASSERT_EQ(profiles.size(), 2u);
   for (const ErrorProfile& profile : profiles) {
-    for (const model::ErrorAtPrecision& error : profile.precisions) {
-      const model::TypedGraph lane =
-          graphs_at(scene, error.precision, profile.inputs).parts.front();
-      const ProfiledError slow = profile_error(scene.graph, lane, data, options.error_samples, 1);
+    for (const profile::ErrorAtPrecision& error : profile.precisions) {
+      const TypedGraph lane =
+          profile::graphs_at(scene, error.precision, profile.inputs).parts.front();
+      const ProfiledError slow =
+          profile::profile_error(scene.graph, lane, data, options.error_samples, 1);
       const std::string what = "L = " + std::to_string(error.precision);
       expect_same(error.f.value_or(0), slow.f, what);
       expect_same(error.g.value_or(0), slow.g, what);
@@ -45,16 +44,15 @@ void expect_slow_profile(const Scene& scene, const Comparisons& data,
 }
 
 Comparisons spheres(const Scene& scene, std::size_t count) {
-  model::Table table = uniform_spheres({.count = count, .side = 100, .radius_max = 30, .seed = 2},
-                                       scene.reference.format);
+  data::Table table = data::uniform_spheres(
+      {.count = count, .side = 100, .radius_max = 30, .seed = 2}, scene.reference.format);
   return Comparisons::all_pairs(std::move(table), scene.graph.inputs()).value();
 }
 
 Scene sphere_scene() {
-  const Arithmetic reduced{format_of(8, 8), model::Rounding::nearest_even,
-                           model::Subnormals::flush};
+  const Arithmetic reduced{format_of(8, 8), Rounding::nearest_even, Subnormals::flush};
   Scene scene = scene_of(sphere_graph(), format_of(53, 11), reduced);
-  for (auto& range : scene.ranges) range = model::Range{0, 100};
+  for (auto& range : scene.ranges) range = Range{0, 100};
   return scene;
 }
 
@@ -79,9 +77,9 @@ TEST(Errors, OfAnyExpressionAreThoseThatMpfrFinds) {
 
 TEST(Errors, StayWithinTheCertifiedBound) {
   const Scene scene = sphere_scene();
-  const auto profiles = profile_errors(scene, spheres(scene, 200), {LaneInputs::exact},
-                                       {.error_samples = 5000, .threads = 1});
-  for (const model::ErrorAtPrecision& error : profiles.front().precisions) {
+  const auto profiles = profile::profile_errors(scene, spheres(scene, 200), {LaneInputs::exact},
+                                                {.error_samples = 5000, .threads = 1});
+  for (const profile::ErrorAtPrecision& error : profiles.front().precisions) {
     ASSERT_TRUE(error.f_bound && error.g_bound);
     EXPECT_LE(*error.f, mpq_class(*error.f_bound));
     EXPECT_LE(*error.g, mpq_class(*error.g_bound));
@@ -94,9 +92,9 @@ TEST(Errors, StayWithinTheCertifiedBound) {
 TEST(Errors, WhatIsExactHasABoundOfZero) {
   std::mt19937_64 random(5);
   const Scene scene = scene_of(graph_of("a * b", "1"), format_of(53, 8), {format_of(8, 8)});
-  const auto profiles = profile_errors(scene, random_rows(scene, all_families[0], 20, random),
-                                       {LaneInputs::exact}, {.threads = 1});
-  for (const model::ErrorAtPrecision& error : profiles.front().precisions) {
+  const auto profiles = profile::profile_errors(
+      scene, random_rows(scene, all_families[0], 20, random), {LaneInputs::exact}, {.threads = 1});
+  for (const profile::ErrorAtPrecision& error : profiles.front().precisions) {
     EXPECT_GT(error.f_bound, 0.0);
     EXPECT_EQ(error.g_bound, 0.0);
   }
@@ -104,8 +102,8 @@ TEST(Errors, WhatIsExactHasABoundOfZero) {
 
 TEST(Errors, SayWhereNoBoundExists) {
   const Scene scene = sphere_scene();
-  const auto profiles = profile_errors(scene, spheres(scene, 20), {LaneInputs::rounded},
-                                       {.error_samples = 10, .threads = 1});
+  const auto profiles = profile::profile_errors(scene, spheres(scene, 20), {LaneInputs::rounded},
+                                                {.error_samples = 10, .threads = 1});
   EXPECT_FALSE(profiles.front().precisions.back().f_bound);
   EXPECT_TRUE(profiles.front().precisions.back().g_bound);
   EXPECT_NE(profiles.front().no_f_bound, "");
@@ -115,14 +113,14 @@ TEST(Errors, SayWhereNoBoundExists) {
 /// f_T needs 700 digits in the first, and is zero in the others: with fewer digits, what is left of
 /// a rounding would be taken for it. The last f_L misses that zero.
 TEST(Errors, AreMeasuredThroughAnyCancellation) {
-  const model::FloatFormat wide = format_of(53, 11);
-  const auto number = [&](const char* text) { return model::from_text(wide, text).value(); };
+  const FloatFormat wide = format_of(53, 11);
+  const auto number = [&](const char* text) { return from_text(wide, text).value(); };
   struct Case {
     const char* f;
-    std::vector<model::Bits> row;
+    std::vector<Bits> row;
     std::optional<mpq_class> error;
   };
-  const std::vector<model::Bits> thirds = {number("1.1"), number("2.3"), number("3.7")};
+  const std::vector<Bits> thirds = {number("1.1"), number("2.3"), number("3.7")};
   for (const Case& each : {Case{"(a + b) - a + c - c", {number("1e100"), number("1e-100"), 0}, 1},
                            Case{"a^16 - b^16 + c - c", {thirds[0], thirds[0], 0}, 0},
                            Case{"sqrt(a) * sqrt(b) * sqrt(c) - sqrt(a * b * c)", thirds, {}}}) {
@@ -136,15 +134,15 @@ TEST(Errors, AreMeasuredThroughAnyCancellation) {
 }
 
 TEST(Errors, OfWhatIsInfiniteAreCountedAndMakeNoConstants) {
-  const model::FloatFormat wide = format_of(24, 8);
-  const auto number = [&](const char* text) { return model::from_text(wide, text).value(); };
+  const FloatFormat wide = format_of(24, 8);
+  const auto number = [&](const char* text) { return from_text(wide, text).value(); };
   const Scene scene = scene_of(graph_of("a * b", "a"), wide, {format_of(8, 6)});
   const Comparisons data =
       rows_of(scene.graph, wide,
               {number("1e20"), number("1e10"), number("3e25"), number("1e11"), number("1"), 0});
   const ProfileOptions options{.first_precision = 8, .last_precision = 8, .threads = 1};
   const auto profiles = profile_errors(scene, data, {LaneInputs::rounded}, options);
-  const model::ErrorAtPrecision& error = profiles.front().precisions.front();
+  const profile::ErrorAtPrecision& error = profiles.front().precisions.front();
   EXPECT_EQ(profiles.front().comparisons, 3u);
   EXPECT_EQ(error.f_unbounded, 2u);
   EXPECT_EQ(error.g_unbounded, 2u);
@@ -153,9 +151,9 @@ TEST(Errors, OfWhatIsInfiniteAreCountedAndMakeNoConstants) {
       rows_of(scene.graph, wide, {number("1e20"), number("1e10"), number("3e25"), number("1e11")});
   const ErrorProfile none = profile_errors(scene, infinite, {LaneInputs::rounded}, options).front();
   EXPECT_FALSE(none.precisions.front().f || none.precisions.front().g);
-  for (const model::SystemLanes& system : make_systems(scene, none)) {
-    if (system.kind == model::SystemKind::certified) continue;
-    EXPECT_EQ(system.exists(), system.kind == model::SystemKind::lanes_alone) << system.name;
+  for (const profile::SystemLanes& system : make_systems(scene, none)) {
+    if (system.kind == profile::SystemKind::certified) continue;
+    EXPECT_EQ(system.exists(), system.kind == profile::SystemKind::lanes_alone) << system.name;
   }
 }
 
@@ -163,8 +161,8 @@ TEST(Errors, DoNotDependOnThreads) {
   const Scene scene = sphere_scene();
   const Comparisons data = spheres(scene, 200);
   const auto errors = [&](unsigned threads) {
-    const auto profiles = profile_errors(scene, data, {LaneInputs::rounded},
-                                         {.error_samples = 12000, .threads = threads});
+    const auto profiles = profile::profile_errors(scene, data, {LaneInputs::rounded},
+                                                  {.error_samples = 12000, .threads = threads});
     std::vector<mpq_class> all;
     for (const auto& error : profiles.front().precisions)
       all.insert(all.end(), {*error.f, *error.g});
@@ -175,18 +173,19 @@ TEST(Errors, DoNotDependOnThreads) {
 
 TEST(Errors, OfSeveralPartsAreTheLargest) {
   std::mt19937_64 random(4);
-  const Arithmetic reduced{format_of(8, 8), model::Rounding::nearest_even,
-                           model::Subnormals::flush};
+  const Arithmetic reduced{format_of(8, 8), Rounding::nearest_even, Subnormals::flush};
   const std::vector<std::pair<std::string, std::string>> parts = {{"a * b", "c"},
                                                                   {"a + b * c", "a"}};
-  const Scene scene = scene_of(graph_of(parts, model::Combination::any), format_of(53, 8), reduced);
+  const Scene scene = scene_of(graph_of(parts, Combination::any), format_of(53, 8), reduced);
   const Comparisons data = random_rows(scene, Family::uniform, 300, random);
   const ProfileOptions options{.first_precision = 7, .last_precision = 9, .error_samples = 300};
   const ErrorProfile profile = profile_errors(scene, data, {LaneInputs::rounded}, options).front();
-  for (const model::ErrorAtPrecision& error : profile.precisions) {
-    const model::CombinedGraph lane = graphs_at(scene, error.precision, profile.inputs);
-    const ProfiledError one = profile_error(scene.graph.part(0), lane.parts[0], data, 300, 1);
-    const ProfiledError other = profile_error(scene.graph.part(1), lane.parts[1], data, 300, 1);
+  for (const profile::ErrorAtPrecision& error : profile.precisions) {
+    const CombinedGraph lane = profile::graphs_at(scene, error.precision, profile.inputs);
+    const ProfiledError one =
+        profile::profile_error(scene.graph.part(0), lane.parts[0], data, 300, 1);
+    const ProfiledError other =
+        profile::profile_error(scene.graph.part(1), lane.parts[1], data, 300, 1);
     expect_same(*error.f, std::max(one.f, other.f), "f");
     expect_same(*error.g, std::max(one.g, other.g), "g");
     EXPECT_NE(other.f, one.f);

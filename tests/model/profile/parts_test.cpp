@@ -16,13 +16,11 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-using model::Comparisons;
-using model::FloatFormat;
-using model::NodeMagnitude;
-using model::OperandBlock;
-using model::OperandSource;
-using model::run_workers;
+using data::Comparisons;
+using data::OperandBlock;
+using data::OperandSource;
+using profile::NodeMagnitude;
+using profile::run_workers;
 
 const FloatFormat binary64 = format_of(53, 11);
 
@@ -34,16 +32,16 @@ void expect_operands(const Comparisons& data, const OperandBlock& block,
     data.fetch(indices[k], operands);
     for (std::size_t input = 0; input < operands.size(); ++input) {
       EXPECT_EQ(mpq_class(block.column(input)[k]),
-                model::to_rational(data.table().format, operands[input]))
+                to_rational(data.table().format, operands[input]))
           << "comparison " << indices[k] << ", input " << input;
     }
   }
 }
 
 TEST(OperandSource, FetchesWhatTheDataSays) {
-  const model::Graph graph = sphere_graph();
-  const model::Table spheres =
-      uniform_spheres({.count = 23, .side = 10, .radius_max = 3, .seed = 1}, format_of(24, 8));
+  const Graph graph = sphere_graph();
+  const data::Table spheres = data::uniform_spheres(
+      {.count = 23, .side = 10, .radius_max = 3, .seed = 1}, format_of(24, 8));
   const Comparisons pairs = Comparisons::all_pairs(spheres, graph.inputs()).value();
   const Comparisons rows = Comparisons::rows(spheres, {"r", "cx"}).value();
   for (const Comparisons* data : {&pairs, &rows}) {
@@ -88,22 +86,22 @@ bool expect_known(const NodeMagnitude& known, const mpq_class& value) {
   return known.grid != NodeMagnitude::unknown;
 }
 
-int expect_all_known(const model::TypedGraph& lane, int precision, const Comparisons& data) {
+int expect_all_known(const TypedGraph& lane, int precision, const Comparisons& data) {
   const OperandSource source(data);
   std::vector<NodeMagnitude> inputs;
   for (std::size_t k = 0; k < data.input_count(); ++k) {
-    inputs.push_back(model::magnitude_of(source.values(k)));
+    inputs.push_back(profile::magnitude_of(source.values(k)));
   }
-  const auto magnitudes = node_magnitudes(lane, precision, inputs);
+  const auto magnitudes = profile::node_magnitudes(lane, precision, inputs);
   std::vector<Bits> operands(data.input_count());
   int grids = 0;
   for (std::uint64_t k = 0; k < data.size(); ++k) {
     data.fetch(k, operands);
-    const auto values = model::golden::evaluate(lane, operands);
+    const auto values = golden::evaluate(lane, operands);
     for (std::size_t id = 0; id < values.size(); ++id) {
       const FloatFormat format = lane.nodes[id].format;
       if (format.is_nan(values[id].bits) || format.is_infinite(values[id].bits)) continue;
-      const mpq_class value = abs(model::to_rational(format, values[id].bits));
+      const mpq_class value = abs(to_rational(format, values[id].bits));
       grids += expect_known(magnitudes[id], value) ? 1 : 0;
     }
   }
@@ -118,10 +116,10 @@ TEST(NodeMagnitudes, HoldForEverythingComputed) {
     for (const Family family : {Family::uniform, Family::small_grid, Family::neighbours}) {
       const int precision = 4 + static_cast<int>(random() % 30);
       const auto arithmetics = every_arithmetic(format_of(precision, 15));
-      const model::Arithmetic arithmetic = arithmetics[random() % arithmetics.size()];
-      const model::Scene scene = scene_of(graph_of(f, g), binary64, arithmetic);
+      const Arithmetic arithmetic = arithmetics[random() % arithmetics.size()];
+      const scene::Scene scene = scene_of(graph_of(f, g), binary64, arithmetic);
       const Comparisons data = random_rows(scene, family, 40, random);
-      for (const auto inputs : {model::LaneInputs::exact, model::LaneInputs::rounded}) {
+      for (const auto inputs : {LaneInputs::exact, LaneInputs::rounded}) {
         SCOPED_TRACE(f + " against " + g);
         const auto lane = lane_graph(scene.graph, binary64, arithmetic, inputs);
         grids += expect_all_known(lane, precision, data);
@@ -137,7 +135,7 @@ TEST(Workers, TakeEveryItemOnce) {
     std::vector<int> taken(1003, 0);
     std::mutex mutex;
     run_workers({.size = taken.size(), .block = 17, .threads = threads},
-                [&](const model::BlockSource& next) {
+                [&](const profile::BlockSource& next) {
                   std::uint64_t first = 0, count = 0;
                   while (next(first, count)) {
                     const std::lock_guard lock(mutex);
@@ -150,7 +148,7 @@ TEST(Workers, TakeEveryItemOnce) {
 
 TEST(Workers, PassOnWhatOneThrows) {
   const auto run = [] {
-    run_workers({.size = 100, .block = 1, .threads = 3}, [](const model::BlockSource& next) {
+    run_workers({.size = 100, .block = 1, .threads = 3}, [](const profile::BlockSource& next) {
       std::uint64_t first = 0, count = 0;
       while (next(first, count)) {
         if (first == 40) throw std::runtime_error("forty");

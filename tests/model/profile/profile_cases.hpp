@@ -14,9 +14,8 @@
 /// Scenes and data for the tests of model/profile.
 namespace mixcmp::test {
 
-inline model::Scene scene_of(model::Graph graph, model::FloatFormat reference,
-                             const model::Arithmetic& reduced) {
-  model::Scene scene{.graph = std::move(graph), .reference = {.format = reference}};
+inline scene::Scene scene_of(Graph graph, FloatFormat reference, const Arithmetic& reduced) {
+  scene::Scene scene{.graph = std::move(graph), .reference = {.format = reference}};
   scene.ranges.resize(scene.graph.inputs().size());
   scene.reduced.format = reduced.format;
   scene.reduced.rounding = reduced.rounding;
@@ -25,10 +24,9 @@ inline model::Scene scene_of(model::Graph graph, model::FloatFormat reference,
 }
 
 /// One column an input.
-inline model::Comparisons rows_of(const model::Graph& graph, model::FloatFormat format,
-                                  std::vector<model::Bits> values) {
-  model::Table table{.format = format, .columns = graph.inputs(), .values = std::move(values)};
-  return model::Comparisons::rows(std::move(table), graph.inputs()).value();
+inline data::Comparisons rows_of(const Graph& graph, FloatFormat format, std::vector<Bits> values) {
+  data::Table table{.format = format, .columns = graph.inputs(), .values = std::move(values)};
+  return data::Comparisons::rows(std::move(table), graph.inputs()).value();
 }
 
 /// Where operands come from; each is hard for the envelope in another way.
@@ -45,21 +43,21 @@ inline constexpr Family all_families[] = {
     Family::uniform, Family::small_grid, Family::neighbours, Family::cancelling,
     Family::lowest,  Family::wide,       Family::encodings};
 
-inline model::Bits random_operand(Family family, model::FloatFormat format, model::FloatFormat lane,
-                                  std::mt19937_64& random) {
+inline Bits random_operand(Family family, FloatFormat format, FloatFormat lane,
+                           std::mt19937_64& random) {
   const auto below = [&](int end) {
     return static_cast<int>(random() % static_cast<unsigned>(end));
   };
   const int fraction_bits = format.fraction_bits();
-  const model::Bits fraction = random() & model::low_mask(fraction_bits);
-  const model::Bits one = format.pack(false, format.bias(), 0);
+  const Bits fraction = random() & low_mask(fraction_bits);
+  const Bits one = format.pack(false, format.bias(), 0);
   switch (family) {
     case Family::uniform: return one | fraction;
-    case Family::small_grid: return model::from_rational(format, mpq_class(below(9) - 2, 4));
-    case Family::neighbours: return one + model::Bits(below(40)) * (below(4) == 0 ? 1 : 1000);
+    case Family::small_grid: return from_rational(format, mpq_class(below(9) - 2, 4));
+    case Family::neighbours: return one + Bits(below(40)) * (below(4) == 0 ? 1 : 1000);
     case Family::cancelling: {
-      const model::Bits three_quarters =
-          format.pack(false, format.bias() - 1, model::Bits{1} << (fraction_bits - 1));
+      const Bits three_quarters =
+          format.pack(false, format.bias() - 1, Bits{1} << (fraction_bits - 1));
       return three_quarters + ((fraction >> 1) >> below(fraction_bits));
     }
     case Family::lowest: {
@@ -79,9 +77,9 @@ inline model::Bits random_operand(Family family, model::FloatFormat format, mode
   return one;
 }
 
-inline model::Comparisons random_rows(const model::Scene& scene, Family family, std::size_t count,
-                                      std::mt19937_64& random) {
-  std::vector<model::Bits> values;
+inline data::Comparisons random_rows(const scene::Scene& scene, Family family, std::size_t count,
+                                     std::mt19937_64& random) {
+  std::vector<Bits> values;
   for (std::size_t k = 0; k < count * scene.graph.inputs().size(); ++k) {
     values.push_back(random_operand(family, scene.reference.format, *scene.reduced.format, random));
   }

@@ -22,30 +22,25 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::Bits;
-using model::CombinedLane;
-using model::Comparisons;
-using model::ErrorProfile;
-using model::FloatFormat;
-using model::LaneInputs;
-using model::ProfileOptions;
-using model::RateProfile;
-using model::Scene;
-using model::SystemCounts;
-using model::SystemKind;
-using model::SystemLanes;
-using model::Verdict;
-using model::golden::evaluate_lane;
-using model::golden::evaluate_reference;
-using model::golden::true_verdict;
+using data::Comparisons;
+using error::CombinedLane;
+using golden::evaluate_lane;
+using golden::evaluate_reference;
+using golden::true_verdict;
+using profile::ErrorProfile;
+using profile::ProfileOptions;
+using profile::RateProfile;
+using profile::SystemCounts;
+using profile::SystemKind;
+using profile::SystemLanes;
+using scene::Scene;
 
 struct Truth {
   Verdict reference, real;
 };
 
 std::vector<Truth> truths(const Scene& scene, const Comparisons& data) {
-  const model::CombinedGraph reference = reference_graphs(scene.graph, scene.reference);
+  const CombinedGraph reference = reference_graphs(scene.graph, scene.reference);
   std::vector<Truth> result;
   std::vector<Bits> operands(data.input_count());
   for (std::uint64_t index = 0; index < data.size(); ++index) {
@@ -58,9 +53,9 @@ std::vector<Truth> truths(const Scene& scene, const Comparisons& data) {
 
 /// What the lane would say without its error bound.
 Verdict order_of_parts(const CombinedLane& lane, const std::vector<Bits>& operands) {
-  std::vector<model::TypedGraph> graphs;
-  for (const model::Lane& part : lane.parts) graphs.push_back(part.graph);
-  return evaluate_reference(model::CombinedGraph(lane.combination, graphs), operands);
+  std::vector<TypedGraph> graphs;
+  for (const error::Lane& part : lane.parts) graphs.push_back(part.graph);
+  return evaluate_reference(CombinedGraph(lane.combination, graphs), operands);
 }
 
 SystemCounts golden_counts(SystemKind kind, const CombinedLane& lane, const Comparisons& data,
@@ -126,18 +121,18 @@ RateProfile checked_profile(const Scene& scene, const Comparisons& data, LaneInp
 const FloatFormat binary64 = format_of(53, 11);
 
 Arithmetic nearest(FloatFormat format) {
-  return {format, model::Rounding::nearest_even, model::Subnormals::flush};
+  return {format, Rounding::nearest_even, Subnormals::flush};
 }
 
 Comparisons spheres(const Scene& scene, std::size_t count, double radius_max) {
-  model::Table table = uniform_spheres(
+  data::Table table = data::uniform_spheres(
       {.count = count, .side = 100, .radius_max = radius_max, .seed = 5}, scene.reference.format);
   return Comparisons::all_pairs(std::move(table), scene.graph.inputs()).value();
 }
 
 Scene sphere_scene() {
   Scene scene = scene_of(sphere_graph(), format_of(53, 8), nearest(format_of(8, 8)));
-  for (auto& range : scene.ranges) range = model::Range{0, 100};
+  for (auto& range : scene.ranges) range = Range{0, 100};
   return scene;
 }
 
@@ -158,15 +153,16 @@ TEST(Rates, OfTwoTablesAreTheGoldenModels) {
   const Scene scene = sphere_scene();
   const FloatFormat format = scene.reference.format;
   const auto table = [&](std::size_t count, double side, std::uint64_t seed) {
-    return uniform_spheres({.count = count, .side = side, .radius_max = 40, .seed = seed}, format);
+    return data::uniform_spheres({.count = count, .side = side, .radius_max = 40, .seed = seed},
+                                 format);
   };
   const std::vector<std::string>& inputs = scene.graph.inputs();
   checked_profile(scene, Comparisons::cross(table(20, 100, 1), table(25, 130, 2), inputs).value(),
                   LaneInputs::exact, options_of(4, 30), "cross");
   Scene nearest_centre = scene;
   nearest_centre.graph = graph_of("(cx - cxi)^2 + (cy - cyi)^2", "(cx - cxj)^2 + (cy - cyj)^2");
-  nearest_centre.ranges.assign(6, model::Range{0, 100});
-  const auto contest = model::reference_contest(reference_graph(nearest_centre.graph, {format}));
+  nearest_centre.ranges.assign(6, Range{0, 100});
+  const auto contest = workload::reference_contest(reference_graph(nearest_centre.graph, {format}));
   const auto data = Comparisons::arg_min(table(40, 100, 3), table(9, 130, 4),
                                          nearest_centre.graph.inputs(), contest);
   checked_profile(nearest_centre, data.value(), LaneInputs::exact, options_of(4, 30), "arg_min");
@@ -178,7 +174,7 @@ TEST(Rates, CallNobodyWrongWhereTheTruthIsUndetermined) {
   std::vector<Bits> operands;
   for (int k = 0; k < 10; ++k) {
     for (const int n : {k + 2, 3 * k + 1}) {
-      operands.push_back(model::from_rational(scene.reference.format, mpq_class(n, 7)));
+      operands.push_back(from_rational(scene.reference.format, mpq_class(n, 7)));
     }
   }
   const Comparisons data = rows_of(scene.graph, scene.reference.format, operands);
@@ -200,8 +196,9 @@ TEST(Rates, CallNobodyWrongWhereTheTruthIsUndetermined) {
 
 TEST(Rates, OfHardFamiliesAreTheGoldenModels) {
   const Scene scene = sphere_scene();
-  for (const std::string& name : model::sphere_family_names()) {
-    auto pairs = sphere_family({.name = name, .count = 12, .seed = 3}, scene.reference.format);
+  for (const std::string& name : data::sphere_family_names()) {
+    auto pairs =
+        data::sphere_family({.name = name, .count = 12, .seed = 3}, scene.reference.format);
     const bool near_tie = name.starts_with("near_tie_");
     const bool aimed = name.ends_with("4") || name.ends_with("7");
     if (!pairs.ok() || (near_tie && !aimed)) continue;
@@ -226,7 +223,7 @@ TEST(Rates, OfAnyExpressionAreTheGoldenModels) {
       const Arithmetic reduced = arithmetics[random() % arithmetics.size()];
       Scene scene = scene_of(graph_of(f, g), reference, reduced);
       if (random() % 2 == 0) {
-        for (auto& range : scene.ranges) range = model::Range{0, 4};
+        for (auto& range : scene.ranges) range = Range{0, 4};
       }
       const int first = 4 + static_cast<int>(random() % 4);
       const int last =
@@ -248,7 +245,7 @@ TEST(Rates, OfAnyExpressionAreTheGoldenModels) {
 TEST(Rates, CountDifferencesThatUnderflow) {
   std::mt19937_64 random(13);
   const FloatFormat lane = format_of(8, 5);
-  const Arithmetic reduced{lane, model::Rounding::nearest_even, model::Subnormals::flush};
+  const Arithmetic reduced{lane, Rounding::nearest_even, Subnormals::flush};
   const Scene scene = scene_of(graph_of("a", "b"), format_of(53, 8), reduced);
   const Comparisons data = random_rows(scene, Family::lowest, 200, random);
   const RateProfile profile =
@@ -262,10 +259,10 @@ TEST(Rates, CountDifferencesThatUnderflow) {
 /// Ties stay open through every band, near ties for some. In this order the second band passes on
 /// nearly two blocks at once, where the third one's queue holds nearly one.
 TEST(Rates, OfBlocksThatFillTheQueuesOfAllBandsAreThoseOfOneByOne) {
-  const auto block = static_cast<int>(model::RateWorker::block);
+  const auto block = static_cast<int>(profile::RateWorker::block);
   const FloatFormat format = format_of(53, 8);
   const Scene scene = scene_of(graph_of("x * x", "y * y"), format, {format_of(8, 8)});
-  const auto number = [&](double value) { return model::from_double(format, value); };
+  const auto number = [&](double value) { return from_double(format, value); };
   std::vector<Bits> values;
   const auto add = [&](double x, double y, int count) {
     for (int k = 0; k < count; ++k) values.insert(values.end(), {number(x), number(y)});
@@ -279,7 +276,7 @@ TEST(Rates, OfBlocksThatFillTheQueuesOfAllBandsAreThoseOfOneByOne) {
   ProfileOptions options{.error_samples = 100, .threads = 1};
   const ErrorProfile errors = profile_errors(scene, data, {LaneInputs::exact}, options).front();
   const RateProfile fast = profile_rates(scene, data, errors, options);
-  options.method = model::ProfileMethod::brute_force;
+  options.method = profile::ProfileMethod::brute_force;
   options.threads = 2;
   const RateProfile slow = profile_rates(scene, data, errors, options);
   for (std::size_t system = 0; system < fast.systems.size(); ++system) {
@@ -306,7 +303,7 @@ TEST(Rates, DoNotDependOnThreadsOrMethod) {
   };
   const auto one = counts({.threads = 1});
   EXPECT_EQ(counts({.threads = 3}), one);
-  EXPECT_EQ(counts({.threads = 2, .method = model::ProfileMethod::brute_force}), one);
+  EXPECT_EQ(counts({.threads = 2, .method = profile::ProfileMethod::brute_force}), one);
 }
 
 /// The fast way looks at each part by itself, and at those that outweigh the others.
@@ -314,12 +311,12 @@ TEST(Rates, OfSeveralPartsAreTheGoldenModels) {
   std::mt19937_64 random(11);
   const std::vector<std::pair<std::string, std::string>> parts = {
       {"max(a, b)", "min(c, d)"}, {"(a - b)^2", "c * d"}, {"b - c", "d - a"}};
-  for (const model::Combination combination : {model::Combination::all, model::Combination::any}) {
+  for (const Combination combination : {Combination::all, Combination::any}) {
     for (const Family family : all_families) {
       Scene scene =
           scene_of(graph_of(parts, combination), format_of(53, 8), nearest(format_of(8, 8)));
       if (family == Family::uniform) {
-        for (auto& range : scene.ranges) range = model::Range{1, 2};
+        for (auto& range : scene.ranges) range = Range{1, 2};
       }
       const Comparisons data = random_rows(scene, family, 400, random);
       const auto what =
@@ -327,7 +324,7 @@ TEST(Rates, OfSeveralPartsAreTheGoldenModels) {
       for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
         const RateProfile fast = checked_profile(scene, data, inputs, options_of(6, 16), what);
         ProfileOptions slowly = options_of(6, 16);
-        slowly.method = model::ProfileMethod::brute_force;
+        slowly.method = profile::ProfileMethod::brute_force;
         const RateProfile slow = checked_profile(scene, data, inputs, slowly, what);
         if (family == Family::uniform) {
           EXPECT_LT(fast.emulated, slow.emulated / 2) << what;

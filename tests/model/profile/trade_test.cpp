@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 
@@ -12,16 +13,16 @@
 namespace mixcmp::test {
 namespace {
 
-using model::MeasuredAreas;
-using model::RateProfile;
-using model::Scene;
-using model::SystemCounts;
-using model::SystemKind;
-using model::Trade;
-using model::TradePoint;
+using profile::MeasuredAreas;
+using profile::RateProfile;
+using profile::SystemCounts;
+using profile::SystemKind;
+using profile::Trade;
+using profile::TradePoint;
+using scene::Scene;
 
 Scene sphere_scene() {
-  const model::Arithmetic reduced{format_of(8, 8)};
+  const Arithmetic reduced{format_of(8, 8)};
   Scene scene = scene_of(sphere_graph(), format_of(53, 8), reduced);
   scene.system.slack = 0.25;
   return scene;
@@ -29,14 +30,14 @@ Scene sphere_scene() {
 
 /// Of a thousand comparisons: what each system leaves undecided and errs at L = 8, 9, 10.
 Trade trade_of(const Scene& scene, const MeasuredAreas& areas) {
-  model::ErrorProfile errors{
+  profile::ErrorProfile errors{
       .comparisons = 1000, .precisions = {}, .no_f_bound = {}, .no_g_bound = {}};
   for (int precision = 8; precision <= 10; ++precision) {
     errors.precisions.push_back(
         {.precision = precision, .f = mpq_class(1, 50), .g = mpq_class(1, 50)});
   }
   RateProfile rates{.first_precision = 8, .comparisons = 1000, .reference_wrong = 3};
-  for (const model::SystemLanes& system : make_systems(scene, errors)) {
+  for (const profile::SystemLanes& system : make_systems(scene, errors)) {
     const std::uint64_t wrong = system.kind == SystemKind::lanes_alone ? 20
                                 : system.kind == SystemKind::profiled  ? 1
                                                                        : 0;
@@ -58,7 +59,7 @@ const TradePoint& point_of(const Trade& trade, const std::string& system, int pr
 
 class Areas : public testing::Test {
 protected:
-  model::Result<MeasuredAreas> read(const std::string& text) {
+  Result<MeasuredAreas> read(const std::string& text) {
     const auto path = directory_.path() / "areas.csv";
     std::ofstream(path) << text;
     return MeasuredAreas::read(path);
@@ -77,6 +78,14 @@ TEST_F(Areas, ReplaceTheModels) {
   EXPECT_DOUBLE_EQ(measured.per_kiloluts, 1000.0 / 1500);
   EXPECT_FALSE(point_of(trade, "relative", 10).measured);
   EXPECT_FALSE(point_of(trade, "profiled", 9).measured);
+}
+
+TEST_F(Areas, AreThoseOfAWholeFile) {
+  EXPECT_NE(MeasuredAreas::read("/proc/self/mem").error().to_string().find("cannot be read"),
+            std::string::npos);
+  const std::string pipe = (directory_.path() / "pipe").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(MeasuredAreas::read(pipe).error().received, "no readable regular file");
 }
 
 TEST_F(Areas, NameWhatIsWrong) {
@@ -120,19 +129,33 @@ TEST(TradeAdvice, SaysWhereNothingQualifies) {
   EXPECT_NE(cheapest(trade, 2), nullptr);
 }
 
+TEST(TradeAdvice, TakesAnUndeterminedTruthForAWrongVerdict) {
+  Trade trade;
+  trade.points = {{.system = "relative", .kind = SystemKind::certified, .per_kiloluts = 1}};
+  EXPECT_NE(cheapest(trade, 0), nullptr);
+  trade.undetermined_per_million = 4;
+  EXPECT_EQ(cheapest(trade, 0), nullptr);
+  EXPECT_EQ(cheapest(trade, 3), nullptr);
+  EXPECT_NE(cheapest(trade, 4), nullptr);
+  for (const double accepted : {0.0, 4.0}) {
+    EXPECT_NE(report::advice(trade, accepted).find("4 per million whose truth is undetermined"),
+              std::string::npos);
+  }
+}
+
 TEST(CostModel, GrowsWithPrecisionAndWithTheErrorUnit) {
   const Scene scene = sphere_scene();
   double before = 0;
   for (int precision = 4; precision <= 52; ++precision) {
-    const model::TypedGraph graph =
-        graphs_at(scene, precision, model::LaneInputs::rounded).parts.front();
-    const model::Lane alone{graph, model::UlpDistanceDecision{.guard_ulp = 0, .nonnegative = true}};
-    const model::Lane profiled = model::profiled_lane(graph, mpq_class(1, 9), mpq_class(1, 9));
-    EXPECT_GT(lane_luts(alone), before);
-    EXPECT_GT(lane_luts(profiled), lane_luts(alone) + 100);
-    before = lane_luts(alone);
+    const TypedGraph graph =
+        profile::graphs_at(scene, precision, LaneInputs::rounded).parts.front();
+    const error::Lane alone{graph, error::UlpDistanceDecision{.guard_ulp = 0, .nonnegative = true}};
+    const error::Lane profiled = error::profiled_lane(graph, mpq_class(1, 9), mpq_class(1, 9));
+    EXPECT_GT(profile::lane_luts(alone), before);
+    EXPECT_GT(profile::lane_luts(profiled), profile::lane_luts(alone) + 100);
+    before = profile::lane_luts(alone);
   }
-  EXPECT_GT(reference_luts(reference_graph(scene.graph, scene.reference)), before);
+  EXPECT_GT(profile::reference_luts(reference_graph(scene.graph, scene.reference)), before);
 }
 
 }  // namespace

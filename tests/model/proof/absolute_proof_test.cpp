@@ -13,19 +13,16 @@
 namespace mixcmp::test {
 namespace {
 
-using model::ErrorAnalysis;
-using model::ErrorBoundKind;
-using model::Lane;
-using model::LaneInputs;
-using model::NodeId;
-using model::Rounding;
-using namespace model::proof;
+using error::ErrorAnalysis;
+using error::ErrorBoundKind;
+using error::Lane;
+using namespace proof;
 
 constexpr std::array both_roundings = {Rounding::nearest_even, Rounding::toward_zero};
 
-model::Result<Lane> absolute_lane(const model::Graph& graph, ErrorBoundKind kind,
-                                  Rounding rounding = Rounding::nearest_even,
-                                  const char* format = "s17e8") {
+Result<Lane> absolute_lane(const Graph& graph, ErrorBoundKind kind,
+                           Rounding rounding = Rounding::nearest_even,
+                           const char* format = "s17e8") {
   return lane_of(graph, {.format = format,
                          .rounding = rounding,
                          .inputs = LaneInputs::rounded,
@@ -33,8 +30,8 @@ model::Result<Lane> absolute_lane(const model::Graph& graph, ErrorBoundKind kind
                          .ranges = nonnegative_ranges(graph)});
 }
 
-model::AbsoluteBoundDecision& decision_of(Lane& lane) {
-  return std::get<model::AbsoluteBoundDecision>(lane.decision);
+error::AbsoluteBoundDecision& decision_of(Lane& lane) {
+  return std::get<error::AbsoluteBoundDecision>(lane.decision);
 }
 
 class AbsoluteProof : public WithGappa {
@@ -79,7 +76,7 @@ TEST_F(AbsoluteProof, EveryOperationIsProven) {
            {"a / (b - 0.3)", "sqrt(c * d - a)"},
            {"(a - b) / (c - d)", "(a * b - c)^2 * (d - a)"},
            {"(a - b) * (c - d)", "-(a - 1)"}}) {
-    const model::Graph graph = graph_of(f, g);
+    const Graph graph = graph_of(f, g);
     for (const Rounding rounding : both_roundings) {
       for (const ErrorBoundKind kind : {ErrorBoundKind::running, ErrorBoundKind::constant}) {
         const auto lane = absolute_lane(graph, kind, rounding);
@@ -132,7 +129,7 @@ TEST_F(AbsoluteProof, ChoicesAmongNumbersBeyondDoubleAreProven) {
 TEST_F(AbsoluteProof, RandomLanesAreProven) {
   int lanes = 0;
   for (std::uint64_t seed = 5000; seed < 5025; ++seed) {
-    const model::Graph graph = random_comparison(seed);
+    const Graph graph = random_comparison(seed);
     LaneOptions options = random_options(seed);
     options.kind = seed % 4 == 0 ? ErrorBoundKind::constant : ErrorBoundKind::running;
     if (seed % 3 == 0) options.ranges = nonnegative_ranges(graph);
@@ -180,7 +177,7 @@ TEST_F(AbsoluteProof, AFactorShrunkenByOneInAThousandIsRefused) {
 }
 
 TEST_F(AbsoluteProof, ABoundThatForgetsATermIsRefused) {
-  const model::Graph graph = graph_of("(a - b) * (c - d)", "(a - d) / (b - c)");
+  const Graph graph = graph_of("(a - b) * (c - d)", "(a - d) / (b - c)");
   const Lane lane = absolute_lane(graph, ErrorBoundKind::running).value();
   const ErrorAnalysis analysis = analysis_of(lane);
   int forgotten = 0;
@@ -188,7 +185,7 @@ TEST_F(AbsoluteProof, ABoundThatForgetsATermIsRefused) {
     const auto& mixed = analysis.nodes[id].mixed;
     if (mixed->is_relative()) continue;
     const auto& bound = analysis.bounds[mixed->absolute.bound];
-    if (bound.operation != model::BoundOperation::add) continue;
+    if (bound.operation != error::BoundOperation::add) continue;
     for (const int kept : bound.operands) {
       ErrorAnalysis wrong = analysis;
       wrong.nodes[id].mixed->absolute.bound = kept;
@@ -210,14 +207,14 @@ TEST_F(AbsoluteProof, BoundsOfTheOtherRoundingAreRefused) {
 TEST_F(AbsoluteProof, AConversionThatTheBoundsForgetIsRefused) {
   const Lane lane = absolute_lane(sphere_graph(), ErrorBoundKind::running).value();
   Lane forgetful = lane;
-  for (model::TypedNode& node : forgetful.graph.nodes) {
-    if (node.operation == model::Operation::convert) node.operand_format = node.format;
+  for (TypedNode& node : forgetful.graph.nodes) {
+    if (node.operation == Operation::convert) node.operand_format = node.format;
   }
   EXPECT_TRUE(prove(lane, analysis_of(forgetful)).refused());
 }
 
 TEST_F(AbsoluteProof, ALaneThatDoesNotKeepToItsAnalysisIsRefused) {
-  const model::Graph graph = graph_of("(a - d) / (b - c)", "a * b");
+  const Graph graph = graph_of("(a - d) / (b - c)", "a * b");
   const Lane lane = absolute_lane(graph, ErrorBoundKind::running, Rounding::toward_zero).value();
   ASSERT_TRUE(prove(lane).machine_checked()) << report::to_text(prove(lane), "");
   Lane unguarded = lane;
@@ -229,8 +226,8 @@ TEST_F(AbsoluteProof, ALaneThatDoesNotKeepToItsAnalysisIsRefused) {
   decision_of(unconditional).conditions.clear();
   EXPECT_TRUE(prove(unconditional).refused());
   Lane cheaper = lane;
-  for (model::BoundNode& node : decision_of(cheaper).bound.nodes) {
-    if (node.operation == model::BoundOperation::constant) {
+  for (error::BoundNode& node : decision_of(cheaper).bound.nodes) {
+    if (node.operation == error::BoundOperation::constant) {
       node.constant *= 1 - mpq_class(1, 1 << 10);
       break;
     }

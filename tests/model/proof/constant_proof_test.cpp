@@ -23,12 +23,10 @@
 namespace mixcmp::test {
 namespace {
 
-using model::ErrorBoundKind;
-using model::Lane;
-using model::LaneInputs;
-using model::Range;
-using model::RangeCheck;
-using namespace model::proof;
+using error::ErrorBoundKind;
+using error::Lane;
+using error::RangeCheck;
+using namespace proof;
 
 using Ranges = std::vector<std::optional<Range>>;
 
@@ -39,13 +37,12 @@ struct Ranged {
   Ranges ranges;  ///< of inputs in the order in which f and g name them
 };
 
-model::Result<Lane> lane_of(const Ranged& ranged, LaneInputs inputs, model::Rounding rounding,
-                            ErrorBoundKind kind = ErrorBoundKind::constant) {
-  const model::Arithmetic arithmetic = {format(ranged.format), rounding,
-                                        model::Subnormals::gradual};
-  const model::Graph graph = graph_of(ranged.f, ranged.g);
-  return certified_lane(lane_graph(graph, format("s53e11"), arithmetic, inputs),
-                        {.kind = kind, .ranges = ranged.ranges});
+Result<Lane> lane_of(const Ranged& ranged, LaneInputs inputs, Rounding rounding,
+                     ErrorBoundKind kind = ErrorBoundKind::constant) {
+  const Arithmetic arithmetic = {format(ranged.format), rounding, Subnormals::gradual};
+  const Graph graph = graph_of(ranged.f, ranged.g);
+  return error::certified_lane(lane_graph(graph, format("s53e11"), arithmetic, inputs),
+                               {.kind = kind, .ranges = ranged.ranges});
 }
 
 /// The constant of the first leaves a magnitude nearly twice its binade.
@@ -69,7 +66,7 @@ protected:
   }
   void for_every_lane(const std::function<void(const Lane&)>& visit) {
     for (const Ranged& ranged : every_term()) {
-      for (const auto rounding : {model::Rounding::nearest_even, model::Rounding::toward_zero}) {
+      for (const auto rounding : {Rounding::nearest_even, Rounding::toward_zero}) {
         for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
           SCOPED_TRACE(std::string(ranged.f) + " : " + ranged.g);
           const auto lane = lane_of(ranged, inputs, rounding);
@@ -101,10 +98,10 @@ TEST_F(ConstantProof, EveryTermIsProvenOperationByOperation) {
 /// reciprocals, up to twice too large as a power of two, and what rounding up to few digits hides.
 TEST_F(ConstantProof, AConstantSmallerByOneInAThousandIsRefused) {
   for_every_lane([&](Lane lane) {
-    auto& decision = std::get<model::AbsoluteBoundDecision>(lane.decision);
-    const std::vector<model::BoundNode> bounds = analysis_of(lane).bounds;
+    auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision);
+    const std::vector<error::BoundNode> bounds = analysis_of(lane).bounds;
     const bool divides = std::any_of(bounds.begin(), bounds.end(), [](const auto& node) {
-      return node.operation == model::BoundOperation::reciprocal;
+      return node.operation == error::BoundOperation::reciprocal;
     });
     const int one_in = lane.graph.arithmetic.format.precision() < 16 ? 25 : 1000;
     decision.bound.nodes.back().constant *= 1 - mpq_class(1, divides ? 2 : one_in);
@@ -115,7 +112,7 @@ TEST_F(ConstantProof, AConstantSmallerByOneInAThousandIsRefused) {
 
 /// One step of a check's limit is 12 %.
 TEST_F(ConstantProof, ChecksThatLetMorePassAreRefused) {
-  Lane lane = lane_of(every_term()[0], LaneInputs::rounded, model::Rounding::nearest_even).value();
+  Lane lane = lane_of(every_term()[0], LaneInputs::rounded, Rounding::nearest_even).value();
   ASSERT_TRUE(prove(lane, Effort::operations).machine_checked());
   lane.checks[0].greatest += 1;
   EXPECT_TRUE(prove(lane, Effort::operations).refused());
@@ -127,7 +124,7 @@ TEST_F(ConstantProof, AConditionThatTheRangesBreakIsRefused) {
         "a / (b * d - e)", "c", "s8e8", {Range{1, 2}, Range{2, 3}, Range{2, 3}, e, Range{1, 2}}};
   };
   const auto constant = [&](const Range& e) {
-    return lane_of(with_divisor(e), LaneInputs::rounded, model::Rounding::nearest_even);
+    return lane_of(with_divisor(e), LaneInputs::rounded, Rounding::nearest_even);
   };
   Lane lane = constant({20, 30}).value();
   const LaneProof proof = prove(lane, Effort::operations);
@@ -139,9 +136,9 @@ TEST_F(ConstantProof, AConditionThatTheRangesBreakIsRefused) {
   EXPECT_NE(refused.error().to_string().find("closer to zero than its own error"),
             std::string::npos);
   for (RangeCheck& check : lane.checks) {
-    if (check.input == 3) check = model::range_check(3, lane.graph.input_format, {11, 30});
+    if (check.input == 3) check = error::range_check(3, lane.graph.input_format, {11, 30});
   }
-  std::get<model::AbsoluteBoundDecision>(lane.decision).bound.nodes.back().constant *= 1000;
+  std::get<error::AbsoluteBoundDecision>(lane.decision).bound.nodes.back().constant *= 1000;
   const LaneProof wider =
       prove_absolute(lane, analysis_of(lane), std::ref(prover_), Effort::operations);
   ASSERT_TRUE(wider.refused()) << report::to_text(wider, "");
@@ -151,8 +148,7 @@ TEST_F(ConstantProof, AConditionThatTheRangesBreakIsRefused) {
 TEST_F(ConstantProof, TheVerdictNamesWhatIsByHand) {
   const Ranged& ranged = every_term()[1];
   const auto verdict = [&](ErrorBoundKind kind) {
-    const Lane lane =
-        lane_of(ranged, LaneInputs::rounded, model::Rounding::nearest_even, kind).value();
+    const Lane lane = lane_of(ranged, LaneInputs::rounded, Rounding::nearest_even, kind).value();
     return prove(lane, Effort::operations).verdict();
   };
   EXPECT_EQ(verdict(ErrorBoundKind::constant),
@@ -174,8 +170,7 @@ TEST_F(ConstantProof, HazardsAreLeftOutWhereGappaSaysSoAndNowhereElse) {
                          "s8e4",
                          {Range{1, 8}, Range{1, 8}, Range{2, 4}, Range{-1, 3}, Range{1, 8}}};
   Lane lane =
-      lane_of(ranged, LaneInputs::exact, model::Rounding::nearest_even, ErrorBoundKind::running)
-          .value();
+      lane_of(ranged, LaneInputs::exact, Rounding::nearest_even, ErrorBoundKind::running).value();
   const auto refused = [&](const Lane& one) {
     const std::vector<Finding> findings = prove_hazards(one, std::ref(prover_));
     return std::any_of(findings.begin(), findings.end(),
@@ -184,13 +179,13 @@ TEST_F(ConstantProof, HazardsAreLeftOutWhereGappaSaysSoAndNowhereElse) {
   EXPECT_FALSE(refused(lane));
   int promises = 0;
   for (std::size_t id = 0; id < lane.graph.nodes.size(); ++id) {
-    if (!model::has_unit(lane.graph.nodes[id].operation)) continue;
-    const bool sums = lane.graph.nodes[id].operation == model::Operation::subtract;
-    for (bool model::Hazards::*const hazard :
-         {&model::Hazards::special_operand, &model::Hazards::overflow, &model::Hazards::underflow,
-          &model::Hazards::cancellation}) {
+    if (!error::has_unit(lane.graph.nodes[id].operation)) continue;
+    const bool sums = lane.graph.nodes[id].operation == Operation::subtract;
+    for (bool error::Hazards::*const hazard :
+         {&error::Hazards::special_operand, &error::Hazards::overflow, &error::Hazards::underflow,
+          &error::Hazards::cancellation}) {
       Lane bold = lane;
-      const bool counts = hazard != &model::Hazards::cancellation || sums;
+      const bool counts = hazard != &error::Hazards::cancellation || sums;
       if (!counts || !(bold.hazards[id].*hazard)) continue;
       bold.hazards[id].*hazard = false;
       EXPECT_TRUE(refused(bold)) << "node " << id;
@@ -204,10 +199,9 @@ TEST_F(ConstantProof, HazardsAreLeftOutWhereGappaSaysSoAndNowhereElse) {
 TEST_F(ConstantProof, HazardsOfFewerExponentBitsAreRefused) {
   const Ranged ranged = {"a * b", "c", "s8e8", {Range{1, 100}, Range{1, 100}, Range{1, 100}}};
   Lane lane =
-      lane_of(ranged, LaneInputs::exact, model::Rounding::nearest_even, ErrorBoundKind::running)
-          .value();
+      lane_of(ranged, LaneInputs::exact, Rounding::nearest_even, ErrorBoundKind::running).value();
   EXPECT_TRUE(prove(lane, Effort::operations).machine_checked());
-  for (model::TypedNode& node : lane.graph.nodes) {
+  for (TypedNode& node : lane.graph.nodes) {
     if (node.format == format("s8e8")) node.format = format("s8e4");
   }
   const std::vector<Finding> findings = prove_hazards(lane, std::ref(prover_));
@@ -220,7 +214,7 @@ TEST_F(ConstantProof, RandomLanesWithRangesAreProven) {
   const Ranges ranges = {Range{mpq_class(1, 3), 5}, Range{3, mpq_class(7, 2)}, Range{-9, -1}};
   int lanes = 0;
   for (std::uint64_t seed = 1; seed < 24; ++seed) {
-    const model::Graph graph = random_comparison(seed);
+    const Graph graph = random_comparison(seed);
     LaneOptions options = random_options(seed);
     options.kind = seed % 4 == 0 ? ErrorBoundKind::running : ErrorBoundKind::constant;
     options.ranges = {ranges.begin(), ranges.begin() + static_cast<long>(graph.inputs().size())};
@@ -235,17 +229,16 @@ TEST_F(ConstantProof, RandomLanesWithRangesAreProven) {
 
 /// Read off the bits: as wide as what passes, and no wider.
 TEST(EnforcedRange, EnclosesWhatPassesTightly) {
-  using model::Bits;
-  const model::FloatFormat format = format_of(6, 5);
+  const FloatFormat format = format_of(6, 5);
   for (const Range& range : {Range{0, 100}, Range{1, 3}, Range{-4, 4}, Range{-9, -1}, Range{0, 0},
                              Range{mpq_class(1, 20000), mpq_class(1, 3)}}) {
-    const RangeCheck check = model::range_check(0, format, range);
+    const RangeCheck check = error::range_check(0, format, range);
     const std::optional<Range> enforced = enforced_range(check, format);
     ASSERT_TRUE(enforced);
     std::optional<Range> passing;
     for (Bits bits = 0; bits < Bits{1} << format.width(); ++bits) {
-      if (!model::golden::passes(check, format, bits)) continue;
-      const mpq_class value = model::to_rational(format, bits);
+      if (!golden::passes(check, format, bits)) continue;
+      const mpq_class value = to_rational(format, bits);
       if (!passing) passing = Range{value, value};
       passing = Range{std::min(passing->low, value), std::max(passing->high, value)};
     }
@@ -254,11 +247,11 @@ TEST(EnforcedRange, EnclosesWhatPassesTightly) {
 }
 
 TEST(EnforcedRange, IsNoneWhereInfinitiesOrNansPass) {
-  const model::FloatFormat format = format_of(6, 5);
-  RangeCheck check = model::range_check(0, format, {1, 3});
-  check.greatest = model::low_mask(check.leading_bits);
+  const FloatFormat format = format_of(6, 5);
+  RangeCheck check = error::range_check(0, format, {1, 3});
+  check.greatest = low_mask(check.leading_bits);
   EXPECT_FALSE(enforced_range(check, format));
-  EXPECT_FALSE(enforced_range(model::sign_check(0, model::RequiredSign::nonnegative), format));
+  EXPECT_FALSE(enforced_range(error::sign_check(0, error::RequiredSign::nonnegative), format));
 }
 
 }  // namespace

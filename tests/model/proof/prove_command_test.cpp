@@ -38,7 +38,7 @@ std::string scene(const char* example) {
 class ProvenExample : public ProveCommand, public testing::WithParamInterface<std::string> {};
 
 TEST_P(ProvenExample, IsProvenInEveryPrecision) {
-  if (!model::proof::gappa_version()) GTEST_SKIP() << "gappa is not installed";
+  if (!proof::gappa_version()) GTEST_SKIP() << "gappa is not installed";
   const Outcome run = mixcmp(
       fmt::format("check {} --prove --precisions 4,8,17,24,52 --json", scene(GetParam().c_str())));
   ASSERT_EQ(run.exit_code, 0) << run.output;
@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Examples, ProvenExample,
                          [](const auto& tested) { return tested.param; });
 
 TEST_F(ProveCommand, KeepsEverythingInTheDirectoryAsked) {
-  if (!model::proof::gappa_version()) GTEST_SKIP() << "gappa is not installed";
+  if (!proof::gappa_version()) GTEST_SKIP() << "gappa is not installed";
   const std::string arguments =
       "check " + scene("sphere_collision") + " --prove --proof-dir kept --precisions 8,17";
   const Outcome first = mixcmp(arguments);

@@ -16,7 +16,7 @@ namespace mixcmp::test {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace model::proof;
+using namespace proof;
 
 const std::string truth = "{ x in [0, 1] -> x * x in [0, 1] }\n";
 const std::string falsehood = "{ x in [0, 1] -> x * x in [0, 0.5] }\n";
@@ -87,10 +87,10 @@ TEST_F(Provers, ScriptCertificateAndVerdictAreKept) {
   EXPECT_EQ(result.outcome, Outcome::proven);
   const std::string stem = only_stem(kept_, ".g");
   EXPECT_EQ(result.file, stem + ".g");
-  EXPECT_EQ(model::read_file(kept_ / (stem + ".g")).value(), truth);
-  const std::string certificate = model::read_file(kept_ / (stem + ".v")).value();
+  EXPECT_EQ(read_file(kept_ / (stem + ".g")).value(), truth);
+  const std::string certificate = read_file(kept_ / (stem + ".v")).value();
   EXPECT_NE(certificate.find("Qed"), std::string::npos);
-  const std::string verdict = model::read_file(kept_ / (stem + ".verdict")).value();
+  const std::string verdict = read_file(kept_ / (stem + ".verdict")).value();
   EXPECT_NE(verdict.find("gappa " + *gappa_version()), std::string::npos);
   EXPECT_NE(verdict.find("\nproven\n"), std::string::npos);
 }
@@ -124,12 +124,12 @@ TEST_F(Provers, ASecondRunReusesWhatIsProvenAndOnlyThat) {
   EXPECT_TRUE(proven_anew());
   write(kept_ / (stem + ".verdict"), "gappa 0.1\n");
   EXPECT_TRUE(proven_anew());
-  EXPECT_EQ(model::read_file(kept_ / (stem + ".g")).value(), truth);
+  EXPECT_EQ(read_file(kept_ / (stem + ".g")).value(), truth);
 }
 
 /// One that asks the real Gappa no more proves that nothing had to be asked.
 TEST_F(Provers, AnInterruptedRunResumes) {
-  const model::Lane lane = lane_of(sphere_graph(), {}).value();
+  const error::Lane lane = lane_of(sphere_graph(), {}).value();
   int scripts = 0;
   {
     ProofDirectory directory = opened(kept_);

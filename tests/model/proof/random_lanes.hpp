@@ -10,8 +10,7 @@
 namespace mixcmp::test {
 
 /// A random expression of every operation in inputs a, b, c and a few constants.
-inline model::NodeId random_expression(model::Graph& graph, std::mt19937_64& random, int depth) {
-  using model::Operation;
+inline NodeId random_expression(Graph& graph, std::mt19937_64& random, int depth) {
   static constexpr std::array operations = {
       Operation::add,    Operation::subtract,    Operation::multiply, Operation::square,
       Operation::divide, Operation::square_root, Operation::minimum,  Operation::maximum,
@@ -23,15 +22,15 @@ inline model::NodeId random_expression(model::Graph& graph, std::mt19937_64& ran
     return graph.input(std::string(1, static_cast<char>('a' + below(3))));
   }
   const Operation operation = operations[below(operations.size())];
-  const model::NodeId first = random_expression(graph, random, depth - 1);
+  const NodeId first = random_expression(graph, random, depth - 1);
   if (arity(operation) == 1) return graph.apply(operation, first);
   return graph.apply(operation, first, random_expression(graph, random, depth - 1));
 }
 
-inline model::Graph random_comparison(std::uint64_t seed) {
+inline Graph random_comparison(std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  model::Graph graph;
-  const model::NodeId f = random_expression(graph, random, 3);
+  Graph graph;
+  const NodeId f = random_expression(graph, random, 3);
   graph.compare(f, random_expression(graph, random, 3));
   return graph;
 }
@@ -39,10 +38,9 @@ inline model::Graph random_comparison(std::uint64_t seed) {
 inline LaneOptions random_options(std::uint64_t seed) {
   static constexpr std::array formats = {"s4e8", "s8e8", "s11e5", "s17e8", "s24e8", "s52e11"};
   std::mt19937_64 random(seed ^ 0x9e3779b97f4a7c15u);
-  return {
-      .format = formats[random() % formats.size()],
-      .rounding = random() % 2 == 0 ? model::Rounding::nearest_even : model::Rounding::toward_zero,
-      .inputs = random() % 2 == 0 ? model::LaneInputs::exact : model::LaneInputs::rounded};
+  return {.format = formats[random() % formats.size()],
+          .rounding = random() % 2 == 0 ? Rounding::nearest_even : Rounding::toward_zero,
+          .inputs = random() % 2 == 0 ? LaneInputs::exact : LaneInputs::rounded};
 }
 
 }  // namespace mixcmp::test

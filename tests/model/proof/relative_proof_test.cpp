@@ -12,10 +12,8 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Lane;
-using model::NodeId;
-using model::Rounding;
-using namespace model::proof;
+using error::Lane;
+using namespace proof;
 
 constexpr std::array both_roundings = {Rounding::nearest_even, Rounding::toward_zero};
 
@@ -25,8 +23,8 @@ bool any_optional(const LaneProof& proof) {
 }
 
 /// The claims of the same graph analysed in another way.
-std::vector<NodeClaim> claims_of(const model::TypedGraph& graph,
-                                 const std::vector<model::RangeCheck>& checks) {
+std::vector<NodeClaim> claims_of(const TypedGraph& graph,
+                                 const std::vector<error::RangeCheck>& checks) {
   return relative_claims({.graph = graph, .decision = {}, .checks = checks});
 }
 
@@ -83,7 +81,7 @@ TEST_F(RelativeProof, EveryOperationIsProven) {
                                          {"abs(a - b)", "-(-c - d)"},
                                          {"max(-a * b, -c)", "a / 4 - 0 * b"},
                                          {"((a + b) * c)^2", "7"}}) {
-    const model::Graph graph = graph_of(f, g);
+    const Graph graph = graph_of(f, g);
     for (const Rounding rounding : both_roundings) {
       const auto lane = lane_of(graph, {.rounding = rounding, .ranges = nonnegative_ranges(graph)});
       ASSERT_TRUE(lane.ok()) << lane.error().to_string();
@@ -98,12 +96,10 @@ TEST_F(RelativeProof, EveryOperationIsProven) {
 
 /// Products of few digits, conversions to more, scaling by powers of two.
 TEST_F(RelativeProof, WhatRoundsNothingIsProvenToRoundNothing) {
-  const model::Graph graph = graph_of("a * b", "b + c / 4");
-  const model::Arithmetic reduced = {format("s24e8"), Rounding::toward_zero,
-                                     model::Subnormals::flush};
-  const model::TypedGraph typed =
-      model::lane_graph(graph, format("s11e5"), reduced, model::LaneInputs::exact);
-  const Lane lane = model::certified_lane(typed, {.ranges = nonnegative_ranges(graph)}).value();
+  const Graph graph = graph_of("a * b", "b + c / 4");
+  const Arithmetic reduced = {format("s24e8"), Rounding::toward_zero, Subnormals::flush};
+  const TypedGraph typed = lane_graph(graph, format("s11e5"), reduced, LaneInputs::exact);
+  const Lane lane = error::certified_lane(typed, {.ranges = nonnegative_ranges(graph)}).value();
   const LaneProof proof = prove(lane, Effort::whole);
   EXPECT_TRUE(proof.machine_checked()) << report::to_text(proof, "");
   const auto says = [&](const char* what) {
@@ -142,7 +138,7 @@ TEST_F(RelativeProof, TheoremOneHoldsFromTwoDigitsToMost) {
 TEST_F(RelativeProof, RandomLanesAreProvenOperationByOperation) {
   int lanes = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const model::Graph graph = random_comparison(seed);
+    const Graph graph = random_comparison(seed);
     LaneOptions options = random_options(seed);
     options.ranges = nonnegative_ranges(graph);
     const auto lane = lane_of(graph, options);
@@ -156,7 +152,7 @@ TEST_F(RelativeProof, RandomLanesAreProvenOperationByOperation) {
 
 TEST_F(RelativeProof, RandomLanesAreProvenWholeOrByTheirOperations) {
   for (std::uint64_t seed = 1000; seed < 1015; ++seed) {
-    const model::Graph graph = random_comparison(seed);
+    const Graph graph = random_comparison(seed);
     LaneOptions options = random_options(seed);
     options.ranges = nonnegative_ranges(graph);
     const auto lane = lane_of(graph, options);
@@ -168,9 +164,9 @@ TEST_F(RelativeProof, RandomLanesAreProvenWholeOrByTheirOperations) {
 
 /// `share` of the way from an exact result to the bound's end; the other end as it is.
 enum class End { low, high };
-model::RelativeBound shrunken(const model::RelativeBound& bound, End end) {
+error::RelativeBound shrunken(const error::RelativeBound& bound, End end) {
   const mpq_class kept = 1 - mpq_class(1, 1 << 10);
-  model::RelativeBound result = bound;
+  error::RelativeBound result = bound;
   mpq_class& moved = end == End::low ? result.low : result.high;
   moved = 1 + (moved - 1) * kept;
   return result;
@@ -181,10 +177,9 @@ std::vector<Lane> tight_lanes() {
   std::vector<Lane> lanes;
   for (const Rounding rounding : both_roundings) {
     lanes.push_back(lane_of(sphere_graph(), {.format = "s8e8", .rounding = rounding}).value());
-    const model::Graph graph =
-        graph_of("min(a * b, c / d) * a", "sqrt(a * c) + b + abs(d * d * 3)");
+    const Graph graph = graph_of("min(a * b, c / d) * a", "sqrt(a * c) + b + abs(d * d * 3)");
     lanes.push_back(lane_of(graph, {.rounding = rounding,
-                                    .inputs = model::LaneInputs::rounded,
+                                    .inputs = LaneInputs::rounded,
                                     .ranges = nonnegative_ranges(graph)})
                         .value());
   }
@@ -195,12 +190,12 @@ TEST_F(RelativeProof, AnyIntervalShrunkenByOneInAThousandIsRefused) {
   for (const Lane& lane : tight_lanes()) {
     const std::vector<NodeClaim> claims = relative_claims(lane);
     for (std::size_t id = 0; id < claims.size(); ++id) {
-      if (model::arity(lane.graph.nodes[id].operation) == 0) continue;
+      if (arity(lane.graph.nodes[id].operation) == 0) continue;
       for (const End end : {End::low, End::high}) {
         std::vector<NodeClaim> wrong = claims;
         wrong[id].relative = shrunken(*claims[id].relative, end);
         const auto& moved =
-            end == End::low ? &model::RelativeBound::low : &model::RelativeBound::high;
+            end == End::low ? &error::RelativeBound::low : &error::RelativeBound::high;
         if ((*wrong[id].relative).*moved == (*claims[id].relative).*moved) continue;
         EXPECT_TRUE(prove(lane, wrong, Effort::operations).refused()) << "node " << id;
       }
@@ -232,12 +227,12 @@ TEST_F(RelativeProof, BoundsOfTheOtherRoundingAreRefused) {
 }
 
 TEST_F(RelativeProof, AConversionThatTheBoundsForgetIsRefused) {
-  const model::Graph graph = graph_of("a * b", "c * d");
-  const Lane lane = lane_of(graph, {.inputs = model::LaneInputs::rounded}).value();
-  model::TypedGraph forgetful = lane.graph;
+  const Graph graph = graph_of("a * b", "c * d");
+  const Lane lane = lane_of(graph, {.inputs = LaneInputs::rounded}).value();
+  TypedGraph forgetful = lane.graph;
   int conversions = 0;
-  for (model::TypedNode& node : forgetful.nodes) {
-    if (node.operation != model::Operation::convert) continue;
+  for (TypedNode& node : forgetful.nodes) {
+    if (node.operation != Operation::convert) continue;
     node.operand_format = node.format;
     ++conversions;
   }
@@ -250,7 +245,7 @@ TEST_F(RelativeProof, AConversionThatTheBoundsForgetIsRefused) {
 }
 
 TEST_F(RelativeProof, ASignThatTheLaneDoesNotCheckIsRefused) {
-  const model::Graph graph = graph_of("a * b + c", "d");
+  const Graph graph = graph_of("a * b + c", "d");
   Lane lane = lane_of(graph, {.ranges = nonnegative_ranges(graph)}).value();
   const std::vector<NodeClaim> claims = relative_claims(lane);
   for (const Effort effort : {Effort::whole, Effort::operations}) {
@@ -260,7 +255,7 @@ TEST_F(RelativeProof, ASignThatTheLaneDoesNotCheckIsRefused) {
     EXPECT_TRUE(prove(unchecked, claims, effort).refused());
     std::vector<NodeClaim> tacit = claims;  // used, but not claimed of the inputs
     for (std::size_t id = 0; id < tacit.size(); ++id) {
-      const bool input = lane.graph.nodes[id].operation == model::Operation::input;
+      const bool input = lane.graph.nodes[id].operation == Operation::input;
       if (input) tacit[id].nonnegative = false;
     }
     EXPECT_TRUE(prove(unchecked, tacit, effort).refused());
@@ -270,7 +265,7 @@ TEST_F(RelativeProof, ASignThatTheLaneDoesNotCheckIsRefused) {
 TEST_F(RelativeProof, AGuardOneStepLowerIsRefused) {
   for (const char* format : {"s4e8", "s17e8", "s52e8"}) {
     Lane lane = lane_of(sphere_graph(), {.format = format}).value();
-    std::get<model::UlpDistanceDecision>(lane.decision).guard_ulp -= 1;
+    std::get<error::UlpDistanceDecision>(lane.decision).guard_ulp -= 1;
     const LaneProof proof = prove(lane, Effort::operations);
     EXPECT_TRUE(proof.refused());
     EXPECT_NE(proof.verdict().find("a guard of 6 ulp"), std::string::npos) << proof.verdict();
@@ -287,7 +282,7 @@ TEST_F(RelativeProof, AGuardThatFollowsFromExactBoundsAloneIsByHand) {
     const LaneProof sound = prove(lane, Effort::operations);
     EXPECT_FALSE(sound.refused()) << f << ": " << sound.verdict();
     EXPECT_FALSE(sound.machine_checked()) << f << ": " << sound.verdict();
-    std::get<model::UlpDistanceDecision>(lane.decision).guard_ulp -= 1;
+    std::get<error::UlpDistanceDecision>(lane.decision).guard_ulp -= 1;
     EXPECT_TRUE(prove(lane, Effort::operations).refused()) << f;
   }
 }
@@ -298,7 +293,7 @@ TEST_F(RelativeProof, NoScriptAssumesTheImpossible) {
   for (const Lane& lane : tight_lanes()) {
     const std::vector<NodeClaim> claims = relative_claims(lane);
     for (NodeId id = 0; id < static_cast<NodeId>(claims.size()); ++id) {
-      if (model::arity(lane.graph.nodes[id].operation) == 0) continue;
+      if (arity(lane.graph.nodes[id].operation) == 0) continue;
       if (is_inexpressible(lane.graph, claims, id)) continue;
       const auto cases = cases_of(whole_cone(lane.graph, claims, lane.checks, id));
       for (const ConeCase& one : cases.value()) {
@@ -314,7 +309,7 @@ TEST_F(RelativeProof, NoScriptAssumesTheImpossible) {
 }
 
 TEST_F(RelativeProof, ManyTermsThatMayBeZeroAreProvenOneOperationAtATime) {
-  const model::Graph graph = graph_of("a*a + b*b + c*c + d*d + e*e + h*h + k*k", "m");
+  const Graph graph = graph_of("a*a + b*b + c*c + d*d + e*e + h*h + k*k", "m");
   const LaneProof proof = prove(lane_of(graph, {}).value(), Effort::whole);
   EXPECT_TRUE(proof.machine_checked() && any_optional(proof)) << report::to_text(proof, "");
 }

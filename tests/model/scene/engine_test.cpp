@@ -5,7 +5,7 @@
 #include "model/scene/scene.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 const std::string spheres = "f = \"(xi - xj)^2\"\ng = \"(ri + rj)^2\"\n";
@@ -14,15 +14,15 @@ const std::string data = "[data]\nitems = \"uniform_spheres\"\n";
 class EngineSection : public testing::Test {
 protected:
   /// `more` stands behind the comparison, from line 7 on.
-  Result<Scene> load(const std::string& more, const std::string& comparison = spheres) {
+  Result<scene::Scene> load(const std::string& more, const std::string& comparison = spheres) {
     std::filesystem::remove(path_);
     std::ofstream(path_, std::ios::binary) << "[comparison]\nname = \"spheres\"\n"
                                            << comparison << "[reference]\nformat = \"s53e8\"\n"
                                            << more;
-    return load_scene(path_, {});
+    return scene::load_scene(path_, {});
   }
   std::string error(const std::string& more, const std::string& comparison = spheres) {
-    const Result<Scene> scene = load(more, comparison);
+    const Result<scene::Scene> scene = load(more, comparison);
     EXPECT_FALSE(scene.ok()) << more;
     return scene.ok() ? "" : scene.error().to_string().substr(path_.string().size());
   }
@@ -33,17 +33,17 @@ private:
 };
 
 TEST_F(EngineSection, WithoutItComparisonsAreStreams) {
-  const Scene scene = load("").value();
-  EXPECT_EQ(scene.system.engine.kind, EngineKind::none);
-  EXPECT_EQ(scene.system.operands, OperandStore::carried);
+  const scene::Scene scene = load("").value();
+  EXPECT_EQ(scene.system.engine.kind, scene::EngineKind::none);
+  EXPECT_EQ(scene.system.operands, scene::OperandStore::carried);
   EXPECT_EQ(load("[engine]\nkind = \"none\"\n")->system.tag_bits, 32);
 }
 
 TEST_F(EngineSection, DecidesOperandsAndTag) {
-  const Scene scene = load("[engine]\nkind = \"pairwise\"\ncapacity = 1025\n").value();
-  EXPECT_EQ(scene.system.engine.kind, EngineKind::pairwise);
+  const scene::Scene scene = load("[engine]\nkind = \"pairwise\"\ncapacity = 1025\n").value();
+  EXPECT_EQ(scene.system.engine.kind, scene::EngineKind::pairwise);
   EXPECT_EQ(scene.system.engine.capacity, 1025);
-  EXPECT_EQ(scene.system.operands, OperandStore::refetched);
+  EXPECT_EQ(scene.system.operands, scene::OperandStore::refetched);
   EXPECT_EQ(scene.system.tag_bits, 22);
   EXPECT_EQ(load("[engine]\nkind = \"pairwise\"\n")->system.tag_bits, 20);
   EXPECT_EQ(load("[engine]\nkind = \"pairwise\"\ncapacity = 2\n")->system.tag_bits, 2);
@@ -69,11 +69,11 @@ const std::string nearest = "f = \"(p - ci)^2\"\ng = \"(p - cj)^2\"\n";
 const std::string arg_min = "[engine]\nkind = \"arg_min\"\n";
 
 TEST_F(EngineSection, ArgMinDecidesOrderOperandsAndTag) {
-  const Scene scene = load(arg_min + "tag_bits = 9\n", nearest).value();
-  EXPECT_EQ(scene.system.engine.kind, EngineKind::arg_min);
+  const scene::Scene scene = load(arg_min + "tag_bits = 9\n", nearest).value();
+  EXPECT_EQ(scene.system.engine.kind, scene::EngineKind::arg_min);
   EXPECT_EQ(scene.system.engine.row_tag_bits, 9);
-  EXPECT_EQ(scene.system.order, ResultOrder::in_order);
-  EXPECT_EQ(scene.system.operands, OperandStore::carried);
+  EXPECT_EQ(scene.system.order, scene::ResultOrder::in_order);
+  EXPECT_EQ(scene.system.operands, scene::OperandStore::carried);
   EXPECT_EQ(scene.system.tag_bits, 1);
   EXPECT_EQ(load(arg_min, nearest)->system.engine.row_tag_bits, 16);
   EXPECT_TRUE(load(arg_min + "[system]\norder = \"in_order\"\noperands = \"carried\"\n"
@@ -147,4 +147,4 @@ TEST_F(EngineSection, InputsMustBeColumnsOfTwoItems) {
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

@@ -6,7 +6,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// [[lanes]] and [[references]]: lanes and references of several kinds.
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 const std::string head = R"([comparison]
@@ -28,14 +28,15 @@ bound_digits = 6
 
 class Groups : public testing::Test {
 protected:
-  Result<Scene> load(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  Result<scene::Scene> load(const std::string& text,
+                            const std::vector<std::string>& overrides = {}) {
     std::ofstream(path_, std::ios::binary) << text;
-    return load_scene(path_, overrides);
+    return scene::load_scene(path_, overrides);
   }
 
   /// Without the file's name in front.
   std::string error(const std::string& tail, const std::vector<std::string>& overrides = {}) {
-    const Result<Scene> scene = load(head + tail, overrides);
+    const Result<scene::Scene> scene = load(head + tail, overrides);
     EXPECT_FALSE(scene.ok()) << tail;
     const std::string text = scene.ok() ? "" : scene.error().to_string();
     return text.starts_with(path_.string()) ? text.substr(path_.string().size()) : text;
@@ -46,40 +47,40 @@ protected:
 };
 
 TEST_F(Groups, WhatAGroupDoesNotSayComesFromReduced) {
-  const Result<Scene> scene = load(head +
-                                   "[[lanes]]\ncount = 3\n"
-                                   "[[lanes]]\ncount = 2\nformat = \"s8e8\"\n"
-                                   "inputs = \"exact\"\nmultipliers = \"logic\"\n");
+  const Result<scene::Scene> scene = load(head +
+                                          "[[lanes]]\ncount = 3\n"
+                                          "[[lanes]]\ncount = 2\nformat = \"s8e8\"\n"
+                                          "inputs = \"exact\"\nmultipliers = \"logic\"\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   ASSERT_EQ(scene->lanes.size(), 2U);
-  const LaneGroupSpec& plain = scene->lanes[0];
+  const scene::LaneGroupSpec& plain = scene->lanes[0];
   EXPECT_EQ(plain.count, 3);
   EXPECT_EQ(plain.reduced.format->precision(), 17);
   EXPECT_EQ(plain.reduced.inputs, LaneInputs::rounded);
   EXPECT_EQ(plain.reduced.bound_digits, 6);
-  EXPECT_EQ(plain.reduced.multipliers, Multipliers::embedded) << "not the reference's";
-  const LaneGroupSpec& other = scene->lanes[1];
+  EXPECT_EQ(plain.reduced.multipliers, scene::Multipliers::embedded) << "not the reference's";
+  const scene::LaneGroupSpec& other = scene->lanes[1];
   EXPECT_EQ(other.count, 2);
   EXPECT_EQ(other.reduced.format->name(), "s8e8");
   EXPECT_FALSE(other.reduced.exponent_bits_from_ranges);
   EXPECT_EQ(other.reduced.inputs, LaneInputs::exact);
   EXPECT_EQ(other.reduced.bound_digits, 6);
-  EXPECT_EQ(other.reduced.multipliers, Multipliers::logic);
+  EXPECT_EQ(other.reduced.multipliers, scene::Multipliers::logic);
   EXPECT_EQ(other.place.line, 18);
   EXPECT_EQ(scene->lane_count(), 5);
 }
 
 TEST_F(Groups, ExponentBitsFromRangesAreChosenForEachGroup) {
-  const Result<Scene> scene = load(head +
-                                   "[[lanes]]\ncount = 1\n"
-                                   "[[lanes]]\ncount = 1\nbound = \"profiled\"\n");
+  const Result<scene::Scene> scene = load(head +
+                                          "[[lanes]]\ncount = 1\n"
+                                          "[[lanes]]\ncount = 1\nbound = \"profiled\"\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_LT(scene->lanes[0].reduced.format->exponent_bits(), 11);
   EXPECT_EQ(scene->lanes[1].reduced.format->exponent_bits(), 11) << "checks no range";
 }
 
 TEST_F(Groups, AutoTakesBackWhatReducedSays) {
-  const Result<Scene> scene =
+  const Result<scene::Scene> scene =
       load(head +
            "error_bound = \"running\"\n[[lanes]]\ncount = 1\nformat = \"auto\"\n"
            "error_bound = \"auto\"\n");
@@ -89,40 +90,40 @@ TEST_F(Groups, AutoTakesBackWhatReducedSays) {
 }
 
 TEST_F(Groups, ReferencesTakeTheirMultipliersFromReference) {
-  const Result<Scene> scene = load(
+  const Result<scene::Scene> scene = load(
       head + "[[references]]\ncount = 1\n[[references]]\ncount = 2\nmultipliers = \"embedded\"\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   ASSERT_EQ(scene->references.size(), 2U);
-  EXPECT_EQ(scene->references[0].multipliers, Multipliers::logic);
-  EXPECT_EQ(scene->references[1].multipliers, Multipliers::embedded);
+  EXPECT_EQ(scene->references[0].multipliers, scene::Multipliers::logic);
+  EXPECT_EQ(scene->references[1].multipliers, scene::Multipliers::embedded);
   EXPECT_EQ(scene->reference_count(), 3);
 }
 
 TEST_F(Groups, WithoutListsThereIsOneGroupOfEach) {
-  const Result<Scene> scene = load(head + "[system]\nlanes = 4\nreferences = \"auto\"\n");
+  const Result<scene::Scene> scene = load(head + "[system]\nlanes = 4\nreferences = \"auto\"\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   ASSERT_EQ(scene->lane_groups().size(), 1U);
   EXPECT_EQ(scene->lane_groups()[0].count, 4);
   EXPECT_EQ(scene->lane_groups()[0].reduced.bound_digits, 6);
-  EXPECT_EQ(scene->reference_groups()[0].multipliers, Multipliers::logic);
+  EXPECT_EQ(scene->reference_groups()[0].multipliers, scene::Multipliers::logic);
   EXPECT_FALSE(scene->reference_count().has_value());
 }
 
 TEST_F(Groups, OneKindIsThatOfReduced) {
-  const Result<Scene> scene =
+  const Result<scene::Scene> scene =
       load(head + "[[lanes]]\ncount = 3\nformat = \"s9e9\"\n[[references]]\ncount = 2\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
-  const Scene one = scene->with_one_kind();
+  const scene::Scene one = scene->with_one_kind();
   ASSERT_EQ(one.lane_groups().size(), 1U);
   EXPECT_EQ(one.lane_groups()[0].reduced.format->precision(), 17);
   EXPECT_EQ(one.reference_groups().size(), 1U);
 }
 
 TEST_F(Groups, AKeyThatEveryGroupHasIsNotedWhereReducedHasItToo) {
-  const Result<Scene> scene = load(head +
-                                   "[[lanes]]\ncount = 1\nformat = \"s9e9\"\n"
-                                   "[[lanes]]\ncount = 1\nformat = \"s8e9\"\n"
-                                   "inputs = \"exact\"\n");
+  const Result<scene::Scene> scene = load(head +
+                                          "[[lanes]]\ncount = 1\nformat = \"s9e9\"\n"
+                                          "[[lanes]]\ncount = 1\nformat = \"s8e9\"\n"
+                                          "inputs = \"exact\"\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->notes,
             std::vector<std::string>{"reduced.format is not used: each of [[lanes]] has its own"});
@@ -168,7 +169,7 @@ TEST_F(Groups, OnlyListsOfTablesAreLists) {
   EXPECT_EQ(error("[lanes]\ncount = 1\n"),
             ":16: lanes: not a list of tables: received a table with the key \"count\"; accepted "
             "[[lanes]], one table for each kind");
-  const Result<Scene> numbers = load("lanes = [1, 2]\n" + head);
+  const Result<scene::Scene> numbers = load("lanes = [1, 2]\n" + head);
   ASSERT_FALSE(numbers.ok());
   EXPECT_EQ(numbers.error().field, "lanes");
   EXPECT_EQ(numbers.error().received, "an array of 2");
@@ -181,4 +182,4 @@ TEST_F(Groups, AListIsNotChangedByOneKey) {
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

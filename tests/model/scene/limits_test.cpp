@@ -9,7 +9,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// Every limit is the same in the documentation, in messages and in what is accepted.
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 struct Stated {
@@ -30,21 +30,22 @@ std::string row_of(const std::string& section, const std::string& key) {
 }
 
 TEST(Limits, DocumentationStatesThem) {
-  const std::string exponents = "exponent bits " + to_string(limits::exponent_bits);
-  const std::string capacity = to_string(limits::engine_capacity);
+  const std::string exponents = "exponent bits " + to_string(settings::limits::exponent_bits);
+  const std::string capacity = to_string(settings::limits::engine_capacity);
   for (const Stated& stated : std::vector<Stated>{
-           {"[reference]", "format", "precision " + to_string(limits::reference_precision)},
+           {"[reference]", "format",
+            "precision " + to_string(settings::limits::reference_precision)},
            {"[reference]", "format", exponents},
-           {"[reduced]", "format", "precision " + to_string(limits::lane_precision)},
-           {"[reduced]", "bound_digits", to_string(limits::bound_digits)},
-           {"[system]", "lanes", to_string(limits::lanes)},
-           {"[system]", "references", to_string(limits::references)},
-           {"[system]", "tag_bits", to_string(limits::tag_bits)},
-           {"[system]", "counter_bits", "0 or " + to_string(limits::counter_bits)},
+           {"[reduced]", "format", "precision " + to_string(settings::limits::lane_precision)},
+           {"[reduced]", "bound_digits", to_string(settings::limits::bound_digits)},
+           {"[system]", "lanes", to_string(settings::limits::lanes)},
+           {"[system]", "references", to_string(settings::limits::references)},
+           {"[system]", "tag_bits", to_string(settings::limits::tag_bits)},
+           {"[system]", "counter_bits", "0 or " + to_string(settings::limits::counter_bits)},
            {"[engine]", "capacity", capacity},
-           {"[engine]", "tag_bits", to_string(limits::tag_bits)},
-           {"[[lanes]] and [[references]]", "count", to_string(limits::lanes)},
-           {"[data]", "count", to_string(limits::items)}}) {
+           {"[engine]", "tag_bits", to_string(settings::limits::tag_bits)},
+           {"[[lanes]] and [[references]]", "count", to_string(settings::limits::lanes)},
+           {"[data]", "count", to_string(settings::limits::items)}}) {
     EXPECT_NE(row_of(stated.section, stated.key).find(stated.limits), std::string::npos)
         << stated.section << " " << stated.key << " " << stated.limits;
   }
@@ -52,15 +53,16 @@ TEST(Limits, DocumentationStatesThem) {
 
 class Edges : public testing::Test {
 protected:
-  Result<Scene> load(const std::string& reference, const std::vector<std::string>& settings) {
+  Result<scene::Scene> load(const std::string& reference,
+                            const std::vector<std::string>& settings) {
     const std::filesystem::path path = directory_.path() / "scene.toml";
     std::ofstream(path) << "[comparison]\nname = \"edges\"\nf = \"a * b\"\ng = \"c\"\n[reference]\n"
                         << "format = \"" << reference << "\"\n";
-    return load_scene(path, settings);
+    return scene::load_scene(path, settings);
   }
 
   /// The last value in each direction is accepted, the next refused with the limits.
-  void expect_edges(const std::string& key, Limits limits, const std::string& before = "",
+  void expect_edges(const std::string& key, settings::Limits limits, const std::string& before = "",
                     const std::string& after = "") {
     const auto with = [&](int value) {
       return load("s53e8", {key + "=" + before + std::to_string(value) + after});
@@ -81,20 +83,20 @@ protected:
 };
 
 TEST_F(Edges, OfWholeNumbers) {
-  expect_edges("reduced.bound_digits", limits::bound_digits);
-  expect_edges("system.lanes", limits::lanes);
-  expect_edges("system.references", limits::references);
-  expect_edges("system.tag_bits", limits::tag_bits);
-  expect_edges("system.counter_bits", limits::counter_bits);
+  expect_edges("reduced.bound_digits", settings::limits::bound_digits);
+  expect_edges("system.lanes", settings::limits::lanes);
+  expect_edges("system.references", settings::limits::references);
+  expect_edges("system.tag_bits", settings::limits::tag_bits);
+  expect_edges("system.counter_bits", settings::limits::counter_bits);
   EXPECT_TRUE(load("s53e8", {"system.counter_bits=0"}).ok());
 }
 
 TEST_F(Edges, OfPrecisionsAndExponentBits) {
-  expect_edges("reduced.format", limits::lane_precision, "s", "e8");
-  expect_edges("reduced.format", limits::exponent_bits, "s17e");
-  expect_edges("reduced.format", limits::lane_precision, "s");
-  expect_edges("reference.format", limits::reference_precision, "s", "e8");
-  expect_edges("reference.format", limits::exponent_bits, "s53e");
+  expect_edges("reduced.format", settings::limits::lane_precision, "s", "e8");
+  expect_edges("reduced.format", settings::limits::exponent_bits, "s17e");
+  expect_edges("reduced.format", settings::limits::lane_precision, "s");
+  expect_edges("reference.format", settings::limits::reference_precision, "s", "e8");
+  expect_edges("reference.format", settings::limits::exponent_bits, "s53e");
 }
 
 TEST_F(Edges, ALanesDigitsEndAtTheReferences) {
@@ -107,9 +109,9 @@ TEST_F(Edges, ALanesDigitsEndAtTheReferences) {
 }
 
 TEST(Limits, LanesOfAReference) {
-  EXPECT_EQ(to_string(lane_precisions(FloatFormat::make(11, 5).value())), "4..11");
-  EXPECT_EQ(to_string(lane_precisions(FloatFormat::make(113, 15).value())), "4..52");
+  EXPECT_EQ(to_string(settings::lane_precisions(FloatFormat::make(11, 5).value())), "4..11");
+  EXPECT_EQ(to_string(settings::lane_precisions(FloatFormat::make(113, 15).value())), "4..52");
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

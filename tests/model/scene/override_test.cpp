@@ -1,6 +1,6 @@
 #include "tests/model/scene/scene_fixture.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 /// The error with the scene's path as "scene.toml".
@@ -8,7 +8,7 @@ class OverrideTest : public SceneTest {
 protected:
   std::string error(const std::vector<std::string>& overrides,
                     const std::string& text = sphere_scene) {
-    const Result<Scene> scene = load(text, overrides);
+    const Result<scene::Scene> scene = load(text, overrides);
     EXPECT_FALSE(scene.ok());
     std::string told = scene.ok() ? "" : scene.error().to_string();
     const std::string path = path_.string();
@@ -20,20 +20,20 @@ protected:
 };
 
 TEST_F(OverrideTest, WinAndTakeBareWords) {
-  const Result<Scene> scene =
+  const Result<scene::Scene> scene =
       load(sphere_scene, {"data.radius_max=5", "reduced.format=s24e8", "system.order = \"tagged\"",
                           "inputs.r*={ range = [0, 5] }", "comparison.g=(ri + rj)^2 * 1"});
   ASSERT_FALSE(scene.ok());  // "order " with its space is another key
   EXPECT_EQ(scene.error().file, "--set");
   EXPECT_EQ(scene.error().message, "unknown key");
-  const Result<Scene> good =
+  const Result<scene::Scene> good =
       load(sphere_scene,
            {"data.radius_max=5", "reduced.format=s24e8", "system.order=\"tagged\"",
             "system.lanes=auto", "inputs.r*={ range = [0, 5] }", "comparison.g=(ri + rj)^2 + ri"});
   ASSERT_TRUE(good.ok()) << good.error().to_string();
   EXPECT_EQ(good->data->radius_max, 5);
   EXPECT_EQ(good->reduced.format->name(), "s24e8");
-  EXPECT_EQ(good->system.order, ResultOrder::tagged);
+  EXPECT_EQ(good->system.order, scene::ResultOrder::tagged);
   EXPECT_FALSE(good->system.lanes.has_value());
   EXPECT_EQ(good->ranges.at(7)->high, 5);
   EXPECT_EQ(good->g_text(), "(ri + rj)^2 + ri");
@@ -42,7 +42,7 @@ TEST_F(OverrideTest, WinAndTakeBareWords) {
 TEST_F(OverrideTest, MayMakeSections) {
   const std::string small =
       "[comparison]\nname = \"n\"\nf = \"x\"\ng = \"y\"\n[reference]\nformat = \"binary64\"\n";
-  const Result<Scene> scene = load(small, {"data.file=atoms.pdb", "data.pairs=all"});
+  const Result<scene::Scene> scene = load(small, {"data.file=atoms.pdb", "data.pairs=all"});
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->data->file, directory_.path() / "atoms.pdb");
 }
@@ -116,4 +116,4 @@ TEST_F(OverrideTest, MistakesNameTheOption) {
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

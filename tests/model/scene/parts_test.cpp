@@ -9,22 +9,22 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// [comparison] of several parts.
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 class PartsTest : public testing::Test {
 protected:
-  Result<Scene> load(const std::string& comparison) {
+  Result<scene::Scene> load(const std::string& comparison) {
     std::filesystem::remove(path_);
     std::ofstream(path_) << "[comparison]\nname = \"n\"\n"
                          << comparison
                          << "[let]\nD = \"3\"\nstep = \"k + 1\"\n"
                             "[reference]\nformat = \"binary32\"\n";
-    return load_scene(path_, {});
+    return scene::load_scene(path_, {});
   }
 
   void expect_mistake(const std::string& comparison, const std::string& error) {
-    const Result<Scene> scene = load(comparison);
+    const Result<scene::Scene> scene = load(comparison);
     ASSERT_FALSE(scene.ok()) << comparison;
     EXPECT_EQ(scene.error().to_string(), path_.string() + error);
   }
@@ -53,7 +53,7 @@ TEST_F(PartsTest, AnIndexIsOnePartForEachOfItsValues) {
   EXPECT_EQ(scene->graph.inputs(),
             (std::vector<std::string>{"p_0", "q_0", "p_1", "q_1", "p_2", "q_2"}));
   EXPECT_EQ(scene->parts[2].f, "p[k] + k where k = 2");
-  const std::string text = report::to_text(summarise(*scene, nullptr));
+  const std::string text = report::to_text(scene::summarise(*scene, nullptr));
   EXPECT_NE(text.find("3, combined by \"all\""), std::string::npos) << text;
   EXPECT_NE(text.find("g[2] negative"), std::string::npos) << text;
 }
@@ -72,7 +72,7 @@ TEST_F(PartsTest, ListsHaveAllTheirPartsForEachValueOfAnIndex) {
 TEST_F(PartsTest, AsManyPartsAsTheLimitAreTaken) {
   const auto indexed = load("for = \"k in 1..64\"\nf = \"a[k]\"\ng = \"1\"\ncombine = \"all\"\n");
   ASSERT_TRUE(indexed.ok()) << indexed.error().to_string();
-  EXPECT_EQ(indexed->parts.size(), max_parts);
+  EXPECT_EQ(indexed->parts.size(), scene::max_parts);
 }
 
 TEST_F(PartsTest, AllTakesTheLastVerdictAndAnyTheFirst) {
@@ -138,4 +138,4 @@ TEST_F(PartsTest, AnExpressionsErrorNamesItsColumnInTheList) {
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

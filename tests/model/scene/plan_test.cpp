@@ -7,7 +7,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// A plan: a scene with other sections laid over it.
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,14 +48,15 @@ protected:
     std::ofstream(directory_.path() / name, std::ios::binary) << text;
   }
 
-  Result<Scene> load(const std::string& plan, const std::vector<std::string>& overrides = {}) {
+  Result<scene::Scene> load(const std::string& plan,
+                            const std::vector<std::string>& overrides = {}) {
     write("plans/plan.toml", plan);
-    return load_scene(directory_.path() / "plans/plan.toml", overrides);
+    return scene::load_scene(directory_.path() / "plans/plan.toml", overrides);
   }
 
   /// With the folder's name left out.
   std::string error(const std::string& plan) {
-    const Result<Scene> scene = load(plan);
+    const Result<scene::Scene> scene = load(plan);
     EXPECT_FALSE(scene.ok()) << plan;
     std::string text = scene.ok() ? "" : scene.error().to_string();
     const std::string folder = directory_.path().string() + "/";
@@ -69,9 +70,9 @@ protected:
 const std::string of_scene = "scene = \"../scene.toml\"\n";
 
 TEST_F(Plans, LayTheirSectionsOverTheScene) {
-  const Result<Scene> scene = load(of_scene +
-                                   "[reduced]\nformat = \"s12e8\"\n"
-                                   "[system]\ntarget_mhz = 300\n");
+  const Result<scene::Scene> scene = load(of_scene +
+                                          "[reduced]\nformat = \"s12e8\"\n"
+                                          "[system]\ntarget_mhz = 300\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->name, "n");
   EXPECT_EQ(scene->reduced.format->name(), "s12e8");
@@ -82,10 +83,10 @@ TEST_F(Plans, LayTheirSectionsOverTheScene) {
 }
 
 TEST_F(Plans, GroupsTakeThePlaceOfTheScenesCounts) {
-  const Result<Scene> scene = load(of_scene +
-                                   "[[lanes]]\ncount = 3\nformat = \"s8e8\"\n"
-                                   "[[lanes]]\ncount = 2\nformat = \"s9e8\"\n"
-                                   "[[references]]\ncount = 2\n");
+  const Result<scene::Scene> scene = load(of_scene +
+                                          "[[lanes]]\ncount = 3\nformat = \"s8e8\"\n"
+                                          "[[lanes]]\ncount = 2\nformat = \"s9e8\"\n"
+                                          "[[references]]\ncount = 2\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->lane_count(), 5);
   EXPECT_EQ(scene->reference_count(), 2);
@@ -95,42 +96,43 @@ TEST_F(Plans, GroupsTakeThePlaceOfTheScenesCounts) {
 TEST_F(Plans, CountsTakeThePlaceOfTheScenesGroups) {
   write("scene.toml", scene_text.substr(0, scene_text.find("[system]")) +
                           "[[lanes]]\ncount = 3\nformat = \"s8e8\"\n");
-  const Result<Scene> scene =
+  const Result<scene::Scene> scene =
       load(of_scene + "[reduced]\nformat = \"s9e8\"\n[system]\nlanes = 2\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->lane_count(), 2);
   EXPECT_EQ(scene->lane_groups()[0].reduced.format->name(), "s9e8");
-  const Result<Scene> replaced = load(of_scene + "[[lanes]]\ncount = 4\nformat = \"s10e8\"\n");
+  const Result<scene::Scene> replaced =
+      load(of_scene + "[[lanes]]\ncount = 4\nformat = \"s10e8\"\n");
   ASSERT_TRUE(replaced.ok()) << replaced.error().to_string();
   EXPECT_EQ(replaced->lane_count(), 4);
 }
 
 TEST_F(Plans, OverridesComeLast) {
-  const Result<Scene> scene =
+  const Result<scene::Scene> scene =
       load(of_scene + "[reduced]\nformat = \"s12e8\"\n", {"reduced.format=s13e8"});
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->reduced.format->name(), "s13e8");
 }
 
 TEST_F(Plans, DataStayBesideTheScene) {
-  const Result<Scene> scene = load(of_scene);
+  const Result<scene::Scene> scene = load(of_scene);
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
-  const auto data = load_comparisons(*scene);
+  const auto data = workload::load_comparisons(*scene);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
   EXPECT_EQ(data->size(), 1U);
 }
 
 TEST_F(Plans, ReportValuesAreKeptAsTheyAre) {
-  const Result<Scene> scene = load(of_scene +
-                                   "[plan]\nthroughput_per_s = 1.5e9\nluts = 70000\n"
-                                   "device = \"d\"\n");
+  const Result<scene::Scene> scene = load(of_scene +
+                                          "[plan]\nthroughput_per_s = 1.5e9\nluts = 70000\n"
+                                          "device = \"d\"\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   ASSERT_TRUE(scene->plan.has_value());
   EXPECT_EQ(scene->plan->path.filename(), "plan.toml");
   const std::vector<std::pair<std::string, std::string>> expected = {
       {"throughput_per_s", "1500000000"}, {"luts", "70000"}, {"device", "\"d\""}};
   EXPECT_EQ(scene->plan->values, expected);
-  EXPECT_FALSE(load_scene(directory_.path() / "scene.toml", {})->plan.has_value());
+  EXPECT_FALSE(scene::load_scene(directory_.path() / "scene.toml", {})->plan.has_value());
 }
 
 TEST_F(Plans, ReportValuesHaveTheirTypes) {
@@ -184,10 +186,10 @@ TEST_F(Plans, TheSceneMustBeAScene) {
 
 TEST_F(Plans, APlanMayBeLaidOverAPlan) {
   write("plans/other.toml", of_scene + "[system]\ntag_bits = 5\nslack = 0.1\n[plan]\nx = 1\n");
-  const Result<Scene> loaded =
+  const Result<scene::Scene> loaded =
       load("scene = \"other.toml\"\n[system]\nslack = 0.3\n[plan]\ny = 2\n");
   ASSERT_TRUE(loaded.ok()) << loaded.error().to_string();
-  const Scene& scene = *loaded;
+  const scene::Scene& scene = *loaded;
   EXPECT_EQ(scene.system.tag_bits, 5);
   EXPECT_EQ(scene.system.slack, 0.3);
   ASSERT_EQ(scene.plan->values.size(), 1u);
@@ -203,11 +205,11 @@ TEST_F(Plans, PlansInACircleAreRefused) {
 
 TEST_F(Plans, ASceneHasNoPlanSection) {
   write("scene.toml", scene_text + "[plan]\nx = 1\n");
-  const Result<Scene> scene = load_scene(directory_.path() / "scene.toml", {});
+  const Result<scene::Scene> scene = scene::load_scene(directory_.path() / "scene.toml", {});
   ASSERT_FALSE(scene.ok());
   EXPECT_EQ(scene.error().field, "plan");
   EXPECT_EQ(scene.error().message, "unknown section");
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

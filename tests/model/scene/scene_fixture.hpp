@@ -9,7 +9,7 @@
 #include "model/scene/scene.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 
 inline const std::string sphere_scene = R"([comparison]
 name = "sphere_collision"
@@ -47,14 +47,15 @@ pairs = "all"
 /// Loads scenes from text, each from the same file.
 class SceneTest : public testing::Test {
 protected:
-  Result<Scene> load(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  Result<scene::Scene> load(const std::string& text,
+                            const std::vector<std::string>& overrides = {}) {
     std::filesystem::remove(path_);  // truncating a file in place waits for the disk
     std::ofstream(path_, std::ios::binary) << text;
-    return load_scene(path_, overrides);
+    return scene::load_scene(path_, overrides);
   }
 
   /// The sphere scene with its first occurrence of `from` replaced by `to`.
-  Result<Scene> load_changed(const std::string& from, const std::string& to) {
+  Result<scene::Scene> load_changed(const std::string& from, const std::string& to) {
     std::string text = sphere_scene;
     const std::size_t place = text.find(from);
     EXPECT_NE(place, std::string::npos) << from;
@@ -65,4 +66,4 @@ protected:
   std::filesystem::path path_ = directory_.path() / "scene.toml";
 };
 
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

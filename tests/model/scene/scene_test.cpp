@@ -6,11 +6,11 @@
 
 #include "tests/model/scene/scene_fixture.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 TEST_F(SceneTest, EveryKeyArrives) {
-  const Result<Scene> scene = load(sphere_scene);
+  const Result<scene::Scene> scene = load(sphere_scene);
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->name, "sphere_collision");
   EXPECT_EQ(scene->g_text(), "(ri + rj)^2");
@@ -22,7 +22,7 @@ TEST_F(SceneTest, EveryKeyArrives) {
   EXPECT_EQ(scene->reference.format.name(), "s53e8");
   EXPECT_EQ(scene->reference.subnormals, Subnormals::gradual);
   EXPECT_EQ(scene->reduced.format->name(), "s17e8");
-  EXPECT_EQ(scene->reduced.bound, BoundKind::profiled);
+  EXPECT_EQ(scene->reduced.bound, scene::BoundKind::profiled);
   EXPECT_EQ(scene->reduced.inputs, LaneInputs::rounded);
   EXPECT_EQ(*scene->reduced.relative_error_f, mpq_class(1, 10000));
   EXPECT_FALSE(scene->reduced.relative_error_g.has_value());
@@ -30,26 +30,26 @@ TEST_F(SceneTest, EveryKeyArrives) {
   EXPECT_EQ(scene->system.lanes, 87);
   EXPECT_FALSE(scene->system.references.has_value());
   EXPECT_EQ(scene->system.slack, 0.25);
-  EXPECT_EQ(scene->system.order, ResultOrder::in_order);
-  EXPECT_EQ(scene->system.operands, OperandStore::carried);
+  EXPECT_EQ(scene->system.order, scene::ResultOrder::in_order);
+  EXPECT_EQ(scene->system.operands, scene::OperandStore::carried);
   ASSERT_TRUE(scene->data.has_value());
   EXPECT_EQ(scene->data->items, "uniform_spheres");
   EXPECT_EQ(scene->data->count, 512);
   EXPECT_EQ(scene->data->side, 100);
   EXPECT_EQ(scene->data->radius_max, 25);
   EXPECT_EQ(scene->data->seed, 7U);
-  EXPECT_EQ(scene->data->pairing, Pairing::all);
+  EXPECT_EQ(scene->data->pairing, data::Pairing::all);
   EXPECT_EQ(scene->notes, std::vector<std::string>{
                               "the range end 0.1 rounds out of its range in s53e8: data of just "
                               "that value are out of range"});
 }
 
 TEST_F(SceneTest, ReducedSystemAndDataMayBeAbsent) {
-  const Result<Scene> scene = load(
+  const Result<scene::Scene> scene = load(
       "[comparison]\nname = \"n\"\nf = \"x\"\ng = \"y\"\n[reference]\nformat = \"binary64\"\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_FALSE(scene->reduced.format.has_value());
-  EXPECT_EQ(scene->reduced.bound, BoundKind::certified);
+  EXPECT_EQ(scene->reduced.bound, scene::BoundKind::certified);
   EXPECT_EQ(scene->reduced.subnormals, Subnormals::flush);
   EXPECT_FALSE(scene->data.has_value());
   EXPECT_FALSE(scene->ranges.at(0).has_value());
@@ -72,7 +72,7 @@ format = "s53e8"
 "a[*]" = { range = [0, 2] }
 "b[1]" = { range = [0, 3] }
 )scene";
-  const Result<Scene> scene = load(text);
+  const Result<scene::Scene> scene = load(text);
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->graph.inputs(),
             (std::vector<std::string>{"p_0", "a_0", "p_1", "a_1", "p_k_is_none", "b_0", "b_1"}));
@@ -81,7 +81,7 @@ format = "s53e8"
   EXPECT_EQ(scene->ranges.at(3)->high, 2);
   EXPECT_FALSE(scene->ranges.at(5).has_value());
   EXPECT_EQ(scene->ranges.at(6)->high, 3);
-  const Result<Scene> twice = load(text + "b_1 = { range = [0, 4] }\n");
+  const Result<scene::Scene> twice = load(text + "b_1 = { range = [0, 4] }\n");
   ASSERT_FALSE(twice.ok());
   EXPECT_NE(twice.error().to_string().find(":16: inputs.b_1: the same inputs as \"b[1]\""),
             std::string::npos)
@@ -90,7 +90,7 @@ format = "s53e8"
 
 TEST_F(SceneTest, KeysOfInputsAreNamesPatternsOrSubscripts) {
   const auto error = [&](const std::string& key) {
-    const Result<Scene> scene = load(
+    const Result<scene::Scene> scene = load(
         "[comparison]\nname = \"n\"\nf = \"p[2]\"\ng = \"p_x\"\n"
         "[reference]\nformat = \"binary64\"\n[inputs]\n\"" +
         key + "\" = { range = [0, 1] }\n");
@@ -109,7 +109,7 @@ TEST_F(SceneTest, KeysOfInputsAreNamesPatternsOrSubscripts) {
 }
 
 TEST_F(SceneTest, RangesAreReadExactly) {
-  const Result<Scene> scene =
+  const Result<scene::Scene> scene =
       load_changed("[0, 0.1]", R"(["-0x1.8p-1", "12345678901234567890.123456789012345678901"])");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->ranges.at(6)->low, mpq_class(-3, 4));
@@ -118,7 +118,8 @@ TEST_F(SceneTest, RangesAreReadExactly) {
 }
 
 TEST_F(SceneTest, ExactKeyBeatsPattern) {
-  const Result<Scene> scene = load_changed("[inputs]", "[inputs]\ncxj = { range = [-2.5, 1_000] }");
+  const Result<scene::Scene> scene =
+      load_changed("[inputs]", "[inputs]\ncxj = { range = [-2.5, 1_000] }");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->ranges.at(1)->low, mpq_class(-5, 2));
   EXPECT_EQ(scene->ranges.at(1)->high, 1000);
@@ -128,7 +129,7 @@ TEST_F(SceneTest, ExactKeyBeatsPattern) {
 }
 
 TEST_F(SceneTest, EveryPartOfAMessageIsCutAtItsLimit) {
-  const Result<Scene> scene = load_changed("(ri + rj)^2", std::string(1'000'000, 'a'));
+  const Result<scene::Scene> scene = load_changed("(ri + rj)^2", std::string(1'000'000, 'a'));
   ASSERT_FALSE(scene.ok());
   const std::string text = scene.error().to_string();
   EXPECT_LT(text.size(), 1000U);
@@ -142,7 +143,7 @@ TEST_F(SceneTest, MoreThan64VariantsAreRefused) {
   for (int k = 0; k < 65; ++k) {
     text += "[[variant]]\nname = \"v" + std::to_string(k) + "\"\ng = \"rj + ri\"\n";
   }
-  const Result<Scene> scene = load(text);
+  const Result<scene::Scene> scene = load(text);
   ASSERT_FALSE(scene.ok());
   EXPECT_EQ(scene.error().to_string(),
             path_.string() + ":224: variant: too many variants: received 65; accepted at most 64");
@@ -151,7 +152,7 @@ TEST_F(SceneTest, MoreThan64VariantsAreRefused) {
 TEST_F(SceneTest, TablesOfTooManyKeysAreRefusedAtOnce) {
   std::string text = sphere_scene + "[let]\n";
   for (int k = 0; k < 100'000; ++k) text += "l" + std::to_string(k) + " = \"1\"\n";
-  const Result<Scene> scene = load(text);
+  const Result<scene::Scene> scene = load(text);
   ASSERT_FALSE(scene.ok());
   EXPECT_EQ(scene.error().to_string(),
             path_.string() +
@@ -159,13 +160,13 @@ TEST_F(SceneTest, TablesOfTooManyKeysAreRefusedAtOnce) {
                 "one table");
   std::string deep = "a";
   for (int k = 0; k < 1000; ++k) deep += ".a";
-  const Result<Scene> levels = load(deep.substr(0, 99) + " = 1\n");
+  const Result<scene::Scene> levels = load(deep.substr(0, 99) + " = 1\n");
   ASSERT_FALSE(levels.ok());
   EXPECT_EQ(levels.error().message, "nested too deeply");
   for (int k = 0; k < 500'000; ++k) deep += ".a";
   for (const std::string& hostile :
        {deep + " = 1\n", "[" + deep + "]\n", "x = { y = 1, " + deep + " = 1 }\n"}) {
-    const Result<Scene> parts = load("\n" + hostile);
+    const Result<scene::Scene> parts = load("\n" + hostile);
     ASSERT_FALSE(parts.ok());
     EXPECT_EQ(parts.error().to_string(),
               path_.string() +
@@ -180,7 +181,7 @@ TEST_F(SceneTest, NotesTellOfInexactConstantsAndUnusedThings) {
   text.replace(text.find("bound = \"profiled\"\n"), 19, "");
   text.replace(text.find("[0, 0.1]"), 8, "[0, 1]");
   text += "[let]\nspare = \"cxi\"\n";
-  const Result<Scene> scene = load(text);
+  const Result<scene::Scene> scene = load(text);
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->notes,
             (std::vector<std::string>{
@@ -193,7 +194,7 @@ TEST_F(SceneTest, ConstantsThatOneKindOfLaneUsesAreUsed) {
   std::string text = sphere_scene;
   text.replace(text.find("lanes = 87\n"), 11, "");
   text += "[[lanes]]\ncount = 1\n[[lanes]]\ncount = 1\nbound = \"certified\"\n";
-  const Result<Scene> scene = load(text);
+  const Result<scene::Scene> scene = load(text);
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   for (const std::string& note : scene->notes) {
     EXPECT_EQ(note.find("are not used"), std::string::npos) << note;
@@ -204,7 +205,7 @@ TEST_F(SceneTest, LetsAreShared) {
   const std::string text =
       "[comparison]\nname = \"n\"\nf = \"d^2\"\ng = \"d * e\"\n[let]\nd = \"x - y\"\ne = \"d\"\n"
       "[reference]\nformat = \"binary64\"\n";
-  const Result<Scene> scene = load(text);
+  const Result<scene::Scene> scene = load(text);
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->graph.f(), scene->graph.g());
 }
@@ -218,7 +219,7 @@ struct Mistake {
 class SceneMistake : public SceneTest, public testing::WithParamInterface<Mistake> {};
 
 TEST_P(SceneMistake, IsToldInOneLine) {
-  const Result<Scene> scene = load_changed(GetParam().from, GetParam().to);
+  const Result<scene::Scene> scene = load_changed(GetParam().from, GetParam().to);
   ASSERT_FALSE(scene.ok()) << GetParam().to;
   EXPECT_EQ(scene.error().to_string(), path_.string() + GetParam().error);
 }
@@ -405,7 +406,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "accepted a format with more exponent bits"}));
 
 TEST_F(SceneTest, MistakesInTomlAreToldInTheSameForm) {
-  const Result<Scene> scene = load_changed("slack = 0.25", "slack = = 0.25");
+  const Result<scene::Scene> scene = load_changed("slack = 0.25", "slack = = 0.25");
   ASSERT_FALSE(scene.ok());
   EXPECT_EQ(scene.error().file, path_.string());
   EXPECT_EQ(scene.error().line, 23);
@@ -414,7 +415,7 @@ TEST_F(SceneTest, MistakesInTomlAreToldInTheSameForm) {
 }
 
 TEST_F(SceneTest, ExpressionsWithoutInputsAreRefused) {
-  const Result<Scene> scene = load(
+  const Result<scene::Scene> scene = load(
       "[comparison]\nname = \"n\"\nf = \"1\"\ng = \"2\"\n[reference]\nformat = \"binary64\"\n");
   ASSERT_FALSE(scene.ok());
   EXPECT_EQ(scene.error().to_string(),
@@ -424,11 +425,11 @@ TEST_F(SceneTest, ExpressionsWithoutInputsAreRefused) {
 }
 
 TEST_F(SceneTest, MissingFilesAreTold) {
-  const Result<Scene> scene = load_scene(directory_.path() / "none.toml", {});
+  const Result<scene::Scene> scene = scene::load_scene(directory_.path() / "none.toml", {});
   ASSERT_FALSE(scene.ok());
   EXPECT_EQ(scene.error().message, "cannot read the file");
   EXPECT_EQ(scene.error().received, "no such file");
-  EXPECT_FALSE(load_scene(directory_.path(), {}).ok());
+  EXPECT_FALSE(scene::load_scene(directory_.path(), {}).ok());
 }
 
 TEST_F(SceneTest, MutatedScenesGiveErrorsNotCrashes) {
@@ -445,7 +446,7 @@ TEST_F(SceneTest, MutatedScenesGiveErrorsNotCrashes) {
         default: text.insert(place, sphere_scene, random() % sphere_scene.size(), random() % 60);
       }
     }
-    const Result<Scene> scene = load(text);
+    const Result<scene::Scene> scene = load(text);
     if (scene.ok()) continue;
     ++errors;
     ASSERT_EQ(scene.error().file, path_.string()) << text;
@@ -455,4 +456,4 @@ TEST_F(SceneTest, MutatedScenesGiveErrorsNotCrashes) {
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

@@ -7,7 +7,7 @@
 #include "model/workload/load_comparisons.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 const std::filesystem::path examples = MIXCMP_SOURCE_DIR "/examples";
@@ -16,14 +16,16 @@ const std::vector<std::string> choices = {"reference.format=s53e8",    "reduced.
                                           "reduced.inputs=exact",      "system.lanes=8",
                                           "inputs.c*={range=[0,100]}", "inputs.r*={range=[1,100]}"};
 
-Scene load(const std::filesystem::path& path, const std::vector<std::string>& overrides = {}) {
-  Result<Scene> scene = load_scene(path, overrides);
+scene::Scene load(const std::filesystem::path& path,
+                  const std::vector<std::string>& overrides = {}) {
+  Result<scene::Scene> scene = scene::load_scene(path, overrides);
   EXPECT_TRUE(scene.ok()) << scene.error().to_string();
   return std::move(scene).value();
 }
 
-const RangeQuestion& event(const DatapathSummary& datapath, const std::string& question) {
-  for (const RangeQuestion& finding : datapath.events) {
+const scene::RangeQuestion& event(const scene::DatapathSummary& datapath,
+                                  const std::string& question) {
+  for (const scene::RangeQuestion& finding : datapath.events) {
     if (finding.question == question) return finding;
   }
   ADD_FAILURE() << "no " << question;
@@ -31,13 +33,13 @@ const RangeQuestion& event(const DatapathSummary& datapath, const std::string& q
 }
 
 TEST(Summary, CountsTheSphereComparison) {
-  const Scene scene = load(examples / "sphere_collision/scene.toml", choices);
-  const Summary summary = summarise(scene, nullptr);
+  const scene::Scene scene = load(examples / "sphere_collision/scene.toml", choices);
+  const scene::Summary summary = scene::summarise(scene, nullptr);
   ASSERT_EQ(summary.datapaths.size(), 2U);
-  const auto count = [](const DatapathSummary& datapath, Operation operation,
+  const auto count = [](const scene::DatapathSummary& datapath, Operation operation,
                         const std::string& operands, const std::string& result) {
     int total = 0;
-    for (const OperatorCount& counted : datapath.operators) {
+    for (const scene::OperatorCount& counted : datapath.operators) {
       const bool same = counted.operation == operation &&
                         counted.operand_format.name() == operands &&
                         counted.format.name() == result;
@@ -45,12 +47,12 @@ TEST(Summary, CountsTheSphereComparison) {
     }
     return total;
   };
-  const DatapathSummary& reference = summary.datapaths[0];
+  const scene::DatapathSummary& reference = summary.datapaths[0];
   EXPECT_EQ(reference.operators.size(), 3U);
   EXPECT_EQ(count(reference, Operation::subtract, "s53e8", "s53e8"), 3);
   EXPECT_EQ(count(reference, Operation::square, "s53e8", "s53e8"), 4);
   EXPECT_EQ(count(reference, Operation::add, "s53e8", "s53e8"), 3);
-  const DatapathSummary& lane = summary.datapaths[1];
+  const scene::DatapathSummary& lane = summary.datapaths[1];
   EXPECT_EQ(lane.operators.size(), 4U);
   EXPECT_EQ(count(lane, Operation::subtract, "s53e8", "s17e8"), 3);
   EXPECT_EQ(count(lane, Operation::square, "s17e8", "s17e8"), 4);
@@ -59,14 +61,14 @@ TEST(Summary, CountsTheSphereComparison) {
 }
 
 TEST(Summary, TellsWhatTheRangesRuleOut) {
-  const Scene scene = load(examples / "sphere_collision/scene.toml", choices);
-  const Summary summary = summarise(scene, nullptr);
+  const scene::Scene scene = load(examples / "sphere_collision/scene.toml", choices);
+  const scene::Summary summary = scene::summarise(scene, nullptr);
   EXPECT_EQ(summary.sides[0].value.high, 30'000);
   EXPECT_EQ(summary.sides[1].value.high, 40'000);
-  EXPECT_EQ(summary.sides[0].negative.answer, Possibility::ruled_out);
-  EXPECT_EQ(summary.sides[0].zero.answer, Possibility::possible);
-  EXPECT_EQ(event(summary.datapaths[0], "overflow").answer, Possibility::ruled_out);
-  EXPECT_EQ(event(summary.datapaths[0], "underflow").answer, Possibility::possible);
+  EXPECT_EQ(summary.sides[0].negative.answer, scene::Possibility::ruled_out);
+  EXPECT_EQ(summary.sides[0].zero.answer, scene::Possibility::possible);
+  EXPECT_EQ(event(summary.datapaths[0], "overflow").answer, scene::Possibility::ruled_out);
+  EXPECT_EQ(event(summary.datapaths[0], "underflow").answer, scene::Possibility::possible);
   EXPECT_EQ(summary.datapaths[0].events.size(), 2U);  // no division, no root
 }
 
@@ -78,9 +80,9 @@ TEST(Summary, FollowsTheReferencePastAnOverflow) {
       << "[comparison]\nname = \"n\"\nf = \"c / (1 / (a * b))\"\n"
          "g = \"1 / (a * b)\"\n[inputs]\nc = { range = [0, 1] }\n"
          "a = { range = [1, 1e30] }\nb = { range = [1, 1e30] }\n[reference]\nformat = \"s24e8\"\n";
-  const Summary summary = summarise(load(path), nullptr);
-  EXPECT_EQ(event(summary.datapaths[0], "division by zero").answer, Possibility::possible);
-  EXPECT_EQ(summary.sides[1].zero.answer, Possibility::possible);
+  const scene::Summary summary = scene::summarise(load(path), nullptr);
+  EXPECT_EQ(event(summary.datapaths[0], "division by zero").answer, scene::Possibility::possible);
+  EXPECT_EQ(summary.sides[1].zero.answer, scene::Possibility::possible);
   EXPECT_EQ(summary.sides[1].value.low, 0);
 }
 
@@ -89,16 +91,16 @@ TEST(Summary, MissingRangesLeaveItUnknown) {
   const auto path = directory.path() / "scene.toml";
   std::ofstream(path) << "[comparison]\nname = \"n\"\nf = \"sqrt(x) / y\"\ng = \"x + z^2\"\n"
                          "[inputs]\ny = { range = [0, 1] }\n[reference]\nformat = \"binary32\"\n";
-  const Scene scene = load(path);
-  const Summary summary = summarise(scene, nullptr);
+  const scene::Scene scene = load(path);
+  const scene::Summary summary = scene::summarise(scene, nullptr);
   ASSERT_EQ(summary.datapaths.size(), 1U);
-  const RangeQuestion root = event(summary.datapaths[0], "root of a negative number");
-  EXPECT_EQ(root.answer, Possibility::unknown);
+  const scene::RangeQuestion root = event(summary.datapaths[0], "root of a negative number");
+  EXPECT_EQ(root.answer, scene::Possibility::unknown);
   EXPECT_EQ(root.rangeless, std::vector<std::string>{"x"});
   EXPECT_EQ(root.operations, std::vector<std::string>{"sqrt(x)"});
   EXPECT_EQ(event(summary.datapaths[0], "overflow").rangeless,
             (std::vector<std::string>{"x", "z"}));
-  EXPECT_EQ(summary.sides[1].negative.answer, Possibility::unknown);
+  EXPECT_EQ(summary.sides[1].negative.answer, scene::Possibility::unknown);
   const std::string text = report::to_text(summary);
   EXPECT_NE(text.find("unknown: no range for x; in sqrt(x)\n"), std::string::npos) << text;
   EXPECT_NE(text.find("  reduced            auto"), std::string::npos) << text;
@@ -106,12 +108,12 @@ TEST(Summary, MissingRangesLeaveItUnknown) {
 
 TEST(Summary, TellsOfDataThatBreakTheRanges) {
   const auto path = examples / "protein_clash/scene.toml";
-  const Scene good = load(path);
-  const Comparisons data = load_comparisons(good).value();
-  EXPECT_EQ(summarise(good, &data).data->out_of_range, 0U);
-  EXPECT_EQ(summarise(good, &data).data->comparisons, 207'046U);
-  const Scene narrow = load(path, {"inputs.r*={ range = [1.2, 1.85] }"});
-  const Summary summary = summarise(narrow, &data);
+  const scene::Scene good = load(path);
+  const data::Comparisons data = workload::load_comparisons(good).value();
+  EXPECT_EQ(scene::summarise(good, &data).data->out_of_range, 0U);
+  EXPECT_EQ(scene::summarise(good, &data).data->comparisons, 207'046U);
+  const scene::Scene narrow = load(path, {"inputs.r*={ range = [1.2, 1.85] }"});
+  const scene::Summary summary = scene::summarise(narrow, &data);
   EXPECT_EQ(summary.data->out_of_range, 4U);  // the four selenium atoms
   EXPECT_EQ(summary.data->first_out_of_range, "A 151 MSE SE: r = 1.9 is outside [1.2, 1.85] of ri");
 }
@@ -123,9 +125,9 @@ TEST(Summary, OnlyTheItemsThatAnInputTakesCount) {
   std::ofstream(path) << "[comparison]\nname = \"n\"\nf = \"xi\"\ng = \"xj\"\n[inputs]\n"
                          "xi = { range = [0, 5] }\n[reference]\nformat = \"binary32\"\n"
                          "[data]\nfile = \"data.csv\"\npairs = \"all\"\n";
-  const Scene scene = load(path);
-  const Comparisons data = load_comparisons(scene).value();
-  const Summary summary = summarise(scene, &data);
+  const scene::Scene scene = load(path);
+  const data::Comparisons data = workload::load_comparisons(scene).value();
+  const scene::Summary summary = scene::summarise(scene, &data);
   EXPECT_EQ(summary.data->out_of_range, 1U);  // 9; 8 is never an xi
   EXPECT_EQ(summary.data->first_out_of_range, "data.csv:2: x = 9 is outside [0, 5] of xi");
 }
@@ -139,9 +141,9 @@ TEST(Summary, BothTablesAreHeldAgainstTheRanges) {
                          "[inputs]\np = { range = [0, 5] }\ncj = { range = [0, 5] }\n"
                          "[reference]\nformat = \"binary32\"\n[data]\nfile = \"points.csv\"\n"
                          "with = \"centres.csv\"\npairs = \"arg_min\"\n";
-  const Scene scene = load(path);
-  const Comparisons data = load_comparisons(scene).value();
-  const Summary summary = summarise(scene, &data);
+  const scene::Scene scene = load(path);
+  const data::Comparisons data = workload::load_comparisons(scene).value();
+  const scene::Summary summary = scene::summarise(scene, &data);
   EXPECT_EQ(summary.data->rows, 3U);
   EXPECT_EQ(summary.data->with_rows, 4U);
   EXPECT_EQ(summary.data->comparisons, 9U);
@@ -154,9 +156,9 @@ TEST(Summary, BothTablesAreHeldAgainstTheRanges) {
 }
 
 TEST(Summary, JsonHoldsTheSame) {
-  const Scene scene = load(examples / "protein_clash/scene.toml", choices);
-  const Comparisons data = load_comparisons(scene).value();
-  const nlohmann::json json = report::to_json(summarise(scene, &data));
+  const scene::Scene scene = load(examples / "protein_clash/scene.toml", choices);
+  const data::Comparisons data = workload::load_comparisons(scene).value();
+  const nlohmann::json json = report::to_json(scene::summarise(scene, &data));
   EXPECT_EQ(json["name"], "protein_clash");
   EXPECT_EQ(json["inputs"].size(), 8U);
   EXPECT_EQ(json["inputs"][6]["name"], "ri");
@@ -179,9 +181,9 @@ TEST(Summary, DeeplySharedExpressionsPrintShort) {
   }
   std::ofstream(path) << "[comparison]\nname = \"n\"\nf = \"d50\"\ng = \"1\"\n[let]\n"
                       << lets << "[reference]\nformat = \"binary128\"\n";
-  const Scene scene = load(path);
-  EXPECT_LT(report::to_text(summarise(scene, nullptr)).size(), 10'000U);
+  const scene::Scene scene = load(path);
+  EXPECT_LT(report::to_text(scene::summarise(scene, nullptr)).size(), 10'000U);
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

@@ -8,12 +8,12 @@
 #include "model/scene/scene.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 class Variants : public testing::Test {
 protected:
-  Result<Scene> load(const std::string& variants, const std::string& chosen = "") {
+  Result<scene::Scene> load(const std::string& variants, const std::string& chosen = "") {
     std::filesystem::remove(path_);
     std::ofstream(path_) << "[comparison]\nname = \"reach\"\nf = \"x^2 + y^2\"\ng = \"r^2\"\n"
                          << variants
@@ -22,11 +22,11 @@ protected:
                             "[system]\nlanes = 1\nreferences = 1\n";
     std::vector<std::string> overrides;
     if (!chosen.empty()) overrides.push_back("comparison.variant=" + chosen);
-    return load_scene(path_, overrides);
+    return scene::load_scene(path_, overrides);
   }
 
   std::string error(const std::string& variants, const std::string& chosen = "") {
-    const Result<Scene> scene = load(variants, chosen);
+    const Result<scene::Scene> scene = load(variants, chosen);
     if (scene.ok()) return "";
     std::string text = scene.error().to_string();
     const std::string folder = directory_.path().string() + "/";
@@ -43,11 +43,11 @@ protected:
   std::string root_ = variant("root", "f = \"far\"\ng = \"r\"\n");
 };
 
-Table points(std::initializer_list<double> values) {
-  Table table{.format = FloatFormat::make(53, 11).value(),
-              .columns = {"x", "y", "r"},
-              .values = {},
-              .labels = {}};
+data::Table points(std::initializer_list<double> values) {
+  data::Table table{.format = FloatFormat::make(53, 11).value(),
+                    .columns = {"x", "y", "r"},
+                    .values = {},
+                    .labels = {}};
   for (const double value : values) {
     table.values.push_back(std::bit_cast<std::uint64_t>(value));
   }
@@ -55,7 +55,7 @@ Table points(std::initializer_list<double> values) {
 }
 
 TEST_F(Variants, WithoutAChoiceTheComparisonIsAsWritten) {
-  const Result<Scene> scene = load(root_);
+  const Result<scene::Scene> scene = load(root_);
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->name, "reach");
   EXPECT_EQ(scene->variant, "");
@@ -65,7 +65,7 @@ TEST_F(Variants, WithoutAChoiceTheComparisonIsAsWritten) {
 }
 
 TEST_F(Variants, TheChosenOneTakesTheComparisonsPlace) {
-  const Result<Scene> scene = load(root_, "root");
+  const Result<scene::Scene> scene = load(root_, "root");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->name, "reach_root");
   EXPECT_EQ(scene->variant, "root");
@@ -74,13 +74,13 @@ TEST_F(Variants, TheChosenOneTakesTheComparisonsPlace) {
 }
 
 TEST_F(Variants, WhatAVariantDoesNotSayStays) {
-  const Result<Scene> scene = load(variant("sum", "f = \"y^2 + x^2\"\n"), "sum");
+  const Result<scene::Scene> scene = load(variant("sum", "f = \"y^2 + x^2\"\n"), "sum");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->g_text(), "r^2");
 }
 
 TEST_F(Variants, InputsKeepTheirOrder) {
-  const Result<Scene> scene =
+  const Result<scene::Scene> scene =
       load(variant("swapped", "f = \"-r^2\"\ng = \"-(y^2 + x^2)\"\n"), "swapped");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->graph.inputs(), (std::vector<std::string>{"x", "y", "r"}));
@@ -121,12 +121,12 @@ TEST_F(Variants, AChoiceMustBeThere) {
 }
 
 TEST_F(Variants, TheSquareAndTheRootDecideAlikeOnTiesToo) {
-  const Scene given = load(root_).value(), root = load(root_, "root").value();
-  const auto data =
-      Comparisons::rows(points({3, 4, 5, 1, 1, 1.4142135623730951, 0, 0, 0, 1e-200, 0, 2e-200}),
+  const scene::Scene given = load(root_).value(), root = load(root_, "root").value();
+  const auto data = data::Comparisons::rows(
+                        points({3, 4, 5, 1, 1, 1.4142135623730951, 0, 0, 0, 1e-200, 0, 2e-200}),
                         given.graph.inputs())
-          .value();
-  const VariantCheck check = check_variant(given, root, data);
+                        .value();
+  const profile::VariantCheck check = profile::check_variant(given, root, data);
   EXPECT_EQ(check.comparisons, 4u);
   EXPECT_EQ(check.differences, 0u);
   // In binary64 all squares of the last row underflow, to a tie; its radius does not. And the
@@ -136,9 +136,10 @@ TEST_F(Variants, TheSquareAndTheRootDecideAlikeOnTiesToo) {
 
 TEST_F(Variants, ATieOfRootsIsTold) {
   const std::string twice = variant("twice", "f = \"far + sqrt(2)\"\ng = \"r + sqrt(2)\"\n");
-  const Scene given = load(twice).value(), roots = load(twice, "twice").value();
-  const auto data = Comparisons::rows(points({3, 4, 5, 1, 0, 2}), given.graph.inputs()).value();
-  const VariantCheck check = check_variant(given, roots, data);
+  const scene::Scene given = load(twice).value(), roots = load(twice, "twice").value();
+  const auto data =
+      data::Comparisons::rows(points({3, 4, 5, 1, 0, 2}), given.graph.inputs()).value();
+  const profile::VariantCheck check = profile::check_variant(given, roots, data);
   EXPECT_EQ(check.differences, 0u);
   EXPECT_EQ(check.undetermined, 0u);
 }
@@ -147,18 +148,19 @@ TEST_F(Variants, ATieOfManyRootsIsNotTold) {
   std::string roots;
   for (int k = 2; k < 9; ++k) roots += " + sqrt(r + sqrt(" + std::to_string(k) + "))";
   const std::string many = variant("many", "f = \"far" + roots + "\"\ng = \"r" + roots + "\"\n");
-  const Scene given = load(many).value(), variant = load(many, "many").value();
-  const auto data = Comparisons::rows(points({3, 4, 5, 1, 0, 2}), given.graph.inputs()).value();
-  const VariantCheck check = check_variant(given, variant, data);
+  const scene::Scene given = load(many).value(), variant = load(many, "many").value();
+  const auto data =
+      data::Comparisons::rows(points({3, 4, 5, 1, 0, 2}), given.graph.inputs()).value();
+  const profile::VariantCheck check = profile::check_variant(given, variant, data);
   EXPECT_EQ(check.differences, 0u);
   EXPECT_EQ(check.undetermined, 1u);
 }
 
 TEST_F(Variants, ANegativeRadiusConvictsTheRoot) {
-  const Scene given = load(root_).value(), root = load(root_, "root").value();
+  const scene::Scene given = load(root_).value(), root = load(root_, "root").value();
   const auto data =
-      Comparisons::rows(points({1, 0, 2, 1, 0, -2, 3, 0, -2}), given.graph.inputs()).value();
-  const VariantCheck check = check_variant(given, root, data);
+      data::Comparisons::rows(points({1, 0, 2, 1, 0, -2, 3, 0, -2}), given.graph.inputs()).value();
+  const profile::VariantCheck check = profile::check_variant(given, root, data);
   EXPECT_EQ(check.differences, 1u);
   ASSERT_TRUE(check.first_difference);
   EXPECT_EQ(check.first_difference->index, 1u);
@@ -167,14 +169,14 @@ TEST_F(Variants, ANegativeRadiusConvictsTheRoot) {
 }
 
 TEST_F(Variants, ASampleIsSpreadOverAll) {
-  const Scene given = load(root_).value(), root = load(root_, "root").value();
+  const scene::Scene given = load(root_).value(), root = load(root_, "root").value();
   const auto data =
-      Comparisons::rows(points({1, 0, 2, 1, 0, 2, 1, 0, 2, 1, 0, -2}), given.graph.inputs())
+      data::Comparisons::rows(points({1, 0, 2, 1, 0, 2, 1, 0, 2, 1, 0, -2}), given.graph.inputs())
           .value();
-  EXPECT_EQ(check_variant(given, root, data, 3).differences, 0u);
-  EXPECT_EQ(check_variant(given, root, data, 3).comparisons, 3u);
-  EXPECT_EQ(check_variant(given, root, data, 4).differences, 1u);
+  EXPECT_EQ(profile::check_variant(given, root, data, 3).differences, 0u);
+  EXPECT_EQ(profile::check_variant(given, root, data, 3).comparisons, 3u);
+  EXPECT_EQ(profile::check_variant(given, root, data, 4).differences, 1u);
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

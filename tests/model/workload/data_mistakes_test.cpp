@@ -8,7 +8,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// Mistakes in [data] are those of a key, wherever it is set, and of a table.
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 class DataMistakes : public testing::Test {
@@ -32,7 +32,8 @@ protected:
     write("scene.toml", "reference.format = \"binary64\"\n[comparison]\nname = \"n\"\nf = \"" + f +
                             "\"\ng = \"" + g + "\"\n[data]\n" + data);
     if (!plan.empty()) write("plan.toml", "scene = \"scene.toml\"\n" + plan);
-    const Result<Comparisons> loaded = load(plan.empty() ? "scene.toml" : "plan.toml", settings);
+    const Result<data::Comparisons> loaded =
+        load(plan.empty() ? "scene.toml" : "plan.toml", settings);
     EXPECT_FALSE(loaded.ok());
     std::string text = loaded.ok() ? "" : loaded.error().to_string();
     const std::string path = directory_.path().string() + "/";
@@ -43,11 +44,11 @@ protected:
   }
 
 private:
-  Result<Comparisons> load(const std::string& file,
-                           const std::vector<std::string>& settings) const {
-    const Result<Scene> scene = load_scene(directory_.path() / file, settings);
+  Result<data::Comparisons> load(const std::string& file,
+                                 const std::vector<std::string>& settings) const {
+    const Result<scene::Scene> scene = scene::load_scene(directory_.path() / file, settings);
     if (!scene.ok()) return scene.error();
-    return load_comparisons(*scene);
+    return workload::load_comparisons(*scene);
   }
 
   test::ScratchDirectory directory_;
@@ -219,10 +220,10 @@ TEST(ContestProgress, CountsUpToAllComparisons) {
       << "[comparison]\nname = \"n\"\nf = \"abs(p - ci)\"\ng = \"abs(p - cj)\"\n[reference]\n"
          "format = \"binary32\"\n[data]\nfile = \"rows.csv\"\nwith = \"with.csv\"\n"
          "pairs = \"arg_min\"\n";
-  const Result<Scene> scene = load_scene(directory.path() / "scene.toml", {});
+  const Result<scene::Scene> scene = scene::load_scene(directory.path() / "scene.toml", {});
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   std::vector<std::uint64_t> told;
-  const auto data = load_comparisons(*scene, [&](std::uint64_t done, std::uint64_t all) {
+  const auto data = workload::load_comparisons(*scene, [&](std::uint64_t done, std::uint64_t all) {
     EXPECT_EQ(all, 10'000U);
     told.push_back(done);
   });
@@ -231,4 +232,4 @@ TEST(ContestProgress, CountsUpToAllComparisons) {
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

@@ -13,7 +13,7 @@
 #include "model/number/verdict.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::model {
+namespace mixcmp::test {
 namespace {
 
 class TwoTables : public testing::Test {
@@ -22,17 +22,18 @@ protected:
     std::ofstream(directory_.path() / name, std::ios::binary) << text;
   }
 
-  Result<Comparisons> load(const std::string& f, const std::string& g, const std::string& data,
-                           const std::string& format = "binary64") const {
+  Result<data::Comparisons> load(const std::string& f, const std::string& g,
+                                 const std::string& data,
+                                 const std::string& format = "binary64") const {
     write("scene.toml", "[comparison]\nname = \"n\"\nf = \"" + f + "\"\ng = \"" + g +
                             "\"\n[reference]\nformat = \"" + format + "\"\n[data]\n" + data);
-    const Result<Scene> scene = load_scene(directory_.path() / "scene.toml", {});
+    const Result<scene::Scene> scene = scene::load_scene(directory_.path() / "scene.toml", {});
     if (!scene.ok()) return scene.error();
-    return load_comparisons(*scene);
+    return workload::load_comparisons(*scene);
   }
 
   std::string error(const std::string& f, const std::string& g, const std::string& data) const {
-    const Result<Comparisons> loaded = load(f, g, data);
+    const Result<data::Comparisons> loaded = load(f, g, data);
     EXPECT_FALSE(loaded.ok());
     if (loaded.ok()) return {};
     const std::string text = loaded.error().to_string();
@@ -44,7 +45,7 @@ private:
   test::ScratchDirectory directory_;
 };
 
-std::vector<double> operands(const Comparisons& data, std::uint64_t index) {
+std::vector<double> operands(const data::Comparisons& data, std::uint64_t index) {
   std::vector<Bits> bits(data.input_count());
   data.fetch(index, bits);
   std::vector<double> values;
@@ -76,10 +77,11 @@ TEST_F(TwoTables, ColumnsHaveTheScenesNames) {
 TEST_F(TwoTables, EveryInputTellsItsColumn) {
   write("points.csv", "name,width,height,size\na,1,2,3\nb,4,5,6\n");
   write("centres.csv", "x,y\n7,8\n9,10\n");
-  const auto told = [](const Result<Comparisons>& data, const std::vector<std::string>& inputs) {
+  const auto told = [](const Result<data::Comparisons>& data,
+                       const std::vector<std::string>& inputs) {
     EXPECT_TRUE(data.ok()) << (data.ok() ? "" : data.error().to_string());
     std::vector<std::string> lines;
-    for (const InputSource& input : input_sources(*data, inputs)) {
+    for (const data::InputSource& input : data::input_sources(*data, inputs)) {
       lines.push_back(input.input + " <- " + input.shown());
     }
     return lines;
@@ -218,7 +220,8 @@ TEST_F(TwoTables, ArgMinFollowsFromTheVerdictsInAnyFormat) {
     for (std::uint64_t row = 0; row < 30; ++row) {
       std::uint64_t best = 0;
       for (std::uint64_t j = 1; j < 7; ++j, ++index) {
-        ASSERT_EQ(data->items(index), (Items{.row = row, .first = best, .second = j})) << format;
+        ASSERT_EQ(data->items(index), (data::Items{.row = row, .first = best, .second = j}))
+            << format;
         data->fetch(index, bits);
         const auto verdict = golden::evaluate_reference(reference, bits);
         if (verdict == Verdict::greater) best = j;
@@ -229,4 +232,4 @@ TEST_F(TwoTables, ArgMinFollowsFromTheVerdictsInAnyFormat) {
 }
 
 }  // namespace
-}  // namespace mixcmp::model
+}  // namespace mixcmp::test

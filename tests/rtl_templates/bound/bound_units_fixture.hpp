@@ -73,10 +73,9 @@ private:
     if (wrong_++ >= max_reports) return;
     ADD_FAILURE() << fmt::format(
         "{} CUTS={:02b}: x = {}, a = {}, b = {}, exceptional {:d}: expected {}, got {}",
-        to_string(unit), slot % mask_count, model::to_hex(then.stimulus.x, lane.width()),
-        model::to_hex(then.stimulus.a, bound.width()),
-        model::to_hex(then.stimulus.b, bound.width()), then.stimulus.exceptional,
-        model::to_hex(answer.y, bound.width()), model::to_hex(got, bound.width()));
+        to_string(unit), slot % mask_count, to_hex(then.stimulus.x, lane.width()),
+        to_hex(then.stimulus.a, bound.width()), to_hex(then.stimulus.b, bound.width()),
+        then.stimulus.exceptional, to_hex(answer.y, bound.width()), to_hex(got, bound.width()));
   }
 
   VerilatedContext context_;

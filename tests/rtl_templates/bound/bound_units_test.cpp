@@ -29,8 +29,7 @@ Bits random_bound(int near, std::mt19937_64& random) {
   if (random() % 4 == 0) fraction = 0;
   if (random() % 4 == 0) fraction = ~Bits{0};
   exponent = std::clamp(exponent, 1, top);
-  return (Bits(exponent) << (BOUND_PRECISION - 1)) |
-         (fraction & model::low_mask(BOUND_PRECISION - 1));
+  return (Bits(exponent) << (BOUND_PRECISION - 1)) | (fraction & low_mask(BOUND_PRECISION - 1));
 }
 
 int exponent_of(Bits value) {

@@ -9,15 +9,14 @@
 namespace mixcmp::test {
 namespace {
 
-namespace golden = model::golden;
-using model::RequiredSign;
+using error::RequiredSign;
 
 constexpr Answer anything = {.matters = 0};
 
 Bits guard_ulp(Unit unit, FloatFormat lane) {
   if (unit == Unit::decision_guard_5) return 5;
-  if (unit == Unit::decision_large_guard) return model::low_mask(lane.width() - 4);
-  return unit == Unit::decision_never ? model::low_mask(lane.width()) : 0;
+  if (unit == Unit::decision_large_guard) return low_mask(lane.width() - 4);
+  return unit == Unit::decision_never ? low_mask(lane.width()) : 0;
 }
 
 bool is_gradual(Unit unit) {
@@ -122,7 +121,7 @@ Answer ExpectedAnswers::decision(Unit unit, const Stimulus& stimulus) const {
   return {decided | (lane_.sign(stimulus.x) ? 0 : greater)};
 }
 
-model::RangeCheck ExpectedAnswers::range_check(Unit unit) const {
+error::RangeCheck ExpectedAnswers::range_check(Unit unit) const {
   const int exponent_bits = lane_.exponent_bits();
   const Bits exponents = Bits{1} << exponent_bits;
   if (unit == Unit::sign_alone) return {.sign = RequiredSign::nonnegative};

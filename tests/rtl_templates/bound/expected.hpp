@@ -10,10 +10,6 @@
 
 namespace mixcmp::test {
 
-using model::Bits;
-using model::BoundFormat;
-using model::FloatFormat;
-
 /// The units of bound_units.v, in its order.
 enum class Unit {
   magnitude_flush,
@@ -68,7 +64,7 @@ private:
   Answer of_value(Unit unit, const Stimulus& stimulus) const;
   Answer at_most(const Stimulus& stimulus) const;
   Answer decision(Unit unit, const Stimulus& stimulus) const;
-  model::RangeCheck range_check(Unit unit) const;
+  error::RangeCheck range_check(Unit unit) const;
 
   FloatFormat lane_;
   BoundFormat bound_;

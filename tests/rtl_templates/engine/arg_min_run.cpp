@@ -44,7 +44,7 @@ void ArgMinRun::edge() {
 }
 
 void ArgMinRun::reset() {
-  for (tb::Port* port :
+  for (harness::Port* port :
        {&dut_->s_candidate_tvalid, &dut_->s_axis_tvalid, &dut_->m_axis_tready, &dut_->aclk}) {
     port->set_bit(0, false);
   }
@@ -215,7 +215,7 @@ void ArgMinRun::take_pair(std::size_t k) {
   Lane& lane = lanes_[k];
   const bool valid = dut_->pair_tvalid.bit(k), ready = dut_->pair_tready.bit(k);
   const auto row = static_cast<std::uint32_t>(dut_->pair_row.field(k * row_bits, row_bits));
-  const auto field = [&](const tb::Port& port) {
+  const auto field = [&](const harness::Port& port) {
     return static_cast<std::uint32_t>(port.field(k * candidate_bits, candidate_bits));
   };
   const std::uint32_t best = field(dut_->pair_best), own = field(dut_->pair_own);

@@ -19,13 +19,13 @@ public:
   virtual ~ArgMinDut() = default;
   virtual void eval() = 0;
 
-  tb::Port aclk, aresetn;
-  tb::Port s_candidate_tvalid, s_candidate_tready, s_candidate_tdata, s_candidate_tlast;
-  tb::Port s_axis_tvalid, s_axis_tready, s_axis_tdata, s_axis_tuser, s_axis_tlast;
-  tb::Port pair_tvalid, pair_tready, pair_row, pair_best, pair_own;
-  tb::Port result_tvalid, result_tready, result_tdata;
-  tb::Port m_axis_tvalid, m_axis_tready, m_axis_tdata, m_axis_tuser, m_axis_tlast;
-  tb::Port overrun, rows, stalled_cycles;
+  harness::Port aclk, aresetn;
+  harness::Port s_candidate_tvalid, s_candidate_tready, s_candidate_tdata, s_candidate_tlast;
+  harness::Port s_axis_tvalid, s_axis_tready, s_axis_tdata, s_axis_tuser, s_axis_tlast;
+  harness::Port pair_tvalid, pair_tready, pair_row, pair_best, pair_own;
+  harness::Port result_tvalid, result_tready, result_tdata;
+  harness::Port m_axis_tvalid, m_axis_tready, m_axis_tdata, m_axis_tuser, m_axis_tlast;
+  harness::Port overrun, rows, stalled_cycles;
 };
 
 struct ArgMinSpec {

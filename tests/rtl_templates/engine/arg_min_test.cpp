@@ -17,7 +17,7 @@ public:
     context_.randReset(2);  // what is not reset starts random
     context_.randSeed(5);
     model_ = std::make_unique<Model>(&context_);
-#define BIND(PORT) PORT = tb::Port(model_->PORT)
+#define BIND(PORT) PORT = harness::Port(model_->PORT)
     BIND(aclk), BIND(aresetn);
     BIND(s_candidate_tvalid), BIND(s_candidate_tready), BIND(s_candidate_tdata);
     BIND(s_candidate_tlast);

@@ -44,7 +44,7 @@ void EngineRun::edge() {
 }
 
 void EngineRun::reset() {
-  for (tb::Port* valid : {&dut_->s_axis_tvalid, &dut_->m_axis_tready, &dut_->aclk}) {
+  for (harness::Port* valid : {&dut_->s_axis_tvalid, &dut_->m_axis_tready, &dut_->aclk}) {
     valid->set_bit(0, false);
   }
   for (std::size_t k = 0; k < lanes_.size(); ++k) {

@@ -21,14 +21,14 @@ public:
   virtual ~EngineDut() = default;
   virtual void eval() = 0;
 
-  tb::Port aclk, aresetn;
-  tb::Port s_axis_tvalid, s_axis_tready, s_axis_tdata, s_axis_tlast;
-  tb::Port pair_tvalid, pair_tready, pair_items, pair_tag;
-  tb::Port result_tvalid, result_tready, result_tdata, result_tag;
-  tb::Port s_refetch_tvalid, s_refetch_tready, s_refetch_tdata;
-  tb::Port m_answer_tvalid, m_answer_tready, m_answer_tdata;
-  tb::Port m_axis_tvalid, m_axis_tready, m_axis_tdata, m_axis_tuser, m_axis_tlast;
-  tb::Port reports, busy_cycles, stalled_cycles;
+  harness::Port aclk, aresetn;
+  harness::Port s_axis_tvalid, s_axis_tready, s_axis_tdata, s_axis_tlast;
+  harness::Port pair_tvalid, pair_tready, pair_items, pair_tag;
+  harness::Port result_tvalid, result_tready, result_tdata, result_tag;
+  harness::Port s_refetch_tvalid, s_refetch_tready, s_refetch_tdata;
+  harness::Port m_answer_tvalid, m_answer_tready, m_answer_tdata;
+  harness::Port m_axis_tvalid, m_axis_tready, m_axis_tdata, m_axis_tuser, m_axis_tlast;
+  harness::Port reports, busy_cycles, stalled_cycles;
 };
 
 struct EngineSpec {

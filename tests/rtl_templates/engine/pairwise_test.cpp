@@ -19,7 +19,7 @@ public:
     context_.randReset(2);  // what is not reset starts random
     context_.randSeed(5);
     model_ = std::make_unique<Model>(&context_);
-#define BIND(PORT) PORT = tb::Port(model_->PORT)
+#define BIND(PORT) PORT = harness::Port(model_->PORT)
     BIND(aclk), BIND(aresetn);
     BIND(s_axis_tvalid), BIND(s_axis_tready), BIND(s_axis_tdata), BIND(s_axis_tlast);
     BIND(pair_tvalid), BIND(pair_tready), BIND(pair_items), BIND(pair_tag);

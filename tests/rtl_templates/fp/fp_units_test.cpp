@@ -120,12 +120,12 @@ void write_vectors(const UnitsUnderTest& units, std::span<const std::string_view
   const uint64_t seed = parse<uint64_t>(arguments[3], 10);
   for (uint64_t i = 0; i < count; ++i) {
     const Stimulus stimulus = random_stimulus(units.operands(), units.result(), seed, i);
-    stimuli << fmt::format("{:d}{}{}\n", stimulus.exceptional, model::to_hex(stimulus.a, 128),
-                           model::to_hex(stimulus.b, 128));
+    stimuli << fmt::format("{:d}{}{}\n", stimulus.exceptional, to_hex(stimulus.a, 128),
+                           to_hex(stimulus.b, 128));
     for (int behaviour = 0; behaviour < UnitsUnderTest::behaviours; ++behaviour) {
       const Answer answer = units.answer(behaviour, stimulus);
       const int flags = 4 * answer.y_matters + 2 * answer.flag_matters + answer.flag;
-      answers << fmt::format("{:x}{}\n", flags, model::to_hex(answer.y, 128));
+      answers << fmt::format("{:x}{}\n", flags, to_hex(answer.y, 128));
     }
   }
 }

@@ -18,8 +18,6 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Bits;
-
 constexpr int widest = 113, levels = 7;
 
 struct Factors {

@@ -12,8 +12,7 @@ namespace {
 constexpr uint64_t max_reports = 10;
 
 std::string text(FloatFormat format, Bits bits) {
-  return fmt::format("0x{} ({})", model::to_hex(bits, format.width()),
-                     model::to_text(format, bits));
+  return fmt::format("0x{} ({})", to_hex(bits, format.width()), to_text(format, bits));
 }
 
 }  // namespace
@@ -88,7 +87,7 @@ void Regression::report(int slot, const Stimulus& stimulus, const Answer& expect
       operands.name(), units_.result().name(), units_.name(slot), units_.latency_cycles(slot),
       text(operands, stimulus.a), text(operands, stimulus.b), text(format, expected.y),
       expected.flag, text(format, simulation_.y(slot)), simulation_.flag(slot), origin_, program_,
-      model::to_hex(stimulus.a, operands.width()), model::to_hex(stimulus.b, operands.width()),
+      to_hex(stimulus.a, operands.width()), to_hex(stimulus.b, operands.width()),
       stimulus.exceptional);
 }
 

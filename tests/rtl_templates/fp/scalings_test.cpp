@@ -10,10 +10,6 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::Bits;
-using model::FloatFormat;
-
 /// One instance of scalings.v.
 struct Slot {
   int scale;
@@ -31,10 +27,8 @@ protected:
   Slot slot(int index) const {
     return {
         .scale = index / 16 - operands_.bias() + 1,
-        .arithmetic = {result_,
-                       (index & 4) != 0 ? model::Rounding::toward_zero
-                                        : model::Rounding::nearest_even,
-                       (index & 8) != 0 ? model::Subnormals::gradual : model::Subnormals::flush},
+        .arithmetic = {result_, (index & 4) != 0 ? Rounding::toward_zero : Rounding::nearest_even,
+                       (index & 8) != 0 ? Subnormals::gradual : Subnormals::flush},
         .promised = (index & 2) != 0,
         .latency_cycles = (index & 1) != 0 ? 3 : 0};
   }
@@ -47,7 +41,7 @@ protected:
   void judge(int index, Bits a) {
     const Slot which = slot(index);
     const Bits factor = operands_.pack(false, which.scale + operands_.bias(), 0);
-    const auto expected = model::golden::multiply(which.arithmetic, operands_, a, factor);
+    const auto expected = golden::multiply(which.arithmetic, operands_, a, factor);
     const bool kept =
         is_plain(operands_, a) && is_plain(result_, expected.bits) && !expected.exceptional;
     if (which.promised && !kept) return;

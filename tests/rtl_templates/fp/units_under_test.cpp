@@ -12,12 +12,6 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Arithmetic;
-using model::Operation;
-using model::Rounding;
-using model::Subnormals;
-namespace golden = model::golden;
-
 enum UnitSlot {
   add,
   subtract,
@@ -170,7 +164,7 @@ UnitsUnderTest::UnitsUnderTest(FloatFormat operands, FloatFormat result, Bits so
     : operands_(operands), result_(result) {
   for (int slot = 0; slot < slots; ++slot) {
     const std::array<Bits, masks> cuts = {0, ~Bits{0}, some_cuts};
-    const Bits stages = model::low_mask(stage_count(slot / columns));
+    const Bits stages = low_mask(stage_count(slot / columns));
     latencies_[slot] = population_count(cuts[std::min(slot % columns, masks - 1)] & stages);
   }
 }
@@ -180,23 +174,25 @@ int UnitsUnderTest::max_latency_cycles() const {
 }
 
 int UnitsUnderTest::stage_count(int behaviour) const {
-  const gen::DelayTable delays;
+  const datapath::DelayTable delays;
   const Behaviour which = behaviour_of(behaviour);
-  const auto count = [](const gen::Unit& unit) { return static_cast<int>(unit.stages.size()); };
+  const auto count = [](const datapath::Unit& unit) {
+    return static_cast<int>(unit.stages.size());
+  };
   if (which.unit == comparison && which.toward_zero) {
-    return count(gen::interval_decision_unit(operands_, delays));
+    return count(datapath::interval_decision_unit(operands_, delays));
   }
-  if (which.unit == comparison) return count(gen::compare_unit(operands_, delays));
+  if (which.unit == comparison) return count(datapath::compare_unit(operands_, delays));
   if (which.unit == ulp_distance || which.unit == ulp_distance_wide) {
-    return count(gen::ulp_distance_unit(operands_, delays));
+    return count(datapath::ulp_distance_unit(operands_, delays));
   }
-  const model::TypedNode node{.operation = operation_of(which.unit),
-                              .operand_format = operands_,
-                              .format = which.unit == minimum_maximum ? operands_ : result_};
+  const TypedNode node{.operation = operation_of(which.unit),
+                       .operand_format = operands_,
+                       .format = which.unit == minimum_maximum ? operands_ : result_};
   const Subnormals subnormals = which.gradual ? Subnormals::gradual : Subnormals::flush;
   const bool logic = which.unit == logic_multiply || which.unit == logic_square;
-  const auto multipliers = logic ? model::Multipliers::logic : model::Multipliers::embedded;
-  return count(gen::unit_for(node, subnormals, multipliers, delays));
+  const auto multipliers = logic ? scene::Multipliers::logic : scene::Multipliers::embedded;
+  return count(datapath::unit_for(node, subnormals, multipliers, delays));
 }
 
 Answer UnitsUnderTest::answer(int behaviour, const Stimulus& stimulus) const {
@@ -207,7 +203,7 @@ Answer UnitsUnderTest::answer(int behaviour, const Stimulus& stimulus) const {
   }
   if (which.unit == comparison && which.toward_zero) return interval_answer(operands_, stimulus);
   if (which.unit == comparison) {
-    const model::Verdict verdict = golden::compare(operands_, subnormals, stimulus.a, stimulus.b);
+    const Verdict verdict = golden::compare(operands_, subnormals, stimulus.a, stimulus.b);
     return {.y = static_cast<Bits>(verdict), .flag_matters = false};
   }
   const Arithmetic result{
@@ -269,8 +265,7 @@ std::string UnitsUnderTest::name(int slot) const {
   if (promises.cancellation) cuts += " CANCELLATION=0";
   if (which.unit == ulp_distance || which.unit == ulp_distance_wide) {
     return fmt::format("fp_ulp_distance GUARD_ULP=0x{} NONNEGATIVE={:d} {}",
-                       model::to_hex(guard_of(operands_, which), operands_.width()), which.gradual,
-                       cuts);
+                       to_hex(guard_of(operands_, which), operands_.width()), which.gradual, cuts);
   }
   if (which.unit == comparison && which.toward_zero) return "fp_interval_decision " + cuts;
   if (which.unit == comparison)

@@ -8,9 +8,6 @@
 
 namespace mixcmp::test {
 
-using model::Bits;
-using model::FloatFormat;
-
 /// What every unit of fp_units.v is given in one cycle.
 struct Stimulus {
   Bits a;

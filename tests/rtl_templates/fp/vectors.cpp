@@ -13,7 +13,7 @@ public:
   uint64_t word() { return mix(state_ += 0x9e3779b97f4a7c15); }
   Bits bits(int width) {
     const Bits upper = word();
-    return (upper << 64 | word()) & model::low_mask(width);
+    return (upper << 64 | word()) & low_mask(width);
   }
   /// 0 <= result < limit.
   int below(int limit) { return static_cast<int>(word() % static_cast<uint64_t>(limit)); }
@@ -67,7 +67,7 @@ Bits with_tie_tail(FloatFormat format, Bits fraction, Draw& draw) {
   const int tail = 1 + draw.below(format.fraction_bits());
   const Bits half = Bits{1} << (tail - 1);
   const std::array<Bits, 4> tails = {half, half - 1, half + 1, 2 * half - 1};
-  const Bits mask = model::low_mask(tail);
+  const Bits mask = low_mask(tail);
   return (fraction & ~mask) | (tails[draw.below(4)] & mask);
 }
 
@@ -76,13 +76,13 @@ Bits draw_fraction(FloatFormat format, Draw& draw) {
   const Bits uniform = draw.bits(width);
   switch (draw.below(8)) {
     case 0: return 0;
-    case 1: return model::low_mask(width);
-    case 2: return uniform & ~model::low_mask(draw.below(width + 1));
+    case 1: return low_mask(width);
+    case 2: return uniform & ~low_mask(draw.below(width + 1));
     case 3: return Bits{1} << draw.below(width);
     case 4: return with_tie_tail(format, uniform, draw);
     case 5: {
       const Bits root = draw_short_significand(format, draw);
-      return (fraction_of_product(format, root, root) + draw.near(1)) & model::low_mask(width);
+      return (fraction_of_product(format, root, root) + draw.near(1)) & low_mask(width);
     }
     default: return uniform;
   }
@@ -141,13 +141,12 @@ std::vector<Bits> special_values(FloatFormat operands, FloatFormat result) {
       infinity,
       infinity + 1,
       f.quiet_nan(),
-      infinity | model::low_mask(f.fraction_bits()),
+      infinity | low_mask(f.fraction_bits()),
   };
   for (const int edge : {lowest_result(operands, result), highest_result(operands, result)}) {
     for (const int exponent : {edge - result.precision(), edge - 1, edge, edge + 1}) {
       const Bits packed = f.pack(false, clamp_exponent(f, exponent), 0);
-      values.insert(values.end(),
-                    {packed, packed | 1, packed | model::low_mask(f.fraction_bits())});
+      values.insert(values.end(), {packed, packed | 1, packed | low_mask(f.fraction_bits())});
     }
   }
   std::sort(values.begin(), values.end());
@@ -164,8 +163,7 @@ Stimulus random_stimulus(FloatFormat operands, FloatFormat result, uint64_t seed
   Bits a_fraction = draw_fraction(operands, draw);
   Bits b_fraction = draw_fraction(operands, draw);
   const int relation = draw.below(6);
-  if (relation == 0)
-    b_fraction = (a_fraction + draw.near(2)) & model::low_mask(operands.fraction_bits());
+  if (relation == 0) b_fraction = (a_fraction + draw.near(2)) & low_mask(operands.fraction_bits());
   if (relation == 1) {
     const Bits divisor = draw_short_significand(operands, draw);
     const Bits quotient = draw_short_significand(operands, draw);

@@ -93,15 +93,15 @@ int lanes_of_reference_0(const SystemSpec& spec) {
 
 /// Comparisons per cycle by the analytical model where this part is undecided, at random.
 double predicted_per_cycle(const SystemSpec& spec, double undecided) {
-  model::LaneStreams streams = {
-      .order = spec.in_order ? model::ResultOrder::in_order : model::ResultOrder::tagged,
+  performance::LaneStreams streams = {
+      .order = spec.in_order ? scene::ResultOrder::in_order : scene::ResultOrder::tagged,
       .lane_latency_cycles = spec.lane_latency_cycles,
       .reference_latency_cycles = spec.reference_latency_cycles,
       .slots = 1 << spec.slot_bits,
       .lanes_served = 0};
   if (spec.references == 0) return spec.lanes * random_throughput(streams, undecided);
   double sum = 0;
-  for (const int served : model::lanes_of_references(spec.lanes, spec.references)) {
+  for (const int served : performance::lanes_of_references(spec.lanes, spec.references)) {
     streams.lanes_served = served;
     if (served > 0) sum += served * random_throughput(streams, undecided);
   }

@@ -14,9 +14,6 @@
 namespace mixcmp::test {
 namespace {
 
-using model::Combination;
-using model::Verdict;
-
 struct Expected {
   bool decided;
   Verdict verdict;
@@ -24,14 +21,14 @@ struct Expected {
 
 Expected expected_of(Combination combination, const std::vector<Verdict>& verdicts,
                      unsigned known) {
-  const Verdict decides = model::golden::dominating_verdict(combination);
+  const Verdict decides = golden::dominating_verdict(combination);
   Verdict all = verdicts.front();
   bool every = true;
   for (std::size_t part = 0; part < verdicts.size(); ++part) {
     const bool is_known = (known >> part & 1) != 0;
     if (is_known && verdicts[part] == decides) return {true, decides};
     every &= is_known;
-    all = model::golden::combine(combination, all, verdicts[part]);
+    all = golden::combine(combination, all, verdicts[part]);
   }
   return {every, all};
 }
