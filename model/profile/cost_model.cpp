@@ -178,8 +178,13 @@ bool is_system(const std::string& name) {
 }  // namespace
 
 Result<MeasuredAreas> MeasuredAreas::read(const std::filesystem::path& path) {
-  MIXCMP_TRY(content, read_file(path));
-  std::istringstream file(content);
+  const Result<std::string> content = read_file(path);
+  if (!content.ok()) {
+    Error error = content.error();
+    error.field = "--areas";
+    return error;
+  }
+  std::istringstream file(*content);
   std::string text;
   const std::string header = "system,precision,luts";
   std::getline(file, text);

@@ -91,7 +91,8 @@ TEST_F(ProfileCommand, WeighsSystems) {
   const std::string csv = read("out/trade.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 9);
   expect_profile_refused("scene.toml --accept -1", "--accept");
-  expect_profile_refused("scene.toml --areas nowhere.csv", "nowhere.csv: --areas: cannot be read");
+  expect_profile_refused("scene.toml --areas nowhere.csv",
+                         "nowhere.csv: --areas: cannot read the file");
 }
 
 TEST_F(ProfileCommand, WithoutGnuplotOnlyThePicturesAreMissing) {
