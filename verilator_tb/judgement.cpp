@@ -72,7 +72,7 @@ Mismatch describe_comparison(const design::Design& design, const data::Compariso
   mismatch.items = data::describe(comparisons, index);
   std::vector<Bits> operands(comparisons.input_count());
   comparisons.fetch(index, operands);
-  const FloatFormat format = design.reference.input_format();
+  const FloatFormat format = design.reference.input_format;
   for (std::size_t k = 0; k < operands.size(); ++k) {
     mismatch.operands.push_back(
         {design.inputs[k], to_hex(operands[k], format.width()), to_text(format, operands[k])});
@@ -92,8 +92,7 @@ void check_against_truth(const TruthCheck& check, const design::Design& design,
     ++truth.decided_by_lane;
     return;
   }
-  const auto verdict =
-      golden::true_verdict(*check.graph, design.reference.input_format(), operands);
+  const auto verdict = golden::true_verdict(*check.graph, design.reference.input_format, operands);
   if (!verdict) {
     ++truth.undetermined;
     return;

@@ -9,7 +9,7 @@
 #include "generator/components/component_maker.hpp"
 #include "generator/components/synthesis_jobs.hpp"
 #include "model/common/scratch_folder.hpp"
-#include "model/error/combined_lane.hpp"
+#include "model/error/certified_lane.hpp"
 #include "model/profile/profile.hpp"
 #include "model/profile/profiled_error.hpp"
 #include "model/scene/bound_choice.hpp"
@@ -18,12 +18,12 @@ namespace mixcmp::cli {
 namespace {
 
 using devices::Area;
-using error::CombinedLane;
+using error::Lane;
 using scene::ReducedSpec;
 using scene::Scene;
 
 /// The area of one lane alone on the scene's device.
-Result<Area> lane_area(const Scene& scene, const CombinedLane& lane) {
+Result<Area> lane_area(const Scene& scene, const Lane& lane) {
   MIXCMP_TRY(device, devices::find_device(scene.system.device));
   MIXCMP_TRY(tools, characterise::tool_versions(device, characterise::TimingEffort::area_only));
   MIXCMP_TRY(built, components::lane_rtl(scene.graph.inputs(), lane, scene.reduced.multipliers,
@@ -40,9 +40,9 @@ Result<Area> lane_area(const Scene& scene, const CombinedLane& lane) {
 
 /// The area of the lane with every hazard built and no operand checked, except for signs.
 std::optional<Area> area_of_all_built(const Scene& scene, const ReducedSpec& reduced,
-                                      const CombinedLane& lane) {
-  const auto all_built = error::certified_lanes(
-      lane_graphs(scene.graph, scene.reference.format, lane.arithmetic(), scene.reduced.inputs),
+                                      const Lane& lane) {
+  const auto all_built = error::certified_lane(
+      lane_graph(scene.graph, scene.reference.format, lane.graph.arithmetic, scene.reduced.inputs),
       {.kind = *reduced.error_bound,
        .bound_digits = reduced.bound_digits,
        .ranges = scene.ranges,

@@ -106,7 +106,7 @@ std::vector<GroupProof> prove_groups(const std::filesystem::path& scene,
   const std::vector<std::string> names = lane_group_names(design);
   std::vector<GroupProof> proofs;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const error::CombinedLane& lane = design.lanes[k].lane;
+    const error::Lane& lane = design.lanes[k].lane;
     if (lane.certified()) proofs.push_back({names[k], prove_quickly(scene, lane)});
   }
   return proofs;

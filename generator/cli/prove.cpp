@@ -31,7 +31,7 @@ Result<scene::Scene> with_precision(const scene::Scene& scene, int precision) {
 /// A lane to prove, or why there is none.
 struct Candidate {
   std::string name;
-  Result<error::CombinedLane> lane;
+  Result<error::Lane> lane;
 };
 
 std::string format_name(const scene::ReducedSpec& reduced) {
@@ -67,10 +67,10 @@ std::string version_text(const Result<std::string>& version) {
   return version.ok() ? *version : "";
 }
 
-ProvenLane prove_lane(const scene::Scene& scene, const std::string& name,
-                      const error::CombinedLane& lane, const ProveOptions& options,
+ProvenLane prove_lane(const scene::Scene& scene, const std::string& name, const error::Lane& lane,
+                      const ProveOptions& options,
                       const std::vector<std::filesystem::path>& inputs) {
-  ProvenLane result{.format = lane.arithmetic().format.name()};
+  ProvenLane result{.format = lane.graph.arithmetic.format.name()};
   const std::string stem = fmt::format("{}_{}", scene.name, name);
   result.directory =
       options.directory.empty() ? std::filesystem::path(stem + "_proof") : options.directory;
@@ -148,7 +148,7 @@ nlohmann::ordered_json to_json(const ProvenLane& lane) {
   return report;
 }
 
-QuickProof prove_quickly(const std::filesystem::path& scene, const error::CombinedLane& lane) {
+QuickProof prove_quickly(const std::filesystem::path& scene, const error::Lane& lane) {
   proof::QuickProver prover(quick_seconds);
   QuickProof quick{proof::prove_lane(lane, std::ref(prover), proof::Effort::operations),
                    version_text(prover.gappa())};

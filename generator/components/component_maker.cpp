@@ -95,7 +95,7 @@ Error out_of_range(const std::string& field, int received, const std::string& ac
 
 }  // namespace
 
-Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const error::CombinedLane& lane,
+Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const error::Lane& lane,
                          Multipliers multipliers, const scene::SystemSpec& system) {
   MIXCMP_TRY(delays, datapath::delays_of(system.device));
   const datapath::Schedule schedule =
@@ -134,7 +134,7 @@ Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
   }
   MIXCMP_TRY(lane, design::design_lane(scene_, reduced, nullptr));
   MIXCMP_TRY(built, lane_rtl(scene_.graph.inputs(), lane, multipliers, scene_.system));
-  return datapath(key, built.latency_cycles, built.module, share(lane).graph);
+  return datapath(key, built.latency_cycles, built.module, lane.graph);
 }
 
 Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
@@ -146,12 +146,12 @@ Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
   }
   MIXCMP_TRY(multipliers, multipliers_of(key));
   MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
-  const CombinedGraph graph = reference_graphs(scene_.graph, scene_.reference);
+  const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
   const datapath::Schedule schedule =
       datapath::schedule_reference(graph, multipliers, delays, scene_.system.target_mhz);
   const rtl::Module module =
       rtl::reference_module("reference", scene_.graph.inputs(), graph, schedule);
-  return datapath(key, schedule.latency_cycles, module, share(graph).graph);
+  return datapath(key, schedule.latency_cycles, module, graph);
 }
 
 rtl::SystemShape ComponentMaker::stream_shape() const {

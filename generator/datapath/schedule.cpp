@@ -52,7 +52,7 @@ public:
   }
 
   /// Places the bound, the conditions and the decision of one part of a lane.
-  void decide(const error::SharedPart& part, FloatFormat format) {
+  void decide(const error::LanePart& part, const Sides& sides, FloatFormat format) {
     PartSchedule schedule;
     int start = 0;
     for (const std::size_t check : part.checks) {
@@ -71,8 +71,7 @@ public:
                     bound_decision_unit(format, absolute->bound.format, delays_),
                     {absolute->difference}, start);
     }
-    decide(std::move(schedule), ulp_distance_unit(format, delays_), {part.sides.f, part.sides.g},
-           start);
+    decide(std::move(schedule), ulp_distance_unit(format, delays_), {sides.f, sides.g}, start);
   }
 
   /// Places the comparison of one part of a reference.
@@ -184,25 +183,23 @@ private:
 
 }  // namespace
 
-Schedule schedule_lane(const error::CombinedLane& lane, scene::Multipliers multipliers,
+Schedule schedule_lane(const error::Lane& lane, scene::Multipliers multipliers,
                        const DelayTable& delays, double target_mhz) {
-  const error::SharedLane shared = share(lane);
   Scheduler scheduler(delays, target_mhz);
-  scheduler.place_nodes(shared.graph, multipliers);
-  scheduler.place_checks(shared.checks);
-  for (const error::SharedPart& part : shared.parts) {
-    scheduler.decide(part, shared.graph.arithmetic.format);
+  scheduler.place_nodes(lane.graph, multipliers);
+  scheduler.place_checks(lane.checks);
+  for (std::size_t k = 0; k < lane.parts.size(); ++k) {
+    scheduler.decide(lane.parts[k], lane.graph.parts[k], lane.graph.arithmetic.format);
   }
   return scheduler.finish();
 }
 
-Schedule schedule_reference(const CombinedGraph& reference, scene::Multipliers multipliers,
+Schedule schedule_reference(const TypedGraph& reference, scene::Multipliers multipliers,
                             const DelayTable& delays, double target_mhz) {
-  const SharedGraph shared = share(reference);
   Scheduler scheduler(delays, target_mhz);
-  scheduler.place_nodes(shared.graph, multipliers);
-  for (const Sides& part : shared.sides) {
-    scheduler.compare(part, shared.graph.arithmetic.format);
+  scheduler.place_nodes(reference, multipliers);
+  for (const Sides& part : reference.parts) {
+    scheduler.compare(part, reference.arithmetic.format);
   }
   return scheduler.finish();
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "generator/datapath/units.hpp"
-#include "model/error/combined_lane.hpp"
+#include "model/error/lane.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::datapath {
@@ -40,9 +40,9 @@ struct Schedule {
 /// Schedules each operation as soon as possible, with as few registers in each unit as the period
 /// (before routing, by the delay table) allows; a unit's output is always registered.
 /// `target_mhz` > 0.
-Schedule schedule_lane(const error::CombinedLane& lane, scene::Multipliers multipliers,
+Schedule schedule_lane(const error::Lane& lane, scene::Multipliers multipliers,
                        const DelayTable& delays, double target_mhz);
-Schedule schedule_reference(const CombinedGraph& reference, scene::Multipliers multipliers,
+Schedule schedule_reference(const TypedGraph& reference, scene::Multipliers multipliers,
                             const DelayTable& delays, double target_mhz);
 
 }  // namespace mixcmp::datapath

@@ -33,7 +33,7 @@ std::string what_is_ordered(const Design& design) {
                      to_string(design.reference.combination), parts);
 }
 
-std::vector<std::string> decision_facts(const error::CombinedLane& lane) {
+std::vector<std::string> decision_facts(const error::Lane& lane) {
   const std::string decision = "Decision: " + describe_decision(lane) + ".";
   if (!lane.certified()) return {decision};
   return {decision, "Infinities, NaNs, overflow and underflow are left undecided."};
@@ -44,9 +44,9 @@ Described describe_lane(const Design& design, const std::string& name,
   Described lane = {rtl::lane_module(name, design.inputs, group.lane, schedule),
                     {fmt::format("{}: decides {} in reduced precision, or says it cannot.", name,
                                  what_is_asked(design)),
-                     fmt::format("Operands: {}, {}.", design.reference.input_format().name(),
+                     fmt::format("Operands: {}, {}.", design.reference.input_format.name(),
                                  fmt::join(design.inputs, ", ")),
-                     arithmetic_fact(group.lane.arithmetic())}};
+                     arithmetic_fact(group.lane.graph.arithmetic)}};
   for (std::string& fact : decision_facts(group.lane)) lane.facts.push_back(std::move(fact));
   lane.facts.push_back(
       fmt::format("Latency {} cycles, initiation interval 1, no reset.", schedule.latency_cycles));
@@ -57,7 +57,7 @@ Described describe_reference(const Design& design, const std::string& name,
                              const datapath::Schedule& schedule) {
   return {rtl::reference_module(name, design.inputs, design.reference, schedule),
           {fmt::format("{}: {} in reference precision.", name, what_is_ordered(design)),
-           arithmetic_fact(design.reference.arithmetic()),
+           arithmetic_fact(design.reference.arithmetic),
            "A NaN operand or result makes the verdict unordered.",
            fmt::format("Latency {} cycles, initiation interval 1, no reset.",
                        schedule.latency_cycles)}};
@@ -86,10 +86,10 @@ Described describe_reference_channel(const rtl::SystemShape& shape,
 /// Counts and formats of lanes and references: one sentence if there is one kind of each, otherwise
 /// a line for each group, too.
 std::vector<std::string> count_facts(const Design& design, const rtl::SystemShape& shape) {
-  const std::string reference = design.reference.arithmetic().format.name();
+  const std::string reference = design.reference.arithmetic.format.name();
   if (design.lanes.size() == 1 && design.references.size() <= 1) {
     return {fmt::format("{}: p_L = {} in {}, p_H = {} in {}.", shape.top, shape.lanes,
-                        design.lanes.front().lane.arithmetic().format.name(), shape.references,
+                        design.lanes.front().lane.graph.arithmetic.format.name(), shape.references,
                         reference)};
   }
   std::vector<std::string> facts = {fmt::format("{}: p_L = {}, p_H = {} in {}.", shape.top,

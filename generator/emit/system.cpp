@@ -22,7 +22,7 @@ std::vector<SignatureLanes> lanes_of(const Design& design, const rtl::SystemShap
     const design::LaneGroup& group = design.lanes[k];
     lanes.push_back({.count = group.count,
                      .module = shape.lane_groups[k].channel,
-                     .format = group.lane.arithmetic().format,
+                     .format = group.lane.graph.arithmetic.format,
                      .latency_cycles = shape.lane_groups[k].latency_cycles,
                      .certified = group.lane.certified(),
                      .decision = describe_decision(group.lane),
@@ -48,7 +48,7 @@ Signature signature_of(const Design& design, const rtl::SystemShape& shape) {
   return {.top = shape.top,
           .generator_version = std::string(version),
           .spec_hash = {},
-          .reference_format = design.reference.arithmetic().format,
+          .reference_format = design.reference.arithmetic.format,
           .certified = design.certified(),
           .inputs = design.inputs,
           .lanes = shape.lanes,

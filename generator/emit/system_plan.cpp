@@ -7,39 +7,29 @@
 #include <map>
 
 #include "generator/datapath/delays.hpp"
-#include "generator/emit/verilog.hpp"
 #include "generator/rtl/datapath_builder.hpp"
-#include "generator/rtl/datapath_module.hpp"
 #include "generator/rtl/net_names.hpp"
 #include "model/design/slots.hpp"
 
 namespace mixcmp::emit {
 namespace {
 
-/// Gives each group the name of its module. Groups of the same hardware share one name; different
-/// hardware that asks for the same name gets a number appended.
+/// Gives each group the name of its module. Groups of equal lanes share one module; another lane
+/// that asks for the same name gets a number appended.
 class ModuleNames {
 public:
-  std::string unique(const std::string& wanted, const std::string& hardware) {
+  std::string unique(const std::string& wanted, const design::LaneGroup& group) {
     std::string name = wanted;
     for (int number = 2;; ++number) {
-      const auto known = hardware_.emplace(name, hardware).first;
-      if (known->second == hardware) return name;
+      const design::LaneGroup& known = *groups_.emplace(name, &group).first->second;
+      if (known.lane == group.lane && known.multipliers == group.multipliers) return name;
       name = fmt::format("{}_{}", wanted, number);
     }
   }
 
 private:
-  std::map<std::string, std::string> hardware_;
+  std::map<std::string, const design::LaneGroup*> groups_;
 };
-
-/// The Verilog of a group's lanes under a fixed name: equal texts are equal hardware. The text is
-/// empty if there is only one group.
-std::string hardware_of(const design::Design& design, std::size_t group,
-                        const datapath::Schedule& schedule) {
-  if (design.lanes.size() == 1) return "";
-  return to_verilog(rtl::lane_module("lane", design.inputs, design.lanes[group].lane, schedule));
-}
 
 void add_group(std::vector<rtl::DatapathGroup>& groups, rtl::DatapathGroup group) {
   group.channel = group.datapath + "_channel";
@@ -56,7 +46,7 @@ void add_lane_groups(const design::Design& design, SystemPlan& plan) {
     const std::string name =
         fmt::format("{}{}_lane_{}_l{}", design.system.prefix, design.name, names[k], cycles);
     add_group(plan.shape.lane_groups,
-              {.datapath = modules.unique(name, hardware_of(design, k, plan.lanes[k])),
+              {.datapath = modules.unique(name, design.lanes[k]),
                .channel = {},
                .label = names.size() == 1 ? "lanes" : labels.unique("lanes_" + names[k]),
                .latency_cycles = cycles,
@@ -83,7 +73,7 @@ void add_reference_groups(const design::Design& design, SystemPlan& plan) {
 std::string top_name(const design::Design& design) {
   std::vector<std::pair<std::string, int>> formats;
   for (const design::LaneGroup& group : design.lanes) {
-    const std::string format = group.lane.arithmetic().format.name();
+    const std::string format = group.lane.graph.arithmetic.format.name();
     const auto known = std::find_if(formats.begin(), formats.end(),
                                     [&](const auto& entry) { return entry.first == format; });
     if (known == formats.end()) {
@@ -128,7 +118,7 @@ Result<SystemPlan> plan_system(const design::Design& design) {
   SystemPlan plan{
       .lanes = {},
       .references = {},
-      .shape = stream_shape(design.inputs, design.reference.input_format(), design.system),
+      .shape = stream_shape(design.inputs, design.reference.input_format, design.system),
       .engine = {}};
   for (const design::LaneGroup& group : design.lanes) {
     plan.lanes.push_back(

@@ -16,7 +16,7 @@ bool reads_value(const BoundNode& node) {
 
 }  // namespace
 
-BoundUnitBuilder::BoundUnitBuilder(DatapathBuilder& datapath, const error::SharedLane& lane,
+BoundUnitBuilder::BoundUnitBuilder(DatapathBuilder& datapath, const error::Lane& lane,
                                    const error::AbsoluteBoundDecision& decision,
                                    const datapath::PartSchedule& schedule,
                                    const std::string& suffix)

@@ -28,7 +28,6 @@ void append_multiplier_parameters(const datapath::Unit& unit, std::vector<Parame
 }  // namespace
 
 DatapathBuilder::DatapathBuilder(const std::vector<std::string>& inputs, const TypedGraph& graph,
-                                 const std::vector<Sides>& parts,
                                  std::vector<error::Hazards> hazards,
                                  const datapath::Schedule& schedule, ExceptionalFlags exceptional,
                                  DelayPlan plan)
@@ -37,7 +36,7 @@ DatapathBuilder::DatapathBuilder(const std::vector<std::string>& inputs, const T
       hazards_(std::move(hazards)),
       schedule_(schedule),
       pool_(taken_names(ports_)),
-      names_(name_nodes(graph, parts, ports_, pool_)),
+      names_(name_nodes(graph, ports_, pool_)),
       exceptional_(exceptional),
       plan_(std::move(plan)) {}
 

@@ -35,11 +35,10 @@ enum class ExceptionalFlags {
 /// with an empty plan, collects them in the plan for the second.
 class DatapathBuilder {
 public:
-  /// `parts`: the nodes f and g of each part. `hazards`: one per node, or empty where nothing is
-  /// ruled out.
+  /// `hazards`: one per node, or empty where nothing is ruled out.
   DatapathBuilder(const std::vector<std::string>& inputs, const TypedGraph& graph,
-                  const std::vector<Sides>& parts, std::vector<error::Hazards> hazards,
-                  const datapath::Schedule& schedule, ExceptionalFlags exceptional, DelayPlan plan);
+                  std::vector<error::Hazards> hazards, const datapath::Schedule& schedule,
+                  ExceptionalFlags exceptional, DelayPlan plan);
 
   /// The ports aclk and one per operand.
   std::vector<Port> data_ports() const;

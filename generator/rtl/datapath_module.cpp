@@ -46,7 +46,7 @@ PartDecision begin_decision(DatapathBuilder& builder, const datapath::Step& step
 /// Builds the decisions of a lane, part by part.
 class LaneDecisions {
 public:
-  LaneDecisions(DatapathBuilder& builder, const error::SharedLane& lane,
+  LaneDecisions(DatapathBuilder& builder, const error::Lane& lane,
                 const datapath::Schedule& schedule)
       : builder_(builder),
         lane_(lane),
@@ -63,7 +63,7 @@ public:
 private:
   PartDecision build(std::size_t part, const error::UlpDistanceDecision& decision,
                      const Signal& out_of_range) {
-    const auto [f_node, g_node] = lane_.parts[part].sides;
+    const auto [f_node, g_node] = lane_.graph.parts[part];
     const datapath::Step& step = schedule_.parts[part].decision;
     const Operand f = builder_.at(builder_.value(f_node), step.start_cycle);
     const Operand g = builder_.at(builder_.value(g_node), step.start_cycle);
@@ -142,18 +142,18 @@ private:
   }
 
   DatapathBuilder& builder_;
-  const error::SharedLane& lane_;
+  const error::Lane& lane_;
   const datapath::Schedule& schedule_;
   FloatFormat format_;
 };
 
-PartDecision build_comparison(DatapathBuilder& builder, const SharedGraph& reference,
+PartDecision build_comparison(DatapathBuilder& builder, const TypedGraph& reference,
                               std::size_t part, const datapath::Step& step) {
-  const Arithmetic& arithmetic = reference.graph.arithmetic;
-  const auto [f_node, g_node] = reference.sides[part];
+  const Arithmetic& arithmetic = reference.arithmetic;
+  const auto [f_node, g_node] = reference.parts[part];
   const Operand f = builder.at(builder.value(f_node), step.start_cycle);
   const Operand g = builder.at(builder.value(g_node), step.start_cycle);
-  PartDecision made = begin_decision(builder, step, part, reference.sides.size(), Decides::always,
+  PartDecision made = begin_decision(builder, step, part, reference.parts.size(), Decides::always,
                                      "the ordering of two rounded numbers.");
   std::vector<Parameter> parameters = format_parameters(arithmetic.format);
   parameters.push_back({"GRADUAL", arithmetic.subnormals == Subnormals::gradual ? 1 : 0});
@@ -199,17 +199,10 @@ void build_combination(DatapathBuilder& builder, Combination combination,
                         {"decided", net(decided)}}});
 }
 
-std::vector<Sides> sides_of(const error::SharedLane& lane) {
-  std::vector<Sides> sides;
-  for (const error::SharedPart& part : lane.parts) sides.push_back(part.sides);
-  return sides;
-}
-
-DatapathBuilder lane_pass(const std::vector<std::string>& inputs, const error::SharedLane& lane,
+DatapathBuilder lane_pass(const std::vector<std::string>& inputs, const error::Lane& lane,
                           ExceptionalFlags exceptional, const datapath::Schedule& schedule,
                           DelayPlan plan) {
-  DatapathBuilder builder(inputs, lane.graph, sides_of(lane), lane.hazards, schedule, exceptional,
-                          std::move(plan));
+  DatapathBuilder builder(inputs, lane.graph, lane.hazards, schedule, exceptional, std::move(plan));
   const std::vector<Signal> out_of_range = build_range_checks(builder, lane, schedule);
   builder.build_nodes();
   LaneDecisions decisions(builder, lane, schedule);
@@ -217,34 +210,31 @@ DatapathBuilder lane_pass(const std::vector<std::string>& inputs, const error::S
   for (std::size_t part = 0; part < lane.parts.size(); ++part) {
     parts.push_back(decisions.build(part, out_of_range[part]));
   }
-  build_combination(builder, lane.combination, parts, schedule.combination);
+  build_combination(builder, lane.graph.combination, parts, schedule.combination);
   return builder;
 }
 
-DatapathBuilder reference_pass(const std::vector<std::string>& inputs, const SharedGraph& reference,
-                               Combination combination, const datapath::Schedule& schedule,
-                               DelayPlan plan) {
-  DatapathBuilder builder(inputs, reference.graph, reference.sides,
-                          error::structural_hazards(reference.graph), schedule,
+DatapathBuilder reference_pass(const std::vector<std::string>& inputs, const TypedGraph& reference,
+                               const datapath::Schedule& schedule, DelayPlan plan) {
+  DatapathBuilder builder(inputs, reference, error::structural_hazards(reference), schedule,
                           ExceptionalFlags::unused, std::move(plan));
   builder.build_nodes();
   std::vector<PartDecision> parts;
-  for (std::size_t part = 0; part < reference.sides.size(); ++part) {
+  for (std::size_t part = 0; part < reference.parts.size(); ++part) {
     parts.push_back(build_comparison(builder, reference, part, schedule.parts[part].decision));
   }
-  build_combination(builder, combination, parts, schedule.combination);
+  build_combination(builder, reference.combination, parts, schedule.combination);
   return builder;
 }
 
 }  // namespace
 
 Module lane_module(std::string name, const std::vector<std::string>& inputs,
-                   const error::CombinedLane& lane, const datapath::Schedule& schedule) {
-  const error::SharedLane shared = share(lane);
+                   const error::Lane& lane, const datapath::Schedule& schedule) {
   const ExceptionalFlags exceptional =
       lane.certified() ? ExceptionalFlags::gathered : ExceptionalFlags::unused;
-  const DelayPlan plan = lane_pass(inputs, shared, exceptional, schedule, {}).plan();
-  DatapathBuilder builder = lane_pass(inputs, shared, exceptional, schedule, plan);
+  const DelayPlan plan = lane_pass(inputs, lane, exceptional, schedule, {}).plan();
+  DatapathBuilder builder = lane_pass(inputs, lane, exceptional, schedule, plan);
   std::vector<Port> ports = builder.data_ports();
   ports.push_back({Direction::output, 2, "verdict"});
   ports.push_back({Direction::output, 1, "decided"});
@@ -252,10 +242,9 @@ Module lane_module(std::string name, const std::vector<std::string>& inputs,
 }
 
 Module reference_module(std::string name, const std::vector<std::string>& inputs,
-                        const CombinedGraph& reference, const datapath::Schedule& schedule) {
-  const SharedGraph shared = share(reference);
-  const DelayPlan plan = reference_pass(inputs, shared, reference.combination, schedule, {}).plan();
-  DatapathBuilder builder = reference_pass(inputs, shared, reference.combination, schedule, plan);
+                        const TypedGraph& reference, const datapath::Schedule& schedule) {
+  const DelayPlan plan = reference_pass(inputs, reference, schedule, {}).plan();
+  DatapathBuilder builder = reference_pass(inputs, reference, schedule, plan);
   std::vector<Port> ports = builder.data_ports();
   ports.push_back({Direction::output, 2, "verdict"});
   return {std::move(name), {}, std::move(ports), builder.take()};

@@ -12,11 +12,11 @@ namespace mixcmp::rtl {
 /// initiation interval 1, latency schedule.latency_cycles, no reset. `header` is left to the
 /// caller.
 Module lane_module(std::string name, const std::vector<std::string>& inputs,
-                   const error::CombinedLane& lane, const datapath::Schedule& schedule);
+                   const error::Lane& lane, const datapath::Schedule& schedule);
 
 /// The reference datapath: ports aclk, one per input, verdict[1:0]. Timing, reset and `header` are
 /// those of lane_module.
 Module reference_module(std::string name, const std::vector<std::string>& inputs,
-                        const CombinedGraph& reference, const datapath::Schedule& schedule);
+                        const TypedGraph& reference, const datapath::Schedule& schedule);
 
 }  // namespace mixcmp::rtl

@@ -100,8 +100,9 @@ std::string part_suffix(std::size_t part, std::size_t parts) {
   return parts == 1 ? "" : fmt::format("_{}", part);
 }
 
-std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<Sides>& parts,
-                                    const std::vector<std::string>& ports, NamePool& pool) {
+std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<std::string>& ports,
+                                    NamePool& pool) {
+  const std::vector<Sides>& parts = graph.parts;
   std::vector<std::string> names;
   for (NodeId id = 0; id < static_cast<NodeId>(graph.nodes.size()); ++id) {
     const TypedNode& node = graph.nodes[id];

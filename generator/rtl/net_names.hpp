@@ -22,8 +22,8 @@ private:
 /// A name for every node: inputs bear their ports' names; f and g are "f" and "g" (with several
 /// parts "f_0", "g_0", "f_1", ...); short expressions are spelled out ("cxi_minus_cxj_squared");
 /// longer ones are named after their operation ("sum").
-std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<Sides>& parts,
-                                    const std::vector<std::string>& ports, NamePool& pool);
+std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<std::string>& ports,
+                                    NamePool& pool);
 
 /// The suffix of the nets that belong to one part: "_2"; empty where there is only one part.
 std::string part_suffix(std::size_t part, std::size_t parts);

@@ -40,7 +40,7 @@ Signal build_check(DatapathBuilder& builder, const RangeCheck& check, FloatForma
 }
 
 /// One flag per check; an empty Signal for a check of the sign alone.
-std::vector<Signal> build_magnitude_checks(DatapathBuilder& builder, const error::SharedLane& lane,
+std::vector<Signal> build_magnitude_checks(DatapathBuilder& builder, const error::Lane& lane,
                                            const datapath::Schedule& schedule) {
   std::vector<Signal> flags;
   bool told = false;
@@ -61,8 +61,7 @@ std::vector<Signal> build_magnitude_checks(DatapathBuilder& builder, const error
 /// Builds the checks part by part. Parts with the same checks share one flag.
 class PartChecks {
 public:
-  PartChecks(DatapathBuilder& builder, const error::SharedLane& lane,
-             const datapath::Schedule& schedule)
+  PartChecks(DatapathBuilder& builder, const error::Lane& lane, const datapath::Schedule& schedule)
       : builder_(builder),
         lane_(lane),
         magnitudes_(build_magnitude_checks(builder, lane, schedule)) {}
@@ -109,14 +108,14 @@ private:
   }
 
   DatapathBuilder& builder_;
-  const error::SharedLane& lane_;
+  const error::Lane& lane_;
   std::vector<Signal> magnitudes_;
   std::map<std::vector<std::size_t>, Signal> built_;
 };
 
 }  // namespace
 
-std::vector<Signal> build_range_checks(DatapathBuilder& builder, const error::SharedLane& lane,
+std::vector<Signal> build_range_checks(DatapathBuilder& builder, const error::Lane& lane,
                                        const datapath::Schedule& schedule) {
   PartChecks checks(builder, lane, schedule);
   std::vector<Signal> flags;

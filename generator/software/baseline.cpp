@@ -106,8 +106,8 @@ class Judges {
 public:
   explicit Judges(const scene::Scene& scene)
       : scene_(scene),
-        doubles_(reference_graphs(scene.graph, {software_format()})),
-        reference_(reference_graphs(scene.graph, scene.reference)) {}
+        doubles_(reference_graph(scene.graph, {software_format()})),
+        reference_(reference_graph(scene.graph, scene.reference)) {}
 
   ExpectedLetters judge(const std::vector<Bits>& operands) const {
     std::vector<Bits> doubles;
@@ -122,7 +122,7 @@ public:
 
 private:
   const scene::Scene& scene_;
-  CombinedGraph doubles_, reference_;
+  TypedGraph doubles_, reference_;
 };
 
 void count(BaselineCheck& check, const std::vector<KernelOutput>& kernels, std::size_t index,

@@ -108,7 +108,7 @@ Result<PartFilter> threshold_filter(ErrorBoundKind kind, const TypedGraph& graph
   MIXCMP_TRY(lane, error::certified_lane(graph, {.kind = kind,
                                                  .ranges = scene.ranges,
                                                  .hazards = error::HazardRemoval::keep}));
-  auto decision = threshold_of(std::get<error::AbsoluteBoundDecision>(lane.decision));
+  auto decision = threshold_of(std::get<error::AbsoluteBoundDecision>(lane.decision()));
   if (decision) fold_constant(*decision);
   if (!decision || !all_finite(*decision)) {
     return Error{.message = "the bound is out of binary32's range"};
@@ -119,13 +119,14 @@ Result<PartFilter> threshold_filter(ErrorBoundKind kind, const TypedGraph& graph
 Result<PartFilter> ratio_filter(const TypedGraph& graph, const scene::Scene& scene) {
   const error::ErrorAnalysis analysis = error::analyse_errors(graph, scene.nonnegative_inputs());
   const auto bound_of = [&](NodeId id) { return analysis.nodes[static_cast<std::size_t>(id)]; };
-  const error::NodeBound f = bound_of(graph.f), g = bound_of(graph.g);
+  const error::NodeBound f = bound_of(graph.f()), g = bound_of(graph.g());
   for (const error::NodeBound* side : {&f, &g}) {
     if (!side->relative) return Error{.message = side->reason};
   }
   const std::vector<error::Sign> signs = error::analyse_signs(graph, scene.nonnegative_inputs());
-  const error::SignProof proof = error::both(signs[static_cast<std::size_t>(graph.f)].nonnegative,
-                                             signs[static_cast<std::size_t>(graph.g)].nonnegative);
+  const error::SignProof proof =
+      error::both(signs[static_cast<std::size_t>(graph.f())].nonnegative,
+                  signs[static_cast<std::size_t>(graph.g())].nonnegative);
   if (!proof) return Error{.message = "f and g are not proven to be non-negative"};
   const float ratio = float_at_least(
       std::max(f.relative->high / g.relative->low, g.relative->high / f.relative->low));
@@ -139,11 +140,11 @@ Result<PartFilter> ratio_filter(const TypedGraph& graph, const scene::Scene& sce
   return filter;
 }
 
-Result<FloatFilter> filter_of(ErrorBoundKind kind, const CombinedGraph& graph,
+Result<FloatFilter> filter_of(ErrorBoundKind kind, const TypedGraph& graph,
                               const scene::Scene& scene) {
   FloatFilter filter{.kind = kind, .parts = {}};
   for (std::size_t k = 0; k < graph.parts.size(); ++k) {
-    const TypedGraph& part = graph.parts[k];
+    const TypedGraph part = part_of(graph, k).graph;
     Result<PartFilter> made = kind == ErrorBoundKind::relative
                                   ? ratio_filter(part, scene)
                                   : threshold_filter(kind, part, scene);
@@ -166,8 +167,8 @@ FloatFormat software_format() {
 }
 
 FloatFilters float_filters(const scene::Scene& scene) {
-  const CombinedGraph graph =
-      lane_graphs(scene.graph, software_format(), {float_format()}, LaneInputs::rounded);
+  const TypedGraph graph =
+      lane_graph(scene.graph, software_format(), {float_format()}, LaneInputs::rounded);
   FloatFilters found;
   for (const ErrorBoundKind kind :
        {ErrorBoundKind::constant, ErrorBoundKind::relative, ErrorBoundKind::running}) {

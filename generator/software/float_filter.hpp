@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "model/error/combined_lane.hpp"
+#include "model/error/certified_lane.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::software {

@@ -32,9 +32,6 @@ struct Body {
   std::vector<std::string> names;
 
   Body(const data::Comparisons& comparisons, const TypedGraph& typed)
-      : Body(comparisons, typed, {{typed.f, typed.g}}) {}
-  Body(const data::Comparisons& comparisons, const TypedGraph& typed,
-       const std::vector<Sides>& parts)
       : data(comparisons),
         graph(typed),
         pool({"columns", "i", "j", "threshold", "less", "greater", "all_less", "all_greater",
@@ -44,7 +41,7 @@ struct Body {
     std::vector<std::string> ports;
     // No keyword of C++ begins with "in_".
     for (const std::string& input : graph.input_names) ports.push_back(pool.unique("in_" + input));
-    names = rtl::name_nodes(graph, parts, ports, pool);
+    names = rtl::name_nodes(graph, ports, pool);
   }
 
   std::string load(int input) const {
@@ -112,14 +109,14 @@ std::string over_parts(const Body& body, const std::vector<Sides>& parts, const 
 
 /// The call use(less, equal, greater). All three are false where a part is unordered and no other
 /// part outweighs it.
-std::string exact_verdict(const Body& body, const SharedGraph& graph, Combination combination) {
-  const std::vector<Sides>& parts = graph.sides;
+std::string exact_verdict(const Body& body, const TypedGraph& graph) {
+  const std::vector<Sides>& parts = graph.parts;
   const auto any = [&](const char* relation) { return over_parts(body, parts, relation, " | "); };
   const auto all = [&](const char* relation) { return over_parts(body, parts, relation, " & "); };
   if (parts.size() == 1) {
     return fmt::format("    use({}, {}, {});\n", all("<"), all("=="), all(">"));
   }
-  if (combination == Combination::all) {
+  if (graph.combination == Combination::all) {
     return fmt::format("    const bool less = {};\n    use(less, ({}) & !less, {});\n", all("<"),
                        all("<="), any(">"));
   }
@@ -128,8 +125,8 @@ std::string exact_verdict(const Body& body, const SharedGraph& graph, Combinatio
 }
 
 std::string doubles(const scene::Scene& scene, const data::Comparisons& data) {
-  const SharedGraph graph = share(reference_graphs(scene.graph, {software_format()}));
-  const Body body(data, graph.graph, graph.sides);
+  const TypedGraph graph = reference_graph(scene.graph, {software_format()});
+  const Body body(data, graph);
   return fmt::format(R"(struct Doubles {{
   using Real = double;
   const Real* const* columns;
@@ -141,7 +138,7 @@ std::string doubles(const scene::Scene& scene, const data::Comparisons& data) {
 {}{}  }}
 }};
 )",
-                     nodes(body), exact_verdict(body, graph, scene.graph.combination()));
+                     nodes(body), exact_verdict(body, graph));
 }
 
 std::string bound_expression(const error::BoundGraph& bound, const error::BoundNode& node,
@@ -175,8 +172,8 @@ struct PartText {
 };
 
 PartText decide(Body& body, const RatioDecision& decision) {
-  const std::string& f = body.names[static_cast<std::size_t>(body.graph.f)];
-  const std::string& g = body.names[static_cast<std::size_t>(body.graph.g)];
+  const std::string& f = body.names[static_cast<std::size_t>(body.graph.f())];
+  const std::string& g = body.names[static_cast<std::size_t>(body.graph.g())];
   const std::string ratio = literal(decision.ratio);
   return {"", fmt::format("{} * {} < {}", f, ratio, g), fmt::format("{} * {} < {}", g, ratio, f)};
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "model/design/engine_data.hpp"
+#include "model/error/certified_lane.hpp"
 #include "model/error/hazards.hpp"
 #include "model/error/range_analysis.hpp"
 
@@ -44,14 +45,14 @@ Result<int> lane_count(const scene::Scene& scene, const scene::LaneGroupSpec& gr
 }
 
 /// Measures the errors of each part.
-std::vector<error::ProfiledError> profile_parts(const scene::Scene& scene,
-                                                const CombinedGraph& graph,
+std::vector<error::ProfiledError> profile_parts(const scene::Scene& scene, const TypedGraph& graph,
                                                 const data::Comparisons& data,
                                                 MeasureErrors measure) {
   const std::uint64_t seed = scene.data ? scene.data->seed : 1;
   std::vector<error::ProfiledError> parts;
   for (std::size_t k = 0; k < graph.parts.size(); ++k) {
-    parts.push_back(measure(scene.graph.part(k), graph.parts[k], data, profile_samples, seed));
+    parts.push_back(
+        measure(scene.graph.part(k), part_of(graph, k).graph, data, profile_samples, seed));
   }
   return parts;
 }
@@ -67,13 +68,11 @@ std::optional<std::string> unmeasured_constant(const scene::ReducedSpec& reduced
   return std::nullopt;
 }
 
-Result<error::CombinedLane> design_profiled_lane(const scene::Scene& scene,
-                                                 const scene::ReducedSpec& reduced,
-                                                 const CombinedGraph& graph,
-                                                 const data::Comparisons* data,
-                                                 MeasureErrors measure) {
+Result<error::Lane> design_profiled_lane(const scene::Scene& scene,
+                                         const scene::ReducedSpec& reduced, const TypedGraph& graph,
+                                         const data::Comparisons* data, MeasureErrors measure) {
   if (reduced.relative_error_f && reduced.relative_error_g) {
-    return error::profiled_lanes(graph, *reduced.relative_error_f, *reduced.relative_error_g);
+    return error::profiled_lane(graph, *reduced.relative_error_f, *reduced.relative_error_g);
   }
   if (data == nullptr || measure == nullptr) {
     return Error{.field = "reduced.relative_error_f, reduced.relative_error_g",
@@ -104,8 +103,8 @@ Result<error::CombinedLane> design_profiled_lane(const scene::Scene& scene,
     f = std::max(f, part.f);
     g = std::max(g, part.g);
   }
-  return error::profiled_lanes(graph, reduced.relative_error_f.value_or(f),
-                               reduced.relative_error_g.value_or(g));
+  return error::profiled_lane(graph, reduced.relative_error_f.value_or(f),
+                              reduced.relative_error_g.value_or(g));
 }
 
 bool can_decide(const error::UlpDistanceDecision& decision, const error::Lane& lane) {
@@ -128,26 +127,26 @@ bool can_decide(const error::IntervalDecision&, const error::Lane&) {
 }
 
 /// Whether any two results can lie far enough apart for the lane to decide.
-bool can_decide(const error::Lane& lane) {
+bool part_can_decide(const error::Lane& lane) {
   return std::visit([&](const auto& decision) { return can_decide(decision, lane); },
-                    lane.decision);
+                    lane.decision());
 }
 
-Result<error::CombinedLane> design_certified_lane(const scene::Scene& scene,
-                                                  const scene::ReducedSpec& reduced,
-                                                  const CombinedGraph& graph) {
+Result<error::Lane> design_certified_lane(const scene::Scene& scene,
+                                          const scene::ReducedSpec& reduced,
+                                          const TypedGraph& graph) {
   const error::CertifiedOptions options{
       .kind = reduced.error_bound, .bound_digits = reduced.bound_digits, .ranges = scene.ranges};
-  MIXCMP_TRY(lane, certified_lanes(graph, options));
+  MIXCMP_TRY(lane, certified_lane(graph, options));
   // One part that decides may be enough for the verdict.
-  const bool decides = std::any_of(lane.parts.begin(), lane.parts.end(),
-                                   [](const error::Lane& part) { return can_decide(part); });
-  if (decides) return lane;
+  for (std::size_t k = 0; k < lane.parts.size(); ++k) {
+    if (part_can_decide(part_of(lane, k))) return lane;
+  }
   return Error{.field = "reduced.format",
                .message =
                    "too many roundings for so few digits: no two results are far enough "
                    "apart to be decided",
-               .received = lane.arithmetic().format.name(),
+               .received = lane.graph.arithmetic.format.name(),
                .accepted = "more precision"};
 }
 
@@ -168,7 +167,7 @@ Error placed(Error error, const scene::LaneGroupSpec& group) {
 
 Result<LaneGroup> design_group(const scene::Scene& scene, const scene::LaneGroupSpec& group,
                                const data::Comparisons* data, MeasureErrors measure) {
-  const Result<error::CombinedLane> lane = design_lane(scene, group.reduced, data, measure);
+  const Result<error::Lane> lane = design_lane(scene, group.reduced, data, measure);
   if (!lane.ok()) return placed(lane.error(), group);
   MIXCMP_TRY(count, lane_count(scene, group, data));
   return LaneGroup{.lane = *lane,
@@ -182,7 +181,7 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
   Design design{.name = scene.name,
                 .inputs = scene.graph.inputs(),
                 .lanes = {},
-                .reference = reference_graphs(scene.graph, scene.reference),
+                .reference = reference_graph(scene.graph, scene.reference),
                 .references = {},
                 .system = scene.system};
   for (const scene::LaneGroupSpec& spec : scene.lane_groups()) {
@@ -232,15 +231,14 @@ bool Design::certified() const {
                      [](const LaneGroup& group) { return group.lane.certified(); });
 }
 
-Result<error::CombinedLane> design_lane(const scene::Scene& scene,
-                                        const scene::ReducedSpec& reduced,
-                                        const data::Comparisons* data, MeasureErrors measure) {
+Result<error::Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& reduced,
+                                const data::Comparisons* data, MeasureErrors measure) {
   if (!reduced.format) {
     return unresolved(scene, "reduced.format", "--format s17e8", "sPeE, such as s17e8");
   }
   const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
-  const CombinedGraph graph =
-      lane_graphs(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
+  const TypedGraph graph =
+      lane_graph(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
   switch (reduced.bound) {
     case scene::BoundKind::certified: return design_certified_lane(scene, reduced, graph);
     case scene::BoundKind::profiled:

@@ -10,11 +10,11 @@ namespace mixcmp::design {
 namespace {
 
 /// The bounds of a lane's parts, each once: "relative", "relative_running_4".
-std::string bound_name(const error::CombinedLane& lane) {
+std::string bound_name(const error::Lane& lane) {
   std::string name;
   std::set<std::string> told;
-  for (const error::Lane& part : lane.parts) {
-    const std::string bound = scene::to_string(scene::bound_choice(error::CombinedLane(part)));
+  for (const error::LanePart& part : lane.parts) {
+    const std::string bound = to_string(scene::bound_choice(part));
     if (told.insert(bound).second) name += (name.empty() ? "" : "_") + bound;
   }
   return name;
@@ -22,7 +22,7 @@ std::string bound_name(const error::CombinedLane& lane) {
 
 /// The traits in which a group may differ from another of its format, in words.
 std::vector<std::string> traits_of(const LaneGroup& group) {
-  const Arithmetic& arithmetic = group.lane.arithmetic();
+  const Arithmetic& arithmetic = group.lane.graph.arithmetic;
   return {std::string(to_string(group.inputs)), bound_name(group.lane),
           std::string(to_string(arithmetic.rounding)),
           std::string(to_string(arithmetic.subnormals)), std::string(to_string(group.multipliers))};
@@ -51,7 +51,7 @@ void tell_errors_apart(std::vector<std::string>& names, const Design& design) {
 }
 
 FloatFormat format_of(const LaneGroup& group) {
-  return group.lane.arithmetic().format;
+  return group.lane.graph.arithmetic.format;
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ std::vector<std::string> reference_group_names(const Design& design) {
   });
   std::vector<std::string> names;
   for (const ReferenceGroup& group : groups) {
-    std::string& name = names.emplace_back(design.reference.arithmetic().format.name());
+    std::string& name = names.emplace_back(design.reference.arithmetic.format.name());
     if (!alike) name += fmt::format("_{}", to_string(group.multipliers));
   }
   return names;

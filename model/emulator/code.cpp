@@ -212,12 +212,12 @@ void add_window(Code& code, const TypedGraph& graph) {
 
 std::optional<Code> make_code(const TypedGraph& graph, const error::Lane* lane) {
   if (!fits_double(graph)) return std::nullopt;
-  Code code{.columns = static_cast<int>(graph.nodes.size()), .f = graph.f, .g = graph.g};
+  Code code{.columns = static_cast<int>(graph.nodes.size()), .f = graph.f(), .g = graph.g()};
   for (int id = 0; id < code.columns; ++id) {
     if (!add_node(code, graph, id)) return std::nullopt;
   }
   add_window(code, graph);
-  code.decision = {.rule = Rule::order, .first = graph.f, .second = graph.g};
+  code.decision = {.rule = Rule::order, .first = graph.f(), .second = graph.g()};
   if (lane == nullptr) return code;
   code.doubtful_is_undecided = lane->certified() && doubtful_is_exceptional(graph);
   for (const NodeId id : values_as_encodings(*lane)) {

@@ -146,15 +146,16 @@ bool add_checks(Code& code, const error::Lane& lane) {
 
 bool add_decision(Code& code, const error::Lane& lane) {
   if (!add_checks(code, lane)) return false;
-  return std::visit([&](const auto& decision) { return add(code, lane, decision); }, lane.decision);
+  return std::visit([&](const auto& decision) { return add(code, lane, decision); },
+                    lane.decision());
 }
 
 std::vector<NodeId> values_as_encodings(const error::Lane& lane) {
-  if (std::holds_alternative<error::UlpDistanceDecision>(lane.decision)) {
-    return {lane.graph.f, lane.graph.g};
+  if (std::holds_alternative<error::UlpDistanceDecision>(lane.decision())) {
+    return {lane.graph.f(), lane.graph.g()};
   }
   std::vector<NodeId> values;
-  const auto* decision = std::get_if<error::AbsoluteBoundDecision>(&lane.decision);
+  const auto* decision = std::get_if<error::AbsoluteBoundDecision>(&lane.decision());
   if (decision == nullptr) return values;
   for (const error::BoundNode& node : decision->bound.nodes) {
     if (node.value >= 0) values.push_back(node.value);

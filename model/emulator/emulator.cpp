@@ -72,7 +72,8 @@ Emulator::Program::Values Emulator::Program::compute(OperandColumns operands,
   const std::vector<golden::Rounded> values = golden::evaluate(graph_, encoded(operands, index));
   const auto value = [&](NodeId id) { return to_double(graph_.nodes[id].format, values[id].bits); };
   const auto exceptional = [](const golden::Rounded& node) { return node.exceptional; };
-  return {value(graph_.f), value(graph_.g), std::any_of(values.begin(), values.end(), exceptional)};
+  return {value(graph_.f()), value(graph_.g()),
+          std::any_of(values.begin(), values.end(), exceptional)};
 }
 
 namespace {
@@ -125,15 +126,14 @@ void Emulator::Program::compare(OperandColumns operands, std::span<Decision> dec
   run(*code_, order, Execution::Scope::values, operands, decisions, golden);
 }
 
-Emulator::Emulator(const error::Lane& lane) : Emulator(error::CombinedLane(lane)) {}
-Emulator::Emulator(const TypedGraph& reference) : Emulator(CombinedGraph(reference)) {}
-Emulator::Emulator(const error::CombinedLane& lane) : combination_(lane.combination) {
-  for (const error::Lane& part : lane.parts)
-    parts_.push_back(std::make_unique<const Program>(part));
+Emulator::Emulator(const error::Lane& lane) : combination_(lane.graph.combination) {
+  for (std::size_t part = 0; part < lane.parts.size(); ++part) {
+    parts_.push_back(std::make_unique<const Program>(part_of(lane, part)));
+  }
 }
-Emulator::Emulator(const CombinedGraph& reference) : combination_(reference.combination) {
-  for (const TypedGraph& part : reference.parts) {
-    parts_.push_back(std::make_unique<const Program>(part));
+Emulator::Emulator(const TypedGraph& reference) : combination_(reference.combination) {
+  for (std::size_t part = 0; part < reference.parts.size(); ++part) {
+    parts_.push_back(std::make_unique<const Program>(part_of(reference, part).graph));
   }
 }
 Emulator::~Emulator() = default;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "model/error/combined_lane.hpp"
+#include "model/error/lane.hpp"
 #include "model/number/verdict.hpp"
 
 namespace mixcmp::emulator {
@@ -26,10 +26,8 @@ using OperandColumns = std::span<const double* const>;
 class Emulator {
 public:
   explicit Emulator(const error::Lane& lane);
-  explicit Emulator(const error::CombinedLane& lane);
   /// A reference datapath: never undecided. Its graph may have up to 53 digits.
   explicit Emulator(const TypedGraph& reference);
-  explicit Emulator(const CombinedGraph& reference);
   ~Emulator();
   Emulator(Emulator&&) noexcept;
   Emulator& operator=(Emulator&&) noexcept;

@@ -27,6 +27,8 @@ struct BoundNode {
   std::array<int, 2> operands = {-1, -1};  ///< indices in the bound graph
   NodeId value = -1;                       ///< the lane's node x; for magnitude, binade, reciprocal
   mpq_class constant;                      ///< exact; rounded up into the format when used
+
+  friend bool operator==(const BoundNode&, const BoundNode&) = default;
 };
 
 /// An upper bound as an expression over values that a lane computes. Operands come before their
@@ -34,6 +36,8 @@ struct BoundNode {
 struct BoundGraph {
   BoundFormat format;
   std::vector<BoundNode> nodes;
+
+  friend bool operator==(const BoundGraph&, const BoundGraph&) = default;
 };
 
 }  // namespace mixcmp::error

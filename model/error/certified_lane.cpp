@@ -102,7 +102,7 @@ std::vector<RangeCheck> sign_checks(const ErrorAnalysis& analysis) {
 Result<Lane> relative_lane(TypedGraph graph, const CertifiedOptions& options) {
   const ErrorAnalysis analysis =
       analyse_errors(graph, nonnegative(options.ranges, graph.input_count));
-  const NodeBound &f = analysis.nodes[graph.f], &g = analysis.nodes[graph.g];
+  const NodeBound &f = analysis.nodes[graph.f()], &g = analysis.nodes[graph.g()];
   if (!f.relative || !g.relative) {
     const NodeId failure = first_failure(analysis, [](const NodeBound& b) { return !b.relative; });
     return no_bound(ErrorBoundKind::relative, analysis.nodes[failure].reason,
@@ -112,13 +112,13 @@ Result<Lane> relative_lane(TypedGraph graph, const CertifiedOptions& options) {
   UlpDistanceDecision decision{
       .guard_ulp = std::min(smallest_guard(f, g, format.precision()), never(format)),
       .nonnegative = f.nonnegative && g.nonnegative};
-  return Lane{std::move(graph), decision, sign_checks(analysis)};
+  return one_part_lane(std::move(graph), decision, sign_checks(analysis));
 }
 
 /// Appends f - g, rounded, and returns its node.
 NodeId append_difference(TypedGraph& graph) {
   graph.nodes.push_back({.operation = Operation::subtract,
-                         .operands = {graph.f, graph.g},
+                         .operands = {graph.f(), graph.g()},
                          .operand_format = graph.arithmetic.format,
                          .format = graph.arithmetic.format,
                          .value = {}});
@@ -199,7 +199,7 @@ Result<Lane> running_lane(TypedGraph graph, const CertifiedOptions& options) {
     decision.guard_ulp =
         std::min(steps_beyond(found.bound.slack_factor, format.precision()), never(format));
   }
-  return Lane{std::move(graph), std::move(decision), sign_checks(found.analysis)};
+  return one_part_lane(std::move(graph), std::move(decision), sign_checks(found.analysis));
 }
 
 Result<Lane> constant_lane(TypedGraph graph, const CertifiedOptions& options) {
@@ -214,7 +214,7 @@ Result<Lane> constant_lane(TypedGraph graph, const CertifiedOptions& options) {
                            .exponent_bits = format.exponent_bits()},
                 .nodes = {{.operation = BoundOperation::constant, .constant = bound}}},
       .conditions = {}};
-  return Lane{std::move(graph), std::move(decision), checks};
+  return one_part_lane(std::move(graph), std::move(decision), checks);
 }
 
 Result<Lane> lane_of(ErrorBoundKind kind, TypedGraph graph, const CertifiedOptions& options) {
@@ -243,6 +243,13 @@ Result<Lane> first_lane(const TypedGraph& graph, const CertifiedOptions& options
   return running_lane(graph, options);
 }
 
+Result<Lane> certified_part(const TypedGraph& graph, const CertifiedOptions& options) {
+  MIXCMP_TRY(lane,
+             options.kind ? asked_lane(*options.kind, graph, options) : first_lane(graph, options));
+  if (options.hazards == HazardRemoval::remove) remove_hazards(lane, options.ranges);
+  return lane;
+}
+
 }  // namespace
 
 std::string_view to_string(ErrorBoundKind kind) {
@@ -254,11 +261,36 @@ std::string_view to_string(ErrorBoundKind kind) {
   MIXCMP_CHECK(false);
 }
 
-Result<Lane> certified_lane(TypedGraph graph, const CertifiedOptions& options) {
-  MIXCMP_TRY(lane, options.kind ? asked_lane(*options.kind, std::move(graph), options)
-                                : first_lane(graph, options));
-  if (options.hazards == HazardRemoval::remove) remove_hazards(lane, options.ranges);
-  return lane;
+Error of_part(Error error, std::size_t part, std::size_t parts) {
+  if (parts > 1) error.message = fmt::format("of f[{0}] and g[{0}], {1}", part, error.message);
+  return error;
+}
+
+Result<Lane> certified_lane(const TypedGraph& graph, const CertifiedOptions& options) {
+  std::vector<GraphPart> parts;
+  std::vector<Lane> lanes;
+  for (std::size_t k = 0; k < graph.parts.size(); ++k) {
+    parts.push_back(part_of(graph, k));
+    Result<Lane> lane = certified_part(parts.back().graph, options);
+    if (!lane.ok()) return of_part(lane.error(), k, graph.parts.size());
+    lanes.push_back(std::move(lane).value());
+  }
+  return join_parts(graph, parts, lanes);
+}
+
+std::vector<CandidateLane> candidate_lanes(const TypedGraph& graph,
+                                           const std::vector<std::optional<Range>>& ranges) {
+  std::vector<CandidateLane> candidates;
+  const auto add = [&](ErrorBoundKind kind, int digits) {
+    const CertifiedOptions options{
+        .kind = kind, .bound_digits = std::max(digits, 1), .ranges = ranges};
+    candidates.push_back({kind, digits, certified_lane(graph, options)});
+  };
+  add(ErrorBoundKind::relative, 0);
+  add(ErrorBoundKind::running, 4);
+  add(ErrorBoundKind::running, 1);
+  add(ErrorBoundKind::constant, 0);
+  return candidates;
 }
 
 }  // namespace mixcmp::error

@@ -32,8 +32,23 @@ struct CertifiedOptions {
   HazardRemoval hazards = HazardRemoval::remove;
 };
 
-/// Makes a lane with a certified decision, checks and hazards. An error says which operation has no
-/// bound of the kind, why, and what the user can do. Proofs: docs/error_bounds.md.
-Result<Lane> certified_lane(TypedGraph graph, const CertifiedOptions& options);
+/// Makes a lane with a certified decision of each part, checks and hazards. An error says which
+/// operation has no bound of the kind, why, and what the user can do; it names the part if there
+/// are several. Proofs: docs/error_bounds.md.
+Result<Lane> certified_lane(const TypedGraph& graph, const CertifiedOptions& options);
+
+/// Names the part in an error if there are several.
+Error of_part(Error error, std::size_t part, std::size_t parts);
+
+/// The result of one way to certify a lane: the lane, or the reason why there is none.
+struct CandidateLane {
+  ErrorBoundKind kind;
+  int bound_digits;  ///< digits of a running bound; 0 for others
+  Result<Lane> lane;
+};
+/// Tries four ways to certify the lane: the relative bound, the running bound with 4 digits, the
+/// running bound with exponents alone (1 digit), and the constant bound, in this order.
+std::vector<CandidateLane> candidate_lanes(const TypedGraph& graph,
+                                           const std::vector<std::optional<Range>>& ranges);
 
 }  // namespace mixcmp::error

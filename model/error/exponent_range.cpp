@@ -5,7 +5,7 @@
 #include "model/common/check.hpp"
 #include "model/error/hazards.hpp"
 #include "model/error/range_analysis.hpp"
-#include "model/expression/combined_graph.hpp"
+#include "model/expression/typed_graph.hpp"
 #include "model/number/exact.hpp"
 
 namespace mixcmp::error {
@@ -18,7 +18,7 @@ bool reaches_below(FloatFormat format, mpq_class value) {
   return value >= to_rational(format, format.smallest_normal(false));
 }
 
-bool serves(const TypedGraph& lane, const std::vector<std::optional<Range>>& ranges) {
+bool part_serves(const TypedGraph& lane, const std::vector<std::optional<Range>>& ranges) {
   const auto checked = checked_ranges(lane, full_range_checks(lane, ranges));
   const std::vector<NodeRange> nodes = analyse_ranges(lane, checked);
   mpq_class largest = 0;
@@ -29,6 +29,13 @@ bool serves(const TypedGraph& lane, const std::vector<std::optional<Range>>& ran
         largest, std::max<mpq_class>(abs(nodes[id].value.low), abs(nodes[id].value.high)));
   }
   return reaches_below(lane.arithmetic.format, largest);
+}
+
+bool serves(const TypedGraph& lane, const std::vector<std::optional<Range>>& ranges) {
+  for (std::size_t k = 0; k < lane.parts.size(); ++k) {
+    if (!part_serves(part_of(lane, k).graph, ranges)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -42,10 +49,7 @@ int lane_exponent_bits(const Graph& graph, FloatFormat reference, const Arithmet
   for (int bits = fewest; bits < reference.exponent_bits(); ++bits) {
     Arithmetic narrow = arithmetic;
     narrow.format = FloatFormat::make(arithmetic.format.precision(), bits).value();
-    const std::vector<TypedGraph> parts = lane_graphs(graph, reference, narrow, inputs).parts;
-    const bool all_serve = std::all_of(
-        parts.begin(), parts.end(), [&](const TypedGraph& part) { return serves(part, ranges); });
-    if (all_serve) return bits;
+    if (serves(lane_graph(graph, reference, narrow, inputs), ranges)) return bits;
   }
   return reference.exponent_bits();
 }

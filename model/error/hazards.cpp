@@ -164,7 +164,8 @@ void remove_hazards(Lane& lane, const std::vector<std::optional<Range>>& ranges)
     useful |= has_unit(lane.graph.nodes[id].operation) && hazards[id] != lane.hazards[id];
   }
   if (!useful) return;
-  lane.checks = std::move(checks);
+  const LaneDecision decision = lane.decision();
+  lane = one_part_lane(std::move(lane.graph), decision, std::move(checks));
   lane.hazards = std::move(hazards);
 }
 

@@ -2,6 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "model/common/check.hpp"
+
 namespace mixcmp::error {
 namespace {
 
@@ -14,19 +19,180 @@ std::string describe_bound(const BoundGraph& bound) {
   return fmt::format("a running bound of {} digits", bound.format.precision);
 }
 
-}  // namespace
-
-std::string describe_decision(const Lane& lane) {
-  if (const auto* interval = std::get_if<IntervalDecision>(&lane.decision)) {
+std::string describe(const LaneDecision& decision) {
+  if (const auto* interval = std::get_if<IntervalDecision>(&decision)) {
     return fmt::format("profiled, not certified: RE_f = {:.4g}, RE_g = {:.4g}",
                        interval->relative_error_f.get_d(), interval->relative_error_g.get_d());
   }
-  if (const auto* absolute = std::get_if<AbsoluteBoundDecision>(&lane.decision)) {
+  if (const auto* absolute = std::get_if<AbsoluteBoundDecision>(&decision)) {
     return "certified: where |f - g| exceeds " + describe_bound(absolute->bound);
   }
-  const Bits guard = std::get<UlpDistanceDecision>(lane.decision).guard_ulp;
+  const Bits guard = std::get<UlpDistanceDecision>(decision).guard_ulp;
   if (guard == 0) return "certified: everywhere, f and g are exact";
   return fmt::format("certified: where f and g are {} ulp apart or more", guard);
+}
+
+/// The numbers of nodes, of one graph in another.
+using Renumbering = std::vector<NodeId>;
+
+/// Renumbers the nodes that a decision names.
+struct Renumber {
+  const Renumbering& ids;
+
+  LaneDecision operator()(const UlpDistanceDecision& decision) const { return decision; }
+  LaneDecision operator()(AbsoluteBoundDecision decision) const {
+    decision.difference = ids[decision.difference];
+    for (BoundNode& node : decision.bound.nodes) {
+      if (node.value >= 0) node.value = ids[node.value];
+    }
+    for (BoundCondition& condition : decision.conditions) condition.value = ids[condition.value];
+    return decision;
+  }
+  LaneDecision operator()(IntervalDecision decision) const {
+    decision.minimum = ids[decision.minimum];
+    decision.maximum = ids[decision.maximum];
+    return decision;
+  }
+};
+
+/// The nodes that a decision names, besides f and g.
+struct NodesNamed {
+  std::vector<NodeId> operator()(const UlpDistanceDecision&) const { return {}; }
+  std::vector<NodeId> operator()(const AbsoluteBoundDecision& decision) const {
+    std::vector<NodeId> nodes = {decision.difference};
+    for (const BoundNode& node : decision.bound.nodes) {
+      if (node.value >= 0) nodes.push_back(node.value);
+    }
+    for (const BoundCondition& condition : decision.conditions) nodes.push_back(condition.value);
+    return nodes;
+  }
+  std::vector<NodeId> operator()(const IntervalDecision& decision) const {
+    return {decision.minimum, decision.maximum};
+  }
+};
+
+TypedNode renumbered(TypedNode node, const Renumbering& ids) {
+  for (int k = 0; k < arity(node.operation); ++k) node.operands[k] = ids[node.operands[k]];
+  return node;
+}
+
+Hazards either(const Hazards& a, const Hazards& b) {
+  return {.special_operand = a.special_operand || b.special_operand,
+          .overflow = a.overflow || b.overflow,
+          .underflow = a.underflow || b.underflow,
+          .cancellation = a.cancellation || b.cancellation};
+}
+
+Hazards hazards_at(const Lane& lane, std::size_t id) {
+  return lane.hazards.empty() ? Hazards{} : lane.hazards[id];
+}
+
+std::size_t add_check(std::vector<RangeCheck>& checks, const RangeCheck& check) {
+  const auto known = std::find(checks.begin(), checks.end(), check);
+  const auto index = static_cast<std::size_t>(known - checks.begin());
+  if (known == checks.end()) checks.push_back(check);
+  return index;
+}
+
+/// Adds to `whole` a lane of one part, whose first nodes are those of `ids`.
+void add_part(Lane& whole, std::vector<bool>& has_hazards, const Lane& part, Renumbering ids) {
+  for (std::size_t id = ids.size(); id < part.graph.nodes.size(); ++id) {
+    ids.push_back(add_node(whole.graph, renumbered(part.graph.nodes[id], ids)));
+  }
+  has_hazards.resize(whole.graph.nodes.size(), false);
+  whole.hazards.resize(whole.graph.nodes.size());
+  for (std::size_t id = 0; id < ids.size(); ++id) {
+    const auto node = static_cast<std::size_t>(ids[id]);
+    const Hazards own = hazards_at(part, id);
+    whole.hazards[node] = has_hazards[node] ? either(whole.hazards[node], own) : own;
+    has_hazards[node] = true;
+  }
+  LanePart& added =
+      whole.parts.emplace_back(LanePart{std::visit(Renumber{ids}, part.decision()), {}});
+  for (const RangeCheck& check : part.checks) {
+    added.checks.push_back(add_check(whole.checks, check));
+  }
+}
+
+}  // namespace
+
+const LaneDecision& Lane::decision() const {
+  MIXCMP_CHECK(parts.size() == 1);
+  return parts.front().decision;
+}
+
+LaneDecision& Lane::decision() {
+  MIXCMP_CHECK(parts.size() == 1);
+  return parts.front().decision;
+}
+
+bool Lane::certified() const {
+  return std::all_of(parts.begin(), parts.end(),
+                     [](const LanePart& part) { return part.certified(); });
+}
+
+Lane one_part_lane(TypedGraph graph, LaneDecision decision, std::vector<RangeCheck> checks) {
+  MIXCMP_CHECK(graph.parts.size() == 1);
+  Lane lane{std::move(graph), {{std::move(decision)}}, std::move(checks)};
+  for (std::size_t k = 0; k < lane.checks.size(); ++k) lane.parts.front().checks.push_back(k);
+  return lane;
+}
+
+Lane join_parts(const TypedGraph& graph, const std::vector<GraphPart>& parts,
+                const std::vector<Lane>& lanes) {
+  MIXCMP_CHECK(parts.size() == graph.parts.size() && lanes.size() == parts.size());
+  if (lanes.size() == 1) return lanes.front();
+  Lane whole{graph, {}};
+  std::vector<bool> has_hazards;
+  for (std::size_t k = 0; k < lanes.size(); ++k) {
+    add_part(whole, has_hazards, lanes[k], parts[k].ids);
+  }
+  return whole;
+}
+
+std::vector<bool> nodes_of_part(const Lane& lane, std::size_t part) {
+  std::vector<NodeId> roots = std::visit(NodesNamed{}, lane.parts[part].decision);
+  roots.push_back(lane.graph.parts[part].f);
+  roots.push_back(lane.graph.parts[part].g);
+  return needed_nodes(lane.graph, roots);
+}
+
+Lane part_of(const Lane& lane, std::size_t part) {
+  if (lane.parts.size() == 1) return lane;
+  GraphPart alone = part_of(lane.graph, part);
+  Renumbering ids(lane.graph.nodes.size(), -1);
+  for (std::size_t id = 0; id < alone.ids.size(); ++id) {
+    ids[alone.ids[id]] = static_cast<NodeId>(id);
+  }
+  // The nodes of the decision follow those of f and g, as where the lane was made.
+  const std::vector<bool> needed = nodes_of_part(lane, part);
+  for (std::size_t id = 0; id < needed.size(); ++id) {
+    if (!needed[id] || ids[id] >= 0) continue;
+    ids[id] = static_cast<NodeId>(alone.graph.nodes.size());
+    alone.graph.nodes.push_back(renumbered(lane.graph.nodes[id], ids));
+    alone.ids.push_back(static_cast<NodeId>(id));
+  }
+  std::vector<RangeCheck> checks;
+  for (const std::size_t check : lane.parts[part].checks) checks.push_back(lane.checks[check]);
+  Lane made =
+      one_part_lane(std::move(alone.graph), std::visit(Renumber{ids}, lane.parts[part].decision),
+                    std::move(checks));
+  for (const NodeId id : alone.ids) {
+    made.hazards.push_back(hazards_at(lane, static_cast<std::size_t>(id)));
+  }
+  return made;
+}
+
+std::string describe_decision(const Lane& lane) {
+  if (lane.parts.size() == 1) return describe(lane.decision());
+  std::vector<std::string> texts;
+  for (const LanePart& part : lane.parts) texts.push_back(describe(part.decision));
+  const bool alike = std::all_of(texts.begin(), texts.end(),
+                                 [&](const std::string& text) { return text == texts.front(); });
+  std::string text = fmt::format("{} of {} parts", to_string(lane.graph.combination), texts.size());
+  if (alike) return fmt::format("{}, each {}", text, texts.front());
+  for (std::size_t k = 0; k < texts.size(); ++k) text += fmt::format("; part {} {}", k, texts[k]);
+  return text;
 }
 
 }  // namespace mixcmp::error

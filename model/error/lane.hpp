@@ -18,6 +18,8 @@ struct UlpDistanceDecision {
   Bits guard_ulp;
   /// f and g are never negative: the hardware compares plain magnitudes.
   bool nonnegative;
+
+  friend bool operator==(const UlpDistanceDecision&, const UlpDistanceDecision&) = default;
 };
 
 /// A condition that a bound depends on: the bound node `bound` is at most the magnitude of the
@@ -25,6 +27,8 @@ struct UlpDistanceDecision {
 struct BoundCondition {
   int bound;
   NodeId value;
+
+  friend bool operator==(const BoundCondition&, const BoundCondition&) = default;
 };
 
 /// Certified decision for absolute bounds, running or constant. The lane decides iff nothing is
@@ -39,6 +43,8 @@ struct AbsoluteBoundDecision {
   /// digits: where the guard fits into the bits below them, the hardware concatenates the two,
   /// {bound, guard}.
   Bits guard_ulp = 0;
+
+  friend bool operator==(const AbsoluteBoundDecision&, const AbsoluteBoundDecision&) = default;
 };
 
 /// The paper's decision, equations 1-3, in the lane's format: D = f - g, E = |f|*RE_f + |g|*RE_g,
@@ -48,6 +54,8 @@ struct IntervalDecision {
   NodeId maximum;  ///< D + E
   mpq_class relative_error_f;
   mpq_class relative_error_g;
+
+  friend bool operator==(const IntervalDecision&, const IntervalDecision&) = default;
 };
 
 /// Special cases of one operation, each true unless the range checks or the expression itself rule
@@ -63,18 +71,47 @@ struct Hazards {
 
 using LaneDecision = std::variant<UlpDistanceDecision, AbsoluteBoundDecision, IntervalDecision>;
 
-/// A reduced-precision datapath for one f and one g: what it computes and when it may decide. A
-/// comparison of several parts has a CombinedLane.
-struct Lane {
-  TypedGraph graph;
+/// When a lane decides one part of its comparison: by that part's operations and checks alone.
+/// Theorem 11 of docs/error_bounds.md says how the verdicts of the parts combine.
+struct LanePart {
   LaneDecision decision;
-  /// An operand that fails its check leaves the lane undecided.
-  std::vector<RangeCheck> checks = {};
-  /// One per node; empty: nothing is ruled out.
-  std::vector<Hazards> hazards = {};
+  /// Indices of Lane::checks. An operand that fails one leaves the part undecided.
+  std::vector<std::size_t> checks = {};
 
   bool certified() const { return !std::holds_alternative<IntervalDecision>(decision); }
+
+  friend bool operator==(const LanePart&, const LanePart&) = default;
 };
+
+/// A reduced-precision datapath: what it computes and when it may decide.
+struct Lane {
+  TypedGraph graph;
+  std::vector<LanePart> parts;          ///< one for each of graph.parts
+  std::vector<RangeCheck> checks = {};  ///< without duplicates
+  /// One per node; empty: nothing is ruled out. Parts that share a node share its hazards: one is
+  /// ruled out only where every such part rules it out.
+  std::vector<Hazards> hazards = {};
+
+  /// The decision of a comparison that has one part.
+  const LaneDecision& decision() const;
+  LaneDecision& decision();
+  bool certified() const;
+
+  friend bool operator==(const Lane&, const Lane&) = default;
+};
+
+/// Makes a lane of one part, which makes all of `checks`.
+Lane one_part_lane(TypedGraph graph, LaneDecision decision, std::vector<RangeCheck> checks = {});
+
+/// Makes the lane of all parts of `graph` from a lane for each of its `parts`.
+Lane join_parts(const TypedGraph& graph, const std::vector<GraphPart>& parts,
+                const std::vector<Lane>& lanes);
+
+/// One part of a lane alone, with the nodes and the checks that it needs.
+Lane part_of(const Lane& lane, std::size_t part);
+
+/// Which nodes a part computes: those of its sides and of its decision.
+std::vector<bool> nodes_of_part(const Lane& lane, std::size_t part);
 
 /// When the lane decides, for a report: "certified: where f and g are 7 ulp apart or more".
 std::string describe_decision(const Lane& lane);

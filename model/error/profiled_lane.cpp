@@ -59,17 +59,15 @@ private:
   TypedGraph& graph_;
 };
 
-}  // namespace
-
-Lane profiled_lane(TypedGraph graph, const mpq_class& relative_error_f,
+Lane profiled_part(TypedGraph graph, const mpq_class& relative_error_f,
                    const mpq_class& relative_error_g) {
   // The analysis is given no ranges, for a profiled lane checks no sign bits.
   const std::vector<bool> no_ranges(graph.input_count, false);
   const std::vector<NodeBound> known = analyse_errors(graph, no_ranges).nodes;
   Appender append(graph);
-  const NodeId difference = append.operation(Operation::subtract, graph.f, graph.g);
-  const NodeId error_f = append.error(graph.f, known[graph.f].nonnegative, relative_error_f);
-  const NodeId error_g = append.error(graph.g, known[graph.g].nonnegative, relative_error_g);
+  const NodeId difference = append.operation(Operation::subtract, graph.f(), graph.g());
+  const NodeId error_f = append.error(graph.f(), known[graph.f()].nonnegative, relative_error_f);
+  const NodeId error_g = append.error(graph.g(), known[graph.g()].nonnegative, relative_error_g);
   const NodeId error = append.operation(Operation::add, error_f, error_g);
   const IntervalDecision decision{
       .minimum = append.operation(Operation::subtract, difference, error),
@@ -77,7 +75,22 @@ Lane profiled_lane(TypedGraph graph, const mpq_class& relative_error_f,
       .relative_error_f = relative_error_f,
       .relative_error_g = relative_error_g};
   std::vector<Hazards> hazards = structural_hazards(graph);
-  return {.graph = std::move(graph), .decision = decision, .hazards = std::move(hazards)};
+  Lane lane = one_part_lane(std::move(graph), decision);
+  lane.hazards = std::move(hazards);
+  return lane;
+}
+
+}  // namespace
+
+Lane profiled_lane(const TypedGraph& graph, const mpq_class& relative_error_f,
+                   const mpq_class& relative_error_g) {
+  std::vector<GraphPart> parts;
+  std::vector<Lane> lanes;
+  for (std::size_t k = 0; k < graph.parts.size(); ++k) {
+    parts.push_back(part_of(graph, k));
+    lanes.push_back(profiled_part(parts.back().graph, relative_error_f, relative_error_g));
+  }
+  return join_parts(graph, parts, lanes);
 }
 
 }  // namespace mixcmp::error

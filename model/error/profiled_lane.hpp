@@ -17,9 +17,9 @@ struct ProfiledError {
   std::uint64_t f_unbounded = 0, g_unbounded = 0;
 };
 
-/// Makes a lane with the paper's decision (IntervalDecision). The relative errors become constants,
-/// rounded up to the lane's format.
-Lane profiled_lane(TypedGraph graph, const mpq_class& relative_error_f,
+/// Makes a lane with the paper's decision (IntervalDecision) of each part, by the same relative
+/// errors. These become constants, rounded up to the lane's format.
+Lane profiled_lane(const TypedGraph& graph, const mpq_class& relative_error_f,
                    const mpq_class& relative_error_g);
 
 }  // namespace mixcmp::error

@@ -93,6 +93,7 @@ private:
       mark(Event::overflow, overflows(node, result.value));
       mark(Event::underflow, underflows(node, result.value));
     }
+    if (is_choice(node.operation)) mark(Event::underflow, flushes_an_operand(node));
     const bool overflows_below = result.value.low < -largest_of(node.format);
     result.value = settled(node.format, result.value);
     if (infinities_ == Infinities::followed) {
@@ -243,14 +244,36 @@ private:
     return absolute(exact).high > largest_of(node.format);
   }
 
+  /// Whether a minimum or a maximum may take a subnormal operand for zero.
+  bool flushes_an_operand(const TypedNode& node) const {
+    if (graph_.arithmetic.subnormals == Subnormals::gradual) return false;
+    return std::any_of(node.operands.begin(), node.operands.end(), [&](NodeId id) {
+      return is_given(id) && may_be_small(node.format, nodes_[static_cast<std::size_t>(id)].value);
+    });
+  }
+
+  /// Whether the value is an input or a constant, up to its sign. Operations that flush give no
+  /// subnormal results.
+  bool is_given(NodeId id) const {
+    const TypedNode& node = graph_.nodes[id];
+    const bool changes_sign =
+        node.operation == Operation::negate || node.operation == Operation::absolute;
+    return arity(node.operation) == 0 || (changes_sign && is_given(node.operands[0]));
+  }
+
+  /// Whether a non-zero number of the range may lie below the smallest normal number.
+  static bool may_be_small(FloatFormat format, const Range& range) {
+    const mpq_class smallest = power_of_two(format.min_exponent());
+    const bool only_zero = range.low == 0 && range.high == 0;
+    return !only_zero && range.low < smallest && range.high > -smallest;
+  }
+
   bool underflows(const TypedNode& node, const Range& exact) const {
     const bool sum = node.operation == Operation::add || node.operation == Operation::subtract;
     const bool gradual = graph_.arithmetic.subnormals == Subnormals::gradual;
     // Subnormal sums of numbers of the same format are exact.
     if (sum && gradual && node.operand_format == node.format) return false;
-    const mpq_class smallest = power_of_two(node.format.min_exponent());
-    const bool only_zero = exact.low == 0 && exact.high == 0;
-    return !only_zero && exact.low < smallest && exact.high > -smallest;
+    return may_be_small(node.format, exact);
   }
 
   /// Encloses the finite results of rounding the values of `exact` into `format`.

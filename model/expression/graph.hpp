@@ -52,6 +52,8 @@ struct Node {
 struct Sides {
   NodeId f;
   NodeId g;
+
+  friend bool operator==(const Sides&, const Sides&) = default;
 };
 
 /// The real-valued expressions f and g of one part or several, without any number format. Equal

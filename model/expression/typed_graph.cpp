@@ -1,7 +1,9 @@
 #include "model/expression/typed_graph.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "model/common/check.hpp"
 #include "model/number/exact.hpp"
 
 namespace mixcmp::inline expression {
@@ -28,7 +30,9 @@ public:
   /// The node in the lane's format.
   NodeId in_lane(NodeId id);
 
-  TypedGraph finish(NodeId f, NodeId g) &&;
+  /// Makes the graph of all parts; `side` emits one side of a part.
+  template <class Side>
+  TypedGraph finish(Side side) &&;
 
 private:
   bool takes_exact_operands(const Node& node) const;
@@ -57,7 +61,8 @@ Builder::Builder(const Graph& graph, FloatFormat reference, Arithmetic arithmeti
       typed_{.input_count = static_cast<int>(graph.inputs().size()),
              .input_names = graph.inputs(),
              .input_format = reference,
-             .arithmetic = arithmetic} {}
+             .arithmetic = arithmetic,
+             .combination = graph.combination()} {}
 
 NodeId Builder::in_reference(NodeId id) {
   NodeId& known = reference_ids_[id];
@@ -125,27 +130,74 @@ NodeId Builder::emit(TypedNode node) {
   return static_cast<NodeId>(typed_.nodes.size()) - 1;
 }
 
-TypedGraph Builder::finish(NodeId f, NodeId g) && {
-  typed_.f = f;
-  typed_.g = g;
+template <class Side>
+TypedGraph Builder::finish(Side side) && {
+  for (const Sides& part : graph_.parts()) {
+    const NodeId f = side(part.f);
+    const NodeId g = side(part.g);
+    typed_.parts.push_back({f, g});
+  }
   return std::move(typed_);
 }
 
 }  // namespace
 
+NodeId TypedGraph::f() const {
+  MIXCMP_CHECK(parts.size() == 1);
+  return parts.front().f;
+}
+
+NodeId TypedGraph::g() const {
+  MIXCMP_CHECK(parts.size() == 1);
+  return parts.front().g;
+}
+
+std::vector<bool> needed_nodes(const TypedGraph& graph, const std::vector<NodeId>& roots) {
+  std::vector<bool> needed(graph.nodes.size(), false);
+  for (const NodeId root : roots) needed[root] = true;
+  for (std::size_t id = graph.nodes.size(); id-- > 0;) {
+    const TypedNode& node = graph.nodes[id];
+    for (int k = 0; needed[id] && k < arity(node.operation); ++k) needed[node.operands[k]] = true;
+  }
+  return needed;
+}
+
+GraphPart part_of(const TypedGraph& graph, std::size_t part) {
+  const Sides& sides = graph.parts[part];
+  const std::vector<bool> needed = needed_nodes(graph, {sides.f, sides.g});
+  GraphPart alone{graph, {}};
+  alone.graph.nodes.clear();
+  std::vector<NodeId> renumbered(graph.nodes.size(), -1);
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+    if (!needed[id]) continue;
+    TypedNode node = graph.nodes[id];
+    for (int k = 0; k < arity(node.operation); ++k) {
+      node.operands[k] = renumbered[node.operands[k]];
+    }
+    renumbered[id] = static_cast<NodeId>(alone.graph.nodes.size());
+    alone.graph.nodes.push_back(std::move(node));
+    alone.ids.push_back(static_cast<NodeId>(id));
+  }
+  alone.graph.parts = {{renumbered[sides.f], renumbered[sides.g]}};
+  return alone;
+}
+
+NodeId add_node(TypedGraph& graph, TypedNode node) {
+  const auto known = std::find(graph.nodes.begin(), graph.nodes.end(), node);
+  const auto id = static_cast<NodeId>(known - graph.nodes.begin());
+  if (known == graph.nodes.end()) graph.nodes.push_back(std::move(node));
+  return id;
+}
+
 TypedGraph reference_graph(const Graph& graph, Arithmetic reference) {
   Builder builder(graph, reference.format, reference, LaneInputs::exact);
-  const NodeId f = builder.in_reference(graph.f());
-  const NodeId g = builder.in_reference(graph.g());
-  return std::move(builder).finish(f, g);
+  return std::move(builder).finish([&](NodeId side) { return builder.in_reference(side); });
 }
 
 TypedGraph lane_graph(const Graph& graph, FloatFormat reference, Arithmetic reduced,
                       LaneInputs inputs) {
   Builder builder(graph, reference, reduced, inputs);
-  const NodeId f = builder.in_lane(graph.f());
-  const NodeId g = builder.in_lane(graph.g());
-  return std::move(builder).finish(f, g);
+  return std::move(builder).finish([&](NodeId side) { return builder.in_lane(side); });
 }
 
 }  // namespace mixcmp::inline expression

@@ -37,13 +37,19 @@ Rounded evaluate_node(const TypedNode& node, const Arithmetic& arithmetic,
   MIXCMP_CHECK(false);
 }
 
-bool any_exceptional(const std::vector<Rounded>& values) {
-  return std::any_of(values.begin(), values.end(),
-                     [](const Rounded& value) { return value.exceptional; });
+/// Whether an operation of this part of a lane is exceptional.
+bool is_exceptional(const error::Lane& lane, std::size_t part, const std::vector<Rounded>& values) {
+  const std::vector<bool> own = nodes_of_part(lane, part);
+  for (std::size_t id = 0; id < values.size(); ++id) {
+    if (own[id] && values[id].exceptional) return true;
+  }
+  return false;
 }
 
-bool breaks_a_range(const error::Lane& lane, std::span<const Bits> inputs) {
-  return std::any_of(lane.checks.begin(), lane.checks.end(), [&](const error::RangeCheck& check) {
+bool breaks_a_range(const error::Lane& lane, std::size_t part, std::span<const Bits> inputs) {
+  const std::vector<std::size_t>& own = lane.parts[part].checks;
+  return std::any_of(own.begin(), own.end(), [&](std::size_t index) {
+    const error::RangeCheck& check = lane.checks[index];
     return !passes(check, lane.graph.input_format, inputs[check.input]);
   });
 }
@@ -93,9 +99,9 @@ struct Decision {
 };
 
 Decision decide(const error::UlpDistanceDecision& decision, const TypedGraph& graph,
-                const std::vector<Rounded>& values) {
+                const Sides& sides, const std::vector<Rounded>& values) {
   const auto [verdict, ulp] =
-      distance(graph.arithmetic.format, values[graph.f].bits, values[graph.g].bits);
+      distance(graph.arithmetic.format, values[sides.f].bits, values[sides.g].bits);
   return {ulp >= decision.guard_ulp, verdict};
 }
 
@@ -104,7 +110,7 @@ Bits padded(BoundFormat format, Bits bound, FloatFormat lane) {
   return bound << (lane.precision() - format.precision);
 }
 
-Decision decide(const error::AbsoluteBoundDecision& decision, const TypedGraph& graph,
+Decision decide(const error::AbsoluteBoundDecision& decision, const TypedGraph& graph, const Sides&,
                 const std::vector<Rounded>& values) {
   const BoundFormat format = decision.bound.format;
   const FloatFormat lane = graph.arithmetic.format;
@@ -120,14 +126,15 @@ Decision decide(const error::AbsoluteBoundDecision& decision, const TypedGraph& 
           lane.sign(difference) ? Verdict::less : Verdict::greater};
 }
 
-Decision decide(const error::IntervalDecision& decision, const TypedGraph& graph,
+Decision decide(const error::IntervalDecision& decision, const TypedGraph& graph, const Sides&,
                 const std::vector<Rounded>& values) {
   const auto sign_of = [&](NodeId id) {
     return compare(graph.arithmetic.format, graph.arithmetic.subnormals, values[id].bits, 0);
   };
-  const bool greater = sign_of(decision.minimum) == Verdict::greater;
-  const bool less = sign_of(decision.maximum) == Verdict::less;
-  return {greater || less, greater ? Verdict::greater : Verdict::less};
+  const Verdict minimum = sign_of(decision.minimum), maximum = sign_of(decision.maximum);
+  const bool is_nan = minimum == Verdict::unordered || maximum == Verdict::unordered;
+  const bool greater = minimum == Verdict::greater, less = maximum == Verdict::less;
+  return {!is_nan && (greater || less), greater ? Verdict::greater : Verdict::less};
 }
 
 constexpr mpfr_prec_t first_precision = 128;
@@ -156,16 +163,14 @@ Verdict opposite(Verdict verdict) {
   return verdict == Verdict::greater ? Verdict::less : Verdict::greater;
 }
 
-/// Combines the parts' verdicts; stops at a dominating one.
-template <class Part, class Judge>
-Verdict combined_verdict(Combination combination, const std::vector<Part>& parts, Judge judge) {
-  const Verdict dominating = dominating_verdict(combination);
-  Verdict verdict = opposite(dominating);
-  for (const Part& part : parts) {
-    verdict = combine(combination, verdict, judge(part));
-    if (verdict == dominating) break;
-  }
-  return verdict;
+LaneResult evaluate_part(const error::Lane& lane, std::size_t part, std::span<const Bits> inputs,
+                         const std::vector<Rounded>& values) {
+  const Decision decision = std::visit(
+      [&](const auto& kind) { return decide(kind, lane.graph, lane.graph.parts[part], values); },
+      lane.parts[part].decision);
+  // The paper's decision ignores exceptions; that flaw is modelled as it is.
+  const bool usable = !lane.parts[part].certified() || !is_exceptional(lane, part, values);
+  return {decision.decided && usable && !breaks_a_range(lane, part, inputs), decision.verdict};
 }
 
 }  // namespace
@@ -218,35 +223,27 @@ Verdict combine(Combination combination, Verdict a, Verdict b) {
 
 LaneResult evaluate_lane(const error::Lane& lane, std::span<const Bits> inputs) {
   const std::vector<Rounded> values = evaluate(lane.graph, inputs);
-  const Decision decision =
-      std::visit([&](const auto& kind) { return decide(kind, lane.graph, values); }, lane.decision);
-  // The paper's decision ignores exceptions; that flaw is modelled as it is.
-  const bool usable = !lane.certified() || !any_exceptional(values);
-  return {values[lane.graph.f].bits, values[lane.graph.g].bits,
-          decision.decided && usable && !breaks_a_range(lane, inputs), decision.verdict};
-}
-
-Verdict evaluate_reference(const TypedGraph& reference, std::span<const Bits> inputs) {
-  const std::vector<Rounded> values = evaluate(reference, inputs);
-  return compare(reference.arithmetic.format, reference.arithmetic.subnormals,
-                 values[reference.f].bits, values[reference.g].bits);
-}
-
-CombinedResult evaluate_lane(const error::CombinedLane& lane, std::span<const Bits> inputs) {
-  const Verdict dominating = dominating_verdict(lane.combination);
-  CombinedResult result{.decided = true, .verdict = opposite(dominating)};
-  for (const error::Lane& part : lane.parts) {
-    const LaneResult one = evaluate_lane(part, inputs);
+  const Combination combination = lane.graph.combination;
+  const Verdict dominating = dominating_verdict(combination);
+  LaneResult result{.decided = true, .verdict = opposite(dominating)};
+  for (std::size_t part = 0; part < lane.parts.size(); ++part) {
+    const LaneResult one = evaluate_part(lane, part, inputs, values);
     if (one.decided && one.verdict == dominating) return {true, dominating};
     result.decided &= one.decided;
-    if (one.decided) result.verdict = combine(lane.combination, result.verdict, one.verdict);
+    if (one.decided) result.verdict = combine(combination, result.verdict, one.verdict);
   }
   return result;
 }
 
-Verdict evaluate_reference(const CombinedGraph& reference, std::span<const Bits> inputs) {
-  return combined_verdict(reference.combination, reference.parts,
-                          [&](const TypedGraph& part) { return evaluate_reference(part, inputs); });
+Verdict evaluate_reference(const TypedGraph& reference, std::span<const Bits> inputs) {
+  const std::vector<Rounded> values = evaluate(reference, inputs);
+  Verdict verdict = opposite(dominating_verdict(reference.combination));
+  for (const Sides& part : reference.parts) {
+    const Verdict one = compare(reference.arithmetic.format, reference.arithmetic.subnormals,
+                                values[part.f].bits, values[part.g].bits);
+    verdict = combine(reference.combination, verdict, one);
+  }
+  return verdict;
 }
 
 std::optional<Verdict> true_verdict(const Graph& graph, FloatFormat format,

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/error/combined_lane.hpp"
+#include "model/error/lane.hpp"
 #include "model/golden/arithmetic.hpp"
 
 namespace mixcmp::golden {
@@ -24,8 +24,6 @@ std::vector<Bits> evaluate_bound(const error::BoundGraph& bound, const TypedGrap
 bool passes(const error::RangeCheck& check, FloatFormat format, Bits operand);
 
 struct LaneResult {
-  Bits f;
-  Bits g;
   bool decided;
   Verdict verdict;  ///< meaningful where decided; never unordered there
 };
@@ -33,15 +31,8 @@ struct LaneResult {
 /// The decision of a lane in hardware, bit for bit.
 LaneResult evaluate_lane(const error::Lane& lane, std::span<const Bits> inputs);
 
-struct CombinedResult {
-  bool decided;
-  Verdict verdict;  ///< meaningful where decided; never unordered there
-};
-CombinedResult evaluate_lane(const error::CombinedLane& lane, std::span<const Bits> inputs);
-
 /// The verdict of a reference datapath: the order of f and g as computed in its format.
 Verdict evaluate_reference(const TypedGraph& reference, std::span<const Bits> inputs);
-Verdict evaluate_reference(const CombinedGraph& reference, std::span<const Bits> inputs);
 
 /// The verdict of one part that decides the whole comparison, whatever the other parts' verdicts
 /// are: `greater` for Combination::all, `less` for Combination::any.

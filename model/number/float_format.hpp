@@ -97,6 +97,8 @@ struct Arithmetic {
   FloatFormat format;
   Rounding rounding = Rounding::nearest_even;
   Subnormals subnormals = Subnormals::gradual;
+
+  friend bool operator==(const Arithmetic&, const Arithmetic&) = default;
 };
 
 std::string_view to_string(Rounding rounding);

@@ -36,7 +36,7 @@ const characterise::Measurement* row_of(const characterise::Characterisation& ta
   return find(table,
               {.kind = characterise::ComponentKind::lane,
                .name = {},
-               .format = group.lane.arithmetic().format.name(),
+               .format = group.lane.graph.arithmetic.format.name(),
                .inputs = std::string(to_string(group.inputs)),
                .bound = scene::bound_choice(group.lane),
                .multipliers = {},
@@ -78,7 +78,7 @@ std::optional<Amounts> measured_amounts(const design::Design& design,
     add(sum, group.count, row->area);
     slowest = std::max(slowest, row->latency_cycles);
   }
-  const FloatFormat format = design.reference.arithmetic().format;
+  const FloatFormat format = design.reference.arithmetic.format;
   for (const design::ReferenceGroup& group : design.references) {
     const characterise::Measurement* row = row_of(table, group, format);
     if (row == nullptr) return std::nullopt;

@@ -17,7 +17,7 @@ using envelope_kernels::infinity;
 using envelope_kernels::outward;
 
 const error::AbsoluteBoundDecision& decision_of(const error::Lane& lane) {
-  return std::get<error::AbsoluteBoundDecision>(lane.decision);
+  return std::get<error::AbsoluteBoundDecision>(lane.decision());
 }
 
 bool is_constant(const error::AbsoluteBoundDecision& decision) {

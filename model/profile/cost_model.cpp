@@ -149,21 +149,18 @@ bool read_number(const std::string& text, Number& number) {
 
 }  // namespace
 
-double lane_luts(const error::CombinedLane& lane, Products products) {
-  const int precision = lane.arithmetic().format.precision();
-  const error::SharedLane shared = share(lane);
-  double luts = graph_luts(shared.graph, products);
-  for (const error::SharedPart& part : shared.parts) {
+double lane_luts(const error::Lane& lane, Products products) {
+  const int precision = lane.graph.arithmetic.format.precision();
+  double luts = graph_luts(lane.graph, products);
+  for (const error::LanePart& part : lane.parts) {
     luts += std::visit(DecisionLuts{precision}, part.decision);
   }
   return luts;
 }
 
-double reference_luts(const CombinedGraph& reference, Products products) {
-  const SharedGraph shared = share(reference);
-  return graph_luts(shared.graph, products) +
-         static_cast<double>(shared.sides.size()) *
-             comparison(reference.arithmetic().format.precision());
+double reference_luts(const TypedGraph& reference, Products products) {
+  return graph_luts(reference, products) + static_cast<double>(reference.parts.size()) *
+                                               comparison(reference.arithmetic.format.precision());
 }
 
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "model/error/combined_lane.hpp"
+#include "model/error/lane.hpp"
 
 namespace mixcmp::profile {
 
@@ -19,8 +19,8 @@ enum class Products {
 /// A rough area of datapaths, in LUTs of six inputs and no DSPs: one term per operation, fitted to
 /// Yosys' results for our units (docs/profile.md has the measurements). It serves to compare
 /// precisions of one expression; registers, scoreboards and the crossbar are not included.
-double lane_luts(const error::CombinedLane& lane, Products products = Products::in_luts);
-double reference_luts(const CombinedGraph& reference, Products products = Products::in_luts);
+double lane_luts(const error::Lane& lane, Products products = Products::in_luts);
+double reference_luts(const TypedGraph& reference, Products products = Products::in_luts);
 
 /// Areas measured by the user; each replaces the estimate for its system and precision.
 class MeasuredAreas {

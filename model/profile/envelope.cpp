@@ -34,7 +34,7 @@ Envelope::Envelope(const TypedGraph& lane, const Options& options)
   lowest_ = 1 + std::max({format.min_exponent(), reference.min_exponent(), lowest_in_double});
   highest_ = std::min({format.max_exponent(), reference.max_exponent(), highest_in_double});
   graph_.nodes.push_back({.operation = Operation::subtract,
-                          .operands = {lane.f, lane.g},
+                          .operands = {lane.f(), lane.g()},
                           .operand_format = format,
                           .format = format,
                           .value = {}});

@@ -45,8 +45,8 @@ JudgedError judge_error(const ErrorJob& job, const ErrorLane& lane, std::uint64_
     if (!truth.compute(graph.input_format, operands)) continue;
     const std::vector<golden::Rounded> computed = golden::evaluate(graph, operands);
     LargestRelativeError f(graph.arithmetic.format), g(graph.arithmetic.format);
-    f.measure(computed[graph.f].bits, truth.f());
-    g.measure(computed[graph.g].bits, truth.g());
+    f.measure(computed[graph.f()].bits, truth.f());
+    g.measure(computed[graph.g()].bits, truth.g());
     largest.f = std::max(largest.f, f.value());
     largest.g = std::max(largest.g, g.value());
     largest.f_unbounded |= f.unbounded() > 0;

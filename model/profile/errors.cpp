@@ -34,17 +34,17 @@ void add_bounds(const scene::Scene& scene, const ErrorLane& lane, ErrorAtPrecisi
   for (const ErrorPart& part : lane) {
     const error::ErrorAnalysis analysis =
         error::analyse_errors(part.graph, scene.nonnegative_inputs());
-    add_bound(error.f_bound, profile.no_f_bound, analysis.nodes[part.graph.f]);
-    add_bound(error.g_bound, profile.no_g_bound, analysis.nodes[part.graph.g]);
+    add_bound(error.f_bound, profile.no_f_bound, analysis.nodes[part.graph.f()]);
+    add_bound(error.g_bound, profile.no_g_bound, analysis.nodes[part.graph.g()]);
   }
 }
 
-ErrorLane lane_of(const CombinedGraph& graph) {
+ErrorLane lane_of(const TypedGraph& graph) {
   ErrorLane lane;
-  for (const TypedGraph& part : graph.parts) {
-    emulator::Emulator emulator(
-        error::Lane{part, error::UlpDistanceDecision{.guard_ulp = 0, .nonnegative = false}});
-    lane.push_back({part, std::move(emulator)});
+  for (std::size_t k = 0; k < graph.parts.size(); ++k) {
+    TypedGraph part = part_of(graph, k).graph;
+    emulator::Emulator emulator(part);
+    lane.push_back({std::move(part), std::move(emulator)});
   }
   return lane;
 }

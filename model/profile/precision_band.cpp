@@ -27,24 +27,27 @@ struct Gap {
 
 Gap gap_of(const Envelope& envelope, const EnvelopeBlock& block) {
   const TypedGraph& graph = envelope.graph();
-  return {block.nodes[graph.f], block.nodes[graph.g], block.nodes.back(),
+  return {block.nodes[graph.f()], block.nodes[graph.g()], block.nodes.back(),
           std::ldexp(outward, envelope.anchor() - 53)};
 }
 
-std::vector<const error::Lane*> lanes_from(const SystemLanes& system, std::size_t part,
-                                           std::size_t index) {
-  std::vector<const error::Lane*> lanes;
+/// One part of a system's lanes, from the precision number `index` on.
+std::vector<std::optional<error::Lane>> parts_from(const SystemLanes& system, std::size_t part,
+                                                   std::size_t index) {
+  std::vector<std::optional<error::Lane>> parts;
   for (; index < system.lanes.size(); ++index) {
-    lanes.push_back(system.lanes[index] ? &system.lanes[index]->parts[part] : nullptr);
+    const std::optional<error::Lane>& lane = system.lanes[index];
+    parts.push_back(lane ? std::optional(part_of(*lane, part)) : std::nullopt);
   }
-  return lanes;
+  return parts;
 }
 
 Threshold threshold_of(const SystemLanes& system, std::size_t part, int index,
                        const Envelope& envelope) {
   if (system.kind == SystemKind::lanes_alone) return Threshold::of_order();
-  const std::vector<const error::Lane*> lanes =
-      lanes_from(system, part, static_cast<std::size_t>(index));
+  const auto parts = parts_from(system, part, static_cast<std::size_t>(index));
+  std::vector<const error::Lane*> lanes;
+  for (const std::optional<error::Lane>& lane : parts) lanes.push_back(lane ? &*lane : nullptr);
   return Threshold::of_lanes(lanes, envelope);
 }
 
@@ -102,12 +105,12 @@ private:
 }  // namespace
 
 PrecisionBand::PrecisionBand(const Envelope::Options& options, int next, int first,
-                             const CombinedGraph& graph, const std::vector<SystemLanes>& systems)
+                             const TypedGraph& graph, const std::vector<SystemLanes>& systems)
     : combination_(graph.combination),
       reference_precision_(options.reference.precision()),
       next_(next) {
   for (std::size_t k = 0; k < graph.parts.size(); ++k) {
-    Part& part = parts_.emplace_back(Part{Envelope(graph.parts[k], options), {}});
+    Part& part = parts_.emplace_back(Part{Envelope(part_of(graph, k).graph, options), {}});
     for (const SystemLanes& system : systems) {
       part.thresholds.push_back(threshold_of(system, k, options.anchor - first, part.envelope));
     }
@@ -115,7 +118,7 @@ PrecisionBand::PrecisionBand(const Envelope::Options& options, int next, int fir
   for (const SystemLanes& system : systems) {
     std::vector<Runner>& runners = runners_.emplace_back();
     for (int precision = anchor(); precision < next; ++precision) {
-      const std::optional<error::CombinedLane>& lane = system.lanes[precision - first];
+      const std::optional<error::Lane>& lane = system.lanes[precision - first];
       Runner& runner = runners.emplace_back(Runner{system.kind, std::nullopt});
       if (lane) runner.emulator.emplace(*lane);
     }

@@ -39,7 +39,7 @@ public:
   };
 
   /// `systems` have lanes from precision `first` on.
-  PrecisionBand(const Envelope::Options& options, int next, int first, const CombinedGraph& graph,
+  PrecisionBand(const Envelope::Options& options, int next, int first, const TypedGraph& graph,
                 const std::vector<SystemLanes>& systems);
 
   int anchor() const { return parts_.front().envelope.anchor(); }

@@ -23,8 +23,8 @@ error::ProfiledError profile_error(const Graph& graph, const TypedGraph& lane,
     data.fetch(permutation(index), operands);
     if (!truth.compute(lane.input_format, operands)) continue;
     const std::vector<golden::Rounded> computed = golden::evaluate(lane, operands);
-    f.measure(computed[lane.f].bits, truth.f());
-    g.measure(computed[lane.g].bits, truth.g());
+    f.measure(computed[lane.f()].bits, truth.f());
+    g.measure(computed[lane.g()].bits, truth.g());
     ++profiled.comparisons;
   }
   profiled.f = f.value();

@@ -34,9 +34,9 @@ std::vector<NodeMagnitude> input_magnitudes(const data::OperandSource& source) {
 /// The checks of a system's lanes. They repeat from precision to precision; one of each is enough.
 std::vector<error::RangeCheck> distinct_checks(const SystemLanes& system) {
   std::vector<error::RangeCheck> checks;
-  for (const std::optional<error::CombinedLane>& lane : system.lanes) {
+  for (const std::optional<error::Lane>& lane : system.lanes) {
     if (!lane) continue;
-    for (const error::RangeCheck& check : share(*lane).checks) {
+    for (const error::RangeCheck& check : lane->checks) {
       if (std::find(checks.begin(), checks.end(), check) == checks.end()) checks.push_back(check);
     }
   }
@@ -120,7 +120,7 @@ RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& da
               .method = options.method,
               .systems = existing_systems(systems),
               .bands = {},
-              .reference = emulator::Emulator(reference_graphs(scene.graph, scene.reference)),
+              .reference = emulator::Emulator(reference_graph(scene.graph, scene.reference)),
               .failing = {}};
   find_failing(job);
   add_stages(job, errors);

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/error/certified_lane.hpp"
+#include "model/error/profiled_lane.hpp"
+
 namespace mixcmp::profile {
 namespace {
 
@@ -19,7 +22,7 @@ SystemLanes& system_with(std::vector<SystemLanes>& systems,
 
 /// `bound`: none for lanes alone.
 void add(std::vector<SystemLanes>& systems, const std::optional<scene::BoundChoice>& bound,
-         SystemKind kind, Result<error::CombinedLane> lane) {
+         SystemKind kind, Result<error::Lane> lane) {
   SystemLanes& system = system_with(systems, bound, kind);
   if (lane.ok()) {
     system.lanes.emplace_back(std::move(lane).value());
@@ -29,13 +32,9 @@ void add(std::vector<SystemLanes>& systems, const std::optional<scene::BoundChoi
   }
 }
 
-error::CombinedLane lanes_alone(const CombinedGraph& graph) {
-  std::vector<error::Lane> parts;
-  for (const TypedGraph& part : graph.parts) {
-    parts.push_back(
-        error::Lane{part, error::UlpDistanceDecision{.guard_ulp = 0, .nonnegative = false}});
-  }
-  return {graph.combination, std::move(parts)};
+error::Lane lanes_alone(const TypedGraph& graph) {
+  const error::UlpDistanceDecision by_order{.guard_ulp = 0, .nonnegative = false};
+  return {graph, std::vector<error::LanePart>(graph.parts.size(), {by_order})};
 }
 
 }  // namespace
@@ -48,17 +47,17 @@ int profiled_exponent_bits(const scene::Scene& scene) {
   return scene.reduced.format.value_or(scene.reference.format).exponent_bits();
 }
 
-CombinedGraph graphs_at(const scene::Scene& scene, int precision, LaneInputs inputs) {
+TypedGraph graphs_at(const scene::Scene& scene, int precision, LaneInputs inputs) {
   const scene::ReducedSpec& reduced = scene.reduced;
   const FloatFormat format = FloatFormat::make(precision, profiled_exponent_bits(scene)).value();
-  return lane_graphs(scene.graph, scene.reference.format,
-                     {format, reduced.rounding, reduced.subnormals}, inputs);
+  return lane_graph(scene.graph, scene.reference.format,
+                    {format, reduced.rounding, reduced.subnormals}, inputs);
 }
 
 namespace {
 
-Result<error::CombinedLane> profiled_at(const CombinedGraph& graph, const ErrorAtPrecision& error) {
-  if (error.f && error.g) return error::profiled_lanes(graph, *error.f, *error.g);
+Result<error::Lane> profiled_at(const TypedGraph& graph, const ErrorAtPrecision& error) {
+  if (error.f && error.g) return error::profiled_lane(graph, *error.f, *error.g);
   return Error{.message = "no comparison has a relative error of f and of g"};
 }
 
@@ -67,11 +66,11 @@ Result<error::CombinedLane> profiled_at(const CombinedGraph& graph, const ErrorA
 std::vector<SystemLanes> make_systems(const scene::Scene& scene, const ErrorProfile& errors) {
   std::vector<SystemLanes> systems;
   for (const ErrorAtPrecision& error : errors.precisions) {
-    const CombinedGraph graph = graphs_at(scene, error.precision, errors.inputs);
+    const TypedGraph graph = graphs_at(scene, error.precision, errors.inputs);
     add(systems, std::nullopt, SystemKind::lanes_alone, lanes_alone(graph));
     add(systems, scene::BoundChoice{scene::BoundChoice::Kind::profiled}, SystemKind::profiled,
         profiled_at(graph, error));
-    for (error::CandidateLanes& candidate : error::candidate_lanes(graph, scene.ranges)) {
+    for (error::CandidateLane& candidate : error::candidate_lanes(graph, scene.ranges)) {
       add(systems, scene::bound_choice(candidate), SystemKind::certified,
           std::move(candidate.lane));
     }

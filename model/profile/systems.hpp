@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/error/combined_lane.hpp"
+#include "model/error/lane.hpp"
 #include "model/profile/profile.hpp"
 
 namespace mixcmp::profile {
@@ -14,8 +14,8 @@ struct SystemLanes {
   std::string name;
   std::optional<scene::BoundChoice> bound;  ///< none: lanes alone
   SystemKind kind;
-  std::vector<std::optional<error::CombinedLane>> lanes;  ///< one per precision
-  std::string reason;  ///< why there is no lane at some precision
+  std::vector<std::optional<error::Lane>> lanes;  ///< one per precision
+  std::string reason;                             ///< why there is no lane at some precision
 
   bool exists() const;
 };
@@ -25,7 +25,7 @@ struct SystemLanes {
 int profiled_exponent_bits(const scene::Scene& scene);
 
 /// The lane's graphs at one precision, with `profiled_exponent_bits`.
-CombinedGraph graphs_at(const scene::Scene& scene, int precision, LaneInputs inputs);
+TypedGraph graphs_at(const scene::Scene& scene, int precision, LaneInputs inputs);
 
 /// Makes the systems to be profiled: lanes alone, lanes profiled with the constants of `errors`,
 /// and every certified candidate.

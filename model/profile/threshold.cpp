@@ -42,14 +42,14 @@ bool same_node(const TypedNode& a, const TypedNode& b) {
 
 /// Whether a lane's graph begins with `count` nodes of the first lane's.
 bool begins_alike(const TypedGraph& a, const TypedGraph& b, std::size_t count) {
-  return a.f == b.f && a.g == b.g && a.nodes.size() >= count && b.nodes.size() >= count &&
+  return a.f() == b.f() && a.g() == b.g() && a.nodes.size() >= count && b.nodes.size() >= count &&
          std::equal(a.nodes.begin(), a.nodes.begin() + static_cast<std::ptrdiff_t>(count),
                     b.nodes.begin(), same_node);
 }
 
 /// The largest factor by which `guard_ulp` steps raise a number: theorem 3.
 double guard_factor(const error::Lane& lane) {
-  const Bits guard = std::get<error::AbsoluteBoundDecision>(lane.decision).guard_ulp;
+  const Bits guard = std::get<error::AbsoluteBoundDecision>(lane.decision()).guard_ulp;
   const int precision = lane.graph.arithmetic.format.precision();
   const Bits binade = Bits{1} << (precision - 1);
   const double doublings = to_double(guard / binade);
@@ -73,17 +73,17 @@ Threshold Threshold::of_order() {
 Threshold Threshold::of_lanes(std::span<const error::Lane* const> lanes, const Envelope& envelope) {
   const bool known = std::all_of(lanes.begin(), lanes.end(), [&](const error::Lane* lane) {
     return lane != nullptr && lanes.front() != nullptr &&
-           lane->decision.index() == lanes.front()->decision.index() &&
+           lane->decision().index() == lanes.front()->decision().index() &&
            begins_alike(lane->graph, envelope.graph(), envelope.node_count() - 1);
   });
   const double floor = std::ldexp(1.0, envelope.lowest() + 2);
-  return {known ? kind_of(lanes, envelope) : Kind{Unknown{}}, floor, envelope.graph().f,
-          envelope.graph().g};
+  return {known ? kind_of(lanes, envelope) : Kind{Unknown{}}, floor, envelope.graph().f(),
+          envelope.graph().g()};
 }
 
 Threshold::Kind Threshold::kind_of(std::span<const error::Lane* const> lanes,
                                    const Envelope& envelope) {
-  const auto& decision = lanes.front()->decision;
+  const auto& decision = lanes.front()->decision();
   if (std::holds_alternative<error::UlpDistanceDecision>(decision))
     return distance(lanes, envelope);
   if (std::holds_alternative<error::IntervalDecision>(decision)) return interval(lanes, envelope);
@@ -94,8 +94,8 @@ Threshold::Kind Threshold::distance(std::span<const error::Lane* const> lanes,
                                     const Envelope& envelope) {
   double guard = 0;
   for (const error::Lane* lane : lanes) {
-    guard =
-        std::max(guard, to_double(std::get<error::UlpDistanceDecision>(lane->decision).guard_ulp));
+    guard = std::max(guard,
+                     to_double(std::get<error::UlpDistanceDecision>(lane->decision()).guard_ulp));
   }
   return Distance{std::ldexp(guard, 1 - envelope.anchor())};
 }
@@ -106,7 +106,7 @@ Threshold::Kind Threshold::interval(std::span<const error::Lane* const> lanes,
   int precision = envelope.anchor();
   for (const error::Lane* lane : lanes) {
     const TypedGraph& graph = lane->graph;
-    const auto& decision = std::get<error::IntervalDecision>(lane->decision);
+    const auto& decision = std::get<error::IntervalDecision>(lane->decision());
     // minimum = D - E, E = E_f + E_g, each a magnitude times a constant.
     const TypedNode& error = graph.nodes[graph.nodes[decision.minimum].operands[1]];
     MIXCMP_CHECK(error.operation == Operation::add);
@@ -123,7 +123,7 @@ Threshold::Kind Threshold::interval(std::span<const error::Lane* const> lanes,
 Threshold::Kind Threshold::absolute(std::span<const error::Lane* const> lanes,
                                     const Envelope& envelope) {
   const auto decision = [&](std::size_t k) -> const error::AbsoluteBoundDecision& {
-    return std::get<error::AbsoluteBoundDecision>(lanes[k]->decision);
+    return std::get<error::AbsoluteBoundDecision>(lanes[k]->decision());
   };
   double guard = 1;
   for (const error::Lane* lane : lanes) guard = std::max(guard, guard_factor(*lane));

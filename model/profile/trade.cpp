@@ -17,7 +17,7 @@ TradePoint make_point(const RateProfile& rates, const SystemProfile& system,
   return point;
 }
 
-void price(const Trade& trade, const error::CombinedLane& lane, const MeasuredAreas& areas,
+void price(const Trade& trade, const error::Lane& lane, const MeasuredAreas& areas,
            TradePoint& point) {
   const std::optional<double> measured = areas.of(point.system, point.precision);
   point.measured = measured.has_value();
@@ -37,7 +37,7 @@ bool qualifies(const TradePoint& point, double undetermined_per_million,
 
 Trade make_trade(const scene::Scene& scene, const RateProfile& rates, const ErrorProfile& errors,
                  const MeasuredAreas& areas) {
-  const CombinedGraph reference = reference_graphs(scene.graph, scene.reference);
+  const TypedGraph reference = reference_graph(scene.graph, scene.reference);
   Trade trade{.inputs = rates.inputs,
               .slack = scene.system.slack,
               .reference_luts = areas.reference().value_or(reference_luts(reference)),

@@ -12,8 +12,8 @@ VariantCheck check_variant(const scene::Scene& given, const scene::Scene& varian
                            const std::function<void(double)>& progress) {
   MIXCMP_CHECK(given.graph.inputs() == variant.graph.inputs());
   const FloatFormat format = given.reference.format;
-  const CombinedGraph reference = reference_graphs(given.graph, given.reference);
-  const CombinedGraph variant_reference = reference_graphs(variant.graph, variant.reference);
+  const TypedGraph reference = reference_graph(given.graph, given.reference);
+  const TypedGraph variant_reference = reference_graph(variant.graph, variant.reference);
   VariantCheck check{.variant = variant.variant, .comparisons = std::min(most, data.size())};
   std::vector<Bits> operands(data.input_count());
   for (std::uint64_t k = 0; k < check.comparisons; ++k) {

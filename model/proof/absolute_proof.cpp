@@ -43,7 +43,7 @@ Finding prove_from_ranges(const error::Lane& lane, const error::AbsoluteBoundDec
 
 LaneProof prove_absolute(const error::Lane& lane, const error::ErrorAnalysis& analysis,
                          const Prove& prove, Effort effort) {
-  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision);
+  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision());
   const bool constant = is_constant(decision);
   LaneProof proof;
   proof.lane = describe_arithmetic(lane.graph.arithmetic);

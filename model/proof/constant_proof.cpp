@@ -64,7 +64,7 @@ std::vector<Finding> ConstantProof::run() && {
 
 /// Proves that A / l of theorem 8 is at most `decided_beyond`.
 void ConstantProof::prove_bound() {
-  const NodeId difference = std::get<error::AbsoluteBoundDecision>(lane_.decision).difference;
+  const NodeId difference = std::get<error::AbsoluteBoundDecision>(lane_.decision()).difference;
   const error::MixedBound& bound = *analysis_.nodes[difference].mixed;
   const std::optional<mpq_class> most = decided_beyond(lane_);
   const std::string what = "the constant, from that bound and the ranges";
@@ -201,7 +201,7 @@ bool is_constant(const error::AbsoluteBoundDecision& decision) {
 /// Numbers of P digits are more than one part in 2^P apart, and an f - g less than half a step
 /// beyond the constant is still rounded to it.
 std::optional<mpq_class> decided_beyond(const error::Lane& lane) {
-  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision);
+  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision());
   MIXCMP_CHECK(is_constant(decision));
   const BoundFormat format = decision.bound.format;
   const Bits encoded = encode_bound(format, decision.bound.nodes.front().constant);

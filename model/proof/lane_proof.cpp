@@ -104,10 +104,10 @@ ByHand scaling_by_hand() {
       "rounding and its error scale with powers of two, and that products with these are exact"};
 }
 
-LaneProof prove_lane(const error::Lane& lane, const Prove& prove, Effort effort) {
+LaneProof prove_part(const error::Lane& lane, const Prove& prove, Effort effort) {
   LaneProof proof;
   if (lane.certified()) {
-    proof = std::holds_alternative<error::UlpDistanceDecision>(lane.decision)
+    proof = std::holds_alternative<error::UlpDistanceDecision>(lane.decision())
                 ? prove_relative(lane, relative_claims(lane), prove, effort)
                 : prove_absolute(lane, analysis_of(lane), prove, effort);
     add_hazards(proof, lane, prove);
@@ -120,11 +120,11 @@ LaneProof prove_lane(const error::Lane& lane, const Prove& prove, Effort effort)
   return proof;
 }
 
-LaneProof prove_lane(const error::CombinedLane& lane, const Prove& prove, Effort effort) {
-  if (lane.parts.size() == 1) return prove_lane(lane.parts.front(), prove, effort);
+LaneProof prove_lane(const error::Lane& lane, const Prove& prove, Effort effort) {
+  if (lane.parts.size() == 1) return prove_part(lane, prove, effort);
   LaneProof whole;
   for (std::size_t k = 0; k < lane.parts.size(); ++k) {
-    LaneProof part = prove_lane(lane.parts[k], prove, effort);
+    LaneProof part = prove_part(part_of(lane, k), prove, effort);
     whole.lane = part.lane;
     if (whole.kind.find(part.kind) == std::string::npos) {
       whole.kind += (whole.kind.empty() ? "" : ", ") + part.kind;

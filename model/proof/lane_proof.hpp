@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/error/combined_lane.hpp"
+#include "model/error/lane.hpp"
 #include "model/proof/claims.hpp"
 
 namespace mixcmp::proof {
@@ -71,9 +71,9 @@ ByHand scaling_by_hand();
 
 /// Proves the statements on which the lane's decision rests, and that hazards without hardware
 /// cannot occur; see docs/error_bounds.md.
+/// A lane of several parts is proven part by part: that the parts' decisions give the lane's is
+/// theorem 11, by hand.
 LaneProof prove_lane(const error::Lane& lane, const Prove& prove, Effort effort);
-/// Proves a lane part by part. That the parts' decisions give the lane's is theorem 11, by hand.
-LaneProof prove_lane(const error::CombinedLane& lane, const Prove& prove, Effort effort);
 
 /// Proves a lane with a relative bound from the claims of the analysis, one for each node.
 LaneProof prove_relative(const error::Lane& lane, const std::vector<NodeClaim>& claims,

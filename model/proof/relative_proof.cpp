@@ -50,8 +50,8 @@ private:
 
 std::vector<Finding> RelativeProof::run() && {
   nodes_.prove_arithmetic();
-  prove_root("f", graph_.f);
-  prove_root("g", graph_.g);
+  prove_root("f", graph_.f());
+  prove_root("g", graph_.g());
   check_guard();
   return std::move(nodes_).take();
 }
@@ -130,20 +130,20 @@ error::RelativeBound RelativeProof::before_rounding(NodeId id, Width width) cons
 /// The guard, in ulps, that follows from these bounds.
 Bits RelativeProof::guard_from(Width width) const {
   const FloatFormat format = graph_.arithmetic.format;
-  const NodeClaim &f = claims_[graph_.f], &g = claims_[graph_.g];
+  const NodeClaim &f = claims_[graph_.f()], &g = claims_[graph_.g()];
   return std::min(
-      guard_ulp(claimed(graph_.f, f.relative, width), claimed(graph_.g, g.relative, width),
+      guard_ulp(claimed(graph_.f(), f.relative, width), claimed(graph_.g(), g.relative, width),
                 format.precision()),
-      error::guard_ulp_before_rounding(before_rounding(graph_.f, width),
-                                       before_rounding(graph_.g, width), format.precision()));
+      error::guard_ulp_before_rounding(before_rounding(graph_.f(), width),
+                                       before_rounding(graph_.g(), width), format.precision()));
 }
 
 /// Checks the guard against the proven bounds. Where f and g have the same constant factor, its
 /// error cancels exactly, but with any slack it does not: there the guard follows from the exact
 /// bounds only.
 void RelativeProof::check_guard() {
-  const auto& decision = std::get<error::UlpDistanceDecision>(lane_.decision);
-  const NodeClaim &f = claims_[graph_.f], &g = claims_[graph_.g];
+  const auto& decision = std::get<error::UlpDistanceDecision>(lane_.decision());
+  const NodeClaim &f = claims_[graph_.f()], &g = claims_[graph_.g()];
   const bool beyond = decision.guard_ulp == low_mask(graph_.arithmetic.format.width());
   const bool signs = !decision.nonnegative || (f.nonnegative && g.nonnegative);
   const auto follows_from = [&](Width width) {

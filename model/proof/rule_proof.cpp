@@ -159,7 +159,7 @@ void RuleProof::check_condition(const RuleCondition& condition) {
 /// Whether a node of the lane's bound graph equals the analysis' bound in every sample.
 bool stands_for(const error::Lane& lane, int lane_bound, const error::ErrorAnalysis& analysis,
                 error::BoundId bound) {
-  const auto& nodes = std::get<error::AbsoluteBoundDecision>(lane.decision).bound.nodes;
+  const auto& nodes = std::get<error::AbsoluteBoundDecision>(lane.decision()).bound.nodes;
   const std::vector<BoundSample> samples = samples_of(lane.graph);
   return std::all_of(samples.begin(), samples.end(), [&](const BoundSample& sample) {
     return sample.value(nodes, lane_bound) == sample.value(analysis.bounds, bound);
@@ -190,7 +190,7 @@ std::vector<Finding> prove_rules(const error::Lane& lane, const error::ErrorAnal
 
 std::vector<Finding> check_running_decision(const error::Lane& lane,
                                             const error::ErrorAnalysis& analysis) {
-  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision);
+  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision());
   const Arithmetic& arithmetic = lane.graph.arithmetic;
   const int precision = arithmetic.format.precision();
   const auto finding = [](std::string what, bool holds) {

@@ -25,15 +25,6 @@ std::string_view word(Kind kind) {
   MIXCMP_CHECK(false);
 }
 
-BoundChoice choice_of_part(const error::Lane& lane) {
-  if (!lane.certified()) return {Kind::profiled};
-  const auto* absolute = std::get_if<error::AbsoluteBoundDecision>(&lane.decision);
-  if (absolute == nullptr) return {Kind::relative};
-  if (absolute->bound.nodes.back().operation == error::BoundOperation::constant)
-    return {Kind::constant};
-  return {Kind::running, absolute->bound.format.precision};
-}
-
 }  // namespace
 
 std::string to_string(const BoundChoice& choice) {
@@ -61,15 +52,24 @@ Result<BoundChoice> parse_bound_choice(std::string_view name) {
                                        digits.least, digits.most)};
 }
 
-std::optional<BoundChoice> bound_choice(const error::CombinedLane& lane) {
-  const BoundChoice first = choice_of_part(lane.parts.front());
+BoundChoice bound_choice(const error::LanePart& part) {
+  if (!part.certified()) return {Kind::profiled};
+  const auto* absolute = std::get_if<error::AbsoluteBoundDecision>(&part.decision);
+  if (absolute == nullptr) return {Kind::relative};
+  if (absolute->bound.nodes.back().operation == error::BoundOperation::constant)
+    return {Kind::constant};
+  return {Kind::running, absolute->bound.format.precision};
+}
+
+std::optional<BoundChoice> bound_choice(const error::Lane& lane) {
+  const BoundChoice first = bound_choice(lane.parts.front());
   const bool all_alike =
       std::all_of(lane.parts.begin(), lane.parts.end(),
-                  [&](const error::Lane& part) { return choice_of_part(part) == first; });
+                  [&](const error::LanePart& part) { return bound_choice(part) == first; });
   return all_alike ? std::optional(first) : std::nullopt;
 }
 
-BoundChoice bound_choice(const error::CandidateLanes& candidate) {
+BoundChoice bound_choice(const error::CandidateLane& candidate) {
   switch (candidate.kind) {
     case error::ErrorBoundKind::relative: return {Kind::relative};
     case error::ErrorBoundKind::running: return {Kind::running, candidate.bound_digits};

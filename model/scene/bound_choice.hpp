@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/error/combined_lane.hpp"
+#include "model/error/certified_lane.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::scene {
@@ -28,10 +28,12 @@ std::string to_string(const std::optional<BoundChoice>& choice);
 
 Result<BoundChoice> parse_bound_choice(std::string_view name);
 
+/// How one part of a lane bounds its errors.
+BoundChoice bound_choice(const error::LanePart& part);
 /// How a lane bounds its errors; none if its parts do so in different ways.
-std::optional<BoundChoice> bound_choice(const error::CombinedLane& lane);
+std::optional<BoundChoice> bound_choice(const error::Lane& lane);
 /// The choice with which `candidate_lanes` made a candidate.
-BoundChoice bound_choice(const error::CandidateLanes& candidate);
+BoundChoice bound_choice(const error::CandidateLane& candidate);
 
 /// The choices that a profile counts.
 std::span<const BoundChoice> profiled_bound_choices();

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "model/error/combined_lane.hpp"
+#include "model/error/certified_lane.hpp"
 #include "model/error/exactness.hpp"
 #include "model/error/hazards.hpp"
 #include "model/expression/text.hpp"
@@ -228,21 +228,20 @@ void count_saved(LaneSavings& savings, Operation operation, const error::Hazards
 }
 
 std::optional<LaneSavings> summarise_savings(const Scene& scene, const ReducedSpec& reduced,
-                                             const CombinedGraph& graph) {
+                                             const TypedGraph& graph) {
   if (reduced.bound != BoundKind::certified) return std::nullopt;
-  const Result<error::CombinedLane> lane = error::certified_lanes(
+  const Result<error::Lane> lane = error::certified_lane(
       graph,
       {.kind = reduced.error_bound, .bound_digits = reduced.bound_digits, .ranges = scene.ranges});
   if (!lane.ok()) return std::nullopt;
-  const error::SharedLane shared = share(*lane);
   LaneSavings savings;
-  for (const error::RangeCheck& check : shared.checks) {
+  for (const error::RangeCheck& check : lane->checks) {
     const std::string& name = scene.graph.inputs()[static_cast<std::size_t>(check.input)];
     auto& checked = savings.checked_inputs;
     if (std::find(checked.begin(), checked.end(), name) == checked.end()) checked.push_back(name);
   }
-  for (std::size_t id = 0; id < shared.hazards.size(); ++id) {
-    count_saved(savings, shared.graph.nodes[id].operation, shared.hazards[id]);
+  for (std::size_t id = 0; id < lane->hazards.size(); ++id) {
+    count_saved(savings, lane->graph.nodes[id].operation, lane->hazards[id]);
   }
   return savings;
 }
@@ -250,26 +249,26 @@ std::optional<LaneSavings> summarise_savings(const Scene& scene, const ReducedSp
 DatapathSummary summarise_lane(const std::string& name, const Scene& scene,
                                const ReducedSpec& reduced) {
   const Arithmetic arithmetic = {*reduced.format, reduced.rounding, reduced.subnormals};
-  const CombinedGraph graph =
-      lane_graphs(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
-  DatapathSummary summary = summarise_datapath(name, share(graph).graph, scene.ranges);
+  const TypedGraph graph =
+      lane_graph(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
+  DatapathSummary summary = summarise_datapath(name, graph, scene.ranges);
   summary.savings = summarise_savings(scene, reduced, graph);
   return summary;
 }
 
 /// The sides of the comparison: f and g of a single part, f[0], g[0], f[1], ... of several.
-std::vector<SideSummary> summarise_sides(const Scene& scene, const SharedGraph& reference) {
+std::vector<SideSummary> summarise_sides(const Scene& scene, const TypedGraph& reference) {
   const std::vector<error::NodeRange> ranges =
-      error::analyse_ranges(reference.graph, scene.ranges, error::Infinities::followed);
+      error::analyse_ranges(reference, scene.ranges, error::Infinities::followed);
   std::vector<SideSummary> sides;
-  for (std::size_t k = 0; k < reference.sides.size(); ++k) {
-    const std::string index = reference.sides.size() == 1 ? "" : fmt::format("[{}]", k);
+  for (std::size_t k = 0; k < reference.parts.size(); ++k) {
+    const std::string index = reference.parts.size() == 1 ? "" : fmt::format("[{}]", k);
     const auto add = [&](const std::string& name, const std::string& text, NodeId root) {
-      sides.push_back(summarise_side(name + index, text, reference.graph, root,
+      sides.push_back(summarise_side(name + index, text, reference, root,
                                      ranges[static_cast<std::size_t>(root)]));
     };
-    add("f", scene.parts[k].f, reference.sides[k].f);
-    add("g", scene.parts[k].g, reference.sides[k].g);
+    add("f", scene.parts[k].f, reference.parts[k].f);
+    add("g", scene.parts[k].g, reference.parts[k].g);
   }
   return sides;
 }
@@ -299,10 +298,9 @@ std::string_view to_string(Possibility possibility) {
 }
 
 Summary summarise(const Scene& scene, const data::Comparisons* data) {
-  const SharedGraph shared = share(reference_graphs(scene.graph, scene.reference));
-  const TypedGraph& reference = shared.graph;
+  const TypedGraph reference = reference_graph(scene.graph, scene.reference);
   Summary summary{.scene = &scene};
-  summary.sides = summarise_sides(scene, shared);
+  summary.sides = summarise_sides(scene, reference);
   summary.datapaths.push_back(summarise_datapath("reference", reference, scene.ranges));
   const std::vector<std::string> labels = lane_group_labels(scene);
   const std::vector<LaneGroupSpec> groups = scene.lane_groups();

@@ -186,7 +186,7 @@ Result<data::Comparisons> arrange(const scene::Scene& scene, const ContestProgre
   if (scene.data->pairing == data::Pairing::cross) {
     return data::Comparisons::cross(std::move(first), std::move(second), inputs);
   }
-  const data::Contest contest = reference_contest(reference_graphs(scene.graph, scene.reference));
+  const data::Contest contest = reference_contest(reference_graph(scene.graph, scene.reference));
   return data::Comparisons::arg_min(std::move(first), std::move(second), inputs,
                                     with_progress(contest, progress));
 }

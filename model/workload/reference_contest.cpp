@@ -11,7 +11,7 @@ namespace mixcmp::workload {
 namespace {
 
 /// Decides one comparison after the other in the golden model, for formats that double cannot hold.
-void evaluate_contests(const CombinedGraph& reference, const data::Comparisons& data,
+void evaluate_contests(const TypedGraph& reference, const data::Comparisons& data,
                        std::span<const data::Items> items, std::span<std::uint8_t> greater) {
   std::vector<Bits> operands(data.input_count());
   for (std::size_t k = 0; k < items.size(); ++k) {
@@ -41,8 +41,8 @@ void emulate_contests(const emulator::Emulator& emulator, const data::Comparison
 
 }  // namespace
 
-data::Contest reference_contest(const CombinedGraph& reference) {
-  if (!fits_double(reference.input_format())) {
+data::Contest reference_contest(const TypedGraph& reference) {
+  if (!fits_double(reference.input_format)) {
     return [reference](const data::Comparisons& data, std::span<const data::Items> items,
                        std::span<std::uint8_t> greater) {
       evaluate_contests(reference, data, items, greater);

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "model/data/comparisons.hpp"
-#include "model/expression/combined_graph.hpp"
+#include "model/expression/typed_graph.hpp"
 
 namespace mixcmp::workload {
 
 /// Makes a Contest that decides as a reference datapath does, bit for bit.
-data::Contest reference_contest(const CombinedGraph& reference);
+data::Contest reference_contest(const TypedGraph& reference);
 
 }  // namespace mixcmp::workload

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/emulator/emulator.hpp"
+#include "model/error/certified_lane.hpp"
 #include "tests/support/sphere.hpp"
 
 /// The sphere comparison, decided by MPFR, by the emulator on each instruction set, and by native
@@ -126,7 +127,7 @@ void by_emulator(benchmark::State& state, std::int64_t target, LaneInputs inputs
   const auto lane_format = FloatFormat::make(static_cast<int>(state.range(0)), 8).value();
   const Arithmetic reduced = {lane_format, Rounding::nearest_even, Subnormals::flush};
   TypedGraph graph = lane_graph(test::sphere_graph(), test::format("s53e8"), reduced, inputs);
-  const error::Lane lane = error::certified_lane(std::move(graph), {}).value();
+  const error::Lane lane = error::certified_lane(graph, {}).value();
   time(state, Emulator(lane), task, target);
 }
 

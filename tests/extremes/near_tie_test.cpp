@@ -70,8 +70,8 @@ TEST_P(NearTies, DeceiveTheGoldenModelAsFarAsTheyClaim) {
     const NearTie tie = tie_of_row(target(), row);
     const std::vector<Bits> operands = encode(tie.pair);
     const auto values = golden::evaluate(typed, operands);
-    const mpq_class f = to_rational(reduced, values[typed.f].bits);
-    const mpq_class g = to_rational(reduced, values[typed.g].bits);
+    const mpq_class f = to_rational(reduced, values[typed.f()].bits);
+    const mpq_class g = to_rational(reduced, values[typed.g()].bits);
     const mpq_class difference = (f - g) / std::max(f, g);
     const double computed_ulp = std::ldexp(difference.get_d(), GetParam().precision);
     const Verdict truth = golden::true_verdict(graph_, reference_, operands).value();

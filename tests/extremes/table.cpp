@@ -96,7 +96,7 @@ struct Entry {
 };
 
 Entry entry_of(const Family& family, LaneInputs inputs, int precision,
-               const profile::SystemLanes& system, const error::CombinedLane& lane) {
+               const profile::SystemLanes& system, const error::Lane& lane) {
   const emulator::Emulator emulator(lane);
   const std::vector<Decision> decisions =
       system.kind == SystemKind::lanes_alone ? family.orders(emulator) : family.decisions(emulator);

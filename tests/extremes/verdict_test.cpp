@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "model/data/uniform_spheres.hpp"
-#include "model/error/combined_lane.hpp"
+#include "model/error/certified_lane.hpp"
 #include "model/error/profiled_lane.hpp"
 #include "model/golden/bound_arithmetic.hpp"
 #include "model/golden/evaluate.hpp"
@@ -110,7 +110,7 @@ std::vector<NamedLane> certified_lanes(FloatFormat reference, int precision) {
                            to_string(arithmetic.rounding), to_string(arithmetic.subnormals),
                            to_string(inputs), to_string(candidate.kind), candidate.bound_digits,
                            ranged ? ", with ranges" : ""),
-               candidate.lane->parts.front()});
+               *candidate.lane});
         }
       }
     }
@@ -184,7 +184,7 @@ TEST(NearTies, MisleadALaneWhoseGuardIsTooSmall) {
     Lane lane =
         error::certified_lane(lane_graph(sphere_graph(), reference, reduced, LaneInputs::exact), {})
             .value();
-    auto& decision = std::get<error::UlpDistanceDecision>(lane.decision);
+    auto& decision = std::get<error::UlpDistanceDecision>(lane.decision());
     ASSERT_EQ(decision.guard_ulp, Bits{7});
     const Judged data = judged(fmt::format("near_tie_{}", precision), reference, 400);
     EXPECT_EQ(count(lane, data).wrong, 0u) << precision;
@@ -201,7 +201,7 @@ double attained(int precision, int bound_digits) {
       error::certified_lane(lane_graph(sphere_graph(), reference, reduced, LaneInputs::rounded),
                             {.kind = ErrorBoundKind::running, .bound_digits = bound_digits})
           .value();
-  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision);
+  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision());
   const Judged data = judged(fmt::format("near_tie_{}", precision), reference, 2000);
   mpq_class most = 0;
   for (std::size_t row = 0; row < data.rows.size(); ++row) {
@@ -234,7 +234,7 @@ Lane profiled_lane(int precision, LaneInputs inputs) {
   const Arithmetic reduced = {format_of(precision, 8), Rounding::nearest_even, Subnormals::flush};
   TypedGraph typed = lane_graph(graph, reference, reduced, inputs);
   const auto error = profile::profile_error(graph, typed, data, profile_samples, 1);
-  return error::profiled_lane(std::move(typed), error.f, error.g);
+  return error::profiled_lane(typed, error.f, error.g);
 }
 
 TEST(ProfiledLanes, AreWrongOnCounterexamples) {

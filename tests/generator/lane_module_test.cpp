@@ -66,7 +66,7 @@ Lane lane_of(const Graph& graph, ErrorBoundKind kind, Subnormals subnormals,
 TEST(LaneModule, BoundHasAUnitForEveryOperation) {
   const Graph graph = graph_of("a / (b - 1.1)", "sqrt(a - 0.7)");
   const Lane lane = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, {});
-  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision);
+  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision());
   std::map<std::string, int> expected;
   for (const error::BoundNode& node : decision.bound.nodes) {
     ++expected["bound_" + std::string(to_string(node.operation))];

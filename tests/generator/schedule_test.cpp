@@ -68,7 +68,7 @@ protected:
 TEST_P(ScheduleAtTarget, OperandsAreReadyBeforeTheyAreRead) {
   const datapath::Schedule schedule = datapath::schedule_lane(
       design_.lanes.front().lane, scene::Multipliers::embedded, delays_, GetParam());
-  const auto& nodes = design_.lanes.front().lane.parts.front().graph.nodes;
+  const auto& nodes = design_.lanes.front().lane.graph.nodes;
   ASSERT_EQ(schedule.steps.size(), nodes.size());
   for (std::size_t id = 0; id < nodes.size(); ++id) {
     int latest = 0;
@@ -156,7 +156,7 @@ TEST_P(ScheduleAtTarget, BoundsFollowTheirOperandsAndPrecedeTheDecision) {
           {.kind = error::ErrorBoundKind::running,
            .ranges = std::vector<std::optional<Range>>(8, Range{0, 100})})
           .value();
-  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision);
+  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision());
   const datapath::Schedule schedule =
       datapath::schedule_lane(lane, scene::Multipliers::embedded, delays_, GetParam());
   ASSERT_EQ(schedule.parts.front().bounds.size(), decision.bound.nodes.size());

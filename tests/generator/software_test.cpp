@@ -8,6 +8,7 @@
 #include "model/data/operand_source.hpp"
 #include "model/data/sphere_family.hpp"
 #include "model/emulator/emulator.hpp"
+#include "model/error/certified_lane.hpp"
 #include "model/number/verdict.hpp"
 #include "model/workload/reference_contest.hpp"
 #include "tests/generator/software_program.hpp"
@@ -34,7 +35,7 @@ struct Seen {
 /// what single comparisons say. What the filters decided, one a filter.
 std::vector<Seen> expect_right(CompiledSoftware& software, const data::Comparisons& data,
                                const std::string& what) {
-  const auto doubles = reference_graphs(software.scene().graph, {software::software_format()});
+  const auto doubles = reference_graph(software.scene().graph, {software::software_format()});
   const std::vector<software::KernelOutput> kernels = software.verdicts(data);
   EXPECT_EQ(kernels.size(), software.filters().filters.size() + 1);
   std::vector<Seen> seen(kernels.size() - 1);

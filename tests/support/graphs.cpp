@@ -23,7 +23,7 @@ Graph graph_of(const std::vector<std::pair<std::string, std::string>>& parts,
 
 const error::UlpDistanceDecision& certified_decision(const error::Lane& lane) {
   MIXCMP_CHECK(lane.certified());
-  return std::get<error::UlpDistanceDecision>(lane.decision);
+  return std::get<error::UlpDistanceDecision>(lane.decision());
 }
 
 Result<error::Lane> relative_lane(TypedGraph graph, const std::vector<bool>& nonnegative) {
@@ -32,7 +32,7 @@ Result<error::Lane> relative_lane(TypedGraph graph, const std::vector<bool>& non
   for (const bool input : nonnegative) {
     options.ranges.push_back(input ? std::optional(Range{0, 1}) : std::nullopt);
   }
-  return certified_lane(std::move(graph), options);
+  return certified_lane(graph, options);
 }
 
 }  // namespace mixcmp::test

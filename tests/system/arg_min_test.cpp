@@ -60,7 +60,7 @@ data::Table points(FloatFormat format, const std::vector<std::string>& columns, 
 
 data::Comparisons data(const design::Design& design, std::size_t rows, std::size_t candidates,
                        std::uint64_t steps, Special special = Special::none) {
-  const FloatFormat format = design.reference.input_format();
+  const FloatFormat format = design.reference.input_format;
   return data::Comparisons::arg_min(points(format, {"x", "y"}, rows, steps, 1, special),
                                     points(format, {"cx", "cy"}, candidates, steps, 2, special),
                                     design.inputs, workload::reference_contest(design.reference))

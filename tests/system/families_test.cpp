@@ -47,10 +47,10 @@ design::Design design_of(const Case& c) {
 TEST_P(Families, VerdictsAreTheGoldenModelsAndLanesTellTheTruth) {
   const Graph graph = sphere_graph();
   const design::Design design = design_of(GetParam());
-  const int precision = design.lanes.front().lane.arithmetic().format.precision();
+  const int precision = design.lanes.front().lane.graph.arithmetic.format.precision();
   std::uint64_t checked = 0;
   for (const SphereFamily& family :
-       sphere_families(design.reference.arithmetic().format, precision, 4'000, 7)) {
+       sphere_families(design.reference.arithmetic.format, precision, 4'000, 7)) {
     const auto data = data::Comparisons::rows(family.pairs, design.inputs);
     ASSERT_TRUE(data.ok()) << data.error().to_string();
     const verilator_tb::VerifyReport report =
@@ -94,7 +94,7 @@ TEST(ProfiledLanes, AreWrongOnTangentSpheres) {
                  LaneInputs::rounded);
   const error::ProfiledError error =
       profile::profile_error(graph, typed, family("uniform"), 4'000, 1);
-  design.lanes.front().lane = error::profiled_lane(std::move(typed), error.f, error.g);
+  design.lanes.front().lane = error::profiled_lane(typed, error.f, error.g);
   const verilator_tb::VerifyReport report =
       simulate(design, family("tangent"), {.truth = verilator_tb::TruthCheck{.graph = &graph}});
   EXPECT_TRUE(report.passed()) << to_text(report);

@@ -53,7 +53,7 @@ design::Design bounded(error::ErrorBoundKind kind, int digits, Arithmetic reduce
                        std::optional<Range> range) {
   const Graph graph = sphere_graph();
   design::Design design = sphere_design(reduced.format, format("s53e8"), 2, 1);
-  const FloatFormat reference = design.reference.input_format();
+  const FloatFormat reference = design.reference.input_format;
   design.lanes.front().lane =
       error::certified_lane(lane_graph(graph, reference, reduced, LaneInputs::rounded),
                             {.kind = kind,

@@ -34,7 +34,7 @@ design::Design with_streams(const Streams& streams) {
 
 data::Comparisons pairs_of_spheres(const design::Design& design) {
   const data::Table spheres = data::uniform_spheres(
-      {.count = 120, .side = 100, .radius_max = 50, .seed = 5}, design.reference.input_format());
+      {.count = 120, .side = 100, .radius_max = 50, .seed = 5}, design.reference.input_format);
   return data::Comparisons::all_pairs(spheres, design.inputs).value();
 }
 

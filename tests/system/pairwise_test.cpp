@@ -32,13 +32,13 @@ design::Design spheres(int lanes, int references) {
 
 data::Comparisons random_spheres(const design::Design& design, std::uint64_t count) {
   const data::Table table = data::uniform_spheres(
-      {.count = count, .side = 100, .radius_max = 30, .seed = 3}, design.reference.input_format());
+      {.count = count, .side = 100, .radius_max = 30, .seed = 3}, design.reference.input_format);
   return data::Comparisons::all_pairs(table, design.inputs).value();
 }
 
 /// Whole numbers 0..3: ties and equal items abound.
 data::Comparisons grid_spheres(const design::Design& design, std::size_t count) {
-  data::Table table{design.reference.input_format(), {"cx", "cy", "cz", "r"}, {}, {}};
+  data::Table table{design.reference.input_format, {"cx", "cy", "cz", "r"}, {}, {}};
   for (std::size_t k = 0; k < 4 * count; ++k) {
     const auto number = verilator_tb::counter_random(7, k) % (k % 4 == 3 ? 2 : 4);
     table.values.push_back(from_rational(table.format, number));

@@ -15,7 +15,7 @@ TEST_P(PaperBenchmark, VerdictsAreTrue) {
   const Graph graph = sphere_graph();
   const design::Design design = sphere_design(format("s12e8"), format("s53e8"), 8, 1);
   const data::Table spheres = data::uniform_spheres({.radius_max = static_cast<double>(GetParam())},
-                                                    design.reference.input_format());
+                                                    design.reference.input_format);
   const auto data = data::Comparisons::all_pairs(spheres, design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
   EXPECT_EQ(data->size(), 33'550'336u);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "model/error/combined_lane.hpp"
+#include "model/error/certified_lane.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/simulated_system.hpp"
@@ -30,18 +30,18 @@ void PrintTo(const Case& c, std::ostream* stream) {
   *stream << c.name;
 }
 
-error::CombinedLane lane_of(const Case& c, const CombinedGraph& graph, std::size_t inputs) {
-  if (!c.certified) return error::profiled_lanes(graph, mpq_class(1, 8), mpq_class(1, 8));
+error::Lane lane_of(const Case& c, const TypedGraph& graph, std::size_t inputs) {
+  if (!c.certified) return error::profiled_lane(graph, mpq_class(1, 8), mpq_class(1, 8));
   const std::vector<std::optional<Range>> ranges(inputs, c.range);
-  return error::certified_lanes(graph, {.ranges = ranges}).value();
+  return error::certified_lane(graph, {.ranges = ranges}).value();
 }
 
 design::Design design_of(const Case& c, const Graph& graph, FloatFormat reference) {
-  const CombinedGraph reduced = lane_graphs(graph, reference, {format(c.lane)}, c.inputs);
+  const TypedGraph reduced = lane_graph(graph, reference, {format(c.lane)}, c.inputs);
   return {.name = "parts",
           .inputs = graph.inputs(),
           .lanes = {{.lane = lane_of(c, reduced, graph.inputs().size()), .inputs = c.inputs}},
-          .reference = reference_graphs(graph, {reference}),
+          .reference = reference_graph(graph, {reference}),
           .references = {{}},
           .system = {}};
 }

@@ -101,12 +101,11 @@ design::Design fake_design(const FakeSystem& fake) {
                          .input_count = 2,
                          .input_format = binary16(),
                          .arithmetic = {binary16()},
-                         .f = 0,
-                         .g = 1};
+                         .parts = {{0, 1}}};
   const error::UlpDistanceDecision decision{.guard_ulp = 4, .nonnegative = true};
   return {.name = "fake",
           .inputs = {"a", "b"},
-          .lanes = {{.lane = error::Lane{graph, decision}, .count = fake.lanes}},
+          .lanes = {{.lane = error::one_part_lane(graph, decision), .count = fake.lanes}},
           .reference = graph,
           .references = references_of(fake)};
 }

@@ -34,7 +34,7 @@ public:
   }
 
   Truths& hold(const std::string& a, const std::string& b, ResultWord word) {
-    const auto format = design_.reference.input_format();
+    const auto format = design_.reference.input_format;
     const std::vector<Bits> operands = {from_text(format, a).value(), from_text(format, b).value()};
     verilator_tb::check_against_truth({&graph_, scope_}, design_, operands, word, count, group);
     ++comparisons;

@@ -47,9 +47,9 @@ TEST(MakeDesign, CarriesWhatTheSceneChose) {
   EXPECT_EQ(design.lane_count(), 8);
   EXPECT_EQ(design.reference_count(), 0);
   EXPECT_TRUE(design.lanes.front().lane.certified());
-  EXPECT_EQ(design.lanes.front().lane.arithmetic().format, format_of(17, 8));
-  EXPECT_EQ(design.lanes.front().lane.input_format(), format_of(53, 8));
-  EXPECT_EQ(design.reference.arithmetic().format, format_of(53, 8));
+  EXPECT_EQ(design.lanes.front().lane.graph.arithmetic.format, format_of(17, 8));
+  EXPECT_EQ(design.lanes.front().lane.graph.input_format, format_of(53, 8));
+  EXPECT_EQ(design.reference.arithmetic.format, format_of(53, 8));
 }
 
 TEST(MakeDesign, NamesTheOptionForEachAuto) {
@@ -94,7 +94,7 @@ TEST(MakeDesign, KeepsTheOrderOfGroups) {
   std::vector<std::size_t> groups;
   for (int lane = 0; lane < 6; ++lane) groups.push_back(design.group_of_lane(lane));
   EXPECT_EQ(groups, (std::vector<std::size_t>{0, 0, 0, 1, 2, 2}));
-  EXPECT_EQ(design.lanes[1].lane.arithmetic().format, format_of(9, 8));
+  EXPECT_EQ(design.lanes[1].lane.graph.arithmetic.format, format_of(9, 8));
   EXPECT_EQ(lane_group_names(design),
             (std::vector<std::string>{"s17e8_embedded", "s9e8", "s17e8_logic"}));
   EXPECT_EQ(reference_group_names(design),
@@ -249,7 +249,7 @@ data::Table line(const char* column, std::uint64_t count) {
 
 /// Points on a line, f and g the squared distance of a row to a candidate.
 Comparisons points(const Scene& scene, std::uint64_t candidates) {
-  const auto reference = reference_graphs(scene.graph, scene.reference);
+  const auto reference = reference_graph(scene.graph, scene.reference);
   return Comparisons::arg_min(line("p", 1), line("c", candidates), scene.graph.inputs(),
                               workload::reference_contest(reference))
       .value();

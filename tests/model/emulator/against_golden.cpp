@@ -48,10 +48,10 @@ Answer golden_values(const TypedGraph& graph, const std::vector<Bits>& inputs) {
   const auto value = [&](NodeId id) {
     return bits_of(to_double(graph.nodes[id].format, values[id].bits));
   };
-  Answer answer{.f = value(graph.f), .g = value(graph.g)};
+  Answer answer{.f = value(graph.f()), .g = value(graph.g())};
   for (const auto& node : values) answer.exceptional |= node.exceptional;
   answer.order = decision_of(golden::compare(graph.arithmetic.format, graph.arithmetic.subnormals,
-                                             values[graph.f].bits, values[graph.g].bits));
+                                             values[graph.f()].bits, values[graph.g()].bits));
   return answer;
 }
 
@@ -73,7 +73,7 @@ std::vector<Answer> emulate(const Emulator& emulator, const OperandBatch& batch)
 std::string describe(const TypedGraph& graph, const std::vector<Bits>& inputs) {
   const auto text = [&](NodeId id) { return to_text(graph.nodes, graph.input_names, id, 200); };
   std::string description =
-      fmt::format("{} against {}, inputs {}, in {} {} {}:", text(graph.f), text(graph.g),
+      fmt::format("{} against {}, inputs {}, in {} {} {}:", text(graph.f()), text(graph.g()),
                   graph.input_format.name(), graph.arithmetic.format.name(),
                   to_string(graph.arithmetic.rounding), to_string(graph.arithmetic.subnormals));
   for (const Bits bits : inputs) {
@@ -146,15 +146,16 @@ void for_each_instruction_set(const std::function<void()>& test) {
   choose(0);
 }
 
-void expect_golden(const error::CombinedLane& lane, const Operands& operands) {
-  expect_decisions(Emulator(lane), lane.input_format(), operands, [&](std::span<const Bits> row) {
-    const golden::CombinedResult result = golden::evaluate_lane(lane, row);
-    return result.decided ? decision_of(result.verdict) : Decision::undecided;
-  });
+void expect_golden_decisions(const error::Lane& lane, const Operands& operands) {
+  expect_decisions(Emulator(lane), lane.graph.input_format, operands,
+                   [&](std::span<const Bits> row) {
+                     const golden::LaneResult result = golden::evaluate_lane(lane, row);
+                     return result.decided ? decision_of(result.verdict) : Decision::undecided;
+                   });
 }
 
-void expect_golden(const CombinedGraph& reference, const Operands& operands) {
-  expect_decisions(Emulator(reference), reference.input_format(), operands,
+void expect_golden_decisions(const TypedGraph& reference, const Operands& operands) {
+  expect_decisions(Emulator(reference), reference.input_format, operands,
                    [&](std::span<const Bits> row) {
                      return decision_of(golden::evaluate_reference(reference, row));
                    });

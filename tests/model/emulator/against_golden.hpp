@@ -32,7 +32,7 @@ std::uint64_t expect_golden(const error::Lane& lane, const Operands& operands);
 std::uint64_t expect_golden(const TypedGraph& reference, const Operands& operands);
 
 /// decide, of all parts together.
-void expect_golden(const error::CombinedLane& lane, const Operands& operands);
-void expect_golden(const CombinedGraph& reference, const Operands& operands);
+void expect_golden_decisions(const error::Lane& lane, const Operands& operands);
+void expect_golden_decisions(const TypedGraph& reference, const Operands& operands);
 
 }  // namespace mixcmp::test

@@ -18,7 +18,7 @@ using error::Lane;
 
 Lane sphere_lane(Arithmetic reduced) {
   TypedGraph graph = lane_graph(sphere_graph(), format("s53e8"), reduced, LaneInputs::exact);
-  return error::certified_lane(std::move(graph), {}).value();
+  return error::certified_lane(graph, {}).value();
 }
 
 std::vector<std::vector<double>> plain_columns(std::size_t count, Random& random) {

@@ -20,8 +20,8 @@ constexpr Operation operations[] = {Operation::negate,   Operation::absolute,   
 
 Lane lane_of(Operation operation, FloatFormat reference, Arithmetic reduced, LaneInputs inputs,
              Bits guard) {
-  return {.graph = lane_graph(graph_of(operation), reference, reduced, inputs),
-          .decision = error::UlpDistanceDecision{guard, false}};
+  return error::one_part_lane(lane_graph(graph_of(operation), reference, reduced, inputs),
+                              error::UlpDistanceDecision{guard, false});
 }
 
 /// All combinations of `values`.

@@ -41,16 +41,19 @@ TEST_P(RandomLanes, SoAreThoseOfSeveralParts) {
     const FloatFormat format = random_reference(random);
     const Arithmetic reduced = random_reduced(format, random);
     const LaneInputs inputs = random_inputs(random);
-    std::vector<error::Lane> parts;
-    for (TypedGraph& part : lane_graphs(graph, format, reduced, inputs).parts) {
-      parts.push_back(random_lane(std::move(part), random));
+    const TypedGraph typed = lane_graph(graph, format, reduced, inputs);
+    std::vector<GraphPart> parts;
+    std::vector<error::Lane> lanes;
+    for (std::size_t part = 0; part < typed.parts.size(); ++part) {
+      parts.push_back(part_of(typed, part));
+      lanes.push_back(random_lane(parts.back().graph, random));
     }
-    const error::CombinedLane lane(graph.combination(), std::move(parts));
+    const error::Lane lane = error::join_parts(typed, parts, lanes);
     const Operands operands =
         random_operands(static_cast<int>(graph.inputs().size()), format, 200, random);
-    expect_golden(lane, operands);
-    expect_golden(reference_graphs(graph, {format, reduced.rounding, reduced.subnormals}),
-                  operands);
+    expect_golden_decisions(lane, operands);
+    expect_golden_decisions(reference_graph(graph, {format, reduced.rounding, reduced.subnormals}),
+                            operands);
   }
 }
 

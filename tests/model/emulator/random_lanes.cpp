@@ -153,7 +153,7 @@ Arithmetic random_reduced(FloatFormat reference, Random& random) {
 error::AbsoluteBoundDecision random_absolute_bound(TypedGraph& graph, Random& random) {
   const FloatFormat format = graph.arithmetic.format;
   graph.nodes.push_back({.operation = Operation::subtract,
-                         .operands = {graph.f, graph.g},
+                         .operands = {graph.f(), graph.g()},
                          .operand_format = format,
                          .format = format,
                          .value = {}});
@@ -178,23 +178,23 @@ error::AbsoluteBoundDecision random_absolute_bound(TypedGraph& graph, Random& ra
 }
 
 Lane random_lane(TypedGraph graph, Random& random) {
-  Lane lane{.graph = std::move(graph), .decision = error::UlpDistanceDecision{0, false}};
+  error::LaneDecision decision = error::UlpDistanceDecision{0, false};
   switch (below(random, 4)) {
     case 0:
-      lane.decision = error::IntervalDecision{lane_node(lane.graph, random),
-                                              lane_node(lane.graph, random), 0, 0};
+      decision = error::IntervalDecision{lane_node(graph, random), lane_node(graph, random), 0, 0};
       break;
     case 1: {
-      const Bits guard = random_guard(lane.graph.arithmetic.format, random);
-      lane.decision = error::UlpDistanceDecision{guard, false};
+      const Bits guard = random_guard(graph.arithmetic.format, random);
+      decision = error::UlpDistanceDecision{guard, false};
       break;
     }
-    default: lane.decision = random_absolute_bound(lane.graph, random);
+    default: decision = random_absolute_bound(graph, random);
   }
+  std::vector<error::RangeCheck> checks;
   for (int k = below(random, 3); k > 0; --k) {
-    lane.checks.push_back(random_check(lane.graph, random));
+    checks.push_back(random_check(graph, random));
   }
-  return lane;
+  return one_part_lane(std::move(graph), std::move(decision), std::move(checks));
 }
 
 Operands random_operands(int input_count, FloatFormat format, std::size_t count, Random& random) {

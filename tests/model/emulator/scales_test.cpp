@@ -35,8 +35,8 @@ TEST_P(Scales, NeighboursAreEmulatedBitForBit) {
     for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
       const Arithmetic reduced = {format_of(17, reference.exponent_bits()), Rounding::nearest_even,
                                   Subnormals::flush};
-      const Lane lane{.graph = lane_graph(graph, reference, reduced, inputs),
-                      .decision = error::UlpDistanceDecision{3, false}};
+      const Lane lane = error::one_part_lane(lane_graph(graph, reference, reduced, inputs),
+                                             error::UlpDistanceDecision{3, false});
       const int highest = reference.max_exponent() - 1;
       for (int exponent = reference.min_exponent(); exponent <= highest; ++exponent) {
         expect_golden(lane, neighbours(reference, exponent, random));
@@ -69,8 +69,7 @@ TEST(FlushingLanes, DecideOnOperandsThatOnlyChangeSign) {
       .input_names = {"a", "b"},
       .input_format = only,
       .arithmetic = {only, Rounding::nearest_even, Subnormals::flush},
-      .f = 1,
-      .g = 3};
+      .parts = {{1, 3}}};
   Operands operands(2);
   for (const Bits a : special_encodings(only)) {
     for (const Bits b : special_encodings(only)) {
@@ -78,7 +77,7 @@ TEST(FlushingLanes, DecideOnOperandsThatOnlyChangeSign) {
       operands[1].push_back(only.is_nan(b) ? only.quiet_nan() : b);
     }
   }
-  expect_golden({.graph = graph, .decision = error::UlpDistanceDecision{2, false}}, operands);
+  expect_golden(error::one_part_lane(graph, error::UlpDistanceDecision{2, false}), operands);
 }
 
 /// Steps of the encoding below the smallest normal number are not those of a double.
@@ -92,7 +91,7 @@ TEST(SubnormalConstants, AreAsFarApartAsTheirEncodings) {
   Operands operands(1);
   for (int k = 0; k < 500; ++k) operands[0].push_back(random_encoding(format("s17e2"), random));
   for (Bits guard = 1; guard < 1024; guard *= 2) {
-    expect_golden({.graph = typed, .decision = error::UlpDistanceDecision{guard, false}}, operands);
+    expect_golden(error::one_part_lane(typed, error::UlpDistanceDecision{guard, false}), operands);
   }
 }
 

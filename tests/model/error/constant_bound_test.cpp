@@ -57,7 +57,7 @@ Result<Lane> lane_of(const Aimed& aimed) {
 }
 
 mpq_class& constant_of(Lane& lane) {
-  return std::get<error::AbsoluteBoundDecision>(lane.decision).bound.nodes.back().constant;
+  return std::get<error::AbsoluteBoundDecision>(lane.decision()).bound.nodes.back().constant;
 }
 
 Verdict order(const Aimed& aimed, const Rationals& operands, const mpq_class& c) {
@@ -132,9 +132,9 @@ private:
       inputs.back() = c;
       hold(operands, inputs);
     }
-    const auto result = evaluate_lane(lane_, inputs);
-    const mpq_class error =
-        abs(to_rational(aimed_.lane, result.f) - to_rational(aimed_.lane, result.g));
+    const auto values = golden::evaluate(lane_.graph, inputs);
+    const auto side = [&](NodeId id) { return to_rational(aimed_.lane, values[id].bits); };
+    const mpq_class error = abs(side(lane_.graph.f()) - side(lane_.graph.g()));
     decisions_.largest_error = std::max(decisions_.largest_error, error);
     return error;
   }

@@ -109,7 +109,7 @@ TEST(ProfiledLane, AppendsThePapersErrorUnit) {
   EXPECT_EQ(operations,
             "input convert square input convert add "
             "subtract constant multiply absolute constant multiply add subtract add ");
-  const auto& decision = std::get<IntervalDecision>(lane.decision);
+  const auto& decision = std::get<IntervalDecision>(lane.decision());
   EXPECT_EQ(decision.maximum, static_cast<int>(lane.graph.nodes.size()) - 1);
   EXPECT_EQ(decision.minimum, decision.maximum - 1);
 }

@@ -31,7 +31,7 @@ Arithmetic arithmetic(const char* format, Subnormals subnormals) {
 error::NodeRange root_of(const Case& scene, const char* format = "binary64",
                          Subnormals subnormals = Subnormals::gradual) {
   const TypedGraph graph = typed(scene.text, arithmetic(format, subnormals));
-  return error::analyse_ranges(graph, scene.ranges)[static_cast<std::size_t>(graph.f)];
+  return error::analyse_ranges(graph, scene.ranges)[static_cast<std::size_t>(graph.f())];
 }
 
 TEST(RangeAnalysis, EnclosesEachOperation) {
@@ -96,6 +96,19 @@ TEST(RangeAnalysis, FlushedInputsMayBeZero) {
       root_of({"y / x", {{{1, 1}}, {{tiny, 1}}}}, "binary16").may(error::Event::division_by_zero));
   EXPECT_TRUE(root_of({"y / x", {{{1, 1}}, {{tiny, 1}}}}, "binary16", Subnormals::flush)
                   .may(error::Event::division_by_zero));
+}
+
+TEST(RangeAnalysis, AChoiceMayFlushWhatItIsGiven) {
+  const auto underflows = [](const std::string& text, Subnormals subnormals, const mpq_class& low) {
+    return root_of({text, {{{low, 8}}, {{low, 8}}}}, "binary16", subnormals)
+        .may(error::Event::underflow);
+  };
+  for (const char* choice : {"max(x, y)", "min(-x, abs(y))"}) {
+    EXPECT_TRUE(underflows(choice, Subnormals::flush, -8)) << choice;
+    EXPECT_FALSE(underflows(choice, Subnormals::gradual, -8)) << choice;
+    EXPECT_FALSE(underflows(choice, Subnormals::flush, 1)) << choice;
+  }
+  EXPECT_FALSE(underflows("max(x + y, sqrt(x))", Subnormals::flush, 0)) << "results are flushed";
 }
 
 TEST(RangeAnalysis, MissingRangesAreNamedAndCountAsAnyNumber) {
@@ -193,7 +206,7 @@ TEST(RangeAnalysis, FollowsInfinitiesWhereItIsAsked) {
   const TypedGraph graph = typed(scene.text, arithmetic("binary16", Subnormals::gradual));
   const auto root = [&](error::Infinities infinities) {
     return error::analyse_ranges(graph, scene.ranges,
-                                 infinities)[static_cast<std::size_t>(graph.f)];
+                                 infinities)[static_cast<std::size_t>(graph.f())];
   };
   EXPECT_FALSE(root(error::Infinities::excluded).may(error::Event::division_by_zero));
   EXPECT_TRUE(root(error::Infinities::followed).may(error::Event::division_by_zero));
@@ -205,7 +218,7 @@ TEST(RangeAnalysis, KnowsTheSignOfInfinities) {
     const std::vector<std::optional<Range>> ranges = {{{0, 300}}};
     const TypedGraph graph = typed(text, arithmetic("binary16", Subnormals::gradual));
     return error::analyse_ranges(graph, ranges,
-                                 error::Infinities::followed)[static_cast<std::size_t>(graph.f)]
+                                 error::Infinities::followed)[static_cast<std::size_t>(graph.f())]
         .may(error::Event::root_of_negative);
   };
   EXPECT_FALSE(root_of_negative("sqrt(x * x)"));

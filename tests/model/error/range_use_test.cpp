@@ -107,7 +107,7 @@ Hazards hazards_of(const std::string& f, const Ranges& ranges, FloatFormat lane)
   const auto certified =
       error::certified_lane(typed, {.kind = error::ErrorBoundKind::running, .ranges = ranges});
   if (certified->hazards.empty()) return {};
-  return certified->hazards[static_cast<size_t>(typed.f)];
+  return certified->hazards[static_cast<size_t>(typed.f())];
 }
 
 /// Both operands are normal, their difference is subnormal and exact: the unit must be built for
@@ -119,7 +119,7 @@ TEST(Hazards, GradualDifferencesMayBeSubnormal) {
   const Range normal{mpq_class(16, 1000), mpq_class(1, 10)};
   const auto lane = error::certified_lane(
       typed, {.kind = error::ErrorBoundKind::running, .ranges = Ranges(3, normal)});
-  EXPECT_TRUE(lane->hazards[static_cast<size_t>(typed.f)].underflow);
+  EXPECT_TRUE(lane->hazards[static_cast<size_t>(typed.f())].underflow);
 }
 
 TEST(Hazards, AreRuledOutWhereTheRangesDoSo) {
@@ -179,7 +179,7 @@ TEST(ExactOnGrid, NodesAreExact) {
     const Graph graph = graph_of(f, "b");
     const auto typed = reference_graph(graph, {reference});
     const auto exact = error::exact_on_grid(typed, ranges, grids);
-    if (!exact[static_cast<size_t>(typed.f)]) continue;
+    if (!exact[static_cast<size_t>(typed.f())]) continue;
     ++exact_functions;
     for (mpq_class a = range.low; a <= range.high; a += grid) {
       for (mpq_class b = range.low; b <= range.high; b += grid) {
@@ -197,8 +197,9 @@ TEST(ExactOnGrid, NodesAreExact) {
 TEST(ExactOnGrid, EndsWhereTheDigitsEnd) {
   const auto exact = [](int precision, const mpq_class& grid, const Range& range) -> bool {
     const auto typed = reference_graph(graph_of("(a - b)^2", "c"), {format_of(precision, 8)});
-    return error::exact_on_grid(typed, Ranges(3, range),
-                                std::vector(3, std::optional(grid)))[static_cast<size_t>(typed.f)];
+    return error::exact_on_grid(
+        typed, Ranges(3, range),
+        std::vector(3, std::optional(grid)))[static_cast<size_t>(typed.f())];
   };
   EXPECT_TRUE(exact(20, mpq_class(1, 8), {0, 128})) << "1024^2 = 2^20 quanta";
   EXPECT_FALSE(exact(19, mpq_class(1, 8), {0, 128}));

@@ -38,7 +38,7 @@ NodeBound bound_of(const std::string& f, Setting setting) {
                               setting.subnormals};
   setting.nonnegative.resize(graph.inputs().size(), false);
   const auto typed = lane_graph(graph, reference, arithmetic, setting.inputs);
-  return error::analyse_errors(typed, setting.nonnegative).nodes[typed.f];
+  return error::analyse_errors(typed, setting.nonnegative).nodes[typed.f()];
 }
 
 std::vector<int> checked_inputs(const Lane& lane) {

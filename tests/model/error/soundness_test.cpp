@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/error/combined_lane.hpp"
+#include "model/error/certified_lane.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/number/decimal.hpp"
 #include "model/number/verdict.hpp"
@@ -50,8 +50,8 @@ std::vector<Lane> lanes_of(const Graph& graph, FloatFormat reference, std::optio
     for (const Arithmetic& arithmetic : every_arithmetic(format)) {
       for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
         const auto typed = lane_graph(graph, reference, arithmetic, inputs);
-        for (error::CandidateLanes& candidate : error::candidate_lanes(typed, ranges)) {
-          if (candidate.lane.ok()) lanes.push_back(candidate.lane->parts.front());
+        for (error::CandidateLane& candidate : error::candidate_lanes(typed, ranges)) {
+          if (candidate.lane.ok()) lanes.push_back(*candidate.lane);
         }
       }
     }
@@ -88,7 +88,7 @@ void judge(const Comparison& comparison, FloatFormat reference) {
   }
   for (size_t k = 0; k < lanes.size(); ++k) {
     // A bound of few digits may exceed all that so few digits of f and g can tell apart.
-    const bool is_able = std::holds_alternative<error::UlpDistanceDecision>(lanes[k].decision) ||
+    const bool is_able = std::holds_alternative<error::UlpDistanceDecision>(lanes[k].decision()) ||
                          lanes[k].graph.arithmetic.format.precision() > 3;
     if (is_able) {
       EXPECT_GT(decided[k], 0u) << describe(comparison, lanes[k], reference, {});

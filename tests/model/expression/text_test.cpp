@@ -28,7 +28,7 @@ std::string printed(const std::string& text, std::size_t max_length = 100) {
   const NodeId root = parse_expression(graph, text, {}).value();
   graph.compare(root, root);
   const TypedGraph typed = reference_graph(graph, {FloatFormat::parse("binary64").value()});
-  return to_text(typed.nodes, graph.inputs(), typed.f, max_length);
+  return to_text(typed.nodes, graph.inputs(), typed.f(), max_length);
 }
 
 TEST(ExpressionText, ReadsBackAsTheSameExpression) {

@@ -23,7 +23,7 @@ std::string describe(const TypedGraph& graph) {
     const bool rounds = node.operand_format != node.format;
     text += ": " + (rounds ? node.operand_format.name() + " > " : "") + node.format.name() + "\n";
   }
-  return text + "f " + std::to_string(graph.f) + ", g " + std::to_string(graph.g) + "\n";
+  return text + "f " + std::to_string(graph.f()) + ", g " + std::to_string(graph.g()) + "\n";
 }
 
 std::string lane(const std::string& f, const std::string& g, LaneInputs inputs) {

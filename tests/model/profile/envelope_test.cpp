@@ -113,8 +113,8 @@ void expect_within(const Case& test, std::size_t k, const TypedGraph& graph, int
         << ", envelope " << error.get_d();
   };
   const TypedGraph& shared = test.envelope.graph();
-  expect("f", graph.f, shared.f, truth.f);
-  expect("g", graph.g, shared.g, truth.g);
+  expect("f", graph.f(), shared.f(), truth.f);
+  expect("g", graph.g(), shared.g(), truth.g);
 }
 
 /// How many comparisons were tame.
@@ -135,7 +135,7 @@ int expect_theorem_1(const Case& test, int last) {
     expect_within(test, k, reference, test.scene.reference.format.precision(), *truth);
     const TypedGraph& shared = test.envelope.graph();
     const mpq_class in_double = power_of_two(anchor - 53);
-    const auto& f = test.block.nodes[shared.f];
+    const auto& f = test.block.nodes[shared.f()];
     EXPECT_LE(abs(mpq_class(f.value[k]) - truth->f), f.error[k] * in_double);
   }
   return tame;
@@ -229,7 +229,7 @@ TEST(Envelope, KnowsThatComputedValuesUnderflowBeforeTrueOnes) {
 /// Theorem 3 on comparison k; the bound of one lane.
 void expect_bound_within(const Case& test, std::size_t k, const Lane& lane, double scaled,
                          double fixed) {
-  const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
+  const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision());
   const std::vector<Rounded> values = evaluate(lane.graph, test.operands(k));
   const std::vector<Bits> bounds = golden::evaluate_bound(decision.bound, lane.graph, values);
   const BoundFormat format = decision.bound.format;
@@ -258,7 +258,7 @@ int expect_theorem_3(const Case& test, const std::vector<const Lane*>& lanes, in
 
 /// What |f - g| as computed must exceed for the lane to decide: the bound, and its guard in steps.
 std::optional<mpq_class> least_decided(const Lane& lane, const std::vector<Bits>& operands) {
-  const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
+  const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision());
   const FloatFormat format = lane.graph.arithmetic.format;
   const auto values = evaluate(lane.graph, operands);
   const Bits bound = golden::evaluate_bound(decision.bound, lane.graph, values).back();
@@ -297,7 +297,7 @@ TEST(Threshold, IsNeverBelowBoundAndGuard) {
             mpq_class(scaled[k]) * power_of_two(-static_cast<int>(n)) + mpq_class(fixed[k]);
         EXPECT_LE(*least, allowed * (1 - mpq_class(test.envelope.unit())));
         ++checked;
-        guarded += std::get<AbsoluteBoundDecision>(lanes[n]->decision).guard_ulp != 0 ? 1 : 0;
+        guarded += std::get<AbsoluteBoundDecision>(lanes[n]->decision()).guard_ulp != 0 ? 1 : 0;
       }
     }
   }
@@ -307,14 +307,14 @@ TEST(Threshold, IsNeverBelowBoundAndGuard) {
 
 /// The lanes of one kind from the anchor on, where all exist and are of one structure.
 std::vector<const Lane*> lanes_of_kind(
-    const std::map<int, std::vector<error::CandidateLanes>>& candidates, std::size_t kind) {
+    const std::map<int, std::vector<error::CandidateLane>>& candidates, std::size_t kind) {
   std::vector<const Lane*> lanes;
   for (const auto& [precision, all] : candidates) {
     if (!all[kind].lane.ok()) return {};
-    const Lane& lane = all[kind].lane->parts.front();
-    if (!std::holds_alternative<AbsoluteBoundDecision>(lane.decision)) return {};
-    const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision);
-    const auto& first = lanes.empty() ? lane.decision : lanes.front()->decision;
+    const Lane& lane = *all[kind].lane;
+    if (!std::holds_alternative<AbsoluteBoundDecision>(lane.decision())) return {};
+    const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision());
+    const auto& first = lanes.empty() ? lane.decision() : lanes.front()->decision();
     if (!BoundEnvelope::same_structure(decision, std::get<AbsoluteBoundDecision>(first))) return {};
     lanes.push_back(&lane);
   }
@@ -333,7 +333,7 @@ TEST(BoundEnvelope, IsNeverBelowWhatTheHardwareComputes) {
       const int anchor = 6 + static_cast<int>(random() % 10);
       SCOPED_TRACE(fmt::format("{}, family {}, anchor {}", what, static_cast<int>(family), anchor));
       const Case test(scene, LaneInputs::rounded, anchor, last, family, random);
-      std::map<int, std::vector<error::CandidateLanes>> candidates;
+      std::map<int, std::vector<error::CandidateLane>> candidates;
       for (int precision = anchor; precision <= last; ++precision) {
         candidates[precision] = error::candidate_lanes(test.graph(precision), scene.ranges);
       }

@@ -23,7 +23,7 @@ namespace mixcmp::test {
 namespace {
 
 using data::Comparisons;
-using error::CombinedLane;
+using error::Lane;
 using golden::evaluate_lane;
 using golden::evaluate_reference;
 using golden::true_verdict;
@@ -40,7 +40,7 @@ struct Truth {
 };
 
 std::vector<Truth> truths(const Scene& scene, const Comparisons& data) {
-  const CombinedGraph reference = reference_graphs(scene.graph, scene.reference);
+  const TypedGraph reference = reference_graph(scene.graph, scene.reference);
   std::vector<Truth> result;
   std::vector<Bits> operands(data.input_count());
   for (std::uint64_t index = 0; index < data.size(); ++index) {
@@ -52,13 +52,11 @@ std::vector<Truth> truths(const Scene& scene, const Comparisons& data) {
 }
 
 /// What the lane would say without its error bound.
-Verdict order_of_parts(const CombinedLane& lane, const std::vector<Bits>& operands) {
-  std::vector<TypedGraph> graphs;
-  for (const error::Lane& part : lane.parts) graphs.push_back(part.graph);
-  return evaluate_reference(CombinedGraph(lane.combination, graphs), operands);
+Verdict order_of_parts(const Lane& lane, const std::vector<Bits>& operands) {
+  return evaluate_reference(lane.graph, operands);
 }
 
-SystemCounts golden_counts(SystemKind kind, const CombinedLane& lane, const Comparisons& data,
+SystemCounts golden_counts(SystemKind kind, const Lane& lane, const Comparisons& data,
                            const std::vector<Truth>& truth) {
   SystemCounts counts{.exists = true};
   std::vector<Bits> operands(data.input_count());

@@ -31,7 +31,7 @@ Result<Lane> absolute_lane(const Graph& graph, ErrorBoundKind kind,
 }
 
 error::AbsoluteBoundDecision& decision_of(Lane& lane) {
-  return std::get<error::AbsoluteBoundDecision>(lane.decision);
+  return std::get<error::AbsoluteBoundDecision>(lane.decision());
 }
 
 class AbsoluteProof : public WithGappa {

@@ -98,7 +98,7 @@ TEST_F(ConstantProof, EveryTermIsProvenOperationByOperation) {
 /// reciprocals, up to twice too large as a power of two, and what rounding up to few digits hides.
 TEST_F(ConstantProof, AConstantSmallerByOneInAThousandIsRefused) {
   for_every_lane([&](Lane lane) {
-    auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision);
+    auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision());
     const std::vector<error::BoundNode> bounds = analysis_of(lane).bounds;
     const bool divides = std::any_of(bounds.begin(), bounds.end(), [](const auto& node) {
       return node.operation == error::BoundOperation::reciprocal;
@@ -138,7 +138,7 @@ TEST_F(ConstantProof, AConditionThatTheRangesBreakIsRefused) {
   for (RangeCheck& check : lane.checks) {
     if (check.input == 3) check = error::range_check(3, lane.graph.input_format, {11, 30});
   }
-  std::get<error::AbsoluteBoundDecision>(lane.decision).bound.nodes.back().constant *= 1000;
+  std::get<error::AbsoluteBoundDecision>(lane.decision()).bound.nodes.back().constant *= 1000;
   const LaneProof wider =
       prove_absolute(lane, analysis_of(lane), std::ref(prover_), Effort::operations);
   ASSERT_TRUE(wider.refused()) << report::to_text(wider, "");

@@ -25,7 +25,7 @@ bool any_optional(const LaneProof& proof) {
 /// The claims of the same graph analysed in another way.
 std::vector<NodeClaim> claims_of(const TypedGraph& graph,
                                  const std::vector<error::RangeCheck>& checks) {
-  return relative_claims({.graph = graph, .decision = {}, .checks = checks});
+  return relative_claims(error::one_part_lane(graph, {}, checks));
 }
 
 class RelativeProof : public WithGappa {
@@ -205,7 +205,7 @@ TEST_F(RelativeProof, AnyIntervalShrunkenByOneInAThousandIsRefused) {
 
 TEST_F(RelativeProof, TheWholeExpressionsIntervalShrunkenIsRefused) {
   for (const Lane& lane : tight_lanes()) {
-    for (const NodeId root : {lane.graph.f, lane.graph.g}) {
+    for (const NodeId root : {lane.graph.f(), lane.graph.g()}) {
       for (const bool unrounded : {false, true}) {
         std::vector<NodeClaim> wrong = relative_claims(lane);
         auto& bound = unrounded ? wrong[root].unrounded : wrong[root].relative;
@@ -265,7 +265,7 @@ TEST_F(RelativeProof, ASignThatTheLaneDoesNotCheckIsRefused) {
 TEST_F(RelativeProof, AGuardOneStepLowerIsRefused) {
   for (const char* format : {"s4e8", "s17e8", "s52e8"}) {
     Lane lane = lane_of(sphere_graph(), {.format = format}).value();
-    std::get<error::UlpDistanceDecision>(lane.decision).guard_ulp -= 1;
+    std::get<error::UlpDistanceDecision>(lane.decision()).guard_ulp -= 1;
     const LaneProof proof = prove(lane, Effort::operations);
     EXPECT_TRUE(proof.refused());
     EXPECT_NE(proof.verdict().find("a guard of 6 ulp"), std::string::npos) << proof.verdict();
@@ -282,7 +282,7 @@ TEST_F(RelativeProof, AGuardThatFollowsFromExactBoundsAloneIsByHand) {
     const LaneProof sound = prove(lane, Effort::operations);
     EXPECT_FALSE(sound.refused()) << f << ": " << sound.verdict();
     EXPECT_FALSE(sound.machine_checked()) << f << ": " << sound.verdict();
-    std::get<error::UlpDistanceDecision>(lane.decision).guard_ulp -= 1;
+    std::get<error::UlpDistanceDecision>(lane.decision()).guard_ulp -= 1;
     EXPECT_TRUE(prove(lane, Effort::operations).refused()) << f;
   }
 }
