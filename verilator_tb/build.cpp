@@ -160,7 +160,7 @@ bool is_ccache_usable() {
     const auto folder = capture({"ccache", "--get-config", setting});
     if (!folder.ok() || !folder->succeeded()) return false;
     const std::string path = folder->output.substr(0, folder->output.find('\n'));
-    if (path.empty() || !make_writable_folder(path).ok()) return false;
+    if (!fs::path(path).is_absolute() || !make_writable_folder(path).ok()) return false;
   }
   return true;
 }
@@ -227,7 +227,7 @@ Result<Executable> build_simulator(const System& system, const BuildOptions& opt
   const fs::path folder = work_folder(options.work_dir, bench.top, version, command, inputs);
   MIXCMP_TRY(lock, FolderLock::take(folder, options.waiting));
   const Executable executable{folder / "obj" / "Vsystem"};
-  const fs::path stamp = folder / "complete";
+  const fs::path stamp = folder / build_stamp;
   if (fs::exists(stamp) && fs::exists(executable.path)) return executable;
 
   const auto start = std::chrono::steady_clock::now();

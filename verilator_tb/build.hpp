@@ -33,6 +33,9 @@ struct BuildOptions {
   Waiting waiting = {};
 };
 
+/// The file in a build's folder that marks its simulator as whole.
+constexpr const char* build_stamp = "complete";
+
 struct Executable {
   std::filesystem::path path;
   double build_seconds = 0;  ///< 0: it was there already

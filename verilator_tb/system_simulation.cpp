@@ -30,6 +30,9 @@ Result<Done> SimulatorProcess::finish() {
 
 Error SimulatorProcess::ended_unexpectedly() {
   folder_.keep();
+  // The simulator itself may be at fault: the next run builds it anew.
+  std::error_code ignored;
+  std::filesystem::remove(folder_.path().parent_path() / build_stamp, ignored);
   const auto log = folder_.path() / log_name;
   return {.file = log.string(),
           .message = "the simulator ended unexpectedly; its last words\n" + last_lines(log, 20)};

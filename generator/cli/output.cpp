@@ -8,6 +8,8 @@
 
 #include "generator/cli/exit.hpp"
 #include "model/characterise/tools.hpp"
+#include "model/common/content_hash.hpp"
+#include "model/common/file.hpp"
 #include "model/common/output_file.hpp"
 #include "model/common/process.hpp"
 
@@ -16,6 +18,8 @@ namespace mixcmp::cli {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr const char* results_list = ".mixcmp-results";
 
 /// The file that a path leads to; nullopt for a pipe or a device, which several outputs may share.
 std::optional<fs::path> file_at(const fs::path& path) {
@@ -112,6 +116,9 @@ void ResultFiles::add_picture(const std::string& name, const std::string& script
   Captured picture = value_or_exit(drawn);
   const bool is_svg = picture.output.find("<svg") != std::string::npos &&
                       picture.output.find("</svg>") != std::string::npos;
+  if (picture.in_time && picture.status != 0 && picture.errors.empty()) {
+    picture.errors = "gnuplot " + how_it_ended(picture.status) + " and says nothing";
+  }
   if (!picture.succeeded() || !is_svg) {
     fail(Error{.file = path,
                .message = "gnuplot draws no picture",
@@ -131,25 +138,47 @@ void write_together(const std::vector<std::pair<fs::path, std::string>>& files) 
   for (OutputFile& file : written) value_or_exit(file.commit());
 }
 
+void ResultFiles::stage(const std::string& name, const std::string& text) {
+  written_.push_back(value_or_exit(OutputFile::open(folder_ / name)));
+  written_.back().write(text);
+  value_or_exit(written_.back().write_out());
+}
+
 void ResultFiles::write_out() {
   MIXCMP_CHECK(files_.size() == names_.size());
   value_or_exit(make_writable_folder(folder_));
+  std::string list;
   for (const File& file : files_) {
     if (!file.text) continue;
-    written_.push_back(value_or_exit(OutputFile::open(folder_ / file.name)));
-    written_.back().write(*file.text);
-    value_or_exit(written_.back().write_out());
+    stage(file.name, *file.text);
+    list += fmt::format("{} {}\n", ContentHash().add(*file.text).hex(), file.name);
+  }
+  set_stale_aside();
+  stage(results_list, list);
+}
+
+void ResultFiles::set_stale_aside() {
+  const Result<std::string> before = read_file(folder_ / results_list);
+  const std::string list = before.ok() ? *before : "";
+  for (const File& file : files_) {
+    const fs::path path = folder_ / file.name;
+    if (file.text || !path_exists(path)) continue;
+    const auto content = read_file(path);
+    const bool ours =
+        content.ok() && list.find(fmt::format("{} {}\n", ContentHash().add(*content).hex(),
+                                              file.name)) != std::string::npos;
+    if (ours) {
+      value_or_exit(stale_.set_aside(path));
+    } else {
+      tell(fmt::format("{}: not of this run, and not as a run has left it: it stays",
+                       path.string()));
+    }
   }
 }
 
 std::vector<std::string> ResultFiles::commit() {
   for (OutputFile& file : written_) value_or_exit(file.commit());
-  for (const File& file : files_) {
-    if (file.text) continue;
-    std::error_code failed;
-    fs::remove(folder_ / file.name, failed);
-    if (failed) fail(cannot_write(folder_ / file.name, failed.value()));
-  }
+  stale_.remove();
   return not_done_;
 }
 

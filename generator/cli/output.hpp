@@ -10,6 +10,7 @@
 #include "model/common/folder_lock.hpp"
 #include "model/common/output_file.hpp"
 #include "model/common/result.hpp"
+#include "model/common/stale_files.hpp"
 #include "model/devices/device.hpp"
 
 namespace mixcmp::cli {
@@ -35,7 +36,8 @@ FolderLock lock_folder(const std::filesystem::path& folder);
 void tell_waiting(const std::filesystem::path& folder);
 
 /// The result files of one run in one folder. They are written when all of them are made, and take
-/// their places when all of them are written, so that results of two runs never mix.
+/// their places when all of them are written, so that results of two runs never mix. The folder's
+/// file .mixcmp-results lists them with a hash of each, by which a later run knows them.
 class ResultFiles {
 public:
   using Names = std::span<const char* const>;
@@ -51,7 +53,8 @@ public:
   /// Adds the picture that a gnuplot script draws. Ends the program where gnuplot fails. Where
   /// there is no gnuplot, `commit` returns this picture as not done.
   void add_picture(const std::string& name, const std::string& script);
-  /// Declares that this run does not make the file: `commit` removes that of an earlier run.
+  /// Declares that this run does not make the file: `commit` removes that of an earlier run. A file
+  /// that is not as a run has left it is the user's, and stays.
   void leave_out(const std::string& name);
 
   /// Writes all files beside their places. Ends the program where one cannot be written.
@@ -62,15 +65,18 @@ public:
 private:
   struct File {
     std::string name;
-    std::optional<std::string> text;  ///< nullopt: the file of an earlier run is removed
+    std::optional<std::string> text;  ///< nullopt: the file is left out
   };
 
   void put(const std::string& name, std::optional<std::string> text);
+  void stage(const std::string& name, const std::string& text);
+  void set_stale_aside();
 
   std::filesystem::path folder_;
   Names names_;
   std::vector<File> files_;
   std::vector<OutputFile> written_;
+  StaleFiles stale_;
   std::vector<std::string> not_done_;
 };
 

@@ -1,3 +1,6 @@
+#include <unistd.h>
+
+#include <cerrno>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -50,6 +53,8 @@ Result<Done> check_replaceable(const fs::path& directory) {
                  .message = "is the working directory, which cannot be replaced",
                  .accepted = "another directory"};
   }
+  // What is replaced is removed afterwards, file by file.
+  if (access(directory.c_str(), R_OK | W_OK | X_OK) != 0) return cannot_write(directory, errno);
   const std::set<std::string> ours = files_of_previous_output(directory);
   std::error_code unknown;
   for (const fs::directory_entry& entry : entries_of(directory, failed)) {

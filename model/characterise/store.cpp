@@ -1,10 +1,13 @@
 #include "model/characterise/store.hpp"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 
 #include "model/characterise/sqlite.hpp"
+#include "model/common/output_file.hpp"
 
 namespace mixcmp::characterise {
 namespace {
@@ -68,6 +71,16 @@ Result<ResultStore> ResultStore::open(const std::filesystem::path& path) {
   if (failed) {
     return Error{.file = path.parent_path().string(),
                  .message = "cannot be created: " + failed.message()};
+  }
+  const std::filesystem::file_status status = std::filesystem::status(path, failed);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    return Error{.file = path.string(),
+                 .message = "is no file that can hold results",
+                 .received = "a folder or a device",
+                 .accepted = "a store of mixcmp, or a path where none is yet"};
+  }
+  if (std::filesystem::exists(status) && access(path.c_str(), R_OK | W_OK) != 0) {
+    return cannot_write(path, errno);
   }
   sqlite3* opened = nullptr;
   sqlite3_open(path.c_str(), &opened);

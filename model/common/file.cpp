@@ -26,13 +26,17 @@ namespace {
 
 /// A file that is no regular one is not opened: a pipe would wait for a writer.
 Result<Descriptor> open_to_read(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const bool regular = std::filesystem::is_regular_file(path, ignored);
+  std::error_code failed;
+  const std::filesystem::file_status status = std::filesystem::status(path, failed);
+  const bool regular = std::filesystem::is_regular_file(status);
   Descriptor file(regular ? open(path.c_str(), O_RDONLY | O_CLOEXEC) : -1);
   if (file.get() >= 0) return file;
+  const bool forbidden = failed == std::errc::permission_denied;
   return Error{.file = path.string(),
                .message = "cannot read the file",
-               .received = path_exists(path) ? "no readable regular file" : "no such file",
+               .received = forbidden                         ? "a folder that may not be searched"
+                           : std::filesystem::exists(status) ? "no readable regular file"
+                                                             : "no such file",
                .accepted = "a readable file"};
 }
 

@@ -54,10 +54,6 @@ std::optional<std::string> wait_within(ProcessGroup& group, const ToolRun& run) 
   return std::nullopt;
 }
 
-std::string how_it_ended(int status) {
-  return WIFSIGNALED(status) ? fmt::format("was ended by signal {}", WTERMSIG(status)) : "failed";
-}
-
 /// The beginning of a text, as long as a line of a report may be.
 std::string first_line(const std::string& text) {
   constexpr std::size_t most = 200;
@@ -123,6 +119,11 @@ Error no_descriptor(const char* what) {
 }
 
 }  // namespace
+
+std::string how_it_ended(int status) {
+  if (WIFSIGNALED(status)) return fmt::format("was ended by signal {}", WTERMSIG(status));
+  return fmt::format("failed with exit code {}", WEXITSTATUS(status));
+}
 
 Result<Done> run_tool(const ToolRun& run) {
   const Descriptor log(open_log(run.log));

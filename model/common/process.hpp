@@ -44,6 +44,9 @@ struct Captured {
   bool succeeded() const { return in_time && status == 0; }
 };
 
+/// "was ended by signal 9", "failed with exit code 3", for a status as waitpid gives it.
+std::string how_it_ended(int status);
+
 struct CaptureOptions {
   std::string_view input = {};
   double seconds = 10;             ///< wall time after which the program is killed

@@ -26,6 +26,13 @@ GappaVerdict verdict_of(const Captured& outcome) {
   return searched(outcome.errors) ? GappaVerdict::not_proven : GappaVerdict::broken;
 }
 
+/// Whether a certificate for Coq is there to its end.
+bool is_whole(std::string_view certificate) {
+  const std::size_t last = certificate.find_last_not_of(" \n");
+  return last != std::string_view::npos &&
+         certificate.substr(0, last + 1).ends_with("End Generated_by_Gappa.");
+}
+
 }  // namespace
 
 Result<std::string> gappa_version() {
@@ -49,8 +56,11 @@ GappaRun run_gappa(const std::string& script, Certificate certificate, double se
   if (!run.ok()) return {GappaVerdict::broken, run.error().to_string(), ""};
   Captured outcome = std::move(run).value();
   const GappaVerdict verdict = verdict_of(outcome);
-  if (verdict == GappaVerdict::proven && coq && outcome.output.empty()) {
-    return {GappaVerdict::broken, "gappa ended well and wrote no certificate", ""};
+  if (verdict == GappaVerdict::broken && outcome.errors.empty()) {
+    outcome.errors = "gappa " + how_it_ended(outcome.status) + " and says nothing";
+  }
+  if (verdict == GappaVerdict::proven && coq && !is_whole(outcome.output)) {
+    return {GappaVerdict::broken, "gappa ended well and wrote no whole certificate", ""};
   }
   return {.verdict = verdict,
           .message = std::move(outcome.errors),

@@ -96,8 +96,10 @@ TEST_F(ProfileCommand, WeighsSystems) {
 }
 
 TEST_F(ProfileCommand, WithoutGnuplotOnlyThePicturesAreMissing) {
-  fs::create_directory(path("out"));
-  write("out/figure5.svg", "of other data");
+  const Outcome before =
+      profile("scene.toml --last 7 -o out", instead_of("gnuplot", "echo '<svg></svg>'"));
+  ASSERT_EQ(before.exit_code, 0) << before.output;
+  ASSERT_TRUE(fs::exists(path("out") / "figure5.svg"));
   const Outcome run = profile("scene.toml --last 6 -o out", "PATH=/nowhere");
   EXPECT_EQ(run.exit_code, 3) << run.output;
   EXPECT_NE(run.output.find("not done: out/figure5.svg: gnuplot does not run (apt-get install "),
@@ -105,6 +107,24 @@ TEST_F(ProfileCommand, WithoutGnuplotOnlyThePicturesAreMissing) {
       << run.output;
   EXPECT_TRUE(fs::exists(path("out") / "figure5.csv"));
   EXPECT_FALSE(fs::exists(path("out") / "figure5.svg"));
+}
+
+TEST_F(ProfileCommand, WhatNoRunHasMadeStays) {
+  const std::string drawing = instead_of("gnuplot", "echo '<svg></svg>'");
+  fs::create_directories(path("out/trade.svg"));
+  write("out/trade.csv", "my own measurements");
+  const Outcome run = profile("scene.toml --last 6 -o out", drawing);
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(read("out/trade.csv"), "my own measurements");
+  EXPECT_TRUE(fs::is_directory(path("out/trade.svg")));
+  EXPECT_NE(run.output.find("out/trade.csv: not of this run"), std::string::npos) << run.output;
+  fs::remove(path("out/trade.svg"));
+  ASSERT_EQ(profile("scene.toml --last 6 --trade -o out", drawing).exit_code, 0);
+  ASSERT_NE(read("out/trade.csv"), "my own measurements");
+  write("out/trade.svg", "edited");
+  ASSERT_EQ(profile("scene.toml --last 6 -o out", drawing).exit_code, 0);
+  EXPECT_FALSE(fs::exists(path("out/trade.csv"))) << "the run before made it";
+  EXPECT_EQ(read("out/trade.svg"), "edited");
 }
 
 TEST_F(ProfileCommand, WhatGnuplotLeavesIsAPictureOrAnError) {

@@ -110,7 +110,7 @@ TEST_F(Store, RefusesADamagedFile) {
 
 TEST_F(Store, RefusesAFolderAndATruncatedFile) {
   fs::create_directories(path_);
-  expect_refused("SQLite");
+  expect_refused("no file that can hold results");
   fs::remove(path_);
   ASSERT_TRUE(characterise::ResultStore::open(path_).ok());
   fs::resize_file(path_, 100);

@@ -1,5 +1,6 @@
 #include "model/proof/provers.hpp"
 
+#include <fmt/core.h>
 #include <stdlib.h>
 
 #include <filesystem>
@@ -217,23 +218,27 @@ TEST(ProversWithAFake, ALaneWhoseGappaNeverAnswersIsNotRefused) {
 TEST(ProversWithAFake, MuchOutputOnBothStreamsPasses) {
   ScratchDirectory scratch;
   const std::string search = getenv("PATH");
+  const std::string ending = "echo End Generated_by_Gappa.\n";
   const std::string much = "head -c 300000 /dev/zero | tr '\\0' x";
-  const OtherPath path(fake_gappa(scratch, much + " >&2\n" + much + "\n").string() + ":" + search);
+  const OtherPath path(fake_gappa(scratch, much + " >&2\n" + much + "\n" + ending).string() + ":" +
+                       search);
   const GappaRun run = run_gappa(truth, Certificate::coq, 30);
   EXPECT_EQ(run.verdict, GappaVerdict::proven);
-  EXPECT_EQ(run.certificate.size(), 300000U);
+  EXPECT_GT(run.certificate.size(), 300000U);
   EXPECT_EQ(run.message.size(), 300000U);
 }
 
 TEST(ProversWithAFake, AProofWithoutItsCertificateIsNone) {
   ScratchDirectory scratch;
   const std::string search = getenv("PATH");
-  const std::string commands = "grep -q '1 in' && exit 1\nexit 0\n";
-  const OtherPath path(fake_gappa(scratch, commands).string() + ":" + search);
-  ASSERT_TRUE(gappa_version());
-  EXPECT_EQ(run_gappa(truth, Certificate::coq, 30).verdict, GappaVerdict::broken);
-  ProofDirectory directory = opened(scratch.path() / "proof");
-  EXPECT_NE(directory(truth).outcome, Outcome::proven);
+  for (const char* certificate : {"", "echo 'Section Generated_by_Gappa.'; "}) {
+    const std::string commands = fmt::format("grep -q '1 in' && exit 1\n{}exit 0\n", certificate);
+    const OtherPath path(fake_gappa(scratch, commands).string() + ":" + search);
+    ASSERT_TRUE(gappa_version());
+    EXPECT_EQ(run_gappa(truth, Certificate::coq, 30).verdict, GappaVerdict::broken);
+    ProofDirectory directory = opened(scratch.path() / "proof");
+    EXPECT_NE(directory(truth).outcome, Outcome::proven);
+  }
 }
 
 TEST(ProversWithAFake, OneThatProvesEverythingIsNotBelieved) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "model/common/result.hpp"
+
+namespace mixcmp::inline common {
+
+/// Files of an earlier run that the new results make stale. They are moved out of the way, and come
+/// back with the object's end unless they are removed for good.
+class StaleFiles {
+public:
+  StaleFiles() = default;
+  StaleFiles(StaleFiles&& other) noexcept = default;
+  StaleFiles(const StaleFiles&) = delete;
+  StaleFiles& operator=(const StaleFiles&) = delete;
+  StaleFiles& operator=(StaleFiles&&) = delete;
+  ~StaleFiles();
+
+  /// All files must be of one folder, which this run has locked. What a killed run has set aside
+  /// there is removed.
+  Result<Done> set_aside(const std::filesystem::path& file);
+  void remove();
+
+private:
+  std::vector<std::pair<std::filesystem::path, std::filesystem::path>> moved_;  ///< from, to
+};
+
+}  // namespace mixcmp::inline common
