@@ -32,7 +32,7 @@ public:
 
   /// Makes the graph of all parts; `side` emits one side of a part.
   template <class Side>
-  TypedGraph finish(Side side) &&;
+  TypedGraph finish(Side side);
 
 private:
   bool takes_exact_operands(const Node& node) const;
@@ -131,7 +131,7 @@ NodeId Builder::emit(TypedNode node) {
 }
 
 template <class Side>
-TypedGraph Builder::finish(Side side) && {
+TypedGraph Builder::finish(Side side) {
   for (const Sides& part : graph_.parts()) {
     const NodeId f = side(part.f);
     const NodeId g = side(part.g);
@@ -191,13 +191,13 @@ NodeId add_node(TypedGraph& graph, TypedNode node) {
 
 TypedGraph reference_graph(const Graph& graph, Arithmetic reference) {
   Builder builder(graph, reference.format, reference, LaneInputs::exact);
-  return std::move(builder).finish([&](NodeId side) { return builder.in_reference(side); });
+  return builder.finish([&](NodeId side) { return builder.in_reference(side); });
 }
 
 TypedGraph lane_graph(const Graph& graph, FloatFormat reference, Arithmetic reduced,
                       LaneInputs inputs) {
   Builder builder(graph, reference, reduced, inputs);
-  return std::move(builder).finish([&](NodeId side) { return builder.in_lane(side); });
+  return builder.finish([&](NodeId side) { return builder.in_lane(side); });
 }
 
 }  // namespace mixcmp::inline expression
