@@ -317,7 +317,8 @@ void tell_older_results(const fs::path& output, const std::vector<Planning>& kno
   }
 }
 
-/// What a run finds for all devices, before any of it is written.
+/// The report, the tables and the plans of all devices. They are collected here until all are made,
+/// so that nothing is written of a run that fails.
 struct Findings {
   std::string page;  ///< report.md
   nlohmann::ordered_json json = nlohmann::ordered_json::array();

@@ -53,7 +53,7 @@ Result<Done> check_replaceable(const fs::path& directory) {
                  .message = "is the working directory, which cannot be replaced",
                  .accepted = "another directory"};
   }
-  // What is replaced is removed afterwards, file by file.
+  // The old output is removed after the exchange, file by file, which needs these permissions.
   if (access(directory.c_str(), R_OK | W_OK | X_OK) != 0) return cannot_write(directory, errno);
   const std::set<std::string> ours = files_of_previous_output(directory);
   std::error_code unknown;

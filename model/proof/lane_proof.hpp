@@ -70,9 +70,8 @@ struct LaneProof {
 ByHand scaling_by_hand();
 
 /// Proves the statements on which the lane's decision rests, and that hazards without hardware
-/// cannot occur; see docs/error_bounds.md.
-/// A lane of several parts is proven part by part: that the parts' decisions give the lane's is
-/// theorem 11, by hand.
+/// cannot occur; see docs/error_bounds.md. A lane of several parts is proven part by part: that the
+/// parts' decisions give the lane's is theorem 11, by hand.
 LaneProof prove_lane(const error::Lane& lane, const Prove& prove, Effort effort);
 
 /// Proves a lane with a relative bound from the claims of the analysis, one for each node.

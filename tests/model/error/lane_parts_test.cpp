@@ -93,7 +93,7 @@ private:
   std::vector<Judged> judged_;
 };
 
-/// What the parts' own decisions come to, and whether one decided for the others.
+/// The combination of the parts' own decisions; `alone`: one part decided for the others.
 struct Expected {
   LaneResult result;
   bool alone;
