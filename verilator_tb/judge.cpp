@@ -10,8 +10,6 @@
 
 namespace mixcmp::verilator_tb {
 
-namespace {}  // namespace
-
 Judge::Judge(const emit::Signature& signature, const design::Design& design,
              const data::Comparisons& comparisons, const Selection& selection,
              const VerifyOptions& options)

@@ -10,8 +10,6 @@
 
 namespace mixcmp::verilator_tb {
 
-namespace {}  // namespace
-
 VerifyReport empty_report(const emit::Signature& signature, const design::Design& design,
                           const VerifyOptions& options) {
   VerifyReport report;

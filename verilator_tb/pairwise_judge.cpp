@@ -14,20 +14,20 @@ namespace mixcmp::verilator_tb {
 /// this order.
 class PairwiseJudge::Reports {
 public:
-  explicit Reports(std::vector<harness::wire::Report> reports) : reports_(std::move(reports)) {
+  explicit Reports(std::vector<harness::wire::ReportedPair> reports)
+      : reports_(std::move(reports)) {
     std::stable_sort(reports_.begin(), reports_.end(),
-                     [](const harness::wire::Report& a, const harness::wire::Report& b) {
-                       return key(a) < key(b);
-                     });
+                     [](const harness::wire::ReportedPair& a,
+                        const harness::wire::ReportedPair& b) { return key(a) < key(b); });
   }
 
   /// Returns the first report of this pair, or null. Skipped reports of earlier pairs, and further
   /// reports of this pair, are passed to `stray`.
   template <class Stray>
-  const harness::wire::Report* find(std::uint64_t i, std::uint64_t j, const Stray& stray) {
-    const harness::wire::Report* found = nullptr;
+  const harness::wire::ReportedPair* find(std::uint64_t i, std::uint64_t j, const Stray& stray) {
+    const harness::wire::ReportedPair* found = nullptr;
     for (; next_ < reports_.size() && key(reports_[next_]) <= std::tuple(i, j); ++next_) {
-      const harness::wire::Report& report = reports_[next_];
+      const harness::wire::ReportedPair& report = reports_[next_];
       if (found == nullptr && key(report) == std::tuple(i, j)) {
         found = &report;
       } else {
@@ -37,15 +37,17 @@ public:
     return found;
   }
 
-  std::span<const harness::wire::Report> rest() const { return std::span(reports_).subspan(next_); }
-  std::span<const harness::wire::Report> all() const { return reports_; }
+  std::span<const harness::wire::ReportedPair> rest() const {
+    return std::span(reports_).subspan(next_);
+  }
+  std::span<const harness::wire::ReportedPair> all() const { return reports_; }
 
 private:
-  static std::tuple<std::uint64_t, std::uint64_t> key(const harness::wire::Report& report) {
+  static std::tuple<std::uint64_t, std::uint64_t> key(const harness::wire::ReportedPair& report) {
     return {report.i, report.j};
   }
 
-  std::vector<harness::wire::Report> reports_;
+  std::vector<harness::wire::ReportedPair> reports_;
   std::size_t next_ = 0;
 };
 
@@ -53,11 +55,11 @@ namespace {
 
 constexpr std::uint64_t closing_tuser = 0x80;
 
-ResultWord word_of(const harness::wire::Report& report) {
+ResultWord word_of(const harness::wire::ReportedPair& report) {
   return ResultWord(static_cast<std::uint32_t>(report.tuser));
 }
 
-std::string pair_text(const harness::wire::Report& report) {
+std::string pair_text(const harness::wire::ReportedPair& report) {
   return fmt::format("items {} and {}, tuser 0x{:02x}", report.i, report.j, report.tuser);
 }
 
@@ -104,7 +106,7 @@ void PairwiseJudge::judge_closed(const SetRange& set, const SetAnswer& answer, U
   for (std::uint64_t i = 0; i + 1 < set.count; ++i) {
     for (std::uint64_t j = i + 1; j < set.count; ++j) judge_pair(set, i, j, reports, use);
   }
-  for (const harness::wire::Report& report : reports.rest()) {
+  for (const harness::wire::ReportedPair& report : reports.rest()) {
     add_violation("report of no pair", report.cycle, pair_text(report));
   }
   judge_closing_beat(answer, answer.reports.size());
@@ -118,8 +120,8 @@ void PairwiseJudge::judge_closed(const SetRange& set, const SetAnswer& answer, U
 void PairwiseJudge::judge_pair(const SetRange& set, std::uint64_t i, std::uint64_t j,
                                Reports& reports, Use use) {
   const ResultWord word = expected(set, i, j);
-  const harness::wire::Report* got =
-      reports.find(i, j, [this](const harness::wire::Report& report, bool again) {
+  const harness::wire::ReportedPair* got =
+      reports.find(i, j, [this](const harness::wire::ReportedPair& report, bool again) {
         add_violation(again ? "pair reported twice" : "report of no pair", report.cycle,
                       pair_text(report));
       });
@@ -135,8 +137,8 @@ void PairwiseJudge::judge_pair(const SetRange& set, std::uint64_t i, std::uint64
 /// Judges a set that a reset broke off: reports may be missing, but those that left must be right.
 void PairwiseJudge::judge_interrupted(const SetRange& set, const SetAnswer& answer) {
   const Reports reports(answer.reports);
-  const harness::wire::Report* before = nullptr;
-  for (const harness::wire::Report& report : reports.all()) {
+  const harness::wire::ReportedPair* before = nullptr;
+  for (const harness::wire::ReportedPair& report : reports.all()) {
     if (report.i >= report.j || report.j >= set.count) {
       add_violation("report of no pair", report.cycle, pair_text(report));
       continue;
@@ -196,7 +198,7 @@ void PairwiseJudge::count(const SetRange& set, std::uint64_t i, std::uint64_t j,
 }
 
 void PairwiseJudge::add_mismatch(const SetRange& set, std::uint64_t i, std::uint64_t j,
-                                 ResultWord expected, const harness::wire::Report* got) {
+                                 ResultWord expected, const harness::wire::ReportedPair* got) {
   ++report_.mismatch_count;
   ++report_.groups[group_of_lane_[lane_of(i)]].mismatches;
   if (report_.mismatches.size() >= VerifyReport::kept) return;

@@ -35,7 +35,7 @@ private:
   ResultWord expected(const SetRange& set, std::uint64_t i, std::uint64_t j);
   bool is_reported(ResultWord word) const;
   void add_mismatch(const SetRange& set, std::uint64_t i, std::uint64_t j, ResultWord expected,
-                    const harness::wire::Report* got);
+                    const harness::wire::ReportedPair* got);
   void count(const SetRange& set, std::uint64_t i, std::uint64_t j, ResultWord word);
   std::uint64_t pair_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const;
   std::size_t lane_of(std::uint64_t i) const { return i % group_of_lane_.size(); }

@@ -19,7 +19,7 @@ struct ItemSet {
 /// The engine's answer to one set.
 struct SetAnswer {
   harness::wire::SetResponse response = {};
-  std::vector<harness::wire::Report> reports;
+  std::vector<harness::wire::ReportedPair> reports;
   std::vector<harness::wire::Violation> violations;
   std::vector<harness::wire::LaneEnd> lanes;
 };

@@ -50,23 +50,23 @@ std::vector<std::pair<std::string, std::string>> spec_of(const scene::Scene& sce
 }
 
 /// Lanes of one bound and one kind of inputs that do not exist, with the reason of one of them.
-struct Gap {
+struct MissingKind {
   std::string what;
   std::string first, last;  ///< formats
   int count = 0;
   std::string reason;
 };
 
-std::vector<Gap> gaps(const std::vector<components::MissingLane>& missing) {
-  std::vector<Gap> found;
+std::vector<MissingKind> missing_kinds(const std::vector<components::MissingLane>& missing) {
+  std::vector<MissingKind> found;
   for (const components::MissingLane& lane : missing) {
     const std::string what = scene::to_string(lane.key.bound) + " " + lane.key.inputs;
-    auto gap = std::find_if(found.begin(), found.end(),
-                            [&](const Gap& known) { return known.what == what; });
-    if (gap == found.end()) gap = found.insert(gap, {.what = what, .first = lane.key.format});
-    gap->last = lane.key.format;
-    ++gap->count;
-    gap->reason = lane.reason.to_string();
+    auto kind = std::find_if(found.begin(), found.end(),
+                             [&](const MissingKind& known) { return known.what == what; });
+    if (kind == found.end()) kind = found.insert(kind, {.what = what, .first = lane.key.format});
+    kind->last = lane.key.format;
+    ++kind->count;
+    kind->reason = lane.reason.to_string();
   }
   return found;
 }
@@ -75,9 +75,9 @@ void print_text(const CharacteriseReport& report, const fs::path& table) {
   print(fmt::format("{} on {}: {} components, {} jobs run, {} failed\n", report.table.scene,
                     report.table.device, report.components, report.synthesised,
                     report.failed.size()));
-  for (const Gap& gap : gaps(report.missing)) {
-    print(fmt::format("no lane: {} {} .. {} ({}): {}\n", gap.what, gap.first, gap.last, gap.count,
-                      gap.reason));
+  for (const MissingKind& kind : missing_kinds(report.missing)) {
+    print(fmt::format("no lane: {} {} .. {} ({}): {}\n", kind.what, kind.first, kind.last,
+                      kind.count, kind.reason));
   }
   for (const auto& [reason, components] : report.no_clock) {
     const std::string more =
@@ -138,12 +138,12 @@ void print_json(const CharacteriseReport& report, const fs::path& table) {
                               {"message", job.message},
                               {"directory", job.directory.string()}});
   }
-  for (const Gap& gap : gaps(report.missing)) {
-    json["missing"].push_back({{"lanes", gap.what},
-                               {"first", gap.first},
-                               {"last", gap.last},
-                               {"count", gap.count},
-                               {"reason", gap.reason}});
+  for (const MissingKind& kind : missing_kinds(report.missing)) {
+    json["missing"].push_back({{"lanes", kind.what},
+                               {"first", kind.first},
+                               {"last", kind.last},
+                               {"count", kind.count},
+                               {"reason", kind.reason}});
   }
   for (const characterise::Measurement& row : report.table.rows)
     json["rows"].push_back(json_of(row));

@@ -141,7 +141,7 @@ using Columns = std::vector<std::pair<std::string, optimise::ClockChoice>>;
 
 /// The columns of the tables: the clocks with which T(equ) is computed. The last one has those of
 /// the command.
-Columns columns_for(const std::optional<optimise::PublishedDevice>& published,
+Columns columns_for(const std::optional<optimise::PublishedFigures>& published,
                     const optimise::ClockChoice& ours) {
   Columns columns;
   if (published) {
@@ -247,7 +247,7 @@ Planning planning_for(const ExploreCommand& command, const std::string& device,
 
 /// Tables III and IV of one device.
 std::string tables_of(const optimise::Exploration& exploration,
-                      const std::optional<optimise::PublishedDevice>& published,
+                      const std::optional<optimise::PublishedFigures>& published,
                       const std::vector<report::SoftwareThroughput>& software) {
   return "## " + exploration.device.name + "\n\n" +
          report::table3_markdown(exploration, published) + "\n" +

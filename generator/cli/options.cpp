@@ -15,8 +15,8 @@
 #include "generator/cli/output.hpp"
 #include "generator/datapath/delays.hpp"
 #include "model/profile/profiled_error.hpp"
-#include "model/scene/blame.hpp"
-#include "model/scene/locate.hpp"
+#include "model/scene/error_location.hpp"
+#include "model/scene/override_error.hpp"
 #include "model/scene/plan.hpp"
 #include "model/workload/load_comparisons.hpp"
 
@@ -59,7 +59,7 @@ Error as_user_data_error(const Error& error, const scene::DataSpec& data,
 }
 
 /// Shows the progress of a search for arg-mins, if it has many comparisons and so takes long.
-workload::ContestProgress contest_progress() {
+workload::ComparisonProgress comparison_progress() {
   return [shown = std::uint64_t{0}](std::uint64_t done, std::uint64_t all) mutable {
     constexpr std::uint64_t many = 1'000'000;
     const std::uint64_t percent = 100 * done / all;
@@ -124,7 +124,7 @@ void add_scene_options(const Verb& verb, SceneOptions& options,
   verb.flag("--json", options.json, "print the result as JSON");
 }
 
-Check within(settings::Limits limits) {
+Condition within(settings::Limits limits) {
   return {[limits](const std::string& text) {
             const auto value = decimal_integer(text);
             const bool accepted =
@@ -135,7 +135,7 @@ Check within(settings::Limits limits) {
           to_string(limits)};
 }
 
-Check whole(std::uint64_t least, std::uint64_t most) {
+Condition whole(std::uint64_t least, std::uint64_t most) {
   const bool bounded = most < std::numeric_limits<std::uint64_t>::max();
   const std::string range = bounded ? fmt::format("an integer from {} to {}", least, most)
                                     : fmt::format("an integer of at least {}", least);
@@ -147,7 +147,7 @@ Check whole(std::uint64_t least, std::uint64_t most) {
           ""};
 }
 
-Check between(double least, double most, const std::string& unit) {
+Condition between(double least, double most, const std::string& unit) {
   return {[=](const std::string& text) {
             const auto value = number(text);
             const bool accepted = value && least <= *value && *value <= most;
@@ -181,7 +181,7 @@ Result<LoadedScene> load(const SceneOptions& options) {
   }
   LoadedScene loaded = {std::move(scene), std::nullopt};
   if (loaded.scene.data) {
-    auto data = workload::load_comparisons(loaded.scene, contest_progress());
+    auto data = workload::load_comparisons(loaded.scene, comparison_progress());
     if (!data.ok()) return as_user_data_error(data.error(), *loaded.scene.data, options);
     loaded.data = std::move(data).value();
   }

@@ -44,14 +44,15 @@ Error as_user_error(const Error& found, const SceneOptions& options);
 
 /// Accepts a whole number in these limits, which help and errors then state. It is decimal, without
 /// zeros in front: CLI11 would take "010" for eight.
-Check within(settings::Limits limits);
-Check whole(std::uint64_t least, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+Condition within(settings::Limits limits);
+Condition whole(std::uint64_t least,
+                std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
 /// The number that fills `text`; none for any other text.
 std::optional<double> number(const std::string& text);
 
 /// Accepts a number in these limits, NaN none of them.
-Check between(double least, double most, const std::string& unit);
+Condition between(double least, double most, const std::string& unit);
 
 /// The design of the scene's system. Errors name the file and line of the key at fault.
 Result<design::Design> design_of(const SceneOptions& options, const LoadedScene& loaded);

@@ -61,12 +61,12 @@ Result<Done> adopt_target(Planning& planning, const std::filesystem::path& path,
 }
 
 void warn_of_outdated(const Planning& planning, const data::Comparisons* data) {
-  const components::Currency currency =
-      components::check_currency(planning.table, planning.scene, data, planning.device);
-  if (currency.outdated == 0) return;
+  const components::RowCount rows =
+      components::count_rows(planning.table, planning.scene, data, planning.device);
+  if (rows.outdated == 0) return;
   tell(
       fmt::format("note: {}: {} of {} rows were measured on other RTL than what is generated today",
-                  planning.table_path.filename().string(), currency.outdated, currency.rows));
+                  planning.table_path.filename().string(), rows.outdated, rows.all));
 }
 
 /// Replaces measured errors by the constants that the scene gives: lanes of a plan have these at

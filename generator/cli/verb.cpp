@@ -12,7 +12,7 @@ Option Option::required() const {
   return Option(option_->required());
 }
 
-Option Option::check(const Check& check) const {
+Option Option::check(const Condition& check) const {
   return Option(option_->check(CLI::Validator(check.problem, check.description)));
 }
 

@@ -12,7 +12,7 @@ class Option;
 namespace mixcmp::cli {
 
 /// A condition on the text of an option.
-struct Check {
+struct Condition {
   std::function<std::string(const std::string& text)> problem;  ///< empty where the text will do
   std::string description;                                      ///< for --help
 };
@@ -23,7 +23,7 @@ public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
   Option required() const;
-  Option check(const Check& check) const;
+  Option check(const Condition& check) const;
   Option one_of(const std::vector<std::string>& words) const;
   Option needs(Option other) const;
   Option excludes(Option other) const;

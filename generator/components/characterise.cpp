@@ -190,14 +190,14 @@ Result<CharacteriseReport> characterise(const scene::Scene& scene, const data::C
   return Campaign(scene, data, device, options, previous).run();
 }
 
-Currency check_currency(const Characterisation& table, const scene::Scene& scene,
-                        const data::Comparisons* data, const Device& device) {
+RowCount count_rows(const Characterisation& table, const scene::Scene& scene,
+                    const data::Comparisons* data, const Device& device) {
   ComponentMaker maker(scene, data);
-  Currency currency{.rows = static_cast<int>(table.rows.size())};
+  RowCount count{.all = static_cast<int>(table.rows.size())};
   for (const Measurement& row : table.rows) {
-    if (!is_current(row, maker, device)) ++currency.outdated;
+    if (!is_current(row, maker, device)) ++count.outdated;
   }
-  return currency;
+  return count;
 }
 
 }  // namespace mixcmp::components

@@ -43,14 +43,14 @@ Result<CharacteriseReport> characterise(const scene::Scene& scene, const data::C
                                         const characterise::Characterisation* previous);
 
 /// How many rows of a table still describe what is generated today.
-struct Currency {
-  int rows = 0;
+struct RowCount {
+  int all = 0;
   int outdated = 0;  ///< measured on other RTL, or for another device's synthesis
 };
 
 /// Generates the RTL of every row again and compares hashes. It runs no tool and takes the versions
 /// of the tools from each row. It takes seconds for hundreds of rows.
-Currency check_currency(const characterise::Characterisation& table, const scene::Scene& scene,
-                        const data::Comparisons* data, const devices::Device& device);
+RowCount count_rows(const characterise::Characterisation& table, const scene::Scene& scene,
+                    const data::Comparisons* data, const devices::Device& device);
 
 }  // namespace mixcmp::components

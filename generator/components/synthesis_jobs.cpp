@@ -16,17 +16,17 @@ namespace {
 using characterise::SynthesisJob;
 
 /// A parameter's value as Verilog text.
-struct Setting {
+struct ParameterValue {
   std::string name;
   std::string value;
 };
 
-std::vector<Setting> settings_of(const rtl::TemplateInstance& instance) {
-  std::vector<Setting> settings;
+std::vector<ParameterValue> values_of(const rtl::TemplateInstance& instance) {
+  std::vector<ParameterValue> values;
   for (const rtl::Parameter& parameter : instance.parameters) {
-    settings.push_back({parameter.name, emit::to_verilog(parameter)});
+    values.push_back({parameter.name, emit::to_verilog(parameter)});
   }
-  return settings;
+  return values;
 }
 
 void add_templates(SynthesisJob& job, const std::set<std::string>& modules) {
@@ -37,12 +37,12 @@ void add_templates(SynthesisJob& job, const std::set<std::string>& modules) {
 
 /// Replaces a parameter's default in a module's text; false where the text declares no such
 /// parameter.
-bool set_default(std::string& text, const Setting& setting) {
-  const std::regex declaration("(\\bparameter\\s+(?:\\[[^\\]]*\\]\\s*)?" + setting.name +
+bool set_default(std::string& text, const ParameterValue& value) {
+  const std::regex declaration("(\\bparameter\\s+(?:\\[[^\\]]*\\]\\s*)?" + value.name +
                                "\\s*=\\s*)([^,\\n)]+)");
   std::smatch match;
   if (!std::regex_search(text, match, declaration)) return false;
-  text = match.prefix().str() + match[1].str() + setting.value + match.suffix().str();
+  text = match.prefix().str() + match[1].str() + value.value + match.suffix().str();
   return true;
 }
 
@@ -59,15 +59,15 @@ bool is_word(const std::string& text, std::string_view further) {
   });
 }
 
-Result<SynthesisJob> job_of(const std::string& module, const std::vector<Setting>& settings) {
+Result<SynthesisJob> job_of(const std::string& module, const std::vector<ParameterValue>& values) {
   SynthesisJob job{.sources = {}, .top = module};
   add_templates(job, {module});
   const auto top = std::find_if(job.sources.begin(), job.sources.end(),
                                 [&](const auto& source) { return source.name == module + ".v"; });
   if (top == job.sources.end()) return no_unit(module);
-  for (const Setting& setting : settings) {
-    const bool shaped = is_word(setting.name, "_") && is_word(setting.value, "'-");
-    if (!shaped || !set_default(top->text, setting)) return no_unit(module + " " + setting.name);
+  for (const ParameterValue& value : values) {
+    const bool shaped = is_word(value.name, "_") && is_word(value.value, "'-");
+    if (!shaped || !set_default(top->text, value)) return no_unit(module + " " + value.name);
   }
   return job;
 }
@@ -93,13 +93,13 @@ SynthesisJob module_job(const rtl::Module& module) {
 }
 
 SynthesisJob template_job(const rtl::TemplateInstance& instance) {
-  return job_of(instance.module, settings_of(instance)).value();
+  return job_of(instance.module, values_of(instance)).value();
 }
 
 std::string instance_name(const rtl::TemplateInstance& instance) {
   std::string name = instance.module;
-  for (const Setting& setting : settings_of(instance)) {
-    name += fmt::format(" {}={}", setting.name, setting.value);
+  for (const ParameterValue& value : values_of(instance)) {
+    name += fmt::format(" {}={}", value.name, value.value);
   }
   return name;
 }
@@ -108,12 +108,12 @@ Result<SynthesisJob> job_of_instance_name(std::string_view name) {
   std::istringstream words{std::string(name)};
   std::string module;
   words >> module;
-  std::vector<Setting> settings;
+  std::vector<ParameterValue> values;
   for (std::string word; words >> word;) {
     const std::size_t equals = std::min(word.find('='), word.size());
-    settings.push_back({word.substr(0, equals), word.substr(std::min(equals + 1, word.size()))});
+    values.push_back({word.substr(0, equals), word.substr(std::min(equals + 1, word.size()))});
   }
-  return job_of(module, settings);
+  return job_of(module, values);
 }
 
 }  // namespace mixcmp::components

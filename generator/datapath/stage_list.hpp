@@ -38,7 +38,7 @@ class StageList {
 public:
   explicit StageList(const DelayTable& delays) : delays_(delays) {}
 
-  double luts(int levels) const { return levels * delays_.lut_ns; }
+  double lut_delay_ns(int levels) const { return levels * delays_.lut_ns; }
   double carry(int bits) const { return delays_.carry_start_ns + bits * delays_.carry_ns_per_bit; }
   void add(std::string name, double delay_ns) { stages_.push_back({std::move(name), delay_ns}); }
 
@@ -61,8 +61,8 @@ inline void StageList::add_operand(FloatFormat operands, Subnormals subnormals) 
   const bool normalises = subnormals == Subnormals::gradual;
   const int precision = operands.precision();
   const int unpack = reduction_levels(operands.exponent_bits());
-  add("count", normalises ? luts(unpack + count_levels(precision)) : 0);
-  add("normalise", normalises ? luts(shift_levels(bits_for(precision))) : 0);
+  add("count", normalises ? lut_delay_ns(unpack + count_levels(precision)) : 0);
+  add("normalise", normalises ? lut_delay_ns(shift_levels(bits_for(precision))) : 0);
 }
 
 /// The stages of fp_embedded_product. A cut between two rows delays the operands of the rows above
@@ -71,7 +71,7 @@ inline void StageList::add_operand(FloatFormat operands, Subnormals subnormals) 
 /// the third have no cut of their own; their delays are part of the two last stages.
 inline void StageList::add_embedded_product(int precision) {
   constexpr int cut_rows = 4;
-  const auto [a_bits, b_bits] = delays_.multiplier;
+  const auto [a_bits, b_bits] = delays_.multiplier_size;
   const int columns = (precision + a_bits - 1) / a_bits;
   const int rows = (precision + b_bits - 1) / b_bits;
   const double sum = carry(std::min(a_bits, precision) + precision);
@@ -96,7 +96,7 @@ inline void StageList::add_logic_product(LogicProduct product) {
     const int bits = product.longest_chain_bits(level);
     const int shift = LogicProduct::shift_bits(level);
     const int overlap = std::clamp(bits_before - (shift - shift_before), 0, bits);
-    const double first_row = level == 0 ? luts(1) : 0;
+    const double first_row = level == 0 ? lut_delay_ns(1) : 0;
     stages_.push_back({.name = "level " + std::to_string(level),
                        .delay_ns = first_row + (bits > 0 ? carry(bits) : 0),
                        .overlap_ns = overlap * delays_.carry_ns_per_bit});
@@ -109,12 +109,12 @@ inline void StageList::add_logic_product(LogicProduct product) {
 /// ORed into the sticky bit.
 inline void StageList::add_round(FloatFormat result, bool denormalises, int dropped_bits) {
   const int amount_bits = bits_for(result.precision() + 2);
-  const double distance = carry(result.exponent_bits() + 2) + luts(1);
-  const double sticky = luts(reduction_levels(std::max(dropped_bits, 1)));
+  const double distance = carry(result.exponent_bits() + 2) + lut_delay_ns(1);
+  const double sticky = lut_delay_ns(reduction_levels(std::max(dropped_bits, 1)));
   add("denormalise",
-      denormalises ? std::max(distance, sticky) + luts(shift_levels(amount_bits)) : sticky);
-  add("round", luts(1) + carry(result.width() + 2));
-  add("pack", luts(1 + reduction_levels(result.exponent_bits()) + 1));
+      denormalises ? std::max(distance, sticky) + lut_delay_ns(shift_levels(amount_bits)) : sticky);
+  add("round", lut_delay_ns(1) + carry(result.width() + 2));
+  add("pack", lut_delay_ns(1 + reduction_levels(result.exponent_bits()) + 1));
 }
 
 }  // namespace mixcmp::datapath

@@ -24,12 +24,13 @@ Unit add_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
   const int amount_bits = bits_for(precision + 2);
   StageList stages(delays);
   stages.add("compare", stages.carry(operands.width() - 1));
-  stages.add("swap", stages.luts(1));
-  stages.add("align", stages.luts(1 + shift_levels(bits_for(aligned)) + 1));
+  stages.add("swap", stages.lut_delay_ns(1));
+  stages.add("align", stages.lut_delay_ns(1 + shift_levels(bits_for(aligned)) + 1));
   stages.add("sum", stages.carry(aligned + 3));
-  stages.add("count", stages.luts(count_levels(precision + 2)));
-  const double limit = gradual ? stages.carry(operands.exponent_bits() + 2) + stages.luts(1) : 0;
-  stages.add("normalise", limit + stages.luts(shift_levels(amount_bits)));
+  stages.add("count", stages.lut_delay_ns(count_levels(precision + 2)));
+  const double limit =
+      gradual ? stages.carry(operands.exponent_bits() + 2) + stages.lut_delay_ns(1) : 0;
+  stages.add("normalise", limit + stages.lut_delay_ns(shift_levels(amount_bits)));
   const bool denormalises = gradual && result.exponent_bits() < operands.exponent_bits();
   stages.add_round(result, denormalises, 0);
   return std::move(stages).unit("fp_add");
@@ -50,12 +51,12 @@ Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat re
     case Multipliers::embedded: stages.add_embedded_product(operands.precision()); break;
     case Multipliers::logic: stages.add_logic_product({operands.precision(), kind}); break;
   }
-  stages.add("select", stages.luts(1 + reduction_levels(std::max(dropped_bits, 1))));
+  stages.add("select", stages.lut_delay_ns(1 + reduction_levels(std::max(dropped_bits, 1))));
   stages.add_round(result, subnormals == Subnormals::gradual, 0);
   Unit unit =
       std::move(stages).unit(kind == LogicProduct::Kind::square ? "fp_square" : "fp_multiply");
   unit.multipliers = multipliers;
-  unit.multiplier = delays.multiplier;
+  unit.multiplier = delays.multiplier_size;
   return unit;
 }
 
@@ -66,7 +67,7 @@ Unit divide_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals
   for (int digit = 0; digit < result.precision() + 2; ++digit) {
     stages.add("digit " + std::to_string(digit), stages.carry(operands.precision() + 2));
   }
-  stages.add("select", stages.luts(1 + reduction_levels(operands.precision())));
+  stages.add("select", stages.lut_delay_ns(1 + reduction_levels(operands.precision())));
   stages.add_round(result, subnormals == Subnormals::gradual, 0);
   return std::move(stages).unit("fp_divide");
 }
@@ -78,7 +79,7 @@ Unit square_root_unit(FloatFormat operands, FloatFormat result, Subnormals subno
   for (int digit = 1; digit <= result.precision(); ++digit) {
     stages.add("digit " + std::to_string(digit), stages.carry(digit + 3));
   }
-  stages.add("select", stages.luts(1 + reduction_levels(result.precision() + 2)));
+  stages.add("select", stages.lut_delay_ns(1 + reduction_levels(result.precision() + 2)));
   const bool denormalises = subnormals == Subnormals::gradual &&
                             operands.bias() + operands.precision() > 2 * result.bias();
   stages.add_round(result, denormalises, 0);
@@ -108,25 +109,25 @@ Unit scale_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
   } else {
     const int exponent_bits = std::max(operands.exponent_bits(), result.exponent_bits());
     stages.add("denormalise", stages.carry(exponent_bits + 3));
-    stages.add("round", stages.luts(1));
-    stages.add("pack", stages.luts(1 + reduction_levels(result.exponent_bits()) + 1));
+    stages.add("round", stages.lut_delay_ns(1));
+    stages.add("pack", stages.lut_delay_ns(1 + reduction_levels(result.exponent_bits()) + 1));
   }
   return std::move(stages).unit("fp_convert");
 }
 
 Unit minimum_maximum_unit(FloatFormat format, const DelayTable& delays) {
   StageList stages(delays);
-  stages.add("compare", stages.carry(format.width() - 1) + stages.luts(1));
-  stages.add("select", stages.luts(2));
+  stages.add("compare", stages.carry(format.width() - 1) + stages.lut_delay_ns(1));
+  stages.add("select", stages.lut_delay_ns(2));
   return std::move(stages).unit("fp_minimum_maximum");
 }
 
 Unit bound_add_unit(BoundFormat bound, const DelayTable& delays) {
   const int shift = shift_levels(bits_for(bound.precision - 1));
   StageList stages(delays);
-  stages.add("align", stages.carry(bound.exponent_bits + 1) + stages.luts(2 + shift));
+  stages.add("align", stages.carry(bound.exponent_bits + 1) + stages.lut_delay_ns(2 + shift));
   stages.add("sum", stages.carry(bound.precision + 2) + stages.carry(bound.exponent_bits) +
-                        stages.luts(1));
+                        stages.lut_delay_ns(1));
   return std::move(stages).unit("bound_add");
 }
 
@@ -135,14 +136,14 @@ Unit bound_multiply_unit(BoundFormat bound, const DelayTable& delays) {
   StageList stages(delays);
   const double product = (bound.precision - 1) * stages.carry(bound.precision + 1);
   stages.add("multiply", std::max(product, stages.carry(bound.exponent_bits + 3)));
-  stages.add("round", stages.luts(1 + reduction_levels(bound.precision)) +
-                          stages.carry(bound.width() + 3) + stages.luts(2));
+  stages.add("round", stages.lut_delay_ns(1 + reduction_levels(bound.precision)) +
+                          stages.carry(bound.width() + 3) + stages.lut_delay_ns(2));
   return std::move(stages).unit("bound_multiply");
 }
 
 Unit bound_magnitude_unit(FloatFormat lane, BoundFormat bound, const DelayTable& delays) {
   StageList stages(delays);
-  stages.add("reduce", stages.luts(1 + reduction_levels(lane.width() - bound.width())));
+  stages.add("reduce", stages.lut_delay_ns(1 + reduction_levels(lane.width() - bound.width())));
   stages.add("round", stages.carry(bound.width()));
   return std::move(stages).unit("bound_magnitude");
 }
@@ -206,26 +207,26 @@ Unit unit_for(const TypedNode& node, Subnormals subnormals, Multipliers multipli
 Unit compare_unit(FloatFormat format, const DelayTable& delays) {
   StageList stages(delays);
   stages.add("compare", stages.carry(format.width() - 1));
-  stages.add("decide", stages.luts(2));
+  stages.add("decide", stages.lut_delay_ns(2));
   return std::move(stages).unit("fp_compare");
 }
 
 Unit ulp_distance_unit(FloatFormat format, const DelayTable& delays) {
   StageList stages(delays);
   stages.add("distance", stages.carry(format.width() + 2));
-  stages.add("decide", stages.luts(reduction_levels(format.width()) + 2));
+  stages.add("decide", stages.lut_delay_ns(reduction_levels(format.width()) + 2));
   return std::move(stages).unit("fp_ulp_distance");
 }
 
 Unit interval_decision_unit(FloatFormat format, const DelayTable& delays) {
   StageList stages(delays);
-  stages.add("decide", stages.luts(reduction_levels(format.width()) + 1));
+  stages.add("decide", stages.lut_delay_ns(reduction_levels(format.width()) + 1));
   return std::move(stages).unit("fp_interval_decision");
 }
 
 Unit combination_unit(std::size_t parts, const DelayTable& delays) {
   StageList stages(delays);
-  stages.add("combine", stages.luts(reduction_levels(3 * static_cast<int>(parts)) + 1));
+  stages.add("combine", stages.lut_delay_ns(reduction_levels(3 * static_cast<int>(parts)) + 1));
   return std::move(stages).unit("verdict_combination");
 }
 
@@ -236,16 +237,16 @@ Unit bound_unit(BoundOperation operation, FloatFormat lane, BoundFormat bound,
     case BoundOperation::magnitude: return bound_magnitude_unit(lane, bound, delays);
     case BoundOperation::binade:
       return single_stage_unit("bound_binade", "binade",
-                               stages.luts(1 + reduction_levels(lane.width() - 1)));
+                               stages.lut_delay_ns(1 + reduction_levels(lane.width() - 1)));
     case BoundOperation::reciprocal:
       return single_stage_unit("bound_reciprocal", "negate",
-                               stages.luts(1 + reduction_levels(lane.exponent_bits())) +
+                               stages.lut_delay_ns(1 + reduction_levels(lane.exponent_bits())) +
                                    stages.carry(lane.exponent_bits()));
     case BoundOperation::add: return bound_add_unit(bound, delays);
     case BoundOperation::multiply: return bound_multiply_unit(bound, delays);
     case BoundOperation::maximum:
       return single_stage_unit("bound_maximum", "select",
-                               stages.carry(bound.width()) + stages.luts(1));
+                               stages.carry(bound.width()) + stages.lut_delay_ns(1));
     case BoundOperation::constant: break;
   }
   MIXCMP_CHECK(!"a constant bound has no unit");
@@ -257,15 +258,15 @@ Unit bound_at_most_unit(BoundFormat bound, const DelayTable& delays) {
 
 Unit bound_decision_unit(FloatFormat lane, BoundFormat bound, const DelayTable& delays) {
   StageList stages(delays);
-  const double rest = stages.luts(1 + reduction_levels(lane.precision() - bound.precision));
+  const double rest = stages.lut_delay_ns(1 + reduction_levels(lane.precision() - bound.precision));
   stages.add("limit", std::max(rest, stages.carry(bound.width() + 2)));
-  stages.add("compare", stages.carry(bound.width() + 4) + stages.luts(1));
+  stages.add("compare", stages.carry(bound.width() + 4) + stages.lut_delay_ns(1));
   return std::move(stages).unit("bound_decision");
 }
 
 Unit range_check_unit(const error::RangeCheck& check, const DelayTable& delays) {
   const int levels = 2 + reduction_levels(check.leading_bits);
-  return single_stage_unit("fp_range_check", "check", StageList(delays).luts(levels));
+  return single_stage_unit("fp_range_check", "check", StageList(delays).lut_delay_ns(levels));
 }
 
 }  // namespace mixcmp::datapath

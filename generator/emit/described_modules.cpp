@@ -101,7 +101,7 @@ std::vector<std::string> count_facts(const Design& design, const rtl::SystemShap
                                                  : fmt::format("{}s {} to {}", what, group.first,
                                                                group.first + group.count - 1);
       facts.push_back(
-          fmt::format("{}: {}, {} cycles.", which, group.channel, group.latency_cycles));
+          fmt::format("{}: {}, {} cycles.", which, group.channel, group.schedule.latency_cycles));
     }
   };
   add_groups("Lane", shape.lane_groups);
@@ -113,9 +113,9 @@ int shortest_latency_cycles(const rtl::SystemShape& shape) {
   const auto shortest =
       std::min_element(shape.lane_groups.begin(), shape.lane_groups.end(),
                        [](const rtl::DatapathGroup& a, const rtl::DatapathGroup& b) {
-                         return a.latency_cycles < b.latency_cycles;
+                         return a.schedule.latency_cycles < b.schedule.latency_cycles;
                        });
-  return shortest->latency_cycles + shape.channel_latency_cycles();
+  return shortest->schedule.latency_cycles + shape.channel_latency_cycles();
 }
 
 Described describe_top(const Design& design, const rtl::SystemShape& shape) {
@@ -147,7 +147,8 @@ std::vector<std::string> describe_arg_min(const rtl::EngineShape& engine,
                                           const rtl::SystemShape& shape) {
   int latency_cycles = 0;
   for (const rtl::DatapathGroup& lanes : shape.lane_groups) {
-    latency_cycles += lanes.count * (lanes.latency_cycles + shape.channel_latency_cycles() + 1);
+    latency_cycles +=
+        lanes.count * (lanes.schedule.latency_cycles + shape.channel_latency_cycles() + 1);
   }
   std::vector<std::string> facts = {
       fmt::format("{}: which of {} candidates costs a row least,", engine.top, engine.capacity),
@@ -209,24 +210,23 @@ Described describe_engine(const rtl::EngineShape& engine, const rtl::SystemShape
 
 }  // namespace
 
-std::vector<Described> describe_modules(const Design& design, const SystemPlan& plan) {
-  const rtl::SystemShape& shape = plan.shape;
+std::vector<Described> describe_modules(const Design& design, const ScheduledSystem& scheduled) {
+  const rtl::SystemShape& shape = scheduled.shape;
   std::vector<Described> modules;
   std::set<std::string> written;
   for (std::size_t k = 0; k < shape.lane_groups.size(); ++k) {
     const rtl::DatapathGroup& group = shape.lane_groups[k];
     if (!written.insert(group.datapath).second) continue;
-    modules.push_back(describe_lane(design, group.datapath, design.lanes[k], plan.lanes[k]));
+    modules.push_back(describe_lane(design, group.datapath, design.lanes[k], group.schedule));
     modules.push_back(describe_lane_channel(shape, group));
   }
-  for (std::size_t k = 0; k < shape.reference_groups.size(); ++k) {
-    const rtl::DatapathGroup& group = shape.reference_groups[k];
+  for (const rtl::DatapathGroup& group : shape.reference_groups) {
     if (!written.insert(group.datapath).second) continue;
-    modules.push_back(describe_reference(design, group.datapath, plan.references[k]));
+    modules.push_back(describe_reference(design, group.datapath, group.schedule));
     modules.push_back(describe_reference_channel(shape, group));
   }
   modules.push_back(describe_top(design, shape));
-  if (plan.engine) modules.push_back(describe_engine(*plan.engine, shape));
+  if (scheduled.engine) modules.push_back(describe_engine(*scheduled.engine, shape));
   return modules;
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/emit/system_plan.hpp"
+#include "generator/emit/scheduled_system.hpp"
 
 namespace mixcmp::emit {
 
@@ -15,6 +15,7 @@ struct Described {
 
 /// Every module of a system once: lanes, references and their channels, then the top module, then
 /// the engine, if there is one. Groups of the same hardware share their modules.
-std::vector<Described> describe_modules(const design::Design& design, const SystemPlan& plan);
+std::vector<Described> describe_modules(const design::Design& design,
+                                        const ScheduledSystem& scheduled);
 
 }  // namespace mixcmp::emit

@@ -23,7 +23,7 @@ std::vector<SignatureLanes> lanes_of(const Design& design, const rtl::SystemShap
     lanes.push_back({.count = group.count,
                      .module = shape.lane_groups[k].channel,
                      .format = group.lane.graph.arithmetic.format,
-                     .latency_cycles = shape.lane_groups[k].latency_cycles,
+                     .latency_cycles = shape.lane_groups[k].schedule.latency_cycles,
                      .certified = group.lane.certified(),
                      .decision = describe_decision(group.lane),
                      .inputs = group.inputs,
@@ -38,7 +38,7 @@ std::vector<SignatureReferences> references_of(const Design& design,
   for (std::size_t k = 0; k < design.references.size(); ++k) {
     references.push_back({.count = design.references[k].count,
                           .module = shape.reference_groups[k].channel,
-                          .latency_cycles = shape.reference_groups[k].latency_cycles,
+                          .latency_cycles = shape.reference_groups[k].schedule.latency_cycles,
                           .multipliers = design.references[k].multipliers});
   }
   return references;
@@ -69,20 +69,19 @@ Signature signature_of(const Design& design, const rtl::SystemShape& shape) {
 
 /// Notes on stages that, by the delay table, no cut brings under the period. Each names its
 /// datapath.
-std::vector<std::string> slow_stages(const SystemPlan& plan) {
+std::vector<std::string> slow_stages(const rtl::SystemShape& shape) {
   std::vector<std::string> notes;
   const auto add_notes = [&notes](const std::string& what,
-                                  const std::vector<rtl::DatapathGroup>& groups,
-                                  const std::vector<datapath::Schedule>& schedules) {
-    for (std::size_t k = 0; k < groups.size(); ++k) {
-      const std::string& where = groups.size() == 1 ? what : groups[k].datapath;
-      for (const std::string& stage : schedules[k].slow_stages) {
+                                  const std::vector<rtl::DatapathGroup>& groups) {
+    for (const rtl::DatapathGroup& group : groups) {
+      const std::string& where = groups.size() == 1 ? what : group.datapath;
+      for (const std::string& stage : group.schedule.slow_stages) {
         notes.push_back(fmt::format("{}: {}", where, stage));
       }
     }
   };
-  add_notes("lane", plan.shape.lane_groups, plan.lanes);
-  add_notes("reference", plan.shape.reference_groups, plan.references);
+  add_notes("lane", shape.lane_groups);
+  add_notes("reference", shape.reference_groups);
   return notes;
 }
 
@@ -192,8 +191,8 @@ GeneratedFile constraint_file(const Signature& signature) {
 }  // namespace
 
 Result<GeneratedSystem> generate_system(const Design& design, const std::string& command) {
-  MIXCMP_TRY(plan, plan_system(design));
-  std::vector<Described> modules = describe_modules(design, plan);
+  MIXCMP_TRY(scheduled, schedule_system(design));
+  std::vector<Described> modules = describe_modules(design, scheduled);
 
   std::set<std::string> instantiated;
   for (const Described& described : modules) {
@@ -203,12 +202,13 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   const std::string& prefix = design.system.prefix;
   add_prefix(modules, prefix);
 
-  GeneratedSystem system = {signature_of(design, plan.shape), {}, slow_stages(plan)};
+  GeneratedSystem system = {
+      signature_of(design, scheduled.shape), {}, slow_stages(scheduled.shape)};
   system.signature.spec_hash = spec_hash(modules, templates);
-  system.signature.ports = signature_ports(find_module(modules, plan.shape.top));
-  if (plan.engine) {
+  system.signature.ports = signature_ports(find_module(modules, scheduled.shape.top));
+  if (scheduled.engine) {
     system.signature.engine =
-        signature_engine(*plan.engine, find_module(modules, plan.engine->top));
+        signature_engine(*scheduled.engine, find_module(modules, scheduled.engine->top));
   }
   for (const std::string& name : templates) system.files.push_back(template_file(name, prefix));
   for (Described& described : modules) {
@@ -218,7 +218,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
 
   system.files.push_back(file_list(system.signature));
   system.files.push_back(constraint_file(system.signature));
-  system.files.push_back({plan.shape.top + ".json", to_json(system.signature)});
+  system.files.push_back({scheduled.shape.top + ".json", to_json(system.signature)});
   return system;
 }
 

@@ -144,7 +144,7 @@ std::string print(const Assignment& assignment, const std::string& indent) {
   return text + line + "\n";
 }
 
-std::string print_items(const std::vector<Item>& items, const std::string& indent);
+std::string print_items(const std::vector<ModuleItem>& items, const std::string& indent);
 
 std::string print(const ForGenerate& loop, const std::string& indent) {
   return fmt::format(
@@ -154,24 +154,25 @@ std::string print(const ForGenerate& loop, const std::string& indent) {
       print_items(loop.items, indent + "    "));
 }
 
-const ForGenerate* as_loop(const Item& item) {
+const ForGenerate* as_loop(const ModuleItem& item) {
   const auto* loop = std::get_if<std::shared_ptr<const ForGenerate>>(&item);
   return loop == nullptr ? nullptr : loop->get();
 }
 
 /// The genvar declaration in front of item `k`, if it is the first loop over its variable.
-std::string declaration(const std::vector<Item>& items, std::size_t k, const std::string& indent) {
+std::string declaration(const std::vector<ModuleItem>& items, std::size_t k,
+                        const std::string& indent) {
   const ForGenerate* loop = as_loop(items[k]);
   if (loop == nullptr) return "";
-  const bool declared =
-      std::any_of(items.begin(), items.begin() + static_cast<long>(k), [&](const Item& earlier) {
-        const ForGenerate* other = as_loop(earlier);
-        return other != nullptr && other->variable == loop->variable;
-      });
+  const bool declared = std::any_of(items.begin(), items.begin() + static_cast<long>(k),
+                                    [&](const ModuleItem& earlier) {
+                                      const ForGenerate* other = as_loop(earlier);
+                                      return other != nullptr && other->variable == loop->variable;
+                                    });
   return declared ? "" : fmt::format("{}genvar {};\n", indent, loop->variable);
 }
 
-std::string print(const Item& item, std::size_t range_width, const std::string& indent) {
+std::string print(const ModuleItem& item, std::size_t range_width, const std::string& indent) {
   return std::visit(
       Overloaded{
           [&](const Comment& c) { return fmt::format("\n{}// {}\n", indent, c.text); },
@@ -185,7 +186,7 @@ std::string print(const Item& item, std::size_t range_width, const std::string& 
 
 /// Characters of the longest range in the run of wires that starts at `first`; 0 if item `first` is
 /// no wire.
-std::size_t range_width_of_run(const std::vector<Item>& items, std::size_t first) {
+std::size_t range_width_of_run(const std::vector<ModuleItem>& items, std::size_t first) {
   std::size_t widest = 0;
   for (std::size_t k = first; k < items.size(); ++k) {
     const auto* wire = std::get_if<Wire>(&items[k]);
@@ -196,13 +197,13 @@ std::size_t range_width_of_run(const std::vector<Item>& items, std::size_t first
 }
 
 /// Tells whether an item is an instance or a loop, which a blank line separates from the next item.
-bool is_block(const Item& item) {
+bool is_block(const ModuleItem& item) {
   return !std::holds_alternative<Wire>(item) && !std::holds_alternative<Comment>(item) &&
          !std::holds_alternative<Assignment>(item);
 }
 
 /// Comments and blocks bring their own blank line, which the first item of a loop does not need.
-std::string print_items(const std::vector<Item>& items, const std::string& indent) {
+std::string print_items(const std::vector<ModuleItem>& items, const std::string& indent) {
   std::string text;
   std::size_t range_width = 0;
   for (std::size_t k = 0; k < items.size(); ++k) {

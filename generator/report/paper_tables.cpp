@@ -11,7 +11,7 @@ namespace mixcmp::report {
 using characterise::Measurement;
 using optimise::Exploration;
 using optimise::PlanSummary;
-using optimise::PublishedDevice;
+using optimise::PublishedFigures;
 using optimise::ReferenceImplementation;
 using optimise::ResultsAtClocks;
 
@@ -61,12 +61,12 @@ std::string range_text(double low, double high, const char* format) {
 /// One line of Table IV: its name, the cell of the paper, and the cell of each column of ours.
 struct TableLine {
   std::string name;
-  std::function<std::string(const PublishedDevice&)> of_paper;
+  std::function<std::string(const PublishedFigures&)> of_paper;
   std::function<std::string(const ResultsAtClocks&)> of_column;
 };
 
 void add_line(MarkdownTable& table, const Exploration& exploration,
-              const std::optional<PublishedDevice>& published, const TableLine& line) {
+              const std::optional<PublishedFigures>& published, const TableLine& line) {
   std::vector<std::string> cells = {line.name};
   if (published) cells.push_back(line.of_paper(*published));
   for (const ResultsAtClocks& column : exploration.columns) cells.push_back(line.of_column(column));
@@ -82,7 +82,7 @@ std::string speedups(double low, double high, double worst, double baseline) {
                      worst, baseline);
 }
 
-using OfPaper = std::function<std::string(const PublishedDevice&)>;
+using OfPaper = std::function<std::string(const PublishedFigures&)>;
 
 /// Throughputs of scenarios I and II and of the baseline, each divided by `unit`.
 TableLine ratio_line(std::string name, double unit, OfPaper of_paper) {
@@ -100,10 +100,10 @@ TableLine ratio_line(std::string name, double unit, OfPaper of_paper) {
 std::vector<TableLine> baseline_lines() {
   return {
       {"references alone: p_H",
-       [](const PublishedDevice& p) { return fmt::format("{}", p.baseline_references); },
+       [](const PublishedFigures& p) { return fmt::format("{}", p.baseline_references); },
        [](const ResultsAtClocks& c) { return fmt::format("{}", c.baseline_references); }},
       {"references alone, G/s",
-       [](const PublishedDevice& p) { return giga_text(p.baseline_per_s); },
+       [](const PublishedFigures& p) { return giga_text(p.baseline_per_s); },
        [](const ResultsAtClocks& c) { return giga_text(c.baseline_per_s); }},
   };
 }
@@ -116,28 +116,28 @@ std::vector<TableLine> scenario_1_lines() {
   const auto precision = [](const PlanSummary& s) { return static_cast<double>(s.precision); };
   const auto clock = [](const PlanSummary& s) { return s.clock_mhz; };
   return {
-      {"scenario I: L", [](const PublishedDevice&) { return nothing; },
+      {"scenario I: L", [](const PublishedFigures&) { return nothing; },
        [=](const ResultsAtClocks& c) { return range_of(c.scenario_1, precision, "{:.0f}"); }},
       {"scenario I: p_L",
-       [](const PublishedDevice& p) { return range_text(p.lanes_worst, p.lanes_best, "{:.0f}"); },
+       [](const PublishedFigures& p) { return range_text(p.lanes_worst, p.lanes_best, "{:.0f}"); },
        [=](const ResultsAtClocks& c) { return range_of(c.scenario_1, lanes, "{:.0f}"); }},
       {"scenario I: p_H",
-       [](const PublishedDevice& p) {
+       [](const PublishedFigures& p) {
          return range_text(p.references_best, p.references_worst, "{:.0f}");
        },
        [=](const ResultsAtClocks& c) { return range_of(c.scenario_1, references, "{:.0f}"); }},
       {"clock, MHz (ours: of lanes, scenario I)",
-       [](const PublishedDevice& p) {
+       [](const PublishedFigures& p) {
          return range_text(p.lane_mhz_low, p.lane_mhz_high, "{:.0f}");
        },
        [=](const ResultsAtClocks& c) { return range_of(c.scenario_1, clock, "{:.0f}"); }},
       {"scenario I: T(equ), G/s",
-       [](const PublishedDevice& p) {
+       [](const PublishedFigures& p) {
          return range_text(p.worst_per_s / giga, p.best_per_s / giga, "{:.3g}");
        },
        [=](const ResultsAtClocks& c) { return range_of(c.scenario_1, throughput, "{:.3g}"); }},
       {"scenario I: gain over references alone",
-       [](const PublishedDevice& p) {
+       [](const PublishedFigures& p) {
          return range_text(p.gain_worst, p.gain_best, "{:.3g}") + "x";
        },
        [=](const ResultsAtClocks& c) {
@@ -154,10 +154,10 @@ std::vector<TableLine> scenario_1_lines() {
 /// The lines of scenario II, which has one plan for the worst of all data sets.
 std::vector<TableLine> scenario_2_lines() {
   return {
-      {"scenario II: L", [](const PublishedDevice&) { return nothing; },
+      {"scenario II: L", [](const PublishedFigures&) { return nothing; },
        [](const ResultsAtClocks& c) { return fmt::format("{}", summary_of(c.worst).precision); }},
       {"scenario II: p_L x p_H",
-       [](const PublishedDevice& p) {
+       [](const PublishedFigures& p) {
          return fmt::format("{} x {}", p.lanes_worst, p.references_worst);
        },
        [](const ResultsAtClocks& c) {
@@ -165,10 +165,10 @@ std::vector<TableLine> scenario_2_lines() {
          return fmt::format("{} x {}", s.lanes, s.references);
        }},
       {"scenario II: T(equ), G/s",
-       [](const PublishedDevice& p) { return giga_text(p.worst_per_s); },
+       [](const PublishedFigures& p) { return giga_text(p.worst_per_s); },
        [](const ResultsAtClocks& c) { return giga_text(summary_of(c.worst).throughput_per_s); }},
       {"scenario II: gain over references alone",
-       [](const PublishedDevice& p) { return fmt::format("{:.3g}x", p.gain_worst); },
+       [](const PublishedFigures& p) { return fmt::format("{:.3g}x", p.gain_worst); },
        [](const ResultsAtClocks& c) {
          if (c.baseline_per_s == 0) return std::string("no reference fits");
          return fmt::format("{:.3g}x", summary_of(c.worst).throughput_per_s / c.baseline_per_s);
@@ -186,7 +186,7 @@ std::vector<std::string> headers(const Exploration& exploration, bool with_paper
 }  // namespace
 
 std::string table3_markdown(const Exploration& exploration,
-                            const std::optional<PublishedDevice>& published) {
+                            const std::optional<PublishedFigures>& published) {
   MarkdownTable table;
   table.add({exploration.device.name, "LUT", "registers", "DSP", "latency, cycles", "MHz"});
   if (published) {
@@ -206,7 +206,7 @@ std::string table3_markdown(const Exploration& exploration,
 }
 
 std::string table4_markdown(const Exploration& exploration,
-                            const std::optional<PublishedDevice>& published,
+                            const std::optional<PublishedFigures>& published,
                             const std::vector<SoftwareThroughput>& software) {
   MarkdownTable table;
   table.add(headers(exploration, published.has_value()));
@@ -217,7 +217,7 @@ std::string table4_markdown(const Exploration& exploration,
     add_line(table, exploration, published,
              ratio_line(fmt::format("over {}, {} cores, {:.3g} G/s (the paper's)", published->cpu,
                                     published->cpu_cores, published->cpu_per_s / giga),
-                        published->cpu_per_s, [](const PublishedDevice& p) {
+                        published->cpu_per_s, [](const PublishedFigures& p) {
                           return speedups(p.speedup_worst, p.speedup_best, p.speedup_worst,
                                           p.speedup_baseline);
                         }));
@@ -227,7 +227,7 @@ std::string table4_markdown(const Exploration& exploration,
         fmt::format("over {}: all cores {:.3g} G/s, one core {:.3g} G/s (measured here)", cpu.title,
                     cpu.all_cores_per_s / giga, cpu.one_core_per_s / giga);
     add_line(table, exploration, published,
-             ratio_line(name, cpu.all_cores_per_s, [&](const PublishedDevice& p) {
+             ratio_line(name, cpu.all_cores_per_s, [&](const PublishedFigures& p) {
                const double unit = cpu.all_cores_per_s;
                return speedups(p.worst_per_s / unit, p.best_per_s / unit, p.worst_per_s / unit,
                                p.baseline_per_s / unit);

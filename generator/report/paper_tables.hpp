@@ -18,9 +18,9 @@ struct SoftwareThroughput {
 
 /// Tables III and IV as Markdown, the paper's column first where `published` is given.
 std::string table3_markdown(const optimise::Exploration& exploration,
-                            const std::optional<optimise::PublishedDevice>& published);
+                            const std::optional<optimise::PublishedFigures>& published);
 std::string table4_markdown(const optimise::Exploration& exploration,
-                            const std::optional<optimise::PublishedDevice>& published,
+                            const std::optional<optimise::PublishedFigures>& published,
                             const std::vector<SoftwareThroughput>& software);
 
 }  // namespace mixcmp::report

@@ -17,7 +17,7 @@ using scene::EngineKind;
 using scene::LaneGroupSpec;
 using scene::LaneSavings;
 using scene::OperatorCount;
-using scene::PlanReport;
+using scene::PlanNotes;
 using scene::Possibility;
 using scene::RangeQuestion;
 using scene::ReducedSpec;
@@ -93,7 +93,7 @@ std::string shown(const std::optional<int>& count) {
   return count ? fmt::format("{}", *count) : "auto";
 }
 
-void print_plan(Page& page, const PlanReport& plan) {
+void print_plan(Page& page, const PlanNotes& plan) {
   page.section(fmt::format("plan {}", plan.path.filename().string()));
   for (const auto& [key, value] : plan.values) page.line(key, value);
 }

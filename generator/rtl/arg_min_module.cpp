@@ -33,7 +33,7 @@ std::vector<Port> arg_min_ports(const EngineShape& engine, const SystemShape& sy
 }
 
 void declare_lane_streams(const EngineShape& engine, const SystemShape& system,
-                          std::vector<Item>& items) {
+                          std::vector<ModuleItem>& items) {
   items.push_back(Comment{"Pairs from the engine, their operands to the lanes, verdicts back."});
   for (const auto& [width, name] :
        std::vector<std::pair<int, std::string>>{{1, "pair_tvalid"},
@@ -49,7 +49,7 @@ void declare_lane_streams(const EngineShape& engine, const SystemShape& system,
     items.push_back(Wire{system.lanes * width, name, nullptr, true});
   }
   items.push_back(Wire{1, "unused_result_tag", all_bits(net("result_tag"))});
-  std::vector<Item> mapping;
+  std::vector<ModuleItem> mapping;
   mapping.push_back(Wire{engine.row_bits(), "row", indexed("pair_row", "lane", engine.row_bits())});
   mapping.push_back(
       Wire{engine.item_bits(), "best", indexed("pair_best", "lane", engine.item_bits())});
@@ -61,7 +61,7 @@ void declare_lane_streams(const EngineShape& engine, const SystemShape& system,
 }
 
 Instance arg_min_instance(const EngineShape& engine, const SystemShape& system,
-                          std::vector<Item>& items) {
+                          std::vector<ModuleItem>& items) {
   std::vector<Connection> connections = clock_and_reset();
   append(connections, {"s_candidate_tvalid", "s_candidate_tready"});
   connections.push_back(
@@ -92,7 +92,7 @@ TemplateInstance arg_min_template(const EngineShape& engine, const SystemShape& 
 
 Module arg_min_module(const EngineShape& engine, const SystemShape& system) {
   Module module = {engine.top, {}, arg_min_ports(engine, system), {}};
-  std::vector<Item>& items = module.items;
+  std::vector<ModuleItem>& items = module.items;
   declare_lane_streams(engine, system, items);
   consume_padding("s_candidate_tdata", engine.item_bits(), engine.item_bytes() * 8, items);
   consume_padding("s_axis_tdata", engine.row_bits(), engine.row_bytes() * 8, items);

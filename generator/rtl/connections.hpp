@@ -19,16 +19,16 @@ inline void add_output(std::vector<Port>& ports, int width, const std::string& n
 }
 
 /// Connects a port to the net of the same name.
-inline Connection same(const std::string& name) {
+inline Connection by_name(const std::string& name) {
   return {name, net(name)};
 }
 
 inline std::vector<Connection> clock_and_reset() {
-  return {same("aclk"), same("aresetn")};
+  return {by_name("aclk"), by_name("aresetn")};
 }
 
 inline void append(std::vector<Connection>& connections, const std::vector<std::string>& names) {
-  for (const std::string& name : names) connections.push_back(same(name));
+  for (const std::string& name : names) connections.push_back(by_name(name));
 }
 
 }  // namespace mixcmp::rtl

@@ -62,8 +62,8 @@ public:
   /// One flag that is set where any of `signals` is, in `cycle`.
   Operand any_at(const std::vector<Signal>& signals, int cycle);
 
-  void add(Item item) { items_.push_back(std::move(item)); }
-  std::vector<Item> take() { return std::move(items_); }
+  void add(ModuleItem item) { items_.push_back(std::move(item)); }
+  std::vector<ModuleItem> take() { return std::move(items_); }
   DelayPlan plan() const { return plan_; }
 
 private:
@@ -90,7 +90,7 @@ private:
   std::vector<Signal> flags_;
   DelayPlan plan_;
   std::map<std::string, std::map<int, Operand>> taps_;
-  std::vector<Item> items_;
+  std::vector<ModuleItem> items_;
 };
 
 /// The port names that a datapath gives its inputs: an input with a reserved name, such as "aclk",

@@ -67,7 +67,7 @@ private:
     const datapath::Step& step = schedule_.parts[part].decision;
     const Operand f = builder_.at(builder_.value(f_node), step.start_cycle);
     const Operand g = builder_.at(builder_.value(g_node), step.start_cycle);
-    const Operand doubtful = builder_.any_at(
+    const Operand exceptional = builder_.any_at(
         {builder_.flag(f_node), builder_.flag(g_node), out_of_range}, step.start_cycle);
     PartDecision made = begin(part, "certain where the encodings are GUARD_ULP or more apart.");
     std::vector<Parameter> parameters = format_parameters(format_);
@@ -80,7 +80,7 @@ private:
                           {{"aclk", net("aclk")},
                            {"f", f},
                            {"g", g},
-                           {"exceptional", doubtful},
+                           {"exceptional", exceptional},
                            {"verdict", made.verdict.value},
                            {"decided", made.decided.value}}});
     return made;
@@ -92,12 +92,12 @@ private:
     BoundUnitBuilder bounds(builder_, lane_, decision, schedule_.parts[part],
                             part_suffix(part, lane_.parts.size()));
     bounds.build();
-    std::vector<Signal> doubts = bounds.failures();
-    doubts.push_back(builder_.flag(decision.difference));
-    doubts.push_back(out_of_range);
+    std::vector<Signal> exceptions = bounds.failures();
+    exceptions.push_back(builder_.flag(decision.difference));
+    exceptions.push_back(out_of_range);
     const Operand difference = builder_.at(builder_.value(decision.difference), step.start_cycle);
     const Operand bound = builder_.at(bounds.bound(), step.start_cycle);
-    const Operand doubtful = builder_.any_at(doubts, step.start_cycle);
+    const Operand exceptional = builder_.any_at(exceptions, step.start_cycle);
     PartDecision made = begin(part, "certain where the difference exceeds the bound of its error.");
     std::vector<Parameter> parameters = format_parameters(format_);
     parameters.push_back({"BOUND_PRECISION", decision.bound.format.precision});
@@ -109,7 +109,7 @@ private:
                           {{"aclk", net("aclk")},
                            {"difference", difference},
                            {"bound", bound},
-                           {"exceptional", doubtful},
+                           {"exceptional", exceptional},
                            {"verdict", made.verdict.value},
                            {"decided", made.decided.value}}});
     return made;

@@ -34,7 +34,7 @@ std::vector<Operand> unused_columns(const EngineShape& engine, const ItemNets& n
 }  // namespace
 
 void map_operands(const EngineShape& engine, const SystemShape& system, const ItemNets& nets,
-                  const Operand& target, std::vector<Item>& items) {
+                  const Operand& target, std::vector<ModuleItem>& items) {
   NamePool names({"pair", nets[0], nets[1], nets[2], "unused_columns"});
   std::vector<Operand> operands;
   for (std::size_t k = 0; k < engine.sources.size(); ++k) {
@@ -55,12 +55,13 @@ void map_operands(const EngineShape& engine, const SystemShape& system, const It
 }
 
 std::shared_ptr<const ForGenerate> loop(const std::string& variable, int count,
-                                        const std::string& label, std::vector<Item> items) {
+                                        const std::string& label, std::vector<ModuleItem> items) {
   return std::make_shared<const ForGenerate>(
       ForGenerate{variable, 0, count, label, std::move(items)});
 }
 
-void consume_padding(const std::string& port, int bits, int port_bits, std::vector<Item>& items) {
+void consume_padding(const std::string& port, int bits, int port_bits,
+                     std::vector<ModuleItem>& items) {
   if (port_bits == bits) return;
   items.push_back(Wire{1, "unused_" + port,
                        all_bits(concatenation({literal(1, 0), slice(port, port_bits - 1, bits)}))});
@@ -83,10 +84,10 @@ void add_counters(const SystemShape& system, const std::vector<std::string>& eng
 }
 
 void connect_counters(const SystemShape& system, const std::vector<std::string>& engine_counters,
-                      std::vector<Item>& items, std::vector<Connection>& connections) {
+                      std::vector<ModuleItem>& items, std::vector<Connection>& connections) {
   for (const std::string& counter : engine_counters) {
     if (system.counter_bits > 0) {
-      connections.push_back(same(counter));
+      connections.push_back(by_name(counter));
     } else {
       items.push_back(Wire{1, "unused_" + counter, nullptr});
       connections.push_back({counter, net("unused_" + counter)});

@@ -17,14 +17,15 @@ using ItemNets = std::array<std::string, 3>;
 /// Assigns the operands of a comparison of these items to `target`, and consumes the columns that
 /// it does not read.
 void map_operands(const EngineShape& engine, const SystemShape& system, const ItemNets& nets,
-                  const Operand& target, std::vector<Item>& items);
+                  const Operand& target, std::vector<ModuleItem>& items);
 
 /// A generate loop with `variable` from 0 to count - 1.
 std::shared_ptr<const ForGenerate> loop(const std::string& variable, int count,
-                                        const std::string& label, std::vector<Item> items);
+                                        const std::string& label, std::vector<ModuleItem> items);
 
 /// Consumes the bits of `port` above its lowest `bits`, if there are any.
-void consume_padding(const std::string& port, int bits, int port_bits, std::vector<Item>& items);
+void consume_padding(const std::string& port, int bits, int port_bits,
+                     std::vector<ModuleItem>& items);
 
 /// The names of the counters that each lane has.
 const std::vector<std::string>& lane_counters();
@@ -33,7 +34,7 @@ void add_counters(const SystemShape& system, const std::vector<std::string>& eng
                   std::vector<Port>& ports);
 /// Connects the engine's counters to its ports or, if the system does not count, to unused nets.
 void connect_counters(const SystemShape& system, const std::vector<std::string>& engine_counters,
-                      std::vector<Item>& items, std::vector<Connection>& connections);
+                      std::vector<ModuleItem>& items, std::vector<Connection>& connections);
 
 /// An instance of the system: its streams are connected to the nets pair_*, operands and result_*,
 /// its s_axis_tuser to `tag`.

@@ -8,8 +8,8 @@ Operand make(Node node) {
   return std::make_shared<const Expression>(Expression{std::move(node)});
 }
 
-void collect_instances(const std::vector<Item>& items, std::vector<const Instance*>& found) {
-  for (const Item& item : items) {
+void collect_instances(const std::vector<ModuleItem>& items, std::vector<const Instance*>& found) {
+  for (const ModuleItem& item : items) {
     if (const auto* instance = std::get_if<Instance>(&item)) found.push_back(instance);
     if (const auto* loop = std::get_if<std::shared_ptr<const ForGenerate>>(&item)) {
       collect_instances((*loop)->items, found);
@@ -73,9 +73,9 @@ std::set<std::string> instantiated_modules(const Module& module) {
   return names;
 }
 
-std::vector<Item> with_modules_renamed(std::vector<Item> items,
-                                       const std::function<std::string(std::string)>& new_name) {
-  for (Item& item : items) {
+std::vector<ModuleItem> with_modules_renamed(
+    std::vector<ModuleItem> items, const std::function<std::string(std::string)>& new_name) {
+  for (ModuleItem& item : items) {
     if (auto* instance = std::get_if<Instance>(&item)) {
       instance->module = new_name(std::move(instance->module));
     }

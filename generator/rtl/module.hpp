@@ -109,7 +109,8 @@ struct Instance {
   std::vector<Connection> connections;
 };
 struct ForGenerate;
-using Item = std::variant<Comment, Wire, Assignment, Instance, std::shared_ptr<const ForGenerate>>;
+using ModuleItem =
+    std::variant<Comment, Wire, Assignment, Instance, std::shared_ptr<const ForGenerate>>;
 
 /// A generate loop: `items` repeated for `count` values of `variable`, from `first` on.
 struct ForGenerate {
@@ -117,14 +118,14 @@ struct ForGenerate {
   int first;
   int count;
   std::string label;
-  std::vector<Item> items;
+  std::vector<ModuleItem> items;
 };
 
 struct Module {
   std::string name;
   std::vector<std::string> header;  ///< comment lines above the module
   std::vector<Port> ports;
-  std::vector<Item> items;
+  std::vector<ModuleItem> items;
 };
 
 /// All instances in the module, those inside loops included.
@@ -134,7 +135,7 @@ std::set<std::string> instantiated_modules(const Module& module);
 
 /// Returns `items` with the module name of every instance, those inside loops included, replaced
 /// by new_name(name).
-std::vector<Item> with_modules_renamed(std::vector<Item> items,
-                                       const std::function<std::string(std::string)>& new_name);
+std::vector<ModuleItem> with_modules_renamed(
+    std::vector<ModuleItem> items, const std::function<std::string(std::string)>& new_name);
 
 }  // namespace mixcmp::rtl

@@ -28,7 +28,7 @@ std::vector<Port> pairwise_ports(const EngineShape& engine, const SystemShape& s
 
 /// Assigns to `target` the operands of the two items in `pair`; item i is in its lower half.
 void map_pair(const EngineShape& engine, const SystemShape& system, const Operand& pair,
-              const Operand& target, std::vector<Item>& items) {
+              const Operand& target, std::vector<ModuleItem>& items) {
   const int bits = engine.item_bits();
   items.push_back(Wire{2 * bits, "pair", pair});
   items.push_back(Wire{bits, "item_i", slice("pair", bits - 1, 0)});
@@ -37,7 +37,7 @@ void map_pair(const EngineShape& engine, const SystemShape& system, const Operan
 }
 
 void declare_lane_streams(const EngineShape& engine, const SystemShape& system,
-                          std::vector<Item>& items) {
+                          std::vector<ModuleItem>& items) {
   const int lanes = system.lanes;
   items.push_back(Comment{"Pairs from the engine, their operands to the lanes, results back."});
   for (const auto& [width, name] :
@@ -52,14 +52,14 @@ void declare_lane_streams(const EngineShape& engine, const SystemShape& system,
                                                 {system.tag_bits, "result_tag"}}) {
     items.push_back(Wire{lanes * width, name, nullptr, true});
   }
-  std::vector<Item> mapping;
+  std::vector<ModuleItem> mapping;
   map_pair(engine, system, indexed("pair_items", "lane", 2 * engine.item_bits()),
            indexed("operands", "lane", system.tdata_bytes() * 8), mapping);
   items.push_back(loop("lane", lanes, "lane_operands", std::move(mapping)));
 }
 
 void declare_refetch_streams(const EngineShape& engine, const SystemShape& system,
-                             std::vector<Item>& items) {
+                             std::vector<ModuleItem>& items) {
   const int references = system.references;
   items.push_back(Comment{"Tags from the references, the operands they name back."});
   for (const auto& [width, name] :
@@ -73,7 +73,7 @@ void declare_refetch_streams(const EngineShape& engine, const SystemShape& syste
     items.push_back(Wire{references * width, name, nullptr, true});
   }
   items.push_back(Wire{2 * engine.item_bits(), "answer_items", nullptr});
-  std::vector<Item> mapping;
+  std::vector<ModuleItem> mapping;
   mapping.push_back(Wire{system.refetch_bits(), "padded_tag",
                          indexed("refetch_tdata", "reference", system.refetch_bits())});
   if (system.refetch_bits() > system.tag_bits) {
@@ -90,8 +90,8 @@ void declare_refetch_streams(const EngineShape& engine, const SystemShape& syste
 }
 
 /// Connects the refetch ports of the engine to the references, or ties them off if there is none.
-void connect_refetch(const EngineShape& engine, const SystemShape& system, std::vector<Item>& items,
-                     std::vector<Connection>& connections) {
+void connect_refetch(const EngineShape& engine, const SystemShape& system,
+                     std::vector<ModuleItem>& items, std::vector<Connection>& connections) {
   if (system.recomputes()) {
     for (const auto& [port, name] :
          std::vector<std::pair<std::string, std::string>>{{"s_refetch_tvalid", "refetch_tvalid"},
@@ -117,7 +117,7 @@ void connect_refetch(const EngineShape& engine, const SystemShape& system, std::
 }
 
 Instance pairwise_instance(const EngineShape& engine, const SystemShape& system,
-                           std::vector<Item>& items) {
+                           std::vector<ModuleItem>& items) {
   std::vector<Connection> connections = clock_and_reset();
   append(connections, {"s_axis_tvalid", "s_axis_tready"});
   connections.push_back({"s_axis_tdata", slice("s_axis_tdata", engine.item_bits() - 1, 0)});
@@ -147,7 +147,7 @@ TemplateInstance pairwise_template(const EngineShape& engine, const SystemShape&
 
 Module pairwise_module(const EngineShape& engine, const SystemShape& system) {
   Module module = {engine.top, {}, pairwise_ports(engine, system), {}};
-  std::vector<Item>& items = module.items;
+  std::vector<ModuleItem>& items = module.items;
   declare_lane_streams(engine, system, items);
   if (system.refetches()) declare_refetch_streams(engine, system, items);
   consume_padding("s_axis_tdata", engine.item_bits(), engine.item_bytes() * 8, items);

@@ -56,7 +56,7 @@ std::vector<Port> lane_channel_ports(const SystemShape& shape) {
 
 /// Connects the requests, answers and counters of a lane's tracker. Requests and answers are tied
 /// off where there is no reference, counters where none are wanted.
-void tie_off(const SystemShape& shape, std::vector<Item>& items,
+void tie_off(const SystemShape& shape, std::vector<ModuleItem>& items,
              std::vector<Connection>& connections) {
   if (shape.recomputes()) {
     append(connections, request_stream);
@@ -74,7 +74,7 @@ void tie_off(const SystemShape& shape, std::vector<Item>& items,
   }
   for (const std::string& counter : counters) {
     if (shape.counter_bits > 0) {
-      connections.push_back(same(counter));
+      connections.push_back(by_name(counter));
     } else {
       items.push_back(Wire{1, "unused_" + counter, nullptr});
       connections.push_back({counter, net("unused_" + counter)});
@@ -95,7 +95,7 @@ void add_per_reference_refetch(std::vector<Port>& ports, const SystemShape& shap
 
 /// Connects the refetch streams of a reference_port to the channel's ports, or ties them off where
 /// operands are carried.
-void connect_refetch(const SystemShape& shape, std::vector<Item>& items,
+void connect_refetch(const SystemShape& shape, std::vector<ModuleItem>& items,
                      std::vector<Connection>& connections) {
   if (shape.refetches()) {
     append(connections, {"m_refetch_tvalid", "m_refetch_tready"});
@@ -168,16 +168,16 @@ std::vector<Bundle> reference_bundles(const SystemShape& shape) {
           {"m_answer_tdata", sender_bits + verdict_bits}};
 }
 
-void declare(std::vector<Item>& items, const std::vector<Bundle>& bundles, const std::string& side,
-             int count) {
+void declare(std::vector<ModuleItem>& items, const std::vector<Bundle>& bundles,
+             const std::string& side, int count) {
   for (const Bundle& bundle : bundles) {
     items.push_back(Wire{count * bundle.width, bundle.wire(side), nullptr, true});
   }
 }
 
 /// Consumes the padding bits of one comparison's tdata, which nothing else reads.
-void consume_padding(const SystemShape& shape, std::vector<Item>& items, const std::string& word,
-                     const std::string& unused_name) {
+void consume_padding(const SystemShape& shape, std::vector<ModuleItem>& items,
+                     const std::string& word, const std::string& unused_name) {
   const int padding = shape.tdata_bytes() * 8 - shape.operand_bits();
   if (padding == 0) return;
   const int top = shape.tdata_bytes() * 8 - 1;
@@ -187,15 +187,15 @@ void consume_padding(const SystemShape& shape, std::vector<Item>& items, const s
 }
 
 /// A generate loop over the group's channels; each iteration holds `items` and one channel.
-Item channel_loop(const std::string& variable, const DatapathGroup& group, std::vector<Item> items,
-                  std::vector<Connection> connections) {
+ModuleItem channel_loop(const std::string& variable, const DatapathGroup& group,
+                        std::vector<ModuleItem> items, std::vector<Connection> connections) {
   items.push_back(Instance{group.channel, "channel", {}, std::move(connections)});
   return std::make_shared<const ForGenerate>(
       ForGenerate{variable, group.first, group.count, group.label, std::move(items)});
 }
 
-Item lane_loop(const SystemShape& shape, const DatapathGroup& group) {
-  std::vector<Item> items;
+ModuleItem lane_loop(const SystemShape& shape, const DatapathGroup& group) {
+  std::vector<ModuleItem> items;
   const int tdata_bits = shape.tdata_bytes() * 8;
   items.push_back(Wire{tdata_bits, "tdata", indexed("s_axis_tdata", "lane", tdata_bits)});
   consume_padding(shape, items, "tdata", "unused_padding");
@@ -222,8 +222,8 @@ Item lane_loop(const SystemShape& shape, const DatapathGroup& group) {
   return channel_loop("lane", group, std::move(items), std::move(connections));
 }
 
-Item reference_loop(const SystemShape& shape, const DatapathGroup& group) {
-  std::vector<Item> items;
+ModuleItem reference_loop(const SystemShape& shape, const DatapathGroup& group) {
+  std::vector<ModuleItem> items;
   std::vector<Connection> connections = clock_and_reset();
   const auto connect = [&](const std::string& port, const std::string& name, int width) {
     connections.push_back({port, indexed(name, "reference", width)});
@@ -247,16 +247,17 @@ Item reference_loop(const SystemShape& shape, const DatapathGroup& group) {
 }
 
 /// Connects a port of the crossbar, which mirrors the channel's: what a channel sends, it receives.
-Connection facing(const Bundle& bundle, const std::string& side) {
+Connection crossbar_connection(const Bundle& bundle, const std::string& side) {
   const std::string mirrored = bundle.port[0] == 'm' ? "s" : "m";
   return {mirrored + bundle.port.substr(1), net(bundle.wire(side))};
 }
 
 Instance crossbar(const SystemShape& shape) {
   std::vector<Connection> connections = clock_and_reset();
-  for (const Bundle& bundle : lane_bundles(shape)) connections.push_back(facing(bundle, "lane"));
+  for (const Bundle& bundle : lane_bundles(shape))
+    connections.push_back(crossbar_connection(bundle, "lane"));
   for (const Bundle& bundle : reference_bundles(shape)) {
-    connections.push_back(facing(bundle, "reference"));
+    connections.push_back(crossbar_connection(bundle, "reference"));
   }
   TemplateInstance crossbar = crossbar_template(shape);
   return {crossbar.module, "recomputation", std::move(crossbar.parameters), std::move(connections)};
@@ -300,12 +301,12 @@ TemplateInstance crossbar_template(const SystemShape& shape) {
 
 Module lane_channel_module(const SystemShape& shape, const DatapathGroup& group) {
   Module module = {group.channel, {}, lane_channel_ports(shape), {}};
-  std::vector<Item>& items = module.items;
+  std::vector<ModuleItem>& items = module.items;
   items.push_back(Wire{shape.operand_bits(), "lane_operands", nullptr});
   items.push_back(Wire{verdict_bits, "lane_verdict", nullptr});
   items.push_back(Wire{1, "lane_decided", nullptr});
 
-  std::vector<Connection> lane = {same("aclk")};
+  std::vector<Connection> lane = {by_name("aclk")};
   append_operands(lane, shape, "lane_operands");
   lane.push_back({"verdict", net("lane_verdict")});
   lane.push_back({"decided", net("lane_decided")});
@@ -316,7 +317,7 @@ Module lane_channel_module(const SystemShape& shape, const DatapathGroup& group)
                    "lane_operands", "lane_verdict", "lane_decided"});
   tie_off(shape, items, tracker);
   append(tracker, {"m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser"});
-  TemplateInstance tracking = tracker_template(shape, group.latency_cycles);
+  TemplateInstance tracking = tracker_template(shape, group.schedule.latency_cycles);
   items.push_back(
       Instance{tracking.module, "tracker", std::move(tracking.parameters), std::move(tracker)});
   return module;
@@ -333,16 +334,16 @@ Module reference_channel_module(const SystemShape& shape, const DatapathGroup& g
   }
   if (shape.refetches()) add_per_reference_refetch(module.ports, shape, 1, false);
 
-  std::vector<Item>& items = module.items;
+  std::vector<ModuleItem>& items = module.items;
   items.push_back(Wire{shape.operand_bits(), "reference_operands", nullptr});
   items.push_back(Wire{verdict_bits, "reference_verdict", nullptr});
-  std::vector<Connection> reference = {same("aclk")};
+  std::vector<Connection> reference = {by_name("aclk")};
   append_operands(reference, shape, "reference_operands");
   reference.push_back({"verdict", net("reference_verdict")});
   items.push_back(Instance{group.datapath, "reference", {}, std::move(reference)});
 
   std::vector<Connection> port = clock_and_reset();
-  for (const Bundle& bundle : reference_bundles(shape)) port.push_back(same(bundle.port));
+  for (const Bundle& bundle : reference_bundles(shape)) port.push_back(by_name(bundle.port));
   append(port, {"reference_operands", "reference_verdict"});
   connect_refetch(shape, items, port);
   items.push_back(Instance{"reference_port",
@@ -351,7 +352,7 @@ Module reference_channel_module(const SystemShape& shape, const DatapathGroup& g
                             {"TAG_BITS", shape.tag_bits},
                             {"LANE_BITS", shape.lane_bits()},
                             {"SLOT_BITS", shape.slot_bits},
-                            {"REFERENCE_LATENCY", group.latency_cycles},
+                            {"REFERENCE_LATENCY", group.schedule.latency_cycles},
                             {"CARRIED", shape.refetches() ? 0 : 1},
                             {"OUTSTANDING_BITS", outstanding_bits}},
                            std::move(port)});
@@ -360,7 +361,7 @@ Module reference_channel_module(const SystemShape& shape, const DatapathGroup& g
 
 Module top_module(const SystemShape& shape) {
   Module module = {shape.top, {}, top_ports(shape), {}};
-  std::vector<Item>& items = module.items;
+  std::vector<ModuleItem>& items = module.items;
   const auto add_lanes = [&] {
     for (const DatapathGroup& group : shape.lane_groups) items.push_back(lane_loop(shape, group));
   };

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/datapath/schedule.hpp"
 #include "generator/rtl/module.hpp"
 #include "model/scene/scene.hpp"
 
@@ -13,7 +14,7 @@ struct DatapathGroup {
   std::string datapath;  ///< the module's name
   std::string channel;   ///< the module that surrounds the datapath with its streams
   std::string label;     ///< label of the loop that instantiates the channels
-  int latency_cycles = 0;
+  datapath::Schedule schedule;
   int first = 0;  ///< the number of the group's first lane or reference
   int count = 0;
 };

@@ -124,15 +124,15 @@ Result<Comparisons> Comparisons::cross(Table first, Table second,
 
 Result<Comparisons> Comparisons::arg_min(Table rows, Table candidates,
                                          const std::vector<std::string>& inputs,
-                                         const Contest& contest) {
+                                         const CompareItems& compare) {
   MIXCMP_TRY(data, make(Pairing::arg_min, {std::move(rows), std::move(candidates)}, inputs));
-  data.hold_contests(contest);
+  data.find_least_candidates(compare);
   return data;
 }
 
-/// All rows of a block are compared with candidate j before any is with j + 1, so that `contest`
+/// All rows of a block are compared with candidate j before any is with j + 1, so that `compare`
 /// decides many comparisons in one call.
-void Comparisons::hold_contests(const Contest& contest) {
+void Comparisons::find_least_candidates(const CompareItems& compare) {
   constexpr std::size_t block = 4096;
   const std::uint64_t rows = tables_[0].rows(), candidates = tables_[1].rows();
   best_before_.resize(rows * (candidates - 1));
@@ -147,7 +147,7 @@ void Comparisons::hold_contests(const Contest& contest) {
         best_before_[row * (candidates - 1) + j - 1] = least_[row];
         items.push_back({.row = row, .first = least_[row], .second = j});
       }
-      contest(*this, items, greater);
+      compare(*this, items, greater);
       for (std::uint64_t row = start; row < end; ++row) {
         if (greater[row - start] != 0) least_[row] = static_cast<std::uint32_t>(j);
       }

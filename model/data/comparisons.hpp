@@ -38,8 +38,8 @@ struct Items {
 class Comparisons;
 
 /// Sets greater[k] to whether f is greater than g in the comparison of items[k].
-using Contest = std::function<void(const Comparisons& data, std::span<const Items> items,
-                                   std::span<std::uint8_t> greater)>;
+using CompareItems = std::function<void(const Comparisons& data, std::span<const Items> items,
+                                        std::span<std::uint8_t> greater)>;
 
 /// The comparisons a scene asks for, addressable by index. With pairs, input "cxi" is column "cx"
 /// of item i, "cxj" that of item j.
@@ -60,7 +60,7 @@ public:
                                    const std::vector<std::string>& inputs);
   static Result<Comparisons> arg_min(Table rows, Table candidates,
                                      const std::vector<std::string>& inputs,
-                                     const Contest& contest);
+                                     const CompareItems& compare);
 
   std::uint64_t size() const;
   /// Writes the operands of comparison `index` in the order of `inputs`.
@@ -102,7 +102,7 @@ private:
 
   static Result<Comparisons> make(Pairing pairing, std::vector<Table> tables,
                                   const std::vector<std::string>& inputs);
-  void hold_contests(const Contest& contest);
+  void find_least_candidates(const CompareItems& compare);
 
   Pairing pairing_;
   std::vector<Table> tables_;

@@ -49,11 +49,11 @@ Sides lane_sides(std::array<mpz_class, 8> numbers, const NearTieTarget& target) 
 }
 
 /// Numbers are integers in units of 2^-fraction_bits; distances lie just above 1.
-class Builder {
+class NearTieMaker {
 public:
   using Numbers = std::array<mpz_class, 8>;
 
-  Builder(const NearTieTarget& target, RowRandom& random)
+  NearTieMaker(const NearTieTarget& target, RowRandom& random)
       : target_(target),
         digits_(target.reference.precision()),
         misread_inputs_(target.inputs == LaneInputs::rounded && target.precision < digits_),
@@ -260,11 +260,11 @@ private:
 }  // namespace
 
 NearTie near_tie(const NearTieTarget& target, const NearTieEffort& effort, RowRandom& random) {
-  Builder builder(target, random);
+  NearTieMaker builder(target, random);
   NearTie best = {{{}, -builder.fraction_bits()}, -std::numeric_limits<double>::infinity()};
   for (int attempt = 0; attempt < effort.attempts && best.contradiction_ulp < effort.enough_ulp;
        ++attempt) {
-    Builder::Numbers numbers = builder.centres();
+    NearTieMaker::Numbers numbers = builder.centres();
     builder.share_radii(numbers, builder.closest_radii(numbers));
     const double contradiction_ulp = builder.contradiction_ulp(numbers);
     if (contradiction_ulp <= best.contradiction_ulp) continue;
@@ -275,8 +275,8 @@ NearTie near_tie(const NearTieTarget& target, const NearTieEffort& effort, RowRa
 }
 
 DyadicPair near_edge(const NearTieTarget& target, RowRandom& random) {
-  Builder builder(target, random);
-  Builder::Numbers numbers = builder.centres();
+  NearTieMaker builder(target, random);
+  NearTieMaker::Numbers numbers = builder.centres();
   builder.share_radii(numbers, builder.moved(builder.closest_radii(numbers)));
   return {std::move(numbers), -builder.fraction_bits()};
 }

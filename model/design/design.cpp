@@ -152,7 +152,7 @@ Result<error::Lane> design_certified_lane(const scene::Scene& scene,
 
 /// Gives an error without a file the place of the lane group that is at fault. For a group of
 /// [[lanes]] the error names that table's key instead of the one in [reduced].
-Error placed(Error error, const scene::LaneGroupSpec& group) {
+Error with_location(Error error, const scene::LaneGroupSpec& group) {
   constexpr std::string_view section = "reduced.";
   if (error.file.empty()) {
     error.file = group.place.file;
@@ -168,7 +168,7 @@ Error placed(Error error, const scene::LaneGroupSpec& group) {
 Result<LaneGroup> design_group(const scene::Scene& scene, const scene::LaneGroupSpec& group,
                                const data::Comparisons* data, MeasureErrors measure) {
   const Result<error::Lane> lane = design_lane(scene, group.reduced, data, measure);
-  if (!lane.ok()) return placed(lane.error(), group);
+  if (!lane.ok()) return with_location(lane.error(), group);
   MIXCMP_TRY(count, lane_count(scene, group, data));
   return LaneGroup{.lane = *lane,
                    .inputs = group.reduced.inputs,

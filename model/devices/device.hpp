@@ -29,7 +29,7 @@ struct DelayTable {
   double multiplier_output_ns = 0;  ///< from that register through its adder, if any
   double multiplier_add_ns = 1.0;   ///< adding its product to another's
   double register_ns = 0.6;         ///< clock-to-output plus set-up
-  MultiplierSize multiplier;
+  MultiplierSize multiplier_size;
 };
 
 /// The tool that measures a device's clocks.

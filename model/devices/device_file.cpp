@@ -55,8 +55,8 @@ Result<Done> read_figures(const settings::Settings& settings, Device& device) {
   for (const char* key : {"multiplier_a_bits", "multiplier_b_bits"}) {
     if (device.available.dsps > 0) section.require(key);
   }
-  section.integer("multiplier_a_bits", device.delays.multiplier.a_bits, 2, 64);
-  section.integer("multiplier_b_bits", device.delays.multiplier.b_bits, 2, 64);
+  section.integer("multiplier_a_bits", device.delays.multiplier_size.a_bits, 2, 64);
+  section.integer("multiplier_b_bits", device.delays.multiplier_size.b_bits, 2, 64);
   if (const auto error = section.finish()) return *error;
   return Done{};
 }

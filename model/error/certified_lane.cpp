@@ -261,21 +261,9 @@ std::string_view to_string(ErrorBoundKind kind) {
   MIXCMP_CHECK(false);
 }
 
-Error of_part(Error error, std::size_t part, std::size_t parts) {
-  if (parts > 1) error.message = fmt::format("of f[{0}] and g[{0}], {1}", part, error.message);
-  return error;
-}
-
 Result<Lane> certified_lane(const TypedGraph& graph, const CertifiedOptions& options) {
-  std::vector<GraphPart> parts;
-  std::vector<Lane> lanes;
-  for (std::size_t k = 0; k < graph.parts.size(); ++k) {
-    parts.push_back(part_of(graph, k));
-    Result<Lane> lane = certified_part(parts.back().graph, options);
-    if (!lane.ok()) return of_part(lane.error(), k, graph.parts.size());
-    lanes.push_back(std::move(lane).value());
-  }
-  return join_parts(graph, parts, lanes);
+  return lane_of_parts(graph,
+                       [&](const TypedGraph& part) { return certified_part(part, options); });
 }
 
 std::vector<CandidateLane> candidate_lanes(const TypedGraph& graph,

@@ -37,9 +37,6 @@ struct CertifiedOptions {
 /// are several. Proofs: docs/error_bounds.md.
 Result<Lane> certified_lane(const TypedGraph& graph, const CertifiedOptions& options);
 
-/// Names the part in an error if there are several.
-Error of_part(Error error, std::size_t part, std::size_t parts);
-
 /// The result of one way to certify a lane: the lane, or the reason why there is none.
 struct CandidateLane {
   ErrorBoundKind kind;

@@ -29,9 +29,10 @@ mpq_class least_magnitude(const Range& range) {
   return std::min<mpq_class>(abs(range.low), abs(range.high));
 }
 
-class Folder {
+class ConstantFolding {
 public:
-  Folder(const TypedGraph& graph, ErrorAnalysis analysis, const std::vector<RangeCheck>& checks)
+  ConstantFolding(const TypedGraph& graph, ErrorAnalysis analysis,
+                  const std::vector<RangeCheck>& checks)
       : graph_(graph),
         analysis_(std::move(analysis)),
         ranges_(analyse_ranges(graph, checked_ranges(graph, checks))) {}
@@ -128,12 +129,12 @@ private:
 }  // namespace
 
 Result<Done> check_divisors(const TypedGraph& graph, const std::vector<RangeCheck>& checks) {
-  return Folder(graph, {}, checks).check_divisors();
+  return ConstantFolding(graph, {}, checks).check_divisors();
 }
 
 Result<mpq_class> constant_bound(const TypedGraph& graph, const ErrorAnalysis& analysis,
                                  const AbsolutePart& bound, const std::vector<RangeCheck>& checks) {
-  return Folder(graph, analysis, checks).run(bound);
+  return ConstantFolding(graph, analysis, checks).run(bound);
 }
 
 }  // namespace mixcmp::error

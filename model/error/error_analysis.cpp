@@ -19,12 +19,12 @@ namespace {
 constexpr int divisor_margin = 32;
 
 /// A bound for the exact result of an operation on the computed operands, before its own rounding.
-struct Exact {
+struct BeforeRounding {
   std::optional<MixedBound> mixed;
   std::string reason;  ///< why there is no relative bound
 };
 
-Exact without_bound(std::string reason) {
+BeforeRounding without_bound(std::string reason) {
   return {std::nullopt, std::move(reason)};
 }
 
@@ -70,9 +70,9 @@ std::pair<mpq_class, mpq_class> few_digits(const mpq_class& value) {
   return {rounded, slack_factor};
 }
 
-class Analysis {
+class ErrorAnalyser {
 public:
-  Analysis(const TypedGraph& graph, const std::vector<bool>& input_nonnegative)
+  ErrorAnalyser(const TypedGraph& graph, const std::vector<bool>& input_nonnegative)
       : graph_(graph), signs_(analyse_signs(graph, input_nonnegative)) {}
 
   ErrorAnalysis run() &&;
@@ -82,15 +82,15 @@ private:
   const MixedBound& mixed(NodeId id) const { return *bounds_[id].mixed; }
 
   NodeBound bound_of(NodeId id);
-  Exact exact(NodeId id);
-  Exact exact_constant(NodeId id);
-  Exact exact_sum(NodeId id);
+  BeforeRounding exact(NodeId id);
+  BeforeRounding exact_constant(NodeId id);
+  BeforeRounding exact_sum(NodeId id);
   MixedBound exact_product(NodeId a, NodeId b);
   MixedBound exact_square(NodeId a);
   MixedBound exact_quotient(NodeId id, NodeId a, NodeId b);
   MixedBound exact_root(NodeId id, NodeId a);
   MixedBound exact_selection(NodeId a, NodeId b);
-  Exact cancelling_sum(NodeId id, NodeId a, NodeId b);
+  BeforeRounding cancelling_sum(NodeId id, NodeId a, NodeId b);
 
   bool rounds_nothing(const TypedNode& node) const;
   bool rounds_once(NodeId id) const;
@@ -102,7 +102,7 @@ private:
   BoundId magnitude(NodeId id);
   BoundId reciprocal(NodeId id);
   AbsolutePart sum(const AbsolutePart& a, const AbsolutePart& b);
-  NodeBound rounded(NodeId id, Exact exact) const;
+  NodeBound rounded(NodeId id, BeforeRounding exact) const;
   std::optional<RelativeBound> before_rounding(NodeId id, const NodeBound& bound) const;
   std::string text(NodeId id) const;
 
@@ -114,7 +114,7 @@ private:
   std::vector<BoundCondition> conditions_;
 };
 
-ErrorAnalysis Analysis::run() && {
+ErrorAnalysis ErrorAnalyser::run() && {
   for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) {
     NodeBound bound = bound_of(id);
     bound.before_rounding = before_rounding(id, bound);
@@ -131,7 +131,7 @@ ErrorAnalysis Analysis::run() && {
       std::move(bounds_), builder_.nodes(), std::move(conditions_), {used_.begin(), used_.end()}};
 }
 
-NodeBound Analysis::bound_of(NodeId id) {
+NodeBound ErrorAnalyser::bound_of(NodeId id) {
   const auto operand = [&](int k) {
     return k < arity(node(id).operation) ? &bounds_[node(id).operands[k]] : nullptr;
   };
@@ -139,12 +139,12 @@ NodeBound Analysis::bound_of(NodeId id) {
   if ((a != nullptr && !a->mixed) || (b != nullptr && !b->mixed)) {
     return rounded(id, without_bound(first_reason(a, b)));
   }
-  Exact result = exact(id);
+  BeforeRounding result = exact(id);
   if (result.reason.empty()) result.reason = first_reason(a, b);
   return rounded(id, std::move(result));
 }
 
-Exact Analysis::exact(NodeId id) {
+BeforeRounding ErrorAnalyser::exact(NodeId id) {
   const auto [a, b] = node(id).operands;
   switch (node(id).operation) {
     case Operation::input: return {MixedBound{}, ""};
@@ -164,7 +164,7 @@ Exact Analysis::exact(NodeId id) {
   MIXCMP_CHECK(false);
 }
 
-Exact Analysis::exact_constant(NodeId id) {
+BeforeRounding ErrorAnalyser::exact_constant(NodeId id) {
   const mpq_class& value = node(id).value;
   const std::string name = fmt::format("the constant {}", to_text(value));
   const FloatFormat format = node(id).format;
@@ -184,7 +184,7 @@ Exact Analysis::exact_constant(NodeId id) {
   return {MixedBound{.factor = {ratio, ratio}, .absolute = {}}, ""};
 }
 
-Exact Analysis::exact_sum(NodeId id) {
+BeforeRounding ErrorAnalyser::exact_sum(NodeId id) {
   const auto [a, b] = node(id).operands;
   const bool is_difference = node(id).operation == Operation::subtract;
   const AbsolutePart absolute = sum(mixed(a).absolute, mixed(b).absolute);
@@ -199,7 +199,7 @@ Exact Analysis::exact_sum(NodeId id) {
 }
 
 /// Sum of operands that may cancel: a s + b t = (a + b) m + a (s - m) + b (t - m).
-Exact Analysis::cancelling_sum(NodeId id, NodeId a, NodeId b) {
+BeforeRounding ErrorAnalyser::cancelling_sum(NodeId id, NodeId a, NodeId b) {
   const mpq_class center = center_of(a, b);
   const AbsolutePart inherited = sum(mixed(a).absolute, mixed(b).absolute);
   const AbsolutePart absolute = sum(inherited, deviations(a, b, center));
@@ -211,7 +211,7 @@ Exact Analysis::cancelling_sum(NodeId id, NodeId a, NodeId b) {
 }
 
 /// (a s + c)(b t + d) = ab st + (a s + c) d + b t c.
-MixedBound Analysis::exact_product(NodeId a, NodeId b) {
+MixedBound ErrorAnalyser::exact_product(NodeId a, NodeId b) {
   const auto& [s, c] = mixed(a);
   const auto& [t, d] = mixed(b);
   MixedBound result{.factor = product(s, t), .absolute = {}};
@@ -226,7 +226,7 @@ MixedBound Analysis::exact_product(NodeId a, NodeId b) {
 }
 
 /// (a s + c)^2 = a^2 s^2 + c (2 a s + c).
-MixedBound Analysis::exact_square(NodeId a) {
+MixedBound ErrorAnalyser::exact_square(NodeId a) {
   const auto& [s, c] = mixed(a);
   MixedBound result{.factor = product(s, s), .absolute = {}};
   if (mixed(a).is_relative()) return result;
@@ -237,7 +237,7 @@ MixedBound Analysis::exact_square(NodeId a) {
 }
 
 /// (a s + c) / (b t + d) = (a / b)(s / t) + (c - (a / b)(s / t) d) / (b t + d), |d| <= |b t| / 32.
-MixedBound Analysis::exact_quotient(NodeId id, NodeId a, NodeId b) {
+MixedBound ErrorAnalyser::exact_quotient(NodeId id, NodeId a, NodeId b) {
   const auto& [s, c] = mixed(a);
   const auto& [t, d] = mixed(b);
   MixedBound result{.factor = quotient(s, t), .absolute = {}};
@@ -258,7 +258,7 @@ MixedBound Analysis::exact_quotient(NodeId id, NodeId a, NodeId b) {
 }
 
 /// sqrt(a s + c) - sqrt(a s) = c / (sqrt(a s + c) + sqrt(a s)), at most c / sqrt(a s).
-MixedBound Analysis::exact_root(NodeId id, NodeId a) {
+MixedBound ErrorAnalyser::exact_root(NodeId id, NodeId a) {
   const auto& [s, c] = mixed(a);
   MixedBound result{.factor = square_root(s), .absolute = {}};
   if (mixed(a).is_relative()) return result;
@@ -274,14 +274,14 @@ MixedBound Analysis::exact_root(NodeId id, NodeId a) {
 }
 
 /// The error of a minimum or maximum is at most the larger error of its operands.
-MixedBound Analysis::exact_selection(NodeId a, NodeId b) {
+MixedBound ErrorAnalyser::exact_selection(NodeId a, NodeId b) {
   const auto& [s, c] = mixed(a);
   const auto& [t, d] = mixed(b);
   return {hull(s, t),
           {builder_.maximum(c.bound, d.bound), std::max(c.slack_factor, d.slack_factor)}};
 }
 
-bool Analysis::rounds_nothing(const TypedNode& node) const {
+bool ErrorAnalyser::rounds_nothing(const TypedNode& node) const {
   const int operand_digits = node.operand_format.precision();
   const int digits = node.format.precision();
   const auto scales_by = [&](int operand) {
@@ -307,21 +307,21 @@ bool Analysis::rounds_nothing(const TypedNode& node) const {
 
 /// Whether the node's own rounding is its only error: at most half an ulp of its binade, or one ulp
 /// with rounding toward zero.
-bool Analysis::rounds_once(NodeId id) const {
+bool ErrorAnalyser::rounds_once(NodeId id) const {
   const NodeBound& bound = bounds_[id];
   return bound.relative && bound.unrounded && is_exact(*bound.unrounded);
 }
 
 /// Whether the node is a constant or in the reference format, as inputs and choices among inputs
 /// and constants are.
-bool Analysis::is_plain(NodeId id) const {
+bool ErrorAnalyser::is_plain(NodeId id) const {
   return node(id).operation == Operation::constant ||
          !(node(id).format == graph_.arithmetic.format);
 }
 
 /// The factor m of cancelling_sum. Rounding toward zero errs to one side only: if both operands
 /// have such errors, m is the middle of the range of their factors. Else m = 1.
-mpq_class Analysis::center_of(NodeId a, NodeId b) const {
+mpq_class ErrorAnalyser::center_of(NodeId a, NodeId b) const {
   const auto is_fixed = [&](NodeId id) { return is_exact(mixed(id).factor) || is_plain(id); };
   if (graph_.arithmetic.rounding == Rounding::nearest_even || is_fixed(a) || is_fixed(b)) return 1;
   const RelativeBound all = hull(mixed(a).factor, mixed(b).factor);
@@ -330,7 +330,7 @@ mpq_class Analysis::center_of(NodeId a, NodeId b) const {
 
 /// Bounds |a (s - m)| + |b (t - m)| of cancelling_sum. Where both terms need the magnitude of their
 /// operand, the larger magnitude stands for both.
-AbsolutePart Analysis::deviations(NodeId a, NodeId b, const mpq_class& center) {
+AbsolutePart ErrorAnalyser::deviations(NodeId a, NodeId b, const mpq_class& center) {
   BoundId constants = no_bound_node, binades = no_bound_node, larger = no_bound_node;
   mpq_class deviation = 0;
   for (const NodeId operand : {a, b}) {
@@ -352,13 +352,13 @@ AbsolutePart Analysis::deviations(NodeId a, NodeId b, const mpq_class& center) {
 }
 
 /// The greatest error of one rounding, in units of its result's binade.
-mpq_class Analysis::rounding_error() const {
+mpq_class ErrorAnalyser::rounding_error() const {
   const int doubled = graph_.arithmetic.rounding == Rounding::nearest_even ? 0 : 1;
   return mpq_class(1, mpz_class(1) << (graph_.arithmetic.format.precision() - doubled));
 }
 
 /// The largest error of a plain node: that of the constants, as encoded, that it may select.
-BoundId Analysis::selection_error(NodeId id) {
+BoundId ErrorAnalyser::selection_error(NodeId id) {
   const TypedNode& selected = node(id);
   if (selected.operation == Operation::input) return no_bound_node;
   if (selected.operation == Operation::constant) {
@@ -371,7 +371,7 @@ BoundId Analysis::selection_error(NodeId id) {
   return error;
 }
 
-BoundId Analysis::magnitude(NodeId id) {
+BoundId ErrorAnalyser::magnitude(NodeId id) {
   if (node(id).operation == Operation::constant) {
     return builder_.constant(abs(to_rational(node(id).format, node(id).constant)));
   }
@@ -379,17 +379,17 @@ BoundId Analysis::magnitude(NodeId id) {
   return builder_.of_value(BoundOperation::magnitude, id);
 }
 
-BoundId Analysis::reciprocal(NodeId id) {
+BoundId ErrorAnalyser::reciprocal(NodeId id) {
   MIXCMP_CHECK(node(id).format == graph_.arithmetic.format);
   return builder_.of_value(BoundOperation::reciprocal, id);
 }
 
-AbsolutePart Analysis::sum(const AbsolutePart& a, const AbsolutePart& b) {
+AbsolutePart ErrorAnalyser::sum(const AbsolutePart& a, const AbsolutePart& b) {
   return {builder_.add(a.bound, b.bound), std::max(a.slack_factor, b.slack_factor)};
 }
 
 /// Extends the bound of the exact result by the operation's own rounding.
-NodeBound Analysis::rounded(NodeId id, Exact exact) const {
+NodeBound ErrorAnalyser::rounded(NodeId id, BeforeRounding exact) const {
   NodeBound bound{.reason = std::move(exact.reason)};
   if (!exact.mixed) return bound;
   MixedBound& mixed = *exact.mixed;
@@ -412,7 +412,8 @@ NodeBound Analysis::rounded(NodeId id, Exact exact) const {
 
 /// NodeBound::before_rounding. A node that rounds nothing holds numbers of the format, which are
 /// their own rounding; sign changes and selections commute with rounding.
-std::optional<RelativeBound> Analysis::before_rounding(NodeId id, const NodeBound& bound) const {
+std::optional<RelativeBound> ErrorAnalyser::before_rounding(NodeId id,
+                                                            const NodeBound& bound) const {
   if (!bound.relative || !(node(id).format == graph_.arithmetic.format)) return std::nullopt;
   if (bound.unrounded) return bound.unrounded;
   const auto operand = [&](int k) { return bounds_[node(id).operands[k]].before_rounding; };
@@ -437,7 +438,7 @@ std::optional<RelativeBound> Analysis::before_rounding(NodeId id, const NodeBoun
   MIXCMP_CHECK(false);
 }
 
-std::string Analysis::text(NodeId id) const {
+std::string ErrorAnalyser::text(NodeId id) const {
   constexpr std::size_t readable_length = 60;
   return to_text(graph_.nodes, graph_.input_names, id, readable_length);
 }
@@ -446,7 +447,7 @@ std::string Analysis::text(NodeId id) const {
 
 ErrorAnalysis analyse_errors(const TypedGraph& graph, const std::vector<bool>& input_nonnegative) {
   MIXCMP_CHECK(static_cast<int>(input_nonnegative.size()) == graph.input_count);
-  return Analysis(graph, input_nonnegative).run();
+  return ErrorAnalyser(graph, input_nonnegative).run();
 }
 
 }  // namespace mixcmp::error

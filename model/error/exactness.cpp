@@ -21,10 +21,10 @@ Quantum quantum_of(const mpq_class& value) {
   return mpq_class(mpz_class(1) << zeros, value.get_den());
 }
 
-class Analysis {
+class ExactnessAnalyser {
 public:
-  Analysis(const TypedGraph& graph, const std::vector<std::optional<Range>>& ranges,
-           const std::vector<std::optional<mpq_class>>& grids)
+  ExactnessAnalyser(const TypedGraph& graph, const std::vector<std::optional<Range>>& ranges,
+                    const std::vector<std::optional<mpq_class>>& grids)
       : graph_(graph), ranges_(analyse_ranges(graph, ranges)), declared_(ranges), grids_(grids) {}
 
   std::vector<bool> run() {
@@ -102,7 +102,7 @@ std::vector<bool> exact_on_grid(const TypedGraph& graph,
                                 const std::vector<std::optional<Range>>& ranges,
                                 const std::vector<std::optional<mpq_class>>& grids) {
   MIXCMP_CHECK(ranges.size() == grids.size());
-  return Analysis(graph, ranges, grids).run();
+  return ExactnessAnalyser(graph, ranges, grids).run();
 }
 
 }  // namespace mixcmp::error

@@ -138,16 +138,22 @@ Lane one_part_lane(TypedGraph graph, LaneDecision decision, std::vector<RangeChe
   return lane;
 }
 
-Lane join_parts(const TypedGraph& graph, const std::vector<GraphPart>& parts,
-                const std::vector<Lane>& lanes) {
-  MIXCMP_CHECK(parts.size() == graph.parts.size() && lanes.size() == parts.size());
-  if (lanes.size() == 1) return lanes.front();
+Result<Lane> lane_of_parts(const TypedGraph& graph, const MakePart& make_part) {
+  if (graph.parts.size() == 1) return make_part(graph);
   Lane whole{graph, {}};
   std::vector<bool> has_hazards;
-  for (std::size_t k = 0; k < lanes.size(); ++k) {
-    add_part(whole, has_hazards, lanes[k], parts[k].ids);
+  for (std::size_t k = 0; k < graph.parts.size(); ++k) {
+    const GraphPart part = part_of(graph, k);
+    const Result<Lane> lane = make_part(part.graph);
+    if (!lane.ok()) return of_part(lane.error(), k, graph.parts.size());
+    add_part(whole, has_hazards, *lane, part.ids);
   }
   return whole;
+}
+
+Error of_part(Error error, std::size_t part, std::size_t parts) {
+  if (parts > 1) error.message = fmt::format("of f[{0}] and g[{0}], {1}", part, error.message);
+  return error;
 }
 
 std::vector<bool> nodes_of_part(const Lane& lane, std::size_t part) {

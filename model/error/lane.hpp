@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "model/common/result.hpp"
 #include "model/error/bound_graph.hpp"
 #include "model/error/range_check.hpp"
 #include "model/expression/typed_graph.hpp"
@@ -103,9 +105,15 @@ struct Lane {
 /// Makes a lane of one part, which makes all of `checks`.
 Lane one_part_lane(TypedGraph graph, LaneDecision decision, std::vector<RangeCheck> checks = {});
 
-/// Makes the lane of all parts of `graph` from a lane for each of its `parts`.
-Lane join_parts(const TypedGraph& graph, const std::vector<GraphPart>& parts,
-                const std::vector<Lane>& lanes);
+/// Makes a lane of one part, given the part as a graph of its own.
+using MakePart = std::function<Result<Lane>(const TypedGraph& part)>;
+
+/// Makes the lane of all parts of `graph`, each by `make_part`. An error names the part if there
+/// are several.
+Result<Lane> lane_of_parts(const TypedGraph& graph, const MakePart& make_part);
+
+/// Names the part in an error if there are several.
+Error of_part(Error error, std::size_t part, std::size_t parts);
 
 /// One part of a lane alone, with the nodes and the checks that it needs.
 Lane part_of(const Lane& lane, std::size_t part);

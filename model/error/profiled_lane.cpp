@@ -84,13 +84,10 @@ Lane profiled_part(TypedGraph graph, const mpq_class& relative_error_f,
 
 Lane profiled_lane(const TypedGraph& graph, const mpq_class& relative_error_f,
                    const mpq_class& relative_error_g) {
-  std::vector<GraphPart> parts;
-  std::vector<Lane> lanes;
-  for (std::size_t k = 0; k < graph.parts.size(); ++k) {
-    parts.push_back(part_of(graph, k));
-    lanes.push_back(profiled_part(parts.back().graph, relative_error_f, relative_error_g));
-  }
-  return join_parts(graph, parts, lanes);
+  const auto make_part = [&](const TypedGraph& part) -> Result<Lane> {
+    return profiled_part(part, relative_error_f, relative_error_g);
+  };
+  return lane_of_parts(graph, make_part).value();
 }
 
 }  // namespace mixcmp::error

@@ -61,10 +61,10 @@ Range square(const Range& a) {
   return {magnitude.low * magnitude.low, magnitude.high * magnitude.high};
 }
 
-class Analysis {
+class RangeAnalyser {
 public:
-  Analysis(const TypedGraph& graph, const std::vector<std::optional<Range>>& ranges,
-           Infinities infinities)
+  RangeAnalyser(const TypedGraph& graph, const std::vector<std::optional<Range>>& ranges,
+                Infinities infinities)
       : graph_(graph), ranges_(ranges), infinities_(infinities) {}
 
   std::vector<NodeRange> run() {
@@ -312,7 +312,7 @@ std::vector<NodeRange> analyse_ranges(const TypedGraph& graph,
                                       const std::vector<std::optional<Range>>& ranges,
                                       Infinities infinities) {
   MIXCMP_CHECK(ranges.size() == static_cast<std::size_t>(graph.input_count));
-  return Analysis(graph, ranges, infinities).run();
+  return RangeAnalyser(graph, ranges, infinities).run();
 }
 
 }  // namespace mixcmp::error

@@ -94,9 +94,10 @@ mpq_class fold(Operation operation, const mpq_class& a, const mpq_class& b) {
 }
 
 /// Builds the nodes that a text's syntax stands for.
-class Builder {
+class GraphBuilder {
 public:
-  Builder(Graph& graph, std::span<const LetDefinition> lets, std::span<const IndexValue> indices)
+  GraphBuilder(Graph& graph, std::span<const LetDefinition> lets,
+               std::span<const IndexValue> indices)
       : graph_(graph), lets_(lets), indices_(indices.begin(), indices.end()) {}
 
   Value parse(const std::string& text) { return value_of(value_or_throw(parse_syntax(text, 0))); }
@@ -150,7 +151,7 @@ private:
   long terms_ = 0;
 };
 
-Value Builder::value_of(const Syntax& syntax) {
+Value GraphBuilder::value_of(const Syntax& syntax) {
   const auto value = [&] {
     switch (syntax.kind) {
       case Syntax::Kind::number: return number(syntax);
@@ -173,7 +174,7 @@ Value Builder::value_of(const Syntax& syntax) {
   return result;
 }
 
-Value Builder::number(const Syntax& syntax) const {
+Value GraphBuilder::number(const Syntax& syntax) const {
   const std::optional<mpq_class> value = parse_literal(syntax.text);
   if (!value) {
     fail(syntax.column, "the constant is too long", fmt::format("{:.40}", syntax.text),
@@ -182,7 +183,7 @@ Value Builder::number(const Syntax& syntax) const {
   return {.column = syntax.column, .constant = value};
 }
 
-Value Builder::name(const Syntax& syntax) {
+Value GraphBuilder::name(const Syntax& syntax) {
   if (const IndexValue* index = find_index(syntax.text)) {
     if (!syntax.parts.empty()) {
       fail(syntax.column, "an index takes no subscript", syntax.text + "[...]", syntax.text);
@@ -199,7 +200,7 @@ Value Builder::name(const Syntax& syntax) {
 }
 
 /// The value of a name that is neither an index nor a let: an input.
-Value Builder::plain_name(const Syntax& syntax, const std::string& name) {
+Value GraphBuilder::plain_name(const Syntax& syntax, const std::string& name) {
   if (is_function_name(name)) {
     fail(syntax.column, fmt::format("the function {} needs its arguments", name), name,
          name + "(...)");
@@ -212,7 +213,7 @@ Value Builder::plain_name(const Syntax& syntax, const std::string& name) {
 }
 
 /// The plain name that a name with subscripts stands for: p_2_3 for p[2][3].
-std::string Builder::subscripted_name(const Syntax& syntax) {
+std::string GraphBuilder::subscripted_name(const Syntax& syntax) {
   std::string name = syntax.text;
   for (const Syntax& subscript : syntax.parts) {
     const long value = integer(subscript);
@@ -226,7 +227,7 @@ std::string Builder::subscripted_name(const Syntax& syntax) {
 }
 
 /// The integer value of a range's bound or of a subscript.
-long Builder::integer(const Syntax& syntax) {
+long GraphBuilder::integer(const Syntax& syntax) {
   const bool outer = std::exchange(constants_only_, true);
   const Value value = value_of(syntax);
   constants_only_ = outer;
@@ -242,7 +243,7 @@ long Builder::integer(const Syntax& syntax) {
   return value.constant->get_num().get_si();
 }
 
-Value Builder::chain(const Syntax& syntax) {
+Value GraphBuilder::chain(const Syntax& syntax) {
   Value value = value_of(syntax.parts[0]);
   for (std::size_t k = 0; k < syntax.operations.size(); ++k) {
     value = applied(syntax.operations[k], value, value_of(syntax.parts[k + 1]));
@@ -250,7 +251,7 @@ Value Builder::chain(const Syntax& syntax) {
   return value;
 }
 
-Value Builder::power(const Syntax& syntax) {
+Value GraphBuilder::power(const Syntax& syntax) {
   const auto& [base, power] = std::tie(syntax.parts[0], syntax.parts[1]);
   const Value value = value_of(base);
   int exponent = 0;
@@ -264,7 +265,7 @@ Value Builder::power(const Syntax& syntax) {
 }
 
 /// Square and multiply, from the exponent's highest bit down.
-Value Builder::raised(const Value& base, int exponent) {
+Value GraphBuilder::raised(const Value& base, int exponent) {
   if (exponent == 1) return base;
   if (exponent % 2 != 0) return applied(Operation::multiply, raised(base, exponent - 1), base);
   const Value root = raised(base, exponent / 2);
@@ -277,7 +278,7 @@ Value Builder::raised(const Value& base, int exponent) {
   fail(syntax.column, "unknown function", syntax.text, list_with_nearest(syntax.text, names));
 }
 
-Value Builder::call(const Syntax& syntax) {
+Value GraphBuilder::call(const Syntax& syntax) {
   const Function* function = find_function(syntax.text);
   if (function == nullptr) fail_unknown_function(syntax);
   const std::size_t count = syntax.parts.size();
@@ -295,7 +296,7 @@ Value Builder::call(const Syntax& syntax) {
   return joined_pairwise(function->operation, std::move(values));
 }
 
-Value Builder::reduction(const Syntax& syntax) {
+Value GraphBuilder::reduction(const Syntax& syntax) {
   const Function* function = find_function(syntax.text);
   if (function == nullptr) fail_unknown_function(syntax);
   if (!function->reduces) {
@@ -318,7 +319,7 @@ Value Builder::reduction(const Syntax& syntax) {
   return joined_pairwise(function->operation, std::move(terms));
 }
 
-IndexRange Builder::range(const Syntax& syntax) {
+IndexRange GraphBuilder::range(const Syntax& syntax) {
   check_index_name(syntax);
   index_places_.try_emplace(syntax.index,
                             IndexPlace{.column = syntax.index_column,
@@ -332,7 +333,7 @@ IndexRange Builder::range(const Syntax& syntax) {
   return {.name = syntax.index, .first = first, .last = last};
 }
 
-void Builder::check_index_name(const Syntax& syntax) const {
+void GraphBuilder::check_index_name(const Syntax& syntax) const {
   const auto hides = [&](std::string_view what) {
     fail(syntax.index_column, fmt::format("the index {} hides {}", syntax.index, what),
          syntax.index, "a name of no let, function, input or other index around it");
@@ -342,7 +343,7 @@ void Builder::check_index_name(const Syntax& syntax) const {
   if (find_index(syntax.index) != nullptr) hides("an index");
 }
 
-void Builder::check_index_names() const {
+void GraphBuilder::check_index_names() const {
   for (const auto& [index, place] : index_places_) {
     if (!input_names_.contains(index)) continue;
     throw Failure{{.column = static_cast<int>(place.column),
@@ -355,7 +356,7 @@ void Builder::check_index_names() const {
 
 /// Joins neighbours, then neighbouring results, and so on; an odd one is left for the next round.
 /// This is a balanced tree, whose error and depth grow with the logarithm of the number of terms.
-Value Builder::joined_pairwise(Operation operation, std::vector<Value> values) {
+Value GraphBuilder::joined_pairwise(Operation operation, std::vector<Value> values) {
   while (values.size() > 1) {
     const std::size_t pairs = values.size() / 2;
     for (std::size_t k = 0; k < pairs; ++k) {
@@ -368,7 +369,7 @@ Value Builder::joined_pairwise(Operation operation, std::vector<Value> values) {
 }
 
 /// Applies the operation to a and b. The caller passes the operand of a unary operation twice.
-Value Builder::applied(Operation operation, const Value& a, const Value& b) {
+Value GraphBuilder::applied(Operation operation, const Value& a, const Value& b) {
   if (operation == Operation::divide && b.constant && *b.constant == 0) {
     fail(b.column, "division by zero" + index_values(), "0", "a divisor other than zero");
   }
@@ -400,7 +401,7 @@ Value Builder::applied(Operation operation, const Value& a, const Value& b) {
 }
 
 /// Parses a let on its first use. The indices around that use are not visible in the let.
-const Value& Builder::let_value(const LetDefinition& let, const Syntax& use) {
+const Value& GraphBuilder::let_value(const LetDefinition& let, const Syntax& use) {
   const auto known = let_values_.find(let.name);
   if (known != let_values_.end()) return known->second;
   const auto open = std::find(open_lets_.begin(), open_lets_.end(), let.name);
@@ -428,19 +429,19 @@ const Value& Builder::let_value(const LetDefinition& let, const Syntax& use) {
   }
 }
 
-const LetDefinition* Builder::find_let(const std::string& name) const {
+const LetDefinition* GraphBuilder::find_let(const std::string& name) const {
   const auto found = std::find_if(lets_.begin(), lets_.end(),
                                   [&](const LetDefinition& known) { return known.name == name; });
   return found == lets_.end() ? nullptr : &*found;
 }
 
-const IndexValue* Builder::find_index(const std::string& name) const {
+const IndexValue* GraphBuilder::find_index(const std::string& name) const {
   const auto found = std::find_if(indices_.begin(), indices_.end(),
                                   [&](const IndexValue& index) { return index.name == name; });
   return found == indices_.end() ? nullptr : &*found;
 }
 
-void Builder::fail_unknown(const Syntax& syntax, const std::string& name) const {
+void GraphBuilder::fail_unknown(const Syntax& syntax, const std::string& name) const {
   std::vector<std::string> known;
   for (const IndexValue& index : indices_) known.push_back(index.name);
   for (const LetDefinition& let : lets_) known.push_back(let.name);
@@ -449,7 +450,7 @@ void Builder::fail_unknown(const Syntax& syntax, const std::string& name) const 
                      : list_with_nearest(name, known));
 }
 
-std::string Builder::index_values() const {
+std::string GraphBuilder::index_values() const {
   std::string text;
   for (const IndexValue& index : indices_) {
     text += fmt::format("{} {} = {}", text.empty() ? ", with" : ",", index.name, index.value);
@@ -457,7 +458,7 @@ std::string Builder::index_values() const {
   return text;
 }
 
-std::set<std::string> Builder::used_lets() const {
+std::set<std::string> GraphBuilder::used_lets() const {
   std::set<std::string> names;
   for (const auto& [name, value] : let_values_) names.insert(name);
   return names;
@@ -469,7 +470,7 @@ Result<NodeId> parse_expression(Graph& graph, const std::string& text,
                                 std::span<const LetDefinition> lets,
                                 std::set<std::string>* used_lets,
                                 std::span<const IndexValue> indices) {
-  Builder builder(graph, lets, indices);
+  GraphBuilder builder(graph, lets, indices);
   try {
     const NodeId root = builder.node_of(builder.parse(text));
     builder.check_index_names();
@@ -483,7 +484,7 @@ Result<NodeId> parse_expression(Graph& graph, const std::string& text,
 Result<IndexRange> parse_index_range(const std::string& text, std::span<const LetDefinition> lets) {
   MIXCMP_TRY(syntax, parse_range_syntax(text));
   Graph scratch;
-  Builder builder(scratch, lets, {});
+  GraphBuilder builder(scratch, lets, {});
   try {
     return builder.range(syntax);
   } catch (Failure& failure) {

@@ -21,9 +21,10 @@ std::vector<bool> exact_nodes(const Graph& graph) {
 }
 
 /// Emits the nodes that f and g need, operands first.
-class Builder {
+class TypedGraphBuilder {
 public:
-  Builder(const Graph& graph, FloatFormat reference, Arithmetic arithmetic, LaneInputs inputs);
+  TypedGraphBuilder(const Graph& graph, FloatFormat reference, Arithmetic arithmetic,
+                    LaneInputs inputs);
 
   /// The node and all below it in the reference format.
   NodeId in_reference(NodeId id);
@@ -50,8 +51,8 @@ private:
   TypedGraph typed_;
 };
 
-Builder::Builder(const Graph& graph, FloatFormat reference, Arithmetic arithmetic,
-                 LaneInputs inputs)
+TypedGraphBuilder::TypedGraphBuilder(const Graph& graph, FloatFormat reference,
+                                     Arithmetic arithmetic, LaneInputs inputs)
     : graph_(graph),
       reference_(reference),
       inputs_(inputs),
@@ -64,19 +65,19 @@ Builder::Builder(const Graph& graph, FloatFormat reference, Arithmetic arithmeti
              .arithmetic = arithmetic,
              .combination = graph.combination()} {}
 
-NodeId Builder::in_reference(NodeId id) {
+NodeId TypedGraphBuilder::in_reference(NodeId id) {
   NodeId& known = reference_ids_[id];
   if (known < 0) known = emit_in_reference(graph_.nodes()[id]);
   return known;
 }
 
-NodeId Builder::in_lane(NodeId id) {
+NodeId TypedGraphBuilder::in_lane(NodeId id) {
   NodeId& known = lane_ids_[id];
   if (known < 0) known = emit_in_lane(id);
   return known;
 }
 
-bool Builder::takes_exact_operands(const Node& node) const {
+bool TypedGraphBuilder::takes_exact_operands(const Node& node) const {
   if (inputs_ == LaneInputs::rounded) return false;
   for (int k = 0; k < arity(node.operation); ++k) {
     if (!exact_[node.operands[k]]) return false;
@@ -84,7 +85,7 @@ bool Builder::takes_exact_operands(const Node& node) const {
   return true;
 }
 
-NodeId Builder::emit_constant(const Node& node, FloatFormat format) {
+NodeId TypedGraphBuilder::emit_constant(const Node& node, FloatFormat format) {
   return emit({.operation = Operation::constant,
                .operand_format = format,
                .format = format,
@@ -92,7 +93,7 @@ NodeId Builder::emit_constant(const Node& node, FloatFormat format) {
                .value = node.value});
 }
 
-NodeId Builder::emit_in_reference(const Node& node) {
+NodeId TypedGraphBuilder::emit_in_reference(const Node& node) {
   if (node.operation == Operation::constant) return emit_constant(node, reference_);
   TypedNode typed{.operation = node.operation,
                   .operand_format = reference_,
@@ -105,7 +106,7 @@ NodeId Builder::emit_in_reference(const Node& node) {
   return emit(std::move(typed));
 }
 
-NodeId Builder::emit_in_lane(NodeId id) {
+NodeId TypedGraphBuilder::emit_in_lane(NodeId id) {
   const Node& node = graph_.nodes()[id];
   const FloatFormat format = typed_.arithmetic.format;
   if (node.operation == Operation::constant) return emit_constant(node, format);
@@ -125,13 +126,13 @@ NodeId Builder::emit_in_lane(NodeId id) {
   return emit(std::move(typed));
 }
 
-NodeId Builder::emit(TypedNode node) {
+NodeId TypedGraphBuilder::emit(TypedNode node) {
   typed_.nodes.push_back(std::move(node));
   return static_cast<NodeId>(typed_.nodes.size()) - 1;
 }
 
 template <class Side>
-TypedGraph Builder::finish(Side side) {
+TypedGraph TypedGraphBuilder::finish(Side side) {
   for (const Sides& part : graph_.parts()) {
     const NodeId f = side(part.f);
     const NodeId g = side(part.g);
@@ -190,13 +191,13 @@ NodeId add_node(TypedGraph& graph, TypedNode node) {
 }
 
 TypedGraph reference_graph(const Graph& graph, Arithmetic reference) {
-  Builder builder(graph, reference.format, reference, LaneInputs::exact);
+  TypedGraphBuilder builder(graph, reference.format, reference, LaneInputs::exact);
   return builder.finish([&](NodeId side) { return builder.in_reference(side); });
 }
 
 TypedGraph lane_graph(const Graph& graph, FloatFormat reference, Arithmetic reduced,
                       LaneInputs inputs) {
-  Builder builder(graph, reference, reduced, inputs);
+  TypedGraphBuilder builder(graph, reference, reduced, inputs);
   return builder.finish([&](NodeId side) { return builder.in_lane(side); });
 }
 

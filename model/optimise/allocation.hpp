@@ -47,7 +47,7 @@ enum class ClockDomains {
 enum class ReferenceSharing {
   /// Only reference i mod p_H serves lane i, as in our crossbar, so equation 10 holds at each
   /// reference. Lanes are numbered by falling T(L) R_R, references by falling T(H).
-  dealt,
+  round_robin,
   pooled,  ///< any reference, as the paper assumes: equation 10 holds in total
 };
 
@@ -58,7 +58,7 @@ struct AllocationProblem {
   devices::Area available;  ///< A, of the device
   double slack = 0.2;       ///< R_S
   ClockDomains clocks = ClockDomains::single;
-  ReferenceSharing sharing = ReferenceSharing::dealt;
+  ReferenceSharing sharing = ReferenceSharing::round_robin;
   int max_lanes = settings::limits::lanes.most;
   int max_references = settings::limits::references.most;
 };

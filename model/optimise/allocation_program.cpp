@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/optimise/dealt_rows.hpp"
 #include "model/optimise/kinds_at_clock.hpp"
+#include "model/optimise/round_robin_rows.hpp"
 #include "model/optimise/tangents.hpp"
 #include "model/performance/performance.hpp"
 
@@ -113,9 +113,9 @@ private:
     add_total_load();
     if (fixed_.references == 0) return;
     add_lanes_per_reference();
-    const bool dealt = problem_.sharing == ReferenceSharing::dealt;
-    if (dealt && fixed_.references.value_or(1) > 1) {
-      add_dealt_rows(program(), kinds_, *fixed_.references, lane_kinds(), problem_.max_lanes);
+    const bool round_robin = problem_.sharing == ReferenceSharing::round_robin;
+    if (round_robin && fixed_.references.value_or(1) > 1) {
+      add_round_robin_rows(program(), kinds_, *fixed_.references, lane_kinds(), problem_.max_lanes);
     }
   }
 
@@ -165,11 +165,11 @@ private:
     for (const devices::Area& share : problem_.communication.crossbar)
       cost.push_back(share.*amount);
     int number = 0;
-    for (const Line& line : lines_below(cost)) {
+    for (const Tangent& tangent : lower_tangents(cost)) {
       Sum sum;
       for (const auto& [column, coefficient] : used_[r]) {
         const bool lane = column < lane_kinds();
-        sum.push_back({column, coefficient + (lane ? line.slope : line.offset)});
+        sum.push_back({column, coefficient + (lane ? tangent.slope : tangent.offset)});
       }
       program().add_row(fmt::format("{}_{}", devices::bounded_resources[r].name, number++),
                         std::move(sum), Relation::at_most, static_cast<double>(room_[r]));

@@ -58,7 +58,8 @@ bool keeps_equation_10(const AllocationProblem& problem,
                        const std::vector<performance::Datapaths>& lanes,
                        const std::vector<performance::Datapaths>& references) {
   switch (problem.sharing) {
-    case ReferenceSharing::dealt: return performance::each_reference_suffices(lanes, references);
+    case ReferenceSharing::round_robin:
+      return performance::each_reference_suffices(lanes, references);
     case ReferenceSharing::pooled: return performance::references_suffice(lanes, references);
   }
   return false;

@@ -6,7 +6,7 @@
 namespace mixcmp::optimise {
 namespace {
 
-constexpr std::array<PublishedDevice, 2> devices = {{
+constexpr std::array<PublishedFigures, 2> devices = {{
     {.device = "virtex5-lx330t",
      .technology_nm = 65,
      .reference_luts = 17198,
@@ -61,14 +61,14 @@ constexpr std::array<PublishedDevice, 2> devices = {{
 
 }  // namespace
 
-double PublishedDevice::lane_mhz() const {
+double PublishedFigures::lane_mhz() const {
   const double worst = worst_per_s / lanes_worst / 1e6;
   const double best = best_per_s / lanes_best / 1e6;
   return std::min({worst, best, lane_mhz_high});
 }
 
-std::optional<PublishedDevice> published(std::string_view device) {
-  for (const PublishedDevice& known : devices) {
+std::optional<PublishedFigures> published(std::string_view device) {
+  for (const PublishedFigures& known : devices) {
     if (device == known.device) return known;
   }
   return std::nullopt;

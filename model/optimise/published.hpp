@@ -6,7 +6,7 @@
 namespace mixcmp::optimise {
 
 /// The paper's results for one of its two devices, from Tables III and IV and section V.
-struct PublishedDevice {
+struct PublishedFigures {
   const char* device;  ///< our name of it
   int technology_nm;
   // Table III, and C_lut(com).
@@ -32,6 +32,6 @@ struct PublishedDevice {
   double lane_mhz() const;
 };
 
-std::optional<PublishedDevice> published(std::string_view device);
+std::optional<PublishedFigures> published(std::string_view device);
 
 }  // namespace mixcmp::optimise

@@ -24,19 +24,19 @@ std::vector<std::size_t> lower_hull(const std::vector<double>& values) {
 
 }  // namespace
 
-std::vector<Line> lines_below(const std::vector<double>& values) {
-  if (values.empty()) return {Line{}};
-  if (values.size() == 1) return {Line{0, values[0]}};
+std::vector<Tangent> lower_tangents(const std::vector<double>& values) {
+  if (values.empty()) return {Tangent{}};
+  if (values.size() == 1) return {Tangent{0, values[0]}};
   const std::vector<std::size_t> hull = lower_hull(values);
-  std::vector<Line> lines;
+  std::vector<Tangent> tangents;
   std::size_t wanted = 0;
   for (std::size_t corner = 1; corner < hull.size(); ++corner) {
     if (hull[corner] <= wanted) continue;
     const double slope = slope_between(values, hull[corner - 1], hull[corner]);
-    lines.push_back({slope, values[hull[corner]] - slope * static_cast<double>(hull[corner])});
+    tangents.push_back({slope, values[hull[corner]] - slope * static_cast<double>(hull[corner])});
     while (wanted < hull[corner]) wanted = wanted == 0 ? 1 : 2 * wanted;
   }
-  return lines;
+  return tangents;
 }
 
 }  // namespace mixcmp::optimise

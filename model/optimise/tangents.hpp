@@ -5,13 +5,13 @@
 namespace mixcmp::optimise {
 
 /// y = slope x + offset.
-struct Line {
+struct Tangent {
   double slope = 0;
   double offset = 0;
 };
 
 /// A few linear lower bounds of the points (k, values[k]): of the edges of their lower convex hull
 /// those at k = 0, 1, 2, 4, 8, ... Without points, the line y = 0.
-std::vector<Line> lines_below(const std::vector<double>& values);
+std::vector<Tangent> lower_tangents(const std::vector<double>& values);
 
 }  // namespace mixcmp::optimise

@@ -32,13 +32,15 @@ std::vector<double> capacities_of(const std::vector<Datapaths>& references) {
 }
 
 /// The kinds of the lanes at each reference, one entry per lane.
-std::vector<std::vector<Datapaths>> deal(const std::vector<Datapaths>& lanes, int references) {
-  std::vector<std::vector<Datapaths>> hands(static_cast<std::size_t>(references));
+std::vector<std::vector<Datapaths>> assign_round_robin(const std::vector<Datapaths>& lanes,
+                                                       int references) {
+  std::vector<std::vector<Datapaths>> lanes_of_reference(static_cast<std::size_t>(references));
   std::size_t lane = 0;
   for (const Datapaths& kind : lanes) {
-    for (int k = 0; k < kind.count; ++k) hands[lane++ % hands.size()].push_back(kind);
+    for (int k = 0; k < kind.count; ++k)
+      lanes_of_reference[lane++ % lanes_of_reference.size()].push_back(kind);
   }
-  return hands;
+  return lanes_of_reference;
 }
 
 /// The total throughput of lanes that take turns at one reference.
@@ -141,15 +143,15 @@ bool each_reference_suffices(const std::vector<Datapaths>& lanes,
   return true;
 }
 
-double dealt_throughput(const std::vector<Datapaths>& lanes,
-                        const std::vector<Datapaths>& references) {
+double round_robin_throughput(const std::vector<Datapaths>& lanes,
+                              const std::vector<Datapaths>& references) {
   const std::vector<double> capacities = capacities_of(references);
   if (capacities.empty())
     return recomputations_per_s(lanes) == 0 ? aggregated_throughput(lanes) : 0;
-  const auto hands = deal(lanes, total_count(references));
+  const auto lanes_of_reference = assign_round_robin(lanes, total_count(references));
   double throughput = 0;
-  for (std::size_t r = 0; r < hands.size(); ++r) {
-    throughput += shared_throughput(hands[r], capacities[r]);
+  for (std::size_t r = 0; r < lanes_of_reference.size(); ++r) {
+    throughput += shared_throughput(lanes_of_reference[r], capacities[r]);
   }
   return throughput;
 }

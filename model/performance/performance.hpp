@@ -57,7 +57,7 @@ bool each_reference_suffices(const std::vector<Datapaths>& lanes,
 /// Equation 8 for each reference by itself, summed. An overloaded reference serves its lanes in
 /// turn: those that ask for less than their turn get all that they ask for, and the others share
 /// the rest equally.
-double dealt_throughput(const std::vector<Datapaths>& lanes,
-                        const std::vector<Datapaths>& references);
+double round_robin_throughput(const std::vector<Datapaths>& lanes,
+                              const std::vector<Datapaths>& references);
 
 }  // namespace mixcmp::performance

@@ -125,19 +125,19 @@ PrecisionBand::PrecisionBand(const Envelope::Options& options, int next, int fir
   }
 }
 
-void PrecisionBand::look(std::span<const double* const> columns, EnvelopeBlock& block,
-                         const BlockFindings& findings) const {
-  if (parts_.size() == 1) return look(parts_.front(), columns, block, findings);
+void PrecisionBand::classify(std::span<const double* const> columns, EnvelopeBlock& block,
+                             const BlockFindings& findings) const {
+  if (parts_.size() == 1) return classify(parts_.front(), columns, block, findings);
   PartsMerger merger(combination_, system_count(), static_cast<LastOpen>(next_));
   for (const Part& part : parts_) {
-    look(part, columns, block, merger.part());
+    classify(part, columns, block, merger.part());
     merger.add_part();
   }
   merger.finish(findings);
 }
 
-void PrecisionBand::look(const Part& part, std::span<const double* const> columns,
-                         EnvelopeBlock& block, const BlockFindings& findings) const {
+void PrecisionBand::classify(const Part& part, std::span<const double* const> columns,
+                             EnvelopeBlock& block, const BlockFindings& findings) const {
   part.envelope.evaluate(columns, block);
   last_open(part, block, findings);
   find_verdicts(part, block, findings);

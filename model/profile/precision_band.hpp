@@ -51,8 +51,8 @@ public:
 
   /// Finds where envelope_width comparisons may be open. `columns` are as for Envelope::evaluate;
   /// `block` is working memory.
-  void look(std::span<const double* const> columns, EnvelopeBlock& block,
-            const BlockFindings& findings) const;
+  void classify(std::span<const double* const> columns, EnvelopeBlock& block,
+                const BlockFindings& findings) const;
 
 private:
   /// One part of the comparison.
@@ -61,8 +61,8 @@ private:
     std::vector<Threshold> thresholds;  ///< one per system
   };
 
-  void look(const Part& part, std::span<const double* const> columns, EnvelopeBlock& block,
-            const BlockFindings& findings) const;
+  void classify(const Part& part, std::span<const double* const> columns, EnvelopeBlock& block,
+                const BlockFindings& findings) const;
   void last_open(const Part& part, const EnvelopeBlock& block, const BlockFindings& findings) const;
   void find_verdicts(const Part& part, const EnvelopeBlock& block,
                      const BlockFindings& findings) const;

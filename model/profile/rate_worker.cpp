@@ -39,7 +39,7 @@ void RateTally::add(const RateTally& other) {
 RateWorker::RateWorker(const RateJob& job)
     : job_(job),
       tally_(job),
-      pending_(job.bands.size(), Candidates(job.source.data().input_count(), capacity)),
+      pending_(job.bands.size(), UnsettledComparisons(job.source.data().input_count(), capacity)),
       last_(job.systems.size() * capacity),
       doubtful_(capacity),
       order_(capacity),
@@ -54,29 +54,30 @@ void RateWorker::run(const BlockSource& next) {
 
 /// Takes new comparisons through the first band: range checks, envelopes, true verdicts and lanes.
 void RateWorker::start(std::uint64_t first, std::size_t count) {
-  Candidates& candidates = pending_.front();
-  job_.source.fetch(first, count, candidates.operands());
+  UnsettledComparisons& unsettled = pending_.front();
+  job_.source.fetch(first, count, unsettled.operands());
   const auto all = static_cast<std::uint32_t>((std::uint64_t{1} << job_.systems.size()) - 1);
-  std::fill_n(candidates.systems.begin(), count, all);
+  std::fill_n(unsettled.systems.begin(), count, all);
   for (std::size_t k = 0; k < count; ++k) {
     if (job_.failing.empty()) break;
     const data::Items items = job_.source.data().items(first + k);
-    candidates.failing[k] = 0;
+    unsettled.failing[k] = 0;
     for (const RateJob::Failing& failing : job_.failing) {
-      candidates.failing[k] |= failing.of_row[items.of(failing.item)];
+      unsettled.failing[k] |= failing.of_row[items.of(failing.item)];
     }
   }
-  look(job_.bands.front(), candidates, true);
-  find_true_verdicts(first, candidates);
+  classify(job_.bands.front(), unsettled, true);
+  find_true_verdicts(first, unsettled);
   process(0);
 }
 
-/// Evaluates the band's envelopes on all candidates; for new ones it finds the verdicts, too.
-void RateWorker::look(const PrecisionBand& band, Candidates& candidates, bool is_first) {
-  for (std::size_t at = 0; at < candidates.size(); at += envelope_width) {
+/// Evaluates the band's envelopes on all unsettled; for new ones it finds the verdicts, too.
+void RateWorker::classify(const PrecisionBand& band, UnsettledComparisons& unsettled,
+                          bool is_first) {
+  for (std::size_t at = 0; at < unsettled.size(); at += envelope_width) {
     const BlockFindings findings{last_.data() + at, capacity, doubtful_.data() + at,
-                                 (is_first ? candidates.truth : decisions_).data() + at};
-    band.look(candidates.operands().columns(at), envelope_, findings);
+                                 (is_first ? unsettled.truth : decisions_).data() + at};
+    band.classify(unsettled.operands().columns(at), envelope_, findings);
   }
   if (job_.method == ProfileMethod::brute_force) {
     std::fill(last_.begin(), last_.end(), static_cast<LastOpen>(band.next()));
@@ -84,10 +85,10 @@ void RateWorker::look(const PrecisionBand& band, Candidates& candidates, bool is
   }
 }
 
-void RateWorker::find_true_verdicts(std::uint64_t first, Candidates& candidates) {
-  candidates.reference = candidates.truth;
+void RateWorker::find_true_verdicts(std::uint64_t first, UnsettledComparisons& unsettled) {
+  unsettled.reference = unsettled.truth;
   std::vector<std::uint64_t> indices;
-  for (std::size_t k = 0; k < candidates.size(); ++k) {
+  for (std::size_t k = 0; k < unsettled.size(); ++k) {
     if (doubtful_[k] != 0) indices.push_back(first + k);
   }
   job_.source.fetch(indices, picked_.operands());
@@ -96,27 +97,27 @@ void RateWorker::find_true_verdicts(std::uint64_t first, Candidates& candidates)
   for (std::size_t n = 0; n < indices.size(); ++n) {
     const std::size_t k = indices[n] - first;
     job_.source.data().fetch(indices[n], operands);
-    candidates.reference[k] = decisions_[n];
+    unsettled.reference[k] = decisions_[n];
     const auto truth =
         golden::true_verdict(job_.scene.graph, job_.scene.reference.format, operands);
-    candidates.truth[k] = decision_of(truth);
+    unsettled.truth[k] = decision_of(truth);
     if (!truth) ++tally_.undetermined;
-    if (is_wrong(candidates.reference[k], candidates.truth[k])) ++tally_.reference_wrong;
+    if (is_wrong(unsettled.reference[k], unsettled.truth[k])) ++tally_.reference_wrong;
   }
   tally_.true_verdicts += indices.size();
 }
 
 void RateWorker::process(std::size_t index) {
   const PrecisionBand& band = job_.bands[index];
-  Candidates& candidates = pending_[index];
-  make_room(index + 1, candidates.size());
-  if (index > 0) look(band, candidates, false);
-  settle_finished(band, candidates);
+  UnsettledComparisons& unsettled = pending_[index];
+  make_room(index + 1, unsettled.size());
+  if (index > 0) classify(band, unsettled, false);
+  settle_finished(band, unsettled);
   for (std::size_t system = 0; system < band.system_count(); ++system) {
-    run_system(band, system, candidates);
+    run_system(band, system, unsettled);
   }
-  if (index + 1 < pending_.size()) pass_on(band, candidates, pending_[index + 1]);
-  candidates.operands().resize(0);
+  if (index + 1 < pending_.size()) pass_on(band, unsettled, pending_[index + 1]);
+  unsettled.operands().resize(0);
   if (index + 1 < pending_.size() && pending_[index + 1].size() >= block) process(index + 1);
 }
 
@@ -130,12 +131,12 @@ void RateWorker::make_room(std::size_t index, std::size_t count) {
 /// Corrects the findings on comparisons that this band's envelope cannot judge: a failing range
 /// check leaves a lane undecided at every precision, and what an earlier band settled stays
 /// settled.
-void RateWorker::settle_finished(const PrecisionBand& band, const Candidates& candidates) {
+void RateWorker::settle_finished(const PrecisionBand& band, const UnsettledComparisons& unsettled) {
   for (std::size_t system = 0; system < band.system_count(); ++system) {
     LastOpen* const last = last_.data() + system * capacity;
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-      if ((candidates.failing[k] >> system & 1) != 0) last[k] = static_cast<LastOpen>(band.next());
-      if ((candidates.systems[k] >> system & 1) == 0) {
+    for (std::size_t k = 0; k < unsettled.size(); ++k) {
+      if ((unsettled.failing[k] >> system & 1) != 0) last[k] = static_cast<LastOpen>(band.next());
+      if ((unsettled.systems[k] >> system & 1) == 0) {
         last[k] = static_cast<LastOpen>(band.anchor() - 1);
       }
     }
@@ -145,19 +146,18 @@ void RateWorker::settle_finished(const PrecisionBand& band, const Candidates& ca
 /// Runs the lanes of one system. A comparison that is not open is decided rightly, so counting it
 /// changes nothing: where more than a quarter are open, all are run, which is cheaper than picking.
 void RateWorker::run_system(const PrecisionBand& band, std::size_t system,
-                            const Candidates& candidates) {
-  count_open(band, system, candidates.size());
+                            const UnsettledComparisons& unsettled) {
+  count_open(band, system, unsettled.size());
   bool picked = false;
   for (int precision = band.anchor(); precision < band.next(); ++precision) {
     const std::size_t open = open_at_[precision - band.anchor()];
     if (open == 0) break;
     const PrecisionBand::Runner& runner = band.runner(system, precision);
     if (!runner.emulator) continue;
-    const bool most = open > candidates.size() / 4;
-    if (!most && !picked) pick(band, system, candidates);
+    const bool most = open > unsettled.size() / 4;
+    if (!most && !picked) pick(band, system, unsettled);
     picked = picked || !most;
-    run_lane(runner, system, precision, most ? candidates : picked_,
-             most ? candidates.size() : open);
+    run_lane(runner, system, precision, most ? unsettled : picked_, most ? unsettled.size() : open);
   }
 }
 
@@ -173,29 +173,30 @@ void RateWorker::count_open(const PrecisionBand& band, std::size_t system, std::
 
 /// Picks the comparisons that are open at some precision of the band, longest open first, so that
 /// the comparisons which are open at L stand at the beginning of the list.
-void RateWorker::pick(const PrecisionBand& band, std::size_t system, const Candidates& candidates) {
+void RateWorker::pick(const PrecisionBand& band, std::size_t system,
+                      const UnsettledComparisons& unsettled) {
   const LastOpen* const last = last_.data() + system * capacity;
   const int anchor = band.anchor();
   std::vector<std::size_t> place(open_at_.begin() + 1, open_at_.end());
-  for (std::size_t k = 0; k < candidates.size(); ++k) {
+  for (std::size_t k = 0; k < unsettled.size(); ++k) {
     if (last[k] >= anchor) order_[place[last[k] - anchor]++] = static_cast<std::uint32_t>(k);
   }
   const std::size_t count = open_at_[0];
   picked_.operands().resize(count);
   for (std::size_t input = 0; input < job_.source.data().input_count(); ++input) {
-    const double* const from = candidates.operands().column(input);
+    const double* const from = unsettled.operands().column(input);
     double* const to = picked_.operands().column(input);
     for (std::size_t n = 0; n < count; ++n) to[n] = from[order_[n]];
   }
   for (std::size_t n = 0; n < count; ++n) {
-    picked_.truth[n] = candidates.truth[order_[n]];
-    picked_.reference[n] = candidates.reference[order_[n]];
+    picked_.truth[n] = unsettled.truth[order_[n]];
+    picked_.reference[n] = unsettled.reference[order_[n]];
   }
 }
 
 void RateWorker::run_lane(const PrecisionBand::Runner& runner, std::size_t system, int precision,
-                          const Candidates& candidates, std::size_t count) {
-  const std::vector<const double*> columns = candidates.operands().columns();
+                          const UnsettledComparisons& unsettled, std::size_t count) {
+  const std::vector<const double*> columns = unsettled.operands().columns();
   if (runner.kind == SystemKind::lanes_alone) {
     runner.emulator->compare(columns, count, decisions_);
   } else {
@@ -205,9 +206,9 @@ void RateWorker::run_lane(const PrecisionBand::Runner& runner, std::size_t syste
   std::uint64_t undecided = 0, wrong = 0, wrong_by_lane = 0;
   for (std::size_t n = 0; n < count; ++n) {
     const bool open = decisions_[n] == Decision::undecided;
-    const Decision verdict = open ? candidates.reference[n] : decisions_[n];
+    const Decision verdict = open ? unsettled.reference[n] : decisions_[n];
     undecided += open ? 1 : 0;
-    const bool blamed = is_wrong(verdict, candidates.truth[n]);
+    const bool blamed = is_wrong(verdict, unsettled.truth[n]);
     wrong += blamed ? 1 : 0;
     wrong_by_lane += blamed && !open ? 1 : 0;
   }
@@ -217,7 +218,8 @@ void RateWorker::run_lane(const PrecisionBand::Runner& runner, std::size_t syste
   counts.wrong_by_lane += wrong_by_lane;
 }
 
-void RateWorker::pass_on(const PrecisionBand& band, const Candidates& from, Candidates& to) {
+void RateWorker::pass_on(const PrecisionBand& band, const UnsettledComparisons& from,
+                         UnsettledComparisons& to) {
   for (std::size_t k = 0; k < from.size(); ++k) {
     std::uint32_t left = 0;
     for (std::size_t system = 0; system < band.system_count(); ++system) {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/profile/candidates.hpp"
 #include "model/profile/precision_band.hpp"
+#include "model/profile/unsettled_comparisons.hpp"
 #include "model/profile/workers.hpp"
 
 namespace mixcmp::profile {
@@ -55,25 +55,27 @@ private:
   void start(std::uint64_t first, std::size_t count);
   void process(std::size_t band);
   void make_room(std::size_t band, std::size_t count);
-  void look(const PrecisionBand& band, Candidates& candidates, bool is_first);
-  void find_true_verdicts(std::uint64_t first, Candidates& candidates);
-  void settle_finished(const PrecisionBand& band, const Candidates& candidates);
-  void run_system(const PrecisionBand& band, std::size_t system, const Candidates& candidates);
+  void classify(const PrecisionBand& band, UnsettledComparisons& unsettled, bool is_first);
+  void find_true_verdicts(std::uint64_t first, UnsettledComparisons& unsettled);
+  void settle_finished(const PrecisionBand& band, const UnsettledComparisons& unsettled);
+  void run_system(const PrecisionBand& band, std::size_t system,
+                  const UnsettledComparisons& unsettled);
   void count_open(const PrecisionBand& band, std::size_t system, std::size_t count);
-  void pick(const PrecisionBand& band, std::size_t system, const Candidates& candidates);
+  void pick(const PrecisionBand& band, std::size_t system, const UnsettledComparisons& unsettled);
   void run_lane(const PrecisionBand::Runner& runner, std::size_t system, int precision,
-                const Candidates& candidates, std::size_t count);
-  void pass_on(const PrecisionBand& band, const Candidates& from, Candidates& to);
+                const UnsettledComparisons& unsettled, std::size_t count);
+  void pass_on(const PrecisionBand& band, const UnsettledComparisons& from,
+               UnsettledComparisons& to);
 
   const RateJob& job_;
   RateTally tally_;
   EnvelopeBlock envelope_;
-  std::vector<Candidates> pending_;  ///< one per band
-  std::vector<LastOpen> last_;       ///< [system * capacity + row of the candidates]
+  std::vector<UnsettledComparisons> pending_;  ///< one per band
+  std::vector<LastOpen> last_;                 ///< [system * capacity + row of the unsettled]
   std::vector<std::uint8_t> doubtful_;
-  std::vector<std::uint32_t> order_;  ///< rows of the candidates, longest open first
-  std::vector<std::size_t> open_at_;  ///< [L - anchor]: number of candidates open at L
-  Candidates picked_;                 ///< the open candidates of one system, in the order of order_
+  std::vector<std::uint32_t> order_;  ///< rows of the unsettled, longest open first
+  std::vector<std::size_t> open_at_;  ///< [L - anchor]: number of unsettled open at L
+  UnsettledComparisons picked_;       ///< the open unsettled of one system, in the order of order_
   std::vector<Decision> decisions_;
 };
 

@@ -14,7 +14,7 @@ namespace {
 /// Turns an error's column within an expression into a line and a column of the file. Where the
 /// file does not contain the text literally (escapes, --set), the message gives the position in the
 /// text instead.
-Error locate(const settings::Setting& setting, Error error) {
+Error with_location(const settings::Setting& setting, Error error) {
   const auto column = static_cast<std::size_t>(error.column);
   static const std::string nothing;
   const std::string& source = setting.file ? setting.file->text : nothing;
@@ -54,15 +54,15 @@ Error locate(const settings::Setting& setting, Error error) {
 
 /// Gives a place in the file to an error in the text of `setting`, whose key is `field`, or in the
 /// text of a let that it uses.
-Error locate_in(const settings::Settings& settings, const settings::Setting& setting,
-                const std::string& field, Error error) {
+Error with_location_in(const settings::Settings& settings, const settings::Setting& setting,
+                       const std::string& field, Error error) {
   if (error.field.empty()) {
     error.field = field;
-    return locate(setting, error);
+    return with_location(setting, error);
   }
   const std::string let = error.field.substr(std::string_view("let.").size());
   const auto& let_table = std::get<settings::Setting::Table>(settings.root.find("let")->value);
-  return locate(*let_table.find(let), error);
+  return with_location(*let_table.find(let), error);
 }
 
 /// The context in which all expressions of a comparison are parsed.
@@ -76,7 +76,7 @@ struct Reading {
     const Result<NodeId> node =
         parse_expression(graph, std::get<std::string>(setting.value), lets, &used_lets, indices);
     if (node.ok()) return node;
-    return locate_in(settings, setting, field, node.error());
+    return with_location_in(settings, setting, field, node.error());
   }
 };
 
@@ -98,7 +98,8 @@ Result<Done> expand_parts(const settings::Settings& settings, std::span<const Le
                           ComparisonSpec& comparison) {
   if (comparison.index == nullptr) return Done{};
   const auto parsed = parse_index_range(std::get<std::string>(comparison.index->value), lets);
-  if (!parsed.ok()) return locate_in(settings, *comparison.index, "comparison.for", parsed.error());
+  if (!parsed.ok())
+    return with_location_in(settings, *comparison.index, "comparison.for", parsed.error());
   const std::vector<PartSettings> listed = std::exchange(comparison.parts, {});
   for (long value = parsed->first; value <= parsed->last; ++value) {
     if (comparison.parts.size() + listed.size() > max_parts) {

@@ -41,10 +41,10 @@ bool is_text(const settings::Setting& setting) {
   return std::holds_alternative<std::string>(setting.value);
 }
 
-Result<PlanReport> read_report(const settings::Settings& plan) {
+Result<PlanNotes> read_notes(const settings::Settings& plan) {
   constexpr std::array numbers = {"throughput_per_s", "clock_mhz", "recomputation_rate", "slack"};
   constexpr std::array texts = {"device", "command", "clock_basis"};
-  PlanReport report{.path = plan.path, .values = {}};
+  PlanNotes notes{.path = plan.path, .values = {}};
   const settings::Section section(plan, "plan");
   if (const auto error = section.finish(); error && !section.present()) return *error;
   for (const settings::Setting& entry : section.entries()) {
@@ -60,9 +60,9 @@ Result<PlanReport> read_report(const settings::Settings& plan) {
     const bool plain =
         is_number(entry) || is_text(entry) || std::holds_alternative<bool>(entry.value);
     if (!plain) return wrong("a string, a number, true or false");
-    report.values.emplace_back(entry.key, entry.shown());
+    notes.values.emplace_back(entry.key, entry.shown());
   }
-  return report;
+  return notes;
 }
 
 void erase(settings::Setting::Table& table, const std::string& key) {
@@ -114,9 +114,9 @@ Result<SceneSettings> read_layers(std::vector<fs::path> from) {
   MIXCMP_TRY(scene, scene_of(*named, from));
   from.push_back(scene);
   MIXCMP_TRY(below, read_layers(std::move(from)));
-  MIXCMP_TRY(report, read_report(file));
+  MIXCMP_TRY(notes, read_notes(file));
   lay_over(below.settings.root, file.root);
-  below.plan = std::move(report);
+  below.plan = std::move(notes);
   return below;
 }
 

@@ -12,7 +12,7 @@ namespace mixcmp::scene {
 
 struct SceneSettings {
   settings::Settings settings;
-  std::optional<PlanReport> plan;
+  std::optional<PlanNotes> plan;
   std::vector<std::filesystem::path> files;  ///< files read: plans first, the scene last
 };
 

@@ -124,7 +124,7 @@ struct DataSpec {
 std::string table_name(const DataSpec& data, std::size_t which);
 
 /// The keys and values of a plan's [plan] section, as text for display. They change nothing.
-struct PlanReport {
+struct PlanNotes {
   std::filesystem::path path;
   std::vector<std::pair<std::string, std::string>> values;
 };
@@ -154,7 +154,7 @@ struct Scene {
   std::vector<ReferenceGroupSpec> references;  ///< [[references]]; empty: system.references
   SystemSpec system;
   std::optional<DataSpec> data;
-  std::optional<PlanReport> plan;  ///< none where the scene was read without one
+  std::optional<PlanNotes> plan;  ///< none where the scene was read without one
   /// Remarks for the user: inexact constants, unused ranges, ...
   std::vector<std::string> notes;
 

@@ -54,8 +54,8 @@ Result<std::string> read_name(const settings::Setting& table,
 }
 
 /// Lays a variant's keys over [comparison], which keeps its name and all other keys.
-Result<Formulation> lay_over(const settings::Setting& table, std::string name,
-                             const settings::Settings& base) {
+Result<Formulation> formulation_of(const settings::Setting& table, std::string name,
+                                   const settings::Settings& base) {
   Formulation formulation{.variant = std::move(name),
                           .settings = base,
                           .file = settings::file_of(table),
@@ -118,7 +118,7 @@ Result<Formulations> read_formulations(const settings::Settings& settings) {
   }
   for (const settings::Setting& table : tables) {
     MIXCMP_TRY(name, read_name(table, formulations.all));
-    MIXCMP_TRY(formulation, lay_over(table, name, base));
+    MIXCMP_TRY(formulation, formulation_of(table, name, base));
     formulations.all.push_back(std::move(formulation));
   }
   MIXCMP_TRY(chosen, chosen_one(settings, formulations.all));

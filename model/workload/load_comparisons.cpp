@@ -12,7 +12,7 @@
 #include "model/data/pdb.hpp"
 #include "model/data/sphere_family.hpp"
 #include "model/data/uniform_spheres.hpp"
-#include "model/workload/reference_contest.hpp"
+#include "model/workload/compare_by_reference.hpp"
 
 namespace mixcmp::workload {
 namespace {
@@ -160,19 +160,19 @@ Result<data::Table> load_table(const scene::Scene& scene, std::size_t which,
   return with_input(scene, which, missing->name, error);
 }
 
-/// Makes a contest report its progress.
-data::Contest with_progress(data::Contest contest, const ContestProgress& progress) {
-  if (!progress) return contest;
-  return [contest = std::move(contest), progress, done = std::uint64_t{0}](
+/// Makes the comparisons report its progress.
+data::CompareItems with_progress(data::CompareItems compare, const ComparisonProgress& progress) {
+  if (!progress) return compare;
+  return [compare = std::move(compare), progress, done = std::uint64_t{0}](
              const data::Comparisons& data, std::span<const data::Items> items,
              std::span<std::uint8_t> greater) mutable {
-    contest(data, items, greater);
+    compare(data, items, greater);
     done += items.size();
     progress(done, data.size());
   };
 }
 
-Result<data::Comparisons> arrange(const scene::Scene& scene, const ContestProgress& progress) {
+Result<data::Comparisons> arrange(const scene::Scene& scene, const ComparisonProgress& progress) {
   const std::vector<std::string>& inputs = scene.graph.inputs();
   MIXCMP_TRY(needed, needed_columns(scene));
   MIXCMP_TRY(first, load_table(scene, 0, needed[0]));
@@ -186,14 +186,15 @@ Result<data::Comparisons> arrange(const scene::Scene& scene, const ContestProgre
   if (scene.data->pairing == data::Pairing::cross) {
     return data::Comparisons::cross(std::move(first), std::move(second), inputs);
   }
-  const data::Contest contest = reference_contest(reference_graph(scene.graph, scene.reference));
+  const data::CompareItems compare =
+      compare_by_reference(reference_graph(scene.graph, scene.reference));
   return data::Comparisons::arg_min(std::move(first), std::move(second), inputs,
-                                    with_progress(contest, progress));
+                                    with_progress(compare, progress));
 }
 
 /// Places an error that has no file yet at the key that it names, or at [data]. An error about one
 /// table also names that table.
-Error in_scene(const scene::Scene& scene, Error error) {
+Error with_location(const scene::Scene& scene, Error error) {
   if (!error.file.empty()) return error;
   error.file = scene.path.string();
   if (error.field.empty()) error.field = "data";
@@ -216,14 +217,14 @@ Error in_scene(const scene::Scene& scene, Error error) {
 }  // namespace
 
 Result<data::Comparisons> load_comparisons(const scene::Scene& scene,
-                                           const ContestProgress& progress) {
+                                           const ComparisonProgress& progress) {
   if (!scene.data) {
-    return in_scene(scene, {.message = "the scene has no data",
-                            .received = "nothing",
-                            .accepted = "a section [data]"});
+    return with_location(scene, {.message = "the scene has no data",
+                                 .received = "nothing",
+                                 .accepted = "a section [data]"});
   }
   Result<data::Comparisons> comparisons = arrange(scene, progress);
-  if (!comparisons.ok()) return in_scene(scene, comparisons.error());
+  if (!comparisons.ok()) return with_location(scene, comparisons.error());
   return comparisons;
 }
 

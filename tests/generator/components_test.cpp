@@ -304,23 +304,23 @@ TEST_F(Components, ATableIsCurrentUntilTheSceneChanges) {
   }
   ASSERT_GE(table.rows.size(), 4u);
   const int rows = static_cast<int>(table.rows.size());
-  EXPECT_EQ(components::check_currency(table, before, nullptr, device).outdated, 0);
-  EXPECT_EQ(components::check_currency(table, before, nullptr, device).rows, rows);
+  EXPECT_EQ(components::count_rows(table, before, nullptr, device).outdated, 0);
+  EXPECT_EQ(components::count_rows(table, before, nullptr, device).all, rows);
 
   const scene::Scene refetching = scene(one_system + "operands = \"refetched\"\n");
-  EXPECT_EQ(components::check_currency(table, refetching, nullptr, device).outdated, 1)
+  EXPECT_EQ(components::count_rows(table, refetching, nullptr, device).outdated, 1)
       << "the crossbar";
   const scene::Scene other = scene(one_system + "target_mhz = 50\n");
-  EXPECT_GE(components::check_currency(table, other, nullptr, device).outdated, 3)
+  EXPECT_GE(components::count_rows(table, other, nullptr, device).outdated, 3)
       << "lanes and references";
   devices::Device remapped = device;
   remapped.synthesis += " -abc2";
-  EXPECT_EQ(components::check_currency(table, before, nullptr, remapped).outdated, rows);
+  EXPECT_EQ(components::count_rows(table, before, nullptr, remapped).outdated, rows);
 
   table.rows[0].timing_seeds = 5;
-  EXPECT_EQ(components::check_currency(table, before, nullptr, device).outdated, 1);
+  EXPECT_EQ(components::count_rows(table, before, nullptr, device).outdated, 1);
   table.rows[0].key.format = "no format";
-  EXPECT_EQ(components::check_currency(table, before, nullptr, device).outdated, 1);
+  EXPECT_EQ(components::count_rows(table, before, nullptr, device).outdated, 1);
 }
 
 }  // namespace

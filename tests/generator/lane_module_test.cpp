@@ -23,7 +23,8 @@ std::vector<rtl::Instance> instances(
   const datapath::Schedule schedule =
       datapath::schedule_lane(lane, multipliers, datapath::delays_of("virtex6-lx760").value(), 250);
   std::vector<rtl::Instance> found;
-  for (const rtl::Item& item : rtl::lane_module("lane", graph.inputs(), lane, schedule).items) {
+  for (const rtl::ModuleItem& item :
+       rtl::lane_module("lane", graph.inputs(), lane, schedule).items) {
     if (const auto* instance = std::get_if<rtl::Instance>(&item)) found.push_back(*instance);
   }
   return found;

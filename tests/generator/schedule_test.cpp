@@ -136,7 +136,7 @@ TEST_P(ScheduleAtTarget, RowsOfMultipliersAreCutBehindRegisteredMultipliers) {
     for (const datapath::Step& step : schedule.steps) {
       if (step.unit.module != "fp_square") continue;
       ++squares;
-      const int rows = (53 + delays.multiplier.b_bits - 1) / delays.multiplier.b_bits;
+      const int rows = (53 + delays.multiplier_size.b_bits - 1) / delays.multiplier_size.b_bits;
       EXPECT_TRUE(rows_wait_for_multipliers(step, rows)) << device;
       if (slowest_stage_ns(step.unit) > logic_ns) continue;
       EXPECT_LE(longest_path_ns(step), logic_ns) << device;

@@ -10,7 +10,7 @@
 #include "model/emulator/emulator.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/number/verdict.hpp"
-#include "model/workload/reference_contest.hpp"
+#include "model/workload/compare_by_reference.hpp"
 #include "tests/generator/software_program.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/unproven_tie.hpp"
@@ -285,10 +285,10 @@ TEST(Software, ABaselineOfTwoTablesIsChecked) {
                              "\"x*\" = { range = [0, 64] }\n\"r*\" = { range = [0, 2] }\n"});
   Random random(4);
   const auto& graph = software.scene().graph;
-  const auto contest =
-      workload::reference_contest(reference_graph(graph, {software::software_format()}));
+  const auto compare =
+      workload::compare_by_reference(reference_graph(graph, {software::software_format()}));
   const auto data = data::Comparisons::arg_min(items_on_a_grid(300, random),
-                                               items_on_a_grid(5, random), graph.inputs(), contest)
+                                               items_on_a_grid(5, random), graph.inputs(), compare)
                         .value();
   const auto baseline = software::software_baseline(
       software.scene(), data,

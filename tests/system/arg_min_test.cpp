@@ -8,7 +8,7 @@
 #include "model/expression/parser.hpp"
 #include "model/number/exact.hpp"
 #include "model/number/verdict.hpp"
-#include "model/workload/reference_contest.hpp"
+#include "model/workload/compare_by_reference.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -63,7 +63,7 @@ data::Comparisons data(const design::Design& design, std::size_t rows, std::size
   const FloatFormat format = design.reference.input_format;
   return data::Comparisons::arg_min(points(format, {"x", "y"}, rows, steps, 1, special),
                                     points(format, {"cx", "cy"}, candidates, steps, 2, special),
-                                    design.inputs, workload::reference_contest(design.reference))
+                                    design.inputs, workload::compare_by_reference(design.reference))
       .value();
 }
 

@@ -155,7 +155,7 @@ private:
   std::uint64_t progress_ = 0;
   std::uint64_t observed_reports_ = 0;  ///< reports since reset
   std::uint64_t observed_busy_ = 0;
-  std::vector<wire::Report> reports_;
+  std::vector<wire::ReportedPair> reports_;
   wire::SetResponse response_ = {};
   wire::SetState state_ = wire::SetState::closed;
 };

@@ -36,7 +36,7 @@ struct SetResponse {
   SetState state;
 };
 
-struct Report {
+struct ReportedPair {
   std::uint64_t cycle;
   std::uint32_t i;
   std::uint32_t j;

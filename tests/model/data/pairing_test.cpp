@@ -76,14 +76,15 @@ TEST(Comparisons, CrossIsEveryRowOfBothTables) {
 
 TEST(Comparisons, CandidatesOfArgMinMeetInOrder) {
   // Candidate 2 beats all before it for even rows, candidate 1 candidate 0 for odd ones.
-  const data::Contest contest = [](const data::Comparisons&, std::span<const data::Items> items,
-                                   std::span<std::uint8_t> greater) {
+  const data::CompareItems compare = [](const data::Comparisons&,
+                                        std::span<const data::Items> items,
+                                        std::span<std::uint8_t> greater) {
     for (std::size_t k = 0; k < items.size(); ++k) {
       greater[k] = items[k].second == (items[k].row % 2 == 0 ? 2 : 1);
     }
   };
   const auto data = data::Comparisons::arg_min(numbered(0, 5, {"p"}), numbered(1, 4, {"c"}),
-                                               {"p", "ci", "cj"}, contest);
+                                               {"p", "ci", "cj"}, compare);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
   ASSERT_EQ(data->size(), 15U);
   EXPECT_EQ(data->arg_min(0), 2U);

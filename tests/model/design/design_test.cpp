@@ -5,7 +5,7 @@
 #include "model/number/decimal.hpp"
 #include "model/number/exact.hpp"
 #include "model/profile/profiled_error.hpp"
-#include "model/workload/reference_contest.hpp"
+#include "model/workload/compare_by_reference.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -251,7 +251,7 @@ data::Table line(const char* column, std::uint64_t count) {
 Comparisons points(const Scene& scene, std::uint64_t candidates) {
   const auto reference = reference_graph(scene.graph, scene.reference);
   return Comparisons::arg_min(line("p", 1), line("c", candidates), scene.graph.inputs(),
-                              workload::reference_contest(reference))
+                              workload::compare_by_reference(reference))
       .value();
 }
 

@@ -106,7 +106,7 @@ TEST(Devices, AUsersFileIsADevice) {
   EXPECT_EQ(device->available,
             (devices::Area{.luts = 1000, .registers = 2000, .dsps = 3, .memories = 4}));
   EXPECT_EQ(device->delays.multiplier_ns, 9);
-  EXPECT_EQ(device->delays.multiplier, (devices::MultiplierSize{.a_bits = 12, .b_bits = 9}));
+  EXPECT_EQ(device->delays.multiplier_size, (devices::MultiplierSize{.a_bits = 12, .b_bits = 9}));
 }
 
 }  // namespace

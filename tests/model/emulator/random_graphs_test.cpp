@@ -42,13 +42,10 @@ TEST_P(RandomLanes, SoAreThoseOfSeveralParts) {
     const Arithmetic reduced = random_reduced(format, random);
     const LaneInputs inputs = random_inputs(random);
     const TypedGraph typed = lane_graph(graph, format, reduced, inputs);
-    std::vector<GraphPart> parts;
-    std::vector<error::Lane> lanes;
-    for (std::size_t part = 0; part < typed.parts.size(); ++part) {
-      parts.push_back(part_of(typed, part));
-      lanes.push_back(random_lane(parts.back().graph, random));
-    }
-    const error::Lane lane = error::join_parts(typed, parts, lanes);
+    const error::Lane lane =
+        error::lane_of_parts(typed, [&](const TypedGraph& part) -> Result<error::Lane> {
+          return random_lane(part, random);
+        }).value();
     const Operands operands =
         random_operands(static_cast<int>(graph.inputs().size()), format, 200, random);
     expect_golden_decisions(lane, operands);

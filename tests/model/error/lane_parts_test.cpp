@@ -243,16 +243,18 @@ TEST(Lane, ANodeThatPartsShareKeepsTheHazardsOfEither) {
   const TypedGraph typed =
       lane_graph(graph, format_of(24, 8), {format_of(8, 8)}, LaneInputs::rounded);
   const error::Hazards none = {false, false, false, false}, all;
-  std::vector<GraphPart> parts;
   std::vector<Lane> lanes;
   for (const error::Hazards& hazards : {none, all}) {
-    parts.push_back(part_of(typed, parts.size()));
-    lanes.push_back(error::one_part_lane(parts.back().graph, error::UlpDistanceDecision{}));
-    lanes.back().hazards.assign(parts.back().graph.nodes.size(), hazards);
+    lanes.push_back(
+        error::one_part_lane(part_of(typed, lanes.size()).graph, error::UlpDistanceDecision{}));
+    lanes.back().hazards.assign(lanes.back().graph.nodes.size(), hazards);
   }
   for (const bool swapped : {false, true}) {
     if (swapped) std::swap(lanes[0].hazards[0], lanes[1].hazards[0]);
-    const Lane lane = error::join_parts(typed, parts, lanes);
+    auto next = lanes.begin();
+    const Lane lane = error::lane_of_parts(typed, [&](const TypedGraph&) -> Result<Lane> {
+                        return *next++;
+                      }).value();
     const auto part_0 = nodes_of_part(lane, 0), part_1 = nodes_of_part(lane, 1);
     for (std::size_t id = swapped ? 1 : 0; id < lane.hazards.size(); ++id) {
       EXPECT_EQ(lane.hazards[id], part_1[id] ? all : none) << id;

@@ -11,7 +11,7 @@
 namespace mixcmp::test {
 namespace {
 
-double at(const optimise::Line& line, double x) {
+double at(const optimise::Tangent& line, double x) {
   return line.slope * x + line.offset;
 }
 
@@ -21,7 +21,7 @@ TEST(LinesBelow, LieBelowEveryPointAndTouchTheHull) {
   for (int round = 0; round < 200; ++round) {
     std::vector<double> values(1 + round % 40);
     for (double& value : values) value = number(engine);
-    for (const optimise::Line& line : optimise::lines_below(values)) {
+    for (const optimise::Tangent& line : optimise::lower_tangents(values)) {
       double nearest = std::numeric_limits<double>::infinity();
       for (std::size_t k = 0; k < values.size(); ++k) {
         nearest = std::min(nearest, values[k] - at(line, static_cast<double>(k)));
@@ -37,11 +37,11 @@ TEST(LinesBelow, AreFewAndExactWhereThePointsAreALine) {
     line.push_back(3.0 * k + 7);
     parabola.push_back(static_cast<double>(k) * k);
   }
-  ASSERT_EQ(optimise::lines_below(line).size(), 1u);
-  EXPECT_DOUBLE_EQ(at(optimise::lines_below(line)[0], 100), 307);
-  EXPECT_LE(optimise::lines_below(parabola).size(), 11u);
-  EXPECT_DOUBLE_EQ(at(optimise::lines_below({})[0], 5), 0);
-  EXPECT_DOUBLE_EQ(at(optimise::lines_below({4})[0], 9), 4);
+  ASSERT_EQ(optimise::lower_tangents(line).size(), 1u);
+  EXPECT_DOUBLE_EQ(at(optimise::lower_tangents(line)[0], 100), 307);
+  EXPECT_LE(optimise::lower_tangents(parabola).size(), 11u);
+  EXPECT_DOUBLE_EQ(at(optimise::lower_tangents({})[0], 5), 0);
+  EXPECT_DOUBLE_EQ(at(optimise::lower_tangents({4})[0], 9), 4);
 }
 
 TEST(IntegerProgram, IsSolvedInIntegers) {

@@ -16,7 +16,7 @@ public:
     problem.clocks =
         chance(0.5) ? optimise::ClockDomains::single : optimise::ClockDomains::separate;
     problem.sharing =
-        chance(0.7) ? optimise::ReferenceSharing::dealt : optimise::ReferenceSharing::pooled;
+        chance(0.7) ? optimise::ReferenceSharing::round_robin : optimise::ReferenceSharing::pooled;
     problem.max_lanes = number(1, 9);
     problem.max_references = number(0, 4);
     problem.slack = pick({0.0, 0.0, 0.1, 0.2, 0.2, 0.9});

@@ -84,19 +84,19 @@ TEST(Performance, LanesThatDoNotDivideEvenlyNeedMoreThanTheTotal) {
   EXPECT_TRUE(performance::references_suffice(five, two));
   EXPECT_FALSE(performance::each_reference_suffices(five, two));
   EXPECT_DOUBLE_EQ(performance::equivalent_throughput(five, two), 500);
-  EXPECT_DOUBLE_EQ(performance::dealt_throughput(five, two), 250 + 200);
+  EXPECT_DOUBLE_EQ(performance::round_robin_throughput(five, two), 250 + 200);
 }
 
 TEST(Performance, LanesThatAskForLessThanTheirTurnAreNotHeldUp) {
   // One reference of 90: the first lane asks for 10, the others for 60 each and get 40.
   const std::vector<performance::Datapaths> kinds{lanes(1, 100, 0.1), lanes(2, 60, 1)};
-  EXPECT_DOUBLE_EQ(performance::dealt_throughput(kinds, {references(1, 90)}), 100 + 40 + 40);
-  EXPECT_DOUBLE_EQ(performance::dealt_throughput(kinds, {references(1, 130)}), 100 + 60 + 60);
+  EXPECT_DOUBLE_EQ(performance::round_robin_throughput(kinds, {references(1, 90)}), 100 + 40 + 40);
+  EXPECT_DOUBLE_EQ(performance::round_robin_throughput(kinds, {references(1, 130)}), 100 + 60 + 60);
 }
 
 TEST(Performance, WithoutReferencesOnlyLanesThatNeedNoneWork) {
-  EXPECT_DOUBLE_EQ(performance::dealt_throughput({lanes(4, 10, 0)}, {}), 40);
-  EXPECT_DOUBLE_EQ(performance::dealt_throughput({lanes(4, 10, 1e-9)}, {}), 0);
+  EXPECT_DOUBLE_EQ(performance::round_robin_throughput({lanes(4, 10, 0)}, {}), 40);
+  EXPECT_DOUBLE_EQ(performance::round_robin_throughput({lanes(4, 10, 1e-9)}, {}), 0);
   EXPECT_TRUE(performance::each_reference_suffices({lanes(4, 10, 0)}, {}));
   EXPECT_FALSE(performance::each_reference_suffices({lanes(4, 10, 1e-9)}, {}));
 }

@@ -13,7 +13,7 @@
 #include "model/number/verdict.hpp"
 #include "model/profile/rate_worker.hpp"
 #include "model/profile/systems.hpp"
-#include "model/workload/reference_contest.hpp"
+#include "model/workload/compare_by_reference.hpp"
 #include "tests/model/profile/profile_cases.hpp"
 #include "tests/support/sphere.hpp"
 #include "tests/support/unproven_tie.hpp"
@@ -160,9 +160,10 @@ TEST(Rates, OfTwoTablesAreTheGoldenModels) {
   Scene nearest_centre = scene;
   nearest_centre.graph = graph_of("(cx - cxi)^2 + (cy - cyi)^2", "(cx - cxj)^2 + (cy - cyj)^2");
   nearest_centre.ranges.assign(6, Range{0, 100});
-  const auto contest = workload::reference_contest(reference_graph(nearest_centre.graph, {format}));
+  const auto compare =
+      workload::compare_by_reference(reference_graph(nearest_centre.graph, {format}));
   const auto data = Comparisons::arg_min(table(40, 100, 3), table(9, 130, 4),
-                                         nearest_centre.graph.inputs(), contest);
+                                         nearest_centre.graph.inputs(), compare);
   checked_profile(nearest_centre, data.value(), LaneInputs::exact, options_of(4, 30), "arg_min");
 }
 

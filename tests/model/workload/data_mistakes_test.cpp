@@ -210,7 +210,7 @@ TEST_F(DataMistakes, OverridesReachIntoTables) {
             "accepted x (the nearest), y, phi");
 }
 
-TEST(ContestProgress, CountsUpToAllComparisons) {
+TEST(ComparisonProgress, CountsUpToAllComparisons) {
   const test::ScratchDirectory directory;
   std::string rows = "p\n";
   for (int row = 0; row < 5000; ++row) rows += std::to_string(row) + "\n";

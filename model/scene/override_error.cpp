@@ -1,4 +1,4 @@
-#include "model/scene/blame.hpp"
+#include "model/scene/override_error.hpp"
 
 #include <fmt/core.h>
 

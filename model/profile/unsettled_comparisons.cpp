@@ -1,15 +1,16 @@
-#include "model/profile/candidates.hpp"
+#include "model/profile/unsettled_comparisons.hpp"
 
 namespace mixcmp::profile {
 
-Candidates::Candidates(std::size_t inputs, std::size_t capacity)
+UnsettledComparisons::UnsettledComparisons(std::size_t inputs, std::size_t capacity)
     : truth(capacity),
       reference(capacity),
       systems(capacity),
       failing(capacity),
       operands_(inputs, capacity) {}
 
-void Candidates::append(const Candidates& from, std::size_t row, std::uint32_t systems_left) {
+void UnsettledComparisons::append(const UnsettledComparisons& from, std::size_t row,
+                                  std::uint32_t systems_left) {
   MIXCMP_CHECK(size() < capacity());
   const std::size_t place = size();
   truth[place] = from.truth[row];

@@ -5,7 +5,7 @@
 
 namespace mixcmp::workload {
 
-/// Makes a Contest that decides as a reference datapath does, bit for bit.
-data::Contest reference_contest(const TypedGraph& reference);
+/// Makes a data::CompareItems that decides as a reference datapath does, bit for bit.
+data::CompareItems compare_by_reference(const TypedGraph& reference);
 
 }  // namespace mixcmp::workload

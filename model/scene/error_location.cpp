@@ -1,4 +1,4 @@
-#include "model/scene/locate.hpp"
+#include "model/scene/error_location.hpp"
 
 #include "model/scene/plan.hpp"
 #include "model/settings/section.hpp"

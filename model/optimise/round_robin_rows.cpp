@@ -1,4 +1,4 @@
-#include "model/optimise/dealt_rows.hpp"
+#include "model/optimise/round_robin_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -20,9 +20,9 @@ void add_loads(IntegerProgram& program, const KindsAtClock& kinds, int reference
     if (fall == 0) continue;
     for (std::size_t r = 0; r < loads.size(); ++r) {
       const int count = program.add_column(fmt::format("count_{}_{}", k, r), 0, max_lanes);
-      Sum dealt = first_lanes;
-      dealt.push_back({count, -static_cast<double>(references)});
-      program.add_row(fmt::format("dealt_{}_{}", k, r), std::move(dealt), Relation::at_most,
+      Sum row = first_lanes;
+      row.push_back({count, -static_cast<double>(references)});
+      program.add_row(fmt::format("dealt_{}_{}", k, r), std::move(row), Relation::at_most,
                       static_cast<double>(r));
       loads[r].push_back({count, fall});
     }
@@ -56,8 +56,8 @@ void subtract_capacities(IntegerProgram& program, const KindsAtClock& kinds, int
 
 }  // namespace
 
-void add_dealt_rows(IntegerProgram& program, const KindsAtClock& kinds, int references,
-                    int first_reference, int max_lanes) {
+void add_round_robin_rows(IntegerProgram& program, const KindsAtClock& kinds, int references,
+                          int first_reference, int max_lanes) {
   // Where references are alike, the first has the greatest load, and its row implies the others.
   const bool alike = kinds.references_alike();
   std::vector<Sum> loads(alike ? 1 : static_cast<std::size_t>(references));

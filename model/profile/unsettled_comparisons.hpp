@@ -10,9 +10,9 @@ namespace mixcmp::profile {
 
 /// Comparisons on which some system is not settled, with the data that counting needs. A system is
 /// settled on a comparison once it is known to decide it rightly at every further precision.
-class Candidates {
+class UnsettledComparisons {
 public:
-  Candidates(std::size_t inputs, std::size_t capacity);
+  UnsettledComparisons(std::size_t inputs, std::size_t capacity);
 
   std::size_t size() const { return operands_.size(); }
   std::size_t capacity() const { return operands_.capacity(); }
@@ -28,7 +28,7 @@ public:
   /// Bit k is set where an operand fails a range check that system k makes at some precision.
   std::vector<std::uint32_t> failing;
 
-  void append(const Candidates& from, std::size_t row, std::uint32_t systems_left);
+  void append(const UnsettledComparisons& from, std::size_t row, std::uint32_t systems_left);
 
 private:
   data::OperandBlock operands_;

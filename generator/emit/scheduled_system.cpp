@@ -1,4 +1,4 @@
-#include "generator/emit/system_plan.hpp"
+#include "generator/emit/scheduled_system.hpp"
 
 #include <fmt/core.h>
 
@@ -37,36 +37,45 @@ void add_group(std::vector<rtl::DatapathGroup>& groups, rtl::DatapathGroup group
   groups.push_back(std::move(group));
 }
 
-void add_lane_groups(const design::Design& design, SystemPlan& plan) {
+std::vector<rtl::DatapathGroup> lane_groups(const design::Design& design,
+                                            const datapath::DelayTable& delays) {
   const std::vector<std::string> names = lane_group_names(design);
   ModuleNames modules;
   rtl::NamePool labels({});
+  std::vector<rtl::DatapathGroup> groups;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const int cycles = plan.lanes[k].latency_cycles;
-    const std::string name =
-        fmt::format("{}{}_lane_{}_l{}", design.system.prefix, design.name, names[k], cycles);
-    add_group(plan.shape.lane_groups,
-              {.datapath = modules.unique(name, design.lanes[k]),
-               .channel = {},
-               .label = names.size() == 1 ? "lanes" : labels.unique("lanes_" + names[k]),
-               .latency_cycles = cycles,
-               .count = design.lanes[k].count});
+    const design::LaneGroup& lanes = design.lanes[k];
+    datapath::Schedule schedule =
+        datapath::schedule_lane(lanes.lane, lanes.multipliers, delays, design.system.target_mhz);
+    const std::string name = fmt::format("{}{}_lane_{}_l{}", design.system.prefix, design.name,
+                                         names[k], schedule.latency_cycles);
+    add_group(groups, {.datapath = modules.unique(name, lanes),
+                       .channel = {},
+                       .label = names.size() == 1 ? "lanes" : labels.unique("lanes_" + names[k]),
+                       .schedule = std::move(schedule),
+                       .count = lanes.count});
   }
+  return groups;
 }
 
-void add_reference_groups(const design::Design& design, SystemPlan& plan) {
+std::vector<rtl::DatapathGroup> reference_groups(const design::Design& design,
+                                                 const datapath::DelayTable& delays) {
   const std::vector<std::string> names = reference_group_names(design);
   rtl::NamePool labels({});
+  std::vector<rtl::DatapathGroup> groups;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const int cycles = plan.references[k].latency_cycles;
-    add_group(plan.shape.reference_groups,
+    const design::ReferenceGroup& references = design.references[k];
+    datapath::Schedule schedule = datapath::schedule_reference(
+        design.reference, references.multipliers, delays, design.system.target_mhz);
+    add_group(groups,
               {.datapath = fmt::format("{}{}_reference_{}_l{}", design.system.prefix, design.name,
-                                       names[k], cycles),
+                                       names[k], schedule.latency_cycles),
                .channel = {},
                .label = names.size() == 1 ? "references" : labels.unique("references_" + names[k]),
-               .latency_cycles = cycles,
-               .count = design.references[k].count});
+               .schedule = std::move(schedule),
+               .count = references.count});
   }
+  return groups;
 }
 
 /// The scene's name, the lanes of each format, p_H: sphere_s8e8_6_s12e8_2x1.
@@ -87,15 +96,13 @@ std::string top_name(const design::Design& design) {
   return name + fmt::format("x{}", design.reference_count());
 }
 
-void add_counts(const design::Design& design, SystemPlan& plan) {
-  rtl::SystemShape& shape = plan.shape;
-  shape.lanes = design.lane_count();
-  shape.references = design.reference_count();
+/// The slots that the slowest lane needs.
+int slots_of(const rtl::SystemShape& shape) {
   int slots = 0;
-  for (const datapath::Schedule& lane : plan.lanes) {
-    slots = std::max(slots, design::slots_for(lane.latency_cycles, shape.recomputes()));
+  for (const rtl::DatapathGroup& lanes : shape.lane_groups) {
+    slots = std::max(slots, design::slots_for(lanes.schedule.latency_cycles, shape.recomputes()));
   }
-  shape.slot_bits = std::countr_zero(static_cast<unsigned>(slots));
+  return slots;
 }
 
 }  // namespace
@@ -112,28 +119,18 @@ rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatForma
   return shape;
 }
 
-Result<SystemPlan> plan_system(const design::Design& design) {
+Result<ScheduledSystem> schedule_system(const design::Design& design) {
   MIXCMP_TRY(delays, datapath::delays_of(design.system.device));
-  const double target_mhz = design.system.target_mhz;
-  SystemPlan plan{
-      .lanes = {},
-      .references = {},
-      .shape = stream_shape(design.inputs, design.reference.input_format, design.system),
-      .engine = {}};
-  for (const design::LaneGroup& group : design.lanes) {
-    plan.lanes.push_back(
-        datapath::schedule_lane(group.lane, group.multipliers, delays, target_mhz));
-  }
-  for (const design::ReferenceGroup& group : design.references) {
-    plan.references.push_back(
-        datapath::schedule_reference(design.reference, group.multipliers, delays, target_mhz));
-  }
-  plan.shape.top = top_name(design);
-  add_counts(design, plan);
-  add_lane_groups(design, plan);
-  add_reference_groups(design, plan);
-  plan.engine = rtl::engine_shape(plan.shape, design.inputs, design.system.engine);
-  return plan;
+  rtl::SystemShape shape =
+      stream_shape(design.inputs, design.reference.input_format, design.system);
+  shape.top = top_name(design);
+  shape.lane_groups = lane_groups(design, delays);
+  shape.reference_groups = reference_groups(design, delays);
+  shape.lanes = design.lane_count();
+  shape.references = design.reference_count();
+  shape.slot_bits = std::countr_zero(static_cast<unsigned>(slots_of(shape)));
+  auto engine = rtl::engine_shape(shape, design.inputs, design.system.engine);
+  return ScheduledSystem{.shape = std::move(shape), .engine = std::move(engine)};
 }
 
 }  // namespace mixcmp::emit

@@ -1,4 +1,4 @@
-#include "model/workload/reference_contest.hpp"
+#include "model/workload/compare_by_reference.hpp"
 
 #include <memory>
 
@@ -11,8 +11,8 @@ namespace mixcmp::workload {
 namespace {
 
 /// Decides one comparison after the other in the golden model, for formats that double cannot hold.
-void evaluate_contests(const TypedGraph& reference, const data::Comparisons& data,
-                       std::span<const data::Items> items, std::span<std::uint8_t> greater) {
+void compare_by_golden_model(const TypedGraph& reference, const data::Comparisons& data,
+                             std::span<const data::Items> items, std::span<std::uint8_t> greater) {
   std::vector<Bits> operands(data.input_count());
   for (std::size_t k = 0; k < items.size(); ++k) {
     data.fetch(items[k], operands);
@@ -20,8 +20,8 @@ void evaluate_contests(const TypedGraph& reference, const data::Comparisons& dat
   }
 }
 
-void emulate_contests(const emulator::Emulator& emulator, const data::Comparisons& data,
-                      std::span<const data::Items> items, std::span<std::uint8_t> greater) {
+void compare_by_emulator(const emulator::Emulator& emulator, const data::Comparisons& data,
+                         std::span<const data::Items> items, std::span<std::uint8_t> greater) {
   std::vector<std::vector<double>> columns(data.input_count(), std::vector<double>(items.size()));
   std::vector<const double*> pointers;
   for (const std::vector<double>& column : columns) pointers.push_back(column.data());
@@ -41,17 +41,18 @@ void emulate_contests(const emulator::Emulator& emulator, const data::Comparison
 
 }  // namespace
 
-data::Contest reference_contest(const TypedGraph& reference) {
+data::CompareItems compare_by_reference(const TypedGraph& reference) {
   if (!fits_double(reference.input_format)) {
     return [reference](const data::Comparisons& data, std::span<const data::Items> items,
                        std::span<std::uint8_t> greater) {
-      evaluate_contests(reference, data, items, greater);
+      compare_by_golden_model(reference, data, items, greater);
     };
   }
-  return
-      [emulator = std::make_shared<const emulator::Emulator>(reference)](
-          const data::Comparisons& data, std::span<const data::Items> items,
-          std::span<std::uint8_t> greater) { emulate_contests(*emulator, data, items, greater); };
+  return [emulator = std::make_shared<const emulator::Emulator>(reference)](
+             const data::Comparisons& data, std::span<const data::Items> items,
+             std::span<std::uint8_t> greater) {
+    compare_by_emulator(*emulator, data, items, greater);
+  };
 }
 
 }  // namespace mixcmp::workload

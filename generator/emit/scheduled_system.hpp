@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "generator/datapath/schedule.hpp"
 #include "generator/rtl/engine_module.hpp"
 #include "generator/rtl/system_modules.hpp"
 #include "model/design/design.hpp"
@@ -12,9 +11,7 @@ namespace mixcmp::emit {
 
 /// A design with its datapaths scheduled, and the names and widths that the modules around them
 /// agree on.
-struct SystemPlan {
-  std::vector<datapath::Schedule> lanes;       ///< one per group
-  std::vector<datapath::Schedule> references;  ///< one per group
+struct ScheduledSystem {
   rtl::SystemShape shape;
   std::optional<rtl::EngineShape> engine;
 };
@@ -25,6 +22,6 @@ rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatForma
                               const scene::SystemSpec& system);
 
 /// Schedules the datapaths and names the modules. An error means that the device is unknown.
-Result<SystemPlan> plan_system(const design::Design& design);
+Result<ScheduledSystem> schedule_system(const design::Design& design);
 
 }  // namespace mixcmp::emit
