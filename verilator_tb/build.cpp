@@ -154,6 +154,15 @@ Command verilator_command(const System& system, const Bench& bench, Waves waves,
   return command;
 }
 
+/// The error where a program is missing that Verilator runs to compile what it writes.
+std::optional<Error> missing_compiler() {
+  for (const char* program : {"make", "g++"}) {
+    const auto version = tool_version({program, "--version"}, program);
+    if (!version.ok() && version.error().kind == ErrorKind::missing_tool) return version.error();
+  }
+  return std::nullopt;
+}
+
 /// Tells whether ccache is installed and can write its folders.
 bool is_ccache_usable() {
   for (const char* setting : {"cache_dir", "temporary_dir"}) {
@@ -238,10 +247,11 @@ Result<Executable> build_simulator(const System& system, const BuildOptions& opt
   for (const auto& [name, text] : inputs) {
     MIXCMP_TRY(written, write_file(folder / name, text));
   }
-  MIXCMP_TRY(run, run_tool({.command = command,
-                            .directory = folder,
-                            .log = folder / "build.log",
-                            .progress = options.progress}));
+  const auto run = run_tool({.command = command,
+                             .directory = folder,
+                             .log = folder / "build.log",
+                             .progress = options.progress});
+  if (!run.ok()) return missing_compiler().value_or(run.error());
   if (!fs::exists(executable.path)) {
     return Error{.file = (folder / "build.log").string(),
                  .message = "verilator ended well and wrote no simulator"};

@@ -57,7 +57,7 @@ void run(const BaselineCommand& command) {
   }
   options.progress = show_progress;
   const auto measured = software_baseline(loaded.scene, *loaded.data, options);
-  if (!measured.ok() && scratch) scratch->keep();  // the message names its files
+  if (!measured.ok() && scratch) scratch->keep_for(measured.error());
   const software::Baseline& baseline = value_or_exit(measured);
   show_progress("");
   if (command.scene.json) {

@@ -188,12 +188,21 @@ std::vector<std::string> not_done(const CheckOptions& options,
     if (!why.empty()) parts.push_back(fmt::format("--prove, {}: {}", lane.format, why));
   }
   if (options.prove.prove && proven.empty()) parts.emplace_back("--prove: the scene has no lane");
-  if (costs && costs->why_no_area) {
-    parts.push_back("--costs, areas: " + costs->why_no_area->to_string());
+  for (const BoundCost& cost : costs ? costs->bounds : std::vector<BoundCost>()) {
+    if (!cost.why_no_area) continue;
+    parts.push_back(
+        fmt::format("--costs, areas, {}: {}", cost.name, cost.why_no_area->to_string()));
   }
   if (costs && !costs->why_no_rate.empty())
     parts.push_back("--costs, rates: " + costs->why_no_rate);
   return parts;
+}
+
+/// Ends with the first area that a tool failed to measure; one that is not installed is no failure.
+void end_if_broken(const BoundCosts& costs) {
+  for (const BoundCost& cost : costs.bounds) {
+    if (cost.why_no_area && cost.why_no_area->kind == ErrorKind::mistake) fail(*cost.why_no_area);
+  }
 }
 
 void run(const CheckOptions& options) {
@@ -231,8 +240,7 @@ void run(const CheckOptions& options) {
     print_text(proven);
   }
   end_without_lanes(proven);
-  const bool broken = costs && costs->why_no_area && costs->why_no_area->kind == ErrorKind::mistake;
-  if (broken) fail(*costs->why_no_area);
+  if (costs) end_if_broken(*costs);
   if (any_refused(proven) || any_differs(variants)) throw Exit(ExitCode::refuted);
   end_if_incomplete(not_done(options, proven, costs));
 }

@@ -31,25 +31,24 @@ Result<Area> lane_area(const Scene& scene, const Lane& lane) {
   MIXCMP_TRY(scratch, ScratchFolder::make());
   const auto result = synthesise(components::module_job(built.module), device,
                                  {.effort = characterise::TimingEffort::area_only}, scratch.path());
-  if (!result.ok()) {
-    scratch.keep();  // the message names its files
-    return result.error();
-  }
-  return result->area;
+  if (result.ok()) return result->area;
+  scratch.keep_for(result.error());
+  return result.error();
 }
 
-/// The area of the lane with every hazard built and no operand checked, except for signs.
-std::optional<Area> area_of_all_built(const Scene& scene, const ReducedSpec& reduced,
-                                      const Lane& lane) {
+/// The area of the lane with every hazard built and no operand checked, except for signs; none
+/// where that lane does not exist.
+Result<std::optional<Area>> area_of_all_built(const Scene& scene, const ReducedSpec& reduced,
+                                              const Lane& lane) {
   const auto all_built = error::certified_lane(
       lane_graph(scene.graph, scene.reference.format, lane.graph.arithmetic, scene.reduced.inputs),
       {.kind = *reduced.error_bound,
        .bound_digits = reduced.bound_digits,
        .ranges = scene.ranges,
        .hazards = error::HazardRemoval::keep});
-  if (!all_built.ok()) return std::nullopt;
-  const auto area = lane_area(scene, *all_built);
-  return area.ok() ? std::optional(*area) : std::nullopt;
+  if (!all_built.ok()) return std::optional<Area>();
+  MIXCMP_TRY(area, lane_area(scene, *all_built));
+  return std::optional(area);
 }
 
 /// Tells whether `generate` takes the bound of `tried`, whose lane has this decision.
@@ -61,8 +60,19 @@ bool is_chosen(const LoadedScene& loaded, const ReducedSpec& tried, const std::s
   return taken.ok() && describe_decision(*taken) == decision;
 }
 
-BoundCost cost_of(const LoadedScene& loaded, const scene::BoundChoice& choice,
-                  std::optional<Error>& why_no_area) {
+/// Adds the areas of a lane with and without all that its ranges make unnecessary.
+Result<Done> add_areas(const Scene& scene, const ReducedSpec& reduced, const Lane& lane,
+                       BoundCost& cost) {
+  show_progress(fmt::format("Yosys maps the lane with the {} bound", cost.name));
+  MIXCMP_TRY(area, lane_area(scene, lane));
+  cost.area = area;
+  if (!lane.certified()) return Done{};
+  MIXCMP_TRY(all_built, area_of_all_built(scene, reduced, lane));
+  cost.all_built = all_built;
+  return Done{};
+}
+
+BoundCost cost_of(const LoadedScene& loaded, const scene::BoundChoice& choice) {
   const Scene& scene = loaded.scene;
   const ReducedSpec reduced = with_bound(scene.reduced, choice);
   BoundCost cost{.name = to_string(choice)};
@@ -74,14 +84,9 @@ BoundCost cost_of(const LoadedScene& loaded, const scene::BoundChoice& choice,
   }
   cost.decision = describe_decision(*lane);
   cost.chosen = is_chosen(loaded, reduced, cost.decision);
-  show_progress(fmt::format("Yosys maps the lane with the {} bound", cost.name));
-  const auto area = lane_area(scene, *lane);
-  if (!area.ok()) {
-    why_no_area = area.error();
-    return cost;
+  if (const auto added = add_areas(scene, reduced, *lane, cost); !added.ok()) {
+    cost.why_no_area = added.error();
   }
-  cost.area = *area;
-  if (lane->certified()) cost.all_built = area_of_all_built(scene, reduced, *lane);
   return cost;
 }
 
@@ -129,7 +134,7 @@ Result<BoundCosts> measure_costs(const LoadedScene& loaded) {
   }
   BoundCosts costs;
   for (const scene::BoundChoice& choice : scene::profiled_bound_choices()) {
-    costs.bounds.push_back(cost_of(loaded, choice, costs.why_no_area));
+    costs.bounds.push_back(cost_of(loaded, choice));
   }
   add_rates(loaded, costs);
   show_progress("");
@@ -151,7 +156,10 @@ std::string to_text(const BoundCosts& costs) {
     if (cost.all_built) text += fmt::format("; all built: {}", shown(cost.all_built));
     text += "\n";
   }
-  if (costs.why_no_area) text += fmt::format("  no areas: {}\n", costs.why_no_area->to_string());
+  for (const BoundCost& cost : costs.bounds) {
+    if (!cost.why_no_area) continue;
+    text += fmt::format("  no areas, {}: {}\n", cost.name, cost.why_no_area->to_string());
+  }
   if (!costs.why_no_rate.empty()) text += fmt::format("  no rates: {}\n", costs.why_no_rate);
   return text;
 }
@@ -166,6 +174,7 @@ nlohmann::json to_json(const BoundCosts& costs) {
                       {"area", json_of(cost.area)},
                       {"area_all_built", json_of(cost.all_built)}});
     if (cost.recomputation_rate) report.back()["recomputation_rate"] = *cost.recomputation_rate;
+    if (cost.why_no_area) report.back()["why_no_area"] = cost.why_no_area->to_string();
   }
   return report;
 }

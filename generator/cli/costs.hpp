@@ -15,11 +15,11 @@ struct BoundCost {
   std::optional<double> recomputation_rate;  ///< on the scene's data
   std::optional<devices::Area> area;
   std::optional<devices::Area> all_built;  ///< area with the hardware that ranges make unnecessary
+  std::optional<Error> why_no_area;        ///< why one of the areas, or both, could not be measured
 };
 
 struct BoundCosts {
   std::vector<BoundCost> bounds;
-  std::optional<Error> why_no_area;  ///< why there are no areas, if there are none
   std::string why_no_rate;
 };
 

@@ -120,7 +120,7 @@ std::vector<report::SoftwareThroughput> measure_software(const LoadedScene& load
   software::BaselineOptions options{.work = scratch.path()};
   options.progress = show_progress;
   const auto measured = software_baseline(loaded.scene, *loaded.data, options);
-  if (!measured.ok()) scratch.keep();  // the message names its files
+  if (!measured.ok()) scratch.keep_for(measured.error());
   const software::Baseline& baseline = value_or_exit(measured);
   show_progress("");
   if (!baseline.passed()) {

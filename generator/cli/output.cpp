@@ -153,20 +153,25 @@ void ResultFiles::write_out() {
     stage(file.name, *file.text);
     list += fmt::format("{} {}\n", ContentHash().add(*file.text).hex(), file.name);
   }
-  set_stale_aside();
+  const Result<std::string> before = read_file(folder_ / results_list);
+  // Until all files are in place the list tells of those before and of those to come: should this
+  // run be killed in between, the next knows either.
+  const std::string known = before.ok() ? *before : "";
+  value_or_exit(write_file(folder_ / results_list, known + list));
+  set_stale_aside(known);
   stage(results_list, list);
 }
 
-void ResultFiles::set_stale_aside() {
-  const Result<std::string> before = read_file(folder_ / results_list);
-  const std::string list = before.ok() ? *before : "";
+/// `known`: the list of the runs before.
+void ResultFiles::set_stale_aside(const std::string& known) {
+  StaleFiles::clear_abandoned(folder_);
   for (const File& file : files_) {
     const fs::path path = folder_ / file.name;
     if (file.text || !path_exists(path)) continue;
     const auto content = read_file(path);
     const bool ours =
-        content.ok() && list.find(fmt::format("{} {}\n", ContentHash().add(*content).hex(),
-                                              file.name)) != std::string::npos;
+        content.ok() && known.find(fmt::format("{} {}\n", ContentHash().add(*content).hex(),
+                                               file.name)) != std::string::npos;
     if (ours) {
       value_or_exit(stale_.set_aside(path));
     } else {

@@ -70,7 +70,7 @@ private:
 
   void put(const std::string& name, std::optional<std::string> text);
   void stage(const std::string& name, const std::string& text);
-  void set_stale_aside();
+  void set_stale_aside(const std::string& known);
 
   std::filesystem::path folder_;
   Names names_;

@@ -122,8 +122,10 @@ characterise::SynthesisResult result_of(const RouteCommand& command,
   if (run.interrupted_by != 0) throw Exit::interrupted(run.interrupted_by);
   if (!run.failed.empty()) {
     const characterise::FailedJob& failed = run.failed.front();
-    if (kept.empty()) scratch.keep();
-    fail({.message = kept.empty() ? failed.message : with_kept_names(failed, kept.string())});
+    const Error error = {.message = kept.empty() ? failed.message
+                                                 : with_kept_names(failed, kept.string())};
+    scratch.keep_for(error);
+    fail(error);
   }
   auto opened = value_or_exit(characterise::ResultStore::open(store));
   return value_or_exit(opened.find(job.top)).value();

@@ -35,7 +35,7 @@ std::set<std::string> files_of_previous_output(const fs::path& directory) {
   return names;
 }
 
-/// Refuses what must not be replaced, such as a folder with a file that this program did not write:
+/// Refuses what must not be replaced, such as a folder with a file that no earlier output lists:
 /// no file of the user may be lost.
 Result<Done> check_replaceable(const fs::path& directory) {
   std::error_code failed;
@@ -60,10 +60,12 @@ Result<Done> check_replaceable(const fs::path& directory) {
   for (const fs::directory_entry& entry : entries_of(directory, failed)) {
     const bool known = ours.count(entry.path().filename().string()) > 0;
     if (known && fs::is_regular_file(entry.symlink_status(unknown))) continue;
-    return Error{.file = directory.string(),
-                 .message = "will not be replaced: it holds a file that mixcmp did not write",
-                 .received = entry.path().filename().string(),
-                 .accepted = "a new or empty directory, or a previous output of generate"};
+    return Error{
+        .file = directory.string(),
+        .message =
+            "will not be replaced: it holds a file that is not of a previous output of generate",
+        .received = entry.path().filename().string(),
+        .accepted = "a new or empty directory, or a previous output of generate"};
   }
   if (failed) return cannot_write(directory, failed.value());
   return Done{};

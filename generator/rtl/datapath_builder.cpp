@@ -36,6 +36,7 @@ DatapathBuilder::DatapathBuilder(const std::vector<std::string>& inputs, const T
       hazards_(std::move(hazards)),
       schedule_(schedule),
       pool_(taken_names(ports_)),
+      unused_name_(pool_.unique("unused_exceptional")),
       names_(name_nodes(graph, ports_, pool_)),
       exceptional_(exceptional),
       plan_(std::move(plan)) {}
@@ -88,7 +89,7 @@ void DatapathBuilder::declare_unused_flags() {
   add(Comment{exceptional_ == ExceptionalFlags::unused
                   ? "The verdict does not depend on what was exceptional on the way."
                   : "The range checks rule out that these operations are exceptional."});
-  add(Wire{count, "unused_exceptional", nullptr, true});
+  add(Wire{count, unused_name_, nullptr, true});
 }
 
 Operand DatapathBuilder::delayed(const Signal& signal, const Operand& source, int from, int to) {
@@ -176,7 +177,7 @@ bool DatapathBuilder::gathers_flag(NodeId id) const {
 }
 
 Operand DatapathBuilder::flag_output(NodeId id) {
-  if (!gathers_flag(id)) return bit("unused_exceptional", unused_flags_++);
+  if (!gathers_flag(id)) return bit(unused_name_, unused_flags_++);
   const std::string name = pool_.unique(names_[id] + "_exceptional");
   add(Wire{1, name, nullptr});
   flags_[id] = {net(name), name, 1, schedule_.steps[id].ready_cycle};

@@ -83,6 +83,7 @@ private:
   std::vector<error::Hazards> hazards_;
   const datapath::Schedule& schedule_;
   NamePool pool_;
+  std::string unused_name_;  ///< of the wire that takes the flags which nothing reads
   std::vector<std::string> names_;
   ExceptionalFlags exceptional_;
   int unused_flags_ = 0;

@@ -130,7 +130,7 @@ private:
     SynthesisOptions synthesis = options_.synthesis;
     synthesis.each_tool.cancelled = &cancelled_;
     const auto result = synthesise(make(job), device_, synthesis, folder);
-    if (!options_.keep.empty()) {
+    if (!options_.keep.empty() && !cancelled_) {
       MIXCMP_TRY(copied, copy_in_place_of(folder, options_.keep));
     }
     if (!result.ok()) return result.error();

@@ -48,6 +48,12 @@ Result<ScratchFolder> ScratchFolder::make_in(const fs::path& parent, const std::
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   if (lock_.get() >= 0 && !kept_) fs::remove_all(path_, ignored);
+  // A kept folder stays locked to the process's end: this run, too, clears what is abandoned.
+  if (kept_) lock_.release();
+}
+
+void ScratchFolder::keep_for(const Error& error) {
+  kept_ = kept_ || error.to_string().find(path_.string()) != std::string::npos;
 }
 
 }  // namespace mixcmp::inline common

@@ -27,6 +27,8 @@ public:
 
   /// Leaves the folder for the user to look into, until the next run removes it.
   void keep() { kept_ = true; }
+  /// Does so if the error names a file in it.
+  void keep_for(const Error& error);
 
 private:
   ScratchFolder(std::filesystem::path path, Descriptor lock)

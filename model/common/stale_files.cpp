@@ -23,8 +23,11 @@ StaleFiles::~StaleFiles() {
   for (const auto& [from, to] : moved_) fs::rename(to, from, ignored);
 }
 
+void StaleFiles::clear_abandoned(const fs::path& folder) {
+  remove_abandoned(folder, prefix);
+}
+
 Result<Done> StaleFiles::set_aside(const fs::path& file) {
-  if (moved_.empty()) remove_abandoned(file.parent_path(), prefix);
   const fs::path aside =
       file.parent_path() / fmt::format("{}{}-{}", prefix, getpid(), file.filename().string());
   std::error_code failed;

@@ -19,8 +19,10 @@ public:
   StaleFiles& operator=(StaleFiles&&) = delete;
   ~StaleFiles();
 
-  /// All files must be of one folder, which this run has locked. What a killed run has set aside
-  /// there is removed.
+  /// Removes what killed runs have set aside in a folder that this run has locked.
+  static void clear_abandoned(const std::filesystem::path& folder);
+
+  /// All files must be of one folder, which this run has locked.
   Result<Done> set_aside(const std::filesystem::path& file);
   void remove();
 

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "model/design/design.hpp"
 #include "model/scene/bound_choice.hpp"
@@ -28,25 +30,32 @@ std::vector<std::string> traits_of(const LaneGroup& group) {
           std::string(to_string(arithmetic.subnormals)), std::string(to_string(group.multipliers))};
 }
 
-/// "RE_f_0.001_RE_g_0.002" for profiled lanes; empty for others.
-std::string relative_errors_of(const LaneGroup& group) {
+/// RE_f and RE_g of profiled lanes; none for others.
+using RelativeErrors = std::optional<std::pair<mpq_class, mpq_class>>;
+
+RelativeErrors relative_errors_of(const LaneGroup& group) {
   const auto* interval = std::get_if<error::IntervalDecision>(&group.lane.parts.front().decision);
-  if (interval == nullptr) return "";
-  return fmt::format("RE_f_{}_RE_g_{}", interval->relative_error_f.get_d(),
-                     interval->relative_error_g.get_d());
+  if (interval == nullptr) return std::nullopt;
+  return std::pair(interval->relative_error_f, interval->relative_error_g);
 }
 
-/// Appends their relative errors to names that are still equal: profiled lanes may differ in
-/// nothing else.
+/// Numbers groups whose names are still equal by their relative errors, "_RE_1", "_RE_2": profiled
+/// lanes may differ in nothing else. A number, for names become those of modules.
 void tell_errors_apart(std::vector<std::string>& names, const Design& design) {
   const std::vector<std::string> before = names;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const std::string own = relative_errors_of(design.lanes[k]);
+    std::vector<RelativeErrors> different;
     for (std::size_t other = 0; other < names.size(); ++other) {
-      if (before[other] != before[k] || relative_errors_of(design.lanes[other]) == own) continue;
-      names[k] += "_" + own;
-      break;
+      const RelativeErrors errors = relative_errors_of(design.lanes[other]);
+      if (before[other] != before[k]) continue;
+      if (std::find(different.begin(), different.end(), errors) == different.end()) {
+        different.push_back(errors);
+      }
     }
+    if (different.size() == 1) continue;
+    const auto own =
+        std::find(different.begin(), different.end(), relative_errors_of(design.lanes[k]));
+    names[k] += fmt::format("_RE_{}", own - different.begin() + 1);
   }
 }
 

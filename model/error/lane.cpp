@@ -6,26 +6,40 @@
 #include <utility>
 
 #include "model/common/check.hpp"
+#include "model/expression/text.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::error {
 namespace {
 
-std::string describe_bound(const BoundGraph& bound) {
-  const BoundNode& last = bound.nodes.back();
-  if (last.operation == BoundOperation::constant) {
-    return fmt::format("{:.4g}, a constant", last.constant.get_d());
+/// The largest difference that a constant bound leaves undecided, as the hardware has it: rounded
+/// up to the bound's digits, plus the guard.
+std::string describe_constant(const AbsoluteBoundDecision& decision, FloatFormat format) {
+  const BoundFormat bound_format = decision.bound.format;
+  const Bits bound = encode_bound(bound_format, decision.bound.nodes.back().constant);
+  const Bits magnitude =
+      (bound << (format.precision() - bound_format.precision)) + decision.guard_ulp;
+  if (magnitude >= format.infinity(false)) return "the largest number";
+  return rounded_text(to_rational(format, magnitude), 4);
+}
+
+std::string describe_bound(const AbsoluteBoundDecision& decision, FloatFormat format) {
+  const BoundGraph& bound = decision.bound;
+  if (bound.nodes.back().operation == BoundOperation::constant) {
+    return describe_constant(decision, format) + ", a constant";
   }
   if (bound.format.precision == 1) return "a running bound of exponents alone";
   return fmt::format("a running bound of {} digits", bound.format.precision);
 }
 
-std::string describe(const LaneDecision& decision) {
+std::string describe(const LaneDecision& decision, FloatFormat format) {
   if (const auto* interval = std::get_if<IntervalDecision>(&decision)) {
-    return fmt::format("profiled, not certified: RE_f = {:.4g}, RE_g = {:.4g}",
-                       interval->relative_error_f.get_d(), interval->relative_error_g.get_d());
+    return fmt::format("profiled, not certified: RE_f = {}, RE_g = {}",
+                       rounded_text(interval->relative_error_f, 4),
+                       rounded_text(interval->relative_error_g, 4));
   }
   if (const auto* absolute = std::get_if<AbsoluteBoundDecision>(&decision)) {
-    return "certified: where |f - g| exceeds " + describe_bound(absolute->bound);
+    return "certified: where |f - g| exceeds " + describe_bound(*absolute, format);
   }
   const Bits guard = std::get<UlpDistanceDecision>(decision).guard_ulp;
   if (guard == 0) return "certified: everywhere, f and g are exact";
@@ -190,9 +204,10 @@ Lane part_of(const Lane& lane, std::size_t part) {
 }
 
 std::string describe_decision(const Lane& lane) {
-  if (lane.parts.size() == 1) return describe(lane.decision());
+  if (lane.parts.size() == 1) return describe(lane.decision(), lane.graph.arithmetic.format);
   std::vector<std::string> texts;
-  for (const LanePart& part : lane.parts) texts.push_back(describe(part.decision));
+  for (const LanePart& part : lane.parts)
+    texts.push_back(describe(part.decision, lane.graph.arithmetic.format));
   const bool alike = std::all_of(texts.begin(), texts.end(),
                                  [&](const std::string& text) { return text == texts.front(); });
   std::string text = fmt::format("{} of {} parts", to_string(lane.graph.combination), texts.size());

@@ -116,19 +116,22 @@ int exact_decimals(const mpq_class& value, int most) {
 }
 
 std::string approximately(const mpq_class& value) {
-  constexpr int digits_shown = 6;
-  const double nearby = value.get_d();
-  if (1e-300 < std::abs(nearby) && std::abs(nearby) < 1e300) {
-    return fmt::format("about {:.{}g}", nearby, digits_shown);
-  }
-  mp_exp_t exponent = 0;
-  std::string digits = mpf_class(value, 128).get_str(exponent, 10, digits_shown);
-  const std::size_t leading = digits.starts_with('-') ? 2 : 1;
-  if (digits.size() > leading) digits.insert(digits.begin() + static_cast<long>(leading), '.');
-  return fmt::format("about {}e{:+03d}", digits, exponent - 1);
+  return "about " + rounded_text(value, 6);
 }
 
 }  // namespace
+
+std::string rounded_text(const mpq_class& value, int digits) {
+  const double nearby = value.get_d();
+  if (value == 0 || (1e-300 < std::abs(nearby) && std::abs(nearby) < 1e300)) {
+    return fmt::format("{:.{}g}", nearby, digits);
+  }
+  mp_exp_t exponent = 0;
+  std::string text = mpf_class(value, 128).get_str(exponent, 10, static_cast<std::size_t>(digits));
+  const std::size_t leading = text.starts_with('-') ? 2 : 1;
+  if (text.size() > leading) text.insert(text.begin() + static_cast<long>(leading), '.');
+  return fmt::format("{}e{:+03d}", text, exponent - 1);
+}
 
 std::string to_text(const mpq_class& value) {
   constexpr int most_decimals = 20;

@@ -8,6 +8,7 @@
 #include "model/common/check.hpp"
 #include "model/error/hazards.hpp"
 #include "model/error/range_analysis.hpp"
+#include "model/expression/text.hpp"
 #include "model/number/exact.hpp"
 #include "model/proof/script.hpp"
 
@@ -153,9 +154,10 @@ void NodeRanges::prove_operation(NodeId id) {
   } else {
     cases.push_back({"", script(id)});
   }
-  nodes_.add(nodes_.run_scripts(fmt::format("range of {}: [{:.5g}, {:.5g}]", nodes_.text(id),
-                                            ranges_[id].low.get_d(), ranges_[id].high.get_d()),
-                                cases));
+  nodes_.add(nodes_.run_scripts(
+      fmt::format("range of {}: [{}, {}]", nodes_.text(id), rounded_text(ranges_[id].low, 5),
+                  rounded_text(ranges_[id].high, 5)),
+      cases));
 }
 
 std::string NodeRanges::script(NodeId id) const {

@@ -162,5 +162,43 @@ TEST(LaneModule, SignChecksAreWires) {
   EXPECT_EQ(count(instances(graph, lane), "fp_range_check"), 0);
 }
 
+/// The names that a module declares: of ports, wires and instances.
+std::vector<std::string> declared_names(const rtl::Module& module) {
+  std::vector<std::string> names;
+  for (const rtl::Port& port : module.ports) names.push_back(port.name);
+  for (const rtl::ModuleItem& item : module.items) {
+    if (const auto* wire = std::get_if<rtl::Wire>(&item)) names.push_back(wire->name);
+    if (const auto* instance = std::get_if<rtl::Instance>(&item)) names.push_back(instance->name);
+  }
+  return names;
+}
+
+/// The lane and the reference of a * b against c where a has this name.
+std::vector<rtl::Module> modules_with_input(const std::string& name) {
+  const Graph graph = graph_of(name + " * b", "c");
+  const auto delays = datapath::delays_of("virtex6-lx760").value();
+  const Lane lane = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, Range{0, 1});
+  const TypedGraph reference = reference_graph(graph, {format("s24e8")});
+  const auto embedded = scene::Multipliers::embedded;
+  return {rtl::lane_module("lane", graph.inputs(), lane,
+                           datapath::schedule_lane(lane, embedded, delays, 250)),
+          rtl::reference_module("reference", graph.inputs(), reference,
+                                datapath::schedule_reference(reference, embedded, delays, 250))};
+}
+
+TEST(DatapathModules, AnInputMayHaveTheNameOfAnyWire) {
+  for (const rtl::Module& plain : modules_with_input("a")) {
+    for (const std::string& taken : declared_names(plain)) {
+      if (taken == "b" || taken == "c") continue;
+      for (const rtl::Module& module : modules_with_input(taken)) {
+        std::vector<std::string> names = declared_names(module);
+        std::sort(names.begin(), names.end());
+        const auto twice = std::adjacent_find(names.begin(), names.end());
+        EXPECT_EQ(twice, names.end()) << module.name << " declares " << *twice << " twice";
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mixcmp::test

@@ -127,6 +127,14 @@ TEST_F(ProfileCommand, WhatNoRunHasMadeStays) {
   EXPECT_EQ(read("out/trade.svg"), "edited");
 }
 
+TEST_F(ProfileCommand, WhatAKilledRunHasSetAsideIsRemoved) {
+  const std::string drawing = instead_of("gnuplot", "echo '<svg></svg>'");
+  fs::create_directories(path("out"));
+  write("out/.mixcmp-stale-999999999-trade.csv", "of the run before the killed one");
+  ASSERT_EQ(profile("scene.toml --last 6 -o out", drawing).exit_code, 0);
+  EXPECT_FALSE(fs::exists(path("out/.mixcmp-stale-999999999-trade.csv")));
+}
+
 TEST_F(ProfileCommand, WhatGnuplotLeavesIsAPictureOrAnError) {
   for (const char* left : {"exit 0", "echo '<svg>'; exit 0", "echo '<svg></svg>'; exit 1"}) {
     const Outcome run = profile("scene.toml --last 6 -o out", instead_of("gnuplot", left));

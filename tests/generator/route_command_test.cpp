@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -51,6 +52,21 @@ TEST_F(RouteCommand, AFailureSaysWhereTheToolsLogIs) {
   }
   using Entries = std::filesystem::directory_iterator;
   EXPECT_EQ(std::distance(Entries(path("kept")), Entries()), 2) << "each job has its own folder";
+}
+
+TEST_F(RouteCommand, AnInterruptedRunLeavesWhatIsKept) {
+  const std::string version = "case \"$*\" in *-V*) echo Yosys 9.9; exit;; esac\n";
+  mixcmp("route scene.toml --work kept", instead_of("yosys", version + "echo first; exit 1"));
+  ASSERT_NE(shell("cat " + path("kept").string() + "/*/map.log").output.find("first"),
+            std::string::npos);
+  const std::string slow = instead_of(
+      "yosys", version + "echo second; touch '" + path("asked").string() + "'; sleep 60");
+  const std::string run = fmt::format(
+      "cd '{0}' && {{ {1} '{2}' route scene.toml --work kept & }}; "
+      "while ! test -e asked; do sleep 0.1; done; kill -TERM $!; wait $!",
+      directory_.path().string(), slow, MIXCMP_PROGRAM);
+  EXPECT_EQ(shell(run).exit_code, 128 + SIGTERM);
+  EXPECT_EQ(shell("cat " + path("kept").string() + "/*/map.log").output, "first\n");
 }
 
 TEST_F(RouteCommand, ANumberOfReferencesIsAskedFor) {

@@ -56,14 +56,31 @@ TEST_F(WorkFolders, WhatAKilledRunLeftIsRemovedByTheNext) {
 }
 
 TEST_F(WorkFolders, AKeptFolderStaysUntilTheNextRun) {
-  {
-    auto folder = ScratchFolder::make_in(directory_.path(), "job");
-    auto kept = std::move(folder).value();
-    kept.keep();
+  const pid_t child = fork();
+  if (child == 0) {
+    for (int k = 0; k < 2; ++k) {
+      auto folder = ScratchFolder::make_in(directory_.path(), "job");
+      auto kept = std::move(folder).value();
+      kept.keep();
+    }
+    _exit(0);
   }
-  EXPECT_EQ(entries(), 1);
+  waitpid(child, nullptr, 0);
+  EXPECT_EQ(entries(), 2) << "no run removes what it has kept itself";
   { EXPECT_TRUE(ScratchFolder::make_in(directory_.path(), "job").ok()); }
   EXPECT_EQ(entries(), 0);
+}
+
+TEST_F(WorkFolders, AFolderIsKeptForAnErrorThatNamesAFileInIt) {
+  for (const bool named : {false, true}) {
+    {
+      auto made = ScratchFolder::make_in(directory_.path(), "job");
+      auto folder = std::move(made).value();
+      folder.keep_for({.file = named ? (folder.path() / "map.log").string() : "scene.toml",
+                       .message = "is wrong"});
+    }
+    EXPECT_EQ(entries(), named ? 1 : 0);
+  }
 }
 
 TEST_F(WorkFolders, ATmpdirThatDoesNotExistIsNamed) {

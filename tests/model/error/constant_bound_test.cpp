@@ -14,6 +14,7 @@
 #include "model/golden/bound_arithmetic.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/number/decimal.hpp"
+#include "model/number/dyadic.hpp"
 #include "model/number/exact.hpp"
 #include "model/number/verdict.hpp"
 #include "tests/support/float_samples.hpp"
@@ -249,6 +250,31 @@ TEST(ConstantBoundOfAQuotient, NeedsADivisorWellAwayFromZero) {
   EXPECT_NE(lane.error().to_string().find("may be closer to zero than its own error"),
             std::string::npos)
       << lane.error().to_string();
+}
+
+/// What is told of a lane is what its hardware does: the constant is that which is rounded up to
+/// the lane's digits.
+TEST(ConstantBound, IsToldAsTheHardwareHasIt) {
+  const auto told = [](const char* f, const char* g, FloatFormat arrives, FloatFormat lane,
+                       const Range& range) {
+    const Graph graph = graph_of(f, g);
+    const std::vector<std::optional<Range>> ranges(graph.inputs().size(), range);
+    const auto typed = lane_graph(graph, arrives, {lane}, LaneInputs::rounded);
+    return describe_decision(
+        error::certified_lane(typed, {.kind = error::ErrorBoundKind::constant, .ranges = ranges})
+            .value());
+  };
+  EXPECT_EQ(told("a * a", "b", format_of(24, 8), format_of(4, 8), {0, 1}),
+            "certified: where |f - g| exceeds 0.3438, a constant");
+  const mpq_class tiny = power_of_two(-126);
+  EXPECT_EQ(told("a", "b", format_of(24, 8), format_of(8, 8), {tiny, 2 * tiny}),
+            "certified: where |f - g| exceeds 1.175e-38, a constant");
+  const std::string extreme =
+      told("a * b", "c", format_of(24, 15), format_of(8, 15), {power_of_two(-1200), 1});
+  EXPECT_EQ(extreme.find("exceeds 0,"), std::string::npos) << extreme;
+  const std::string huge =
+      told("a * b", "c", format_of(24, 15), format_of(8, 15), {1, power_of_two(6000)});
+  EXPECT_NE(huge.find("e+3"), std::string::npos) << huge;
 }
 
 }  // namespace
