@@ -2,6 +2,7 @@
 file(GLOB MIXCMP_RTL_TEMPLATES CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/rtl_templates/bound/*.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/engine/*.v
+  ${PROJECT_SOURCE_DIR}/rtl_templates/fixed/*.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/fp/*.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/stream/*.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/verdict/*.v

@@ -37,30 +37,6 @@ mpq_class root_up(const mpq_class& value) {
   return root + root * power_of_two(-FloatFormat::max_precision);
 }
 
-bool contains_zero(const Range& range) {
-  return range.low <= 0 && range.high >= 0;
-}
-
-Range hull(const std::vector<mpq_class>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return {*low, *high};
-}
-
-Range product(const Range& a, const Range& b) {
-  return hull({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-}
-
-Range absolute(const Range& a) {
-  const mpq_class low = abs(a.low), high = abs(a.high);
-  if (contains_zero(a)) return {0, std::max(low, high)};
-  return {std::min(low, high), std::max(low, high)};
-}
-
-Range square(const Range& a) {
-  const Range magnitude = absolute(a);
-  return {magnitude.low * magnitude.low, magnitude.high * magnitude.high};
-}
-
 class RangeAnalyser {
 public:
   RangeAnalyser(const TypedGraph& graph, const std::vector<std::optional<Range>>& ranges,
@@ -181,7 +157,7 @@ private:
       case Operation::input: return input(node);
       case Operation::constant: return {node.value, node.value};
       case Operation::convert: return operand(node, 0);
-      case Operation::negate: return {-operand(node, 0).high, -operand(node, 0).low};
+      case Operation::negate: return negated(operand(node, 0));
       case Operation::absolute: return absolute(operand(node, 0));
       case Operation::square: return square(operand(node, 0));
       case Operation::square_root:
@@ -199,14 +175,12 @@ private:
   Range exact(const TypedNode& node, const Range& a, const Range& b) const {
     const bool same = node.operands[0] == node.operands[1];
     switch (node.operation) {
-      case Operation::add: return {a.low + b.low, a.high + b.high};
-      case Operation::subtract:
-        if (same) return {0, 0};
-        return {a.low - b.high, a.high - b.low};
+      case Operation::add: return sum(a, b);
+      case Operation::subtract: return same ? Range{0, 0} : difference(a, b);
       case Operation::multiply: return product(a, b);
       case Operation::divide: return same ? Range{1, 1} : quotient(node.format, a, b);
-      case Operation::minimum: return {std::min(a.low, b.low), std::min(a.high, b.high)};
-      case Operation::maximum: return {std::max(a.low, b.low), std::max(a.high, b.high)};
+      case Operation::minimum: return minimum(a, b);
+      case Operation::maximum: return maximum(a, b);
       case Operation::input:
       case Operation::constant:
       case Operation::convert:

@@ -2,6 +2,8 @@
 
 #include <gmpxx.h>
 
+#include <vector>
+
 namespace mixcmp::inline expression {
 
 /// A closed interval of exact numbers.
@@ -11,5 +13,17 @@ struct Range {
 
   friend bool operator==(const Range&, const Range&) = default;
 };
+
+/// Interval arithmetic without rounding: each encloses tightly what its operands may give.
+bool contains_zero(const Range& range);
+Range hull(const std::vector<mpq_class>& values);
+Range negated(const Range& a);
+Range sum(const Range& a, const Range& b);
+Range difference(const Range& a, const Range& b);
+Range product(const Range& a, const Range& b);
+Range absolute(const Range& a);
+Range square(const Range& a);
+Range minimum(const Range& a, const Range& b);
+Range maximum(const Range& a, const Range& b);
 
 }  // namespace mixcmp::inline expression

@@ -221,18 +221,24 @@ Verdict combine(Combination combination, Verdict a, Verdict b) {
   return a;
 }
 
-LaneResult evaluate_lane(const error::Lane& lane, std::span<const Bits> inputs) {
-  const std::vector<Rounded> values = evaluate(lane.graph, inputs);
-  const Combination combination = lane.graph.combination;
+LaneResult combine_parts(Combination combination, std::span<const LaneResult> parts) {
   const Verdict dominating = dominating_verdict(combination);
   LaneResult result{.decided = true, .verdict = opposite(dominating)};
-  for (std::size_t part = 0; part < lane.parts.size(); ++part) {
-    const LaneResult one = evaluate_part(lane, part, inputs, values);
-    if (one.decided && one.verdict == dominating) return {true, dominating};
-    result.decided &= one.decided;
-    if (one.decided) result.verdict = combine(combination, result.verdict, one.verdict);
+  for (const LaneResult& part : parts) {
+    if (part.decided && part.verdict == dominating) return {true, dominating};
+    result.decided &= part.decided;
+    if (part.decided) result.verdict = combine(combination, result.verdict, part.verdict);
   }
   return result;
+}
+
+LaneResult evaluate_lane(const error::Lane& lane, std::span<const Bits> inputs) {
+  const std::vector<Rounded> values = evaluate(lane.graph, inputs);
+  std::vector<LaneResult> parts;
+  for (std::size_t part = 0; part < lane.parts.size(); ++part) {
+    parts.push_back(evaluate_part(lane, part, inputs, values));
+  }
+  return combine_parts(lane.graph.combination, parts);
 }
 
 Verdict evaluate_reference(const TypedGraph& reference, std::span<const Bits> inputs) {

@@ -28,6 +28,9 @@ struct LaneResult {
   Verdict verdict;  ///< meaningful where decided; never unordered there
 };
 
+/// The decision of a lane whose parts decide so: theorem 11 of docs/error_bounds.md.
+LaneResult combine_parts(Combination combination, std::span<const LaneResult> parts);
+
 /// The decision of a lane in hardware, bit for bit.
 LaneResult evaluate_lane(const error::Lane& lane, std::span<const Bits> inputs);
 

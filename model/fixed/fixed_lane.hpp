@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "model/common/result.hpp"
+#include "model/expression/graph.hpp"
+#include "model/expression/range.hpp"
+#include "model/number/fixed_format.hpp"
+#include "model/number/float_format.hpp"
+
+/// Lanes in fixed point: operands that the scene bounds become integers at the border, everything
+/// behind is integer arithmetic. Proofs: docs/fixed_point.md.
+namespace mixcmp::fixed {
+
+/// One operation. Its result is an integer of `format`, in that format's units.
+///
+/// An input is the operand that arrived, in floating point. Its magnitude is truncated to the unit
+/// and, where its sign bit is set, every bit inverted: both round down, to within a unit. An
+/// operand that is no number of the format's sign and magnitude (NaN and infinity among them; a
+/// negative zero where the format is unsigned) leaves the comparison undecided. The operands of an
+/// addition, a subtraction, a minimum and a maximum are aligned to the finer unit of the two.
+struct FixedNode {
+  Operation operation;
+  std::array<NodeId, 2> operands = {-1, -1};
+  int input = -1;      ///< for Operation::input
+  mpz_class constant;  ///< for Operation::constant: in units
+  FixedFormat format;
+  int dropped_bits = 0;  ///< low bits of the exact result that are cut off: rounded down
+  Range value;           ///< encloses the result, which is exact in `format`
+  Range error;           ///< encloses the result less the real number that it stands for
+
+  friend bool operator==(const FixedNode&, const FixedNode&) = default;
+};
+
+/// Decides by constants: greater iff n >= greater_from, less iff n <= less_to, where n is the
+/// difference in its units; equal iff neither holds and nothing was rounded.
+struct ConstantThresholds {
+  mpz_class greater_from;
+  mpz_class less_to;
+  bool exact =
+      false;  ///< neither an operation nor a conversion rounds: all comparisons are decided
+
+  friend bool operator==(const ConstantThresholds&, const ConstantThresholds&) = default;
+};
+
+/// Decides by the norm of the errors, where the difference is that of a sum of squares, |x|^2, and
+/// a square, s^2, with s >= 0. For n and s in their units: greater iff n >= slope_above s +
+/// offset_above, less iff n < -slope_below s.
+struct NormThresholds {
+  NodeId radius;  ///< s
+  mpz_class slope_above;
+  mpz_class offset_above;
+  mpz_class slope_below;
+
+  friend bool operator==(const NormThresholds&, const NormThresholds&) = default;
+};
+
+/// When a lane decides one part.
+struct FixedPart {
+  NodeId difference;     ///< f - g, or g - f where `swapped`
+  bool swapped = false;  ///< `greater` and `less` of the decision change places
+  std::variant<ConstantThresholds, NormThresholds> decision;
+
+  friend bool operator==(const FixedPart&, const FixedPart&) = default;
+};
+
+struct FixedLane {
+  std::vector<FixedNode> nodes;  ///< in topological order
+  std::vector<std::string> input_names;
+  FloatFormat input_format;  ///< in which operands arrive
+  std::vector<FixedPart> parts;
+  Combination combination = Combination::all;  ///< meaningful only where there are several parts
+
+  friend bool operator==(const FixedLane&, const FixedLane&) = default;
+};
+
+enum class FixedBound {
+  constant,
+  norm,
+};
+
+struct FixedOptions {
+  int bits = 13;  ///< W: bits below the power of two above each input's range
+  std::optional<FixedBound> bound = {};      ///< none: the norm where a part has one
+  std::vector<std::optional<Range>> ranges;  ///< one per input; a lane needs them all
+};
+
+/// Makes the lane of a comparison whose operands arrive in `input_format`. Errors name the input
+/// without a range, the operation that fixed point does not have, or the part without the bound
+/// that is asked for.
+Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
+                             const FixedOptions& options);
+
+}  // namespace mixcmp::fixed

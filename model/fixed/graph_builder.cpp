@@ -1,0 +1,216 @@
+#include "model/fixed/graph_builder.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "model/common/check.hpp"
+#include "model/number/dyadic.hpp"
+
+namespace mixcmp::fixed {
+namespace {
+
+/// Sums of several products of two W-bit numbers stay exact; what is wider loses its low bits.
+constexpr int spare_bits = 8;
+
+/// The error of an absolute value: that of the operand, of either sign where its sign is open.
+Range absolute_error(const FixedNode& a) {
+  const Range truth = difference(a.value, a.error);
+  if (a.value.low >= 0 && truth.low >= 0) return a.error;
+  if (a.value.high <= 0 && truth.high <= 0) return negated(a.error);
+  const mpq_class most = absolute(a.error).high;
+  return {-most, most};
+}
+
+/// x' y' - x y for x = x' - e and y = y' - d: x' d + y' e - e d.
+Range product_error(const FixedNode& a, const FixedNode& b) {
+  return difference(sum(product(a.value, b.error), product(b.value, a.error)),
+                    product(a.error, b.error));
+}
+
+/// x'^2 - x^2 for x = x' - e: e (2 x' - e).
+Range square_error(const FixedNode& a) {
+  return product(a.error, difference(sum(a.value, a.value), a.error));
+}
+
+Range exact_error(Operation operation, const FixedNode& a, const FixedNode& b) {
+  switch (operation) {
+    case Operation::negate: return negated(a.error);
+    case Operation::absolute: return absolute_error(a);
+    case Operation::add: return sum(a.error, b.error);
+    case Operation::subtract: return difference(a.error, b.error);
+    case Operation::multiply: return product_error(a, b);
+    case Operation::square: return square_error(a);
+    case Operation::minimum:
+    case Operation::maximum: return hull({a.error.low, a.error.high, b.error.low, b.error.high});
+    case Operation::input:
+    case Operation::constant:
+    case Operation::convert:
+    case Operation::divide:
+    case Operation::square_root: break;
+  }
+  MIXCMP_CHECK(false);
+}
+
+Range exact_value(Operation operation, const Range& a, const Range& b) {
+  switch (operation) {
+    case Operation::negate: return negated(a);
+    case Operation::absolute: return absolute(a);
+    case Operation::add: return sum(a, b);
+    case Operation::subtract: return difference(a, b);
+    case Operation::multiply: return product(a, b);
+    case Operation::square: return square(a);
+    case Operation::minimum: return minimum(a, b);
+    case Operation::maximum: return maximum(a, b);
+    case Operation::input:
+    case Operation::constant:
+    case Operation::convert:
+    case Operation::divide:
+    case Operation::square_root: break;
+  }
+  MIXCMP_CHECK(false);
+}
+
+int unit_exponent_of(Operation operation, const FixedFormat& a, const FixedFormat& b) {
+  if (operation == Operation::square) return 2 * a.unit_exponent;
+  if (operation == Operation::multiply) return a.unit_exponent + b.unit_exponent;
+  return std::min(a.unit_exponent, b.unit_exponent);
+}
+
+/// The exponent of the power of two above a magnitude, strictly, so that the magnitude itself has a
+/// number; but no power that would cut off all normal numbers of the format, and none above them.
+int exponent_above(const mpq_class& magnitude, FloatFormat format) {
+  const int least = format.min_exponent() + 1, most = format.max_exponent() + 1;
+  if (magnitude == 0) return least;
+  return static_cast<int>(std::clamp<long>(floor_log2(magnitude) + 1, least, most));
+}
+
+/// The format that holds a range of multiples of the unit.
+FixedFormat format_of(const Range& value, int unit_exponent) {
+  const mpq_class per_unit = power_of_two(-unit_exponent);
+  return FixedFormat::holding(floor_of(value.low * per_unit), ceiling_of(value.high * per_unit),
+                              unit_exponent);
+}
+
+}  // namespace
+
+FixedGraphBuilder::FixedGraphBuilder(const Graph& graph, FloatFormat input_format,
+                                     const FixedOptions& options)
+    : graph_(graph),
+      input_format_(input_format),
+      options_(options),
+      known_(graph.nodes().size(), -1) {}
+
+Result<NodeId> FixedGraphBuilder::node(NodeId id) {
+  if (known_[id] >= 0) return known_[id];
+  const Node& node = graph_.nodes()[id];
+  for (int k = 0; k < arity(node.operation); ++k) {
+    MIXCMP_TRY(operand, this->node(node.operands[k]));
+    (void)operand;
+  }
+  MIXCMP_TRY(made, make(node));
+  known_[id] = add(std::move(made));
+  return known_[id];
+}
+
+NodeId FixedGraphBuilder::difference(NodeId a, NodeId b) {
+  return add(operation(Operation::subtract, a, b));
+}
+
+Result<FixedNode> FixedGraphBuilder::make(const Node& node) {
+  switch (node.operation) {
+    case Operation::input: return input(node);
+    case Operation::constant: return constant(node.value);
+    case Operation::divide:
+    case Operation::square_root:
+      return Error{.field = "reduced.format",
+                   .message = fmt::format("fixed point has no {}", to_string(node.operation)),
+                   .received = fmt::format("q{}", options_.bits),
+                   .accepted = "a floating-point format, or f and g without quotients and roots"};
+    case Operation::convert:
+    case Operation::negate:
+    case Operation::absolute:
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::multiply:
+    case Operation::square:
+    case Operation::minimum:
+    case Operation::maximum: break;
+  }
+  const auto [a, b] = node.operands;
+  return operation(node.operation, known_[a], b < 0 ? -1 : known_[b]);
+}
+
+Result<FixedNode> FixedGraphBuilder::input(const Node& node) const {
+  const std::optional<Range>& range = options_.ranges[static_cast<std::size_t>(node.input)];
+  const std::string& name = graph_.inputs()[static_cast<std::size_t>(node.input)];
+  if (!range) {
+    return Error{.field = fmt::format("inputs.{}.range", name),
+                 .message = "a fixed-point lane needs a range for each input",
+                 .received = "none",
+                 .accepted = "a range, such as [0, 100]"};
+  }
+  const int top = exponent_above(absolute(*range).high, input_format_);
+  FixedNode input{.operation = Operation::input, .input = node.input, .constant = {}};
+  input.format = {.width = options_.bits, .unit_exponent = top - options_.bits};
+  const mpq_class unit = input.format.unit(), greatest = input.format.largest() * unit;
+  input.value = {0, greatest};
+  input.error = {-unit, 0};
+  if (range->low >= 0) return input;
+  input.value.low = -greatest - unit;
+  input.format = {
+      .width = options_.bits + 1, .unit_exponent = top - options_.bits, .is_signed = true};
+  return input;
+}
+
+/// A constant of at most as many digits as an operand has is exact.
+FixedNode FixedGraphBuilder::constant(const mpq_class& value) const {
+  FixedNode constant{.operation = Operation::constant, .constant = {}};
+  int unit_exponent = 0;
+  if (value != 0) {
+    unit_exponent = static_cast<int>(floor_log2(abs(value))) + 1 - options_.bits;
+    constant.constant = floor_of(scaled(value, -unit_exponent) + mpq_class(1, 2));
+  }
+  while (constant.constant != 0 && mpz_even_p(constant.constant.get_mpz_t()) != 0) {
+    constant.constant /= 2;
+    ++unit_exponent;
+  }
+  const mpq_class rounded = scaled(constant.constant, unit_exponent);
+  constant.value = {rounded, rounded};
+  constant.error = {rounded - value, rounded - value};
+  constant.format = FixedFormat::holding(constant.constant, constant.constant, unit_exponent);
+  return constant;
+}
+
+FixedNode FixedGraphBuilder::operation(Operation operation, NodeId a, NodeId b) const {
+  const FixedNode& first = nodes_[a];
+  const FixedNode& second = nodes_[b < 0 ? a : b];
+  FixedNode node{.operation = operation, .operands = {a, b}, .constant = {}};
+  const bool cancels = operation == Operation::subtract && a == b;
+  node.value = cancels ? Range{0, 0} : exact_value(operation, first.value, second.value);
+  node.error = cancels ? Range{0, 0} : exact_error(operation, first, second);
+  node.format = format_of(node.value, unit_exponent_of(operation, first.format, second.format));
+  cut(node);
+  return node;
+}
+
+/// Drops the low bits that make a result wider than a sum of products needs to be.
+void FixedGraphBuilder::cut(FixedNode& node) const {
+  node.dropped_bits = std::max(0, node.format.width - 2 * options_.bits - spare_bits);
+  if (node.dropped_bits == 0) return;
+  const mpq_class exact_unit = node.format.unit();
+  const int unit_exponent = node.format.unit_exponent + node.dropped_bits;
+  const mpq_class unit = power_of_two(unit_exponent);
+  node.error.low -= unit - exact_unit;
+  node.value = {floor_of(node.value.low / unit) * unit, floor_of(node.value.high / unit) * unit};
+  node.format = format_of(node.value, unit_exponent);
+}
+
+NodeId FixedGraphBuilder::add(FixedNode node) {
+  const auto known = std::find(nodes_.begin(), nodes_.end(), node);
+  const auto id = static_cast<NodeId>(known - nodes_.begin());
+  if (known == nodes_.end()) nodes_.push_back(std::move(node));
+  return id;
+}
+
+}  // namespace mixcmp::fixed

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "model/fixed/fixed_lane.hpp"
+
+namespace mixcmp::fixed {
+
+/// Turns the nodes of an expression into fixed-point ones, operands first, with the format, the
+/// enclosure and the error of each.
+class FixedGraphBuilder {
+public:
+  FixedGraphBuilder(const Graph& graph, FloatFormat input_format, const FixedOptions& options);
+
+  /// The fixed-point node of an expression's node.
+  Result<NodeId> node(NodeId id);
+  /// a - b.
+  NodeId difference(NodeId a, NodeId b);
+
+  std::vector<FixedNode>& nodes() { return nodes_; }
+
+private:
+  Result<FixedNode> make(const Node& node);
+  Result<FixedNode> input(const Node& node) const;
+  FixedNode constant(const mpq_class& value) const;
+  FixedNode operation(Operation operation, NodeId a, NodeId b = -1) const;
+  void cut(FixedNode& node) const;
+  NodeId add(FixedNode node);
+
+  const Graph& graph_;
+  FloatFormat input_format_;
+  const FixedOptions& options_;
+  std::vector<NodeId> known_;  ///< [node of the expression]: its node here, or -1
+  std::vector<FixedNode> nodes_;
+};
+
+}  // namespace mixcmp::fixed

@@ -1,0 +1,59 @@
+#include "model/fixed/norm_bound.hpp"
+
+#include "model/number/dyadic.hpp"
+
+namespace mixcmp::fixed {
+namespace {
+
+/// Appends the elements of a sum of squares; false where the node is something else or rounds.
+bool add_terms(const std::vector<FixedNode>& nodes, NodeId id, std::vector<NodeId>& terms) {
+  const FixedNode& node = nodes[id];
+  if (node.dropped_bits > 0) return false;
+  if (node.operation == Operation::square) {
+    terms.push_back(node.operands[0]);
+    return true;
+  }
+  return node.operation == Operation::add && add_terms(nodes, node.operands[0], terms) &&
+         add_terms(nodes, node.operands[1], terms);
+}
+
+/// The square root of value >= 0, rounded up.
+mpq_class root_above(const mpq_class& value) {
+  constexpr int digits = 64;
+  const mpq_class root = root_of(value, digits);
+  return root * root == value ? root : root * (1 + power_of_two(1 - digits));
+}
+
+/// A bound of the Euclidean norm of the errors of x.
+mpq_class norm_of_errors(const std::vector<FixedNode>& nodes, const std::vector<NodeId>& terms) {
+  mpq_class sum = 0;
+  for (const NodeId id : terms) sum += square(nodes[id].error).high;
+  return root_above(sum);
+}
+
+}  // namespace
+
+std::optional<NormSides> norm_sides(const std::vector<FixedNode>& nodes, NodeId sum,
+                                    NodeId square) {
+  NormSides sides{.terms = {}, .radius = nodes[square].operands[0]};
+  if (nodes[square].operation != Operation::square || nodes[square].dropped_bits > 0) return {};
+  if (nodes[sides.radius].value.low < 0) return {};
+  if (!add_terms(nodes, sum, sides.terms)) return {};
+  return sides;
+}
+
+NormThresholds norm_thresholds(const std::vector<FixedNode>& nodes, const NormSides& sides,
+                               const FixedNode& difference) {
+  const FixedNode& radius = nodes[sides.radius];
+  const mpq_class norm = norm_of_errors(nodes, sides.terms);
+  const mpq_class above = std::max<mpq_class>(0, norm - radius.error.low);
+  const mpq_class below = std::max<mpq_class>(0, norm + radius.error.high);
+  const mpq_class unit = difference.format.unit();
+  const mpq_class per_radius = 2 * radius.format.unit() / unit;
+  return {.radius = sides.radius,
+          .slope_above = ceiling_of(above * per_radius),
+          .offset_above = floor_of(above * above / unit) + 1,
+          .slope_below = ceiling_of(below * per_radius)};
+}
+
+}  // namespace mixcmp::fixed

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "model/fixed/fixed_lane.hpp"
+
+namespace mixcmp::fixed {
+
+/// |x|^2, exact in fixed point, and s^2 with s >= 0.
+struct NormSides {
+  std::vector<NodeId> terms;  ///< the elements of x
+  NodeId radius;              ///< s
+};
+
+/// The two sides, if `sum` is a sum of squares (or one square) and `square` the square of a node
+/// that is never negative.
+std::optional<NormSides> norm_sides(const std::vector<FixedNode>& nodes, NodeId sum, NodeId square);
+
+/// The thresholds of `difference`, |x|^2 - s^2. Proof: docs/fixed_point.md, theorem 4.
+NormThresholds norm_thresholds(const std::vector<FixedNode>& nodes, const NormSides& sides,
+                               const FixedNode& difference);
+
+}  // namespace mixcmp::fixed

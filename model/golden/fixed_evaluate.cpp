@@ -1,0 +1,136 @@
+#include "model/golden/fixed_evaluate.hpp"
+
+#include <algorithm>
+
+#include "model/common/check.hpp"
+#include "model/golden/arithmetic.hpp"
+
+namespace mixcmp::golden {
+namespace {
+
+using fixed::FixedLane;
+using fixed::FixedNode;
+using fixed::FixedPart;
+using Integer = std::optional<mpz_class>;
+
+/// value * 2^shift, rounded down.
+mpz_class shifted(const mpz_class& value, int shift) {
+  mpz_class result;
+  if (shift >= 0) {
+    mpz_mul_2exp(result.get_mpz_t(), value.get_mpz_t(), static_cast<mp_bitcnt_t>(shift));
+  } else {
+    mpz_fdiv_q_2exp(result.get_mpz_t(), value.get_mpz_t(), static_cast<mp_bitcnt_t>(-shift));
+  }
+  return result;
+}
+
+/// An operand that arrives, its magnitude truncated, all bits inverted if its sign bit is set; none
+/// if the magnitude or the sign is not of the format.
+Integer converted(FloatFormat from, Bits bits, const FixedFormat& to) {
+  if (from.is_nan(bits) || from.is_infinite(bits)) return std::nullopt;
+  if (from.sign(bits) && !to.is_signed) return std::nullopt;
+  const mpq_class value = to_rational(from, from.magnitude(bits));
+  mpz_class magnitude = shifted(value.get_num(), std::max(0, -to.unit_exponent));
+  magnitude /= shifted(value.get_den(), std::max(0, to.unit_exponent));
+  const int magnitude_bits = to.width - (to.is_signed ? 1 : 0);
+  if (magnitude >= shifted(1, magnitude_bits)) return std::nullopt;
+  return from.sign(bits) ? mpz_class(-magnitude - 1) : magnitude;
+}
+
+mpz_class operate(Operation operation, const mpz_class& a, const mpz_class& b) {
+  switch (operation) {
+    case Operation::negate: return -a;
+    case Operation::absolute: return abs(a);
+    case Operation::add: return a + b;
+    case Operation::subtract: return a - b;
+    case Operation::multiply: return a * b;
+    case Operation::square: return a * a;
+    case Operation::minimum: return std::min(a, b);
+    case Operation::maximum: return std::max(a, b);
+    case Operation::input:
+    case Operation::constant:
+    case Operation::convert:
+    case Operation::divide:
+    case Operation::square_root: break;
+  }
+  MIXCMP_CHECK(false);
+}
+
+bool aligns_operands(Operation operation) {
+  return operation == Operation::add || operation == Operation::subtract || is_choice(operation);
+}
+
+Integer result_of(const FixedNode& node, const std::vector<FixedNode>& nodes,
+                  const std::vector<Integer>& values) {
+  mpz_class operands[2];
+  int finest = 0;
+  for (int k = 0; k < arity(node.operation); ++k) {
+    const int unit = nodes[node.operands[k]].format.unit_exponent;
+    finest = k == 0 ? unit : std::min(finest, unit);
+  }
+  for (int k = 0; k < arity(node.operation); ++k) {
+    const Integer& operand = values[node.operands[k]];
+    if (!operand) return std::nullopt;
+    const int unit = nodes[node.operands[k]].format.unit_exponent;
+    operands[k] = aligns_operands(node.operation) ? shifted(*operand, unit - finest) : *operand;
+  }
+  return shifted(operate(node.operation, operands[0], operands[1]), -node.dropped_bits);
+}
+
+LaneResult decide(const fixed::ConstantThresholds& thresholds, const mpz_class& difference,
+                  const std::vector<Integer>&) {
+  if (difference >= thresholds.greater_from) return {true, Verdict::greater};
+  if (difference <= thresholds.less_to) return {true, Verdict::less};
+  return {thresholds.exact, Verdict::equal};
+}
+
+LaneResult decide(const fixed::NormThresholds& thresholds, const mpz_class& difference,
+                  const std::vector<Integer>& values) {
+  const mpz_class& radius = *values[thresholds.radius];
+  if (difference >= thresholds.slope_above * radius + thresholds.offset_above) {
+    return {true, Verdict::greater};
+  }
+  return {difference < -thresholds.slope_below * radius, Verdict::less};
+}
+
+/// The verdict of the opposite difference.
+Verdict negated(Verdict verdict) {
+  if (verdict == Verdict::less) return Verdict::greater;
+  return verdict == Verdict::greater ? Verdict::less : verdict;
+}
+
+LaneResult evaluate_part(const FixedPart& part, const std::vector<Integer>& values) {
+  const Integer& difference = values[part.difference];
+  if (!difference) return {false, Verdict::unordered};
+  LaneResult result =
+      std::visit([&](const auto& thresholds) { return decide(thresholds, *difference, values); },
+                 part.decision);
+  if (part.swapped) result.verdict = negated(result.verdict);
+  return result;
+}
+
+}  // namespace
+
+std::vector<Integer> evaluate(const FixedLane& lane, std::span<const Bits> inputs) {
+  MIXCMP_CHECK(inputs.size() == lane.input_names.size());
+  std::vector<Integer> values;
+  for (const FixedNode& node : lane.nodes) {
+    if (node.operation == Operation::input) {
+      values.push_back(converted(lane.input_format, inputs[node.input], node.format));
+    } else if (node.operation == Operation::constant) {
+      values.emplace_back(node.constant);
+    } else {
+      values.push_back(result_of(node, lane.nodes, values));
+    }
+  }
+  return values;
+}
+
+LaneResult evaluate_lane(const FixedLane& lane, std::span<const Bits> inputs) {
+  const std::vector<Integer> values = evaluate(lane, inputs);
+  std::vector<LaneResult> parts;
+  for (const FixedPart& part : lane.parts) parts.push_back(evaluate_part(part, values));
+  return combine_parts(lane.combination, parts);
+}
+
+}  // namespace mixcmp::golden

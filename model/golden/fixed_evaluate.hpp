@@ -1,0 +1,23 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/fixed/fixed_lane.hpp"
+#include "model/golden/evaluate.hpp"
+
+/// The golden model of lanes in fixed point, in GMP integers.
+namespace mixcmp::golden {
+
+/// The integer of every node, in its units; none where it depends on an operand that does not fit.
+/// `inputs` are in lane.input_format, one per input.
+std::vector<std::optional<mpz_class>> evaluate(const fixed::FixedLane& lane,
+                                               std::span<const Bits> inputs);
+
+/// The decision of a lane in hardware, bit for bit.
+LaneResult evaluate_lane(const fixed::FixedLane& lane, std::span<const Bits> inputs);
+
+}  // namespace mixcmp::golden

@@ -1,0 +1,230 @@
+#include "model/fixed/fixed_lane.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/golden/fixed_evaluate.hpp"
+#include "tests/support/float_samples.hpp"
+#include "tests/support/graphs.hpp"
+
+namespace mixcmp::test {
+namespace {
+
+using fixed::ConstantThresholds;
+using fixed::FixedBound;
+using fixed::FixedLane;
+using fixed::FixedNode;
+using fixed::NormThresholds;
+
+const char* const spheres = "(cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2";
+
+FixedLane lane_of(const Graph& graph, int bits, const Range& range,
+                  std::optional<FixedBound> bound = {}) {
+  const std::vector<std::optional<Range>> ranges(graph.inputs().size(), range);
+  return fixed::fixed_lane(graph, format_of(53, 8),
+                           {.bits = bits, .bound = bound, .ranges = ranges})
+      .value();
+}
+
+std::vector<std::string> formats_of(const FixedLane& lane) {
+  std::vector<std::string> names;
+  for (const FixedNode& node : lane.nodes) {
+    names.push_back(std::string(to_string(node.operation)) + " " + node.format.name());
+  }
+  return names;
+}
+
+TEST(FixedFormat, HoldsNoMoreThanItMust) {
+  EXPECT_EQ(FixedFormat::holding(0, 0, 3).name(), "ufix1_E3");
+  EXPECT_EQ(FixedFormat::holding(0, 7, -2).name(), "ufix3_En2");
+  EXPECT_EQ(FixedFormat::holding(0, 8, 0).name(), "ufix4_E0");
+  EXPECT_EQ(FixedFormat::holding(-8, 7, 0).name(), "sfix4_E0");
+  EXPECT_EQ(FixedFormat::holding(-9, 7, 0).name(), "sfix5_E0");
+  EXPECT_EQ(FixedFormat::holding(-1, 8, 0).name(), "sfix5_E0");
+  const FixedFormat format = FixedFormat::holding(-5, 3, 0);
+  EXPECT_EQ(format.smallest(), -8);
+  EXPECT_EQ(format.largest(), 7);
+}
+
+TEST(FixedLane, NodesAreAsWideAsTheirIntervals) {
+  const FixedLane lane = lane_of(graph_of("(a - b)^2", "c"), 13, {0, 100});
+  EXPECT_EQ(
+      formats_of(lane),
+      (std::vector<std::string>{"input ufix13_En6", "input ufix13_En6", "subtract sfix14_En6",
+                                "square ufix26_En12", "input ufix13_En6", "subtract sfix27_En12"}));
+}
+
+TEST(FixedLane, ASphereIsDecidedByTheNormOfItsErrors) {
+  const FixedLane lane = lane_of(graph_of(spheres, "(ri + rj)^2"), 13, {0, 100});
+  const auto& norm = std::get<NormThresholds>(lane.parts.front().decision);
+  // Differences are off by less than a unit, their norm by sqrt(3); the radii's sum by two units,
+  // downward only: 2 (sqrt(3) + 2) = 7.46 and 2 sqrt(3) = 3.46.
+  EXPECT_EQ(norm.slope_above, 8);
+  EXPECT_EQ(norm.slope_below, 4);
+  EXPECT_EQ(norm.offset_above, 14) << "floor((sqrt(3) + 2)^2) + 1";
+  EXPECT_EQ(lane.nodes[norm.radius].format.name(), "ufix14_En6");
+}
+
+TEST(FixedLane, ARadiusMayErrUpward) {
+  const FixedLane lane = lane_of(graph_of("a^2", "abs(b - c)^2"), 13, {0, 100});
+  const auto& norm = std::get<NormThresholds>(lane.parts.front().decision);
+  EXPECT_EQ(norm.slope_above, 4) << "2 (1 + 1): a unit of either side";
+  EXPECT_EQ(norm.slope_below, 4);
+}
+
+TEST(FixedLane, TheRangesTopIsInside) {
+  const FixedLane lane = lane_of(graph_of("a", "b"), 4, {0, 8});
+  EXPECT_EQ(lane.nodes.front().format.name(), "ufix4_E0");
+  const FloatFormat format = lane.input_format;
+  const auto fits = [&](double value) {
+    const std::vector<Bits> inputs(2, golden::from_rational(format, mpq_class(value)));
+    return golden::evaluate(lane, inputs).front().has_value();
+  };
+  EXPECT_TRUE(fits(0));
+  EXPECT_TRUE(fits(8));
+  EXPECT_TRUE(fits(15.999));
+  EXPECT_FALSE(fits(16));
+  EXPECT_FALSE(fits(-1e-3));
+}
+
+TEST(FixedLane, TheTopIsAPowerOfTwoOfTheFormat) {
+  const auto top_of = [](const Range& range) {
+    const FixedLane lane = lane_of(graph_of("a", "b"), 10, range);
+    return lane.nodes.front().format.unit_exponent + 10;
+  };
+  EXPECT_EQ(top_of({0, 100}), 7);
+  EXPECT_EQ(top_of({0, 128}), 8);
+  EXPECT_EQ(top_of({0, mpq_class(1, 100)}), -6);
+  EXPECT_EQ(top_of({0, 0}), -125);
+  EXPECT_EQ(top_of({0, mpq_class(1, mpz_class(1) << 140)}), -125);
+  EXPECT_EQ(top_of({0, mpz_class(1) << 140}), 128);
+}
+
+TEST(FixedLane, WideResultsAreCut) {
+  const FixedLane lane = lane_of(graph_of("(a^2)^2", "b"), 8, {0, 1});
+  const FixedNode& fourth = lane.nodes[2];
+  ASSERT_EQ(fourth.operation, Operation::square);
+  EXPECT_EQ(fourth.format.name(), "ufix24_En20");
+  EXPECT_EQ(fourth.dropped_bits, 8);
+  // a < 2, in units of 2^-7, is 255 at most. The square of x + e, e >= -1, is off by 511; the
+  // square of that by 511 (2 * 255^2 + 511); the cut by 2^8 - 1 of these units more.
+  EXPECT_EQ(fourth.error.low, -mpq_class(511 * 130561 + 255) / (1 << 28));
+  EXPECT_EQ(fourth.error.high, 0);
+}
+
+TEST(FixedLane, WhatIsCutHasNoNorm) {
+  const Graph graph = graph_of("(a^2)^2", "(b^2)^2");
+  const std::vector<std::optional<Range>> ranges(2, Range{0, 1});
+  for (const int bits : {3, 8}) {
+    const auto lane = fixed::fixed_lane(
+        graph, format_of(53, 8), {.bits = bits, .bound = FixedBound::norm, .ranges = ranges});
+    EXPECT_EQ(lane.ok(), bits == 3) << bits;
+  }
+}
+
+/// What each node stands for: its operation on real numbers.
+std::vector<mpq_class> true_values(const FixedLane& lane, const std::vector<mpq_class>& inputs) {
+  std::vector<mpq_class> values;
+  for (const FixedNode& node : lane.nodes) {
+    const mpq_class a = arity(node.operation) > 0 ? values[node.operands[0]] : 0;
+    const mpq_class b = arity(node.operation) > 1 ? values[node.operands[1]] : 0;
+    switch (node.operation) {
+      case Operation::input: values.push_back(inputs[node.input]); break;
+      case Operation::constant: values.push_back(node.value.low - node.error.low); break;
+      case Operation::negate: values.push_back(-a); break;
+      case Operation::absolute: values.push_back(abs(a)); break;
+      case Operation::add: values.push_back(a + b); break;
+      case Operation::subtract: values.push_back(a - b); break;
+      case Operation::multiply: values.push_back(a * b); break;
+      case Operation::square: values.push_back(a * a); break;
+      case Operation::minimum: values.push_back(std::min(a, b)); break;
+      case Operation::maximum: values.push_back(std::max(a, b)); break;
+      default: ADD_FAILURE() << to_string(node.operation);
+    }
+  }
+  return values;
+}
+
+/// Holds each node's enclosures of its value and of its error.
+void expect_enclosed(const FixedLane& lane, const std::vector<mpq_class>& inputs) {
+  std::vector<Bits> encodings;
+  for (const mpq_class& input : inputs) {
+    encodings.push_back(golden::from_rational(lane.input_format, input));
+  }
+  const auto values = golden::evaluate(lane, encodings);
+  const std::vector<mpq_class> truth = true_values(lane, inputs);
+  for (std::size_t id = 0; id < values.size(); ++id) {
+    const FixedNode& node = lane.nodes[id];
+    ASSERT_TRUE(values[id]) << id;
+    const mpq_class value = *values[id] * node.format.unit(), error = value - truth[id];
+    EXPECT_TRUE(node.value.low <= value && value <= node.value.high) << id << ": " << value;
+    EXPECT_TRUE(node.error.low <= error && error <= node.error.high) << id << ": " << error;
+    EXPECT_TRUE(node.format.smallest() <= *values[id] && *values[id] <= node.format.largest())
+        << id << ": " << *values[id] << " in " << node.format.name();
+  }
+}
+
+/// Every unit's multiple below 2 in magnitude, and what lies just above and just below it.
+std::vector<mpq_class> around_units(int bits, bool is_signed) {
+  const mpq_class unit = mpq_class(4) / (1 << bits), little = unit / 1024;
+  std::vector<mpq_class> values;
+  for (mpq_class value = is_signed ? mpq_class(unit - 4) : mpq_class(0); value < 4; value += unit) {
+    for (const mpq_class& near : {value, mpq_class(value + little), mpq_class(value - little)}) {
+      if (near >= 0 || is_signed) values.push_back(near);
+    }
+  }
+  if (is_signed) values.push_back(little - 4);
+  values.push_back(4 - little);
+  return values;
+}
+
+TEST(FixedLane, EnclosuresHoldWhereTheyAreTight) {
+  for (const char* f :
+       {"a * b", "a^2", "abs(a)", "-a", "min(a, b)", "max(a, b)", "abs(a - b)", "min(a, b / 4)",
+        "max(3 * a, b)", "a * b + 0.3", "a^4", "(a * b)^3", "a^2 * b^2 - b"}) {
+    const Graph graph = graph_of(f, "b");
+    for (const int bits : {1, 2, 3, 5}) {
+      for (const bool is_signed : {false, true}) {
+        const FixedLane lane = lane_of(graph, bits, {is_signed ? -3 : 0, 3});
+        const std::vector<mpq_class> tried = around_units(bits, is_signed);
+        for (const mpq_class& a : tried) {
+          for (const mpq_class& b : tried) {
+            std::vector<mpq_class> inputs = {a, b};
+            if (graph.inputs().front() == "b") std::swap(inputs[0], inputs[1]);
+            expect_enclosed(lane, inputs);
+            if (testing::Test::HasFailure()) FAIL() << f << ", q" << bits;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(FixedLane, AConstantIsNoFartherThanItsErrorSays) {
+  const FixedLane lane = lane_of(graph_of("0.3 * a", "-2.5"), 5, {0, 1});
+  const auto constant =
+      std::find_if(lane.nodes.begin(), lane.nodes.end(),
+                   [](const FixedNode& node) { return node.operation == Operation::constant; });
+  ASSERT_NE(constant, lane.nodes.end());
+  EXPECT_EQ(constant->format.name(), "ufix5_En6") << "19/64";
+  EXPECT_EQ(constant->constant, 19);
+  EXPECT_EQ(constant->error.low, mpq_class(19, 64) - mpq_class(3, 10));
+  EXPECT_EQ(constant->error, (Range{constant->error.low, constant->error.low}));
+}
+
+TEST(FixedLane, MistakesNameWhatIsMissing) {
+  const Graph graph = graph_of("a", "b");
+  const auto open =
+      fixed::fixed_lane(graph, format_of(53, 8), {.ranges = {Range{0, 1}, std::nullopt}});
+  ASSERT_FALSE(open.ok());
+  EXPECT_EQ(open.error().field, "inputs.b.range");
+  const Graph quotient = graph_of("a / b", "1");
+  const auto none =
+      fixed::fixed_lane(quotient, format_of(53, 8), {.ranges = {Range{0, 1}, Range{1, 2}}});
+  ASSERT_FALSE(none.ok());
+  EXPECT_NE(none.error().message.find("divide"), std::string::npos) << none.error().message;
+}
+
+}  // namespace
+}  // namespace mixcmp::test
