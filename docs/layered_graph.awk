@@ -3,7 +3,7 @@
 
 function group_of(folder) {
   if (folder ~ /^model\/(common|number|settings|devices)$/) return "foundations"
-  if (folder ~ /^model\/(data|expression|error|scene|workload|design)$/) return "scene"
+  if (folder ~ /^model\/(data|expression|error|fixed|scene|workload|design)$/) return "scene"
   if (folder ~ /^model\/(golden|emulator|proof)$/ || folder == "verilator_tb") return "judges"
   if (folder == "generator/cli") return "command line"
   if (folder ~ /^generator\//) return "generator"
