@@ -1,9 +1,13 @@
-# mixcmp_library(NAME [USES name...] [LINKS target...] SOURCES file...)
+# mixcmp_library(NAME [COLD] [USES name...] [LINKS target...] SOURCES file...)
 # The library mixcmp_NAME, made of one folder. USES names the libraries of this project whose
-# headers the folder includes; LINKS names what is not ours.
+# headers the folder includes; LINKS names what is not ours. COLD: no run spends its time here, so
+# that compiling faster pays more than running faster.
 function(mixcmp_library name)
-  cmake_parse_arguments(LIBRARY "" "" "USES;LINKS;SOURCES" ${ARGN})
+  cmake_parse_arguments(LIBRARY "COLD" "" "USES;LINKS;SOURCES" ${ARGN})
   add_library(mixcmp_${name} STATIC ${LIBRARY_SOURCES})
+  if(LIBRARY_COLD)
+    target_compile_options(mixcmp_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
   mixcmp_uses(mixcmp_${name} ${LIBRARY_USES})
   target_link_libraries(mixcmp_${name} PUBLIC mixcmp_options fmt::fmt ${LIBRARY_LINKS})
 endfunction()

@@ -113,6 +113,7 @@ bool parse_line(const std::string& line, Answer& answer) {
   } else if (kind == "state") {
     std::uint64_t state = 0;
     words >> state >> answer.cycles;
+    if (state > static_cast<std::uint64_t>(harness::wire::State::stopped)) return false;
     answer.state = static_cast<harness::wire::State>(state);
   } else {
     return false;
@@ -121,7 +122,7 @@ bool parse_line(const std::string& line, Answer& answer) {
 }
 
 /// Checks what the judge relies on: each result is that of a comparison which was offered, and no
-/// comparison has two results.
+/// comparison has two results; each lane with counters says once what they counted.
 Result<Done> check_results(const Answer& answer, const Block& block,
                            const emit::Signature& signature, const fs::path& path) {
   std::vector<bool> has_left(block.comparisons);
@@ -139,7 +140,13 @@ Result<Done> check_results(const Answer& answer, const Block& block,
                  .accepted = fmt::format("each of {} comparisons once, from one of {} lanes",
                                          block.comparisons, signature.lanes)};
   }
-  return Done{};
+  const bool counts = answer.state == harness::wire::State::drained && signature.counter_bits > 0;
+  const std::size_t ends = counts ? static_cast<std::size_t>(signature.lanes) : 0;
+  if (answer.lanes.size() == ends) return Done{};
+  return Error{.file = path.string(),
+               .message = "the simulator wrote counters that cannot be",
+               .received = fmt::format("those of {} lanes", answer.lanes.size()),
+               .accepted = fmt::format("those of {}", ends)};
 }
 
 Result<Answer> read_results(const fs::path& path) {
@@ -148,7 +155,8 @@ Result<Answer> read_results(const fs::path& path) {
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
-    if (parse_line(line, answer)) continue;
+    const bool is_whole = !stream.eof();  // a full disk may have cut off its end
+    if (is_whole && parse_line(line, answer)) continue;
     return Error{.file = path.string(),
                  .line = number,
                  .message = "the testbench wrote what cannot be read",

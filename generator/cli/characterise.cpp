@@ -10,6 +10,7 @@
 #include "generator/cli/planning.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/report/json_text.hpp"
+#include "model/common/file.hpp"
 #include "model/common/output_file.hpp"
 
 namespace mixcmp::cli {
@@ -85,7 +86,10 @@ void print_text(const CharacteriseReport& report, const fs::path& table) {
     print(fmt::format("no clock: {}{}: {}\n", components.front(), more, reason));
   }
   if (report.interrupted_by != 0) return;
-  if (report.table.rows.empty()) return print(fmt::format("{} is as it was\n", table.string()));
+  if (report.table.rows.empty()) {
+    const char* const left = path_exists(table) ? "is as it was" : "is not written";
+    return print(fmt::format("{} {}\n", table.string(), left));
+  }
   print(fmt::format("{} rows in {}", report.table.rows.size(), table.string()));
   if (report.kept > 0) print(fmt::format(", {} of them kept from before", report.kept));
   if (report.dropped > 0) print(fmt::format("; {} outdated rows dropped", report.dropped));

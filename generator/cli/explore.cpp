@@ -230,7 +230,13 @@ std::vector<std::string> devices_of(const ExploreCommand& command, const scene::
   std::vector<std::string> devices;
   for (const std::string& device : command.devices) {
     const bool known = std::find(devices.begin(), devices.end(), device) != devices.end();
-    if (!known) devices.push_back(device);
+    if (known) continue;
+    if (const auto found = devices::find_device(device); !found.ok()) {
+      Error error = found.error();
+      if (error.field == "system.device") error.field = "--on";
+      fail(error);
+    }
+    devices.push_back(device);
   }
   return devices;
 }

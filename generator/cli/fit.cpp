@@ -1,6 +1,7 @@
 #include "generator/cli/fit.hpp"
 
 #include "generator/cli/planning.hpp"
+#include "generator/components/characterise.hpp"
 #include "model/common/file.hpp"
 #include "model/optimise/footprint.hpp"
 
@@ -28,8 +29,17 @@ std::optional<std::string> fit_note(const LoadedScene& loaded, const design::Des
   const scene::Scene& scene = loaded.scene;
   const std::filesystem::path path = default_table(scene.path, scene.variant, device->name);
   const auto table = table_beside(path, scene, *device);
-  const auto footprint = optimise::footprint_of(design, table ? &*table : nullptr, *device);
-  return excess_of(footprint, design, *device, path.string());
+  const auto note = [&](const characterise::Characterisation* areas) {
+    const auto footprint = optimise::footprint_of(design, areas, *device);
+    return excess_of(footprint, design, *device, path.string());
+  };
+  if (!table) return note(nullptr);
+  const auto measured = note(&*table);
+  // Whether the areas are of this RTL takes time to tell: only where there is something to say.
+  if (!measured) return std::nullopt;
+  const data::Comparisons* data = loaded.data ? &*loaded.data : nullptr;
+  const bool outdated = components::count_rows(*table, scene, data, *device).outdated > 0;
+  return outdated ? note(nullptr) : measured;
 }
 
 }  // namespace mixcmp::cli

@@ -139,6 +139,9 @@ void run(const RouteCommand& command) {
   if (!command.work.empty()) held.emplace(lock_folder(command.work));
   const std::string tools = value_or_exit(tool_versions(device, command.synthesis.effort));
   const fs::path kept = kept_folder(command, job, device, tools);
+  if (!kept.empty()) {
+    value_or_exit(check_replaced_folder(kept, inputs_of(command.scene, loaded.scene)));
+  }
   const characterise::SynthesisResult result = result_of(command, job, device, tools, kept);
   command.scene.json ? print_json(job, device, result, tools) : print_text(job, device, result);
   if (!kept.empty()) tell(fmt::format("netlists and logs are in {}", kept.string()));

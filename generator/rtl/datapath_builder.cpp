@@ -8,7 +8,9 @@ namespace mixcmp::rtl {
 namespace {
 
 /// Names that no input may take: the fixed ports and nets of a datapath.
-const std::set<std::string> reserved_names = {"aclk", "verdict", "decided", "decision"};
+/// The last two are the datapaths' own names where they are instantiated.
+const std::set<std::string> reserved_names = {"aclk",     "verdict", "decided",
+                                              "decision", "lane",    "reference"};
 
 std::set<std::string> taken_names(const std::vector<std::string>& ports) {
   std::set<std::string> taken = reserved_names;

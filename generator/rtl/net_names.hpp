@@ -28,7 +28,7 @@ std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<s
 /// The suffix of the nets that belong to one part: "_2"; empty where there is only one part.
 std::string part_suffix(std::size_t part, std::size_t parts);
 
-/// The operation in words of its operands' names: "cxi - cxj".
+/// The operation as a formula over its operands' names: "cxi - cxj".
 std::string formula(const TypedGraph& graph, NodeId node, const std::vector<std::string>& names);
 
 /// A name for every node of an error bound. The last is "error_bound" with its part's suffix; a
@@ -36,7 +36,7 @@ std::string formula(const TypedGraph& graph, NodeId node, const std::vector<std:
 std::vector<std::string> name_bounds(const error::BoundGraph& bound, const std::string& suffix,
                                      const std::vector<std::string>& values, NamePool& pool);
 
-/// A bound's operation in words of its operands' names: "2^-17 * cxi_rounded_binade".
+/// A bound's operation as a formula over its operands' names: "2^-17 * cxi_rounded_binade".
 std::string bound_formula(const error::BoundGraph& bound, int node,
                           const std::vector<std::string>& bounds,
                           const std::vector<std::string>& values);

@@ -134,6 +134,9 @@ private:
       MIXCMP_TRY(copied, copy_in_place_of(folder, options_.keep));
     }
     if (!result.ok()) return result.error();
+    // The signal that interrupts this run may have ended a tool, too, and a tool's end may be taken
+    // for an answer.
+    if (cancelled_) return Error{.message = "interrupted"};
     return store.add(job.hash, *result, tools_);
   }
 

@@ -130,6 +130,7 @@ std::optional<std::string> shortage(const devices::Area& area, const devices::Ar
 Result<Timing> route_clock(const Run& run, devices::Area& area) {
   const ToolLimits& limits = run.options.each_tool;
   const Result<std::string> version = router_version(run.device);
+  if (!version.ok() && version.error().kind != ErrorKind::missing_tool) return version.error();
   if (!version.ok()) return Timing{std::nullopt, version.error().message};
   MIXCMP_TRY(packed, packed_luts(run.device, run.directory, "map.json", limits));
   if (const auto* refusal = std::get_if<Refusal>(&packed)) {
@@ -165,6 +166,7 @@ Result<std::string> tool_versions(const devices::Device& device, TimingEffort ef
   MIXCMP_TRY(yosys, yosys_version(device));
   if (effort == TimingEffort::area_only || !is_routed(device)) return yosys;
   const Result<std::string> router = router_version(device);
+  if (!router.ok() && router.error().kind != ErrorKind::missing_tool) return router.error();
   return fmt::format("{}; {}", yosys, router.ok() ? *router : "no router");
 }
 

@@ -3,8 +3,11 @@
 #include <fmt/core.h>
 #include <stdlib.h>
 
+#include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "model/common/check.hpp"
 #include "model/common/file.hpp"
@@ -58,10 +61,19 @@ Result<std::string> yosys_version(const devices::Device& device) {
 }
 
 Result<std::string> router_version(const devices::Device& device) {
+  // Asked once: were it to answer now and then only, one run would count on it and not.
+  static std::mutex mutex;
+  static std::map<std::pair<Command, std::string>, Result<std::string>> answers;
+  const Command command = with(router_command(device), "--version");
+  const char* path = getenv("PATH");
+  const std::pair asked(command, std::string(path == nullptr ? "" : path));
+  const std::lock_guard lock(mutex);
+  const auto known = answers.find(asked);
+  if (known != answers.end()) return known->second;
   const bool ice40 = device.timing == devices::TimingTool::nextpnr_ice40;
-  return tool_version(
-      with(router_command(device), "--version"),
-      ice40 ? "nextpnr-ice40" : "nextpnr-ecp5 (Debian 13; docs/devices.md for Debian 12)");
+  const auto answer = tool_version(
+      command, ice40 ? "nextpnr-ice40" : "nextpnr-ecp5 (Debian 13; docs/devices.md for Debian 12)");
+  return answers.emplace(asked, answer).first->second;
 }
 
 Result<Done> run_in(const std::filesystem::path& directory, const Command& command,

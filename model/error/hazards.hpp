@@ -23,9 +23,9 @@ std::vector<std::optional<Range>> checked_ranges(const TypedGraph& graph,
 /// sums of squares do not cancel.
 std::vector<Hazards> structural_hazards(const TypedGraph& graph);
 
-/// Clears the hazards that interval and sign analysis rule out under full range checks, and gives
-/// the lane those checks. Where they rule out no more than structural_hazards, the lane keeps its
-/// checks and gets the structural hazards.
+/// Clears the hazards of a lane of one part that interval and sign analysis rule out under full
+/// range checks, and gives the lane those checks. Where they rule out no more than
+/// structural_hazards, the lane keeps its checks and gets the structural hazards.
 void remove_hazards(Lane& lane, const std::vector<std::optional<Range>>& ranges);
 
 }  // namespace mixcmp::error

@@ -6,8 +6,11 @@ namespace mixcmp::inline expression {
 
 /// How the verdicts of a comparison's parts combine into one.
 enum class Combination {
-  all,  ///< the last of the verdicts in the order less, equal, unordered, greater
-  any,  ///< the first of them in the order less, unordered, equal, greater
+  /// Less if every part is; one greater decides. The last of the parts' verdicts in the order less,
+  /// equal, unordered, greater.
+  all,
+  /// Less if some part is. The first of them in the order less, unordered, equal, greater.
+  any,
 };
 /// "all", "any".
 std::string_view to_string(Combination combination);

@@ -258,6 +258,15 @@ constexpr std::array<std::string_view, 248> keywords = {"accept_on",
                                                         "xnor",
                                                         "xor"};
 static_assert(std::is_sorted(keywords.begin(), keywords.end()));
+
+/// No keywords of a standard, but Icarus (bool, wreal) or Verilator (the types of package std)
+/// takes them for its own.
+constexpr std::array<std::string_view, 5> words_of_tools = {"bool", "mailbox", "process",
+                                                            "semaphore", "wreal"};
+
+/// Names stand at the beginning of comments, where Verilator obeys what follows this word.
+constexpr std::string_view comment_word = "verilator";
+
 static_assert(!keywords.back().empty());
 
 constexpr bool is_letter(char c) {
@@ -278,6 +287,12 @@ std::string name_problem(std::string_view name) {
   }
   if (std::binary_search(keywords.begin(), keywords.end(), name)) {
     return fmt::format("\"{}\" is a Verilog or SystemVerilog keyword", name);
+  }
+  if (std::find(words_of_tools.begin(), words_of_tools.end(), name) != words_of_tools.end()) {
+    return fmt::format("\"{}\" is a word that Icarus or Verilator takes for its own", name);
+  }
+  if (name.starts_with(comment_word)) {
+    return fmt::format("Verilator obeys comments that begin with \"{}\"", comment_word);
   }
   return {};
 }

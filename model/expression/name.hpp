@@ -6,7 +6,8 @@
 namespace mixcmp::inline expression {
 
 /// The rule for names of scenes, inputs and lets, which become Verilog identifiers: a letter or
-/// '_', then letters, digits and '_', at most 64, no Verilog or SystemVerilog keyword.
+/// '_', then letters, digits and '_', at most 64, no Verilog or SystemVerilog keyword and no word
+/// that a simulator takes for its own.
 constexpr std::size_t max_name_length = 64;
 
 /// What breaks the rule, in words; empty if nothing does.

@@ -30,8 +30,8 @@ struct FixedNode {
   mpz_class constant;  ///< for Operation::constant: in units
   FixedFormat format;
   int dropped_bits = 0;  ///< low bits of the exact result that are cut off: rounded down
-  Range value;           ///< encloses the result, which is exact in `format`
-  Range error;           ///< encloses the result less the real number that it stands for
+  Range value;           ///< encloses the number computed: the result times its unit
+  Range error;           ///< encloses that number less the real one that it stands for
 
   friend bool operator==(const FixedNode&, const FixedNode&) = default;
 };
@@ -48,8 +48,8 @@ struct ConstantThresholds {
 };
 
 /// Decides by the norm of the errors, where the difference is that of a sum of squares, |x|^2, and
-/// a square, s^2, with s >= 0. For n and s in their units: greater iff n >= slope_above s +
-/// offset_above, less iff n < -slope_below s.
+/// a square, s^2, with s >= 0 as computed. For n and s in their units: greater iff n >= slope_above
+/// s + offset_above, less iff n < -slope_below s.
 struct NormThresholds {
   NodeId radius;  ///< s
   mpz_class slope_above;

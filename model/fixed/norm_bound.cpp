@@ -6,15 +6,15 @@ namespace mixcmp::fixed {
 namespace {
 
 /// Appends the elements of a sum of squares; false where the node is something else or rounds.
-bool add_terms(const std::vector<FixedNode>& nodes, NodeId id, std::vector<NodeId>& terms) {
+bool add_elements(const std::vector<FixedNode>& nodes, NodeId id, std::vector<NodeId>& elements) {
   const FixedNode& node = nodes[id];
   if (node.dropped_bits > 0) return false;
   if (node.operation == Operation::square) {
-    terms.push_back(node.operands[0]);
+    elements.push_back(node.operands[0]);
     return true;
   }
-  return node.operation == Operation::add && add_terms(nodes, node.operands[0], terms) &&
-         add_terms(nodes, node.operands[1], terms);
+  return node.operation == Operation::add && add_elements(nodes, node.operands[0], elements) &&
+         add_elements(nodes, node.operands[1], elements);
 }
 
 /// The square root of value >= 0, rounded up.
@@ -25,28 +25,35 @@ mpq_class root_above(const mpq_class& value) {
 }
 
 /// A bound of the Euclidean norm of the errors of x.
-mpq_class norm_of_errors(const std::vector<FixedNode>& nodes, const std::vector<NodeId>& terms) {
+mpq_class norm_of_errors(const std::vector<FixedNode>& nodes, const std::vector<NodeId>& elements) {
   mpq_class sum = 0;
-  for (const NodeId id : terms) sum += square(nodes[id].error).high;
+  for (const NodeId id : elements) sum += square(nodes[id].error).high;
   return root_above(sum);
+}
+
+/// How far the magnitude of the real radius may exceed the radius as computed. A real radius that
+/// is negative has come below zero by its error.
+mpq_class radius_above(const FixedNode& radius) {
+  const bool is_nonnegative = radius.value.low - radius.error.high >= 0;
+  return is_nonnegative ? mpq_class(-radius.error.low) : absolute(radius.error).high;
 }
 
 }  // namespace
 
 std::optional<NormSides> norm_sides(const std::vector<FixedNode>& nodes, NodeId sum,
                                     NodeId square) {
-  NormSides sides{.terms = {}, .radius = nodes[square].operands[0]};
+  NormSides sides{.elements = {}, .radius = nodes[square].operands[0]};
   if (nodes[square].operation != Operation::square || nodes[square].dropped_bits > 0) return {};
   if (nodes[sides.radius].value.low < 0) return {};
-  if (!add_terms(nodes, sum, sides.terms)) return {};
+  if (!add_elements(nodes, sum, sides.elements)) return {};
   return sides;
 }
 
 NormThresholds norm_thresholds(const std::vector<FixedNode>& nodes, const NormSides& sides,
                                const FixedNode& difference) {
   const FixedNode& radius = nodes[sides.radius];
-  const mpq_class norm = norm_of_errors(nodes, sides.terms);
-  const mpq_class above = std::max<mpq_class>(0, norm - radius.error.low);
+  const mpq_class norm = norm_of_errors(nodes, sides.elements);
+  const mpq_class above = std::max<mpq_class>(0, norm + radius_above(radius));
   const mpq_class below = std::max<mpq_class>(0, norm + radius.error.high);
   const mpq_class unit = difference.format.unit();
   const mpq_class per_radius = 2 * radius.format.unit() / unit;

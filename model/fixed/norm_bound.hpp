@@ -6,14 +6,14 @@
 
 namespace mixcmp::fixed {
 
-/// |x|^2, exact in fixed point, and s^2 with s >= 0.
+/// |x|^2 and s^2, both exact in fixed point.
 struct NormSides {
-  std::vector<NodeId> terms;  ///< the elements of x
-  NodeId radius;              ///< s
+  std::vector<NodeId> elements;  ///< of x
+  NodeId radius;                 ///< s
 };
 
 /// The two sides, if `sum` is a sum of squares (or one square) and `square` the square of a node
-/// that is never negative.
+/// that is never negative as computed.
 std::optional<NormSides> norm_sides(const std::vector<FixedNode>& nodes, NodeId sum, NodeId square);
 
 /// The thresholds of `difference`, |x|^2 - s^2. Proof: docs/fixed_point.md, theorem 4.

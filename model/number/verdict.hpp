@@ -61,8 +61,9 @@ private:
 };
 
 /// The answer to one comparison as hardware gives it, in m_axis_tdata of a stream and in
-/// m_axis_tuser of a report (docs/rtl.md): the verdict in bits 1 and 0; bit 2 if a reference has
-/// recomputed it; bit 3 if it stays undecided, and then the verdict bits have no meaning.
+/// m_axis_tuser of an engine's report (docs/ports.md): the verdict in bits 1 and 0; bit 2 if a
+/// reference has recomputed it; bit 3 if it stays undecided, and then the verdict bits have no
+/// meaning.
 class ResultWord {
 public:
   explicit constexpr ResultWord(std::uint32_t bits) : bits_(bits) {}

@@ -9,7 +9,8 @@
 
 namespace mixcmp::optimise {
 
-/// A lower bound on what a design takes of a device, as known before it is synthesised.
+/// What a design takes of a device, as known before it is synthesised: a lower bound where it is
+/// measured.
 struct Footprint {
   Amounts amounts{};      ///< of bounded_resources
   bool measured = false;  ///< false: `amounts` is a rough estimate of LUTs only

@@ -118,19 +118,19 @@ void BoundEnvelope::add_constant(Step& step, std::span<const error::Lane* const>
 
 /// Rounds a row up to the digits of the bound's format. Scaling by a power of two commutes with
 /// that, so one rounding serves every precision.
-void BoundEnvelope::round_up(EnvelopeRow& row, double least, EnvelopeRow& unbounded) const {
+void BoundEnvelope::round_up(EnvelopeRow& row, double least, EnvelopeRow& wild) const {
   const std::uint64_t below = (std::uint64_t{1} << (53 - digits_)) - 1;
   for_each_lane([&](std::size_t k) {
     const double value = row[k] > least ? row[k] : least;
     const auto rounded =
         std::bit_cast<double>((std::bit_cast<std::uint64_t>(value) + below) & ~below);
-    unbounded[k] = rounded < largest_ ? unbounded[k] : 1;
+    wild[k] = rounded < largest_ ? wild[k] : 1;
     row[k] = rounded;
   });
 }
 
 void BoundEnvelope::evaluate(const Step& step, const EnvelopeBlock& block,
-                             std::vector<EnvelopeRow>& rows, EnvelopeRow& unbounded) const {
+                             std::vector<EnvelopeRow>& rows, EnvelopeRow& wild) const {
   EnvelopeRow& y = rows[&step - steps_.data()];
   const EnvelopeRow& a = rows[std::max(step.operands[0], 0)];
   const EnvelopeRow& b = rows[std::max(step.operands[1], 0)];
@@ -162,19 +162,18 @@ void BoundEnvelope::evaluate(const Step& step, const EnvelopeBlock& block,
       for_each_lane([&](std::size_t k) { y[k] = a[k] < b[k] ? b[k] : a[k]; });
       break;
   }
-  round_up(y, smallest_[step.degree], unbounded);
+  round_up(y, smallest_[step.degree], wild);
 }
 
 void BoundEnvelope::raise(const EnvelopeBlock& block, EnvelopeRow& scaled, EnvelopeRow& fixed,
-                          EnvelopeRow& unbounded) const {
+                          EnvelopeRow& wild) const {
   thread_local std::vector<EnvelopeRow> rows;
   rows.resize(std::max(rows.size(), steps_.size()));
-  for (const Step& step : steps_) evaluate(step, block, rows, unbounded);
+  for (const Step& step : steps_) evaluate(step, block, rows, wild);
   for (const error::BoundCondition& condition : conditions_) {
     const EnvelopeRow& bound = rows[condition.bound];
     const NodeEnvelope& value = block.nodes[condition.value];
-    for_each_lane(
-        [&](std::size_t k) { unbounded[k] = bound[k] <= smallest(value, k) ? unbounded[k] : 1; });
+    for_each_lane([&](std::size_t k) { wild[k] = bound[k] <= smallest(value, k) ? wild[k] : 1; });
   }
   const EnvelopeRow& bound = rows[steps_.size() - 1];
   EnvelopeRow& target = steps_.back().degree == 1 ? scaled : fixed;

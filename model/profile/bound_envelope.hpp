@@ -23,9 +23,9 @@ public:
                              const error::AbsoluteBoundDecision& b);
 
   /// Raises `scaled` and `fixed` to the limit of this bound where they are lower, and sets
-  /// `unbounded` to 1 where a condition may fail or the bound may be infinite.
+  /// `wild` to 1 where a condition may fail or the bound may be infinite.
   void raise(const EnvelopeBlock& block, EnvelopeRow& scaled, EnvelopeRow& fixed,
-             EnvelopeRow& unbounded) const;
+             EnvelopeRow& wild) const;
 
 private:
   /// One node of the bound graph. At precision L its value is at most `row` times 2^(A-L) if the
@@ -38,9 +38,9 @@ private:
     double constant;
   };
   void add_constant(Step& step, std::span<const error::Lane* const> lanes, int first, int id);
-  void round_up(EnvelopeRow& row, double least, EnvelopeRow& unbounded) const;
+  void round_up(EnvelopeRow& row, double least, EnvelopeRow& wild) const;
   void evaluate(const Step& step, const EnvelopeBlock& block, std::vector<EnvelopeRow>& rows,
-                EnvelopeRow& unbounded) const;
+                EnvelopeRow& wild) const;
 
   int anchor_;
   int digits_;

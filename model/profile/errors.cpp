@@ -78,7 +78,7 @@ std::vector<ErrorProfile> profile_errors(const scene::Scene& scene, const data::
   for (const LaneInputs each : inputs) {
     for (int precision = options.first_precision; precision <= options.last_precision;
          ++precision) {
-      job.lanes.push_back(lane_of(graphs_at(scene, precision, each)));
+      job.lanes.push_back(lane_of(graph_at(scene, precision, each)));
     }
   }
   const ErrorTally tally = run(job, std::min(options.error_samples, data.size()), options);

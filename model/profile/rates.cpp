@@ -88,7 +88,7 @@ void add_stages(RateJob& job, const ErrorProfile& errors) {
                                     .reference = job.scene.reference.format,
                                     .inputs = inputs};
     job.bands.emplace_back(options, anchors[k + 1], anchors.front(),
-                           graphs_at(job.scene, anchors[k], errors.inputs), job.systems);
+                           graph_at(job.scene, anchors[k], errors.inputs), job.systems);
   }
 }
 

@@ -47,7 +47,7 @@ int profiled_exponent_bits(const scene::Scene& scene) {
   return scene.reduced.format.value_or(scene.reference.format).exponent_bits();
 }
 
-TypedGraph graphs_at(const scene::Scene& scene, int precision, LaneInputs inputs) {
+TypedGraph graph_at(const scene::Scene& scene, int precision, LaneInputs inputs) {
   const scene::ReducedSpec& reduced = scene.reduced;
   const FloatFormat format = FloatFormat::make(precision, profiled_exponent_bits(scene)).value();
   return lane_graph(scene.graph, scene.reference.format,
@@ -66,7 +66,7 @@ Result<error::Lane> profiled_at(const TypedGraph& graph, const ErrorAtPrecision&
 std::vector<SystemLanes> make_systems(const scene::Scene& scene, const ErrorProfile& errors) {
   std::vector<SystemLanes> systems;
   for (const ErrorAtPrecision& error : errors.precisions) {
-    const TypedGraph graph = graphs_at(scene, error.precision, errors.inputs);
+    const TypedGraph graph = graph_at(scene, error.precision, errors.inputs);
     add(systems, std::nullopt, SystemKind::lanes_alone, lanes_alone(graph));
     add(systems, scene::BoundChoice{scene::BoundChoice::Kind::profiled}, SystemKind::profiled,
         profiled_at(graph, error));

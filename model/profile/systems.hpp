@@ -24,8 +24,8 @@ struct SystemLanes {
 /// reference where reduced.format is "auto".
 int profiled_exponent_bits(const scene::Scene& scene);
 
-/// The lane's graphs at one precision, with `profiled_exponent_bits`.
-TypedGraph graphs_at(const scene::Scene& scene, int precision, LaneInputs inputs);
+/// The lane's graph at one precision, with `profiled_exponent_bits`.
+TypedGraph graph_at(const scene::Scene& scene, int precision, LaneInputs inputs);
 
 /// Makes the systems to be profiled: lanes alone, lanes profiled with the constants of `errors`,
 /// and every certified candidate.

@@ -10,9 +10,9 @@
 
 namespace mixcmp::profile {
 
-/// The distance of computed f and g from which on one kind of lane decides, for every precision L
+/// How far apart computed f and g must be for a kind of lane to decide surely, at every precision L
 /// >= A at once: |computed f - computed g| > scaled 2^(A-L) + fixed suffices, unless the comparison
-/// is wild. Proof: docs/profile.md, theorems 2 and 3.
+/// is wild (docs/profile.md, which says what A is, too). Proof: docs/profile.md, theorems 2 and 3.
 class Threshold {
 public:
   /// The threshold of a lane without an error bound, which decides by the order of computed f and

@@ -28,8 +28,8 @@ struct Trade {
   double reference_luts = 0;
   bool reference_measured = false;
   double reference_wrong_per_million = 0;
-  /// Comparisons whose truth is undetermined, in a million. They count as wrong of no point, though
-  /// any verdict on them may be.
+  /// Comparisons whose truth is undetermined, in a million. No point's wrong_per_million has them;
+  /// `cheapest` adds them.
   double undetermined_per_million = 0;
   std::vector<TradePoint> points;  ///< ordered by system, then by precision
 };

@@ -98,7 +98,7 @@ OwnRounding own_rounding(const TypedGraph& graph, const TypedNode& node) {
     case Operation::negate:
     case Operation::absolute:
     case Operation::minimum:
-    case Operation::maximum: return OwnRounding::not_an_operation;
+    case Operation::maximum: return OwnRounding::never_rounds;
     case Operation::convert: return exact_if(operand_digits <= digits);
     case Operation::square: return exact_if(2 * operand_digits <= digits);
     case Operation::multiply:

@@ -38,9 +38,9 @@ int depth_of(const TypedGraph& graph, NodeId id);
 
 /// Whether a node's operation rounds its result. Conversions, products and squares of few digits do
 /// not, which Gappa proves (exactness_script). Multiplying or dividing by a constant power of two
-/// does not, either, which is proven by hand (theorem 1): Gappa counts the digits of a product as
-/// those of both factors.
-enum class OwnRounding { rounds, exact_by_digits, exact_by_hand, not_an_operation };
+/// does not, either, which is proven by hand (docs/error_bounds.md, theorem 1): Gappa counts the
+/// digits of a product as those of both factors.
+enum class OwnRounding { rounds, exact_by_digits, exact_by_hand, never_rounds };
 OwnRounding own_rounding(const TypedGraph& graph, const TypedNode& node);
 
 /// The script for one combination of nodes that are zero.

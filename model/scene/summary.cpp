@@ -52,8 +52,12 @@ bool knows(const TypedGraph& graph, error::Event event) {
 /// all ranges under the operation are declared, else `unknown` unless it is `possible` already.
 void add_way(RangeQuestion& finding, const TypedGraph& graph, NodeId node,
              const error::NodeRange& range) {
-  finding.operations.push_back(
-      to_text(graph.nodes, graph.input_names, node, max_expression_length));
+  // Two nodes may read alike: a minimum in two formats, or two long ones that are cut short.
+  const std::string text = to_text(graph.nodes, graph.input_names, node, max_expression_length);
+  auto& operations = finding.operations;
+  if (std::find(operations.begin(), operations.end(), text) == operations.end()) {
+    operations.push_back(text);
+  }
   for (const int input : range.rangeless_inputs) {
     const std::string& name = graph.input_names[static_cast<std::size_t>(input)];
     const auto known = std::find(finding.rangeless.begin(), finding.rangeless.end(), name);

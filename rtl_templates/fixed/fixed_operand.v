@@ -1,5 +1,6 @@
-// fixed_operand: a floating-point operand as an integer of WIDTH bits, and its sign where SIGNED,
-// below 2^TOP in magnitude: its magnitude truncated and, where it is negative, all bits inverted.
+// fixed_operand: an operand below 2^TOP in magnitude as an integer that counts units of
+// 2^(TOP-WIDTH), rounded down: its magnitude truncated and, if its sign bit is set, all bits
+// inverted. The integer has WIDTH bits, or WIDTH + 1 in two's complement if SIGNED.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
 // out_of_range: a magnitude from 2^TOP on, an infinity, a NaN; a set sign bit where not SIGNED. The
 // integer then means nothing.
@@ -27,10 +28,10 @@ module fixed_operand #(
     end
   endfunction
 
-  localparam integer SIGNED_TOP = TOP;  // even where a command line gave it without a sign
+  localparam integer EXPONENT = TOP;  // negative where a command line gave it without a sign, too
   // The biased exponent of 2^TOP.
-  localparam integer LIMIT      = (1 << (EXPONENT_BITS - 1)) - 1 + SIGNED_TOP;
-  localparam integer LARGEST    = LIMIT - 1;
+  localparam integer LIMIT    = (1 << (EXPONENT_BITS - 1)) - 1 + EXPONENT;
+  localparam integer LARGEST  = LIMIT - 1;
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate

@@ -33,8 +33,8 @@ module fp_ulp_distance #(
     end
   endgenerate
 
-  // Stage distance: like signs subtract magnitudes, unlike signs add them; minus the one is not the
-  // one plus a carry, which comes out of an extra last place.
+  // Stage distance: like signs subtract magnitudes, unlike signs add them. -m is ~m + 1; the 1 is a
+  // carry out of an extra last place.
   wire                  s0_like       = (NONNEGATIVE != 0) || (f[SIGN] == g[SIGN]);
   wire                  s0_f_negative = (NONNEGATIVE == 0) && f[SIGN];
   wire [DIFFERENCE-1:0] s0_addend     = {2'b00, g[SIGN-1:0]} ^ {DIFFERENCE{s0_like}};

@@ -252,7 +252,7 @@ TEST_F(Fit, LanesThatPlainlyExceedTheDeviceAreNoted) {
   EXPECT_NE(text.output.find("\nnote: " + note), std::string::npos) << text.output;
 }
 
-TEST_F(Fit, ATableBesideTheSceneReplacesTheEstimate) {
+TEST_F(Fit, ATableOfOtherRtlIsNoMeasurement) {
   fs::create_directory(path("characterisation"));
   std::ofstream(path("characterisation") / "scene-ice40-up5k.csv")
       << "# device: ice40-up5k\n# scene: scene\n"
@@ -261,10 +261,24 @@ TEST_F(Fit, ATableBesideTheSceneReplacesTheEstimate) {
          "tools\n"
       << "lane,,s8e8,exact,relative,logic,0,9,500,100,0,0,0,0,,,,,,0,a,t\n"
       << "reference,,s24e8,,,embedded,0,9,280,100,0,0,0,0,,,,,,0,b,t\n";
-  EXPECT_EQ(notes(fmt::format("{} --lanes 10", small)).find("do not fit"), std::string::npos);
   const std::string eleven = notes(fmt::format("{} --lanes 11", small));
-  EXPECT_NE(eleven.find("11 lanes and 1 reference do not fit ice40-up5k: at least 5780 lut of "
-                        "5280; areas measured, "),
+  EXPECT_EQ(eleven.find("areas measured"), std::string::npos) << "of other RTL: " << eleven;
+}
+
+TEST_F(Fit, MeasuredAreasAreALowerBound) {
+  const std::string yosys =
+      instead_of("yosys",
+                 "case \"$*\" in *-V*) echo 'Yosys 9.9'; exit 0;; esac\n"
+                 "echo '{\"design\":{\"num_cells_by_type\":{\"LUT6\":40000}}}' > area.json");
+  const Outcome measured = mixcmp(
+      "characterise scene.toml --area-only --store s.sqlite --precisions 8 "
+      "--components lane,reference --multipliers both",
+      yosys);
+  ASSERT_EQ(measured.exit_code, 0) << measured.output;
+  EXPECT_EQ(notes("--lanes 10").find("do not fit"), std::string::npos);
+  const std::string eleven = notes("--lanes 11");
+  EXPECT_NE(eleven.find("11 lanes and 1 reference do not fit virtex6-lx760: at least 480000 lut of "
+                        "474240; areas measured, "),
             std::string::npos)
       << eleven;
 }

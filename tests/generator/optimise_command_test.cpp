@@ -319,6 +319,7 @@ TEST_F(OptimiseCommand, ExplorePlansForTheSetThatItNames) {
 
 /// Before minutes of counting, and without leaving new tables beside old ones.
 TEST_F(OptimiseCommand, ExploreMissesATableBeforeItCounts) {
+  expect_refused("explore scene.toml --on nosuch -o out", "--on: unknown device");
   expect_refused("explore scene.toml --on virtex6-lx760 --on artix7-200t -o out", "no such file");
   EXPECT_FALSE(fs::exists(path("out")));
 }

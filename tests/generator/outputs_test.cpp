@@ -230,6 +230,21 @@ TEST_F(Outputs, ResultsThatCannotBeAreNoVerdicts) {
   }
 }
 
+/// The last line cut short by a byte, a lane's counters missing or there twice, no known state.
+TEST_F(Outputs, ResultsThatAreNotWholeAreNoVerdicts) {
+  ASSERT_EQ(mixcmp("verify scene.toml --simulator icarus").exit_code, 0);
+  const std::string real = shell("command -v vvp").output;
+  const std::string vvp = real.substr(0, real.find('\n'));
+  for (const char* change :
+       {"truncate -s -1 results.txt", "sed -i '/^end/d' results.txt",
+        "sed -i '/^end/p' results.txt", "sed -i 's/^state 1/state -1/' results.txt"}) {
+    const Outcome run = mixcmp("verify scene.toml --simulator icarus",
+                               instead_of("vvp", fmt::format("{} \"$@\"; {}", vvp, change)));
+    EXPECT_EQ(run.exit_code, 1) << change << "\n" << run.output;
+    EXPECT_NE(run.output.find("results.txt"), std::string::npos) << run.output;
+  }
+}
+
 /// A failure after the simulation leaves both files of the run before.
 TEST_F(Outputs, WavesAndTheirSaveFileAreOfOneRun) {
   ASSERT_EQ(mixcmp("verify scene.toml --simulator icarus --trace t.fst").exit_code, 0);

@@ -10,6 +10,8 @@
 namespace mixcmp::test {
 namespace {
 
+namespace fs = std::filesystem;
+
 class RouteCommand : public ProgramTest {
 protected:
   RouteCommand() {
@@ -19,6 +21,9 @@ protected:
         << "[system]\ndevice = \"ice40-hx8k\"\nlanes = 1\nreferences = 1\ntag_bits = 2\n"
         << "counter_bits = 0\noperands = \"refetched\"\ntarget_mhz = 50\n";
   }
+
+  /// What a fake Yosys begins with.
+  static std::string version() { return "case \"$*\" in *-V*) echo Yosys 9.9; exit;; esac\n"; }
 
   nlohmann::json routed(const std::string& arguments) {
     const Outcome run = mixcmp("route scene.toml --json --seeds 1 " + arguments);
@@ -55,18 +60,38 @@ TEST_F(RouteCommand, AFailureSaysWhereTheToolsLogIs) {
 }
 
 TEST_F(RouteCommand, AnInterruptedRunLeavesWhatIsKept) {
-  const std::string version = "case \"$*\" in *-V*) echo Yosys 9.9; exit;; esac\n";
-  mixcmp("route scene.toml --work kept", instead_of("yosys", version + "echo first; exit 1"));
+  mixcmp("route scene.toml --work kept", instead_of("yosys", version() + "echo first; exit 1"));
   ASSERT_NE(shell("cat " + path("kept").string() + "/*/map.log").output.find("first"),
             std::string::npos);
   const std::string slow = instead_of(
-      "yosys", version + "echo second; touch '" + path("asked").string() + "'; sleep 60");
+      "yosys", version() + "echo second; touch '" + path("asked").string() + "'; sleep 60");
   const std::string run = fmt::format(
       "cd '{0}' && {{ {1} '{2}' route scene.toml --work kept & }}; "
       "while ! test -e asked; do sleep 0.1; done; kill -TERM $!; wait $!",
       directory_.path().string(), slow, MIXCMP_PROGRAM);
   EXPECT_EQ(shell(run).exit_code, 128 + SIGTERM);
   EXPECT_EQ(shell("cat " + path("kept").string() + "/*/map.log").output, "first\n");
+}
+
+TEST_F(RouteCommand, WhatIsKeptReplacesNoInput) {
+  mixcmp("route scene.toml --work kept", instead_of("yosys", version() + "exit 1"));
+  const fs::path folder = *fs::directory_iterator(path("kept"));
+  fs::copy_file(path("scene.toml"), folder / "scene.toml");
+  const Outcome run = mixcmp("route --work kept " + (folder / "scene.toml").string(),
+                             instead_of("yosys", version() + "exit 1"));
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_NE(run.output.find("holds an input"), std::string::npos) << run.output;
+  EXPECT_TRUE(fs::exists(folder / "scene.toml"));
+}
+
+/// A router that is there and once does not say its version is an error, not a missing one: what
+/// was measured without it would be kept.
+TEST_F(RouteCommand, ARouterThatBreaksOnceIsNotMissing) {
+  const std::string broken =
+      instead_of("nextpnr-ice40", "case \"$*\" in *--version*) exit 1;; esac");
+  const Outcome run = mixcmp("route scene.toml", broken);
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_NE(run.output.find("nextpnr-ice40 --version"), std::string::npos) << run.output;
 }
 
 TEST_F(RouteCommand, ANumberOfReferencesIsAskedFor) {

@@ -24,7 +24,8 @@ struct Entry {
 /// comparison has left, so that at most `count` are inside.
 class InFlight {
 public:
-  /// The lane's numbers are base .. base + count - 1, modulo 2^tag_bits.
+  /// Entries are numbered 0 .. count - 1. The tags of this lane are made of base + number, modulo
+  /// 2^tag_bits.
   InFlight(int tag_bits, std::uint64_t base, std::uint64_t count, std::size_t ring_size)
       : mask_(tag_bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << tag_bits) - 1),
         base_(base),

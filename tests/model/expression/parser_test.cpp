@@ -465,7 +465,8 @@ TEST(Names, FollowTheRuleOfVerilogIdentifiers) {
   EXPECT_EQ(name_problem("9x"), "not a name");
   EXPECT_EQ(name_problem("a-b"), "not a name");
   EXPECT_EQ(name_problem("a$"), "not a name");
-  for (const char* keyword : {"module", "reg", "logic", "xor", "accept_on", "global"}) {
+  for (const char* keyword : {"module", "reg", "logic", "xor", "accept_on", "global", "bool",
+                              "wreal", "process", "mailbox", "semaphore", "verilator_x"}) {
     EXPECT_NE(name_problem(keyword), "") << keyword;
   }
 }

@@ -29,7 +29,7 @@ void expect_slow_profile(const Scene& scene, const Comparisons& data,
   ASSERT_EQ(profiles.size(), 2u);
   for (const ErrorProfile& profile : profiles) {
     for (const profile::ErrorAtPrecision& error : profile.precisions) {
-      const TypedGraph lane = profile::graphs_at(scene, error.precision, profile.inputs);
+      const TypedGraph lane = profile::graph_at(scene, error.precision, profile.inputs);
       const ProfiledError slow =
           profile::profile_error(scene.graph, lane, data, options.error_samples, 1);
       const std::string what = "L = " + std::to_string(error.precision);
@@ -180,7 +180,7 @@ TEST(Errors, OfSeveralPartsAreTheLargest) {
   const ProfileOptions options{.first_precision = 7, .last_precision = 9, .error_samples = 300};
   const ErrorProfile profile = profile_errors(scene, data, {LaneInputs::rounded}, options).front();
   for (const profile::ErrorAtPrecision& error : profile.precisions) {
-    const TypedGraph lane = profile::graphs_at(scene, error.precision, profile.inputs);
+    const TypedGraph lane = profile::graph_at(scene, error.precision, profile.inputs);
     const ProfiledError one =
         profile::profile_error(scene.graph.part(0), part_of(lane, 0).graph, data, 300, 1);
     const ProfiledError other =

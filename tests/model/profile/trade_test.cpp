@@ -147,7 +147,7 @@ TEST(CostModel, GrowsWithPrecisionAndWithTheErrorUnit) {
   const Scene scene = sphere_scene();
   double before = 0;
   for (int precision = 4; precision <= 52; ++precision) {
-    const TypedGraph graph = profile::graphs_at(scene, precision, LaneInputs::rounded);
+    const TypedGraph graph = profile::graph_at(scene, precision, LaneInputs::rounded);
     const error::Lane alone = error::one_part_lane(
         graph, error::UlpDistanceDecision{.guard_ulp = 0, .nonnegative = true});
     const error::Lane profiled = error::profiled_lane(graph, mpq_class(1, 9), mpq_class(1, 9));
