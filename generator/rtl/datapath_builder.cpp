@@ -8,7 +8,7 @@ namespace mixcmp::rtl {
 namespace {
 
 /// Names that no input may take: the fixed ports and nets of a datapath.
-/// The last two are the datapaths' own names where they are instantiated.
+/// "lane" and "reference" are the instances' names, one level up, which Verilator warns of.
 const std::set<std::string> reserved_names = {"aclk",     "verdict", "decided",
                                               "decision", "lane",    "reference"};
 

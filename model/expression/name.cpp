@@ -299,7 +299,7 @@ std::string name_problem(std::string_view name) {
 
 std::string_view accepted_names() {
   return "a letter or '_', then letters, digits and '_', at most 64, no Verilog or SystemVerilog "
-         "keyword";
+         "keyword, no simulator's own word";
 }
 
 std::string name_spelling(std::string name) {

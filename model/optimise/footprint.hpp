@@ -9,8 +9,8 @@
 
 namespace mixcmp::optimise {
 
-/// What a design takes of a device, as known before it is synthesised: a lower bound where it is
-/// measured.
+/// The resources of a device that a design takes, as known before it is synthesised. Where they are
+/// measured, a lower bound.
 struct Footprint {
   Amounts amounts{};      ///< of bounded_resources
   bool measured = false;  ///< false: `amounts` is a rough estimate of LUTs only

@@ -12,8 +12,9 @@ namespace {
 void check_prefix(settings::Section& section, const std::string& prefix) {
   constexpr std::size_t longest = 32;
   if (prefix.size() <= longest && name_problem(prefix + "x").empty()) return;
-  section.fail("prefix", "does not begin a Verilog name", in_quotes(prefix),
-               fmt::format("letters, digits and '_', no digit first, at most {}", longest));
+  section.fail(
+      "prefix", "does not begin a Verilog name", in_quotes(prefix),
+      fmt::format("letters, digits and '_', no digit nor verilator first, at most {}", longest));
 }
 
 }  // namespace

@@ -22,8 +22,10 @@ protected:
         << "counter_bits = 0\noperands = \"refetched\"\ntarget_mhz = 50\n";
   }
 
-  /// What a fake Yosys begins with.
-  static std::string version() { return "case \"$*\" in *-V*) echo Yosys 9.9; exit;; esac\n"; }
+  /// The beginning of each fake Yosys here: it answers the question for its version.
+  static std::string answers_version() {
+    return "case \"$*\" in *-V*) echo Yosys 9.9; exit;; esac\n";
+  }
 
   nlohmann::json routed(const std::string& arguments) {
     const Outcome run = mixcmp("route scene.toml --json --seeds 1 " + arguments);
@@ -60,11 +62,12 @@ TEST_F(RouteCommand, AFailureSaysWhereTheToolsLogIs) {
 }
 
 TEST_F(RouteCommand, AnInterruptedRunLeavesWhatIsKept) {
-  mixcmp("route scene.toml --work kept", instead_of("yosys", version() + "echo first; exit 1"));
+  mixcmp("route scene.toml --work kept",
+         instead_of("yosys", answers_version() + "echo first; exit 1"));
   ASSERT_NE(shell("cat " + path("kept").string() + "/*/map.log").output.find("first"),
             std::string::npos);
   const std::string slow = instead_of(
-      "yosys", version() + "echo second; touch '" + path("asked").string() + "'; sleep 60");
+      "yosys", answers_version() + "echo second; touch '" + path("asked").string() + "'; sleep 60");
   const std::string run = fmt::format(
       "cd '{0}' && {{ {1} '{2}' route scene.toml --work kept & }}; "
       "while ! test -e asked; do sleep 0.1; done; kill -TERM $!; wait $!",
@@ -74,11 +77,11 @@ TEST_F(RouteCommand, AnInterruptedRunLeavesWhatIsKept) {
 }
 
 TEST_F(RouteCommand, WhatIsKeptReplacesNoInput) {
-  mixcmp("route scene.toml --work kept", instead_of("yosys", version() + "exit 1"));
+  mixcmp("route scene.toml --work kept", instead_of("yosys", answers_version() + "exit 1"));
   const fs::path folder = *fs::directory_iterator(path("kept"));
   fs::copy_file(path("scene.toml"), folder / "scene.toml");
   const Outcome run = mixcmp("route --work kept " + (folder / "scene.toml").string(),
-                             instead_of("yosys", version() + "exit 1"));
+                             instead_of("yosys", answers_version() + "exit 1"));
   EXPECT_EQ(run.exit_code, 1) << run.output;
   EXPECT_NE(run.output.find("holds an input"), std::string::npos) << run.output;
   EXPECT_TRUE(fs::exists(folder / "scene.toml"));

@@ -252,8 +252,7 @@ TEST(ConstantBoundOfAQuotient, NeedsADivisorWellAwayFromZero) {
       << lane.error().to_string();
 }
 
-/// What is told of a lane is what its hardware does: the constant is that which is rounded up to
-/// the lane's digits.
+/// A lane is described with the constant of its hardware, which is rounded up to the lane's digits.
 TEST(ConstantBound, IsToldAsTheHardwareHasIt) {
   const auto told = [](const char* f, const char* g, FloatFormat arrives, FloatFormat lane,
                        const Range& range) {

@@ -123,7 +123,7 @@ TEST(FixedLane, WhatIsCutHasNoNorm) {
   }
 }
 
-/// What each node stands for: its operation on real numbers.
+/// The real number that each node stands for: its operation on those of its operands.
 std::vector<mpq_class> true_values(const FixedLane& lane, const std::vector<mpq_class>& inputs) {
   std::vector<mpq_class> values;
   for (const FixedNode& node : lane.nodes) {

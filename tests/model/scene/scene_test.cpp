@@ -284,11 +284,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"sphere_collision", "sphere-collision",
                 ":2: comparison.name: not a name: received \"sphere-collision\"; accepted a letter "
                 "or '_', then letters, digits and '_', at most 64, no Verilog or SystemVerilog "
-                "keyword"},
+                "keyword, no simulator's own word"},
         Mistake{"sphere_collision", "module",
                 ":2: comparison.name: \"module\" is a Verilog or SystemVerilog keyword: received "
                 "\"module\"; accepted a letter or '_', then letters, digits and '_', at most 64, "
-                "no Verilog or SystemVerilog keyword"},
+                "no Verilog or SystemVerilog keyword, no simulator's own word"},
         Mistake{"s53e8", "s10e8",
                 ":11: reference.format: precision out of range: received \"s10e8\"; accepted sPeE "
                 "with P 11..113 and E 2..15, or binary16, binary32, binary64, binary128"},
@@ -397,7 +397,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[inputs]", "[let]\nsqrt = \"1\"\n[inputs]",
                 ":7: let.sqrt: sqrt is a function: received \"sqrt\"; accepted a letter or '_', "
                 "then letters, digits and '_', at most 64, no Verilog or SystemVerilog keyword, no "
-                "function"},
+                "simulator's own word, no function"},
         Mistake{"(ri + rj)^2", "ri + 1e40",
                 ":11: reference.format: it cannot hold the constant about 1e+40: received s53e8; "
                 "accepted a format with more exponent bits"},
