@@ -11,6 +11,7 @@
 #include "generator/report/json_text.hpp"
 #include "model/characterise/tools.hpp"
 #include "model/common/process.hpp"
+#include "model/common/quote.hpp"
 #include "model/proof/gappa.hpp"
 
 namespace mixcmp::cli {
@@ -89,7 +90,7 @@ void run(bool json) {
                       {"package", tool.package},
                       {"disables", tool.disables}});
     text += fmt::format("{:<13} {}\n", tool.name,
-                        version.ok() ? *version : fault(tool, version.error()));
+                        printable_line(version.ok() ? *version : fault(tool, version.error())));
     complete = complete && (version.ok() || !required);
   }
   print(json ? report::json_text(report) : text);

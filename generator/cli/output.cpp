@@ -157,7 +157,7 @@ void ResultFiles::write_out() {
   // Until all files are in place the list tells of those before and of those to come: should this
   // run be killed in between, the next knows either.
   const std::string known = before.ok() ? *before : "";
-  value_or_exit(write_file(folder_ / results_list, known + list));
+  value_or_exit(write_kept_file(folder_ / results_list, known + list));
   set_stale_aside(known);
   stage(results_list, list);
 }

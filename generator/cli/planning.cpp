@@ -183,12 +183,15 @@ std::string planning_command_line(const std::string& verb, const PlanningOptions
 optimise::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
                                  const std::filesystem::path& plan, std::string command) {
   namespace fs = std::filesystem;
-  // Symbolic links are followed, since the plan is read again from the folder that it lies in.
+  // Symbolic links of folders and of the plan are followed, since it is read again from the folder
+  // that it lies in; not one of the scene, which finds its data beside the link.
   // In a plan that goes to a pipe, names are relative to the working directory.
   std::error_code failed;
-  const fs::path place = fs::weakly_canonical(fs::absolute(plan), failed);
+  const fs::path place =
+      fs::weakly_canonical(fs::absolute(value_or_exit(follow_links(plan))), failed);
   const fs::path folder = failed ? fs::current_path() : place.parent_path();
-  const fs::path scene = fs::canonical(options.scene.scene);
+  const fs::path& given = options.scene.scene;
+  const fs::path scene = fs::canonical(fs::absolute(given).parent_path()) / given.filename();
   const bool is_file = device.ends_with(".toml");
   const scene::SceneSettings read =
       value_or_exit(scene::read_scene_settings(options.scene.scene, options.scene.settings));

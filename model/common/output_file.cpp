@@ -39,6 +39,19 @@ std::optional<int> named_descriptor(const fs::path& path) {
   return descriptor;
 }
 
+/// Standard output or standard error, if `path` leads to the file or pipe that it is: one that is
+/// replaced would take no more text.
+std::optional<int> standard_stream(const fs::path& path) {
+  struct stat file = {};
+  if (stat(path.c_str(), &file) != 0) return std::nullopt;
+  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
+    struct stat open = {};
+    if (fstat(descriptor, &open) != 0) continue;
+    if (open.st_dev == file.st_dev && open.st_ino == file.st_ino) return descriptor;
+  }
+  return std::nullopt;
+}
+
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
@@ -85,7 +98,9 @@ Result<fs::path> follow_links(fs::path path) {
 }
 
 Result<OutputFile> OutputFile::open(const fs::path& requested) {
-  if (const auto named = named_descriptor(requested)) {
+  auto named = named_descriptor(requested);
+  if (!named) named = standard_stream(requested);
+  if (named) {
     Descriptor file(fcntl(*named, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
     if (file.get() < 0) return cannot_write(requested, errno);
     return OutputFile(requested, requested, std::move(file));
@@ -183,6 +198,12 @@ Result<Done> copy_folder(const fs::path& folder, const fs::path& copy) {
   }
   if (failed) return cannot_write(copy, failed.value());
   return Done{};
+}
+
+Result<Done> write_kept_file(const fs::path& path, std::string_view text) {
+  std::error_code failed;
+  if (fs::is_symlink(fs::symlink_status(path, failed))) fs::remove(path, failed);
+  return write_file(path, text);
 }
 
 Result<Done> write_file(const fs::path& path, std::string_view text) {

@@ -12,8 +12,8 @@ namespace mixcmp::inline common {
 /// The one way in which this program writes a file: whole or not at all. The text goes into a file
 /// with a name of its own beside the final path, which `commit` moves there. So there is never half
 /// a file at the final path, not even after an interrupt, with a full disk, or when a second run
-/// writes the same path. A symbolic link is followed. A pipe or a device, also /dev/stdout, is
-/// written directly and never replaced.
+/// writes the same path. A symbolic link is followed. A pipe or a device is written directly
+/// and never replaced, nor is what standard output or standard error leads to.
 /// Unfinished files that killed runs left in the folder are removed by the next run that writes
 /// there.
 class OutputFile {
@@ -61,6 +61,10 @@ Result<Done> put_folder_in_place(const std::filesystem::path& finished,
 
 /// Copies a folder with all that is in it, file by file through OutputFile.
 Result<Done> copy_folder(const std::filesystem::path& folder, const std::filesystem::path& copy);
+
+/// Writes a file that this program keeps for its own later runs, under a name of its choice. A link
+/// of that name is replaced: what it leads to was not given as an output.
+Result<Done> write_kept_file(const std::filesystem::path& path, std::string_view text);
 
 /// Writes a whole text through OutputFile.
 Result<Done> write_file(const std::filesystem::path& path, std::string_view text);

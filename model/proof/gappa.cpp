@@ -38,8 +38,11 @@ bool is_whole(std::string_view certificate) {
 Result<std::string> gappa_version() {
   MIXCMP_TRY(line, tool_version({"gappa", "--version"}, "gappa"));
   constexpr double patience_seconds = 1;
-  if (run_gappa("{ 1 in [2, 3] }", Certificate::none, patience_seconds).verdict ==
-      GappaVerdict::proven) {
+  const GappaRun false_claim = run_gappa("{ 1 in [2, 3] }", Certificate::none, patience_seconds);
+  if (false_claim.verdict == GappaVerdict::broken) {
+    return Error{.message = "gappa does not work", .received = false_claim.message};
+  }
+  if (false_claim.verdict == GappaVerdict::proven) {
     return Error{.message = "gappa proves what is false",
                  .received = "a proof of 1 in [2, 3]",
                  .accepted = "a gappa that refuses that"};

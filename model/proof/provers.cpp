@@ -114,7 +114,7 @@ void ProofDirectory::keep(const std::string& hash, const std::string& script,
                           const std::string& verdict, const std::string& certificate) {
   const auto write = [&](const char* extension, const std::string& text) {
     if (failure_) return;
-    const Result<Done> written = write_file(path_ / (hash + extension), text);
+    const Result<Done> written = write_kept_file(path_ / (hash + extension), text);
     if (!written.ok()) failure_ = of_proof_directory(written.error());
   };
   write(".g", script);
@@ -124,7 +124,7 @@ void ProofDirectory::keep(const std::string& hash, const std::string& script,
 
 Result<Done> ProofDirectory::write_report(const std::string& file_name,
                                           const std::string& text) const {
-  const Result<Done> written = write_file(path_ / file_name, text);
+  const Result<Done> written = write_kept_file(path_ / file_name, text);
   if (!written.ok()) return of_proof_directory(written.error());
   return Done{};
 }

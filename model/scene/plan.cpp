@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "model/common/output_file.hpp"
 #include "model/settings/section.hpp"
 
 namespace mixcmp::scene {
@@ -15,6 +16,13 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view a_scene = "the path of a scene file, as seen from the plan";
 
+/// A path without its "..", unless these lead elsewhere where a folder is a link.
+fs::path shortened(const fs::path& path) {
+  const fs::path normal = path.lexically_normal();
+  std::error_code absent;
+  return fs::equivalent(path, normal, absent) ? normal : path;
+}
+
 /// The file that the plan `from.back()` names; an error if it is one of `from`.
 Result<fs::path> scene_of(const settings::Setting& key, const std::vector<fs::path>& from) {
   const auto wrong = [&](std::string message) {
@@ -23,7 +31,9 @@ Result<fs::path> scene_of(const settings::Setting& key, const std::vector<fs::pa
   };
   const auto* name = std::get_if<std::string>(&key.value);
   if (name == nullptr || name->empty()) return wrong("not a path");
-  fs::path scene = (from.back().parent_path() / *name).lexically_normal();
+  // Seen from where the plan is, if what was named is a link to it.
+  MIXCMP_TRY(plan_file, follow_links(from.back()));
+  const fs::path scene = shortened(plan_file.parent_path() / *name);
   std::error_code absent;
   if (!fs::is_regular_file(scene, absent)) return wrong("there is no such file");
   for (const fs::path& plan : from) {

@@ -471,6 +471,36 @@ TEST_F(OptimiseCommand, APlanNamesItsSceneFromWhereALinkLeads) {
   EXPECT_EQ(mixcmp("check far/away/plan.toml").exit_code, 0);
 }
 
+/// "link/.." is not the folder that holds the link.
+TEST_F(OptimiseCommand, APlanReadThroughALinkTakesTheSameScene) {
+  fs::create_directories(path("far/away"));
+  fs::create_directories(path("near/by"));
+  fs::create_directory_symlink("../../far/away", path("near/by/link"));
+  write("near/scene.toml", "a decoy");
+  ASSERT_EQ(mixcmp("optimise scene.toml --last 14 -o near/by/link/plan.toml").exit_code, 0);
+  const Outcome run = mixcmp("check near/by/link/plan.toml");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+}
+
+TEST_F(OptimiseCommand, ALinkedPlanIsReadAsItWasWritten) {
+  fs::create_directories(path("far/away"));
+  fs::create_symlink("far/away/plan.toml", path("plan.toml"));
+  for (int run = 0; run < 2; ++run) {
+    ASSERT_EQ(mixcmp("optimise scene.toml --last 14 -o plan.toml").exit_code, 0);
+    EXPECT_EQ(mixcmp("check plan.toml").exit_code, 0) << "run " << run;
+    EXPECT_EQ(mixcmp("check far/away/plan.toml").exit_code, 0) << "run " << run;
+  }
+}
+
+/// A scene that is a link has its data beside the link, and so has its plan.
+TEST_F(OptimiseCommand, ThePlanOfALinkedSceneNamesTheLink) {
+  fs::create_directories(path("other"));
+  fs::create_symlink("../scene.toml", path("other/scene.toml"));
+  const std::string table = " --table characterisation/scene-virtex6-lx760.csv";
+  ASSERT_EQ(mixcmp("optimise other/scene.toml --last 14 -o plan.toml" + table).exit_code, 0);
+  EXPECT_NE(read("plan.toml").find("scene = \"other/scene.toml\"\n"), std::string::npos);
+}
+
 TEST_F(OptimiseCommand, ExploreGoesOnWhereItWas) {
   const std::string command = "explore scene.toml --last 14 --over data.radius_max=10,25 -o out";
   ASSERT_EQ(mixcmp(command).exit_code, 0);

@@ -121,6 +121,31 @@ TEST_F(OutputFileTest, StandardOutputOfARedirectionIsNotReplaced) {
   EXPECT_EQ(content(), "first\nsecond\n");
 }
 
+TEST_F(OutputFileTest, StandardOutputIsNotReplacedUnderAnyOfItsNames) {
+  const fs::path link = directory_.path() / "link";
+  fs::create_symlink("/dev/stdout", link);
+  const int before = dup(STDOUT_FILENO);
+  const int file = open(path_.c_str(), O_RDWR | O_CREAT, 0600);
+  dup2(file, STDOUT_FILENO);
+  bool written = true;
+  for (const fs::path& name : {link, path_, fs::path("/dev/../dev/stdout")}) {
+    written = written && write_file(name, "text\n").ok();
+  }
+  dup2(before, STDOUT_FILENO);
+  close(file);
+  EXPECT_TRUE(written);
+  EXPECT_EQ(content(), "text\ntext\ntext\n");
+}
+
+TEST_F(OutputFileTest, ALinkInPlaceOfAKeptFileLosesNothing) {
+  write_before("an input");
+  const fs::path kept = directory_.path() / "kept";
+  fs::create_symlink(path_, kept);
+  ASSERT_TRUE(write_kept_file(kept, "new").ok());
+  EXPECT_EQ(read_file(kept).value(), "new");
+  EXPECT_EQ(content(), "an input");
+}
+
 TEST_F(OutputFileTest, PermissionsOfWhatIsReplacedStay) {
   write_before("before");
   fs::permissions(path_, fs::perms::owner_read | fs::perms::owner_write);

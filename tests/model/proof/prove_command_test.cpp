@@ -73,6 +73,18 @@ TEST_F(ProveCommand, KeepsEverythingInTheDirectoryAsked) {
   EXPECT_NE(again.output.find("16 proven before"), std::string::npos) << again.output;
 }
 
+/// Gappa's own threshold would forget that a maximum is at least its small constant.
+TEST_F(ProveCommand, ProvesAGuardAgainstZero) {
+  if (!proof::gappa_version()) GTEST_SKIP() << "gappa is not installed";
+  write("guard.toml",
+        "[comparison]\nname = \"guard\"\nf = \"max((a - b)^2, 1e-30)\"\ng = \"c - d\"\n"
+        "[reference]\nformat = \"binary64\"\n[reduced]\nformat = \"s12e11\"\n"
+        "[system]\nlanes = 1\nreferences = 1\n");
+  const Outcome run = mixcmp("generate guard.toml -o rtl");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("error bound: machine-checked"), std::string::npos) << run.output;
+}
+
 TEST_F(ProveCommand, SaysWithoutGappaThatNothingIsChecked) {
   const Outcome check = mixcmp("check " + scene("sphere_collision") + " --prove", without_gappa());
   EXPECT_EQ(check.exit_code, 3) << check.output;

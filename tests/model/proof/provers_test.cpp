@@ -232,7 +232,9 @@ TEST(ProversWithAFake, AProofWithoutItsCertificateIsNone) {
   ScratchDirectory scratch;
   const std::string search = getenv("PATH");
   for (const char* certificate : {"", "echo 'Section Generated_by_Gappa.'; "}) {
-    const std::string commands = fmt::format("grep -q '1 in' && exit 1\n{}exit 0\n", certificate);
+    const std::string commands =
+        fmt::format("grep -q '1 in' && {{ echo some were not satisfied >&2; exit 1; }}\n{}exit 0\n",
+                    certificate);
     const OtherPath path(fake_gappa(scratch, commands).string() + ":" + search);
     ASSERT_TRUE(gappa_version());
     EXPECT_EQ(run_gappa(truth, Certificate::coq, 30).verdict, GappaVerdict::broken);
@@ -249,6 +251,16 @@ TEST(ProversWithAFake, OneThatProvesEverythingIsNotBelieved) {
   EXPECT_EQ(gappa_version().error().message, "gappa proves what is false");
   QuickProver quick(5);
   EXPECT_EQ(quick(truth).outcome, Outcome::unchecked);
+}
+
+/// A crash is no refusal of what is false.
+TEST(ProversWithAFake, OneThatCrashesIsNotBelieved) {
+  ScratchDirectory scratch;
+  const std::string search = getenv("PATH");
+  const std::string commands = "grep -q '1 in' && kill -SEGV $$\nexit 0\n";
+  const OtherPath path(fake_gappa(scratch, commands).string() + ":" + search);
+  ASSERT_FALSE(gappa_version());
+  EXPECT_EQ(gappa_version().error().message, "gappa does not work");
 }
 
 TEST(ProversWithAFake, OneThatCannotReadScriptsRefusesNothing) {
