@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/golden/evaluate.hpp"
+#include "model/golden/fixed_evaluate.hpp"
 #include "model/number/decimal.hpp"
 #include "model/number/verdict.hpp"
 
@@ -23,14 +24,16 @@ VerifyReport empty_report(const emit::Signature& signature, const design::Design
   for (std::size_t k = 0; k < names.size(); ++k) {
     const design::LaneGroup& group = design.lanes[k];
     report.groups.push_back(
-        {.name = names[k], .lanes = group.count, .certified = group.lane.certified()});
+        {.name = names[k], .lanes = group.count, .certified = design::is_certified(group.lane)});
   }
   return report;
 }
 
 ResultWord expected_word(const design::Design& design, std::size_t group,
                          std::span<const Bits> operands) {
-  const auto decision = golden::evaluate_lane(design.lanes[group].lane, operands);
+  const golden::LaneResult decision =
+      std::visit([&](const auto& lane) { return golden::evaluate_lane(lane, operands); },
+                 design.lanes[group].lane);
   if (decision.decided) return ResultWord::decided(decision.verdict);
   if (design.references.empty()) return ResultWord::undecided();
   return ResultWord::recomputed(golden::evaluate_reference(design.reference, operands));

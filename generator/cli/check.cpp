@@ -44,10 +44,9 @@ void print_text(const Outlook& outlook) {
   const bool one_kind = signature.lane_groups.size() == 1;
   for (const emit::SignatureLanes& group : signature.lane_groups) {
     const std::string kind =
-        one_kind
-            ? ""
-            : fmt::format("{} in {}, inputs {}, multipliers {}: ", group.count, group.format.name(),
-                          to_string(group.inputs), to_string(group.multipliers));
+        one_kind ? ""
+                 : fmt::format("{} in {}, inputs {}, multipliers {}: ", group.count, group.format,
+                               to_string(group.inputs), to_string(group.multipliers));
     line(one_kind ? "lane" : "lanes", fmt::format("{}{} cycles", kind, group.latency_cycles));
     line("decision", group.decision);
   }

@@ -8,6 +8,7 @@
 #include "generator/cli/output.hpp"
 #include "generator/components/component_maker.hpp"
 #include "generator/components/synthesis_jobs.hpp"
+#include "model/common/quote.hpp"
 #include "model/common/scratch_folder.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/profile/profile.hpp"
@@ -57,7 +58,7 @@ bool is_chosen(const LoadedScene& loaded, const ReducedSpec& tried, const std::s
   if (reduced.bound != tried.bound) return false;
   if (reduced.bound == scene::BoundKind::profiled) return true;
   const auto taken = design::design_lane(loaded.scene, reduced, nullptr);
-  return taken.ok() && describe_decision(*taken) == decision;
+  return taken.ok() && design::describe_decision(*taken) == decision;
 }
 
 /// Adds the areas of a lane with and without all that its ranges make unnecessary.
@@ -82,9 +83,10 @@ BoundCost cost_of(const LoadedScene& loaded, const scene::BoundChoice& choice) {
     cost.decision = "does not exist: " + lane.error().message;
     return cost;
   }
-  cost.decision = describe_decision(*lane);
+  const error::Lane& made = design::float_lane(*lane);
+  cost.decision = describe_decision(made);
   cost.chosen = is_chosen(loaded, reduced, cost.decision);
-  if (const auto added = add_areas(scene, reduced, *lane, cost); !added.ok()) {
+  if (const auto added = add_areas(scene, reduced, made, cost); !added.ok()) {
     cost.why_no_area = added.error();
   }
   return cost;
@@ -129,8 +131,8 @@ Result<BoundCosts> measure_costs(const LoadedScene& loaded) {
   if (!loaded.scene.reduced.format) {
     return Error{.field = "reduced.format",
                  .message = "--costs compares the bounds of one lane",
-                 .received = "\"auto\"",
-                 .accepted = "a format, such as --format s17"};
+                 .received = in_quotes(loaded.scene.reduced.format_name()),
+                 .accepted = "a format in floating point, such as --format s17"};
   }
   BoundCosts costs;
   for (const scene::BoundChoice& choice : scene::profiled_bound_choices()) {

@@ -45,14 +45,14 @@ void print_parts(const emit::Signature& s) {
                                       : fmt::format(" in {} ({} cycles)", s.reference_format.name(),
                                                     s.reference_groups.front().latency_cycles);
     return print(fmt::format("{}: p_L = {} in {} ({} cycles), p_H = {}{}, {}\n", s.top, s.lanes,
-                             lanes.format.name(), lanes.latency_cycles, s.references, reference,
+                             lanes.format, lanes.latency_cycles, s.references, reference,
                              certainty(s.certified)));
   }
   print(fmt::format("{}: p_L = {}, p_H = {} in {}, {}\n", s.top, s.lanes, s.references,
                     s.reference_format.name(), certainty(s.certified)));
   for (const emit::SignatureLanes& group : s.lane_groups) {
     print(fmt::format("  {} in {}: {} cycles, inputs {}, multipliers {}; {}\n",
-                      counted(group.count, "lane"), group.format.name(), group.latency_cycles,
+                      counted(group.count, "lane"), group.format, group.latency_cycles,
                       to_string(group.inputs), to_string(group.multipliers), group.decision));
   }
   for (const emit::SignatureReferences& group : s.reference_groups) {
@@ -106,8 +106,8 @@ std::vector<GroupProof> prove_groups(const std::filesystem::path& scene,
   const std::vector<std::string> names = lane_group_names(design);
   std::vector<GroupProof> proofs;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const error::Lane& lane = design.lanes[k].lane;
-    if (lane.certified()) proofs.push_back({names[k], prove_quickly(scene, lane)});
+    const design::Lane& lane = design.lanes[k].lane;
+    if (design::is_certified(lane)) proofs.push_back({names[k], prove_quickly(scene, lane)});
   }
   return proofs;
 }

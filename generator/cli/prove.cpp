@@ -25,18 +25,15 @@ Result<scene::Scene> with_precision(const scene::Scene& scene, int precision) {
   const FloatFormat& known = scene.reduced.format.value_or(scene.reference.format);
   MIXCMP_TRY(format, FloatFormat::make(precision, known.exponent_bits()));
   one_kind.reduced.format = format;
+  one_kind.reduced.fixed_bits.reset();
   return one_kind;
 }
 
 /// A lane to prove, or why there is none.
 struct Candidate {
   std::string name;
-  Result<error::Lane> lane;
+  Result<design::Lane> lane;
 };
-
-std::string format_name(const scene::ReducedSpec& reduced) {
-  return reduced.format ? reduced.format->name() : "auto";
-}
 
 /// One lane of each kind, or why there is none. A proof does not depend on the number of lanes or
 /// on the engine around them.
@@ -48,7 +45,7 @@ std::vector<Candidate> candidates(scene::Scene scene, const data::Comparisons* d
   std::vector<Candidate> found;
   if (!design.ok()) {
     for (const scene::LaneGroupSpec& group : scene.lane_groups()) {
-      found.push_back({format_name(group.reduced),
+      found.push_back({group.reduced.format_name(),
                        design::design_lane(scene, group.reduced, data, profile::profile_error)});
     }
     return found;
@@ -67,17 +64,21 @@ std::string version_text(const Result<std::string>& version) {
   return version.ok() ? *version : "";
 }
 
-ProvenLane prove_lane(const scene::Scene& scene, const std::string& name, const error::Lane& lane,
+ProvenLane prove_lane(const scene::Scene& scene, const std::string& name, const design::Lane& lane,
                       const ProveOptions& options,
                       const std::vector<std::filesystem::path>& inputs) {
-  ProvenLane result{.format = lane.graph.arithmetic.format.name()};
+  ProvenLane result{.format = design::format_name(lane)};
   const std::string stem = fmt::format("{}_{}", scene.name, name);
   result.directory =
       options.directory.empty() ? std::filesystem::path(stem + "_proof") : options.directory;
   value_or_exit(check_outputs({result.directory / (stem + ".json")}, inputs));
   proof::ProofDirectory directory = value_or_exit(
       proof::ProofDirectory::open(result.directory, options.seconds_a_script, tell_waiting));
-  result.proof = proof::prove_lane(lane, std::ref(directory), proof::Effort::whole);
+  result.proof = std::visit(
+      [&](const auto& l) {
+        return proof::prove_lane(l, std::ref(directory), proof::Effort::whole);
+      },
+      lane);
   if (directory.failure()) fail(*directory.failure());
   result.gappa = version_text(directory.gappa());
   result.reused = directory.reused();
@@ -148,10 +149,15 @@ nlohmann::ordered_json to_json(const ProvenLane& lane) {
   return report;
 }
 
-QuickProof prove_quickly(const std::filesystem::path& scene, const error::Lane& lane) {
+QuickProof prove_quickly(const std::filesystem::path& scene, const design::Lane& lane) {
   proof::QuickProver prover(quick_seconds);
-  QuickProof quick{proof::prove_lane(lane, std::ref(prover), proof::Effort::operations),
-                   version_text(prover.gappa())};
+  QuickProof quick;
+  quick.proof = std::visit(
+      [&](const auto& l) {
+        return proof::prove_lane(l, std::ref(prover), proof::Effort::operations);
+      },
+      lane);
+  quick.gappa = version_text(prover.gappa());
   if (!quick.proof.refused()) return quick;
   fail(Error{.file = scene.string(),
              .field = "reduced.bound",

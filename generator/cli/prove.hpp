@@ -43,6 +43,6 @@ struct QuickProof {
   std::string gappa;
 };
 /// Ends the program where Gappa refuses a lemma.
-QuickProof prove_quickly(const std::filesystem::path& scene, const error::Lane& lane);
+QuickProof prove_quickly(const std::filesystem::path& scene, const design::Lane& lane);
 
 }  // namespace mixcmp::cli

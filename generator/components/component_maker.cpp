@@ -8,7 +8,8 @@
 #include "generator/components/synthesis_jobs.hpp"
 #include "generator/datapath/delays.hpp"
 #include "generator/rtl/datapath_builder.hpp"
-#include "generator/rtl/datapath_module.hpp"
+#include "generator/rtl/float_lane_module.hpp"
+#include "generator/rtl/reference_module.hpp"
 #include "model/common/quote.hpp"
 #include "model/design/design.hpp"
 #include "model/design/slots.hpp"
@@ -127,12 +128,14 @@ Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
   MIXCMP_TRY(multipliers, multipliers_of(key));
   scene::ReducedSpec reduced = scene::with_bound(scene_.reduced, bound);
   reduced.format = format;
+  reduced.fixed_bits.reset();
   reduced.inputs = inputs;
   reduced.multipliers = multipliers;
   if (bound.kind == scene::BoundChoice::Kind::profiled) {
     MIXCMP_TRY(given, give_constants(reduced));
   }
-  MIXCMP_TRY(lane, design::design_lane(scene_, reduced, nullptr));
+  MIXCMP_TRY(designed, design::design_lane(scene_, reduced, nullptr));
+  const error::Lane& lane = design::float_lane(designed);
   MIXCMP_TRY(built, lane_rtl(scene_.graph.inputs(), lane, multipliers, scene_.system));
   return datapath(key, built.latency_cycles, built.module, lane.graph);
 }

@@ -1,9 +1,8 @@
 #include "generator/datapath/schedule.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
+#include "generator/datapath/unit_placer.hpp"
 #include "model/common/check.hpp"
 
 namespace mixcmp::datapath {
@@ -31,11 +30,11 @@ bool is_wires(Operation operation) {
 class Scheduler {
 public:
   Scheduler(const DelayTable& delays, double target_mhz)
-      : delays_(delays), logic_ns_(std::max(0.0, 1000 / target_mhz - delays.register_ns)) {}
+      : placer_(delays, target_mhz), delays_(placer_.delays()) {}
 
   void place_nodes(const TypedGraph& graph, scene::Multipliers multipliers) {
     for (const TypedNode& node : graph.nodes) {
-      const int start = latest(schedule_.steps, operands_of(node));
+      const int start = ready_cycle(schedule_.steps, operands_of(node));
       if (is_wires(node.operation)) {
         schedule_.steps.push_back({.start_cycle = start, .ready_cycle = start});
       } else {
@@ -79,18 +78,7 @@ public:
     decide({}, compare_unit(format, delays_), {part.f, part.g}, 0);
   }
 
-  Schedule finish() {
-    int ready = 0;
-    for (const PartSchedule& part : schedule_.parts) {
-      ready = std::max(ready, part.decision.ready_cycle);
-    }
-    if (schedule_.parts.size() > 1) {
-      schedule_.combination = place(combination_unit(schedule_.parts.size(), delays_), ready);
-      ready = schedule_.combination.ready_cycle;
-    }
-    schedule_.latency_cycles = ready;
-    return std::move(schedule_);
-  }
+  Schedule finish() { return placer_.finish(std::move(schedule_)); }
 
 private:
   void place_bounds(const error::AbsoluteBoundDecision& decision, FloatFormat lane,
@@ -102,7 +90,7 @@ private:
         continue;
       }
       const int start = node.value >= 0 ? schedule_.steps[node.value].ready_cycle
-                                        : latest(schedule.bounds, operands_of(node));
+                                        : ready_cycle(schedule.bounds, operands_of(node));
       schedule.bounds.push_back(place(bound_unit(node.operation, lane, format, delays_), start));
     }
     for (const error::BoundCondition& condition : decision.conditions) {
@@ -115,69 +103,15 @@ private:
   /// Places a decision as soon as the nodes `decided_from` are ready, but not before cycle `start`.
   void decide(PartSchedule schedule, Unit decision, const std::vector<NodeId>& decided_from,
               int start) {
-    start = std::max(start, latest(schedule_.steps, decided_from));
+    start = std::max(start, ready_cycle(schedule_.steps, decided_from));
     schedule.decision = place(std::move(decision), start);
     schedule_.parts.push_back(std::move(schedule));
   }
 
-  template <typename Node>
-  static std::vector<int> operands_of(const Node& node) {
-    return {node.operands.begin(), node.operands.begin() + arity(node.operation)};
-  }
+  Step place(Unit unit, int start) { return placer_.place(std::move(unit), start); }
 
-  static int latest(const std::vector<Step>& steps, const std::vector<int>& operands) {
-    int cycle = 0;
-    for (const int operand : operands) cycle = std::max(cycle, steps[operand].ready_cycle);
-    return cycle;
-  }
-
-  Step place(Unit unit, int start) {
-    std::vector<bool> cuts = choose_cuts(unit);
-    const int latency = static_cast<int>(std::count(cuts.begin(), cuts.end(), true));
-    return {std::move(unit), std::move(cuts), start, start + latency};
-  }
-
-  std::vector<bool> choose_cuts(const Unit& unit) {
-    for (const Stage& stage : unit.stages) {
-      if (stage.delay_ns > logic_ns_) note_slow(unit, stage);
-    }
-    const std::vector<bool> cuts = greedy_cuts(unit, -1);
-    for (std::size_t k = 0; k < cuts.size(); ++k) {
-      const int needed = unit.stages[k].cut_needs;
-      if (cuts[k] && needed >= 0 && !cuts[needed]) return greedy_cuts(unit, needed);
-    }
-    return cuts;
-  }
-
-  /// Places registers from the operands on: one behind the stage `forced` (-1: none), and one in
-  /// front of each stage that would not fit into the period. For a chain of stages this needs the
-  /// fewest registers.
-  std::vector<bool> greedy_cuts(const Unit& unit, int forced) const {
-    MIXCMP_CHECK(!unit.stages.empty());
-    std::vector<bool> cuts(unit.stages.size(), false);
-    double path_ns = 0;
-    for (std::size_t k = 0; k < unit.stages.size(); ++k) {
-      const double stage_ns = unit.stages[k].delay_ns;
-      path_ns += stage_ns - unit.stages[k].overlap_ns;
-      if (k > 0 && (path_ns > logic_ns_ || static_cast<int>(k) - 1 == forced)) {
-        cuts[k - 1] = true;
-        path_ns = stage_ns;
-      }
-    }
-    cuts.back() = true;
-    return cuts;
-  }
-
-  void note_slow(const Unit& unit, const Stage& stage) {
-    const std::string note =
-        fmt::format("{}, stage \"{}\": about {:.1f} ns of logic, the target leaves {:.1f} ns",
-                    unit.module, stage.name, stage.delay_ns, logic_ns_);
-    auto& notes = schedule_.slow_stages;
-    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
-  }
-
-  DelayTable delays_;
-  double logic_ns_;
+  UnitPlacer placer_;
+  const DelayTable& delays_;
   Schedule schedule_;
 };
 

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <set>
 
-#include "generator/rtl/datapath_module.hpp"
+#include "generator/rtl/fixed_lane_module.hpp"
+#include "generator/rtl/float_lane_module.hpp"
+#include "generator/rtl/reference_module.hpp"
 
 namespace mixcmp::emit {
 namespace {
@@ -33,20 +35,35 @@ std::string what_is_ordered(const Design& design) {
                      to_string(design.reference.combination), parts);
 }
 
-std::vector<std::string> decision_facts(const error::Lane& lane) {
-  const std::string decision = "Decision: " + describe_decision(lane) + ".";
-  if (!lane.certified()) return {decision};
-  return {decision, "Infinities, NaNs, overflow and underflow are left undecided."};
+std::string arithmetic_fact(const design::Lane& lane) {
+  return std::visit(
+      design::Cases{[](const error::Lane& l) { return arithmetic_fact(l.graph.arithmetic); },
+                    [&](const fixed::FixedLane&) {
+                      return fmt::format("Format: {}, fixed point; operands are rounded down.",
+                                         design::format_name(lane));
+                    }},
+      lane);
+}
+
+std::vector<std::string> decision_facts(const design::Lane& lane) {
+  const std::string decision = "Decision: " + design::describe_decision(lane) + ".";
+  if (!design::is_certified(lane)) return {decision};
+  const bool fixed = std::holds_alternative<fixed::FixedLane>(lane);
+  return {decision, fixed ? "Operands out of range, infinities and NaNs are left undecided."
+                          : "Infinities, NaNs, overflow and underflow are left undecided."};
 }
 
 Described describe_lane(const Design& design, const std::string& name,
                         const design::LaneGroup& group, const datapath::Schedule& schedule) {
-  Described lane = {rtl::lane_module(name, design.inputs, group.lane, schedule),
+  const auto module = [&](const auto& l) {
+    return rtl::lane_module(name, design.inputs, l, schedule);
+  };
+  Described lane = {std::visit(module, group.lane),
                     {fmt::format("{}: decides {} in reduced precision, or says it cannot.", name,
                                  what_is_asked(design)),
                      fmt::format("Operands: {}, {}.", design.reference.input_format.name(),
                                  fmt::join(design.inputs, ", ")),
-                     arithmetic_fact(group.lane.graph.arithmetic)}};
+                     arithmetic_fact(group.lane)}};
   for (std::string& fact : decision_facts(group.lane)) lane.facts.push_back(std::move(fact));
   lane.facts.push_back(
       fmt::format("Latency {} cycles, initiation interval 1, no reset.", schedule.latency_cycles));
@@ -89,7 +106,7 @@ std::vector<std::string> count_facts(const Design& design, const rtl::SystemShap
   const std::string reference = design.reference.arithmetic.format.name();
   if (design.lanes.size() == 1 && design.references.size() <= 1) {
     return {fmt::format("{}: p_L = {} in {}, p_H = {} in {}.", shape.top, shape.lanes,
-                        design.lanes.front().lane.graph.arithmetic.format.name(), shape.references,
+                        design::format_name(design.lanes.front().lane), shape.references,
                         reference)};
   }
   std::vector<std::string> facts = {fmt::format("{}: p_L = {}, p_H = {} in {}.", shape.top,

@@ -82,6 +82,14 @@ public:
     return low;
   }
 
+  /// "s17e8" or "q13".
+  std::string lane_format(const char* field) {
+    std::string name = text(field);
+    const bool fixed = name.size() > 1 && name[0] == 'q' &&
+                       name.find_first_not_of("0123456789", 1) == std::string::npos;
+    if (!fixed && !FloatFormat::parse(name).ok()) refuse(field, "a format: \"s17e8\", \"q13\"");
+    return name;
+  }
   FloatFormat format(const char* field) {
     auto parsed = FloatFormat::parse(text(field));
     if (parsed.ok()) return *parsed;
@@ -156,7 +164,7 @@ Json ports_to_json(const std::vector<SignaturePort>& ports) {
 Json to_json(const SignatureLanes& group) {
   return {{"count", group.count},
           {"module", group.module},
-          {"format", group.format.name()},
+          {"format", group.format},
           {"latency_cycles", group.latency_cycles},
           {"certified", group.certified},
           {"decision", group.decision},
@@ -207,7 +215,7 @@ SignaturePort read_port(Reader& reader) {
 SignatureLanes read_lanes(Reader& reader) {
   return {.count = reader.number("count", settings::limits::lanes),
           .module = reader.text("module"),
-          .format = reader.format("format"),
+          .format = reader.lane_format("format"),
           .latency_cycles = reader.number("latency_cycles", 0, many),
           .certified = reader.read<bool>("certified", "true or false"),
           .decision = reader.text("decision"),

@@ -21,7 +21,7 @@ struct SignaturePort {
 struct SignatureLanes {
   int count = 0;
   std::string module;  ///< the channel: one lane with its scoreboard or reorder buffer
-  FloatFormat format;
+  std::string format;  ///< "s17e8" or, in fixed point, "q13"
   int latency_cycles = 0;
   bool certified = false;
   std::string decision;  ///< when a lane decides, in words

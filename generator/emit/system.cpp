@@ -22,10 +22,10 @@ std::vector<SignatureLanes> lanes_of(const Design& design, const rtl::SystemShap
     const design::LaneGroup& group = design.lanes[k];
     lanes.push_back({.count = group.count,
                      .module = shape.lane_groups[k].channel,
-                     .format = group.lane.graph.arithmetic.format,
+                     .format = design::format_name(group.lane),
                      .latency_cycles = shape.lane_groups[k].schedule.latency_cycles,
-                     .certified = group.lane.certified(),
-                     .decision = describe_decision(group.lane),
+                     .certified = design::is_certified(group.lane),
+                     .decision = design::describe_decision(group.lane),
                      .inputs = group.inputs,
                      .multipliers = group.multipliers});
   }
@@ -181,6 +181,20 @@ GeneratedFile file_list(const Signature& signature) {
   return {signature.top + ".f", text};
 }
 
+/// Refuses files that no file system takes; the names of files are those of the modules in them.
+Result<Done> check_file_names(const std::vector<GeneratedFile>& files) {
+  constexpr std::size_t most = 255;  // bytes, on Linux
+  for (const GeneratedFile& file : files) {
+    if (file.name.size() <= most) continue;
+    return Error{
+        .field = "comparison.name",
+        .message = "the names of the scene and of its lanes' formats are too long for a file",
+        .received = fmt::format("{} characters, {}", file.name.size(), file.name),
+        .accepted = fmt::format("at most {}", most)};
+  }
+  return Done{};
+}
+
 GeneratedFile constraint_file(const Signature& signature) {
   return {signature.top + ".sdc",
           fmt::format("# {:g} MHz, the target the cut points were chosen for.\n"
@@ -219,6 +233,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   system.files.push_back(file_list(system.signature));
   system.files.push_back(constraint_file(system.signature));
   system.files.push_back({scheduled.shape.top + ".json", to_json(system.signature)});
+  MIXCMP_TRY(fits, check_file_names(system.files));
   return system;
 }
 

@@ -116,7 +116,7 @@ nlohmann::json json_of(const DataSummary& data) {
 }
 
 nlohmann::json json_of(const ReducedSpec& reduced) {
-  return {{"format", reduced.format ? reduced.format->name() : "auto"},
+  return {{"format", reduced.format_name()},
           {"rounding", to_string(reduced.rounding)},
           {"subnormals", to_string(reduced.subnormals)},
           {"bound", to_string(reduced.bound)},

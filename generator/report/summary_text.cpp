@@ -77,11 +77,15 @@ std::string answer(const RangeQuestion& finding, bool with_operations) {
 }
 
 void print_reduced(Page& page, const std::string& name, const ReducedSpec& reduced) {
+  if (reduced.fixed_bits) {
+    page.line(name, fmt::format("{}, fixed point, multipliers {}", reduced.format_name(),
+                                to_string(reduced.multipliers)));
+    return page.line("error bound", std::string(scene::to_string(reduced.error_bound)));
+  }
   page.line(name, fmt::format("{}, {}, {}, inputs {}, bound {}, multipliers {}",
-                              reduced.format ? reduced.format->name() : "auto",
-                              to_string(reduced.rounding), to_string(reduced.subnormals),
-                              to_string(reduced.inputs), to_string(reduced.bound),
-                              to_string(reduced.multipliers)));
+                              reduced.format_name(), to_string(reduced.rounding),
+                              to_string(reduced.subnormals), to_string(reduced.inputs),
+                              to_string(reduced.bound), to_string(reduced.multipliers)));
   if (reduced.bound == BoundKind::certified) {
     page.line("error bound",
               fmt::format("{}, running ones of {} digits", scene::to_string(reduced.error_bound),

@@ -16,15 +16,17 @@ bool reads_value(const BoundNode& node) {
 
 }  // namespace
 
-BoundUnitBuilder::BoundUnitBuilder(DatapathBuilder& datapath, const error::Lane& lane,
+BoundUnitBuilder::BoundUnitBuilder(DatapathBuilder& datapath, const FloatNodes& nodes,
+                                   const error::Lane& lane,
                                    const error::AbsoluteBoundDecision& decision,
                                    const datapath::PartSchedule& schedule,
                                    const std::string& suffix)
     : datapath_(datapath),
+      nodes_(nodes),
       lane_(lane),
       decision_(decision),
       schedule_(schedule),
-      names_(name_bounds(decision.bound, suffix, datapath.names(), datapath.pool())) {
+      names_(name_bounds(decision.bound, suffix, nodes.names(), datapath.pool())) {
   const FloatFormat format = lane.graph.arithmetic.format;
   MIXCMP_CHECK(decision.bound.format.exponent_bits == format.exponent_bits());
   MIXCMP_CHECK(decision.bound.format.precision <= format.precision());
@@ -68,7 +70,7 @@ void BoundUnitBuilder::build_node(int id) {
 std::vector<Connection> BoundUnitBuilder::operands(const BoundNode& node, int cycle) {
   std::vector<Connection> connections = {{"aclk", net("aclk")}};
   if (reads_value(node)) {
-    connections.push_back({"x", datapath_.at(datapath_.value(node.value), cycle)});
+    connections.push_back({"x", datapath_.at(nodes_.value(node.value), cycle)});
     return connections;
   }
   connections.push_back({"a", datapath_.at(bounds_[node.operands[0]], cycle)});
@@ -103,7 +105,7 @@ bool BoundUnitBuilder::may_be_subnormal(NodeId value) const {
 void BoundUnitBuilder::build_condition(const error::BoundCondition& condition,
                                        const datapath::Step& step) {
   const Signal& bound = bounds_[condition.bound];
-  const Signal& value = datapath_.value(condition.value);
+  const Signal& value = nodes_.value(condition.value);
   const FloatFormat format = lane_.graph.arithmetic.format;
   const std::string holds = datapath_.pool().unique(value.name + "_exceeds_error");
   const std::string fails = datapath_.pool().unique(value.name + "_too_small");
@@ -135,7 +137,7 @@ std::string BoundUnitBuilder::describe(int id) const {
                                            : fmt::format(", rounded up to {} digits", digits);
   const bool rounds = !exact && node.operation != BoundOperation::reciprocal;
   return fmt::format("Cycles {} to {}: {}{}.", step.start_cycle, step.ready_cycle,
-                     bound_formula(decision_.bound, id, names_, datapath_.names()),
+                     bound_formula(decision_.bound, id, names_, nodes_.names()),
                      rounds ? rounding : "");
 }
 

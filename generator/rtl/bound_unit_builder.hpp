@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/rtl/datapath_builder.hpp"
+#include "generator/rtl/float_nodes.hpp"
 #include "model/error/lane.hpp"
 
 namespace mixcmp::rtl {
@@ -12,7 +12,7 @@ namespace mixcmp::rtl {
 /// operation of the bound graph. The datapath's shared delays balance the units' operands.
 class BoundUnitBuilder {
 public:
-  BoundUnitBuilder(DatapathBuilder& datapath, const error::Lane& lane,
+  BoundUnitBuilder(DatapathBuilder& datapath, const FloatNodes& nodes, const error::Lane& lane,
                    const error::AbsoluteBoundDecision& decision,
                    const datapath::PartSchedule& schedule, const std::string& suffix);
 
@@ -32,6 +32,7 @@ private:
   std::string describe(int id) const;
 
   DatapathBuilder& datapath_;
+  const FloatNodes& nodes_;
   const error::Lane& lane_;
   const error::AbsoluteBoundDecision& decision_;
   const datapath::PartSchedule& schedule_;

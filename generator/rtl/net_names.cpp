@@ -17,8 +17,8 @@ using error::BoundOperation;
 /// The most characters of a spelled-out name: readers skip longer identifiers.
 constexpr std::size_t longest_spelled_name = 28;
 
-std::string spelled(const TypedNode& node, const std::string& a, const std::string& b) {
-  switch (node.operation) {
+std::string spelled(Operation operation, const std::string& a, const std::string& b) {
+  switch (operation) {
     case Operation::input: return a;
     case Operation::constant: return "constant";
     case Operation::convert: return a + "_rounded";
@@ -53,6 +53,11 @@ std::string role(Operation operation) {
     case Operation::maximum: return "larger";
   }
   MIXCMP_CHECK(false);
+}
+
+std::string spelled_or_role(Operation operation, const std::string& a, const std::string& b) {
+  std::string name = spelled(operation, a, b);
+  return name.size() > longest_spelled_name ? role(operation) : name;
 }
 
 std::string bound_role(BoundOperation operation, const std::string& value) {
@@ -113,8 +118,7 @@ std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<s
     const int count = arity(node.operation);
     const std::string a = count > 0 ? names[node.operands[0]] : "";
     const std::string b = count > 1 ? names[node.operands[1]] : "";
-    std::string wanted = spelled(node, a, b);
-    if (wanted.size() > longest_spelled_name) wanted = role(node.operation);
+    std::string wanted = spelled_or_role(node.operation, a, b);
     for (std::size_t part = parts.size(); part-- > 0;) {
       if (id == parts[part].g) wanted = "g" + part_suffix(part, parts.size());
       if (id == parts[part].f) wanted = "f" + part_suffix(part, parts.size());
@@ -124,29 +128,59 @@ std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<s
   return names;
 }
 
+std::vector<std::string> name_nodes(const fixed::FixedLane& lane,
+                                    const std::vector<std::string>& ports, NamePool& pool) {
+  std::vector<std::string> spellings, names;
+  for (NodeId id = 0; id < static_cast<NodeId>(lane.nodes.size()); ++id) {
+    const fixed::FixedNode& node = lane.nodes[id];
+    if (node.operation == Operation::input) {
+      spellings.push_back(ports[node.input]);
+      names.push_back(pool.unique(ports[node.input] + "_fixed"));
+      continue;
+    }
+    const int count = arity(node.operation);
+    const std::string a = count > 0 ? spellings[node.operands[0]] : "";
+    const std::string b = count > 1 ? spellings[node.operands[1]] : "";
+    std::string wanted = spelled_or_role(node.operation, a, b);
+    for (std::size_t part = lane.parts.size(); part-- > 0;) {
+      if (id != lane.parts[part].difference) continue;
+      wanted = "difference" + part_suffix(part, lane.parts.size());
+    }
+    names.push_back(pool.unique(wanted));
+    spellings.push_back(names.back());
+  }
+  return names;
+}
+
+std::string formula(Operation operation, const std::string& a, const std::string& b) {
+  switch (operation) {
+    case Operation::input:
+    case Operation::constant:
+    case Operation::convert: return a;
+    case Operation::negate: return "-" + a;
+    case Operation::absolute: return "|" + a + "|";
+    case Operation::add: return a + " + " + b;
+    case Operation::subtract: return a + " - " + b;
+    case Operation::multiply: return a + " * " + b;
+    case Operation::square: return a + "^2";
+    case Operation::divide: return a + " / " + b;
+    case Operation::square_root: return "sqrt(" + a + ")";
+    case Operation::minimum: return "min(" + a + ", " + b + ")";
+    case Operation::maximum: return "max(" + a + ", " + b + ")";
+  }
+  MIXCMP_CHECK(false);
+}
+
 std::string formula(const TypedGraph& graph, NodeId id, const std::vector<std::string>& names) {
   const TypedNode& node = graph.nodes[id];
+  const int count = arity(node.operation);
+  if (count == 0) return names[id];
   const auto operand = [&](int k) {
     const NodeId source = node.operands[k];
     const bool constant = graph.nodes[source].operation == Operation::constant;
     return constant ? to_text(graph.nodes[source].value) : names[source];
   };
-  switch (node.operation) {
-    case Operation::input:
-    case Operation::constant: return names[id];
-    case Operation::convert: return operand(0);
-    case Operation::negate: return "-" + operand(0);
-    case Operation::absolute: return "|" + operand(0) + "|";
-    case Operation::add: return operand(0) + " + " + operand(1);
-    case Operation::subtract: return operand(0) + " - " + operand(1);
-    case Operation::multiply: return operand(0) + " * " + operand(1);
-    case Operation::square: return operand(0) + "^2";
-    case Operation::divide: return operand(0) + " / " + operand(1);
-    case Operation::square_root: return "sqrt(" + operand(0) + ")";
-    case Operation::minimum: return "min(" + operand(0) + ", " + operand(1) + ")";
-    case Operation::maximum: return "max(" + operand(0) + ", " + operand(1) + ")";
-  }
-  MIXCMP_CHECK(false);
+  return formula(node.operation, operand(0), count > 1 ? operand(1) : "");
 }
 
 std::vector<std::string> name_bounds(const BoundGraph& bound, const std::string& suffix,

@@ -6,6 +6,7 @@
 
 #include "model/error/bound_graph.hpp"
 #include "model/expression/typed_graph.hpp"
+#include "model/fixed/fixed_lane.hpp"
 
 namespace mixcmp::rtl {
 
@@ -25,11 +26,19 @@ private:
 std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<std::string>& ports,
                                     NamePool& pool);
 
+/// Names for the nodes of a lane in fixed point. An input bears its port's name with "_fixed"; a
+/// difference that decides is "difference" (with several parts "difference_0", ...); others are
+/// named as in floating point.
+std::vector<std::string> name_nodes(const fixed::FixedLane& lane,
+                                    const std::vector<std::string>& ports, NamePool& pool);
+
 /// The suffix of the nets that belong to one part: "_2"; empty where there is only one part.
 std::string part_suffix(std::size_t part, std::size_t parts);
 
 /// The operation as a formula over its operands' names: "cxi - cxj".
 std::string formula(const TypedGraph& graph, NodeId node, const std::vector<std::string>& names);
+/// The same of an operation whose operands read as given.
+std::string formula(Operation operation, const std::string& a, const std::string& b);
 
 /// A name for every node of an error bound. The last is "error_bound" with its part's suffix; a
 /// node that reads a value of the lane is named after it ("cxi_rounded_binade").

@@ -235,6 +235,7 @@ std::string filter_type(error::ErrorBoundKind kind) {
     case error::ErrorBoundKind::relative: return "RelativeFilter";
     case error::ErrorBoundKind::running: return "RunningFilter";
     case error::ErrorBoundKind::constant: return "ConstantFilter";
+    case error::ErrorBoundKind::norm: break;
   }
   MIXCMP_CHECK(false);
 }

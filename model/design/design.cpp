@@ -150,6 +150,47 @@ Result<error::Lane> design_certified_lane(const scene::Scene& scene,
                .accepted = "more precision"};
 }
 
+/// How a lane in fixed point bounds its errors; none: its own choice.
+Result<std::optional<fixed::FixedBound>> fixed_bound(const scene::ReducedSpec& reduced) {
+  using Bound = std::optional<fixed::FixedBound>;
+  if (!reduced.error_bound) return Bound();
+  switch (*reduced.error_bound) {
+    case error::ErrorBoundKind::constant: return Bound(fixed::FixedBound::constant);
+    case error::ErrorBoundKind::norm: return Bound(fixed::FixedBound::norm);
+    case error::ErrorBoundKind::relative:
+    case error::ErrorBoundKind::running: break;
+  }
+  return Error{.field = "reduced.error_bound",
+               .message = "not a bound of lanes in fixed point",
+               .received = std::string(to_string(*reduced.error_bound)),
+               .accepted = "auto, constant, norm"};
+}
+
+Result<fixed::FixedLane> design_fixed_lane(const scene::Scene& scene,
+                                           const scene::ReducedSpec& reduced) {
+  if (reduced.bound == scene::BoundKind::profiled) {
+    return Error{.field = "reduced.bound",
+                 .message = "a lane in fixed point is certified",
+                 .received = "profiled",
+                 .accepted = "certified, or a format in floating point"};
+  }
+  if (reduced.multipliers == scene::Multipliers::logic) {
+    return Error{.field = "reduced.multipliers",
+                 .message = "fixed point has no multipliers of logic yet",
+                 .received = "logic",
+                 .accepted = "embedded, or a format in floating point"};
+  }
+  MIXCMP_TRY(bound, fixed_bound(reduced));
+  return fixed::fixed_lane(scene.graph, scene.reference.format,
+                           {.bits = *reduced.fixed_bits, .bound = bound, .ranges = scene.ranges});
+}
+
+template <class Made>
+Result<Lane> as_lane(Result<Made> made) {
+  if (!made.ok()) return made.error();
+  return Lane(std::move(made).value());
+}
+
 /// Gives an error without a file the place of the lane group that is at fault. For a group of
 /// [[lanes]] the error names that table's key instead of the one in [reduced].
 Error with_location(Error error, const scene::LaneGroupSpec& group) {
@@ -167,7 +208,7 @@ Error with_location(Error error, const scene::LaneGroupSpec& group) {
 
 Result<LaneGroup> design_group(const scene::Scene& scene, const scene::LaneGroupSpec& group,
                                const data::Comparisons* data, MeasureErrors measure) {
-  const Result<error::Lane> lane = design_lane(scene, group.reduced, data, measure);
+  const Result<Lane> lane = design_lane(scene, group.reduced, data, measure);
   if (!lane.ok()) return with_location(lane.error(), group);
   MIXCMP_TRY(count, lane_count(scene, group, data));
   return LaneGroup{.lane = *lane,
@@ -228,21 +269,23 @@ std::size_t Design::group_of_lane(int lane) const {
 
 bool Design::certified() const {
   return std::all_of(lanes.begin(), lanes.end(),
-                     [](const LaneGroup& group) { return group.lane.certified(); });
+                     [](const LaneGroup& group) { return is_certified(group.lane); });
 }
 
-Result<error::Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& reduced,
-                                const data::Comparisons* data, MeasureErrors measure) {
+Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& reduced,
+                         const data::Comparisons* data, MeasureErrors measure) {
+  if (reduced.fixed_bits) return as_lane(design_fixed_lane(scene, reduced));
   if (!reduced.format) {
-    return unresolved(scene, "reduced.format", "--format s17e8", "sPeE, such as s17e8");
+    return unresolved(scene, "reduced.format", "--format s17e8",
+                      "sPeE, such as s17e8, or qW, such as q13");
   }
   const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
   const TypedGraph graph =
       lane_graph(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
   switch (reduced.bound) {
-    case scene::BoundKind::certified: return design_certified_lane(scene, reduced, graph);
+    case scene::BoundKind::certified: return as_lane(design_certified_lane(scene, reduced, graph));
     case scene::BoundKind::profiled:
-      return design_profiled_lane(scene, reduced, graph, data, measure);
+      return as_lane(design_profiled_lane(scene, reduced, graph, data, measure));
   }
   MIXCMP_CHECK(false);
 }

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "model/data/comparisons.hpp"
-#include "model/error/lane.hpp"
+#include "model/design/lane.hpp"
 #include "model/error/profiled_lane.hpp"
 #include "model/scene/scene.hpp"
 
@@ -11,7 +11,7 @@ namespace mixcmp::design {
 
 /// Lanes of one kind.
 struct LaneGroup {
-  error::Lane lane;
+  Lane lane;
   LaneInputs inputs = LaneInputs::exact;
   scene::Multipliers multipliers = scene::Multipliers::embedded;
   int count = 1;
@@ -53,8 +53,8 @@ Result<Design> make_design(const scene::Scene& scene, const data::Comparisons* d
                            MeasureErrors measure = nullptr);
 
 /// Makes one lane of a scene, as `reduced` wants it; `data` and `measure` as in make_design.
-Result<error::Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& reduced,
-                                const data::Comparisons* data, MeasureErrors measure = nullptr);
+Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& reduced,
+                         const data::Comparisons* data, MeasureErrors measure = nullptr);
 
 /// A short name for each group: its format, "s12e8". Groups that share a format also get the traits
 /// in which they differ, "s12e8_rounded_logic"; they have the same name only if they differ in

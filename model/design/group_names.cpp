@@ -22,19 +22,37 @@ std::string bound_name(const error::Lane& lane) {
   return name;
 }
 
+/// The bounds of a lane's parts, each once: "norm", "norm_constant".
+std::string bound_name(const fixed::FixedLane& lane) {
+  const auto has = [&](bool norm) {
+    return std::any_of(lane.parts.begin(), lane.parts.end(), [&](const fixed::FixedPart& part) {
+      return std::holds_alternative<fixed::NormThresholds>(part.decision) == norm;
+    });
+  };
+  if (!has(true)) return "constant";
+  return has(false) ? "norm_constant" : "norm";
+}
+
 /// The traits in which a group may differ from another of its format, in words.
 std::vector<std::string> traits_of(const LaneGroup& group) {
-  const Arithmetic& arithmetic = group.lane.graph.arithmetic;
-  return {std::string(to_string(group.inputs)), bound_name(group.lane),
+  const std::string multipliers(to_string(group.multipliers));
+  if (const auto* fixed = std::get_if<fixed::FixedLane>(&group.lane)) {
+    return {bound_name(*fixed), multipliers};
+  }
+  const error::Lane& lane = float_lane(group.lane);
+  const Arithmetic& arithmetic = lane.graph.arithmetic;
+  return {std::string(to_string(group.inputs)), bound_name(lane),
           std::string(to_string(arithmetic.rounding)),
-          std::string(to_string(arithmetic.subnormals)), std::string(to_string(group.multipliers))};
+          std::string(to_string(arithmetic.subnormals)), multipliers};
 }
 
 /// RE_f and RE_g of profiled lanes; none for others.
 using RelativeErrors = std::optional<std::pair<mpq_class, mpq_class>>;
 
 RelativeErrors relative_errors_of(const LaneGroup& group) {
-  const auto* interval = std::get_if<error::IntervalDecision>(&group.lane.parts.front().decision);
+  const auto* lane = std::get_if<error::Lane>(&group.lane);
+  if (lane == nullptr) return std::nullopt;
+  const auto* interval = std::get_if<error::IntervalDecision>(&lane->parts.front().decision);
   if (interval == nullptr) return std::nullopt;
   return std::pair(interval->relative_error_f, interval->relative_error_g);
 }
@@ -59,21 +77,18 @@ void tell_errors_apart(std::vector<std::string>& names, const Design& design) {
   }
 }
 
-FloatFormat format_of(const LaneGroup& group) {
-  return group.lane.graph.arithmetic.format;
-}
-
 }  // namespace
 
 std::vector<std::string> lane_group_names(const Design& design) {
   std::vector<std::string> names;
   for (const LaneGroup& group : design.lanes) {
     const std::vector<std::string> traits = traits_of(group);
-    std::string& name = names.emplace_back(format_of(group).name());
+    std::string& name = names.emplace_back(format_name(group.lane));
     for (std::size_t k = 0; k < traits.size(); ++k) {
       const bool tells_apart =
           std::any_of(design.lanes.begin(), design.lanes.end(), [&](const LaneGroup& other) {
-            return format_of(other) == format_of(group) && traits_of(other)[k] != traits[k];
+            return format_name(other.lane) == format_name(group.lane) &&
+                   traits_of(other)[k] != traits[k];
           });
       if (tells_apart) name += "_" + traits[k];
     }

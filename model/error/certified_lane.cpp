@@ -222,8 +222,12 @@ Result<Lane> lane_of(ErrorBoundKind kind, TypedGraph graph, const CertifiedOptio
     case ErrorBoundKind::relative: return relative_lane(std::move(graph), options);
     case ErrorBoundKind::running: return running_lane(std::move(graph), options);
     case ErrorBoundKind::constant: return constant_lane(std::move(graph), options);
+    case ErrorBoundKind::norm: break;
   }
-  MIXCMP_CHECK(false);
+  return Error{.field = "reduced.error_bound",
+               .message = "a bound of lanes in fixed point",
+               .received = "norm",
+               .accepted = "auto, relative, running, constant, or reduced.format = \"q13\""};
 }
 
 /// The lane with a kind of bound that the scene asks for: an error names the key that does so,
@@ -257,6 +261,7 @@ std::string_view to_string(ErrorBoundKind kind) {
     case ErrorBoundKind::relative: return "relative";
     case ErrorBoundKind::running: return "running";
     case ErrorBoundKind::constant: return "constant";
+    case ErrorBoundKind::norm: return "norm";
   }
   MIXCMP_CHECK(false);
 }

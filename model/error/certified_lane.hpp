@@ -13,6 +13,7 @@ enum class ErrorBoundKind {
   relative,  ///< by the relative errors of f and g: a distance in ulps, one integer subtraction
   running,   ///< by an absolute bound, computed beside the values in a few digits, rounded up
   constant,  ///< by an absolute bound that follows from the inputs' ranges
+  norm,      ///< by the norm of the errors: of lanes in fixed point alone (docs/fixed_point.md)
 };
 std::string_view to_string(ErrorBoundKind kind);
 

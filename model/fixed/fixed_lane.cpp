@@ -55,12 +55,70 @@ Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
                    .decision = constant_thresholds(builder.nodes()[difference])};
 }
 
+/// Marks a node and all that it is computed from.
+void mark(const FixedLane& lane, NodeId id, std::vector<bool>& marked) {
+  if (marked[id]) return;
+  marked[id] = true;
+  const FixedNode& node = lane.nodes[id];
+  for (int k = 0; k < arity(node.operation); ++k) mark(lane, node.operands[k], marked);
+}
+
+/// Removes the nodes that no decision depends on: attempts at a norm leave some behind.
+void remove_unread(FixedLane& lane) {
+  std::vector<bool> read(lane.nodes.size(), false);
+  for (const FixedPart& part : lane.parts) mark(lane, part.difference, read);
+  std::vector<NodeId> new_id(lane.nodes.size(), -1);
+  std::vector<FixedNode> kept;
+  for (std::size_t id = 0; id < lane.nodes.size(); ++id) {
+    if (!read[id]) continue;
+    FixedNode& node = kept.emplace_back(std::move(lane.nodes[id]));
+    for (int k = 0; k < arity(node.operation); ++k) node.operands[k] = new_id[node.operands[k]];
+    new_id[id] = static_cast<NodeId>(kept.size()) - 1;
+  }
+  lane.nodes = std::move(kept);
+  for (FixedPart& part : lane.parts) {
+    part.difference = new_id[part.difference];
+    if (auto* norm = std::get_if<NormThresholds>(&part.decision)) {
+      norm->radius = new_id[norm->radius];
+    }
+  }
+}
+
+std::string shown(const mpq_class& value) {
+  return fmt::format("{:.3g}", value.get_d());
+}
+
+std::string describe(const ConstantThresholds& thresholds, const FixedPart& part,
+                     const std::vector<FixedNode>& nodes) {
+  if (thresholds.exact) return "certified: everywhere, nothing is rounded";
+  const mpq_class unit = nodes[part.difference].format.unit();
+  return fmt::format("certified: where f - g is {} or more, or {} or less",
+                     shown(thresholds.greater_from * unit), shown(thresholds.less_to * unit));
+}
+
+std::string describe(const NormThresholds& thresholds, const FixedPart& part,
+                     const std::vector<FixedNode>& nodes) {
+  const mpq_class unit = nodes[part.difference].format.unit();
+  const mpq_class per_radius = unit / nodes[thresholds.radius].format.unit();
+  return fmt::format(
+      "certified: where {} is {} s + {} or more, or below {} s, with {} = s^2",
+      part.swapped ? "g - f" : "f - g", shown(power_of_two(thresholds.shift_above) * per_radius),
+      shown(thresholds.offset_above * unit),
+      shown(-power_of_two(thresholds.shift_below) * per_radius), part.swapped ? "f" : "g");
+}
+
+std::string describe(const FixedLane& lane, const FixedPart& part) {
+  return std::visit([&](const auto& thresholds) { return describe(thresholds, part, lane.nodes); },
+                    part.decision);
+}
+
 }  // namespace
 
 Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                              const FixedOptions& options) {
   FixedGraphBuilder builder(graph, input_format, options);
-  FixedLane lane{.nodes = {},
+  FixedLane lane{.bits = options.bits,
+                 .nodes = {},
                  .input_names = graph.inputs(),
                  .input_format = input_format,
                  .parts = {},
@@ -70,7 +128,17 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
     lane.parts.push_back(std::move(part));
   }
   lane.nodes = std::move(builder.nodes());
+  remove_unread(lane);
   return lane;
+}
+
+std::string describe_decision(const FixedLane& lane) {
+  std::vector<std::string> texts;
+  for (const FixedPart& part : lane.parts) texts.push_back(describe(lane, part));
+  if (texts.size() == 1) return texts.front();
+  std::string text = fmt::format("{} of {} parts", to_string(lane.combination), texts.size());
+  for (std::size_t k = 0; k < texts.size(); ++k) text += fmt::format("; part {} {}", k, texts[k]);
+  return text;
 }
 
 }  // namespace mixcmp::fixed

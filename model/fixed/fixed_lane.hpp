@@ -48,13 +48,13 @@ struct ConstantThresholds {
 };
 
 /// Decides by the norm of the errors, where the difference is that of a sum of squares, |x|^2, and
-/// a square, s^2, with s >= 0 as computed. For n and s in their units: greater iff n >= slope_above
-/// s + offset_above, less iff n < -slope_below s.
+/// a square, s^2, with s >= 0 as computed. For n and s in their units: greater iff
+/// n >= 2^shift_above s + offset_above, less iff n < -2^shift_below s.
 struct NormThresholds {
   NodeId radius;  ///< s
-  mpz_class slope_above;
+  int shift_above;
   mpz_class offset_above;
-  mpz_class slope_below;
+  int shift_below;
 
   friend bool operator==(const NormThresholds&, const NormThresholds&) = default;
 };
@@ -69,6 +69,7 @@ struct FixedPart {
 };
 
 struct FixedLane {
+  int bits = 0;                  ///< W: "q13" has 13 bits below the power of two above a range
   std::vector<FixedNode> nodes;  ///< in topological order
   std::vector<std::string> input_names;
   FloatFormat input_format;  ///< in which operands arrive
@@ -94,5 +95,8 @@ struct FixedOptions {
 /// that is asked for.
 Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                              const FixedOptions& options);
+
+/// When the lane decides, for a report: "certified: where f - g >= 8 s + 14 or ...".
+std::string describe_decision(const FixedLane& lane);
 
 }  // namespace mixcmp::fixed

@@ -38,6 +38,13 @@ mpq_class radius_above(const FixedNode& radius) {
   return is_nonnegative ? mpq_class(-radius.error.low) : absolute(radius.error).high;
 }
 
+/// The exponent of the least power of two, from 2^0 on, that is not below a slope.
+int shift_for(const mpq_class& slope) {
+  if (slope <= 1) return 0;
+  const auto below = static_cast<int>(floor_log2(slope));
+  return power_of_two(below) == slope ? below : below + 1;
+}
+
 }  // namespace
 
 std::optional<NormSides> norm_sides(const std::vector<FixedNode>& nodes, NodeId sum,
@@ -58,9 +65,9 @@ NormThresholds norm_thresholds(const std::vector<FixedNode>& nodes, const NormSi
   const mpq_class unit = difference.format.unit();
   const mpq_class per_radius = 2 * radius.format.unit() / unit;
   return {.radius = sides.radius,
-          .slope_above = ceiling_of(above * per_radius),
+          .shift_above = shift_for(above * per_radius),
           .offset_above = floor_of(above * above / unit) + 1,
-          .slope_below = ceiling_of(below * per_radius)};
+          .shift_below = shift_for(below * per_radius)};
 }
 
 }  // namespace mixcmp::fixed

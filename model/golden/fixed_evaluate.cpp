@@ -87,10 +87,10 @@ LaneResult decide(const fixed::ConstantThresholds& thresholds, const mpz_class& 
 LaneResult decide(const fixed::NormThresholds& thresholds, const mpz_class& difference,
                   const std::vector<Integer>& values) {
   const mpz_class& radius = *values[thresholds.radius];
-  if (difference >= thresholds.slope_above * radius + thresholds.offset_above) {
+  if (difference >= shifted(radius, thresholds.shift_above) + thresholds.offset_above) {
     return {true, Verdict::greater};
   }
-  return {difference < -thresholds.slope_below * radius, Verdict::less};
+  return {difference < -shifted(radius, thresholds.shift_below), Verdict::less};
 }
 
 /// The verdict of the opposite difference.

@@ -31,14 +31,20 @@ const characterise::Measurement* find(const characterise::Characterisation& tabl
   return table.find(key);
 }
 
+/// Tables have no lanes in fixed point yet.
+std::optional<scene::BoundChoice> bound_choice(const design::Lane& lane) {
+  const auto* floating = std::get_if<error::Lane>(&lane);
+  return floating == nullptr ? std::nullopt : scene::bound_choice(*floating);
+}
+
 const characterise::Measurement* row_of(const characterise::Characterisation& table,
                                         const design::LaneGroup& group) {
   return find(table,
               {.kind = characterise::ComponentKind::lane,
                .name = {},
-               .format = group.lane.graph.arithmetic.format.name(),
+               .format = design::format_name(group.lane),
                .inputs = std::string(to_string(group.inputs)),
-               .bound = scene::bound_choice(group.lane),
+               .bound = bound_choice(group.lane),
                .multipliers = {},
                .ports = 0},
               group.multipliers);
@@ -105,7 +111,10 @@ profile::Products products_of(scene::Multipliers multipliers, const devices::Dev
 double rough_luts(const design::Design& design, const devices::Device& device) {
   double luts = 0;
   for (const design::LaneGroup& group : design.lanes) {
-    luts += group.count * profile::lane_luts(group.lane, products_of(group.multipliers, device));
+    const profile::Products products = products_of(group.multipliers, device);
+    luts += group.count *
+            std::visit([&](const auto& lane) { return profile::lane_luts(lane, products); },
+                       group.lane);
   }
   for (const design::ReferenceGroup& group : design.references) {
     luts += group.count *

@@ -158,6 +158,28 @@ double lane_luts(const error::Lane& lane, Products products) {
   return luts;
 }
 
+/// One carry chain a node; an operand is a shifter, two places a LUT, and the compare of its
+/// exponent.
+double lane_luts(const fixed::FixedLane& lane, Products products) {
+  double luts = 0;
+  for (const fixed::FixedNode& node : lane.nodes) {
+    const int width = node.format.width;
+    switch (node.operation) {
+      case Operation::constant: break;
+      case Operation::input: luts += 2.0 * width + lane.input_format.exponent_bits(); break;
+      case Operation::multiply:
+      case Operation::square:
+        if (products == Products::in_luts) luts += 0.25 * width * width;
+        break;
+      default: luts += width; break;
+    }
+  }
+  for (const fixed::FixedPart& part : lane.parts) {
+    luts += 2.0 * lane.nodes[part.difference].format.width;
+  }
+  return luts;
+}
+
 double reference_luts(const TypedGraph& reference, Products products) {
   return graph_luts(reference, products) + static_cast<double>(reference.parts.size()) *
                                                comparison(reference.arithmetic.format.precision());

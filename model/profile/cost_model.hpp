@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "model/error/lane.hpp"
+#include "model/fixed/fixed_lane.hpp"
 
 namespace mixcmp::profile {
 
@@ -20,6 +21,7 @@ enum class Products {
 /// Yosys' results for our units (docs/profile.md has the measurements). It serves to compare
 /// precisions of one expression; registers, scoreboards and the crossbar are not included.
 double lane_luts(const error::Lane& lane, Products products = Products::in_luts);
+double lane_luts(const fixed::FixedLane& lane, Products products = Products::in_luts);
 double reference_luts(const TypedGraph& reference, Products products = Products::in_luts);
 
 /// Areas measured by the user; each replaces the estimate for its system and precision.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/error/lane.hpp"
+#include "model/fixed/fixed_lane.hpp"
 #include "model/proof/claims.hpp"
 
 namespace mixcmp::proof {
@@ -73,6 +74,10 @@ ByHand scaling_by_hand();
 /// cannot occur; see docs/error_bounds.md. A lane of several parts is proven part by part: that the
 /// parts' decisions give the lane's is theorem 11, by hand.
 LaneProof prove_lane(const error::Lane& lane, const Prove& prove, Effort effort);
+
+/// Says by which theorems a lane in fixed point is proven. They are proofs by hand: no script
+/// checks the lane's own numbers yet.
+LaneProof prove_lane(const fixed::FixedLane& lane, const Prove& prove, Effort effort);
 
 /// Proves a lane with a relative bound from the claims of the analysis, one for each node.
 LaneProof prove_relative(const error::Lane& lane, const std::vector<NodeClaim>& claims,

@@ -74,6 +74,7 @@ BoundChoice bound_choice(const error::CandidateLane& candidate) {
     case error::ErrorBoundKind::relative: return {Kind::relative};
     case error::ErrorBoundKind::running: return {Kind::running, candidate.bound_digits};
     case error::ErrorBoundKind::constant: return {Kind::constant};
+    case error::ErrorBoundKind::norm: break;
   }
   MIXCMP_CHECK(false);
 }

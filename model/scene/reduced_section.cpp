@@ -9,30 +9,38 @@
 namespace mixcmp::scene {
 namespace {
 
-/// The precision in a word without exponent bits: 17 for "s17".
-std::optional<int> precision_alone(const std::string& word) {
-  const bool shaped = word.size() >= 2 && word.size() <= 4 && word[0] == 's' &&
+/// The number in a word of a letter and a number: 17 for "s17".
+std::optional<int> number_after(char letter, const std::string& word) {
+  const bool shaped = word.size() >= 2 && word.size() <= 4 && word[0] == letter &&
                       word.find_first_not_of("0123456789", 1) == std::string::npos;
   return shaped ? std::optional(std::stoi(word.substr(1))) : std::nullopt;
 }
 
-std::string accepted_lane_formats(settings::Limits precisions) {
+std::string accepted_lane_formats(FloatFormat reference) {
+  const settings::Limits precisions = settings::lane_precisions(reference);
   const bool narrowed = precisions.most < settings::limits::lane_precision.most;
-  return fmt::format("\"auto\", sP or {}{}",
+  return fmt::format("\"auto\", sP or {}{}; qW with W {}",
                      FloatFormat::accepted(precisions.least, precisions.most),
-                     narrowed ? "; P at most the reference's" : "");
+                     narrowed ? "; P at most the reference's" : "",
+                     to_string(settings::lane_fixed_bits(reference)));
 }
 
 void read_reduced_format(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
   const settings::Setting* setting = section.find("format");
   if (setting == nullptr) return;
   spec.format.reset();
+  spec.fixed_bits.reset();
   spec.exponent_bits_from_ranges = false;
   const settings::Limits allowed = settings::lane_precisions(reference);
-  const std::string accepted = accepted_lane_formats(allowed);
+  const std::string accepted = accepted_lane_formats(reference);
   const auto* word = std::get_if<std::string>(&setting->value);
   if (word != nullptr && *word == "auto") return;
-  const std::optional<int> precision = word == nullptr ? std::nullopt : precision_alone(*word);
+  if (word != nullptr) spec.fixed_bits = number_after('q', *word);
+  if (spec.fixed_bits) {
+    if (settings::lane_fixed_bits(reference).allow(*spec.fixed_bits)) return;
+    return section.fail("format", "bits out of range", setting->shown(), accepted);
+  }
+  const std::optional<int> precision = word == nullptr ? std::nullopt : number_after('s', *word);
   if (!precision) return section.format("format", spec.format, allowed, accepted);
   if (!allowed.allow(*precision)) {
     return section.fail("format", "precision out of range", setting->shown(), accepted);
@@ -48,12 +56,12 @@ void read_error_bound(settings::Section& section, std::optional<error::ErrorBoun
   section.text("error_bound", word);
   for (const error::ErrorBoundKind kind :
        {error::ErrorBoundKind::relative, error::ErrorBoundKind::running,
-        error::ErrorBoundKind::constant}) {
+        error::ErrorBoundKind::constant, error::ErrorBoundKind::norm}) {
     if (word == to_string(kind)) target = kind;
   }
   if (target || word == "auto") return;
   section.fail("error_bound", "not a choice", fmt::format("\"{}\"", word),
-               "auto, relative, running, constant");
+               "auto, relative, running, constant, norm");
 }
 
 void read_relative_error(settings::Section& section, const std::string& key,

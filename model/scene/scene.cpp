@@ -300,4 +300,9 @@ Result<Scene> load_scene(const std::filesystem::path& path,
   });
 }
 
+std::string ReducedSpec::format_name() const {
+  if (fixed_bits) return fmt::format("q{}", *fixed_bits);
+  return format ? format->name() : "auto";
+}
+
 }  // namespace mixcmp::scene

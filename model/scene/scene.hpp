@@ -51,7 +51,8 @@ std::string_view to_string(OperandStore store);
 std::string_view to_string(Multipliers multipliers);
 
 struct ReducedSpec {
-  std::optional<FloatFormat> format;  ///< none: "auto"
+  std::optional<FloatFormat> format;  ///< none: "auto", or fixed point
+  std::optional<int> fixed_bits;      ///< written as "q13": the bits W of fixed point
   /// Written as "s17": the format's exponent bits are the fewest that the ranges allow.
   bool exponent_bits_from_ranges = false;
   BoundKind bound = BoundKind::certified;
@@ -64,6 +65,8 @@ struct ReducedSpec {
   /// The paper's RE_f and RE_g; none: measured on the scene's data.
   std::optional<mpq_class> relative_error_f;
   std::optional<mpq_class> relative_error_g;
+
+  std::string format_name() const;  ///< "s17e8", "q13" or "auto"
 };
 
 inline constexpr int max_lanes = settings::limits::lanes.most;

@@ -15,4 +15,8 @@ Limits lane_precisions(FloatFormat reference) {
           std::min(limits::lane_precision.most, reference.precision())};
 }
 
+Limits lane_fixed_bits(FloatFormat reference) {
+  return {limits::fixed_bits.least, std::min(limits::fixed_bits.most, reference.precision())};
+}
+
 }  // namespace mixcmp::settings

@@ -191,8 +191,8 @@ TEST_F(Components, ProfiledLanesTakeTheirConstantsFromTheSceneOrItsData) {
   reduced.format = FloatFormat::parse("s12e8").value();
   const auto lane = design::design_lane(with_data, reduced, &*data, profile::profile_error);
   ASSERT_TRUE(lane.ok()) << lane.error().to_string();
-  const auto rtl =
-      components::lane_rtl(with_data.graph.inputs(), *lane, reduced.multipliers, with_data.system);
+  const auto rtl = components::lane_rtl(with_data.graph.inputs(), design::float_lane(*lane),
+                                        reduced.multipliers, with_data.system);
   EXPECT_EQ(source(*measured, "lane.v"), components::module_job(rtl->module).sources.back().text);
 }
 

@@ -5,7 +5,8 @@
 #include <optional>
 
 #include "generator/datapath/delays.hpp"
-#include "generator/rtl/datapath_module.hpp"
+#include "generator/rtl/float_lane_module.hpp"
+#include "generator/rtl/reference_module.hpp"
 #include "model/error/certified_lane.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"

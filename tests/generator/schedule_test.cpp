@@ -66,9 +66,10 @@ protected:
 };
 
 TEST_P(ScheduleAtTarget, OperandsAreReadyBeforeTheyAreRead) {
-  const datapath::Schedule schedule = datapath::schedule_lane(
-      design_.lanes.front().lane, scene::Multipliers::embedded, delays_, GetParam());
-  const auto& nodes = design_.lanes.front().lane.graph.nodes;
+  const datapath::Schedule schedule =
+      datapath::schedule_lane(design::float_lane(design_.lanes.front().lane),
+                              scene::Multipliers::embedded, delays_, GetParam());
+  const auto& nodes = design::float_lane(design_.lanes.front().lane).graph.nodes;
   ASSERT_EQ(schedule.steps.size(), nodes.size());
   for (std::size_t id = 0; id < nodes.size(); ++id) {
     int latest = 0;
@@ -97,8 +98,8 @@ protected:
 TEST_P(CutsOfProducts, AreTheFewestThatMeetThePeriodAndTheOutputIsRegistered) {
   const auto [target_mhz, multipliers] = GetParam();
   const double logic_ns = std::max(0.0, 1000 / target_mhz - delays_.register_ns);
-  const datapath::Schedule schedule =
-      datapath::schedule_lane(design_.lanes.front().lane, multipliers, delays_, target_mhz);
+  const datapath::Schedule schedule = datapath::schedule_lane(
+      design::float_lane(design_.lanes.front().lane), multipliers, delays_, target_mhz);
   for (const datapath::Step& step : schedule.steps) {
     if (step.unit.module.empty()) continue;
     EXPECT_TRUE(step.cuts.back()) << step.unit.module;

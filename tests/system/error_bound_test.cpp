@@ -124,7 +124,8 @@ TEST_P(Spheres, AreDecidedAsTheGoldenModelSaysAndTruly) {
   const Graph graph = sphere_graph();
   const FloatFormat s53e8 = format("s53e8");
   const design::Design design = design_of(GetParam(), graph, s53e8);
-  const int precision = design.lanes.front().lane.graph.arithmetic.format.precision();
+  const int precision =
+      design::float_lane(design.lanes.front().lane).graph.arithmetic.format.precision();
   const auto data = data::Comparisons::rows(every_family(s53e8, precision), design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
   const verilator_tb::VerifyReport report =

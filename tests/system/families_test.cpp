@@ -47,7 +47,8 @@ design::Design design_of(const Case& c) {
 TEST_P(Families, VerdictsAreTheGoldenModelsAndLanesTellTheTruth) {
   const Graph graph = sphere_graph();
   const design::Design design = design_of(GetParam());
-  const int precision = design.lanes.front().lane.graph.arithmetic.format.precision();
+  const int precision =
+      design::float_lane(design.lanes.front().lane).graph.arithmetic.format.precision();
   std::uint64_t checked = 0;
   for (const SphereFamily& family :
        sphere_families(design.reference.arithmetic.format, precision, 4'000, 7)) {

@@ -46,24 +46,25 @@ std::vector<design::ReferenceGroup> references_of(const FakeSystem& fake) {
 }
 
 emit::Signature fake_signature(const FakeSystem& fake) {
-  return {.top = "fake_system",
-          .generator_version = "fake",
-          .spec_hash = "fake",
-          .reference_format = binary16(),
-          .certified = true,
-          .inputs = {"a", "b"},
-          .lanes = fake.lanes,
-          .references = fake.route == FakeRoute::none ? 0 : fake.lanes,
-          .lane_groups = {{.count = fake.lanes, .module = "fake_channel", .format = binary16()}},
-          .reference_groups = reference_signatures(fake),
-          .tdata_bytes = 4,
-          .tag_bits = fake.tag_bits,
-          .counter_bits = 16,
-          .slots = 8,
-          .order = fake.route == FakeRoute::in_order ? scene::ResultOrder::in_order
-                                                     : scene::ResultOrder::tagged,
-          .operands = fake.operands,
-          .files = {"fake_system.v", "fake_channel.v", "fake_reference.v", "fake_fifo.v"}};
+  return {
+      .top = "fake_system",
+      .generator_version = "fake",
+      .spec_hash = "fake",
+      .reference_format = binary16(),
+      .certified = true,
+      .inputs = {"a", "b"},
+      .lanes = fake.lanes,
+      .references = fake.route == FakeRoute::none ? 0 : fake.lanes,
+      .lane_groups = {{.count = fake.lanes, .module = "fake_channel", .format = binary16().name()}},
+      .reference_groups = reference_signatures(fake),
+      .tdata_bytes = 4,
+      .tag_bits = fake.tag_bits,
+      .counter_bits = 16,
+      .slots = 8,
+      .order = fake.route == FakeRoute::in_order ? scene::ResultOrder::in_order
+                                                 : scene::ResultOrder::tagged,
+      .operands = fake.operands,
+      .files = {"fake_system.v", "fake_channel.v", "fake_reference.v", "fake_fifo.v"}};
 }
 
 }  // namespace

@@ -46,9 +46,10 @@ TEST(MakeDesign, CarriesWhatTheSceneChose) {
   EXPECT_EQ(design.inputs, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(design.lane_count(), 8);
   EXPECT_EQ(design.reference_count(), 0);
-  EXPECT_TRUE(design.lanes.front().lane.certified());
-  EXPECT_EQ(design.lanes.front().lane.graph.arithmetic.format, format_of(17, 8));
-  EXPECT_EQ(design.lanes.front().lane.graph.input_format, format_of(53, 8));
+  EXPECT_TRUE(design::is_certified(design.lanes.front().lane));
+  EXPECT_EQ(design::float_lane(design.lanes.front().lane).graph.arithmetic.format,
+            format_of(17, 8));
+  EXPECT_EQ(design::float_lane(design.lanes.front().lane).graph.input_format, format_of(53, 8));
   EXPECT_EQ(design.reference.arithmetic.format, format_of(53, 8));
 }
 
@@ -94,7 +95,7 @@ TEST(MakeDesign, KeepsTheOrderOfGroups) {
   std::vector<std::size_t> groups;
   for (int lane = 0; lane < 6; ++lane) groups.push_back(design.group_of_lane(lane));
   EXPECT_EQ(groups, (std::vector<std::size_t>{0, 0, 0, 1, 2, 2}));
-  EXPECT_EQ(design.lanes[1].lane.graph.arithmetic.format, format_of(9, 8));
+  EXPECT_EQ(design::float_lane(design.lanes[1].lane).graph.arithmetic.format, format_of(9, 8));
   EXPECT_EQ(lane_group_names(design),
             (std::vector<std::string>{"s17e8_embedded", "s9e8", "s17e8_logic"}));
   EXPECT_EQ(reference_group_names(design),
@@ -176,8 +177,8 @@ TEST(MakeDesign, NeedsConstantsOrDataForAProfiledBound) {
   EXPECT_FALSE(design::make_design(scene, nullptr).ok());
   scene.reduced.relative_error_g = mpq_class(1, 2000);
   const Design design = design::make_design(scene, nullptr).value();
-  const auto& decision =
-      std::get<IntervalDecision>(design.lanes.front().lane.parts.front().decision);
+  const auto& decision = std::get<IntervalDecision>(
+      design::float_lane(design.lanes.front().lane).parts.front().decision);
   EXPECT_EQ(decision.relative_error_f, mpq_class(1, 1000));
   EXPECT_EQ(decision.relative_error_g, mpq_class(1, 2000));
 }
@@ -230,8 +231,8 @@ TEST(MakeDesign, MeasuresMissingConstantsOnData) {
   }
   const Comparisons data = Comparisons::rows(std::move(table), {"a", "b"}).value();
   const Design design = design::make_design(scene, &data, profile::profile_error).value();
-  const auto& decision =
-      std::get<IntervalDecision>(design.lanes.front().lane.parts.front().decision);
+  const auto& decision = std::get<IntervalDecision>(
+      design::float_lane(design.lanes.front().lane).parts.front().decision);
   EXPECT_GT(decision.relative_error_f, 0);
   EXPECT_LT(decision.relative_error_f, mpq_class(1, 1 << 17));
   EXPECT_EQ(decision.relative_error_g, mpq_class(1, 2000));

@@ -60,8 +60,8 @@ TEST(FixedLane, ASphereIsDecidedByTheNormOfItsErrors) {
   const auto& norm = std::get<NormThresholds>(lane.parts.front().decision);
   // Differences are off by less than a unit, their norm by sqrt(3); the radii's sum by two units,
   // downward only: 2 (sqrt(3) + 2) = 7.46 and 2 sqrt(3) = 3.46.
-  EXPECT_EQ(norm.slope_above, 8);
-  EXPECT_EQ(norm.slope_below, 4);
+  EXPECT_EQ(norm.shift_above, 3) << "8 >= 2 (sqrt(3) + 2)";
+  EXPECT_EQ(norm.shift_below, 2);
   EXPECT_EQ(norm.offset_above, 14) << "floor((sqrt(3) + 2)^2) + 1";
   EXPECT_EQ(lane.nodes[norm.radius].format.name(), "ufix14_En6");
 }
@@ -69,8 +69,8 @@ TEST(FixedLane, ASphereIsDecidedByTheNormOfItsErrors) {
 TEST(FixedLane, ARadiusMayErrUpward) {
   const FixedLane lane = lane_of(graph_of("a^2", "abs(b - c)^2"), 13, {0, 100});
   const auto& norm = std::get<NormThresholds>(lane.parts.front().decision);
-  EXPECT_EQ(norm.slope_above, 4) << "2 (1 + 1): a unit of either side";
-  EXPECT_EQ(norm.slope_below, 4);
+  EXPECT_EQ(norm.shift_above, 2) << "4 = 2 (1 + 1): a unit of either side";
+  EXPECT_EQ(norm.shift_below, 2);
 }
 
 TEST(FixedLane, TheRangesTopIsInside) {

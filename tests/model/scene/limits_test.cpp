@@ -37,6 +37,7 @@ TEST(Limits, DocumentationStatesThem) {
             "precision " + to_string(settings::limits::reference_precision)},
            {"[reference]", "format", exponents},
            {"[reduced]", "format", "precision " + to_string(settings::limits::lane_precision)},
+           {"[reduced]", "format", "W = " + to_string(settings::limits::fixed_bits)},
            {"[reduced]", "bound_digits", to_string(settings::limits::bound_digits)},
            {"[system]", "lanes", to_string(settings::limits::lanes)},
            {"[system]", "references", to_string(settings::limits::references)},
@@ -105,7 +106,7 @@ TEST_F(Edges, ALanesDigitsEndAtTheReferences) {
   ASSERT_FALSE(wider.ok());
   EXPECT_EQ(wider.error().accepted,
             "\"auto\", sP or sPeE with P 4..11 and E 2..15, or binary16, bfloat16; P at most the "
-            "reference's");
+            "reference's; qW with W 2..11");
 }
 
 TEST(Limits, LanesOfAReference) {

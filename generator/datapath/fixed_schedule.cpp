@@ -1,0 +1,115 @@
+#include "generator/datapath/fixed_schedule.hpp"
+
+#include <algorithm>
+
+#include "generator/datapath/fixed_units.hpp"
+#include "generator/datapath/unit_placer.hpp"
+#include "model/common/check.hpp"
+
+namespace mixcmp::datapath {
+namespace {
+
+using fixed::FixedLane;
+using fixed::FixedNode;
+
+/// The nodes that decide a part.
+std::vector<NodeId> decided_from(const fixed::FixedPart& part) {
+  const auto* norm = std::get_if<fixed::NormThresholds>(&part.decision);
+  if (norm == nullptr) return {part.difference};
+  return {part.difference, norm->radius};
+}
+
+class FixedScheduler {
+public:
+  FixedScheduler(const FixedLane& lane, const DelayTable& delays, double target_mhz)
+      : lane_(lane), placer_(delays, target_mhz) {}
+
+  Schedule run() {
+    for (const FixedNode& node : lane_.nodes) place_node(node);
+    for (const fixed::FixedPart& part : lane_.parts) {
+      const int start = ready_cycle(schedule_.steps, decided_from(part));
+      schedule_.parts.push_back(
+          {.bounds = {},
+           .conditions = {},
+           .decision = placer_.place(fixed_decision_unit(lane_, part, placer_.delays()), start)});
+    }
+    for (NodeId id = static_cast<NodeId>(lane_.nodes.size()); id-- > 0;) move_later(id);
+    return placer_.finish(std::move(schedule_));
+  }
+
+private:
+  void place_node(const FixedNode& node) {
+    if (node.operation == Operation::constant) return schedule_.steps.push_back({});
+    const int start = ready_cycle(schedule_.steps, operands_of(node));
+    schedule_.steps.push_back(placer_.place(fixed_unit(lane_, node, placer_.delays()), start));
+  }
+
+  /// Moves a node to the cycle in which its result is needed first, if that takes fewer registers.
+  /// What reads the node has been moved before.
+  void move_later(NodeId id) {
+    const FixedNode& node = lane_.nodes[id];
+    if (arity(node.operation) == 0) return;
+    const int cycles = first_use(id) - schedule_.steps[id].ready_cycle;
+    const long before = register_bits(id);
+    shift(id, cycles);
+    if (register_bits(id) >= before) shift(id, -cycles);
+  }
+
+  void shift(NodeId id, int cycles) {
+    schedule_.steps[id].start_cycle += cycles;
+    schedule_.steps[id].ready_cycle += cycles;
+  }
+
+  /// The registers that delay a node and its operands.
+  long register_bits(NodeId id) const {
+    const FixedNode& node = lane_.nodes[id];
+    long bits = delay_bits(id);
+    for (int k = 0; k < arity(node.operation); ++k) {
+      const bool repeated = k == 1 && node.operands[0] == node.operands[1];
+      if (!repeated) bits += delay_bits(node.operands[k]);
+    }
+    return bits;
+  }
+
+  long delay_bits(NodeId id) const {
+    const FixedNode& node = lane_.nodes[id];
+    if (node.operation == Operation::constant) return 0;
+    const std::vector<int> uses = uses_of(id);
+    const int last = *std::max_element(uses.begin(), uses.end());
+    return static_cast<long>(node.format.width) * (last - schedule_.steps[id].ready_cycle);
+  }
+
+  int first_use(NodeId id) const {
+    const std::vector<int> uses = uses_of(id);
+    return *std::min_element(uses.begin(), uses.end());
+  }
+
+  /// The cycles in which a node's result is read.
+  std::vector<int> uses_of(NodeId id) const {
+    std::vector<int> cycles;
+    for (std::size_t reader = 0; reader < lane_.nodes.size(); ++reader) {
+      const std::vector<int> operands = operands_of(lane_.nodes[reader]);
+      if (std::find(operands.begin(), operands.end(), id) == operands.end()) continue;
+      cycles.push_back(schedule_.steps[reader].start_cycle);
+    }
+    for (std::size_t part = 0; part < lane_.parts.size(); ++part) {
+      const std::vector<NodeId> deciding = decided_from(lane_.parts[part]);
+      if (std::find(deciding.begin(), deciding.end(), id) == deciding.end()) continue;
+      cycles.push_back(schedule_.parts[part].decision.start_cycle);
+    }
+    MIXCMP_CHECK(!cycles.empty());
+    return cycles;
+  }
+
+  const FixedLane& lane_;
+  UnitPlacer placer_;
+  Schedule schedule_;
+};
+
+}  // namespace
+
+Schedule schedule_lane(const FixedLane& lane, const DelayTable& delays, double target_mhz) {
+  return FixedScheduler(lane, delays, target_mhz).run();
+}
+
+}  // namespace mixcmp::datapath

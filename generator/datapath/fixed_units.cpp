@@ -1,0 +1,120 @@
+#include "generator/datapath/fixed_units.hpp"
+
+#include "generator/datapath/stage_list.hpp"
+#include "model/common/check.hpp"
+#include "model/number/dyadic.hpp"
+
+namespace mixcmp::datapath {
+namespace {
+
+using fixed::FixedLane;
+using fixed::FixedNode;
+
+bool aligns_operands(Operation operation) {
+  return operation == Operation::add || operation == Operation::subtract || is_choice(operation);
+}
+
+/// Bits in two's complement: a format without a sign takes one more.
+int signed_bits(const FixedFormat& format) {
+  return format.width + (format.is_signed ? 0 : 1);
+}
+
+Unit operand_unit(FloatFormat from, const FixedFormat& to, const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add("distance", stages.carry(from.exponent_bits()) + stages.lut_delay_ns(1));
+  stages.add("shift", stages.lut_delay_ns(1 + shift_levels(bits_for(to.width - 1))));
+  return std::move(stages).unit("fixed_operand");
+}
+
+/// `b_bits`: of the factor that may exceed a multiplier by some rows.
+Unit product_unit(int b_bits, const DelayTable& delays) {
+  const bool rows = b_bits - 1 > delays.multiplier_size.b_bits;
+  StageList stages(delays);
+  stages.add("multiply", delays.multiplier_ns);
+  stages.add("output", rows ? delays.multiplier_add_ns : delays.multiplier_output_ns);
+  Unit unit = std::move(stages).unit("fixed_product");
+  unit.multiplier = delays.multiplier_size;
+  return unit;
+}
+
+Unit choice_unit(int bits, const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add("compare", stages.carry(bits + 1));
+  stages.add("select", stages.lut_delay_ns(1));
+  return std::move(stages).unit("fixed_minimum_maximum");
+}
+
+/// A unit of one carry chain.
+Unit chain_unit(std::string module, std::string stage, int bits, const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add(std::move(stage), stages.carry(bits));
+  return std::move(stages).unit(std::move(module));
+}
+
+Unit decision_unit(const FixedLane&, const fixed::ConstantThresholds&,
+                   const FixedFormat& difference, const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add("compare", stages.carry(difference.width + 1) + stages.lut_delay_ns(1));
+  return std::move(stages).unit("fixed_constant_decision");
+}
+
+Unit decision_unit(const FixedLane& lane, const fixed::NormThresholds& thresholds,
+                   const FixedFormat& difference, const DelayTable& delays) {
+  const int limit = limit_bits(lane, thresholds);
+  StageList stages(delays);
+  stages.add("limit", stages.carry(limit));
+  stages.add("compare",
+             stages.carry(std::max(signed_bits(difference), limit) + 1) + stages.lut_delay_ns(1));
+  return std::move(stages).unit("fixed_norm_decision");
+}
+
+}  // namespace
+
+int alignment_bits(const std::vector<FixedNode>& nodes, const FixedNode& node, int operand) {
+  if (!aligns_operands(node.operation)) return 0;
+  const int own = nodes[node.operands[operand]].format.unit_exponent;
+  const int other = nodes[node.operands[1 - operand]].format.unit_exponent;
+  return std::max(0, own - other);
+}
+
+int operand_bits(const std::vector<FixedNode>& nodes, const FixedNode& node, int operand) {
+  return signed_bits(nodes[node.operands[operand]].format) + alignment_bits(nodes, node, operand);
+}
+
+Unit fixed_unit(const FixedLane& lane, const FixedNode& node, const DelayTable& delays) {
+  const auto bits = [&](int operand) { return operand_bits(lane.nodes, node, operand); };
+  switch (node.operation) {
+    case Operation::input: return operand_unit(lane.input_format, node.format, delays);
+    case Operation::negate: return chain_unit("fixed_sum", "add", bits(0) + 1, delays);
+    case Operation::add:
+    case Operation::subtract:
+      return chain_unit("fixed_sum", "add", std::max(bits(0), bits(1)) + 1, delays);
+    case Operation::absolute: return chain_unit("fixed_absolute", "negate", bits(0), delays);
+    case Operation::multiply: return product_unit(bits(1), delays);
+    case Operation::square: return product_unit(bits(0), delays);
+    case Operation::minimum:
+    case Operation::maximum: return choice_unit(std::max(bits(0), bits(1)), delays);
+    case Operation::constant:
+    case Operation::convert:
+    case Operation::divide:
+    case Operation::square_root: break;
+  }
+  MIXCMP_CHECK(!"an operation that fixed point has no unit for");
+}
+
+Unit fixed_decision_unit(const FixedLane& lane, const fixed::FixedPart& part,
+                         const DelayTable& delays) {
+  const FixedFormat& difference = lane.nodes[part.difference].format;
+  return std::visit(
+      [&](const auto& thresholds) { return decision_unit(lane, thresholds, difference, delays); },
+      part.decision);
+}
+
+int limit_bits(const FixedLane& lane, const fixed::NormThresholds& thresholds) {
+  const mpz_class radius = lane.nodes[thresholds.radius].format.largest();
+  const mpz_class above = shifted_left(radius, thresholds.shift_above) + thresholds.offset_above;
+  const mpz_class below = shifted_left(radius, thresholds.shift_below);
+  return digits_of(std::max(above, below));
+}
+
+}  // namespace mixcmp::datapath

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "generator/datapath/units.hpp"
+#include "model/fixed/fixed_lane.hpp"
+
+namespace mixcmp::datapath {
+
+/// The bits by which an operand of `node` is shifted up, to the unit in which the operation counts:
+/// 0 but for what aligns its operands.
+int alignment_bits(const std::vector<fixed::FixedNode>& nodes, const fixed::FixedNode& node,
+                   int operand);
+/// The bits of an operand of `node` as its unit takes it: aligned, in two's complement.
+int operand_bits(const std::vector<fixed::FixedNode>& nodes, const fixed::FixedNode& node,
+                 int operand);
+
+/// The unit that computes `node` of a lane (not for a constant: that is a literal).
+Unit fixed_unit(const fixed::FixedLane& lane, const fixed::FixedNode& node,
+                const DelayTable& delays);
+/// The unit that decides one part of a lane.
+Unit fixed_decision_unit(const fixed::FixedLane& lane, const fixed::FixedPart& part,
+                         const DelayTable& delays);
+
+/// The bits of the largest limit of a norm's thresholds.
+int limit_bits(const fixed::FixedLane& lane, const fixed::NormThresholds& thresholds);
+
+}  // namespace mixcmp::datapath

@@ -1,0 +1,113 @@
+#include "generator/rtl/fixed_lane_module.hpp"
+
+#include <algorithm>
+
+#include "generator/datapath/fixed_units.hpp"
+#include "generator/rtl/fixed_nodes.hpp"
+#include "generator/rtl/part_decision.hpp"
+#include "model/number/dyadic.hpp"
+#include "model/number/exact.hpp"
+
+namespace mixcmp::rtl {
+namespace {
+
+using fixed::FixedLane;
+
+/// Builds the decisions of a lane, part by part.
+class FixedDecisions {
+public:
+  FixedDecisions(DatapathBuilder& datapath, FixedNodes& nodes, const FixedLane& lane,
+                 const datapath::Schedule& schedule)
+      : datapath_(datapath), nodes_(nodes), lane_(lane), schedule_(schedule) {}
+
+  PartDecision build(std::size_t part) {
+    const auto build = [&](const auto& thresholds) { return this->build(part, thresholds); };
+    return std::visit(build, lane_.parts[part].decision);
+  }
+
+private:
+  PartDecision build(std::size_t part, const fixed::ConstantThresholds& thresholds) {
+    const int width = difference_bits(part);
+    // Constants beyond every difference decide as the nearest one does.
+    const mpz_class above = shifted_left(1, width - 1);
+    const mpz_class greater_from = std::clamp<mpz_class>(thresholds.greater_from, -above, above);
+    const mpz_class less_to = std::clamp<mpz_class>(thresholds.less_to, -above - 1, above - 1);
+    return add(part,
+               thresholds.exact ? "exact, certain everywhere."
+                                : "certain where the difference exceeds its error.",
+               {{"WIDTH", width},
+                {"GREATER_FROM", twos_complement(width + 1, greater_from)},
+                {"LESS_TO", twos_complement(width + 1, less_to)},
+                {"EXACT", thresholds.exact ? 1 : 0}},
+               {});
+  }
+
+  PartDecision build(std::size_t part, const fixed::NormThresholds& thresholds) {
+    const Signal& radius = nodes_.value(thresholds.radius);
+    const int limit = datapath::limit_bits(lane_, thresholds);
+    return add(part,
+               "certain where the difference exceeds what the norm of the errors makes of it.",
+               {{"WIDTH", difference_bits(part)},
+                {"RADIUS_WIDTH", radius.width},
+                {"LIMIT_WIDTH", limit},
+                {"SHIFT_ABOVE", thresholds.shift_above},
+                {"OFFSET_ABOVE", Literal{limit, to_bits(thresholds.offset_above)}},
+                {"SHIFT_BELOW", thresholds.shift_below},
+                {"SWAPPED", lane_.parts[part].swapped ? 1 : 0}},
+               {{"radius", datapath_.at(radius, step(part).start_cycle)}});
+  }
+
+  const datapath::Step& step(std::size_t part) const { return schedule_.parts[part].decision; }
+
+  int difference_bits(std::size_t part) const {
+    const FixedFormat& format = lane_.nodes[lane_.parts[part].difference].format;
+    return format.width + (format.is_signed ? 0 : 1);
+  }
+
+  /// Adds the unit, with the ports that all decisions have and `operands`.
+  PartDecision add(std::size_t part, std::string_view what, std::vector<Parameter> parameters,
+                   std::vector<Connection> operands) {
+    const NodeId difference = lane_.parts[part].difference;
+    const int start = step(part).start_cycle;
+    const Operand out_of_range = datapath_.any_at({nodes_.out_of_range(difference)}, start);
+    const Operand value = nodes_.signed_value(difference, start);
+    const PartDecision made =
+        begin_decision(datapath_, step(part), part, lane_.parts.size(), Decides::sometimes, what);
+    parameters.push_back({"CUTS", cut_mask(step(part))});
+    std::vector<Connection> connections = {{"aclk", net("aclk")}, {"difference", value}};
+    connections.insert(connections.end(), operands.begin(), operands.end());
+    connections.push_back({"out_of_range", out_of_range});
+    connections.push_back({"verdict", made.verdict.value});
+    connections.push_back({"decided", made.decided.value});
+    datapath_.add(Instance{step(part).unit.module, made.instance, std::move(parameters),
+                           std::move(connections)});
+    return made;
+  }
+
+  DatapathBuilder& datapath_;
+  FixedNodes& nodes_;
+  const FixedLane& lane_;
+  const datapath::Schedule& schedule_;
+};
+
+void build_lane(DatapathBuilder& datapath, const FixedLane& lane,
+                const datapath::Schedule& schedule) {
+  FixedNodes nodes(datapath, lane, schedule);
+  nodes.build();
+  FixedDecisions decisions(datapath, nodes, lane, schedule);
+  std::vector<PartDecision> parts;
+  for (std::size_t part = 0; part < lane.parts.size(); ++part) {
+    parts.push_back(decisions.build(part));
+  }
+  build_combination(datapath, lane.combination, parts, schedule.combination);
+}
+
+}  // namespace
+
+Module lane_module(std::string name, const std::vector<std::string>& inputs, const FixedLane& lane,
+                   const datapath::Schedule& schedule) {
+  return datapath_module(std::move(name), inputs, lane.input_format.width(), lane_outputs(),
+                         [&](DatapathBuilder& datapath) { build_lane(datapath, lane, schedule); });
+}
+
+}  // namespace mixcmp::rtl

@@ -1,0 +1,196 @@
+#include "generator/rtl/fixed_nodes.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "generator/datapath/fixed_units.hpp"
+#include "model/common/check.hpp"
+#include "model/expression/text.hpp"
+#include "model/number/dyadic.hpp"
+#include "model/number/exact.hpp"
+
+namespace mixcmp::rtl {
+
+using fixed::FixedNode;
+
+FixedNodes::FixedNodes(DatapathBuilder& datapath, const fixed::FixedLane& lane,
+                       const datapath::Schedule& schedule)
+    : datapath_(datapath),
+      lane_(lane),
+      schedule_(schedule),
+      names_(name_nodes(lane, datapath.ports(), datapath.pool())) {}
+
+void FixedNodes::build() {
+  for (NodeId id = 0; id < static_cast<NodeId>(lane_.nodes.size()); ++id) {
+    const FixedNode& node = lane_.nodes[id];
+    values_.push_back(
+        {net(names_[id]), names_[id], node.format.width, schedule_.steps[id].ready_cycle});
+    switch (node.operation) {
+      case Operation::input: build_operand(id); break;
+      case Operation::constant: build_constant(id); break;
+      default: build_unit(id); break;
+    }
+  }
+}
+
+Signal FixedNodes::out_of_range(NodeId node) {
+  const std::set<NodeId> inputs = inputs_of(node);
+  const auto known = gathered_.find(inputs);
+  if (known != gathered_.end()) return known->second;
+  std::vector<Signal> flags;
+  int cycle = 0;
+  for (const NodeId input : inputs) {
+    flags.push_back(misfits_.at(input));
+    cycle = std::max(cycle, flags.back().cycle);
+  }
+  if (flags.size() < 2) return flags.empty() ? Signal{} : flags.front();
+  const std::string name = datapath_.pool().unique("out_of_range");
+  const Operand any = datapath_.any_at(flags, cycle);
+  datapath_.add(Wire{1, name, any});
+  return gathered_[inputs] = {net(name), name, 1, cycle};
+}
+
+void FixedNodes::build_operand(NodeId id) {
+  const FixedNode& node = lane_.nodes[id];
+  const datapath::Step& step = schedule_.steps[id];
+  const FixedFormat& format = node.format;
+  const std::string& port = datapath_.port(node.input);
+  const std::string misfit = datapath_.pool().unique(port + "_out_of_range");
+  const int magnitude_bits = format.width - (format.is_signed ? 1 : 0);
+  datapath_.add(Comment{describe(id)});
+  datapath_.add(Wire{format.width, names_[id], nullptr});
+  datapath_.add(Wire{1, misfit, nullptr});
+  datapath_.add(Instance{step.unit.module,
+                         datapath_.pool().unique("unit_" + names_[id]),
+                         {{"EXPONENT_BITS", lane_.input_format.exponent_bits()},
+                          {"PRECISION", lane_.input_format.precision()},
+                          {"TOP", format.unit_exponent + magnitude_bits},
+                          {"WIDTH", magnitude_bits},
+                          {"SIGNED", format.is_signed ? 1 : 0},
+                          {"CUTS", cut_mask(step)}},
+                         {{"aclk", net("aclk")},
+                          {"x", net(port)},
+                          {"y", net(names_[id])},
+                          {"out_of_range", net(misfit)}}});
+  misfits_[id] = {net(misfit), misfit, 1, step.ready_cycle};
+}
+
+void FixedNodes::build_constant(NodeId id) {
+  const FixedNode& node = lane_.nodes[id];
+  const Literal constant = twos_complement(node.format.width, node.constant);
+  values_[id].value = literal(constant.width, constant.value);
+  values_[id].constant = true;
+}
+
+void FixedNodes::build_unit(NodeId id) {
+  const datapath::Step& step = schedule_.steps[id];
+  std::vector<Connection> connections = operands(id, step.start_cycle);
+  connections.push_back({"y", net(names_[id])});
+  datapath_.add(Comment{describe(id)});
+  datapath_.add(Wire{lane_.nodes[id].format.width, names_[id], nullptr});
+  datapath_.add(Instance{step.unit.module, datapath_.pool().unique("unit_" + names_[id]),
+                         parameters(id), std::move(connections)});
+}
+
+/// A node's value in two's complement: a format without a sign gets a zero above, a shift zeros
+/// below.
+Operand FixedNodes::operand(NodeId node, int shift, int cycle) {
+  std::vector<Operand> parts;
+  if (!lane_.nodes[node].format.is_signed) parts.push_back(literal(1, 0));
+  parts.push_back(datapath_.at(values_[node], cycle));
+  if (shift > 0) parts.push_back(zeros(shift));
+  return parts.size() == 1 ? parts.front() : concatenation(std::move(parts));
+}
+
+std::vector<Connection> FixedNodes::operands(NodeId id, int cycle) {
+  const FixedNode& node = lane_.nodes[id];
+  std::vector<Connection> connections = {{"aclk", net("aclk")}};
+  const auto connect = [&](const char* port, int k) {
+    const int shift = datapath::alignment_bits(lane_.nodes, node, k);
+    connections.push_back({port, operand(node.operands[k], shift, cycle)});
+  };
+  switch (node.operation) {
+    case Operation::negate:
+      connections.push_back({"a", literal(1, 0)});
+      connect("b", 0);
+      break;
+    case Operation::square:
+      connect("a", 0);
+      connections.push_back({"b", literal(1, 0)});
+      break;
+    default:
+      connect("a", 0);
+      if (arity(node.operation) == 2) connect("b", 1);
+      break;
+  }
+  return connections;
+}
+
+std::vector<Parameter> FixedNodes::parameters(NodeId id) const {
+  const FixedNode& node = lane_.nodes[id];
+  const auto bits = [&](int k) { return datapath::operand_bits(lane_.nodes, node, k); };
+  std::vector<Parameter> parameters;
+  switch (node.operation) {
+    case Operation::negate:
+      parameters = {{"A_WIDTH", 1}, {"B_WIDTH", bits(0)}, {"SUBTRACT", 1}};
+      break;
+    case Operation::add: parameters = {{"A_WIDTH", bits(0)}, {"B_WIDTH", bits(1)}}; break;
+    case Operation::subtract:
+      parameters = {{"A_WIDTH", bits(0)}, {"B_WIDTH", bits(1)}, {"SUBTRACT", 1}};
+      break;
+    case Operation::multiply: parameters = {{"A_WIDTH", bits(0)}, {"B_WIDTH", bits(1)}}; break;
+    case Operation::square:
+      parameters = {{"A_WIDTH", bits(0)}, {"B_WIDTH", 1}, {"SQUARE", 1}};
+      break;
+    case Operation::absolute: parameters = {{"A_WIDTH", bits(0)}}; break;
+    case Operation::minimum:
+    case Operation::maximum:
+      parameters = {{"A_WIDTH", bits(0)},
+                    {"B_WIDTH", bits(1)},
+                    {"MAXIMUM", node.operation == Operation::maximum ? 1 : 0}};
+      break;
+    default: MIXCMP_CHECK(!"an operation that fixed point has no unit for");
+  }
+  if (node.dropped_bits > 0) parameters.push_back({"DROPPED", node.dropped_bits});
+  parameters.push_back({"WIDTH", node.format.width});
+  append_multiplier_parameters(schedule_.steps[id].unit, parameters);
+  parameters.push_back({"CUTS", cut_mask(schedule_.steps[id])});
+  return parameters;
+}
+
+/// The inputs that a node depends on.
+std::set<NodeId> FixedNodes::inputs_of(NodeId node) const {
+  std::set<NodeId> inputs, open = {node};
+  while (!open.empty()) {
+    const NodeId id = open.extract(std::prev(open.end())).value();
+    const FixedNode& next = lane_.nodes[id];
+    if (next.operation == Operation::input) inputs.insert(id);
+    open.insert(next.operands.begin(), next.operands.begin() + arity(next.operation));
+  }
+  return inputs;
+}
+
+std::string FixedNodes::describe(NodeId id) const {
+  const FixedNode& node = lane_.nodes[id];
+  const datapath::Step& step = schedule_.steps[id];
+  const auto text = [&](int k) {
+    if (k >= arity(node.operation)) return std::string();
+    const FixedNode& source = lane_.nodes[node.operands[k]];
+    const bool constant = source.operation == Operation::constant;
+    return constant ? to_text(source.value.low) : names_[node.operands[k]];
+  };
+  const bool is_input = node.operation == Operation::input;
+  const std::string what =
+      is_input ? datapath_.port(node.input) : formula(node.operation, text(0), text(1));
+  return fmt::format("Cycles {} to {}: {}, {} {}.", step.start_cycle, step.ready_cycle, what,
+                     is_input || node.dropped_bits > 0 ? "rounded down to" : "exact in",
+                     node.format.name());
+}
+
+Literal twos_complement(int width, const mpz_class& value) {
+  const mpz_class bits = value < 0 ? mpz_class(value + shifted_left(1, width)) : value;
+  return {width, to_bits(bits)};
+}
+
+}  // namespace mixcmp::rtl

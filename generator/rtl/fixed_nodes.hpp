@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "generator/datapath/schedule.hpp"
+#include "generator/rtl/datapath_builder.hpp"
+#include "model/fixed/fixed_lane.hpp"
+
+namespace mixcmp::rtl {
+
+/// An integer as a literal of `width` bits in two's complement.
+Literal twos_complement(int width, const mpz_class& value);
+
+/// Adds the operations of a lane in fixed point to a datapath.
+class FixedNodes {
+public:
+  /// Reserves the names.
+  FixedNodes(DatapathBuilder& datapath, const fixed::FixedLane& lane,
+             const datapath::Schedule& schedule);
+
+  /// Builds every operation, with the delays that balance its operands.
+  void build();
+
+  const Signal& value(NodeId node) const { return values_[node]; }
+  /// A node's value in `cycle`, in two's complement whatever its format.
+  Operand signed_value(NodeId node, int cycle) { return operand(node, 0, cycle); }
+  /// A flag that is set where an operand that the node depends on does not fit.
+  Signal out_of_range(NodeId node);
+
+private:
+  void build_operand(NodeId id);
+  void build_constant(NodeId id);
+  void build_unit(NodeId id);
+  Operand operand(NodeId node, int shift, int cycle);
+  std::vector<Connection> operands(NodeId id, int cycle);
+  std::vector<Parameter> parameters(NodeId id) const;
+  std::set<NodeId> inputs_of(NodeId node) const;
+  std::string describe(NodeId id) const;
+
+  DatapathBuilder& datapath_;
+  const fixed::FixedLane& lane_;
+  const datapath::Schedule& schedule_;
+  std::vector<std::string> names_;
+  std::vector<Signal> values_;
+  std::map<NodeId, Signal> misfits_;  ///< [input]: set where that operand does not fit
+  std::map<std::set<NodeId>, Signal> gathered_;
+};
+
+}  // namespace mixcmp::rtl

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/datapath/schedule.hpp"
+#include "generator/rtl/datapath_builder.hpp"
+#include "model/error/lane.hpp"
+
+namespace mixcmp::rtl {
+
+/// EXPONENT_BITS and PRECISION.
+std::vector<Parameter> format_parameters(FloatFormat format);
+
+/// How a datapath uses the `exceptional` outputs of its units.
+enum class ExceptionalFlags {
+  gathered,  ///< a flag travels with each value
+  unused,    ///< no flag is read
+};
+
+/// Adds the operations of a graph in floating point to a datapath.
+class FloatNodes {
+public:
+  /// Reserves the names. `hazards`: one per node, or empty where nothing is ruled out.
+  FloatNodes(DatapathBuilder& datapath, const TypedGraph& graph,
+             std::vector<error::Hazards> hazards, const datapath::Schedule& schedule,
+             ExceptionalFlags exceptional);
+
+  /// Builds every operation, with the delays that balance its operands.
+  void build();
+
+  const Signal& value(NodeId node) const { return values_[node]; }
+  /// A flag that is set where the node or one before it was exceptional. It is constantly 0 where
+  /// flags are not gathered.
+  const Signal& flag(NodeId node) const { return flags_[node]; }
+  /// One name per node.
+  const std::vector<std::string>& names() const { return names_; }
+
+private:
+  void declare_unused_flags();
+  void build_node(NodeId id);
+  void build_sign_change(NodeId id);
+  void build_unit(NodeId id);
+  Operand flag_output(NodeId id);
+  void gather_flags(NodeId id);
+  std::string describe(NodeId id) const;
+  bool gathers_flag(NodeId id) const;
+  std::vector<Parameter> unit_parameters(NodeId id) const;
+
+  DatapathBuilder& datapath_;
+  const TypedGraph& graph_;
+  std::vector<error::Hazards> hazards_;
+  const datapath::Schedule& schedule_;
+  ExceptionalFlags exceptional_;
+  std::string unused_name_;  ///< of the wire that takes the flags which nothing reads
+  std::vector<std::string> names_;
+  int unused_flags_ = 0;
+  std::vector<Signal> values_;
+  std::vector<Signal> flags_;
+};
+
+}  // namespace mixcmp::rtl

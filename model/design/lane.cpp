@@ -1,0 +1,22 @@
+#include "model/design/lane.hpp"
+
+#include <fmt/core.h>
+
+namespace mixcmp::design {
+
+bool is_certified(const Lane& lane) {
+  const auto* floating = std::get_if<error::Lane>(&lane);
+  return floating == nullptr || floating->certified();
+}
+
+std::string format_name(const Lane& lane) {
+  return std::visit(Cases{[](const error::Lane& l) { return l.graph.arithmetic.format.name(); },
+                          [](const fixed::FixedLane& l) { return fmt::format("q{}", l.bits); }},
+                    lane);
+}
+
+std::string describe_decision(const Lane& lane) {
+  return std::visit([](const auto& l) { return describe_decision(l); }, lane);
+}
+
+}  // namespace mixcmp::design

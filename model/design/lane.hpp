@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "model/error/lane.hpp"
+#include "model/fixed/fixed_lane.hpp"
+
+namespace mixcmp::design {
+
+/// A lane in either number system.
+using Lane = std::variant<error::Lane, fixed::FixedLane>;
+
+/// Whether no decision of the lane can be wrong.
+bool is_certified(const Lane& lane);
+/// "s17e8" or "q13".
+std::string format_name(const Lane& lane);
+/// When the lane decides, for a report.
+std::string describe_decision(const Lane& lane);
+
+/// The lane, which must be one in floating point.
+inline const error::Lane& float_lane(const Lane& lane) {
+  return std::get<error::Lane>(lane);
+}
+inline error::Lane& float_lane(Lane& lane) {
+  return std::get<error::Lane>(lane);
+}
+
+/// Makes a visitor of one function for each number system.
+template <class... Functions>
+struct Cases : Functions... {
+  using Functions::operator()...;
+};
+
+}  // namespace mixcmp::design

@@ -1,0 +1,50 @@
+// fixed_constant_decision: decides the sign of a difference by constants, greater (2) from
+// GREATER_FROM on, less (0) up to LESS_TO.
+// Latency: the population count of CUTS (one bit); initiation interval 1; no reset.
+// With EXACT, what lies between is equal (1); else it stays undecided, as what is out of range
+// does. The difference and the constants are in two's complement. A verdict means something where
+// `decided` is 1.
+`default_nettype none
+
+module fixed_constant_decision #(
+  parameter           WIDTH        = 30,
+  parameter [WIDTH:0] GREATER_FROM = 1,
+  parameter [WIDTH:0] LESS_TO      = {(WIDTH + 1) {1'b1}},
+  parameter           EXACT        = 0,
+  parameter [0:0]     CUTS         = 1'b0
+) (
+  input  wire             aclk,
+  input  wire [WIDTH-1:0] difference,
+  input  wire             out_of_range,
+  output wire [1:0]       verdict,
+  output wire             decided
+);
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (WIDTH < 1) begin : g_refused_width
+      WIDTH_is_below_1 refused ();
+    end
+    if ($signed(LESS_TO) >= $signed(GREATER_FROM)) begin : g_refused_constants
+      LESS_TO_is_not_below_GREATER_FROM refused ();
+    end
+  endgenerate
+
+  // Stage compare.
+  wire [WIDTH:0] s0_difference = {difference[WIDTH-1], difference};
+  wire           s0_greater    = $signed(s0_difference) >= $signed(GREATER_FROM);
+  wire           s0_less       = $signed(s0_difference) <= $signed(LESS_TO);
+  wire           s0_decided    = s0_greater || s0_less || (EXACT != 0);
+
+  fp_rank #(
+    .WIDTH     (3),
+    .REGISTERED(CUTS[0])
+  ) rank_0 (
+    .aclk(aclk),
+    .d   ({s0_greater, (EXACT != 0) && !s0_greater && !s0_less, s0_decided && !out_of_range}),
+    .q   ({verdict, decided})
+  );
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,124 @@
+// fixed_product: a * b, or the square of a with SQUARE, less its DROPPED low bits.
+// Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
+// Operands are in two's complement. The result is as many low bits as its range needs, WIDTH.
+//
+// Synthesis puts the cuts into the registers behind an embedded multiplier of FACTOR_A by FACTOR_B
+// bits and two signs. A bit or two of b beyond FACTOR_B are rows of gates, which the adder behind
+// the multiplier takes; what is wider is left to synthesis.
+`default_nettype none
+
+module fixed_product #(
+  parameter       A_WIDTH  = 14,
+  parameter       B_WIDTH  = 14,
+  parameter       SQUARE   = 0,     // 1: b is not read
+  parameter       DROPPED  = 0,
+  parameter       WIDTH    = 28,
+  parameter       FACTOR_A = 24,
+  parameter       FACTOR_B = 17,
+  parameter [1:0] CUTS     = 2'b00
+) (
+  input  wire               aclk,
+  input  wire [A_WIDTH-1:0] a,
+  input  wire [B_WIDTH-1:0] b,
+  output wire [WIDTH-1:0]   y
+);
+
+  localparam SECOND  = (SQUARE != 0) ? A_WIDTH : B_WIDTH;
+  localparam PRODUCT = A_WIDTH + SECOND;
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (A_WIDTH < 1) begin : g_refused_a
+      A_WIDTH_is_below_1 refused ();
+    end
+    if (B_WIDTH < 1) begin : g_refused_b
+      B_WIDTH_is_below_1 refused ();
+    end
+    if (DROPPED < 0) begin : g_refused_dropped
+      DROPPED_is_below_0 refused ();
+    end else if ((WIDTH < 1) || (WIDTH + DROPPED > PRODUCT)) begin : g_refused_width
+      WIDTH_is_not_1_to_that_of_the_product refused ();
+    end
+    if (FACTOR_A < 1) begin : g_refused_factor_a
+      FACTOR_A_is_below_1 refused ();
+    end
+    if (FACTOR_B < 1) begin : g_refused_factor_b
+      FACTOR_B_is_below_1 refused ();
+    end
+  endgenerate
+
+  // Bits of the second factor for which the multiplier has no room.
+  localparam EXCESS = SECOND - 1 - FACTOR_B;
+  localparam ROWS   = ((EXCESS == 1) || (EXCESS == 2)) && (A_WIDTH - 1 <= FACTOR_A);
+
+  // Stage multiply.
+  wire [SECOND-1:0] s0_second;
+
+  generate
+    if (SQUARE != 0) begin : g_square
+      wire unused_b = ^b;
+
+      assign s0_second = a;
+    end else begin : g_product
+      assign s0_second = b;
+    end
+  endgenerate
+
+  wire [PRODUCT-1:0] s1_product;
+
+  generate
+    if (ROWS) begin : g_rows
+      localparam LOW  = A_WIDTH + FACTOR_B + 1;
+      localparam HIGH = A_WIDTH + EXCESS + 1;
+
+      wire [FACTOR_B:0] s0_low_factor = {1'b0, s0_second[FACTOR_B-1:0]};
+      wire [LOW-1:0]    s0_low        = $signed(a) * $signed(s0_low_factor);
+      wire [HIGH-1:0]   s0_a          = {{(EXCESS + 1) {a[A_WIDTH-1]}}, a};
+      wire [HIGH-1:0]   s0_row        = s0_a & {HIGH{s0_second[FACTOR_B]}};
+      wire [HIGH-1:0]   s0_above      = s0_a & {HIGH{s0_second[FACTOR_B+1]}};
+      wire [HIGH-1:0]   s0_sign       = s0_a & {HIGH{s0_second[SECOND-1]}};
+      wire [HIGH-1:0]   s0_high       =
+          (EXCESS == 1) ? s0_row - (s0_sign << 1) : s0_row + (s0_above << 1) - (s0_sign << 2);
+
+      wire [LOW-1:0]  s1_low;
+      wire [HIGH-1:0] s1_high;
+
+      fp_rank #(
+        .WIDTH     (LOW + HIGH),
+        .REGISTERED(CUTS[0])
+      ) rank_0 (
+        .aclk(aclk),
+        .d   ({s0_low, s0_high}),
+        .q   ({s1_low, s1_high})
+      );
+
+      assign s1_product = {{EXCESS{s1_low[LOW-1]}}, s1_low} + {s1_high, {FACTOR_B{1'b0}}};
+    end else begin : g_whole
+      wire [PRODUCT-1:0] s0_product = $signed(a) * $signed(s0_second);
+
+      fp_rank #(
+        .WIDTH     (PRODUCT),
+        .REGISTERED(CUTS[0])
+      ) rank_0 (
+        .aclk(aclk),
+        .d   (s0_product),
+        .q   (s1_product)
+      );
+    end
+  endgenerate
+
+  // Stage output.
+  wire unused_bits = ^s1_product;
+
+  fp_rank #(
+    .WIDTH     (WIDTH),
+    .REGISTERED(CUTS[1])
+  ) rank_1 (
+    .aclk(aclk),
+    .d   (s1_product[DROPPED+:WIDTH]),
+    .q   (y)
+  );
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,54 @@
+// fixed_sum: a + b, or a - b with SUBTRACT, less its DROPPED low bits.
+// Latency: the population count of CUTS (one bit); initiation interval 1; no reset.
+// Operands are in two's complement. The result is as many low bits as its range needs, WIDTH.
+`default_nettype none
+
+module fixed_sum #(
+  parameter       A_WIDTH  = 14,
+  parameter       B_WIDTH  = 14,
+  parameter       SUBTRACT = 0,
+  parameter       DROPPED  = 0,
+  parameter       WIDTH    = 15,
+  parameter [0:0] CUTS     = 1'b0
+) (
+  input  wire               aclk,
+  input  wire [A_WIDTH-1:0] a,
+  input  wire [B_WIDTH-1:0] b,
+  output wire [WIDTH-1:0]   y
+);
+
+  localparam SUM = ((A_WIDTH > B_WIDTH) ? A_WIDTH : B_WIDTH) + 1;
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (A_WIDTH < 1) begin : g_refused_a
+      A_WIDTH_is_below_1 refused ();
+    end
+    if (B_WIDTH < 1) begin : g_refused_b
+      B_WIDTH_is_below_1 refused ();
+    end
+    if (DROPPED < 0) begin : g_refused_dropped
+      DROPPED_is_below_0 refused ();
+    end else if ((WIDTH < 1) || (WIDTH + DROPPED > SUM)) begin : g_refused_width
+      WIDTH_is_not_1_to_that_of_the_sum refused ();
+    end
+  endgenerate
+
+  // Stage add.
+  wire [SUM-1:0] s0_a        = {{(SUM - A_WIDTH) {a[A_WIDTH-1]}}, a};
+  wire [SUM-1:0] s0_b        = {{(SUM - B_WIDTH) {b[B_WIDTH-1]}}, b};
+  wire [SUM-1:0] s0_sum      = (SUBTRACT != 0) ? s0_a - s0_b : s0_a + s0_b;
+  wire           unused_bits = ^s0_sum;
+
+  fp_rank #(
+    .WIDTH     (WIDTH),
+    .REGISTERED(CUTS[0])
+  ) rank_0 (
+    .aclk(aclk),
+    .d   (s0_sum[DROPPED+:WIDTH]),
+    .q   (y)
+  );
+
+endmodule
+
+`default_nettype wire

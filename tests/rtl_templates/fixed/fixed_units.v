@@ -1,0 +1,167 @@
+// fixed_units: the units of fixed point at small widths, for the tests alone. What a slot holds,
+// fixed_units_test.cpp says in the same words.
+`default_nettype none
+
+module fixed_units #(
+    parameter WIDTHS    = 5,
+    parameter KINDS     = 7,  // sum, difference, product, square, minimum, maximum, absolute
+    parameter DECISIONS = 96
+) (
+    input wire       aclk,
+    input wire [5:0] a,
+    input wire [4:0] b,
+    input wire       flag
+);
+
+  localparam SLOTS = KINDS * WIDTHS * WIDTHS * 4;
+
+  function integer larger(input integer first, input integer second);
+    larger = (first > second) ? first : second;
+  endfunction
+
+  // Bits of the whole result.
+  function integer whole(input integer kind, input integer a_width, input integer b_width);
+    case (kind)
+      2: whole = a_width + b_width;
+      3: whole = 2 * a_width;
+      6: whole = a_width;
+      default: whole = larger(a_width, b_width) + 1;
+    endcase
+  endfunction
+
+  // Read by hierarchical name.
+  wire [63:0] results[0:SLOTS-1]  /* verilator public_flat_rd */;
+  wire [63:0] decisions[0:2*DECISIONS-1]  /* verilator public_flat_rd */;
+
+  genvar slot;
+
+  // Slot {kind, a's width, b's width, variant}: variants 1 and 3 drop a bit, 2 and 3 leave the top
+  // bit out, as far as there is one.
+  generate
+    for (slot = 0; slot < SLOTS; slot = slot + 1) begin : g_results
+      localparam       KIND    = slot / (4 * WIDTHS * WIDTHS);
+      localparam       A       = 1 + slot / (4 * WIDTHS) % WIDTHS;
+      localparam       B       = 1 + slot / 4 % WIDTHS;
+      localparam       WHOLE   = whole(KIND, A, B);
+      localparam       DROPPED = (WHOLE > 1) ? slot % 2 : 0;
+      localparam       WIDTH   = larger(1, WHOLE - DROPPED - slot / 2 % 2);
+      localparam [1:0] CUTS    = slot + slot / 4;
+
+      wire [WIDTH-1:0] y;
+
+      assign results[slot] = {{(64 - WIDTH) {1'b0}}, y};
+
+      if (KIND < 2) begin : g_sum
+        fixed_sum #(
+            .A_WIDTH (A),
+            .B_WIDTH (B),
+            .SUBTRACT(KIND),
+            .DROPPED (DROPPED),
+            .WIDTH   (WIDTH),
+            .CUTS    (CUTS[0])
+        ) unit (
+            .aclk(aclk),
+            .a   (a[A-1:0]),
+            .b   (b[B-1:0]),
+            .y   (y)
+        );
+      end else if (KIND < 4) begin : g_product
+        fixed_product #(
+            .A_WIDTH (A),
+            .B_WIDTH (B),
+            .SQUARE  (KIND - 2),
+            .DROPPED (DROPPED),
+            .WIDTH   (WIDTH),
+            .FACTOR_A(4),
+            .FACTOR_B(2),
+            .CUTS    (CUTS)
+        ) unit (
+            .aclk(aclk),
+            .a   (a[A-1:0]),
+            .b   (b[B-1:0]),
+            .y   (y)
+        );
+      end else if (KIND < 6) begin : g_choice
+        fixed_minimum_maximum #(
+            .A_WIDTH(A),
+            .B_WIDTH(B),
+            .MAXIMUM(KIND - 4),
+            .DROPPED(DROPPED),
+            .WIDTH  (WIDTH),
+            .CUTS   (CUTS)
+        ) unit (
+            .aclk(aclk),
+            .a   (a[A-1:0]),
+            .b   (b[B-1:0]),
+            .y   (y)
+        );
+      end else begin : g_absolute
+        fixed_absolute #(
+            .A_WIDTH(A),
+            .DROPPED(DROPPED),
+            .WIDTH  (WIDTH),
+            .CUTS   (CUTS[0])
+        ) unit (
+            .aclk(aclk),
+            .a   (a[A-1:0]),
+            .y   (y)
+        );
+      end
+    end
+  endgenerate
+
+  // Of a difference of five bits by constants; of six bits and a radius of three by a norm.
+  generate
+    for (slot = 0; slot < DECISIONS; slot = slot + 1) begin : g_constant
+      localparam [5:0] LESS_TO      = slot % 16 - 13;
+      localparam [5:0] GREATER_FROM = slot % 16 - 12 + slot / 16;
+
+      wire [1:0] verdict;
+      wire       decided;
+
+      assign decisions[slot] = {61'b0, verdict, decided};
+
+      fixed_constant_decision #(
+          .WIDTH       (5),
+          .GREATER_FROM(GREATER_FROM),
+          .LESS_TO     (LESS_TO),
+          .EXACT       (slot / 2 % 2),
+          .CUTS        (slot % 2)
+      ) decision (
+          .aclk        (aclk),
+          .difference  (a[4:0]),
+          .out_of_range(flag),
+          .verdict     (verdict),
+          .decided     (decided)
+      );
+    end
+
+    for (slot = 0; slot < DECISIONS; slot = slot + 1) begin : g_norm
+      wire [1:0] verdict;
+      wire       decided;
+
+      assign decisions[DECISIONS+slot] = {61'b0, verdict, decided};
+
+      fixed_norm_decision #(
+          .WIDTH       (6),
+          .RADIUS_WIDTH(3),
+          .LIMIT_WIDTH (6),
+          .SHIFT_ABOVE (slot % 3),
+          .OFFSET_ABOVE(slot / 3 % 8),
+          .SHIFT_BELOW (slot / 24 % 3),
+          .SWAPPED     (slot / 2 % 2),
+          .CUTS        (slot % 4)
+      ) decision (
+          .aclk        (aclk),
+          .difference  (a),
+          .radius      (b[2:0]),
+          .out_of_range(flag),
+          .verdict     (verdict),
+          .decided     (decided)
+      );
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,149 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "Vfixed_units.h"
+#include "Vfixed_units___024root.h"
+
+/// Every unit of fixed point at small widths on every operand, one a cycle, each answer in the very
+/// cycle that its mask of cuts names, against C++'s integers. fixed_units.v has what a slot holds.
+namespace mixcmp::test {
+namespace {
+
+constexpr int widths = 5, kinds = 7, decisions = 96;
+constexpr int slots = kinds * widths * widths * 4;
+
+struct Operands {
+  int a, b;  ///< bits, of which each slot takes the lowest
+  bool flag;
+};
+
+/// The lowest bits of a number, in two's complement.
+int low_signed(int bits, int width) {
+  const int value = bits & ((1 << width) - 1);
+  return value >> (width - 1) == 0 ? value : value - (1 << width);
+}
+
+struct Slot {
+  explicit Slot(int number)
+      : kind(number / (4 * widths * widths)),
+        a_width(1 + number / (4 * widths) % widths),
+        b_width(1 + number / 4 % widths),
+        dropped(whole() > 1 ? number % 2 : 0),
+        width(std::max(1, whole() - dropped - number / 2 % 2)),
+        cuts((number + number / 4) % 4) {}
+
+  int whole() const {
+    switch (kind) {
+      case 2: return a_width + b_width;
+      case 3: return 2 * a_width;
+      case 6: return a_width;
+      default: return std::max(a_width, b_width) + 1;
+    }
+  }
+
+  int latency() const {
+    const bool one_stage = kind < 2 || kind == 6;
+    return std::popcount(static_cast<unsigned>(one_stage ? cuts % 2 : cuts));
+  }
+
+  std::uint64_t expected(const Operands& operands) const {
+    const int a = low_signed(operands.a, a_width), b = low_signed(operands.b, b_width);
+    const std::array results = {a + b,          a - b,          a * b,      a * a,
+                                std::min(a, b), std::max(a, b), std::abs(a)};
+    return static_cast<std::uint64_t>(results[kind] >> dropped) & ((1u << width) - 1);
+  }
+
+  int kind, a_width, b_width, dropped, width, cuts;
+};
+
+/// {verdict, decided}; the verdict bits are those of an undecided comparison, too.
+std::uint64_t answer(bool greater, bool equal, bool decided) {
+  return (greater ? 4u : 0u) | (equal ? 2u : 0u) | (decided ? 1u : 0u);
+}
+
+std::uint64_t constant_decision(int slot, const Operands& operands) {
+  const int difference = low_signed(operands.a, 5);
+  const int less_to = slot % 16 - 13, greater_from = slot % 16 - 12 + slot / 16;
+  const bool exact = slot / 2 % 2 == 1;
+  const bool greater = difference >= greater_from, less = difference <= less_to;
+  return answer(greater, exact && !greater && !less, (greater || less || exact) && !operands.flag);
+}
+
+std::uint64_t norm_decision(int slot, const Operands& operands) {
+  const int difference = low_signed(operands.a, 6), radius = operands.b & 7;
+  const bool greater = difference >= (radius << slot % 3) + slot / 3 % 8;
+  const bool less = difference < -(radius << slot / 24 % 3);
+  const bool swapped = slot / 2 % 2 == 1;
+  return answer(swapped ? less : greater, false, (greater || less) && !operands.flag);
+}
+
+class FixedUnits : public testing::Test {
+protected:
+  FixedUnits() : units_(&context_) {
+    units_.aclk = 0;
+    units_.eval();
+  }
+
+  void feed(const Operands& operands) {
+    units_.a = static_cast<std::uint8_t>(operands.a);
+    units_.b = static_cast<std::uint8_t>(operands.b);
+    units_.flag = operands.flag;
+    units_.aclk = 0;
+    units_.eval();
+    history_[cycle_ % history_.size()] = operands;
+    compare_all();
+    units_.aclk = 1;
+    units_.eval();
+    ++cycle_;
+  }
+
+private:
+  void compare_all() {
+    for (int slot = 0; slot < slots; ++slot) {
+      const Slot unit(slot);
+      compare(
+          units_.rootp->fixed_units__DOT__results[slot], unit.latency(),
+          [&](const Operands& operands) { return unit.expected(operands); }, "unit", slot);
+    }
+    for (int slot = 0; slot < decisions; ++slot) {
+      compare(
+          units_.rootp->fixed_units__DOT__decisions[slot], slot % 2,
+          [&](const Operands& operands) { return constant_decision(slot, operands); },
+          "decision by constants", slot);
+      compare(
+          units_.rootp->fixed_units__DOT__decisions[decisions + slot],
+          std::popcount(static_cast<unsigned>(slot % 4)),
+          [&](const Operands& operands) { return norm_decision(slot, operands); },
+          "decision by a norm", slot);
+    }
+  }
+
+  template <class Expected>
+  void compare(std::uint64_t got, int latency, const Expected& expected, const char* what,
+               int slot) {
+    if (cycle_ < static_cast<std::size_t>(latency)) return;
+    const Operands& operands = history_[(cycle_ - latency) % history_.size()];
+    if (got == expected(operands)) return;
+    FAIL() << fmt::format("{} {}, a = {:#x}, b = {:#x}, flag {}: {:#x} instead of {:#x}", what,
+                          slot, operands.a, operands.b, operands.flag, got, expected(operands));
+  }
+
+  VerilatedContext context_;
+  Vfixed_units units_;
+  std::array<Operands, 4> history_ = {};
+  std::size_t cycle_ = 0;
+};
+
+TEST_F(FixedUnits, EveryOperand) {
+  for (int number = 0; number < 1 << 12 && !HasFatalFailure(); ++number) {
+    feed({number & 63, number >> 6 & 31, number >> 11 == 1});
+  }
+}
+
+}  // namespace
+}  // namespace mixcmp::test

@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include "model/fixed/fixed_lane.hpp"
+#include "tests/support/float_samples.hpp"
+#include "tests/support/graphs.hpp"
+#include "tests/support/simulated_system.hpp"
+#include "tests/support/sphere.hpp"
+#include "tests/support/sphere_families.hpp"
+
+/// Systems whose lanes are in fixed point: the hardware is the golden model bit for bit, and where
+/// a lane decided, its verdict is the truth.
+namespace mixcmp::test {
+namespace {
+
+struct Case {
+  const char* name;
+  std::vector<std::pair<std::string, std::string>> parts;
+  int bits;
+  Range range;
+  Combination combination = Combination::all;
+};
+
+void PrintTo(const Case& c, std::ostream* stream) {
+  *stream << c.name;
+}
+
+design::Design design_of(const Graph& graph, FloatFormat reference, int bits, const Range& range) {
+  const fixed::FixedOptions options = {.bits = bits,
+                                       .ranges = {graph.inputs().size(), std::optional(range)}};
+  return {.name = "fixed_point",
+          .inputs = graph.inputs(),
+          .lanes = {{.lane = fixed::fixed_lane(graph, reference, options).value()}},
+          .reference = reference_graph(graph, {reference}),
+          .references = {{}},
+          .system = {}};
+}
+
+/// Every pair of encodings, NaNs and infinities too.
+data::Table every_pair(FloatFormat format) {
+  data::Table table{.format = format, .columns = {"a", "b"}, .values = {}, .labels = {}};
+  const Bits count = Bits{1} << format.width();
+  for (Bits a = 0; a < count; ++a) {
+    for (Bits b = 0; b < count; ++b) table.values.insert(table.values.end(), {a, b});
+  }
+  return table;
+}
+
+class FixedPoint : public testing::TestWithParam<Case> {};
+
+TEST_P(FixedPoint, EveryOperandIsDecidedAsTheGoldenModelSaysAndTruly) {
+  const Graph graph = graph_of(GetParam().parts, GetParam().combination);
+  const FloatFormat s4e4 = format("s4e4");
+  const design::Design design = design_of(graph, s4e4, GetParam().bits, GetParam().range);
+  const auto data = data::Comparisons::rows(every_pair(s4e4), design.inputs);
+  ASSERT_TRUE(data.ok()) << data.error().to_string();
+  const verilator_tb::VerifyReport report =
+      simulate(design, *data, {.truth = verilator_tb::TruthCheck{.graph = &graph}});
+  EXPECT_TRUE(report.passed()) << to_text(report);
+  EXPECT_EQ(report.comparisons, 65'536u);
+  EXPECT_GT(report.recomputations, 100u);
+  EXPECT_LT(report.recomputations, 65'000u) << "the lane decides nothing worth testing";
+  EXPECT_EQ(report.truth->wrong_by_lane, 0u) << to_text(report);
+}
+
+const Range both_signs = {-6, 6};
+const Range positive = {0, 12};
+
+INSTANTIATE_TEST_SUITE_P(
+    Lanes, FixedPoint,
+    testing::Values(
+        Case{"norm", {{"(a - b)^2 + b^2", "(abs(a) + 1.3)^2"}}, 4, both_signs},
+        Case{"norm_swapped", {{"(a + 1.5)^2", "(b - 2)^2 + (a - b)^2"}}, 5, positive},
+        Case{"constant", {{"a * b - a", "max(a, b) + 0.3"}}, 5, both_signs},
+        Case{"dropped_bits", {{"a * b * abs(a - 0.7) * b", "min(-a, b) * 20"}}, 7, both_signs},
+        Case{"wider_than_a_multiplier", {{"(a - b) * (a + b)", "a * b"}}, 19, both_signs},
+        Case{"parts",
+             {{"(a - b)^2", "(b + 1)^2"}, {"a", "3 * b - 1"}},
+             4,
+             positive,
+             Combination::any}),
+    [](const auto& instance) { return std::string(instance.param.name); });
+
+/// The families of spheres that are made to mislead a lane.
+TEST(SpheresInFixedPoint, AreDecidedTruly) {
+  const Graph graph = sphere_graph();
+  const FloatFormat s53e8 = format("s53e8");
+  const design::Design design = design_of(graph, s53e8, 13, {0, 100});
+  std::uint64_t decided = 0;
+  for (const SphereFamily& family : sphere_families(s53e8, 13, 400, 5)) {
+    const auto data = data::Comparisons::rows(family.pairs, design.inputs);
+    ASSERT_TRUE(data.ok()) << data.error().to_string();
+    const verilator_tb::VerifyReport report =
+        simulate(design, *data, {.truth = verilator_tb::TruthCheck{.graph = &graph}});
+    EXPECT_TRUE(report.passed()) << family.name << "\n" << to_text(report);
+    EXPECT_EQ(report.truth->wrong_by_lane, 0u) << family.name;
+    decided += report.comparisons - report.recomputations;
+  }
+  EXPECT_GT(decided, 400u);
+}
+
+}  // namespace
+}  // namespace mixcmp::test
