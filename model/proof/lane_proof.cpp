@@ -6,6 +6,7 @@
 
 #include "model/common/check.hpp"
 #include "model/proof/absolute_proof.hpp"
+#include "model/proof/fixed_proof.hpp"
 #include "model/proof/hazard_proof.hpp"
 #include "model/proof/rule_proof.hpp"
 
@@ -141,11 +142,8 @@ LaneProof prove_lane(const error::Lane& lane, const Prove& prove, Effort effort)
   return whole;
 }
 
-LaneProof prove_lane(const fixed::FixedLane& lane, const Prove&, Effort) {
-  LaneProof proof{.lane = fmt::format("q{}", lane.bits), .kind = "fixed-point"};
-  proof.findings = {
-      {"the bound", Outcome::unchecked, "by hand alone: docs/fixed_point.md, theorems 1 to 4"}};
-  return proof;
+LaneProof prove_lane(const fixed::FixedLane& lane, const Prove& prove, Effort) {
+  return prove_fixed(lane, prove);
 }
 
 }  // namespace mixcmp::proof

@@ -75,8 +75,7 @@ ByHand scaling_by_hand();
 /// parts' decisions give the lane's is theorem 11, by hand.
 LaneProof prove_lane(const error::Lane& lane, const Prove& prove, Effort effort);
 
-/// Says by which theorems a lane in fixed point is proven. They are proofs by hand: no script
-/// checks the lane's own numbers yet.
+/// Proves a lane in fixed point, operation by operation; docs/fixed_point.md has the theorems.
 LaneProof prove_lane(const fixed::FixedLane& lane, const Prove& prove, Effort effort);
 
 /// Proves a lane with a relative bound from the claims of the analysis, one for each node.

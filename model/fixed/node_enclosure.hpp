@@ -1,0 +1,14 @@
+#pragma once
+
+#include "model/fixed/fixed_lane.hpp"
+
+/// What an operation makes of its operands, before bits are dropped. `b` is not read where there is
+/// one operand. Proofs: docs/fixed_point.md, theorem 2.
+namespace mixcmp::fixed {
+
+/// Encloses the number computed.
+Range exact_value(Operation operation, const Range& a, const Range& b);
+/// Encloses its error.
+Range exact_error(Operation operation, const FixedNode& a, const FixedNode& b);
+
+}  // namespace mixcmp::fixed

@@ -1,0 +1,270 @@
+#include "model/proof/fixed_proof.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "model/common/check.hpp"
+#include "model/expression/text.hpp"
+#include "model/fixed/node_enclosure.hpp"
+#include "model/number/dyadic.hpp"
+#include "model/proof/script.hpp"
+
+namespace mixcmp::proof {
+namespace {
+
+using fixed::FixedLane;
+using fixed::FixedNode;
+
+/// Gappa reads dyadic numbers: where a constant is none, errors are rounded outward to this many
+/// places below the unit.
+constexpr int places = 128;
+
+constexpr std::size_t most_characters = 60;
+
+mpq_class multiple_of(const mpq_class& grid, const mpz_class& count) {
+  return grid * count;
+}
+
+Range rounded_outward(const Range& error, const FixedFormat& format) {
+  const mpq_class grid = power_of_two(format.unit_exponent - places);
+  return {multiple_of(grid, floor_of(error.low / grid)),
+          multiple_of(grid, ceiling_of(error.high / grid))};
+}
+
+/// Whether Gappa finds the error from the identity of `identity`. Theorem 2 proves the others.
+bool is_polynomial(Operation operation) {
+  switch (operation) {
+    case Operation::negate:
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::multiply:
+    case Operation::square: return true;
+    default: return false;
+  }
+}
+
+class FixedProof {
+public:
+  FixedProof(const FixedLane& lane, const Prove& prove)
+      : lane_(lane), nodes_(lane.nodes), prove_(prove) {
+    proof_.lane = fmt::format("q{}", lane.bits);
+    proof_.kind = "fixed-point";
+    for (const FixedNode& node : lane.nodes) {
+      typed_.push_back(TypedNode{.operation = node.operation,
+                                 .operands = node.operands,
+                                 .operand_format = lane.input_format,
+                                 .format = lane.input_format,
+                                 .input = node.input,
+                                 .value = node.format.unit() * node.constant});
+    }
+  }
+
+  LaneProof run() && {
+    for (NodeId id = 0; id < static_cast<NodeId>(nodes_.size()); ++id) prove_node(id);
+    for (const fixed::FixedPart& part : lane_.parts) {
+      std::visit([&](const auto& thresholds) { prove_decision(thresholds, part); }, part.decision);
+    }
+    add_steps_by_hand();
+    return std::move(proof_);
+  }
+
+private:
+  std::string text(NodeId id) const {
+    return to_text(typed_, lane_.input_names, id, most_characters);
+  }
+
+  /// The number computed, and its error; the number that it stands for is their difference.
+  static std::string computed(NodeId id) { return fmt::format("x{}", id); }
+  static std::string error(NodeId id) { return fmt::format("e{}", id); }
+  static std::string truth(NodeId id) { return fmt::format("(x{0} - e{0})", id); }
+
+  static std::string operation_text(Operation operation, const std::string& a,
+                                    const std::string& b) {
+    switch (operation) {
+      case Operation::negate: return "-" + a;
+      case Operation::add: return a + " + " + b;
+      case Operation::subtract: return a + " - " + b;
+      case Operation::multiply: return a + " * " + b;
+      case Operation::square: return a + " * " + a;
+      default: MIXCMP_CHECK(false);
+    }
+  }
+
+  /// The error of an operation as a polynomial in what is computed and its errors.
+  static std::string identity(const FixedNode& node) {
+    const NodeId a = node.operands[0], b = node.operands[1];
+    switch (node.operation) {
+      case Operation::negate: return "-" + error(a);
+      case Operation::add: return error(a) + " + " + error(b);
+      case Operation::subtract: return error(a) + " - " + error(b);
+      case Operation::multiply: return fmt::format("x{0} * e{1} + x{1} * e{0} - e{0} * e{1}", a, b);
+      case Operation::square: return fmt::format("e{0} * (x{0} + x{0} - e{0})", a);
+      default: MIXCMP_CHECK(false);
+    }
+  }
+
+  void prove_node(NodeId id) {
+    FixedNode& node = nodes_[id];
+    if (node.operation == Operation::input) return assume_operand(node);
+    if (node.operation == Operation::constant) {
+      node.error = rounded_outward(node.error, node.format);
+      return;
+    }
+    const FixedNode& a = nodes_[node.operands[0]];
+    const FixedNode& b = nodes_[node.operands[std::max(0, arity(node.operation) - 1)]];
+    const bool cancels =
+        node.operation == Operation::subtract && node.operands[0] == node.operands[1];
+    if (cancels) return;
+    const Range value = fixed::exact_value(node.operation, a.value, b.value);
+    const Range exact = rounded_outward(fixed::exact_error(node.operation, a, b), node.format);
+    const FixedFormat fine = {.unit_exponent = node.format.unit_exponent - node.dropped_bits};
+    node.error = exact;
+    if (node.dropped_bits > 0) node.error.low -= node.format.unit() - fine.unit();
+    if (is_polynomial(node.operation)) add_script(id, value, exact);
+  }
+
+  /// Theorem 1, by hand.
+  static void assume_operand(FixedNode& node) {
+    const mpq_class unit = node.format.unit();
+    node.value = {node.format.smallest() * unit, node.format.largest() * unit};
+    node.error = {-unit, 0};
+  }
+
+  void add_script(NodeId id, const Range& value, const Range& exact) {
+    const FixedNode& node = nodes_[id];
+    const std::vector<NodeId> operands(node.operands.begin(),
+                                       node.operands.begin() + arity(node.operation));
+    Script script;
+    script.comment("x: numbers as computed; e: their errors; c, t: the result and the true one.");
+    for (std::size_t k = 0; k < operands.size(); ++k) {
+      if (k == 1 && operands[1] == operands[0]) continue;
+      const FixedNode& operand = nodes_[operands[k]];
+      assume(script, computed(operands[k]), operand.value);
+      assume(script, error(operands[k]), operand.error);
+    }
+    const NodeId last = operands.back();
+    script.define("c", operation_text(node.operation, computed(operands[0]), computed(last)));
+    script.define("t", operation_text(node.operation, truth(operands[0]), truth(last)));
+    conclude(script, "c", value);
+    conclude(script, "c - t", exact);
+    script.hint("c - t", identity(node));
+    const ScriptResult result = prove_(script.text());
+    Finding finding{fmt::format("value and error of {}: {} to {}", text(id), shown(exact.low),
+                                shown(exact.high)),
+                    result.outcome, result.detail};
+    if (!result.file.empty()) finding.files.push_back(result.file);
+    proof_.findings.push_back(std::move(finding));
+  }
+
+  static std::string shown(const mpq_class& value) { return rounded_text(value, 4); }
+
+  static void assume(Script& script, const std::string& name, const Range& range) {
+    script.assume_within(name, dyadic(range.low), dyadic(range.high));
+  }
+
+  static void conclude(Script& script, const std::string& name, const Range& range) {
+    script.conclude(fmt::format("{} in [{}, {}]", name, dyadic(range.low), dyadic(range.high)));
+  }
+
+  void add_exact(std::string what, bool holds) {
+    proof_.findings.push_back(
+        {std::move(what), holds ? Outcome::proven : Outcome::not_proven, "by exact arithmetic"});
+  }
+
+  void prove_decision(const fixed::ConstantThresholds& thresholds, const fixed::FixedPart& part) {
+    const FixedNode& difference = nodes_[part.difference];
+    const mpq_class unit = difference.format.unit();
+    add_exact("the constants lie beyond the error of f - g",
+              thresholds.greater_from * unit > difference.error.high &&
+                  thresholds.less_to * unit < difference.error.low);
+  }
+
+  /// The conditions of theorem 4, with a = r + c for an r of which r^2 >= the errors' sum of
+  /// squares: 2 a s' + a^2 is exceeded from the upper limit on, 2 b s' below the lower one.
+  void prove_decision(const fixed::NormThresholds& thresholds, const fixed::FixedPart& part) {
+    const FixedNode& difference = nodes_[part.difference];
+    const FixedNode& radius = nodes_[thresholds.radius];
+    const mpq_class unit = difference.format.unit();
+    const mpq_class per_radius = unit / radius.format.unit();
+    const mpq_class a = power_of_two(thresholds.shift_above) * per_radius / 2;
+    const mpq_class b = power_of_two(thresholds.shift_below) * per_radius / 2;
+    const mpq_class above = largest_excess(radius);
+    const mpq_class offset = thresholds.offset_above * unit;
+    const mpq_class squares = sum_of_squares(part);
+    // Whether a number whose square is at least `squares` remains beside c in each limit.
+    const auto leaves_norm = [&](const mpq_class& limit, const mpq_class& taken) {
+      return limit >= taken && (limit - taken) * (limit - taken) >= squares;
+    };
+    // a^2 < offset for the a that is needed: (sqrt(offset) - c)^2 > squares without a root.
+    const mpq_class rest = offset - squares - above * above;
+    const bool offset_suffices = rest > 0 && rest * rest > 4 * above * above * squares;
+    add_exact("the limits are those that theorem 4 asks for",
+              radius.value.low >= 0 && leaves_norm(a, above) && offset_suffices &&
+                  leaves_norm(b, radius.error.high));
+  }
+
+  /// c of theorem 4.
+  static mpq_class largest_excess(const FixedNode& radius) {
+    const bool is_nonnegative = radius.value.low - radius.error.high >= 0;
+    return is_nonnegative ? mpq_class(-radius.error.low) : absolute(radius.error).high;
+  }
+
+  /// The sum of the squares of the errors of all that is squared and summed.
+  mpq_class sum_of_squares(const fixed::FixedPart& part) const {
+    return sum_of_squares(nodes_[part.difference].operands[0]);
+  }
+  mpq_class sum_of_squares(NodeId id) const {
+    const FixedNode& node = nodes_[id];
+    if (node.operation == Operation::square) return square(nodes_[node.operands[0]].error).high;
+    MIXCMP_CHECK(node.operation == Operation::add && node.dropped_bits == 0);
+    return sum_of_squares(node.operands[0]) + sum_of_squares(node.operands[1]);
+  }
+
+  void add_step(const char* theorem, const char* statement) {
+    proof_.by_hand.push_back({theorem, statement});
+  }
+
+  void add_steps_by_hand() {
+    const auto any = [&](auto condition) {
+      return std::any_of(nodes_.begin(), nodes_.end(), condition);
+    };
+    add_step("1 (operands)", "docs/fixed_point.md, theorem 1: value and error of an operand");
+    if (any([](const FixedNode& node) {
+          return node.operation == Operation::absolute || is_choice(node.operation);
+        })) {
+      add_step("2 (choices)", "docs/fixed_point.md, theorem 2: absolute values, minima and maxima");
+    }
+    if (any([](const FixedNode& node) { return node.dropped_bits > 0; })) {
+      add_step("2 (dropped bits)", "docs/fixed_point.md, theorem 2: what low bits are worth");
+    }
+    if (any_part<fixed::ConstantThresholds>()) {
+      add_step("3", "docs/fixed_point.md, theorem 3: from the error to the constants");
+    }
+    if (any_part<fixed::NormThresholds>()) {
+      add_step("4", "docs/fixed_point.md, theorem 4: from the norm of the errors to the limits");
+    }
+  }
+
+  template <class Thresholds>
+  bool any_part() const {
+    return std::any_of(lane_.parts.begin(), lane_.parts.end(), [](const fixed::FixedPart& part) {
+      return std::holds_alternative<Thresholds>(part.decision);
+    });
+  }
+
+  const FixedLane& lane_;
+  std::vector<FixedNode> nodes_;  ///< with errors that Gappa can read
+  std::vector<TypedNode> typed_;  ///< for their texts
+  const Prove& prove_;
+  LaneProof proof_;
+};
+
+}  // namespace
+
+LaneProof prove_fixed(const FixedLane& lane, const Prove& prove) {
+  return FixedProof(lane, prove).run();
+}
+
+}  // namespace mixcmp::proof

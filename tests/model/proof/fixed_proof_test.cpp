@@ -1,0 +1,138 @@
+#include "model/proof/fixed_proof.hpp"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/proof/gappa.hpp"
+#include "model/proof/provers.hpp"
+#include "tests/support/float_samples.hpp"
+#include "tests/support/graphs.hpp"
+
+/// What Gappa says of lanes in fixed point, and of such whose thresholds are too close.
+namespace mixcmp::test {
+namespace {
+
+using fixed::FixedBound;
+using fixed::FixedLane;
+using proof::LaneProof;
+using proof::Outcome;
+
+struct Case {
+  const char* name;
+  std::vector<std::pair<std::string, std::string>> parts;
+  int bits;
+  Range range;
+  const char* verdict;
+  std::optional<FixedBound> bound = {};
+};
+
+void PrintTo(const Case& c, std::ostream* stream) {
+  *stream << c.name;
+}
+
+FixedLane lane_of(const Case& c) {
+  const Graph graph = graph_of(c.parts, Combination::all);
+  return fixed::fixed_lane(graph, format_of(53, 8),
+                           {.bits = c.bits,
+                            .bound = c.bound,
+                            .ranges = {graph.inputs().size(), std::optional(c.range)}})
+      .value();
+}
+
+LaneProof proof_of(const FixedLane& lane) {
+  proof::QuickProver prover(60);
+  return proof::prove_fixed(lane, std::ref(prover));
+}
+
+class FixedProof : public testing::TestWithParam<Case> {};
+
+TEST_P(FixedProof, IsMachineCheckedButForWhatItSays) {
+  if (!proof::gappa_version().ok()) GTEST_SKIP() << "gappa is not installed";
+  EXPECT_EQ(proof_of(lane_of(GetParam())).verdict(), GetParam().verdict);
+}
+
+const std::vector<std::pair<std::string, std::string>> spheres = {
+    {"(a - b)^2 + (c - d)^2 + (e - f)^2", "(r + s)^2"}};
+const std::vector<std::pair<std::string, std::string>> sum = {{"a * b - 0.3 * c", "-c"}};
+
+INSTANTIATE_TEST_SUITE_P(
+    Lanes, FixedProof,
+    testing::Values(
+        Case{"norm",
+             spheres,
+             13,
+             {0, 100},
+             "machine-checked but for theorems 1 (operands) and 4, by hand"},
+        Case{"norm_of_a_radius_of_either_sign",
+             {{"a^2", "abs(1.3 - b)^2"}},
+             9,
+             {0, 3},
+             "machine-checked but for theorems 1 (operands), 2 (choices) and 4, by hand"},
+        Case{"constant",
+             spheres,
+             13,
+             {0, 100},
+             "machine-checked but for theorems 1 (operands) and 3, by hand",
+             FixedBound::constant},
+        Case{"constant_that_is_no_dyadic_number",
+             sum,
+             12,
+             {-5, 5},
+             "machine-checked but for theorems 1 (operands) and 3, by hand"},
+        Case{"dropped_bits",
+             {{"a * b * c * d", "min(a, b)"}},
+             6,
+             {-5, 5},
+             "machine-checked but for theorems 1 (operands), 2 (choices), 2 (dropped bits) and 3, "
+             "by hand"},
+        Case{"parts",
+             {{"a - b", "a - a"}, {"a^2 + b^2", "c^2"}},
+             17,
+             {0, 1},
+             "machine-checked but for theorems 1 (operands), 3 and 4, by hand"}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+class TooClose : public testing::TestWithParam<int> {};
+
+/// Each of the numbers that a decision is made of, a step too close to what it must exceed.
+TEST_P(TooClose, IsRefused) {
+  if (!proof::gappa_version().ok()) GTEST_SKIP() << "gappa is not installed";
+  const auto bound = GetParam() < 3 ? FixedBound::norm : FixedBound::constant;
+  FixedLane lane = lane_of({"", spheres, 13, {0, 100}, "", bound});
+  auto& decision = lane.parts.front().decision;
+  ASSERT_FALSE(proof_of(lane).refused());
+  if (auto* norm = std::get_if<fixed::NormThresholds>(&decision)) {
+    if (GetParam() == 0) --norm->shift_above;
+    if (GetParam() == 1) --norm->shift_below;
+    if (GetParam() == 2) --norm->offset_above;
+  } else {
+    auto& constants = std::get<fixed::ConstantThresholds>(decision);
+    if (GetParam() == 3) --constants.greater_from;
+    if (GetParam() == 4) ++constants.less_to;
+  }
+  EXPECT_TRUE(proof_of(lane).refused());
+}
+
+INSTANTIATE_TEST_SUITE_P(Thresholds, TooClose, testing::Range(0, 5));
+
+TEST(FixedProofOfOperands, DoesNotBelieveTheLane) {
+  FixedLane lane = lane_of({"", sum, 12, {0, 5}, ""});
+  const auto input =
+      std::find_if(lane.nodes.begin(), lane.nodes.end(),
+                   [](const fixed::FixedNode& node) { return node.operation == Operation::input; });
+  input->error = {0, 0};
+  bool read = false;
+  const std::vector<proof::Finding> findings =
+      proof::prove_fixed(lane, [&](const std::string& script) {
+        read = read || script.find("e0 in [") != std::string::npos;
+        EXPECT_EQ(script.find("e0 in [0, 0]"), std::string::npos) << script;
+        return proof::ScriptResult{Outcome::proven, "", ""};
+      }).findings;
+  EXPECT_GT(findings.size(), 2U);
+  EXPECT_TRUE(read);
+}
+
+}  // namespace
+}  // namespace mixcmp::test
