@@ -23,10 +23,12 @@ ConstantThresholds constant_thresholds(const FixedNode& difference) {
 std::optional<FixedPart> norm_part(FixedGraphBuilder& builder, NodeId f, NodeId g) {
   for (const bool swapped : {false, true}) {
     const NodeId sum = swapped ? g : f, square = swapped ? f : g;
-    const auto sides = norm_sides(builder.nodes(), sum, square);
+    auto sides = norm_sides(builder.nodes(), sum, square);
     if (!sides) continue;
+    if (builder.nodes()[sides->radius].value.low < 0) {
+      sides->radius = builder.magnitude(sides->radius);
+    }
     const NodeId difference = builder.difference(sum, square);
-    if (builder.nodes()[difference].dropped_bits > 0) continue;
     return FixedPart{
         .difference = difference,
         .swapped = swapped,
@@ -45,8 +47,8 @@ Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
   if (options.bound == FixedBound::norm) {
     return Error{.field = "reduced.error_bound",
                  .message =
-                     "no norm bound: it needs a sum of squares against the square of what "
-                     "is never negative",
+                     "no norm bound: it needs a sum of squares against a square, none of them too "
+                     "wide to be exact",
                  .received = "norm",
                  .accepted = "constant"};
   }
@@ -66,7 +68,11 @@ void mark(const FixedLane& lane, NodeId id, std::vector<bool>& marked) {
 /// Removes the nodes that no decision depends on: attempts at a norm leave some behind.
 void remove_unread(FixedLane& lane) {
   std::vector<bool> read(lane.nodes.size(), false);
-  for (const FixedPart& part : lane.parts) mark(lane, part.difference, read);
+  for (const FixedPart& part : lane.parts) {
+    mark(lane, part.difference, read);
+    const auto* norm = std::get_if<NormThresholds>(&part.decision);
+    if (norm != nullptr) mark(lane, norm->radius, read);
+  }
   std::vector<NodeId> new_id(lane.nodes.size(), -1);
   std::vector<FixedNode> kept;
   for (std::size_t id = 0; id < lane.nodes.size(); ++id) {

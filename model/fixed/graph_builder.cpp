@@ -60,6 +60,10 @@ NodeId FixedGraphBuilder::difference(NodeId a, NodeId b) {
   return add(operation(Operation::subtract, a, b));
 }
 
+NodeId FixedGraphBuilder::magnitude(NodeId a) {
+  return add(operation(Operation::absolute, a));
+}
+
 Result<FixedNode> FixedGraphBuilder::make(const Node& node) {
   switch (node.operation) {
     case Operation::input: return input(node);

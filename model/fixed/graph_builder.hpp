@@ -16,6 +16,8 @@ public:
   Result<NodeId> node(NodeId id);
   /// a - b.
   NodeId difference(NodeId a, NodeId b);
+  /// abs(a).
+  NodeId magnitude(NodeId a);
 
   std::vector<FixedNode>& nodes() { return nodes_; }
 

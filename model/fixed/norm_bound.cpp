@@ -51,7 +51,6 @@ std::optional<NormSides> norm_sides(const std::vector<FixedNode>& nodes, NodeId 
                                     NodeId square) {
   NormSides sides{.elements = {}, .radius = nodes[square].operands[0]};
   if (nodes[square].operation != Operation::square || nodes[square].dropped_bits > 0) return {};
-  if (nodes[sides.radius].value.low < 0) return {};
   if (!add_elements(nodes, sum, sides.elements)) return {};
   return sides;
 }

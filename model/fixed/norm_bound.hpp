@@ -9,11 +9,10 @@ namespace mixcmp::fixed {
 /// |x|^2 and s^2, both exact in fixed point.
 struct NormSides {
   std::vector<NodeId> elements;  ///< of x
-  NodeId radius;                 ///< s
+  NodeId radius;                 ///< s; thresholds take its absolute value if it may be negative
 };
 
-/// The two sides, if `sum` is a sum of squares (or one square) and `square` the square of a node
-/// that is never negative as computed.
+/// The two sides, if `sum` is a sum of squares (or one square) and `square` a square.
 std::optional<NormSides> norm_sides(const std::vector<FixedNode>& nodes, NodeId sum, NodeId square);
 
 /// The thresholds of `difference`, |x|^2 - s^2. Proof: docs/fixed_point.md, theorem 4.
