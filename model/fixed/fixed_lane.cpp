@@ -34,7 +34,12 @@ std::optional<FixedPart> norm_part(FixedGraphBuilder& builder, NodeId f, NodeId 
         .swapped = swapped,
         .decision = norm_thresholds(builder.nodes(), *sides, builder.nodes()[difference])};
   }
-  return std::nullopt;
+  const auto sides = two_norms(builder.nodes(), f, g);
+  if (!sides) return std::nullopt;
+  const NodeId difference = builder.difference(f, g);
+  return FixedPart{
+      .difference = difference,
+      .decision = norm_thresholds(builder.nodes(), *sides, builder.nodes()[difference])};
 }
 
 Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
@@ -47,8 +52,8 @@ Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
   if (options.bound == FixedBound::norm) {
     return Error{.field = "reduced.error_bound",
                  .message =
-                     "no norm bound: it needs a sum of squares against a square, none of them too "
-                     "wide to be exact",
+                     "no norm bound: it needs sums of squares on both sides, none of them too wide "
+                     "to be exact",
                  .received = "norm",
                  .accepted = "constant"};
   }
@@ -105,12 +110,15 @@ std::string describe(const ConstantThresholds& thresholds, const FixedPart& part
 std::string describe(const NormThresholds& thresholds, const FixedPart& part,
                      const std::vector<FixedNode>& nodes) {
   const mpq_class unit = nodes[part.difference].format.unit();
-  const mpq_class per_radius = unit / nodes[thresholds.radius].format.unit();
-  return fmt::format(
-      "certified: where {} is {} s + {} or more, or below {} s, with {} = s^2",
-      part.swapped ? "g - f" : "f - g", shown(power_of_two(thresholds.shift_above) * per_radius),
-      shown(thresholds.offset_above * unit),
-      shown(-power_of_two(thresholds.shift_below) * per_radius), part.swapped ? "f" : "g");
+  const mpq_class per_radius = unit / power_of_two(thresholds.unit_exponent(nodes));
+  return fmt::format("certified: where {} is {} s + {} or more, or below {} s, with {}",
+                     part.swapped ? "g - f" : "f - g",
+                     shown(power_of_two(thresholds.shift_above) * per_radius),
+                     shown(thresholds.offset_above * unit),
+                     shown(-power_of_two(thresholds.shift_below) * per_radius),
+                     thresholds.is_square ? "s the power of two above the root of g"
+                     : part.swapped       ? "f = s^2"
+                                          : "g = s^2");
 }
 
 std::string describe(const FixedLane& lane, const FixedPart& part) {

@@ -48,13 +48,19 @@ struct ConstantThresholds {
 };
 
 /// Decides by the norm of the errors, where the difference is that of a sum of squares, |x|^2, and
-/// a square, s^2, with s >= 0 as computed. For n and s in their units: greater iff
+/// a square, s^2, with s >= 0 as computed; or that of two sums of squares, |x|^2 and |y|^2, with s
+/// the least power of two above |y| as computed. For n and s in their units: greater iff
 /// n >= 2^shift_above s + offset_above, less iff n < -2^shift_below s.
 struct NormThresholds {
-  NodeId radius;  ///< s
+  NodeId radius;  ///< s, or |y|^2
+  bool is_square =
+      false;  ///< |y|^2: s is 2^k for the least k with |y|^2 < 4^k, both in their units
   int shift_above;
   mpz_class offset_above;
   int shift_below;
+
+  /// The power of two of s's unit.
+  int unit_exponent(const std::vector<FixedNode>& nodes) const;
 
   friend bool operator==(const NormThresholds&, const NormThresholds&) = default;
 };

@@ -55,18 +55,33 @@ std::optional<NormSides> norm_sides(const std::vector<FixedNode>& nodes, NodeId 
   return sides;
 }
 
+std::optional<NormSides> two_norms(const std::vector<FixedNode>& nodes, NodeId f, NodeId g) {
+  NormSides sides{.elements = {}, .radius = g};
+  const bool are_sums =
+      add_elements(nodes, f, sides.elements) && add_elements(nodes, g, sides.radius_elements);
+  return are_sums ? std::optional(sides) : std::nullopt;
+}
+
+int NormThresholds::unit_exponent(const std::vector<FixedNode>& nodes) const {
+  const int own = nodes[radius].format.unit_exponent;
+  return is_square ? own / 2 : own;  // that of a square is even
+}
+
 NormThresholds norm_thresholds(const std::vector<FixedNode>& nodes, const NormSides& sides,
                                const FixedNode& difference) {
+  NormThresholds thresholds{.radius = sides.radius, .is_square = sides.is_square()};
   const FixedNode& radius = nodes[sides.radius];
   const mpq_class norm = norm_of_errors(nodes, sides.elements);
-  const mpq_class above = std::max<mpq_class>(0, norm + radius_above(radius));
-  const mpq_class below = std::max<mpq_class>(0, norm + radius.error.high);
+  const mpq_class other = norm_of_errors(nodes, sides.radius_elements);
+  const mpq_class above = norm + (sides.is_square() ? other : radius_above(radius));
+  const mpq_class below = norm + (sides.is_square() ? other : radius.error.high);
   const mpq_class unit = difference.format.unit();
-  const mpq_class per_radius = 2 * radius.format.unit() / unit;
-  return {.radius = sides.radius,
-          .shift_above = shift_for(above * per_radius),
-          .offset_above = floor_of(above * above / unit) + 1,
-          .shift_below = shift_for(below * per_radius)};
+  const mpq_class per_radius = 2 * power_of_two(thresholds.unit_exponent(nodes)) / unit;
+  const mpq_class least = std::max<mpq_class>(0, above);
+  thresholds.shift_above = shift_for(least * per_radius);
+  thresholds.offset_above = floor_of(least * least / unit) + 1;
+  thresholds.shift_below = shift_for(below * per_radius);
+  return thresholds;
 }
 
 }  // namespace mixcmp::fixed

@@ -6,16 +6,24 @@
 
 namespace mixcmp::fixed {
 
-/// |x|^2 and s^2, both exact in fixed point.
+/// |x|^2 and s^2, or |x|^2 and |y|^2; all exact in fixed point.
 struct NormSides {
-  std::vector<NodeId> elements;  ///< of x
-  NodeId radius;                 ///< s; thresholds take its absolute value if it may be negative
+  std::vector<NodeId> elements;              ///< of x
+  NodeId radius;                             ///< s, never negative as computed; or |y|^2
+  std::vector<NodeId> radius_elements = {};  ///< of y; none: `radius` is s
+
+  bool is_square() const { return !radius_elements.empty(); }
 };
 
-/// The two sides, if `sum` is a sum of squares (or one square) and `square` a square.
+/// The two sides, if `sum` is a sum of squares (or one square) and `square` a square. The radius
+/// may be negative: its absolute value is as good.
 std::optional<NormSides> norm_sides(const std::vector<FixedNode>& nodes, NodeId sum, NodeId square);
 
-/// The thresholds of `difference`, |x|^2 - s^2. Proof: docs/fixed_point.md, theorem 4.
+/// The two sides, if f and g are sums of squares.
+std::optional<NormSides> two_norms(const std::vector<FixedNode>& nodes, NodeId f, NodeId g);
+
+/// The thresholds of `difference`, |x|^2 - s^2 or |x|^2 - |y|^2. Proof: docs/fixed_point.md,
+/// theorem 4.
 NormThresholds norm_thresholds(const std::vector<FixedNode>& nodes, const NormSides& sides,
                                const FixedNode& difference);
 

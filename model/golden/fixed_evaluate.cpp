@@ -77,6 +77,13 @@ Integer result_of(const FixedNode& node, const std::vector<FixedNode>& nodes,
   return shifted(operate(node.operation, operands[0], operands[1]), -node.dropped_bits);
 }
 
+/// 2^k for the least k >= 0 with value < 4^k.
+mpz_class power_above_root(const mpz_class& value) {
+  mpz_class power = 1;
+  while (value >= power * power) power *= 2;
+  return power;
+}
+
 LaneResult decide(const fixed::ConstantThresholds& thresholds, const mpz_class& difference,
                   const std::vector<Integer>&) {
   if (difference >= thresholds.greater_from) return {true, Verdict::greater};
@@ -86,7 +93,8 @@ LaneResult decide(const fixed::ConstantThresholds& thresholds, const mpz_class& 
 
 LaneResult decide(const fixed::NormThresholds& thresholds, const mpz_class& difference,
                   const std::vector<Integer>& values) {
-  const mpz_class& radius = *values[thresholds.radius];
+  const mpz_class& value = *values[thresholds.radius];
+  const mpz_class radius = thresholds.is_square ? power_above_root(value) : value;
   if (difference >= shifted(radius, thresholds.shift_above) + thresholds.offset_above) {
     return {true, Verdict::greater};
   }

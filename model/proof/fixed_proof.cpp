@@ -181,28 +181,50 @@ private:
                   thresholds.less_to * unit < difference.error.low);
   }
 
-  /// The conditions of theorem 4, with a = r + c for an r of which r^2 >= the errors' sum of
-  /// squares: 2 a s' + a^2 is exceeded from the upper limit on, 2 b s' below the lower one.
+  /// The conditions of theorem 4: a and b, which the limits' slopes stand for, and the offset.
   void prove_decision(const fixed::NormThresholds& thresholds, const fixed::FixedPart& part) {
     const FixedNode& difference = nodes_[part.difference];
-    const FixedNode& radius = nodes_[thresholds.radius];
     const mpq_class unit = difference.format.unit();
-    const mpq_class per_radius = unit / radius.format.unit();
-    const mpq_class a = power_of_two(thresholds.shift_above) * per_radius / 2;
-    const mpq_class b = power_of_two(thresholds.shift_below) * per_radius / 2;
-    const mpq_class above = largest_excess(radius);
-    const mpq_class offset = thresholds.offset_above * unit;
-    const mpq_class squares = sum_of_squares(part);
-    // Whether a number whose square is at least `squares` remains beside c in each limit.
-    const auto leaves_norm = [&](const mpq_class& limit, const mpq_class& taken) {
-      return limit >= taken && (limit - taken) * (limit - taken) >= squares;
+    const mpq_class per_radius = unit / power_of_two(thresholds.unit_exponent(nodes_)) / 2;
+    const Limits limits = {.a = power_of_two(thresholds.shift_above) * per_radius,
+                           .b = power_of_two(thresholds.shift_below) * per_radius,
+                           .offset = thresholds.offset_above * unit};
+    const mpq_class squares = sum_of_squares(difference.operands[0]);
+    const bool suffice = thresholds.is_square
+                             ? suffice_for_two(limits, squares, sum_of_squares(thresholds.radius))
+                             : suffice_for_radius(limits, squares, nodes_[thresholds.radius]);
+    add_exact("the limits are those that theorem 4 asks for", suffice);
+  }
+
+  struct Limits {
+    mpq_class a, b;
+    mpq_class offset;
+  };
+
+  /// Whether a >= r + c, offset > (r + c)^2 and b >= r + h, where r^2 = squares.
+  static bool suffice_for_radius(const Limits& limits, const mpq_class& squares,
+                                 const FixedNode& radius) {
+    const mpq_class c = largest_excess(radius);
+    const auto at_least = [&](const mpq_class& limit, const mpq_class& beside) {
+      return limit >= beside && (limit - beside) * (limit - beside) >= squares;
     };
-    // a^2 < offset for the a that is needed: (sqrt(offset) - c)^2 > squares without a root.
-    const mpq_class rest = offset - squares - above * above;
-    const bool offset_suffices = rest > 0 && rest * rest > 4 * above * above * squares;
-    add_exact("the limits are those that theorem 4 asks for",
-              radius.value.low >= 0 && leaves_norm(a, above) && offset_suffices &&
-                  leaves_norm(b, radius.error.high));
+    // offset - r^2 - c^2 > 2 c r, without the root.
+    const mpq_class rest = limits.offset - squares - c * c;
+    const mpq_class twice = 4 * c * c * squares;
+    const bool offset_suffices =
+        c >= 0 ? rest > 0 && rest * rest > twice : rest > 0 || rest * rest < twice;
+    return radius.value.low >= 0 && at_least(limits.a, c) && offset_suffices &&
+           at_least(limits.b, radius.error.high);
+  }
+
+  /// Whether a and b are at least p + q, and offset > (p + q)^2, given p^2 and q^2.
+  static bool suffice_for_two(const Limits& limits, const mpq_class& p2, const mpq_class& q2) {
+    const auto at_least = [&](const mpq_class& limit) {
+      const mpq_class rest = limit * limit - p2 - q2;
+      return limit >= 0 && rest >= 0 && rest * rest >= 4 * p2 * q2;
+    };
+    const mpq_class rest = limits.offset - p2 - q2;
+    return at_least(limits.a) && at_least(limits.b) && rest > 0 && rest * rest > 4 * p2 * q2;
   }
 
   /// c of theorem 4.
@@ -212,9 +234,6 @@ private:
   }
 
   /// The sum of the squares of the errors of all that is squared and summed.
-  mpq_class sum_of_squares(const fixed::FixedPart& part) const {
-    return sum_of_squares(nodes_[part.difference].operands[0]);
-  }
   mpq_class sum_of_squares(NodeId id) const {
     const FixedNode& node = nodes_[id];
     if (node.operation == Operation::square) return square(nodes_[node.operands[0]].error).high;

@@ -1,7 +1,8 @@
 // fixed_norm_decision: decides the sign of a difference |x|^2 - s^2 by the norm of the errors:
 // greater (2) from s * 2^SHIFT_ABOVE + OFFSET_ABOVE on, less (0) below -s * 2^SHIFT_BELOW. SWAPPED
-// exchanges the two verdicts.
-// Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
+// exchanges the two verdicts. With ROOT, `radius` is a square, and s is 2^k for the least k with
+// radius < 4^k.
+// Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
 // What lies between stays undecided, as what is out of range does. The difference is in two's
 // complement, the radius s has no sign. A verdict means something where `decided` is 1.
 `default_nettype none
@@ -9,12 +10,13 @@
 module fixed_norm_decision #(
   parameter                   WIDTH        = 30,
   parameter                   RADIUS_WIDTH = 14,
+  parameter                   ROOT         = 0,
   parameter                   LIMIT_WIDTH  = 18,  // of the largest limit, without a sign
   parameter                   SHIFT_ABOVE  = 3,
   parameter [LIMIT_WIDTH-1:0] OFFSET_ABOVE = 14,
   parameter                   SHIFT_BELOW  = 2,
   parameter                   SWAPPED      = 0,
-  parameter [1:0]             CUTS         = 2'b00
+  parameter [2:0]             CUTS         = 3'b000
 ) (
   input  wire                    aclk,
   input  wire [WIDTH-1:0]        difference,
@@ -23,6 +25,9 @@ module fixed_norm_decision #(
   output wire [1:0]              verdict,
   output wire                    decided
 );
+
+  // Of s, or with ROOT of s - 1: k ones.
+  localparam S_WIDTH = (ROOT != 0) ? (RADIUS_WIDTH + 1) / 2 : RADIUS_WIDTH;
 
   // A bit above the wider of the two, and one for the sum.
   localparam COMMON = ((WIDTH > LIMIT_WIDTH) ? WIDTH : LIMIT_WIDTH + 1) + 1;
@@ -35,47 +40,82 @@ module fixed_norm_decision #(
     if (RADIUS_WIDTH < 1) begin : g_refused_radius
       RADIUS_WIDTH_is_below_1 refused ();
     end
-    if ((SHIFT_ABOVE < 0) || (SHIFT_ABOVE + RADIUS_WIDTH > LIMIT_WIDTH)) begin : g_refused_above
+    if ((SHIFT_ABOVE < 0) || (SHIFT_ABOVE + S_WIDTH > LIMIT_WIDTH)) begin : g_refused_above
       SHIFT_ABOVE_is_not_0_to_what_LIMIT_WIDTH_holds refused ();
     end
-    if ((SHIFT_BELOW < 0) || (SHIFT_BELOW + RADIUS_WIDTH > LIMIT_WIDTH)) begin : g_refused_below
+    if ((SHIFT_BELOW < 0) || (SHIFT_BELOW + S_WIDTH > LIMIT_WIDTH)) begin : g_refused_below
       SHIFT_BELOW_is_not_0_to_what_LIMIT_WIDTH_holds refused ();
     end
   endgenerate
 
-  // Stage limit.
-  wire [LIMIT_WIDTH-1:0] s0_radius      = {{(LIMIT_WIDTH - RADIUS_WIDTH) {1'b0}}, radius};
-  wire [LIMIT_WIDTH-1:0] s0_above       = (s0_radius << SHIFT_ABOVE) + OFFSET_ABOVE;
-  wire [WIDTH-1:0]       s1_difference;
-  wire [LIMIT_WIDTH-1:0] s1_radius;
-  wire [LIMIT_WIDTH-1:0] s1_above;
-  wire                   s1_out_of_range;
+  // Stage root: a one for each place from which on the square has a digit, two bits a place.
+  wire [S_WIDTH-1:0] s0_s;
+
+  genvar place;
+  generate
+    if (ROOT != 0) begin : g_root
+      for (place = 0; place < S_WIDTH; place = place + 1) begin : g_place
+        assign s0_s[place] = |radius[RADIUS_WIDTH-1:2*place];
+      end
+    end else begin : g_radius
+      assign s0_s = radius;
+    end
+  endgenerate
+
+  wire [WIDTH-1:0]   s1_difference;
+  wire [S_WIDTH-1:0] s1_s;
+  wire               s1_out_of_range;
 
   fp_rank #(
-    .WIDTH     (WIDTH + 2 * LIMIT_WIDTH + 1),
+    .WIDTH     (WIDTH + S_WIDTH + 1),
     .REGISTERED(CUTS[0])
   ) rank_0 (
     .aclk(aclk),
-    .d   ({difference, s0_radius, s0_above, out_of_range}),
-    .q   ({s1_difference, s1_radius, s1_above, s1_out_of_range})
+    .d   ({difference, s0_s, out_of_range}),
+    .q   ({s1_difference, s1_s, s1_out_of_range})
   );
 
-  // Stage compare.
-  wire [LIMIT_WIDTH-1:0] s1_below  = s1_radius << SHIFT_BELOW;
-  wire [COMMON-1:0]      s1_common = {{(COMMON - WIDTH) {s1_difference[WIDTH-1]}}, s1_difference};
-  wire [COMMON-1:0]      s1_over   = s1_common - {{(COMMON - LIMIT_WIDTH) {1'b0}}, s1_above};
-  wire [COMMON-1:0]      s1_under  = s1_common + {{(COMMON - LIMIT_WIDTH) {1'b0}}, s1_below};
-  wire                   s1_greater  = !s1_over[COMMON-1];
-  wire                   s1_less     = s1_under[COMMON-1];
-  wire                   unused_bits = ^{s1_over, s1_under};
+  // Stage limit.
+  localparam [LIMIT_WIDTH-1:0] ONE    = (ROOT != 0) ? 1 : 0;
+  localparam [LIMIT_WIDTH-1:0] OFFSET = OFFSET_ABOVE + (ONE << SHIFT_ABOVE);
+
+  wire [LIMIT_WIDTH-1:0] s1_wide_s = {{(LIMIT_WIDTH - S_WIDTH) {1'b0}}, s1_s};
+  wire [LIMIT_WIDTH-1:0] s1_above  = (s1_wide_s << SHIFT_ABOVE) + OFFSET;
+
+  wire [WIDTH-1:0]       s2_difference;
+  wire [LIMIT_WIDTH-1:0] s2_wide_s;
+  wire [LIMIT_WIDTH-1:0] s2_above;
+  wire                   s2_out_of_range;
 
   fp_rank #(
-    .WIDTH     (3),
+    .WIDTH     (WIDTH + 2 * LIMIT_WIDTH + 1),
     .REGISTERED(CUTS[1])
   ) rank_1 (
     .aclk(aclk),
-    .d   ({(SWAPPED != 0) ? s1_less : s1_greater, 1'b0,
-           (s1_greater || s1_less) && !s1_out_of_range}),
+    .d   ({s1_difference, s1_wide_s, s1_above, s1_out_of_range}),
+    .q   ({s2_difference, s2_wide_s, s2_above, s2_out_of_range})
+  );
+
+  // Stage compare. With ROOT the lower limit lacks one: the ones below it, and a carry into the sum
+  // from an extra last place.
+  localparam [LIMIT_WIDTH-1:0] ONES = (ONE << SHIFT_BELOW) - ONE;
+
+  wire [LIMIT_WIDTH-1:0] s2_below  = (s2_wide_s << SHIFT_BELOW) | ONES;
+  wire [COMMON-1:0]      s2_common = {{(COMMON - WIDTH) {s2_difference[WIDTH-1]}}, s2_difference};
+  wire [COMMON-1:0]      s2_over   = s2_common - {{(COMMON - LIMIT_WIDTH) {1'b0}}, s2_above};
+  wire [COMMON:0]        s2_under  =
+      {s2_common, 1'b1} + {{(COMMON - LIMIT_WIDTH) {1'b0}}, s2_below, ROOT != 0};
+  wire                   s2_greater  = !s2_over[COMMON-1];
+  wire                   s2_less     = s2_under[COMMON];
+  wire                   unused_bits = ^{s2_over, s2_under};
+
+  fp_rank #(
+    .WIDTH     (3),
+    .REGISTERED(CUTS[2])
+  ) rank_2 (
+    .aclk(aclk),
+    .d   ({(SWAPPED != 0) ? s2_less : s2_greater, 1'b0,
+           (s2_greater || s2_less) && !s2_out_of_range}),
     .q   ({verdict, decided})
   );
 

@@ -70,6 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"norm", {{"(a - b)^2 + b^2", "(abs(a) + 1.3)^2"}}, 4, both_signs},
         Case{"norm_swapped", {{"(a + 1.5)^2", "(b - 2)^2 + (a - b)^2"}}, 5, positive},
+        Case{"two_norms", {{"(a - b)^2 + b^2", "(b + 1.3)^2 + a^2"}}, 6, both_signs},
         Case{"constant", {{"a * b - a", "max(a, b) + 0.3"}}, 5, both_signs},
         Case{"dropped_bits", {{"a * b * abs(a - 0.7) * b", "min(-a, b) * 20"}}, 7, both_signs},
         Case{"wider_than_a_multiplier", {{"(a - b) * (a + b)", "a * b"}}, 19, both_signs},

@@ -141,6 +141,8 @@ INSTANTIATE_TEST_SUITE_P(
         Comparison{"hypotenuse", "a^2 + b^2", "c^2", {0, 6}, {}, true},
         Comparison{"absolute_radius", "a^2", "abs(b - c)^2", {0, 3}, {}, true},
         Comparison{"radius_of_either_sign", "a^2", "(1.3 - b)^2", {0, mpq_class(19, 10)}, {}, true},
+        Comparison{"two_norms", "(a - b)^2", "(a - c)^2 + b^2", {0, 3}, {}, true},
+        Comparison{"nearer_of_two", "(a - b)^2 + b^2", "(a - c)^2 + c^2", {-3, 3}, {}, true},
         Comparison{"radius_of_two_signs", "a^2", "(b - c)^2", {0, 3}, {}, true},
         Comparison{
             "radius_much_finer", "a^2 + b^2", "c^2", {0, 3}, Range{0, mpq_class(1, 16)}, true},

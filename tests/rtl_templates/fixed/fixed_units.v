@@ -110,7 +110,8 @@ module fixed_units #(
     end
   endgenerate
 
-  // Of a difference of five bits by constants; of six bits and a radius of three by a norm.
+  // Of a difference of five bits by constants; of six bits and a radius of three by a norm, in
+  // every fifth slot one of five bits that is a square.
   generate
     for (slot = 0; slot < DECISIONS; slot = slot + 1) begin : g_constant
       localparam [5:0] LESS_TO      = slot % 16 - 13;
@@ -142,19 +143,22 @@ module fixed_units #(
 
       assign decisions[DECISIONS+slot] = {61'b0, verdict, decided};
 
+      localparam RADIUS = (slot % 5 == 4) ? 5 : 3;
+
       fixed_norm_decision #(
           .WIDTH       (6),
-          .RADIUS_WIDTH(3),
+          .RADIUS_WIDTH(RADIUS),
+          .ROOT        (slot % 5 == 4),
           .LIMIT_WIDTH (6),
           .SHIFT_ABOVE (slot % 3),
           .OFFSET_ABOVE(slot / 3 % 8),
           .SHIFT_BELOW (slot / 24 % 3),
           .SWAPPED     (slot / 2 % 2),
-          .CUTS        (slot % 4)
+          .CUTS        (slot % 8)
       ) decision (
           .aclk        (aclk),
           .difference  (a),
-          .radius      (b[2:0]),
+          .radius      (b[RADIUS-1:0]),
           .out_of_range(flag),
           .verdict     (verdict),
           .decided     (decided)

@@ -74,8 +74,16 @@ std::uint64_t constant_decision(int slot, const Operands& operands) {
   return answer(greater, exact && !greater && !less, (greater || less || exact) && !operands.flag);
 }
 
+/// 2^k for the least k with square < 4^k.
+int power_above_root(int square) {
+  int power = 1;
+  while (square >= power * power) power *= 2;
+  return power;
+}
+
 std::uint64_t norm_decision(int slot, const Operands& operands) {
-  const int difference = low_signed(operands.a, 6), radius = operands.b & 7;
+  const int difference = low_signed(operands.a, 6);
+  const int radius = slot % 5 == 4 ? power_above_root(operands.b) : operands.b & 7;
   const bool greater = difference >= (radius << slot % 3) + slot / 3 % 8;
   const bool less = difference < -(radius << slot / 24 % 3);
   const bool swapped = slot / 2 % 2 == 1;
@@ -117,7 +125,7 @@ private:
           "decision by constants", slot);
       compare(
           units_.rootp->fixed_units__DOT__decisions[decisions + slot],
-          std::popcount(static_cast<unsigned>(slot % 4)),
+          std::popcount(static_cast<unsigned>(slot % 8)),
           [&](const Operands& operands) { return norm_decision(slot, operands); },
           "decision by a norm", slot);
     }
@@ -135,7 +143,7 @@ private:
 
   VerilatedContext context_;
   Vfixed_units units_;
-  std::array<Operands, 4> history_ = {};
+  std::array<Operands, 5> history_ = {};
   std::size_t cycle_ = 0;
 };
 
