@@ -197,6 +197,15 @@ Result<Done> check_has_data(const LoadedScene& loaded, const std::string& why) {
                .accepted = "[data] with items or file"};
 }
 
+void tell_of_fixed_point(const scene::Scene& scene) {
+  for (const scene::LaneGroupSpec& group : scene.lane_groups()) {
+    if (!group.reduced.fixed_bits) continue;
+    return tell(fmt::format(
+        "note: this verb counts lanes in floating point alone, none in {} as the scene asks",
+        group.reduced.format_name()));
+  }
+}
+
 Result<design::Design> design_of(const SceneOptions& options, const LoadedScene& loaded) {
   auto design = design::make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr,
                                     profile::profile_error);

@@ -143,6 +143,7 @@ void print_text(const report::ProfileReport& report, const Trades& weighed) {
 
 void run(const ProfileCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
+  tell_of_fixed_point(loaded.scene);
   value_or_exit(check_has_data(loaded, "a profile needs data to measure"));
   profile::ProfileOptions options = command.run;
   options.last_precision =

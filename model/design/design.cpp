@@ -132,6 +132,15 @@ bool part_can_decide(const error::Lane& lane) {
                     lane.decision());
 }
 
+Error undecidable(const std::string& format) {
+  return {.field = "reduced.format",
+          .message =
+              "too many roundings for so few digits: no two results are far enough "
+              "apart to be decided",
+          .received = format,
+          .accepted = "more precision"};
+}
+
 Result<error::Lane> design_certified_lane(const scene::Scene& scene,
                                           const scene::ReducedSpec& reduced,
                                           const TypedGraph& graph) {
@@ -142,12 +151,7 @@ Result<error::Lane> design_certified_lane(const scene::Scene& scene,
   for (std::size_t k = 0; k < lane.parts.size(); ++k) {
     if (part_can_decide(part_of(lane, k))) return lane;
   }
-  return Error{.field = "reduced.format",
-               .message =
-                   "too many roundings for so few digits: no two results are far enough "
-                   "apart to be decided",
-               .received = lane.graph.arithmetic.format.name(),
-               .accepted = "more precision"};
+  return undecidable(lane.graph.arithmetic.format.name());
 }
 
 /// How a lane in fixed point bounds its errors; none: its own choice.
@@ -166,6 +170,26 @@ Result<std::optional<fixed::FixedBound>> fixed_bound(const scene::ReducedSpec& r
                .accepted = "auto, constant, norm"};
 }
 
+bool can_decide(const fixed::ConstantThresholds& thresholds, const fixed::FixedNode& difference) {
+  const mpq_class unit = difference.format.unit();
+  return thresholds.exact || thresholds.greater_from * unit <= difference.value.high ||
+         thresholds.less_to * unit >= difference.value.low;
+}
+
+/// Above all where the radius is zero.
+bool can_decide(const fixed::NormThresholds& thresholds, const fixed::FixedNode& difference) {
+  return thresholds.offset_above * difference.format.unit() <= difference.value.high;
+}
+
+/// Whether any two results can lie far enough apart for some part to be decided.
+bool can_decide(const fixed::FixedLane& lane) {
+  return std::any_of(lane.parts.begin(), lane.parts.end(), [&](const fixed::FixedPart& part) {
+    const fixed::FixedNode& difference = lane.nodes[static_cast<std::size_t>(part.difference)];
+    return std::visit([&](const auto& decision) { return can_decide(decision, difference); },
+                      part.decision);
+  });
+}
+
 Result<fixed::FixedLane> design_fixed_lane(const scene::Scene& scene,
                                            const scene::ReducedSpec& reduced) {
   if (reduced.bound == scene::BoundKind::profiled) {
@@ -181,8 +205,11 @@ Result<fixed::FixedLane> design_fixed_lane(const scene::Scene& scene,
                  .accepted = "embedded, or a format in floating point"};
   }
   MIXCMP_TRY(bound, fixed_bound(reduced));
-  return fixed::fixed_lane(scene.graph, scene.reference.format,
-                           {.bits = *reduced.fixed_bits, .bound = bound, .ranges = scene.ranges});
+  const fixed::FixedOptions options{
+      .bits = *reduced.fixed_bits, .bound = bound, .ranges = scene.ranges};
+  MIXCMP_TRY(lane, fixed::fixed_lane(scene.graph, scene.reference.format, options));
+  if (can_decide(lane)) return lane;
+  return undecidable(reduced.format_name());
 }
 
 template <class Made>

@@ -63,6 +63,12 @@ TEST_F(ProfileCommand, CountsEverySystemAtEveryPrecision) {
   }
 }
 
+TEST_F(ProfileCommand, TellsThatItLeavesFixedPointOut) {
+  const Outcome run = profile("scene.toml --last 6 --set reduced.format=q13");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("none in q13"), std::string::npos) << run.output;
+}
+
 TEST_F(ProfileCommand, BruteForceFindsTheSame) {
   const std::string arguments = "scene.toml --set data.count=60 --both-inputs";
   EXPECT_EQ(profile(arguments).output, profile(arguments + " --brute-force --threads 1").output);

@@ -195,6 +195,59 @@ TEST(MakeDesign, RefusesALaneThatCouldNeverDecide) {
   EXPECT_TRUE(design::make_design(scene, nullptr).ok());
 }
 
+/// The squares in fixed point.
+Scene fixed_scene() {
+  Scene scene = complete_scene();
+  scene.reduced.format.reset();
+  scene.reduced.fixed_bits = 13;
+  scene.ranges = {Range{0, 4}, Range{0, 4}};
+  return scene;
+}
+
+TEST(MakeDesign, HasLanesInFixedPoint) {
+  const Design design = design::make_design(fixed_scene(), nullptr).value();
+  EXPECT_TRUE(design.certified());
+  EXPECT_EQ(design::format_name(design.lanes.front().lane), "q13");
+  EXPECT_EQ(lane_group_names(design), (std::vector<std::string>{"q13"}));
+}
+
+TEST(MakeDesign, RefusesWhatFixedPointHasNot) {
+  Scene scene = fixed_scene();
+  scene.ranges[1].reset();
+  EXPECT_EQ(error_of(scene).field, "inputs.b.range");
+  scene = fixed_scene();
+  scene.reduced.bound = BoundKind::profiled;
+  EXPECT_EQ(error_of(scene).field, "reduced.bound");
+  scene = fixed_scene();
+  scene.reduced.multipliers = Multipliers::logic;
+  EXPECT_EQ(error_of(scene).field, "reduced.multipliers");
+  scene = fixed_scene();
+  scene.reduced.error_bound = ErrorBoundKind::running;
+  EXPECT_EQ(error_of(scene).field, "reduced.error_bound");
+  scene = complete_scene();
+  scene.reduced.error_bound = ErrorBoundKind::norm;
+  EXPECT_EQ(error_of(scene).field, "reduced.error_bound");
+}
+
+TEST(MakeDesign, RefusesALaneInFixedPointThatCouldNeverDecide) {
+  Scene scene = fixed_scene();
+  scene.graph = graph_of("a^8", "b^8");
+  scene.reduced.fixed_bits = 2;
+  scene.reduced.error_bound = ErrorBoundKind::constant;
+  EXPECT_NE(error_of(scene).message.find("no two results"), std::string::npos);
+  EXPECT_EQ(error_of(scene).received, "q2");
+}
+
+TEST(LaneGroupNames, TellLanesInFixedPointApart) {
+  Scene scene = fixed_scene();
+  LaneGroupSpec norm{.count = 1, .reduced = scene.reduced, .place = {}};
+  LaneGroupSpec constant = norm;
+  constant.reduced.error_bound = ErrorBoundKind::constant;
+  scene.lanes = {norm, constant};
+  EXPECT_EQ(lane_group_names(design::make_design(scene, nullptr).value()),
+            (std::vector<std::string>{"q13_norm", "q13_constant"}));
+}
+
 TEST(MakeDesign, RefusesAProfileOfNothing) {
   Scene scene = complete_scene();
   scene.reduced.bound = BoundKind::profiled;
