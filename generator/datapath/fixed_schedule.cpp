@@ -33,7 +33,7 @@ public:
            .conditions = {},
            .decision = placer_.place(fixed_decision_unit(lane_, part, placer_.delays()), start)});
     }
-    for (NodeId id = static_cast<NodeId>(lane_.nodes.size()); id-- > 0;) move_later(id);
+    for (auto id = static_cast<NodeId>(lane_.nodes.size()); id-- > 0;) move_later(id);
     return placer_.finish(std::move(schedule_));
   }
 

@@ -31,5 +31,7 @@ template <class... Functions>
 struct Cases : Functions... {
   using Functions::operator()...;
 };
+template <class... Functions>
+Cases(Functions...) -> Cases<Functions...>;  // clang 14 deduces no aggregates itself
 
 }  // namespace mixcmp::design
