@@ -140,13 +140,13 @@ bool add_node(Code& code, const TypedGraph& graph, int column) {
   const TypedNode& node = graph.nodes[column];
   const TrustedRange operands = trusted_operands(node.format, graph.arithmetic.subnormals);
   if (node.operation == Operation::input) {
-    code.inputs.emplace_back(column, node.input);
+    code.layout.inputs.emplace_back(column, node.input);
     add_range(code, operands, column);
     return true;
   }
   if (node.operation == Operation::constant) {
     const double value = to_double(node.format, node.constant);
-    code.constants.emplace_back(column, value);
+    code.layout.constants.emplace_back(column, value);
     return is_trusted(operands, value);
   }
   add_instruction(code, node, column, graph.arithmetic.rounding);
@@ -193,7 +193,7 @@ std::uint64_t power_bits(int exponent) {
 /// Adds the widest window of exponents that operands may have. Their number is a power of two; the
 /// window contains 1 if it can.
 void add_window(Code& code, const TypedGraph& graph) {
-  if (code.inputs.empty()) return;  // no operand would limit the search
+  if (code.layout.inputs.empty()) return;  // no operand would limit the search
   const std::optional<SafeOperands> safe = safe_operands(graph);
   if (!safe || safe->high == safe->low) return;
   const int count = static_cast<int>(std::bit_floor(static_cast<unsigned>(safe->high - safe->low)));
@@ -204,7 +204,7 @@ void add_window(Code& code, const TypedGraph& graph) {
       .columns = {},
       .least = power_bits(low),
       .outside = (all_exponents & ~inside) | surplus_digits(graph.input_format)};
-  for (const auto& [column, operand] : code.inputs) window.columns.push_back(column);
+  for (const auto& [column, operand] : code.layout.inputs) window.columns.push_back(column);
   code.window = std::move(window);
 }
 
@@ -212,8 +212,9 @@ void add_window(Code& code, const TypedGraph& graph) {
 
 std::optional<Code> make_code(const TypedGraph& graph, const error::Lane* lane) {
   if (!fits_double(graph)) return std::nullopt;
-  Code code{.columns = static_cast<int>(graph.nodes.size()), .f = graph.f(), .g = graph.g()};
-  for (int id = 0; id < code.columns; ++id) {
+  Code code{
+      .layout = {.columns = static_cast<int>(graph.nodes.size())}, .f = graph.f(), .g = graph.g()};
+  for (int id = 0; id < code.layout.columns; ++id) {
     if (!add_node(code, graph, id)) return std::nullopt;
   }
   add_window(code, graph);

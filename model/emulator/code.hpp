@@ -1,9 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 #include <vector>
 
+#include "model/emulator/column_blocks.hpp"
 #include "model/emulator/kernels.hpp"
 #include "model/error/lane.hpp"
 
@@ -13,9 +13,7 @@ namespace mixcmp::emulator {
 /// of the graph; the columns of an absolute bound follow. docs/emulator.md proves that this is
 /// exact.
 struct Code {
-  int columns = 0;
-  std::vector<std::pair<int, int>> inputs;        ///< column, operand
-  std::vector<std::pair<int, double>> constants;  ///< column, value
+  ColumnLayout layout;
   std::vector<Instruction> values;
   std::vector<Instruction> bounds;   ///< after the values, and only for decisions
   std::vector<TrustedRange> ranges;  ///< if a value is outside, the golden model answers

@@ -44,10 +44,10 @@ bool is_safe(BoundFormat format) {
 
 void add_bound_node(Code& code, const error::BoundNode& node, BoundFormat format,
                     int first_column) {
-  const int column = code.columns++;
+  const int column = code.layout.columns++;
   if (node.operation == error::BoundOperation::constant) {
     const Bits bound = encode_bound(format, node.constant);
-    code.constants.emplace_back(column, bound_as_double(format, bound));
+    code.layout.constants.emplace_back(column, bound_as_double(format, bound));
     return;
   }
   const auto operand = [&](int k) { return node.operands[k] + first_column; };
@@ -73,13 +73,13 @@ void set_guard(DecisionRule& decision, FloatFormat format, Bits guard, int power
 
 bool add(Code& code, const error::Lane& lane, const error::AbsoluteBoundDecision& decision) {
   if (!is_safe(decision.bound.format)) return false;
-  const int first_column = code.columns;
+  const int first_column = code.layout.columns;
   for (const error::BoundNode& node : decision.bound.nodes) {
     add_bound_node(code, node, decision.bound.format, first_column);
   }
   code.decision.rule = Rule::absolute_bound;
   code.decision.first = decision.difference;
-  code.decision.second = code.columns - 1;
+  code.decision.second = code.layout.columns - 1;
   const FloatFormat format = lane.graph.arithmetic.format;
   set_guard(code.decision, format, decision.guard_ulp, double_digits - format.precision());
   for (const error::BoundCondition& condition : decision.conditions) {
@@ -135,8 +135,8 @@ OperandCheck operand_check(const error::RangeCheck& check, int column, FloatForm
 bool add_checks(Code& code, const error::Lane& lane) {
   for (const error::RangeCheck& check : lane.checks) {
     const auto reads = [&](const auto& input) { return input.second == check.input; };
-    const auto input = std::find_if(code.inputs.begin(), code.inputs.end(), reads);
-    if (input == code.inputs.end()) return false;
+    const auto input = std::find_if(code.layout.inputs.begin(), code.layout.inputs.end(), reads);
+    if (input == code.layout.inputs.end()) return false;
     code.decision.checks.push_back(operand_check(check, input->first, lane.graph.input_format));
   }
   return true;

@@ -8,6 +8,7 @@
 
 #include "model/common/check.hpp"
 #include "model/emulator/code.hpp"
+#include "model/emulator/combine_parts.hpp"
 #include "model/emulator/execution.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/number/double.hpp"
@@ -78,10 +79,6 @@ Emulator::Program::Values Emulator::Program::compute(OperandColumns operands,
 
 namespace {
 
-/// The rank of each Decision: where parts are combined, the highest rank wins.
-constexpr std::array<std::uint8_t, 5> ranks_of_all = {0, 1, 4, 2, 3};
-constexpr std::array<std::uint8_t, 5> ranks_of_any = {4, 1, 0, 2, 3};
-
 /// Runs the code and decides; `doubtful` decides where double cannot be trusted.
 template <class Doubtful>
 void run(const Code& code, const DecisionRule& decision, Execution::Scope scope,
@@ -140,24 +137,15 @@ Emulator::~Emulator() = default;
 Emulator::Emulator(Emulator&&) noexcept = default;
 Emulator& Emulator::operator=(Emulator&&) noexcept = default;
 
-/// Combines the parts' decisions. `all` takes the last of them in the order less, equal, unordered,
-/// undecided, greater; `any` takes the first in the order less, undecided, unordered, equal,
-/// greater.
 template <class Judge>
 void Emulator::combine(std::size_t count, std::span<Decision> decisions, Judge judge) const {
   MIXCMP_CHECK(decisions.size() >= count);
   judge(*parts_.front(), decisions.first(count));
   if (parts_.size() == 1) return;
-  const std::array<std::uint8_t, 5>& ranks =
-      combination_ == Combination::all ? ranks_of_all : ranks_of_any;
   std::vector<Decision> part(count);
   for (std::size_t index = 1; index < parts_.size(); ++index) {
     judge(*parts_[index], std::span(part));
-    for (std::size_t k = 0; k < count; ++k) {
-      const bool outweighs =
-          ranks[static_cast<std::size_t>(part[k])] > ranks[static_cast<std::size_t>(decisions[k])];
-      if (outweighs) decisions[k] = part[k];
-    }
+    combine_parts(combination_, decisions.first(count), part);
   }
 }
 

@@ -1,17 +1,13 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
-/// The part of the emulator that is compiled once per instruction set. The code is executed block
-/// by block: every node of a graph is a column of doubles, every instruction one loop over columns.
-namespace mixcmp::emulator {
+#include "model/emulator/block.hpp"
 
-/// The size of a block is a multiple of this: the comparisons in four of the widest vectors.
-inline constexpr std::size_t block_granularity = 32;
-inline constexpr std::size_t max_block_size = 128;
+/// The part of the emulator that is compiled once per instruction set.
+namespace mixcmp::emulator {
 
 enum class Kernel : std::uint8_t {
   add,
@@ -119,12 +115,6 @@ struct DecisionRule {
   };
   std::vector<Condition> conditions;
   std::vector<OperandCheck> checks;
-};
-
-struct Block {
-  const double* const* columns;  ///< `size` numbers each
-  double* const* results;        ///< the same columns, where instructions write
-  std::size_t size;              ///< a multiple of block_granularity
 };
 
 void execute(const std::vector<Instruction>& instructions, const Block& block);

@@ -1,0 +1,230 @@
+#include "model/emulator/fixed_code.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "model/common/check.hpp"
+#include "model/number/verdict.hpp"
+
+namespace mixcmp::emulator {
+namespace {
+
+using fixed::FixedLane;
+using fixed::FixedNode;
+using fixed::FixedPart;
+
+constexpr int double_digits = 53;
+/// Far from the exponents where doubles end, even for reciprocals and squares.
+constexpr int largest_exponent = 400;
+
+double power(int exponent) {
+  return std::ldexp(1, exponent);
+}
+
+bool fits_double(const FixedNode& node) {
+  const int exact_width = node.format.width + node.dropped_bits;
+  return exact_width <= double_digits &&
+         std::abs(node.format.unit_exponent) + exact_width <= largest_exponent;
+}
+
+/// Slopes below 1 would round.
+bool fits_double(const FixedPart& part) {
+  const auto* norm = std::get_if<fixed::NormThresholds>(&part.decision);
+  return norm == nullptr || (norm->shift_above >= 0 && norm->shift_below >= 0);
+}
+
+FixedKernel kernel_of(Operation operation) {
+  switch (operation) {
+    case Operation::negate: return FixedKernel::negate;
+    case Operation::absolute: return FixedKernel::absolute;
+    case Operation::add: return FixedKernel::add;
+    case Operation::subtract: return FixedKernel::subtract;
+    case Operation::multiply:
+    case Operation::square: return FixedKernel::multiply;
+    case Operation::minimum: return FixedKernel::minimum;
+    case Operation::maximum: return FixedKernel::maximum;
+    case Operation::input:
+    case Operation::constant:
+    case Operation::convert:
+    case Operation::divide:
+    case Operation::square_root: break;
+  }
+  MIXCMP_CHECK(false);
+}
+
+FixedConversion conversion_of(const FixedFormat& format) {
+  const int magnitude_bits = format.width - (format.is_signed ? 1 : 0);
+  return {.unit = power(format.unit_exponent),
+          .limit = power(format.unit_exponent + magnitude_bits),
+          .is_signed = format.is_signed};
+}
+
+/// The instruction that computes a node; of one operand a, b and c are the same.
+FixedInstruction instruction_of(const FixedNode& node, NodeId result) {
+  const NodeId first = node.operands[0], last = node.operands[arity(node.operation) - 1];
+  return {.kernel = kernel_of(node.operation), .result = result, .a = first, .b = last, .c = first};
+}
+
+/// Compiles a lane. What one operation alone reads, whole, is computed with it where there is a
+/// kernel: the difference in a square, the product or square in a sum.
+class FixedCodeMaker {
+public:
+  explicit FixedCodeMaker(const FixedLane& lane)
+      : lane_(lane), reads_(lane.nodes.size(), 0), is_fused_(lane.nodes.size(), false) {
+    code_.layout.columns = static_cast<int>(lane.nodes.size());
+    count_reads();
+    choose_fused();
+  }
+
+  FixedCode make() {
+    for (NodeId id = 0; id < static_cast<NodeId>(lane_.nodes.size()); ++id) add_node(id);
+    for (const FixedPart& part : lane_.parts) add_decision(part);
+    return std::move(code_);
+  }
+
+private:
+  const FixedNode& node(NodeId id) const { return lane_.nodes[id]; }
+
+  void count_reads() {
+    for (const FixedNode& node : lane_.nodes) {
+      for (int k = 0; k < arity(node.operation); ++k) ++reads_[node.operands[k]];
+    }
+    for (const FixedPart& part : lane_.parts) {
+      ++reads_[part.difference];
+      if (const auto* norm = std::get_if<fixed::NormThresholds>(&part.decision)) {
+        ++reads_[norm->radius];
+      }
+    }
+  }
+
+  bool is_whole_and_read_once(NodeId id) const {
+    return reads_[id] == 1 && node(id).dropped_bits == 0;
+  }
+
+  bool is_lone_product(NodeId id) const {
+    const Operation operation = node(id).operation;
+    return (operation == Operation::multiply || operation == Operation::square) &&
+           is_whole_and_read_once(id);
+  }
+
+  bool squares_a_lone_difference(const FixedNode& node) const {
+    return node.operation == Operation::square &&
+           this->node(node.operands[0]).operation == Operation::subtract &&
+           is_whole_and_read_once(node.operands[0]);
+  }
+
+  /// The place of the product that a sum computes itself: of a difference the second; or none.
+  std::optional<int> product_of(const FixedNode& sum) const {
+    if (sum.operation != Operation::add && sum.operation != Operation::subtract) return {};
+    if (is_lone_product(sum.operands[1])) return 1;
+    const bool first = sum.operation == Operation::add && is_lone_product(sum.operands[0]);
+    return first ? std::optional(0) : std::nullopt;
+  }
+
+  void choose_fused() {
+    for (const FixedNode& node : lane_.nodes) {
+      if (squares_a_lone_difference(node)) is_fused_[node.operands[0]] = true;
+      if (const auto place = product_of(node)) is_fused_[node.operands[*place]] = true;
+    }
+  }
+
+  void add_node(NodeId id) {
+    const FixedNode& added = node(id);
+    if (added.operation == Operation::input) {
+      code_.inputs.push_back({id, added.input, conversion_of(added.format)});
+      code_.layout.inputs.emplace_back(id, added.input);
+    } else if (added.operation == Operation::constant) {
+      const double value = added.constant.get_d() * power(added.format.unit_exponent);
+      code_.layout.constants.emplace_back(id, value);
+    } else if (!is_fused_[id]) {
+      add_instruction(id);
+    }
+  }
+
+  void add_instruction(NodeId id) {
+    const FixedNode& added = node(id);
+    const auto product = product_of(added);
+    FixedInstruction instruction = product ? sum_with_product(added, *product)
+                                   : squares_a_lone_difference(added) ? square_of_difference(added)
+                                                                      : instruction_of(added, id);
+    instruction.result = id;
+    if (added.dropped_bits > 0) instruction.result = code_.layout.columns++;
+    code_.instructions.push_back(instruction);
+    if (added.dropped_bits == 0) return;
+    add_unary(FixedKernel::truncate, id, instruction.result).unit =
+        power(added.format.unit_exponent);
+  }
+
+  FixedInstruction square_of_difference(const FixedNode& square) const {
+    FixedInstruction instruction = instruction_of(node(square.operands[0]), -1);
+    instruction.kernel = FixedKernel::square_of_difference;
+    return instruction;
+  }
+
+  FixedInstruction sum_with_product(const FixedNode& sum, int place) const {
+    const FixedNode& product = node(sum.operands[place]);
+    const bool squared = squares_a_lone_difference(product), adds = sum.operation == Operation::add;
+    FixedInstruction instruction =
+        squared ? square_of_difference(product) : instruction_of(product, -1);
+    instruction.c = sum.operands[1 - place];
+    instruction.kernel = squared ? (adds ? FixedKernel::add_square_of_difference
+                                         : FixedKernel::subtract_square_of_difference)
+                         : adds  ? FixedKernel::add_product
+                                 : FixedKernel::subtract_product;
+    return instruction;
+  }
+
+  void add_decision(const FixedPart& part) {
+    FixedDecision decision{.difference = part.difference, .radius = part.difference};
+    const double unit = power(node(part.difference).format.unit_exponent);
+    std::visit([&](const auto& thresholds) { set(decision, thresholds, unit); }, part.decision);
+    if (part.swapped) std::swap(decision.greater, decision.less);
+    code_.decisions.push_back(decision);
+  }
+
+  void set(FixedDecision& decision, const fixed::ConstantThresholds& thresholds, double unit) {
+    const mpz_class below = -thresholds.less_to - 1;
+    decision.offset_above = thresholds.greater_from.get_d() * unit;
+    decision.offset_below = below.get_d() * unit;
+    if (thresholds.exact) decision.otherwise = static_cast<std::uint8_t>(Decision::equal);
+  }
+
+  void set(FixedDecision& decision, const fixed::NormThresholds& thresholds, double unit) {
+    const double radius_unit = power(thresholds.unit_exponent(lane_.nodes));
+    decision.radius = thresholds.is_square ? add_root(thresholds) : thresholds.radius;
+    decision.slope_above = power(thresholds.shift_above) * unit / radius_unit;
+    decision.offset_above = thresholds.offset_above.get_d() * unit;
+    decision.slope_below = power(thresholds.shift_below) * unit / radius_unit;
+  }
+
+  int add_root(const fixed::NormThresholds& thresholds) {
+    const int column = code_.layout.columns++;
+    FixedInstruction& root = add_unary(FixedKernel::power_above_root, column, thresholds.radius);
+    root.unit = power(thresholds.unit_exponent(lane_.nodes));
+    root.square_unit = power(node(thresholds.radius).format.unit_exponent);
+    return column;
+  }
+
+  FixedInstruction& add_unary(FixedKernel kernel, int result, int operand) {
+    return code_.instructions.emplace_back(FixedInstruction{
+        .kernel = kernel, .result = result, .a = operand, .b = operand, .c = operand});
+  }
+
+  const FixedLane& lane_;
+  std::vector<int> reads_;  ///< [node]: by nodes and decisions
+  std::vector<bool> is_fused_;
+  FixedCode code_;
+};
+
+}  // namespace
+
+std::optional<FixedCode> make_fixed_code(const FixedLane& lane) {
+  const bool fits = std::all_of(lane.nodes.begin(), lane.nodes.end(),
+                                [](const FixedNode& node) { return fits_double(node); }) &&
+                    std::all_of(lane.parts.begin(), lane.parts.end(),
+                                [](const FixedPart& part) { return fits_double(part); });
+  return fits ? std::optional(FixedCodeMaker(lane).make()) : std::nullopt;
+}
+
+}  // namespace mixcmp::emulator

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/emulator/column_blocks.hpp"
+#include "model/emulator/fixed_kernels.hpp"
+#include "model/fixed/fixed_lane.hpp"
+
+namespace mixcmp::emulator {
+
+/// A lane in fixed point, compiled to instructions on columns of doubles. The operands that it
+/// reads stand in the first columns.
+struct FixedCode {
+  struct Input {
+    int column;
+    int operand;
+    FixedConversion conversion;
+  };
+  std::vector<Input> inputs;
+  ColumnLayout layout;  ///< its inputs are operands that are converted already
+  std::vector<FixedInstruction> instructions;
+  std::vector<FixedDecision> decisions;  ///< one per part
+};
+
+/// None where some integer has more bits than a double.
+std::optional<FixedCode> make_fixed_code(const fixed::FixedLane& lane);
+
+}  // namespace mixcmp::emulator

@@ -1,0 +1,180 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "model/emulator/fixed_emulator.hpp"
+#include "model/golden/fixed_evaluate.hpp"
+#include "model/number/double.hpp"
+#include "tests/model/emulator/against_golden.hpp"
+#include "tests/support/bounded_comparisons.hpp"
+#include "tests/support/float_samples.hpp"
+#include "tests/support/graphs.hpp"
+#include "tests/support/sphere.hpp"
+
+namespace mixcmp::test {
+namespace {
+
+using emulator::Emulator;
+using emulator::FixedEmulator;
+using fixed::FixedLane;
+using Columns = std::vector<std::vector<double>>;
+using Random = std::mt19937_64;
+
+std::vector<const double*> pointers(const Columns& columns) {
+  std::vector<const double*> pointers;
+  for (const auto& column : columns) pointers.push_back(column.data());
+  return pointers;
+}
+
+/// Operands where truncation, checks and thresholds turn: steps of the coarser units and their
+/// neighbours, both zeros, the ends of the range, numbers beyond it, infinities and NaNs; half of
+/// them anywhere in the range.
+double hard_operand(const Range& range, Random& random) {
+  const double low = range.low.get_d(), high = range.high.get_d();
+  const double inside = low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+  const double step = std::ldexp(1, std::ilogb(high - low) - static_cast<int>(random() % 24));
+  const double stepped = std::nearbyint(inside / step) * step;
+  switch (random() % 16) {
+    case 0: return std::nextafter(stepped, random() % 2 == 0 ? -1e300 : 1e300);
+    case 1:
+    case 2:
+    case 3: return stepped;
+    case 4: return random() % 2 == 0 ? 0.0 : -0.0;
+    case 5: return random() % 2 == 0 ? low : high;
+    case 6: return 3 * inside;
+    case 7: {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      const double specials[] = {infinity, -infinity, std::nan(""), 5e-324, -5e-324, 1e300};
+      return specials[random() % 6];
+    }
+    default: return inside;
+  }
+}
+
+/// One column per input. Now and then an operand repeats the one before it, for ties.
+Columns hard_columns(const std::vector<std::optional<Range>>& ranges, std::size_t count,
+                     Random& random) {
+  Columns columns(ranges.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t input = 0; input < ranges.size(); ++input) {
+      const bool repeats = input > 0 && random() % 4 == 0;
+      columns[input].push_back(repeats ? columns[input - 1][k]
+                                       : hard_operand(*ranges[input], random));
+    }
+  }
+  return columns;
+}
+
+std::vector<Decision> golden_decisions(const FixedLane& lane, const Columns& columns) {
+  std::vector<Decision> decisions;
+  for (std::size_t k = 0; k < columns.front().size(); ++k) {
+    std::vector<Bits> inputs;
+    for (const auto& column : columns) inputs.push_back(from_double(lane.input_format, column[k]));
+    const golden::LaneResult result = golden::evaluate_lane(lane, inputs);
+    decisions.push_back(result.decided ? decision_of(result.verdict) : Decision::undecided);
+  }
+  return decisions;
+}
+
+void expect_golden(const std::string& name, const FixedLane& lane, const Columns& columns) {
+  const std::vector<Decision> expected = golden_decisions(lane, columns);
+  const FixedEmulator emulator(lane);
+  for_each_instruction_set([&] {
+    std::vector<Decision> got(expected.size());
+    emulator.decide(pointers(columns), got.size(), got);
+    for (std::size_t k = 0; k < got.size(); ++k) {
+      if (got[k] == expected[k]) continue;
+      ADD_FAILURE() << Emulator::instruction_set() << ", " << name << ", comparison " << k
+                    << ": expected " << static_cast<int>(expected[k]) << ", got "
+                    << static_cast<int>(got[k]);
+      return;
+    }
+  });
+}
+
+class FixedEmulation : public testing::TestWithParam<BoundedComparison> {};
+
+TEST_P(FixedEmulation, IsTheGoldenModelsBitForBit) {
+  Random random(1);
+  const Columns columns = hard_columns(GetParam().ranges(), 301, random);
+  const auto lanes = fixed_lanes(GetParam(), format("s53e11"), {1, 2, 4, 7, 13, 17, 22, 24, 30});
+  for (const auto& [name, lane] : lanes) expect_golden(name, lane, columns);
+}
+
+INSTANTIATE_TEST_SUITE_P(Comparisons, FixedEmulation, testing::ValuesIn(bounded_comparisons()),
+                         [](const auto& parameter) { return parameter.param.name; });
+
+/// Parts that decide by norms and by constants, that share operations, and that say `any`.
+TEST(FixedEmulationOfParts, IsTheGoldenModels) {
+  const Graph any =
+      graph_of({{"abs(a - b)", "c"}, {"(a - b)^2", "c^2"}, {"a", "b + c"}}, Combination::any);
+  const Graph all = graph_of({{"abs(a - b)", "c"}, {"(a - b)^2", "c^2"}}, Combination::all);
+  Random random(2);
+  for (const Graph& graph : {any, all}) {
+    const std::vector<std::optional<Range>> ranges(3, Range{-4, 6});
+    const Columns columns = hard_columns(ranges, 1000, random);
+    for (const int bits : {2, 5, 13}) {
+      const auto lane =
+          fixed::fixed_lane(graph, format("s53e11"), {.bits = bits, .bound = {}, .ranges = ranges});
+      ASSERT_TRUE(lane.ok());
+      expect_golden("parts", *lane, columns);
+    }
+  }
+}
+
+FixedLane sphere_lane(int bits) {
+  return fixed::fixed_lane(
+             sphere_graph(), format("s53e11"),
+             {.bits = bits, .bound = {}, .ranges = std::vector(8, std::optional(Range{0, 100}))})
+      .value();
+}
+
+TEST(ConvertedOperands, AreDecidedLikeThoseThatArrive) {
+  Random random(3);
+  const FixedLane lane = sphere_lane(13);
+  const Columns columns = hard_columns(std::vector(8, std::optional(Range{0, 100})), 1001, random);
+  const FixedEmulator emulator(lane);
+  ASSERT_TRUE(emulator.is_exact_in_double());
+  Columns converted(8, std::vector<double>(1001));
+  for (int input = 0; input < 8; ++input) {
+    emulator.convert(input, columns[input], converted[input]);
+  }
+  std::vector<Decision> decided(1001);
+  emulator.decide_converted(pointers(converted), 1001, decided);
+  EXPECT_EQ(decided, golden_decisions(lane, columns));
+}
+
+TEST(ConvertedOperands, AreTruncatedToTheUnit) {
+  const FixedEmulator emulator(sphere_lane(13));  // of 2^-6
+  const std::vector<double> operands = {0x1.8p-6, 99.99, 128, -0.0, std::nan("")};
+  std::vector<double> converted(5);
+  emulator.convert(0, operands, converted);
+  EXPECT_EQ(converted[0], 0x1p-6);
+  EXPECT_EQ(converted[1], 99.984375);
+  for (int k = 2; k < 5; ++k) EXPECT_TRUE(std::isnan(converted[k])) << k;
+}
+
+TEST(WideFixedLanes, FallBackToTheGoldenModel) {
+  Random random(4);
+  const Columns columns = hard_columns(std::vector(8, std::optional(Range{0, 100})), 10, random);
+  std::vector<Decision> decisions(10);
+  for (const auto& [bits, fallbacks] : {std::pair{25, 0u}, std::pair{26, 10u}}) {
+    const FixedEmulator emulator(sphere_lane(bits));
+    emulator.decide(pointers(columns), 10, decisions);
+    EXPECT_EQ(emulator.fallbacks(), fallbacks) << bits;
+    EXPECT_EQ(emulator.is_exact_in_double(), fallbacks == 0) << bits;
+  }
+}
+
+TEST(FixedBatches, WriteNothingBeyondThem) {
+  Random random(5);
+  const Columns columns = hard_columns(std::vector(8, std::optional(Range{0, 100})), 45, random);
+  std::vector<Decision> decisions(100, Decision::unordered);
+  FixedEmulator(sphere_lane(17)).decide(pointers(columns), 45, decisions);
+  EXPECT_NE(decisions[44], Decision::unordered);
+  for (std::size_t k = 45; k < 100; ++k) EXPECT_EQ(decisions[k], Decision::unordered);
+}
+
+}  // namespace
+}  // namespace mixcmp::test

@@ -1,0 +1,89 @@
+#include "tests/support/bounded_comparisons.hpp"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/graphs.hpp"
+
+namespace mixcmp::test {
+
+Graph BoundedComparison::graph() const {
+  return graph_of(f, g);
+}
+
+std::vector<std::optional<Range>> BoundedComparison::ranges() const {
+  const Graph parsed = graph();
+  std::vector<std::optional<Range>> ranges;
+  for (const std::string& input : parsed.inputs()) {
+    ranges.push_back(input == "c" && of_c ? *of_c : range);
+  }
+  return ranges;
+}
+
+void PrintTo(const BoundedComparison& comparison, std::ostream* stream) {
+  *stream << comparison.f << " against " << comparison.g;
+}
+
+std::vector<BoundedComparison> bounded_comparisons() {
+  return {
+      BoundedComparison{"inputs", "a", "b", {0, 4}},
+      BoundedComparison{"signed_inputs", "a", "b", {-3, 4}},
+      BoundedComparison{"constant", "a", "0.3", {0, 1}},
+      BoundedComparison{"negative", "-a", "-2.5", {0, 3}},
+      BoundedComparison{"scaled", "0.3 * a", "b", {0, 3}},
+      BoundedComparison{"squares", "a^2", "b^2", {0, 3}, {}, true},
+      BoundedComparison{"signed_squares", "a^2", "b^2", {-3, 3}, {}, true},
+      BoundedComparison{"distance", "(a - b)^2", "c^2", {0, 3}, {}, true},
+      BoundedComparison{"swapped_distance", "c^2", "(a - b)^2", {0, 3}, {}, true},
+      BoundedComparison{"signed_distance", "(a - b)^2", "c^2", {-3, 3}, Range{0, 5}, true},
+      BoundedComparison{"two_terms", "a^2 + b^2", "c^2", {-2, 2}, Range{0, 3}, true},
+      BoundedComparison{"two_radii", "a^2", "(b + c)^2", {0, 3}, Range{0, 6}, true},
+      BoundedComparison{"hypotenuse", "a^2 + b^2", "c^2", {0, 6}, {}, true},
+      BoundedComparison{"absolute_radius", "a^2", "abs(b - c)^2", {0, 3}, {}, true},
+      BoundedComparison{
+          "radius_of_either_sign", "a^2", "(1.3 - b)^2", {0, mpq_class(19, 10)}, {}, true},
+      BoundedComparison{"two_norms", "(a - b)^2", "(a - c)^2 + b^2", {0, 3}, {}, true},
+      BoundedComparison{"nearer_of_two", "(a - b)^2 + b^2", "(a - c)^2 + c^2", {-3, 3}, {}, true},
+      BoundedComparison{"radius_of_two_signs", "a^2", "(b - c)^2", {0, 3}, {}, true},
+      BoundedComparison{
+          "radius_much_finer", "a^2 + b^2", "c^2", {0, 3}, Range{0, mpq_class(1, 16)}, true},
+      BoundedComparison{
+          "radius_much_coarser", "(a - b)^2", "c^2", {0, mpq_class(1, 8)}, Range{0, 6}, true},
+      BoundedComparison{"against_a_constant", "a^2 + b^2", "2", {-2, 2}},
+      BoundedComparison{"rectangle", "a * b", "c", {0, 3}, Range{0, 9}},
+      BoundedComparison{"signed_product", "a * b", "c", {-3, 3}},
+      BoundedComparison{"absolute", "abs(a - b)", "c", {0, 3}},
+      BoundedComparison{"absolute_of_signed", "abs(a)", "abs(b)", {-6, 3}},
+      BoundedComparison{"taxi", "abs(a - 1) + abs(b - 1)", "c", {0, 3}},
+      BoundedComparison{"minimum", "min(a, b)", "c", {-3, 3}},
+      BoundedComparison{"maximum", "max(a^2, b)", "abs(c)", {-3, 3}},
+      BoundedComparison{"cancelling_squares", "a^2 - b^2", "c", {0, 3}},
+      BoundedComparison{"cube", "a^3", "b", {-2, 2}},
+      BoundedComparison{"eighth", "a^8", "b", {0, 2}},
+      BoundedComparison{"polynomial", "a^3 - 3 * a * b", "b", {-3, 3}},
+      BoundedComparison{"scales", "a - c / 1024", "b", {0, 3}, Range{0, 3000}},
+      BoundedComparison{"tiny_range", "a", "b", {0, mpq_class(1, 16)}},
+      BoundedComparison{"itself", "a - a", "b - b", {0, 3}},
+      BoundedComparison{"clamped", "min(max(a - b, 0), 1)", "c", {0, 3}},
+      BoundedComparison{"norms", "a^2 + b^2", "(c + 0.7)^2", {-2, 2}, Range{0, 3}, true}};
+}
+
+std::vector<NamedFixedLane> fixed_lanes(const BoundedComparison& comparison, FloatFormat format,
+                                        const std::vector<int>& widths) {
+  using fixed::FixedBound;
+  std::vector<NamedFixedLane> lanes;
+  for (const int bits : widths) {
+    for (const FixedBound bound : {FixedBound::constant, FixedBound::norm}) {
+      const auto lane =
+          fixed::fixed_lane(comparison.graph(), format,
+                            {.bits = bits, .bound = bound, .ranges = comparison.ranges()});
+      const char* const name = bound == FixedBound::norm ? "norm" : "constant";
+      const bool exists = bound == FixedBound::constant || comparison.has_norm.value_or(lane.ok());
+      EXPECT_EQ(lane.ok(), exists) << name;
+      if (lane.ok()) lanes.push_back({fmt::format("q{}, {}", bits, name), *lane});
+    }
+  }
+  return lanes;
+}
+
+}  // namespace mixcmp::test
