@@ -21,8 +21,9 @@ std::vector<NodeId> decided_from(const fixed::FixedPart& part) {
 
 class FixedScheduler {
 public:
-  FixedScheduler(const FixedLane& lane, const DelayTable& delays, double target_mhz)
-      : lane_(lane), placer_(delays, target_mhz) {}
+  FixedScheduler(const FixedLane& lane, scene::Multipliers multipliers, const DelayTable& delays,
+                 double target_mhz)
+      : lane_(lane), multipliers_(multipliers), placer_(delays, target_mhz) {}
 
   Schedule run() {
     for (const FixedNode& node : lane_.nodes) place_node(node);
@@ -41,7 +42,8 @@ private:
   void place_node(const FixedNode& node) {
     if (node.operation == Operation::constant) return schedule_.steps.push_back({});
     const int start = ready_cycle(schedule_.steps, operands_of(node));
-    schedule_.steps.push_back(placer_.place(fixed_unit(lane_, node, placer_.delays()), start));
+    schedule_.steps.push_back(
+        placer_.place(fixed_unit(lane_, node, multipliers_, placer_.delays()), start));
   }
 
   /// Moves a node to the cycle in which its result is needed first, if that takes fewer registers.
@@ -102,14 +104,16 @@ private:
   }
 
   const FixedLane& lane_;
+  scene::Multipliers multipliers_;
   UnitPlacer placer_;
   Schedule schedule_;
 };
 
 }  // namespace
 
-Schedule schedule_lane(const FixedLane& lane, const DelayTable& delays, double target_mhz) {
-  return FixedScheduler(lane, delays, target_mhz).run();
+Schedule schedule_lane(const FixedLane& lane, scene::Multipliers multipliers,
+                       const DelayTable& delays, double target_mhz) {
+  return FixedScheduler(lane, multipliers, delays, target_mhz).run();
 }
 
 }  // namespace mixcmp::datapath

@@ -37,6 +37,13 @@ Unit product_unit(int b_bits, const DelayTable& delays) {
   return unit;
 }
 
+Unit logic_product_unit(LogicProduct::Kind kind, int bits, const DelayTable& delays) {
+  constexpr int fewest_bits = 4;
+  StageList stages(delays);
+  stages.add_logic_product({std::max(bits, fewest_bits), kind});
+  return std::move(stages).unit("fixed_logic_product");
+}
+
 Unit choice_unit(int bits, const DelayTable& delays) {
   StageList stages(delays);
   stages.add("compare", stages.carry(bits + 1));
@@ -83,7 +90,9 @@ int operand_bits(const std::vector<FixedNode>& nodes, const FixedNode& node, int
   return signed_bits(nodes[node.operands[operand]].format) + alignment_bits(nodes, node, operand);
 }
 
-Unit fixed_unit(const FixedLane& lane, const FixedNode& node, const DelayTable& delays) {
+Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers multipliers,
+                const DelayTable& delays) {
+  const bool of_logic = multipliers == scene::Multipliers::logic;
   const auto bits = [&](int operand) { return operand_bits(lane.nodes, node, operand); };
   switch (node.operation) {
     case Operation::input: return operand_unit(lane.input_format, node.format, delays);
@@ -92,8 +101,13 @@ Unit fixed_unit(const FixedLane& lane, const FixedNode& node, const DelayTable& 
     case Operation::subtract:
       return chain_unit("fixed_sum", "add", std::max(bits(0), bits(1)) + 1, delays);
     case Operation::absolute: return chain_unit("fixed_absolute", "negate", bits(0), delays);
-    case Operation::multiply: return product_unit(bits(1), delays);
-    case Operation::square: return product_unit(bits(0), delays);
+    case Operation::multiply:
+      return of_logic ? logic_product_unit(LogicProduct::Kind::product, std::max(bits(0), bits(1)),
+                                           delays)
+                      : product_unit(bits(1), delays);
+    case Operation::square:
+      return of_logic ? logic_product_unit(LogicProduct::Kind::square, bits(0), delays)
+                      : product_unit(bits(0), delays);
     case Operation::minimum:
     case Operation::maximum: return choice_unit(std::max(bits(0), bits(1)), delays);
     case Operation::constant:

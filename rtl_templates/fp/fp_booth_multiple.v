@@ -4,7 +4,8 @@
 `default_nettype none
 
 module fp_booth_multiple #(
-  parameter WIDTH = 24
+  parameter WIDTH  = 24,
+  parameter SIGNED = 0    // 1: the value is in two's complement
 ) (
   input  wire [2:0]       digit,
   input  wire [WIDTH-1:0] value,
@@ -26,7 +27,8 @@ module fp_booth_multiple #(
 
   assign doubled  = !single && (digit[2] ^ digit[1]);
   assign negative = digit[2] && !(digit[1] && digit[0]);
-  assign multiple = ({1'b0, once} | {twice, 1'b0}) ^ {(WIDTH + 1) {negative}};
+  assign multiple = ({(SIGNED != 0) && once[WIDTH-1], once} | {twice, 1'b0}) ^
+                    {(WIDTH + 1) {negative}};
 
 endmodule
 

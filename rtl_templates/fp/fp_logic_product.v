@@ -1,6 +1,5 @@
-// fp_logic_product: the product of two significands, or the square of one, without `*`.
+// fp_logic_product: the product of two integers, or the square of one, without `*`.
 // Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
-// The significands have a leading one, not among their bits here: in [2^(P-1), 2^P).
 //
 // Booth's digits make half as many rows as there are bits, a square's on average half as long as a
 // product's. A row that joins a sum is gates of five inputs in front of a carry chain: with the
@@ -12,15 +11,18 @@
 module fp_logic_product #(
   parameter       PRECISION = 24,  // to 127
   parameter       SQUARE    = 0,   // 1: of a; b is not read
+  parameter       SIGNED    = 0,   // 1: a and b are in two's complement, of 4 bits or more
   parameter [6:0] CUTS      = 7'b0
 ) (
   input  wire                   aclk,
-  input  wire [PRECISION-2:0]   a,
-  input  wire [PRECISION-2:0]   b,
+  input  wire [PRECISION-1:0]   a,
+  input  wire [PRECISION-1:0]   b,
   output wire [2*PRECISION-1:0] product
 );
 
   localparam ROWS = (SQUARE != 0) ? PRECISION / 2 : PRECISION / 2 + 1;
+  // Whether the last digit is a sign and the bit below it.
+  localparam CARRIES = (SIGNED != 0) && ((SQUARE != 0) || (PRECISION % 2 != 0));
   // Of the first digit's middle bit; each other is two places up.
   localparam PLACE = (SQUARE != 0) ? 1 + PRECISION % 2 : 0;
 
@@ -39,6 +41,9 @@ module fp_logic_product #(
     if ((PRECISION < 2) || (PRECISION > 127)) begin : g_refused_precision
       PRECISION_is_not_2_to_127 refused ();
     end
+    if ((SIGNED != 0) && (PRECISION < 4)) begin : g_refused_signed
+      PRECISION_of_SIGNED_is_below_4 refused ();
+    end
   endgenerate
 
   genvar level;
@@ -47,24 +52,45 @@ module fp_logic_product #(
   // The operands of levels 0 to 2, where rows join.
   generate
     for (level = 0; level < 3; level = level + 1) begin : g_operands
-      wire [PRECISION-2:0] a_fraction;
-      wire [PRECISION-2:0] b_fraction;
-      wire [PRECISION-1:0] a_significand = {1'b1, a_fraction};
-      wire [PRECISION-1:0] b_significand = {1'b1, b_fraction};
-      wire                 unused_bits   = ^{a_significand, b_significand};
+      wire [PRECISION-1:0] a_factor;
+      wire [PRECISION-1:0] b_factor;
+      wire                 unused_bits = ^{a_factor, b_factor};
 
       if (level == 0) begin : g_first
-        assign a_fraction = a;
-        assign b_fraction = b;
+        assign a_factor = a;
+        assign b_factor = b;
       end else begin : g_later
         fp_rank #(
-          .WIDTH     (2 * PRECISION - 2),
+          .WIDTH     (2 * PRECISION),
           .REGISTERED(CUTS[level-1])
         ) rank (
           .aclk(aclk),
-          .d   ({g_operands[level-1].a_fraction, g_operands[level-1].b_fraction}),
-          .q   ({a_fraction, b_fraction})
+          .d   ({g_operands[level-1].a_factor, g_operands[level-1].b_factor}),
+          .q   ({a_factor, b_factor})
         );
+      end
+    end
+  endgenerate
+
+  // A last digit of -1 is owed more than its row can have.
+  generate
+    for (level = 0; level < 7; level = level + 1) begin : g_owed
+      wire carry;
+      wire unused_carry = carry;
+
+      if (level > 0) begin : g_later
+        fp_rank #(
+          .WIDTH     (1),
+          .REGISTERED(CUTS[level-1])
+        ) rank (
+          .aclk(aclk),
+          .d   (g_owed[level-1].carry),
+          .q   (carry)
+        );
+      end else if (CARRIES) begin : g_carry
+        assign carry = a[PRECISION-1] && !a[PRECISION-2];
+      end else begin : g_no_carry
+        assign carry = 1'b0;
       end
     end
   endgenerate
@@ -91,11 +117,12 @@ module fp_logic_product #(
           fp_product_row #(
             .PRECISION(PRECISION),
             .SQUARE   (SQUARE),
+            .SIGNED   (SIGNED),
             .ROW      (FIRST),
             .WIDTH    (LOW)
           ) product_row (
-            .a  (g_operands[0].a_significand),
-            .b  (g_operands[0].b_significand),
+            .a  (g_operands[0].a_factor),
+            .b  (g_operands[0].b_factor),
             .row(low)
           );
         end else if (level < 3) begin : g_same
@@ -114,11 +141,12 @@ module fp_logic_product #(
             fp_product_row #(
               .PRECISION(PRECISION),
               .SQUARE   (SQUARE),
+              .SIGNED   (SIGNED),
               .ROW      (UPPER),
               .WIDTH    (HIGH)
             ) product_row (
-              .a  (g_operands[level].a_significand),
-              .b  (g_operands[level].b_significand),
+              .a  (g_operands[level].a_factor),
+              .b  (g_operands[level].b_factor),
               .row(high)
             );
           end else begin : g_halves
@@ -128,11 +156,13 @@ module fp_logic_product #(
           fp_shifted_sum #(
             .LOW  (LOW),
             .HIGH (HIGH),
-            .SHIFT(SHIFT)
+            .SHIFT(SHIFT),
+            .CARRY(CARRIES && (UPPER == ROWS - 1))
           ) shifted_sum (
-            .low (low),
-            .high(high),
-            .sum (sum)
+            .low  (low),
+            .high (high),
+            .carry(g_owed[level].carry),
+            .sum  (sum)
           );
         end else begin : g_pass
           assign sum = low;

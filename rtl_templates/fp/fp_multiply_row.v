@@ -1,12 +1,16 @@
 // fp_multiply_row: one row of a product, b times one of a's digits (fp_booth_multiple).
 // Combinational. The row's first place is that of the digit before, which is owed one there if it
 // was negative. Signs: -s is 1 - s less one, and the ones that all rows lack together are a one
-// above each row and one more in the first row's sign.
+// above each row and one more in the first row's sign. The last digit of a signed factor has no row
+// after it: it is owed four of the row's first places, three of which the row has and one the
+// caller adds. It is -1 only where the digit before is not negative.
 `default_nettype none
 
 module fp_multiply_row #(
   parameter PRECISION = 24,
-  parameter FIRST     = 0    // 1: of the first row
+  parameter FIRST     = 0,   // 1: of the first row
+  parameter SIGNED    = 0,   // 1: b is in two's complement
+  parameter LAST      = 0    // 1: of a signed factor's last digit
 ) (
   input  wire [4:0]           digits,  // this one and, sharing a bit, the one before
   input  wire [PRECISION-1:0] b,
@@ -25,7 +29,8 @@ module fp_multiply_row #(
   wire               unused_doubled;
 
   fp_booth_multiple #(
-    .WIDTH(PRECISION)
+    .WIDTH (PRECISION),
+    .SIGNED(SIGNED)
   ) booth_multiple (
     .digit   (digits[4:2]),
     .value   (b),
@@ -34,10 +39,13 @@ module fp_multiply_row #(
     .negative(negative)
   );
 
-  wire       owed = digits[2] && !(digits[1] && digits[0]);
-  wire [2:0] sign = (FIRST != 0) ? {!negative, negative, negative} : {2'b01, !negative};
+  wire       minus = (SIGNED != 0) ? multiple[PRECISION] : negative;
+  wire       owed  = digits[2] && !(digits[1] && digits[0]);
+  wire [2:0] sign  = (FIRST != 0) ? {!minus, minus, minus} : {2'b01, !minus};
 
-  assign row = {sign, multiple, 1'b0, owed};
+  wire       own   = (LAST != 0) && negative;
+
+  assign row = {sign, multiple, own, own || owed};
 
 endmodule
 

@@ -46,7 +46,9 @@ module fp_product #(
         .product(product)
       );
     end else begin : g_gates
-      wire unused_leading_ones = a[PRECISION-1] ^ factor[PRECISION-1];
+      wire                 unused_leading_ones = a[PRECISION-1] ^ factor[PRECISION-1];
+      wire [PRECISION-1:0] a_significand       = {1'b1, a[PRECISION-2:0]};
+      wire [PRECISION-1:0] b_significand       = {1'b1, factor[PRECISION-2:0]};
 
       fp_logic_product #(
         .PRECISION(PRECISION),
@@ -54,8 +56,8 @@ module fp_product #(
         .CUTS     (CUTS)
       ) logic_product (
         .aclk   (aclk),
-        .a      (a[PRECISION-2:0]),
-        .b      (factor[PRECISION-2:0]),
+        .a      (a_significand),
+        .b      (b_significand),
         .product(product)
       );
     end

@@ -5,6 +5,7 @@
 module fp_product_row #(
   parameter PRECISION = 24,
   parameter SQUARE    = 0,
+  parameter SIGNED    = 0,
   parameter ROW       = 0,
   parameter WIDTH     = PRECISION + 6
 ) (
@@ -14,6 +15,7 @@ module fp_product_row #(
 );
 
   localparam ROWS      = (SQUARE != 0) ? PRECISION / 2 : PRECISION / 2 + 1;
+  localparam LAST      = (SIGNED != 0) && (ROW == ROWS - 1);
   localparam ROW_WIDTH = (SQUARE != 0) ? 2 * ROW + PRECISION % 2 + 4 : PRECISION + 6;
 
   // Parameters that do not fit: an instance of a module that does not exist.
@@ -33,22 +35,26 @@ module fp_product_row #(
     if (SQUARE != 0) begin : g_square
       localparam PLACE = 2 * ROW + 1 + PRECISION % 2;
 
-      wire [PRECISION:0] extended = {1'b0, a};
+      wire [PRECISION:0] extended = {(SIGNED != 0) && a[PRECISION-1], a};
       wire               unused   = ^{extended, b};
 
       fp_square_row #(
-        .PLACE(PLACE)
+        .PLACE(PLACE),
+        .LAST (LAST)
       ) square_row (
         .a  (extended[PLACE+1:0]),
         .row(row)
       );
     end else begin : g_multiply
-      wire [PRECISION+4:0] extended = {2'b00, a, 3'b000};
+      wire                 sign     = (SIGNED != 0) && a[PRECISION-1];
+      wire [PRECISION+4:0] extended = {sign, sign, a, 3'b000};
       wire                 unused   = ^extended;
 
       fp_multiply_row #(
         .PRECISION(PRECISION),
-        .FIRST    (ROW == 0)
+        .FIRST    (ROW == 0),
+        .SIGNED   (SIGNED),
+        .LAST     (LAST)
       ) multiply_row (
         .digits(extended[2*ROW+4:2*ROW]),
         .b     (b),

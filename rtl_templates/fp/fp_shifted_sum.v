@@ -1,14 +1,17 @@
-// fp_shifted_sum: low + high * 2^SHIFT, one carry chain as long as `high`.
+// fp_shifted_sum: low + high * 2^SHIFT, and with CARRY + carry * 2^SHIFT; one carry chain as long as
+// `high`.
 // Combinational. SHIFT < LOW < HIGH + SHIFT; the sum must fit.
 `default_nettype none
 
 module fp_shifted_sum #(
   parameter LOW   = 26,
   parameter HIGH  = 26,
-  parameter SHIFT = 2
+  parameter SHIFT = 2,
+  parameter CARRY = 0   // 0: carry is not read
 ) (
   input  wire [LOW-1:0]        low,
   input  wire [HIGH-1:0]       high,
+  input  wire                  carry,
   output wire [HIGH+SHIFT-1:0] sum
 );
 
@@ -27,7 +30,23 @@ module fp_shifted_sum #(
 
   wire [HIGH-1:0] low_above = {{(HIGH + SHIFT - LOW) {1'b0}}, low[LOW-1:SHIFT]};
 
-  assign sum = {low_above + high, low[SHIFT-1:0]};
+  wire [HIGH-1:0] above;
+
+  // A carry enters below the chain, where one and the carry make two.
+  generate
+    if (CARRY != 0) begin : g_carry
+      wire [HIGH:0] one_below = {low_above, 1'b1} + {high, carry};
+      wire          unused    = one_below[0];
+
+      assign above = one_below[HIGH:1];
+    end else begin : g_no_carry
+      wire unused_carry = carry;
+
+      assign above = low_above + high;
+    end
+  endgenerate
+
+  assign sum = {above, low[SHIFT-1:0]};
 
 endmodule
 

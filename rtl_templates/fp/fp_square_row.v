@@ -1,11 +1,14 @@
 // fp_square_row: one row of a square, a digit (fp_booth_multiple) times itself and all below it.
 // Combinational. The digits below place p are x = a[p-1:0] in two's complement; with them a digit d
 // adds d (2 x + d 2^p) 2^p to the square, which is never negative: d 2^p takes the sign out of 2 x.
-// The row's first place is p - 1, where the digit before is owed one if it was negative.
+// The row's first place is p - 1, where the digit before is owed one if it was negative. The last
+// digit of a signed number has no row after it: it is owed four of the row's first places, three of
+// which the row has and one the caller adds. It is -1 only where the digit before is not negative.
 `default_nettype none
 
 module fp_square_row #(
-  parameter PLACE = 3  // of the digit's middle bit; of the first row 1 or 2
+  parameter PLACE = 3,  // of the digit's middle bit; of the first row 1 or 2
+  parameter LAST  = 0   // 1: of a signed number's last digit, which is not its first
 ) (
   input  wire [PLACE+1:0] a,
   output wire [PLACE+2:0] row
@@ -19,12 +22,15 @@ module fp_square_row #(
     if (PLACE < 1) begin : g_refused_place
       PLACE_is_below_1 refused ();
     end
+    if ((LAST != 0) && (PLACE < 3)) begin : g_refused_last
+      LAST_is_also_the_first refused ();
+    end
   endgenerate
 
   wire [PLACE:0] multiple;
   wire           unused_above = multiple[PLACE];
   wire           doubled;
-  wire           unused_negative;
+  wire           negative;
 
   fp_booth_multiple #(
     .WIDTH(PLACE)
@@ -33,19 +39,25 @@ module fp_square_row #(
     .value   (a[PLACE-1:0] ^ SIGN),
     .multiple(multiple),
     .doubled (doubled),
-    .negative(unused_negative)
+    .negative(negative)
   );
+
+  wire own = (LAST != 0) && negative;
 
   // Below the first row's digit there are one or two bits, and their square has room here.
   wire [1:0] below;
 
   generate
     if (PLACE == 1) begin : g_one_bit
+      wire unused_own = own;
+
       assign below = {1'b0, a[0]};
     end else if (PLACE == 2) begin : g_two_bits
+      wire unused_own = own;
+
       assign below = {a[1] && !a[0], 1'b0};  // and a[0] one place down
     end else begin : g_digits
-      assign below = {1'b0, a[PLACE-1] && !(a[PLACE-2] && a[PLACE-3])};
+      assign below = {own, own || (a[PLACE-1] && !(a[PLACE-2] && a[PLACE-3]))};
     end
   endgenerate
 

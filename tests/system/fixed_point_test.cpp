@@ -18,18 +18,21 @@ struct Case {
   int bits;
   Range range;
   Combination combination = Combination::all;
+  scene::Multipliers multipliers = scene::Multipliers::embedded;
 };
 
 void PrintTo(const Case& c, std::ostream* stream) {
   *stream << c.name;
 }
 
-design::Design design_of(const Graph& graph, FloatFormat reference, int bits, const Range& range) {
+design::Design design_of(const Graph& graph, FloatFormat reference, int bits, const Range& range,
+                         scene::Multipliers multipliers = scene::Multipliers::embedded) {
   const fixed::FixedOptions options = {.bits = bits,
                                        .ranges = {graph.inputs().size(), std::optional(range)}};
   return {.name = "fixed_point",
           .inputs = graph.inputs(),
-          .lanes = {{.lane = fixed::fixed_lane(graph, reference, options).value()}},
+          .lanes = {{.lane = fixed::fixed_lane(graph, reference, options).value(),
+                     .multipliers = multipliers}},
           .reference = reference_graph(graph, {reference}),
           .references = {{}},
           .system = {}};
@@ -50,7 +53,8 @@ class FixedPoint : public testing::TestWithParam<Case> {};
 TEST_P(FixedPoint, EveryOperandIsDecidedAsTheGoldenModelSaysAndTruly) {
   const Graph graph = graph_of(GetParam().parts, GetParam().combination);
   const FloatFormat s4e4 = format("s4e4");
-  const design::Design design = design_of(graph, s4e4, GetParam().bits, GetParam().range);
+  const design::Design design =
+      design_of(graph, s4e4, GetParam().bits, GetParam().range, GetParam().multipliers);
   const auto data = data::Comparisons::rows(every_pair(s4e4), design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
   const verilator_tb::VerifyReport report =
@@ -74,6 +78,18 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"constant", {{"a * b - a", "max(a, b) + 0.3"}}, 5, both_signs},
         Case{"dropped_bits", {{"a * b * abs(a - 0.7) * b", "min(-a, b) * 20"}}, 7, both_signs},
         Case{"wider_than_a_multiplier", {{"(a - b) * (a + b)", "a * b"}}, 19, both_signs},
+        Case{"norm_of_logic",
+             {{"(a - b)^2 + b^2", "(abs(a) + 1.3)^2"}},
+             4,
+             both_signs,
+             Combination::all,
+             scene::Multipliers::logic},
+        Case{"products_of_logic",
+             {{"a * b - a * 0.7", "max(a, b) * (b - 2)"}},
+             7,
+             both_signs,
+             Combination::all,
+             scene::Multipliers::logic},
         Case{"parts",
              {{"(a - b)^2", "(b + 1)^2"}, {"a", "3 * b - 1"}},
              4,
