@@ -250,7 +250,6 @@ void tell_failures(const CharacteriseReport& report) {
 
 void run(const CharacteriseCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
-  tell_of_fixed_point(loaded.scene);
   const devices::Device device = value_or_exit(devices::find_device(loaded.scene.system.device));
   components::CharacteriseOptions options =
       value_or_exit(characterise_options(command, loaded.scene));

@@ -69,20 +69,6 @@ Result<std::set<ComponentKind>> component_kinds(const std::string& text) {
   return kinds;
 }
 
-Result<std::vector<scene::BoundChoice>> bounds(const std::string& text) {
-  std::vector<scene::BoundChoice> choices;
-  for (const std::string& name : words(text)) {
-    const auto choice = scene::parse_bound_choice(name);
-    if (!choice.ok()) {
-      Error error = choice.error();
-      error.field = "--bounds";
-      return error;
-    }
-    choices.push_back(*choice);
-  }
-  return choices;
-}
-
 Result<std::optional<components::LaneExponents>> exponents(const std::string& word) {
   using Choice = std::optional<components::LaneExponents>;
   if (word.empty()) return Choice();
@@ -116,7 +102,7 @@ Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
                                      : command.precisions;
   MIXCMP_TRY(numbers, number_list("--precisions", precisions, allowed));
   query.precisions = numbers;
-  MIXCMP_TRY(choices, bounds(command.bounds));
+  MIXCMP_TRY(choices, parse_bounds("--bounds", words(command.bounds)));
   query.bounds = choices;
   MIXCMP_TRY(inputs,
              one_or_both("--inputs", command.inputs, LaneInputs::exact, LaneInputs::rounded));
@@ -152,11 +138,9 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
       "--precisions", command.precisions,
       fmt::format("of lanes: {}-{} or 8,12,17 (default: all that the scene can have)",
                   settings::limits::lane_precision.least, settings::limits::lane_precision.most));
-  verb.option("--bounds", command.bounds,
-              fmt::format("of lanes: relative, running_{} .. running_{}, constant, profiled "
-                          "(default: {})",
-                          settings::limits::bound_digits.least, settings::limits::bound_digits.most,
-                          command.bounds));
+  verb.option(
+      "--bounds", command.bounds,
+      fmt::format("of lanes: {} (default: {})", scene::bound_choice_names(), command.bounds));
   verb.option("--inputs", command.inputs, "of lanes: both, exact or rounded (default: both)");
   verb.option("--multipliers", command.multipliers, "both, embedded or logic (default: both)");
   verb.option("--exponents", command.exponents,

@@ -9,7 +9,7 @@ namespace mixcmp::cli {
 struct CharacteriseCommand {
   SceneOptions scene;
   std::string precisions;  ///< empty: all that the scene can have
-  std::string bounds = "relative,running_4,running_1,constant,profiled";
+  std::string bounds = "relative,running_4,running_1,constant,profiled,fixed_norm,fixed_constant";
   std::string inputs = "both";
   std::string multipliers = "both";
   std::string components = "lane,reference,fifo,crossbar";

@@ -13,22 +13,22 @@
 #include "model/error/certified_lane.hpp"
 #include "model/profile/profile.hpp"
 #include "model/profile/profiled_error.hpp"
+#include "model/profile/systems.hpp"
 #include "model/scene/bound_choice.hpp"
 
 namespace mixcmp::cli {
 namespace {
 
 using devices::Area;
-using error::Lane;
 using scene::ReducedSpec;
 using scene::Scene;
 
 /// The area of one lane alone on the scene's device.
-Result<Area> lane_area(const Scene& scene, const Lane& lane) {
+Result<Area> lane_area(const Scene& scene, const design::Lane& lane,
+                       scene::Multipliers multipliers) {
   MIXCMP_TRY(device, devices::find_device(scene.system.device));
   MIXCMP_TRY(tools, characterise::tool_versions(device, characterise::TimingEffort::area_only));
-  MIXCMP_TRY(built, components::lane_rtl(scene.graph.inputs(), lane, scene.reduced.multipliers,
-                                         scene.system));
+  MIXCMP_TRY(built, components::lane_rtl(scene.graph.inputs(), lane, multipliers, scene.system));
   MIXCMP_TRY(scratch, ScratchFolder::make());
   const auto result = synthesise(components::module_job(built.module), device,
                                  {.effort = characterise::TimingEffort::area_only}, scratch.path());
@@ -40,7 +40,7 @@ Result<Area> lane_area(const Scene& scene, const Lane& lane) {
 /// The area of the lane with every hazard built and no operand checked, except for signs; none
 /// where that lane does not exist.
 Result<std::optional<Area>> area_of_all_built(const Scene& scene, const ReducedSpec& reduced,
-                                              const Lane& lane) {
+                                              const error::Lane& lane) {
   const auto all_built = error::certified_lane(
       lane_graph(scene.graph, scene.reference.format, lane.graph.arithmetic, scene.reduced.inputs),
       {.kind = *reduced.error_bound,
@@ -48,34 +48,36 @@ Result<std::optional<Area>> area_of_all_built(const Scene& scene, const ReducedS
        .ranges = scene.ranges,
        .hazards = error::HazardRemoval::keep});
   if (!all_built.ok()) return std::optional<Area>();
-  MIXCMP_TRY(area, lane_area(scene, *all_built));
+  MIXCMP_TRY(area, lane_area(scene, *all_built, reduced.multipliers));
   return std::optional(area);
 }
 
 /// Tells whether `generate` takes the bound of `tried`, whose lane has this decision.
 bool is_chosen(const LoadedScene& loaded, const ReducedSpec& tried, const std::string& decision) {
   const ReducedSpec& reduced = loaded.scene.reduced;
-  if (reduced.bound != tried.bound) return false;
+  if (reduced.bound != tried.bound || reduced.fixed_bits != tried.fixed_bits) return false;
   if (reduced.bound == scene::BoundKind::profiled) return true;
   const auto taken = design::design_lane(loaded.scene, reduced, nullptr);
   return taken.ok() && design::describe_decision(*taken) == decision;
 }
 
-/// Adds the areas of a lane with and without all that its ranges make unnecessary.
-Result<Done> add_areas(const Scene& scene, const ReducedSpec& reduced, const Lane& lane,
+/// Adds the area of a lane, and of one in floating point with all that its ranges make unnecessary.
+Result<Done> add_areas(const Scene& scene, const ReducedSpec& reduced, const design::Lane& lane,
                        BoundCost& cost) {
   show_progress(fmt::format("Yosys maps the lane with the {} bound", cost.name));
-  MIXCMP_TRY(area, lane_area(scene, lane));
+  MIXCMP_TRY(area, lane_area(scene, lane, reduced.multipliers));
   cost.area = area;
-  if (!lane.certified()) return Done{};
-  MIXCMP_TRY(all_built, area_of_all_built(scene, reduced, lane));
+  const auto* floating = std::get_if<error::Lane>(&lane);
+  if (floating == nullptr || !floating->certified()) return Done{};
+  MIXCMP_TRY(all_built, area_of_all_built(scene, reduced, *floating));
   cost.all_built = all_built;
   return Done{};
 }
 
-BoundCost cost_of(const LoadedScene& loaded, const scene::BoundChoice& choice) {
+BoundCost cost_of(const LoadedScene& loaded, const ReducedSpec& compared,
+                  const scene::BoundChoice& choice) {
   const Scene& scene = loaded.scene;
-  const ReducedSpec reduced = with_bound(scene.reduced, choice);
+  const ReducedSpec reduced = with_bound(compared, choice);
   BoundCost cost{.name = to_string(choice)};
   const auto lane = design::design_lane(scene, reduced, loaded.data ? &*loaded.data : nullptr,
                                         profile::profile_error);
@@ -83,22 +85,35 @@ BoundCost cost_of(const LoadedScene& loaded, const scene::BoundChoice& choice) {
     cost.decision = "does not exist: " + lane.error().message;
     return cost;
   }
-  const error::Lane& made = design::float_lane(*lane);
-  cost.decision = describe_decision(made);
+  cost.decision = design::describe_decision(*lane);
   cost.chosen = is_chosen(loaded, reduced, cost.decision);
-  if (const auto added = add_areas(scene, reduced, made, cost); !added.ok()) {
+  if (const auto added = add_areas(scene, reduced, *lane, cost); !added.ok()) {
     cost.why_no_area = added.error();
   }
   return cost;
 }
 
-void add_rates(const LoadedScene& loaded, BoundCosts& costs) {
+/// The scene's lane; of one in fixed point that in floating point with as many digits.
+Result<ReducedSpec> lane_in_floating_point(const Scene& scene) {
+  ReducedSpec reduced = scene.reduced;
+  if (reduced.fixed_bits) {
+    MIXCMP_TRY(format,
+               FloatFormat::make(*reduced.fixed_bits, profile::profiled_exponent_bits(scene)));
+    reduced.format = format;
+  }
+  if (reduced.format) return reduced;
+  return Error{.field = "reduced.format",
+               .message = "--costs compares the bounds of one lane",
+               .received = in_quotes(reduced.format_name()),
+               .accepted = "a format, such as --format s17 or q13"};
+}
+
+void add_rates(const LoadedScene& loaded, int precision, BoundCosts& costs) {
   const Scene& scene = loaded.scene;
   if (!loaded.data) {
     costs.why_no_rate = "the scene has no data";
     return;
   }
-  const int precision = scene.reduced.format->precision();
   profile::ProfileOptions options{.first_precision = precision, .last_precision = precision};
   if (const auto possible = check_profile(scene, options); !possible.ok()) {
     costs.why_no_rate = possible.error().to_string();
@@ -128,17 +143,12 @@ nlohmann::json json_of(const std::optional<Area>& area) {
 }  // namespace
 
 Result<BoundCosts> measure_costs(const LoadedScene& loaded) {
-  if (!loaded.scene.reduced.format) {
-    return Error{.field = "reduced.format",
-                 .message = "--costs compares the bounds of one lane",
-                 .received = in_quotes(loaded.scene.reduced.format_name()),
-                 .accepted = "a format in floating point, such as --format s17"};
-  }
+  MIXCMP_TRY(compared, lane_in_floating_point(loaded.scene));
   BoundCosts costs;
   for (const scene::BoundChoice& choice : scene::profiled_bound_choices()) {
-    costs.bounds.push_back(cost_of(loaded, choice));
+    costs.bounds.push_back(cost_of(loaded, compared, choice));
   }
-  add_rates(loaded, costs);
+  add_rates(loaded, compared.format->precision(), costs);
   show_progress("");
   return costs;
 }
@@ -148,13 +158,13 @@ std::string to_text(const BoundCosts& costs) {
   for (const BoundCost& cost : costs.bounds) {
     const std::string name = (cost.chosen ? "* " : "  ") + cost.name;
     if (!cost.area && !cost.recomputation_rate) {
-      text += fmt::format("{:<13} {}\n", name, cost.decision);
+      text += fmt::format("{:<16} {}\n", name, cost.decision);
       continue;
     }
     const std::string rate = cost.recomputation_rate
                                  ? fmt::format("recomputes {:.3e}", *cost.recomputation_rate)
                                  : "rate unknown";
-    text += fmt::format("{:<13} {}; {}; {}", name, rate, shown(cost.area), cost.decision);
+    text += fmt::format("{:<16} {}; {}; {}", name, rate, shown(cost.area), cost.decision);
     if (cost.all_built) text += fmt::format("; all built: {}", shown(cost.all_built));
     text += "\n";
   }

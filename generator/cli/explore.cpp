@@ -385,7 +385,6 @@ std::vector<Planning> plannings_for(const ExploreCommand& command, const LoadedS
 /// Finds mistakes before the long measurements.
 void run(const ExploreCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.planning.scene));
-  tell_of_fixed_point(loaded.scene);
   if (loaded.scene.variant.empty() && !loaded.scene.variants.empty()) {
     tell("note: variants left out: explore plans [comparison], or what --variant names");
   }

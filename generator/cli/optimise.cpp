@@ -190,7 +190,6 @@ nlohmann::ordered_json to_json(const std::vector<Candidate>& candidates, std::si
 void run(OptimiseCommand& command) {
   PlanningOptions& planning = command.planning;
   const LoadedScene loaded = value_or_exit(load(planning.scene));
-  tell_of_fixed_point(loaded.scene);
   std::vector<fs::path> inputs = inputs_of(planning.scene, loaded.scene);
   inputs.push_back(command.rates);
   const std::vector<LoadedScene> formulations = formulations_of(command, loaded);

@@ -197,13 +197,20 @@ Result<Done> check_has_data(const LoadedScene& loaded, const std::string& why) {
                .accepted = "[data] with items or file"};
 }
 
-void tell_of_fixed_point(const scene::Scene& scene) {
-  for (const scene::LaneGroupSpec& group : scene.lane_groups()) {
-    if (!group.reduced.fixed_bits) continue;
-    return tell(fmt::format(
-        "note: this verb counts lanes in floating point alone, none in {} as the scene asks",
-        group.reduced.format_name()));
+Result<std::vector<scene::BoundChoice>> parse_bounds(const std::string& option,
+                                                     const std::vector<std::string>& names) {
+  std::vector<scene::BoundChoice> choices;
+  for (const std::string& name : names) {
+    const auto choice = scene::parse_bound_choice(name);
+    if (choice.ok()) {
+      choices.push_back(*choice);
+      continue;
+    }
+    Error error = choice.error();
+    error.field = option;
+    return error;
   }
+  return choices;
 }
 
 Result<design::Design> design_of(const SceneOptions& options, const LoadedScene& loaded) {

@@ -11,6 +11,7 @@
 #include "generator/cli/verb.hpp"
 #include "model/data/comparisons.hpp"
 #include "model/design/design.hpp"
+#include "model/scene/bound_choice.hpp"
 
 namespace mixcmp::cli {
 
@@ -54,8 +55,9 @@ std::optional<double> number(const std::string& text);
 /// Accepts a number in these limits, NaN none of them.
 Condition between(double least, double most, const std::string& unit);
 
-/// Tells on stderr that a scene asks for lanes in fixed point, which this verb leaves out.
-void tell_of_fixed_point(const scene::Scene& scene);
+/// Reads the names of error bounds given for this option.
+Result<std::vector<scene::BoundChoice>> parse_bounds(const std::string& option,
+                                                     const std::vector<std::string>& names);
 
 /// The design of the scene's system. Errors name the file and line of the key at fault.
 Result<design::Design> design_of(const SceneOptions& options, const LoadedScene& loaded);

@@ -78,22 +78,6 @@ void use_given_constants(const scene::ReducedSpec& reduced, profile::ErrorProfil
   }
 }
 
-/// Reads the names of error bounds. An error ends the program.
-std::vector<scene::BoundChoice> parse_bounds(const std::vector<std::string>& names) {
-  std::vector<scene::BoundChoice> choices;
-  for (const std::string& name : names) {
-    const auto choice = scene::parse_bound_choice(name);
-    if (choice.ok()) {
-      choices.push_back(*choice);
-      continue;
-    }
-    Error error = choice.error();
-    error.field = "--use-bounds";
-    fail(error);
-  }
-  return choices;
-}
-
 /// Returns `path`; ends the program unless a plan can name it: it must be one line of UTF-8.
 std::string named_in(const std::filesystem::path& plan, const std::string& path) {
   if (is_one_line(path)) return path;
@@ -131,9 +115,11 @@ void add_planning_options(const Verb& verb, PlanningOptions& options) {
       .one_of({"exact", "rounded"});
   verb.list_option(
           "--use-bounds",
-          [&choice](const std::vector<std::string>& names) { choice.bounds = parse_bounds(names); },
-          "error bounds to choose from: relative, running_1 .. running_8, constant, profiled "
-          "(default: all)")
+          [&choice](const std::vector<std::string>& names) {
+            choice.bounds = value_or_exit(parse_bounds("--use-bounds", names));
+          },
+          fmt::format("error bounds to choose from: {} (default: all)",
+                      scene::bound_choice_names()))
       .separated_by(',');
   verb.option("--use-multipliers", choice.multipliers,
               "multipliers to choose from: embedded,logic (default: both)")

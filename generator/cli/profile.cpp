@@ -1,5 +1,6 @@
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -11,11 +12,29 @@
 #include "generator/report/profile_report.hpp"
 #include "generator/report/trade_report.hpp"
 #include "model/common/output_file.hpp"
+#include "model/common/quote.hpp"
 
 namespace mixcmp::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Profiles count running bounds of 4 and 1 digits alone.
+Result<std::vector<scene::BoundChoice>> counted_bounds(const std::vector<std::string>& names) {
+  const std::string option = "--bounds";
+  MIXCMP_TRY(bounds, parse_bounds(option, names));
+  const auto counted = scene::profiled_bound_choices();
+  std::vector<std::string> accepted;
+  for (const scene::BoundChoice& choice : counted) accepted.push_back(to_string(choice));
+  for (const scene::BoundChoice& bound : bounds) {
+    if (std::find(counted.begin(), counted.end(), bound) != counted.end()) continue;
+    return Error{.field = option,
+                 .message = "a profile does not count this bound",
+                 .received = in_quotes(to_string(bound)),
+                 .accepted = fmt::format("{}", fmt::join(accepted, ", "))};
+  }
+  return bounds;
+}
 
 struct ProfileCommand {
   SceneOptions scene;
@@ -43,6 +62,14 @@ void add_options(const Verb& verb, ProfileCommand& command) {
   verb.option("--threads", command.run.threads,
               "threads; results do not depend on them (default: one a processor)")
       .check(within(settings::limits::threads));
+  verb.list_option(
+          "--bounds",
+          [&run = command.run](const std::vector<std::string>& names) {
+            run.bounds = value_or_exit(counted_bounds(names));
+          },
+          "rates of lanes with these bounds alone: relative, running_4, running_1, constant, "
+          "profiled, fixed_norm, fixed_constant (default: all, and lanes without a bound)")
+      .separated_by(',');
   verb.flag("--both-inputs", command.both_inputs,
             "rates for rounded and for exact inputs, whatever the scene says");
   verb.flag("--brute-force", command.brute_force,
@@ -143,7 +170,6 @@ void print_text(const report::ProfileReport& report, const Trades& weighed) {
 
 void run(const ProfileCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
-  tell_of_fixed_point(loaded.scene);
   value_or_exit(check_has_data(loaded, "a profile needs data to measure"));
   profile::ProfileOptions options = command.run;
   options.last_precision =

@@ -1,5 +1,7 @@
 #include "generator/components/component_list.hpp"
 
+#include <fmt/core.h>
+
 #include "model/design/slots.hpp"
 #include "model/error/exponent_range.hpp"
 #include "model/scene/bound_choice.hpp"
@@ -28,10 +30,28 @@ int exponent_bits(const Scene& scene, const ComponentQuery& query, int precision
                                    scene.ranges);
 }
 
+/// Lanes in fixed point take operands as they arrive: there is no choice of inputs.
+void add_fixed_lanes(std::vector<ComponentKey>& keys, const Scene& scene,
+                     const ComponentQuery& query, const scene::BoundChoice& bound) {
+  for (const int bits : query.precisions) {
+    if (!settings::lane_fixed_bits(scene.reference.format).allow(bits)) continue;
+    for (const Multipliers multipliers : query.multipliers) {
+      keys.push_back({.kind = ComponentKind::lane,
+                      .name = {},
+                      .format = fmt::format("q{}", bits),
+                      .inputs = {},
+                      .bound = bound,
+                      .multipliers = std::string(to_string(multipliers))});
+    }
+  }
+}
+
 Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQuery& query) {
   std::vector<ComponentKey> keys;
   for (const scene::BoundChoice& bound : query.bounds) {
+    if (bound.is_fixed_point()) add_fixed_lanes(keys, scene, query, bound);
     for (const int precision : query.precisions) {
+      if (bound.is_fixed_point()) break;
       for (const LaneInputs inputs : query.inputs) {
         const int bits = exponent_bits(scene, query, precision, inputs, bound);
         MIXCMP_TRY(format, FloatFormat::make(precision, bits));

@@ -22,7 +22,7 @@ struct ComponentQuery {
       characterise::ComponentKind::unit, characterise::ComponentKind::lane,
       characterise::ComponentKind::reference, characterise::ComponentKind::fifo,
       characterise::ComponentKind::crossbar};
-  std::vector<int> precisions;  ///< precisions of lanes
+  std::vector<int> precisions;  ///< of lanes: L, or W in fixed point
   std::vector<scene::BoundChoice> bounds;
   std::vector<LaneInputs> inputs = {LaneInputs::exact, LaneInputs::rounded};
   std::vector<scene::Multipliers> multipliers = {scene::Multipliers::embedded,

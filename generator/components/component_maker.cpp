@@ -7,12 +7,14 @@
 
 #include "generator/components/synthesis_jobs.hpp"
 #include "generator/datapath/delays.hpp"
+#include "generator/datapath/lane_schedule.hpp"
 #include "generator/rtl/datapath_builder.hpp"
-#include "generator/rtl/float_lane_module.hpp"
+#include "generator/rtl/lane_module.hpp"
 #include "generator/rtl/reference_module.hpp"
 #include "model/common/quote.hpp"
 #include "model/design/design.hpp"
 #include "model/design/slots.hpp"
+#include "model/number/lane_format.hpp"
 #include "model/profile/profile.hpp"
 #include "model/scene/bound_choice.hpp"
 
@@ -46,10 +48,18 @@ Result<Multipliers> multipliers_of(const ComponentKey& key) {
   return choice(key.multipliers, {Multipliers::embedded, Multipliers::logic});
 }
 
-bool has_product(const TypedGraph& graph) {
-  return std::any_of(graph.nodes.begin(), graph.nodes.end(), [](const TypedNode& node) {
+template <class Nodes>
+bool any_product(const Nodes& nodes) {
+  return std::any_of(nodes.begin(), nodes.end(), [](const auto& node) {
     return node.operation == Operation::multiply || node.operation == Operation::square;
   });
+}
+
+bool has_product(const design::Lane& lane) {
+  return std::visit(
+      design::Cases{[](const error::Lane& made) { return any_product(made.graph.nodes); },
+                    [](const fixed::FixedLane& made) { return any_product(made.nodes); }},
+      lane);
 }
 
 /// The units of a module, each once. Delay lines are left out: their area is known without
@@ -67,8 +77,8 @@ std::vector<ComponentKey> units_of(const rtl::Module& module) {
 }
 
 Component datapath(ComponentKey key, int latency_cycles, const rtl::Module& module,
-                   const TypedGraph& graph) {
-  if (!has_product(graph)) key.multipliers.clear();
+                   bool has_product) {
+  if (!has_product) key.multipliers.clear();
   return {std::move(key), latency_cycles, module_job(module), units_of(module)};
 }
 
@@ -96,7 +106,7 @@ Error out_of_range(const std::string& field, int received, const std::string& ac
 
 }  // namespace
 
-Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const error::Lane& lane,
+Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const design::Lane& lane,
                          Multipliers multipliers, const scene::SystemSpec& system) {
   MIXCMP_TRY(delays, datapath::delays_of(system.device));
   const datapath::Schedule schedule =
@@ -123,21 +133,22 @@ Result<Component> ComponentMaker::make(const ComponentKey& key) {
 
 Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
   const scene::BoundChoice& bound = *key.bound;
-  MIXCMP_TRY(format, FloatFormat::parse(key.format));
-  MIXCMP_TRY(inputs, choice(key.inputs, {LaneInputs::rounded, LaneInputs::exact}));
+  MIXCMP_TRY(format, LaneFormat::parse(key.format));
   MIXCMP_TRY(multipliers, multipliers_of(key));
   scene::ReducedSpec reduced = scene::with_bound(scene_.reduced, bound);
-  reduced.format = format;
-  reduced.fixed_bits.reset();
-  reduced.inputs = inputs;
+  reduced.format = format.floating;
+  reduced.fixed_bits = format.floating ? std::nullopt : std::optional(format.precision);
+  if (format.floating) {
+    MIXCMP_TRY(inputs, choice(key.inputs, {LaneInputs::rounded, LaneInputs::exact}));
+    reduced.inputs = inputs;
+  }
   reduced.multipliers = multipliers;
   if (bound.kind == scene::BoundChoice::Kind::profiled) {
     MIXCMP_TRY(given, give_constants(reduced));
   }
-  MIXCMP_TRY(designed, design::design_lane(scene_, reduced, nullptr));
-  const error::Lane& lane = design::float_lane(designed);
+  MIXCMP_TRY(lane, design::design_lane(scene_, reduced, nullptr));
   MIXCMP_TRY(built, lane_rtl(scene_.graph.inputs(), lane, multipliers, scene_.system));
-  return datapath(key, built.latency_cycles, built.module, lane.graph);
+  return datapath(key, built.latency_cycles, built.module, has_product(lane));
 }
 
 Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
@@ -154,7 +165,7 @@ Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
       datapath::schedule_reference(graph, multipliers, delays, scene_.system.target_mhz);
   const rtl::Module module =
       rtl::reference_module("reference", scene_.graph.inputs(), graph, schedule);
-  return datapath(key, schedule.latency_cycles, module, graph);
+  return datapath(key, schedule.latency_cycles, module, any_product(graph.nodes));
 }
 
 rtl::SystemShape ComponentMaker::stream_shape() const {

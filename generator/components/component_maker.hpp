@@ -8,7 +8,7 @@
 #include "generator/rtl/system_modules.hpp"
 #include "model/characterise/synthesis.hpp"
 #include "model/data/comparisons.hpp"
-#include "model/error/lane.hpp"
+#include "model/design/lane.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::components {
@@ -32,7 +32,7 @@ struct LaneRtl {
 };
 /// Generates the datapath of `lane` for the device and clock of `system`. An error means that the
 /// device is unknown.
-Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const error::Lane& lane,
+Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const design::Lane& lane,
                          scene::Multipliers multipliers, const scene::SystemSpec& system);
 
 /// Generates the RTL of a scene's components, one at a time, by the keys of a table's rows.

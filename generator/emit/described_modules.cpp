@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "generator/rtl/fixed_lane_module.hpp"
-#include "generator/rtl/float_lane_module.hpp"
+#include "generator/rtl/lane_module.hpp"
 #include "generator/rtl/reference_module.hpp"
 
 namespace mixcmp::emit {
@@ -55,10 +54,7 @@ std::vector<std::string> decision_facts(const design::Lane& lane) {
 
 Described describe_lane(const Design& design, const std::string& name,
                         const design::LaneGroup& group, const datapath::Schedule& schedule) {
-  const auto module = [&](const auto& l) {
-    return rtl::lane_module(name, design.inputs, l, schedule);
-  };
-  Described lane = {std::visit(module, group.lane),
+  Described lane = {rtl::lane_module(name, design.inputs, group.lane, schedule),
                     {fmt::format("{}: decides {} in reduced precision, or says it cannot.", name,
                                  what_is_asked(design)),
                      fmt::format("Operands: {}, {}.", design.reference.input_format.name(),

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "generator/datapath/delays.hpp"
-#include "generator/datapath/fixed_schedule.hpp"
+#include "generator/datapath/lane_schedule.hpp"
 #include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/net_names.hpp"
 #include "model/design/slots.hpp"
@@ -38,18 +38,6 @@ void add_group(std::vector<rtl::DatapathGroup>& groups, rtl::DatapathGroup group
   groups.push_back(std::move(group));
 }
 
-datapath::Schedule schedule_of(const design::LaneGroup& lanes, const datapath::DelayTable& delays,
-                               double target_mhz) {
-  return std::visit(design::Cases{[&](const error::Lane& lane) {
-                                    return datapath::schedule_lane(lane, lanes.multipliers, delays,
-                                                                   target_mhz);
-                                  },
-                                  [&](const fixed::FixedLane& lane) {
-                                    return datapath::schedule_lane(lane, delays, target_mhz);
-                                  }},
-                    lanes.lane);
-}
-
 std::vector<rtl::DatapathGroup> lane_groups(const design::Design& design,
                                             const datapath::DelayTable& delays) {
   const std::vector<std::string> names = lane_group_names(design);
@@ -58,7 +46,8 @@ std::vector<rtl::DatapathGroup> lane_groups(const design::Design& design,
   std::vector<rtl::DatapathGroup> groups;
   for (std::size_t k = 0; k < names.size(); ++k) {
     const design::LaneGroup& lanes = design.lanes[k];
-    datapath::Schedule schedule = schedule_of(lanes, delays, design.system.target_mhz);
+    datapath::Schedule schedule =
+        datapath::schedule_lane(lanes.lane, lanes.multipliers, delays, design.system.target_mhz);
     const std::string name = fmt::format("{}{}_lane_{}_l{}", design.system.prefix, design.name,
                                          names[k], schedule.latency_cycles);
     add_group(groups, {.datapath = modules.unique(name, lanes),

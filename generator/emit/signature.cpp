@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "model/common/file.hpp"
+#include "model/number/lane_format.hpp"
 
 namespace mixcmp::emit {
 
@@ -85,9 +86,7 @@ public:
   /// "s17e8" or "q13".
   std::string lane_format(const char* field) {
     std::string name = text(field);
-    const bool fixed = name.size() > 1 && name[0] == 'q' &&
-                       name.find_first_not_of("0123456789", 1) == std::string::npos;
-    if (!fixed && !FloatFormat::parse(name).ok()) refuse(field, "a format: \"s17e8\", \"q13\"");
+    if (!LaneFormat::parse(name).ok()) refuse(field, "a format: \"s17e8\", \"q13\"");
     return name;
   }
   FloatFormat format(const char* field) {

@@ -77,15 +77,17 @@ bool exists(const SystemProfile& system) {
   return false;
 }
 
-/// The number of rows up to the last precision at which some system recomputes, errs or does not
-/// exist.
+/// The number of rows up to the last precision at which some system recomputes or errs, or after
+/// which one begins to exist.
 std::size_t interesting_rows(const RateProfile& profile) {
   std::size_t rows = 0;
   for (const SystemProfile& system : profile.systems) {
-    if (!exists(system)) continue;
-    for (std::size_t k = 0; k < system.counts.size(); ++k) {
-      const SystemCounts& counts = system.counts[k];
-      if (!counts.exists || counts.undecided + counts.wrong > 0) rows = std::max(rows, k + 1);
+    bool exists_later = false;
+    for (std::size_t k = system.counts.size(); k > rows; --k) {
+      const SystemCounts& counts = system.counts[k - 1];
+      const bool begins = exists_later && !counts.exists;
+      if (begins || counts.undecided + counts.wrong > 0) rows = k;
+      exists_later = exists_later || counts.exists;
     }
   }
   return rows;

@@ -41,8 +41,8 @@ std::string_view to_string(ComponentKind kind);
 struct ComponentKey {
   ComponentKind kind = ComponentKind::lane;
   std::string name;                         ///< of a unit its template and formats; else empty
-  std::string format;                       ///< "s17e8"
-  std::string inputs;                       ///< of a lane: "rounded" or "exact"
+  std::string format;                       ///< "s17e8"; of a lane in fixed point "q13"
+  std::string inputs;                       ///< of a lane in floating point: "rounded" or "exact"
   std::optional<scene::BoundChoice> bound;  ///< of a lane
   std::string multipliers;                  ///< of lanes, references and units with a product
   int ports = 0;                            ///< of a crossbar: lanes; of a fifo: slots

@@ -7,7 +7,7 @@
 #include "model/characterise/table_columns.hpp"
 #include "model/common/file.hpp"
 #include "model/common/quote.hpp"
-#include "model/number/float_format.hpp"
+#include "model/number/lane_format.hpp"
 
 namespace mixcmp::characterise {
 namespace {
@@ -185,12 +185,20 @@ private:
                           const Field& field) const {
     const bool is_lane = key.kind == ComponentKind::lane;
     if (!is_lane && key.kind != ComponentKind::reference) return Done{};
-    if (column.name == "format" && !FloatFormat::parse(field.text).ok()) {
-      return error(field, "not a format", "s<digits>e<exponent bits>");
+    if (column.name == "format") {
+      const Result<LaneFormat> format = LaneFormat::parse(field.text);
+      if (!format.ok()) return error(field, format.error().message, format.error().accepted);
+      if (!is_lane && !format->floating) return error(field, "not a format", "of a reference");
     }
-    if (column.name == "inputs" && is_lane) return check_one_of(field, {"exact", "rounded"});
-    if (column.name == "bound" && is_lane && !key.bound) {
-      return error(field, "not a bound", "the bound of a lane");
+    if (column.name == "inputs" && is_lane) {
+      const bool fixed_point = !LaneFormat::parse(key.format)->floating;
+      return fixed_point ? check_one_of(field, {""}) : check_one_of(field, {"exact", "rounded"});
+    }
+    if (column.name == "bound" && is_lane) {
+      const bool fixed_point = !LaneFormat::parse(key.format)->floating;
+      if (key.bound && key.bound->is_fixed_point() == fixed_point) return Done{};
+      return error(field, "not a bound of such lanes",
+                   fixed_point ? "fixed_norm, fixed_constant" : "a bound in floating point");
     }
     if (column.name == "multipliers") return check_one_of(field, {"embedded", "logic", ""});
     return Done{};

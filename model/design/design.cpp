@@ -198,24 +198,12 @@ Result<fixed::FixedLane> design_fixed_lane(const scene::Scene& scene,
                  .received = "profiled",
                  .accepted = "certified, or a format in floating point"};
   }
-  if (reduced.multipliers == scene::Multipliers::logic) {
-    return Error{.field = "reduced.multipliers",
-                 .message = "fixed point has no multipliers of logic yet",
-                 .received = "logic",
-                 .accepted = "embedded, or a format in floating point"};
-  }
   MIXCMP_TRY(bound, fixed_bound(reduced));
   const fixed::FixedOptions options{
       .bits = *reduced.fixed_bits, .bound = bound, .ranges = scene.ranges};
   MIXCMP_TRY(lane, fixed::fixed_lane(scene.graph, scene.reference.format, options));
   if (can_decide(lane)) return lane;
   return undecidable(reduced.format_name());
-}
-
-template <class Made>
-Result<Lane> as_lane(Result<Made> made) {
-  if (!made.ok()) return made.error();
-  return Lane(std::move(made).value());
 }
 
 /// Gives an error without a file the place of the lane group that is at fault. For a group of

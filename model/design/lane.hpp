@@ -11,6 +11,13 @@ namespace mixcmp::design {
 /// A lane in either number system.
 using Lane = std::variant<error::Lane, fixed::FixedLane>;
 
+/// A lane of one number system, or why there is none, as a lane of either.
+template <class Made>
+Result<Lane> as_lane(Result<Made> made) {
+  if (!made.ok()) return made.error();
+  return Lane(std::move(made).value());
+}
+
 /// Whether no decision of the lane can be wrong.
 bool is_certified(const Lane& lane);
 /// "s17e8" or "q13".

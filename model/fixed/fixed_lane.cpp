@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "model/fixed/graph_builder.hpp"
 #include "model/fixed/norm_bound.hpp"
 #include "model/number/dyadic.hpp"
@@ -49,14 +51,6 @@ Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
   if (options.bound != FixedBound::constant) {
     if (auto part = norm_part(builder, f, g)) return *part;
   }
-  if (options.bound == FixedBound::norm) {
-    return Error{.field = "reduced.error_bound",
-                 .message =
-                     "no norm bound: it needs sums of squares on both sides, none of them too wide "
-                     "to be exact",
-                 .received = "norm",
-                 .accepted = "constant"};
-  }
   const NodeId difference = builder.difference(f, g);
   return FixedPart{.difference = difference,
                    .decision = constant_thresholds(builder.nodes()[difference])};
@@ -93,6 +87,15 @@ void remove_unread(FixedLane& lane) {
       norm->radius = new_id[norm->radius];
     }
   }
+}
+
+Error no_norm() {
+  return {.field = "reduced.error_bound",
+          .message =
+              "no norm bound: it needs sums of squares on both sides, none of them too wide to be "
+              "exact",
+          .received = "norm",
+          .accepted = "constant"};
 }
 
 std::string shown(const mpq_class& value) {
@@ -143,7 +146,14 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
   }
   lane.nodes = std::move(builder.nodes());
   remove_unread(lane);
+  if (options.bound == FixedBound::norm && !has_norm(lane)) return no_norm();
   return lane;
+}
+
+bool has_norm(const FixedLane& lane) {
+  return std::any_of(lane.parts.begin(), lane.parts.end(), [](const FixedPart& part) {
+    return std::holds_alternative<NormThresholds>(part.decision);
+  });
 }
 
 std::string describe_decision(const FixedLane& lane) {

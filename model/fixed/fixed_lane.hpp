@@ -87,20 +87,23 @@ struct FixedLane {
 
 enum class FixedBound {
   constant,
-  norm,
+  norm,  ///< of each part that has one; a lane needs one such part, others have constants
 };
 
 struct FixedOptions {
   int bits = 13;  ///< W: bits below the power of two above each input's range
-  std::optional<FixedBound> bound = {};      ///< none: the norm where a part has one
+  std::optional<FixedBound> bound = {};      ///< none: norms where there are any
   std::vector<std::optional<Range>> ranges;  ///< one per input; a lane needs them all
 };
 
 /// Makes the lane of a comparison whose operands arrive in `input_format`. Errors name the input
-/// without a range, the operation that fixed point does not have, or the part without the bound
-/// that is asked for.
+/// without a range, the operation that fixed point does not have, or the bound that is asked for
+/// and that no part has.
 Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                              const FixedOptions& options);
+
+/// Whether some part is decided by a norm.
+bool has_norm(const FixedLane& lane);
 
 /// When the lane decides, for a report: "certified: where f - g >= 8 s + 14 or ...".
 std::string describe_decision(const FixedLane& lane);

@@ -134,6 +134,13 @@ std::vector<Integer> evaluate(const FixedLane& lane, std::span<const Bits> input
   return values;
 }
 
+bool takes(const FixedLane& lane, int input, Bits operand) {
+  return std::all_of(lane.nodes.begin(), lane.nodes.end(), [&](const FixedNode& node) {
+    return node.operation != Operation::input || node.input != input ||
+           converted(lane.input_format, operand, node.format);
+  });
+}
+
 LaneResult evaluate_lane(const FixedLane& lane, std::span<const Bits> inputs) {
   const std::vector<Integer> values = evaluate(lane, inputs);
   std::vector<LaneResult> parts;

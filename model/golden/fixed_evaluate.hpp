@@ -17,6 +17,10 @@ namespace mixcmp::golden {
 std::vector<std::optional<mpz_class>> evaluate(const fixed::FixedLane& lane,
                                                std::span<const Bits> inputs);
 
+/// Whether the lane takes this encoding for one of its inputs: a number of the format's sign and
+/// magnitude.
+bool takes(const fixed::FixedLane& lane, int input, Bits operand);
+
 /// The decision of a lane in hardware, bit for bit.
 LaneResult evaluate_lane(const fixed::FixedLane& lane, std::span<const Bits> inputs);
 

@@ -31,10 +31,18 @@ const characterise::Measurement* find(const characterise::Characterisation& tabl
   return table.find(key);
 }
 
-/// Tables have no lanes in fixed point yet.
-std::optional<scene::BoundChoice> bound_choice(const design::Lane& lane) {
-  const auto* floating = std::get_if<error::Lane>(&lane);
-  return floating == nullptr ? std::nullopt : scene::bound_choice(*floating);
+std::optional<scene::BoundChoice> bound_of(const design::Lane& lane) {
+  return std::visit(
+      [](const auto& made) -> std::optional<scene::BoundChoice> {
+        return scene::bound_choice(made);
+      },
+      lane);
+}
+
+/// Lanes in fixed point have no choice of inputs.
+std::string inputs_of(const design::LaneGroup& group) {
+  const bool floating = std::holds_alternative<error::Lane>(group.lane);
+  return floating ? std::string(to_string(group.inputs)) : "";
 }
 
 const characterise::Measurement* row_of(const characterise::Characterisation& table,
@@ -43,8 +51,8 @@ const characterise::Measurement* row_of(const characterise::Characterisation& ta
               {.kind = characterise::ComponentKind::lane,
                .name = {},
                .format = design::format_name(group.lane),
-               .inputs = std::string(to_string(group.inputs)),
-               .bound = bound_choice(group.lane),
+               .inputs = inputs_of(group),
+               .bound = bound_of(group.lane),
                .multipliers = {},
                .ports = 0},
               group.multipliers);

@@ -23,9 +23,14 @@ std::string multipliers_key(const characterise::ComponentKey& key) {
   return key.multipliers.empty() ? "" : fmt::format("multipliers = \"{}\"\n", key.multipliers);
 }
 
+/// The scene's key for how operands enter a lane; empty in fixed point, where there is no choice.
+std::string inputs_key(const characterise::ComponentKey& key) {
+  return key.inputs.empty() ? "" : fmt::format("inputs = \"{}\"\n", key.inputs);
+}
+
 std::string lanes_table(const characterise::ComponentKey& key, int count) {
-  return fmt::format("\n[[lanes]]\ncount = {}\nformat = \"{}\"\ninputs = \"{}\"\n{}{}", count,
-                     key.format, key.inputs, bound_keys(*key.bound), multipliers_key(key));
+  return fmt::format("\n[[lanes]]\ncount = {}\nformat = \"{}\"\n{}{}{}", count, key.format,
+                     inputs_key(key), bound_keys(*key.bound), multipliers_key(key));
 }
 
 /// The overrides without the keys of [system] that the plan sets itself.

@@ -6,6 +6,7 @@
 
 #include "model/common/check.hpp"
 #include "model/design/slots.hpp"
+#include "model/number/lane_format.hpp"
 #include "model/performance/performance.hpp"
 #include "model/performance/streams.hpp"
 #include "model/profile/systems.hpp"
@@ -21,12 +22,21 @@ bool allows(const std::vector<Choice>& allowed, const Choice& word) {
 }
 
 /// The format of a row; it is valid, as the table's reader has parsed it before.
-FloatFormat format_of(const characterise::Measurement& row) {
-  return FloatFormat::parse(row.key.format).value();
+LaneFormat format_of(const characterise::Measurement& row) {
+  return LaneFormat::parse(row.key.format).value();
 }
 
+/// Rates of lanes in fixed point are the same for both.
 LaneInputs inputs_of(const std::string& word) {
-  return word == to_string(LaneInputs::exact) ? LaneInputs::exact : LaneInputs::rounded;
+  return word == to_string(LaneInputs::rounded) ? LaneInputs::rounded : LaneInputs::exact;
+}
+
+std::string lane_name(const characterise::ComponentKey& key) {
+  std::string name = key.format;
+  for (const std::string& trait : {key.inputs, scene::to_string(key.bound), key.multipliers}) {
+    if (!trait.empty()) name += " " + trait;
+  }
+  return name;
 }
 
 ClockBasis basis_of(const characterise::Clock& clock) {
@@ -113,20 +123,20 @@ void ProblemMaker::sort_rows() {
     const characterise::ComponentKey& key = row.key;
     if (!key.multipliers.empty() && !allows(options_.multipliers, key.multipliers)) continue;
     if (key.kind == characterise::ComponentKind::reference &&
-        format_of(row) == scene_.reference.format) {
+        format_of(row).floating == scene_.reference.format) {
       references_.push_back(&row);
     }
     if (key.kind == characterise::ComponentKind::lane && is_wanted(row)) {
-      lanes_[format_of(row).precision()].push_back(&row);
+      lanes_[format_of(row).precision].push_back(&row);
     }
   }
 }
 
 bool ProblemMaker::is_wanted(const characterise::Measurement& lane) const {
-  const int precision = format_of(lane).precision();
+  const int precision = format_of(lane).precision;
+  const bool wanted_inputs = lane.key.inputs.empty() || allows(options_.inputs, lane.key.inputs);
   return options_.first_precision <= precision && precision <= options_.last_precision &&
-         allows(options_.inputs, lane.key.inputs) && allows(options_.bounds, *lane.key.bound) &&
-         is_trusted(lane);
+         wanted_inputs && allows(options_.bounds, *lane.key.bound) && is_trusted(lane);
 }
 
 /// Lanes with a measured, unproven bound serve scenes that ask for them, and only those.
@@ -138,8 +148,10 @@ bool ProblemMaker::is_trusted(const characterise::Measurement& lane) const {
 /// Whether the rates hold for this lane. With fewer exponent bits than they were counted with, more
 /// comparisons may be undecided, unless the inputs' ranges say that fewer bits do.
 bool ProblemMaker::has_enough_exponents(const characterise::Measurement& lane) {
+  const std::optional<FloatFormat> format = format_of(lane).floating;
+  if (!format) return true;
   const int counted = profile::profiled_exponent_bits(scene_);
-  if (format_of(lane).exponent_bits() >= counted) return true;
+  if (format->exponent_bits() >= counted) return true;
   if (scene_.reduced.exponent_bits_from_ranges) return true;
   notes_.insert(fmt::format("{}: left out, recomputation rates were counted with {} exponent bits",
                             lane.key.format, counted));
@@ -243,8 +255,8 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   const RateKey key{inputs_of(row.key.inputs), *row.key.bound, plan.precision};
   const std::optional<Rate> rate = rates_.find(key);
   if (!rate) {
-    notes_.insert(fmt::format("{} {}: no recomputation rate is known", row.key.inputs,
-                              scene::to_string(row.key.bound)));
+    notes_.insert(fmt::format("{}{}{}: no recomputation rate is known", row.key.inputs,
+                              row.key.inputs.empty() ? "" : " ", scene::to_string(row.key.bound)));
     return;
   }
   if (performance::highest_lane_throughput(rate->value()) < 1) {
@@ -254,11 +266,9 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   if (!has_enough_exponents(row)) return;
   devices::Area area = row.area;
   if (fifo != nullptr) area += fifo->area;
-  std::string name =
-      fmt::format("{} {} {}", row.key.format, row.key.inputs, scene::to_string(row.key.bound));
-  if (!row.key.multipliers.empty()) name += " " + row.key.multipliers;
   const double mhz = clock_of(row, options_.clocks.lane_mhz, fifo);
-  plan.lanes.push_back({row, area, *rate, {name, mhz * hertz_per_mhz, rate->value(), area}});
+  plan.lanes.push_back(
+      {row, area, *rate, {lane_name(row.key), mhz * hertz_per_mhz, rate->value(), area}});
 }
 
 }  // namespace mixcmp::optimise

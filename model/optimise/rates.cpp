@@ -136,7 +136,12 @@ void Rates::raise_to(const Rates& other) {
 }
 
 std::optional<Rate> Rates::find(const RateKey& key) const {
-  const auto found = rates_.find(key);
+  auto found = rates_.find(key);
+  if (found == rates_.end() && key.bound.is_fixed_point()) {
+    const bool exact = key.inputs == LaneInputs::exact;
+    found =
+        rates_.find({exact ? LaneInputs::rounded : LaneInputs::exact, key.bound, key.precision});
+  }
   return found == rates_.end() ? std::nullopt : std::optional(found->second);
 }
 

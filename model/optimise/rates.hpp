@@ -16,7 +16,7 @@ namespace mixcmp::optimise {
 struct RateKey {
   LaneInputs inputs = LaneInputs::exact;
   scene::BoundChoice bound;
-  int precision = 0;  ///< L
+  int precision = 0;  ///< L, or W of fixed point
 
   friend auto operator<=>(const RateKey&, const RateKey&) = default;
 };
@@ -49,6 +49,7 @@ public:
   /// has is taken as it is.
   void raise_to(const Rates& other);
 
+  /// Lanes in fixed point have one rate for both kinds of inputs.
   std::optional<Rate> find(const RateKey& key) const;
   /// From the file's row of the reference, if it has one.
   const std::optional<Origin>& origin() const { return origin_; }

@@ -187,8 +187,9 @@ double reference_luts(const TypedGraph& reference, Products products) {
 
 namespace {
 
-const std::array<std::string_view, 7> names = {"reference", "lanes_alone", "profiled", "relative",
-                                               "running_4", "running_1",   "constant"};
+const std::array<std::string_view, 9> names = {"reference", "lanes_alone", "profiled",
+                                               "relative",  "running_4",   "running_1",
+                                               "constant",  "fixed_norm",  "fixed_constant"};
 
 bool is_system(const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();

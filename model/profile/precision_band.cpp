@@ -31,24 +31,34 @@ Gap gap_of(const Envelope& envelope, const EnvelopeBlock& block) {
           std::ldexp(outward, envelope.anchor() - 53)};
 }
 
-/// One part of a system's lanes, from the precision number `index` on.
-std::vector<std::optional<error::Lane>> parts_from(const SystemLanes& system, std::size_t part,
-                                                   std::size_t index) {
+using Lanes = std::span<const std::optional<design::Lane>>;
+
+Threshold threshold_of_floats(Lanes lanes, std::size_t part, const Envelope& envelope) {
   std::vector<std::optional<error::Lane>> parts;
-  for (; index < system.lanes.size(); ++index) {
-    const std::optional<error::Lane>& lane = system.lanes[index];
-    parts.push_back(lane ? std::optional(part_of(*lane, part)) : std::nullopt);
+  for (const auto& lane : lanes) {
+    parts.push_back(lane ? std::optional(part_of(design::float_lane(*lane), part)) : std::nullopt);
   }
-  return parts;
+  std::vector<const error::Lane*> pointers;
+  for (const auto& lane : parts) pointers.push_back(lane ? &*lane : nullptr);
+  return Threshold::of_lanes(pointers, envelope);
 }
 
+Threshold threshold_in_fixed_point(Lanes lanes, std::size_t part, const Envelope& envelope) {
+  std::vector<const fixed::FixedLane*> pointers;
+  for (const auto& lane : lanes) {
+    pointers.push_back(lane ? &std::get<fixed::FixedLane>(*lane) : nullptr);
+  }
+  return Threshold::of_fixed_lanes(pointers, part, envelope);
+}
+
+/// The threshold of one part, at the precisions from number `index` on.
 Threshold threshold_of(const SystemLanes& system, std::size_t part, int index,
                        const Envelope& envelope) {
   if (system.kind == SystemKind::lanes_alone) return Threshold::of_order();
-  const auto parts = parts_from(system, part, static_cast<std::size_t>(index));
-  std::vector<const error::Lane*> lanes;
-  for (const std::optional<error::Lane>& lane : parts) lanes.push_back(lane ? &*lane : nullptr);
-  return Threshold::of_lanes(lanes, envelope);
+  const Lanes lanes = Lanes(system.lanes).subspan(static_cast<std::size_t>(index));
+  const bool fixed_point = system.bound && system.bound->is_fixed_point();
+  return fixed_point ? threshold_in_fixed_point(lanes, part, envelope)
+                     : threshold_of_floats(lanes, part, envelope);
 }
 
 /// Merges the findings on the parts into those on the whole comparison. A system is settled on the
@@ -116,11 +126,9 @@ PrecisionBand::PrecisionBand(const Envelope::Options& options, int next, int fir
     }
   }
   for (const SystemLanes& system : systems) {
-    std::vector<Runner>& runners = runners_.emplace_back();
+    std::vector<LaneRunner>& runners = runners_.emplace_back();
     for (int precision = anchor(); precision < next; ++precision) {
-      const std::optional<error::Lane>& lane = system.lanes[precision - first];
-      Runner& runner = runners.emplace_back(Runner{system.kind, std::nullopt});
-      if (lane) runner.emulator.emplace(*lane);
+      runners.emplace_back(system.kind, system.lanes[precision - first]);
     }
   }
 }

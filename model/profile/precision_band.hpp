@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "model/emulator/emulator.hpp"
 #include "model/profile/envelope.hpp"
+#include "model/profile/lane_runner.hpp"
 #include "model/profile/systems.hpp"
 #include "model/profile/threshold.hpp"
 
@@ -31,13 +31,6 @@ struct BlockFindings {
 /// for which comparisons they need not be run.
 class PrecisionBand {
 public:
-  /// A lane of one system at one precision, ready to run; no emulator where the lane does not
-  /// exist.
-  struct Runner {
-    SystemKind kind;
-    std::optional<emulator::Emulator> emulator;
-  };
-
   /// `systems` have lanes from precision `first` on.
   PrecisionBand(const Envelope::Options& options, int next, int first, const TypedGraph& graph,
                 const std::vector<SystemLanes>& systems);
@@ -45,7 +38,7 @@ public:
   int anchor() const { return parts_.front().envelope.anchor(); }
   int next() const { return next_; }
   std::size_t system_count() const { return runners_.size(); }
-  const Runner& runner(std::size_t system, int precision) const {
+  const LaneRunner& runner(std::size_t system, int precision) const {
     return runners_[system][precision - anchor()];
   }
 
@@ -71,7 +64,7 @@ private:
   Combination combination_;
   int reference_precision_;
   int next_;
-  std::vector<std::vector<Runner>> runners_;  ///< [system][precision - anchor()]
+  std::vector<std::vector<LaneRunner>> runners_;  ///< [system][precision - anchor()]
 };
 
 }  // namespace mixcmp::profile

@@ -25,8 +25,10 @@ enum class ProfileMethod {
 struct ProfileOptions {
   int first_precision = settings::limits::lane_precision.least;
   int last_precision = settings::limits::lane_precision.most;
-  std::uint64_t error_samples = 1'000'000;  ///< for figure 4 and the profiled constants
-  unsigned threads = 0;                     ///< 0: as many as the machine has
+  std::uint64_t error_samples = 1'000'000;      ///< for figure 4 and the profiled constants
+  std::vector<scene::BoundChoice> bounds = {};  ///< of the lanes counted; none: lanes of every
+                                                ///< kind, and lanes alone
+  unsigned threads = 0;                         ///< 0: as many as the machine has
   ProfileMethod method = ProfileMethod::envelope;
   /// Called with the name of the current step and the fraction of it that is done, 0..1; from any
   /// thread, but one call at a time.

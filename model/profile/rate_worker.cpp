@@ -152,8 +152,8 @@ void RateWorker::run_system(const PrecisionBand& band, std::size_t system,
   for (int precision = band.anchor(); precision < band.next(); ++precision) {
     const std::size_t open = open_at_[precision - band.anchor()];
     if (open == 0) break;
-    const PrecisionBand::Runner& runner = band.runner(system, precision);
-    if (!runner.emulator) continue;
+    const LaneRunner& runner = band.runner(system, precision);
+    if (!runner.exists()) continue;
     const bool most = open > unsettled.size() / 4;
     if (!most && !picked) pick(band, system, unsettled);
     picked = picked || !most;
@@ -194,14 +194,9 @@ void RateWorker::pick(const PrecisionBand& band, std::size_t system,
   }
 }
 
-void RateWorker::run_lane(const PrecisionBand::Runner& runner, std::size_t system, int precision,
+void RateWorker::run_lane(const LaneRunner& runner, std::size_t system, int precision,
                           const UnsettledComparisons& unsettled, std::size_t count) {
-  const std::vector<const double*> columns = unsettled.operands().columns();
-  if (runner.kind == SystemKind::lanes_alone) {
-    runner.emulator->compare(columns, count, decisions_);
-  } else {
-    runner.emulator->decide(columns, count, decisions_);
-  }
+  runner.decide(unsettled.operands().columns(), count, decisions_);
   tally_.emulated += count;
   std::uint64_t undecided = 0, wrong = 0, wrong_by_lane = 0;
   for (std::size_t n = 0; n < count; ++n) {

@@ -17,9 +17,9 @@ struct RateJob {
   std::vector<SystemLanes> systems;
   std::vector<PrecisionBand> bands;  ///< the next() of each is the anchor() of the one after it
   emulator::Emulator reference;
-  /// The range checks that the values of one input fail. Bit k of of_row[row] is set where the
-  /// value in that row of the input's table fails a range check of system k. Inputs that never fail
-  /// are left out.
+  /// The operands of one input that lanes do not take. Bit k of of_row[row] is set where the value
+  /// in that row of the input's table fails a range check of system k, or lies outside of its
+  /// fixed-point format. Inputs that never fail are left out.
   struct Failing {
     data::Item item;
     std::vector<std::uint32_t> of_row;
@@ -62,7 +62,7 @@ private:
                   const UnsettledComparisons& unsettled);
   void count_open(const PrecisionBand& band, std::size_t system, std::size_t count);
   void pick(const PrecisionBand& band, std::size_t system, const UnsettledComparisons& unsettled);
-  void run_lane(const PrecisionBand::Runner& runner, std::size_t system, int precision,
+  void run_lane(const LaneRunner& runner, std::size_t system, int precision,
                 const UnsettledComparisons& unsettled, std::size_t count);
   void pass_on(const PrecisionBand& band, const UnsettledComparisons& from,
                UnsettledComparisons& to);

@@ -3,7 +3,7 @@
 #include <mutex>
 #include <utility>
 
-#include "model/golden/evaluate.hpp"
+#include "model/golden/fixed_evaluate.hpp"
 #include "model/profile/rate_worker.hpp"
 
 namespace mixcmp::profile {
@@ -31,34 +31,53 @@ std::vector<NodeMagnitude> input_magnitudes(const data::OperandSource& source) {
   return magnitudes;
 }
 
-/// The checks of a system's lanes. They repeat from precision to precision; one of each is enough.
-std::vector<error::RangeCheck> distinct_checks(const SystemLanes& system) {
+/// What the lanes of one system take.
+struct TakenOperands {
   std::vector<error::RangeCheck> checks;
-  for (const std::optional<error::Lane>& lane : system.lanes) {
+  const fixed::FixedLane* fixed_lane = nullptr;
+
+  bool take(int input, FloatFormat format, Bits operand) const {
+    const auto fails = [&](const error::RangeCheck& check) {
+      return check.input == input && !golden::passes(check, format, operand);
+    };
+    return std::none_of(checks.begin(), checks.end(), fails) &&
+           (fixed_lane == nullptr || golden::takes(*fixed_lane, input, operand));
+  }
+};
+
+/// The checks of lanes repeat from precision to precision; one of each is enough. All lanes in
+/// fixed point with one kind of bound take the same operands.
+TakenOperands taken_operands(const SystemLanes& system) {
+  TakenOperands taken;
+  for (const std::optional<design::Lane>& lane : system.lanes) {
     if (!lane) continue;
-    for (const error::RangeCheck& check : lane->checks) {
-      if (std::find(checks.begin(), checks.end(), check) == checks.end()) checks.push_back(check);
+    if (const auto* fixed_lane = std::get_if<fixed::FixedLane>(&*lane)) {
+      taken.fixed_lane = fixed_lane;
+      continue;
+    }
+    for (const error::RangeCheck& check : design::float_lane(*lane).checks) {
+      const bool known =
+          std::find(taken.checks.begin(), taken.checks.end(), check) != taken.checks.end();
+      if (!known) taken.checks.push_back(check);
     }
   }
-  return checks;
+  return taken;
 }
 
-/// Bit k is set where the operand fails some check that system k makes of this input.
-std::uint32_t failing_systems(const std::vector<std::vector<error::RangeCheck>>& checks, int input,
+/// Bit k is set where system k does not take the operand for this input.
+std::uint32_t failing_systems(const std::vector<TakenOperands>& systems, int input,
                               FloatFormat format, Bits operand) {
   std::uint32_t failing = 0;
-  for (std::size_t system = 0; system < checks.size(); ++system) {
-    for (const error::RangeCheck& check : checks[system]) {
-      const bool fails = check.input == input && !golden::passes(check, format, operand);
-      failing |= std::uint32_t{fails} << system;
-    }
+  for (std::size_t system = 0; system < systems.size(); ++system) {
+    const bool fails = !systems[system].take(input, format, operand);
+    failing |= std::uint32_t{fails} << system;
   }
   return failing;
 }
 
 void find_failing(RateJob& job) {
-  std::vector<std::vector<error::RangeCheck>> checks;
-  for (const SystemLanes& system : job.systems) checks.push_back(distinct_checks(system));
+  std::vector<TakenOperands> systems;
+  for (const SystemLanes& system : job.systems) systems.push_back(taken_operands(system));
   const data::Comparisons& data = job.source.data();
   for (std::size_t input = 0; input < data.input_count(); ++input) {
     const data::Comparisons::Source& source = data.sources()[input];
@@ -66,7 +85,7 @@ void find_failing(RateJob& job) {
     RateJob::Failing failing{.item = source.item, .of_row = {}};
     std::uint32_t any = 0;
     for (std::size_t row = 0; row < table.rows(); ++row) {
-      failing.of_row.push_back(failing_systems(checks, static_cast<int>(input), table.format,
+      failing.of_row.push_back(failing_systems(systems, static_cast<int>(input), table.format,
                                                table.at(row, source.column)));
       any |= failing.of_row.back();
     }
@@ -113,7 +132,7 @@ RateTally run(const RateJob& job, const ProfileOptions& options) {
 
 RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& data,
                           const ErrorProfile& errors, const ProfileOptions& options) {
-  const std::vector<SystemLanes> systems = make_systems(scene, errors);
+  const std::vector<SystemLanes> systems = make_systems(scene, errors, options.bounds);
   const data::OperandSource source(data);
   RateJob job{.scene = scene,
               .source = source,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/design/design.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/error/profiled_lane.hpp"
 
@@ -22,7 +23,7 @@ SystemLanes& system_with(std::vector<SystemLanes>& systems,
 
 /// `bound`: none for lanes alone.
 void add(std::vector<SystemLanes>& systems, const std::optional<scene::BoundChoice>& bound,
-         SystemKind kind, Result<error::Lane> lane) {
+         SystemKind kind, Result<design::Lane> lane) {
   SystemLanes& system = system_with(systems, bound, kind);
   if (lane.ok()) {
     system.lanes.emplace_back(std::move(lane).value());
@@ -56,25 +57,46 @@ TypedGraph graph_at(const scene::Scene& scene, int precision, LaneInputs inputs)
 
 namespace {
 
-Result<error::Lane> profiled_at(const TypedGraph& graph, const ErrorAtPrecision& error) {
-  if (error.f && error.g) return error::profiled_lane(graph, *error.f, *error.g);
+Result<design::Lane> profiled_at(const TypedGraph& graph, const ErrorAtPrecision& error) {
+  if (error.f && error.g) return design::Lane(error::profiled_lane(graph, *error.f, *error.g));
   return Error{.message = "no comparison has a relative error of f and of g"};
+}
+
+void add_fixed_lanes(const scene::Scene& scene, int bits, std::vector<SystemLanes>& systems) {
+  for (const scene::BoundChoice::Kind kind :
+       {scene::BoundChoice::Kind::fixed_norm, scene::BoundChoice::Kind::fixed_constant}) {
+    const scene::BoundChoice choice{kind};
+    scene::ReducedSpec reduced = with_bound(scene.reduced, choice);
+    reduced.fixed_bits = bits;
+    SystemLanes& system = system_with(systems, choice, SystemKind::certified);
+    if (settings::lane_fixed_bits(scene.reference.format).allow(bits)) {
+      add(systems, choice, SystemKind::certified, design::design_lane(scene, reduced, nullptr));
+    } else {
+      system.lanes.emplace_back(std::nullopt);
+    }
+  }
 }
 
 }  // namespace
 
-std::vector<SystemLanes> make_systems(const scene::Scene& scene, const ErrorProfile& errors) {
+std::vector<SystemLanes> make_systems(const scene::Scene& scene, const ErrorProfile& errors,
+                                      std::span<const scene::BoundChoice> bounds) {
   std::vector<SystemLanes> systems;
   for (const ErrorAtPrecision& error : errors.precisions) {
     const TypedGraph graph = graph_at(scene, error.precision, errors.inputs);
-    add(systems, std::nullopt, SystemKind::lanes_alone, lanes_alone(graph));
+    add(systems, std::nullopt, SystemKind::lanes_alone, design::Lane(lanes_alone(graph)));
     add(systems, scene::BoundChoice{scene::BoundChoice::Kind::profiled}, SystemKind::profiled,
         profiled_at(graph, error));
     for (error::CandidateLane& candidate : error::candidate_lanes(graph, scene.ranges)) {
       add(systems, scene::bound_choice(candidate), SystemKind::certified,
-          std::move(candidate.lane));
+          design::as_lane(std::move(candidate.lane)));
     }
+    add_fixed_lanes(scene, error.precision, systems);
   }
+  const auto is_unwanted = [&](const SystemLanes& system) {
+    return std::find(bounds.begin(), bounds.end(), system.bound) == bounds.end();
+  };
+  if (!bounds.empty()) std::erase_if(systems, is_unwanted);
   return systems;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "model/error/lane.hpp"
+#include "model/design/lane.hpp"
 #include "model/profile/profile.hpp"
 
 namespace mixcmp::profile {
@@ -14,8 +15,8 @@ struct SystemLanes {
   std::string name;
   std::optional<scene::BoundChoice> bound;  ///< none: lanes alone
   SystemKind kind;
-  std::vector<std::optional<error::Lane>> lanes;  ///< one per precision
-  std::string reason;                             ///< why there is no lane at some precision
+  std::vector<std::optional<design::Lane>> lanes;  ///< one per precision
+  std::string reason;                              ///< why there is no lane at some precision
 
   bool exists() const;
 };
@@ -28,7 +29,9 @@ int profiled_exponent_bits(const scene::Scene& scene);
 TypedGraph graph_at(const scene::Scene& scene, int precision, LaneInputs inputs);
 
 /// Makes the systems to be profiled: lanes alone, lanes profiled with the constants of `errors`,
-/// and every certified candidate.
-std::vector<SystemLanes> make_systems(const scene::Scene& scene, const ErrorProfile& errors);
+/// and every certified candidate, in floating point and in fixed point. The precision of a lane in
+/// fixed point is its W. If `bounds` names any, these alone.
+std::vector<SystemLanes> make_systems(const scene::Scene& scene, const ErrorProfile& errors,
+                                      std::span<const scene::BoundChoice> bounds = {});
 
 }  // namespace mixcmp::profile

@@ -142,6 +142,66 @@ Threshold::Kind Threshold::absolute(std::span<const error::Lane* const> lanes,
   return absolute;
 }
 
+namespace {
+
+using fixed::FixedNode;
+
+/// A distance of f and g from which one lane in fixed point surely decides.
+struct Margin {
+  double constant = 0;
+  double per_root = 0;  ///< per root of the square that is compared
+};
+
+double magnitude(const Range& range) {
+  return std::max(std::fabs(range.low.get_d()), std::fabs(range.high.get_d())) * outward;
+}
+
+Margin margin_of(const fixed::ConstantThresholds& thresholds, const FixedNode& difference,
+                 const std::vector<FixedNode>&) {
+  const double unit = difference.format.unit().get_d();
+  const double limit =
+      std::max(std::fabs(thresholds.greater_from.get_d()), std::fabs(thresholds.less_to.get_d()));
+  return {.constant = limit * unit * outward + magnitude(difference.error)};
+}
+
+/// The radius as computed is at most |s| and its error; a power of two above the root of |y|^2 is
+/// at most twice that root, and a unit at least.
+Margin margin_of(const fixed::NormThresholds& thresholds, const FixedNode& difference,
+                 const std::vector<FixedNode>& nodes) {
+  const FixedNode& radius = nodes[thresholds.radius];
+  const double unit = difference.format.unit().get_d();
+  const double radius_unit = std::ldexp(1.0, thresholds.unit_exponent(nodes));
+  const int steepest = std::max(thresholds.shift_above, thresholds.shift_below);
+  const double slope = std::ldexp(unit, steepest) / radius_unit;
+  const double error = magnitude(radius.error);
+  const double beyond = thresholds.is_square ? radius_unit + 2 * std::sqrt(error) : error;
+  const double offset = thresholds.offset_above.get_d() * unit;
+  return {.constant = (slope * beyond + offset) * outward + magnitude(difference.error),
+          .per_root = (thresholds.is_square ? 2 : 1) * slope * outward};
+}
+
+}  // namespace
+
+Threshold Threshold::of_fixed_lanes(std::span<const fixed::FixedLane* const> lanes,
+                                    std::size_t part, const Envelope& envelope) {
+  Root root{.square = envelope.graph().g(), .constant = 0, .per_root = 0};
+  double scale = outward;
+  for (const fixed::FixedLane* lane : lanes) {
+    if (lane != nullptr) {
+      const fixed::FixedPart& decided = lane->parts[part];
+      const FixedNode& difference = lane->nodes[decided.difference];
+      const Margin margin = std::visit(
+          [&](const auto& thresholds) { return margin_of(thresholds, difference, lane->nodes); },
+          decided.decision);
+      if (decided.swapped) root.square = envelope.graph().f();
+      root.constant = std::max(root.constant, margin.constant * scale);
+      root.per_root = std::max(root.per_root, margin.per_root * scale);
+    }
+    scale *= 2;
+  }
+  return {root, 0, envelope.graph().f(), envelope.graph().g()};
+}
+
 void Threshold::evaluate(const EnvelopeBlock& block, EnvelopeRow& scaled, EnvelopeRow& fixed,
                          EnvelopeRow& wild) const {
   const NodeEnvelope& f = block.nodes[f_];
@@ -162,6 +222,11 @@ void Threshold::evaluate(const EnvelopeBlock& block, EnvelopeRow& scaled, Envelo
     for_each_lane([&](std::size_t k) {
       scaled[k] *= absolute->factor;
       fixed[k] *= absolute->factor;
+    });
+  } else if (const auto* root = std::get_if<Root>(&kind_)) {
+    const NodeEnvelope& square = block.nodes[root->square];
+    for_each_lane([&](std::size_t k) {
+      scaled[k] = root->constant + root->per_root * std::sqrt(largest(square, k)) * outward;
     });
   } else if (std::holds_alternative<Unknown>(kind_)) {
     wild.fill(1);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/error/lane.hpp"
+#include "model/fixed/fixed_lane.hpp"
 #include "model/profile/bound_envelope.hpp"
 #include "model/profile/envelope.hpp"
 
@@ -21,6 +22,10 @@ public:
   /// `lanes` have the precisions A, A+1, ..., last. If a lane is missing, their kinds differ, or
   /// their graphs do not begin with the envelope's nodes, every comparison is wild.
   static Threshold of_lanes(std::span<const error::Lane* const> lanes, const Envelope& envelope);
+  /// The threshold of one part of lanes in fixed point with W = A, A+1, ... bits; lanes may be
+  /// missing.
+  static Threshold of_fixed_lanes(std::span<const fixed::FixedLane* const> lanes, std::size_t part,
+                                  const Envelope& envelope);
 
   /// Computes `scaled` and `fixed` for each comparison; sets `wild` to 1 where no threshold is
   /// known.
@@ -39,8 +44,12 @@ private:
     std::vector<BoundEnvelope> bounds;  ///< one per structure of bound graphs
     double factor;
   };
+  struct Root {
+    NodeId square;
+    double constant, per_root;  ///< per root of the square's magnitude
+  };
   struct Unknown {};
-  using Kind = std::variant<Order, Distance, Interval, Absolute, Unknown>;
+  using Kind = std::variant<Order, Distance, Interval, Absolute, Root, Unknown>;
 
   Threshold(Kind kind, double floor, NodeId f, NodeId g)
       : kind_(std::move(kind)), floor_(floor), f_(f), g_(g) {}

@@ -17,11 +17,23 @@ TradePoint make_point(const RateProfile& rates, const SystemProfile& system,
   return point;
 }
 
-void price(const Trade& trade, const error::Lane& lane, const MeasuredAreas& areas,
+/// The counts of these lanes; null where the profile left them out.
+const SystemProfile* find(const RateProfile& rates, const SystemLanes& lanes) {
+  for (const SystemProfile& system : rates.systems) {
+    if (system.name == lanes.name) return &system;
+  }
+  return nullptr;
+}
+
+double rough_luts(const design::Lane& lane) {
+  return std::visit([](const auto& made) { return lane_luts(made); }, lane);
+}
+
+void price(const Trade& trade, const design::Lane& lane, const MeasuredAreas& areas,
            TradePoint& point) {
   const std::optional<double> measured = areas.of(point.system, point.precision);
   point.measured = measured.has_value();
-  point.lane_luts = measured ? *measured : lane_luts(lane);
+  point.lane_luts = measured ? *measured : rough_luts(lane);
   const double share = point.rate * (1 + trade.slack);
   point.per_kiloluts = 1000 / (point.lane_luts + share * trade.reference_luts);
 }
@@ -45,13 +57,13 @@ Trade make_trade(const scene::Scene& scene, const RateProfile& rates, const Erro
               .reference_wrong_per_million = per_million(rates.reference_wrong, rates),
               .undetermined_per_million = per_million(rates.undetermined, rates),
               .points = {}};
-  const std::vector<SystemLanes> systems = make_systems(scene, errors);
-  for (std::size_t s = 0; s < systems.size(); ++s) {
-    for (std::size_t k = 0; k < systems[s].lanes.size(); ++k) {
-      if (!systems[s].lanes[k]) continue;
-      TradePoint point = make_point(rates, rates.systems[s], rates.systems[s].counts[k]);
+  for (const SystemLanes& system : make_systems(scene, errors)) {
+    const SystemProfile* counted = find(rates, system);
+    for (std::size_t k = 0; counted != nullptr && k < system.lanes.size(); ++k) {
+      if (!system.lanes[k]) continue;
+      TradePoint point = make_point(rates, *counted, counted->counts[k]);
       point.precision = rates.first_precision + static_cast<int>(k);
-      price(trade, *systems[s].lanes[k], areas, point);
+      price(trade, *system.lanes[k], areas, point);
       trade.points.push_back(std::move(point));
     }
   }

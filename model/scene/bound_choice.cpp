@@ -18,6 +18,8 @@ constexpr std::string_view running_prefix = "running_";
 std::string_view word(Kind kind) {
   switch (kind) {
     case Kind::constant: return "constant";
+    case Kind::fixed_constant: return "fixed_constant";
+    case Kind::fixed_norm: return "fixed_norm";
     case Kind::profiled: return "profiled";
     case Kind::relative: return "relative";
     case Kind::running: return "running";
@@ -37,7 +39,8 @@ std::string to_string(const std::optional<BoundChoice>& choice) {
 }
 
 Result<BoundChoice> parse_bound_choice(std::string_view name) {
-  for (const Kind kind : {Kind::constant, Kind::profiled, Kind::relative}) {
+  for (const Kind kind :
+       {Kind::constant, Kind::fixed_constant, Kind::fixed_norm, Kind::profiled, Kind::relative}) {
     if (name == word(kind)) return BoundChoice{kind};
   }
   constexpr settings::Limits digits = settings::limits::bound_digits;
@@ -46,10 +49,15 @@ Result<BoundChoice> parse_bound_choice(std::string_view name) {
       digits.allow(name.back() - '0')) {
     return BoundChoice{Kind::running, name.back() - '0'};
   }
-  return Error{.message = "not a bound",
-               .received = in_quotes(name),
-               .accepted = fmt::format("relative, running_{} to running_{}, constant, profiled",
-                                       digits.least, digits.most)};
+  return Error{
+      .message = "not a bound", .received = in_quotes(name), .accepted = bound_choice_names()};
+}
+
+std::string bound_choice_names() {
+  constexpr settings::Limits digits = settings::limits::bound_digits;
+  return fmt::format(
+      "relative, running_{} to running_{}, constant, profiled, fixed_norm, fixed_constant",
+      digits.least, digits.most);
 }
 
 BoundChoice bound_choice(const error::LanePart& part) {
@@ -69,6 +77,10 @@ std::optional<BoundChoice> bound_choice(const error::Lane& lane) {
   return all_alike ? std::optional(first) : std::nullopt;
 }
 
+BoundChoice bound_choice(const fixed::FixedLane& lane) {
+  return {has_norm(lane) ? Kind::fixed_norm : Kind::fixed_constant};
+}
+
 BoundChoice bound_choice(const error::CandidateLane& candidate) {
   switch (candidate.kind) {
     case error::ErrorBoundKind::relative: return {Kind::relative};
@@ -80,19 +92,25 @@ BoundChoice bound_choice(const error::CandidateLane& candidate) {
 }
 
 std::span<const BoundChoice> profiled_bound_choices() {
-  static constexpr std::array<BoundChoice, 5> choices = {{{Kind::relative},
+  static constexpr std::array<BoundChoice, 7> choices = {{{Kind::relative},
                                                           {Kind::running, 4},
                                                           {Kind::running, 1},
                                                           {Kind::constant},
-                                                          {Kind::profiled}}};
+                                                          {Kind::profiled},
+                                                          {Kind::fixed_norm},
+                                                          {Kind::fixed_constant}}};
   return choices;
 }
 
 ReducedSpec with_bound(const ReducedSpec& reduced, const BoundChoice& choice) {
   ReducedSpec copy = reduced;
   copy.bound = BoundKind::certified;
+  if (!choice.is_fixed_point()) copy.fixed_bits.reset();
+  if (choice.is_fixed_point() && copy.format) copy.fixed_bits = copy.format->precision();
   switch (choice.kind) {
+    case Kind::fixed_constant:
     case Kind::constant: copy.error_bound = error::ErrorBoundKind::constant; break;
+    case Kind::fixed_norm: copy.error_bound = error::ErrorBoundKind::norm; break;
     case Kind::relative: copy.error_bound = error::ErrorBoundKind::relative; break;
     case Kind::running:
       copy.error_bound = error::ErrorBoundKind::running;

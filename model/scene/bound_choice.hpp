@@ -6,18 +6,22 @@
 #include <string_view>
 
 #include "model/error/certified_lane.hpp"
+#include "model/fixed/fixed_lane.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::scene {
 
-/// A way to bound the errors of a lane, whatever its format. Profiles, tables and options name it
-/// "relative", "running_4" (digits), "constant" or "profiled".
+/// A way to bound the errors of a lane, whatever its precision. Profiles, tables and options name
+/// it "relative", "running_4" (digits), "constant" or "profiled"; of lanes in fixed point
+/// "fixed_constant" or "fixed_norm".
 struct BoundChoice {
   /// In the order of their names, in which tables are sorted.
-  enum class Kind { constant, profiled, relative, running };
+  enum class Kind { constant, fixed_constant, fixed_norm, profiled, relative, running };
 
   Kind kind = Kind::relative;
   int digits = 0;  ///< digits of a running bound; 0 for others
+
+  bool is_fixed_point() const { return kind == Kind::fixed_constant || kind == Kind::fixed_norm; }
 
   friend auto operator<=>(const BoundChoice&, const BoundChoice&) = default;
 };
@@ -27,18 +31,22 @@ std::string to_string(const BoundChoice& choice);
 std::string to_string(const std::optional<BoundChoice>& choice);
 
 Result<BoundChoice> parse_bound_choice(std::string_view name);
+/// All names, for helps and messages.
+std::string bound_choice_names();
 
 /// How one part of a lane bounds its errors.
 BoundChoice bound_choice(const error::LanePart& part);
 /// How a lane bounds its errors; none if its parts do so in different ways.
 std::optional<BoundChoice> bound_choice(const error::Lane& lane);
+BoundChoice bound_choice(const fixed::FixedLane& lane);
 /// The choice with which `candidate_lanes` made a candidate.
 BoundChoice bound_choice(const error::CandidateLane& candidate);
 
 /// The choices that a profile counts.
 std::span<const BoundChoice> profiled_bound_choices();
 
-/// Returns a copy of `reduced` with this bound.
+/// Returns a copy of `reduced` with this bound, in its number system: fixed point has as many bits
+/// as `reduced` has, or as its format has digits.
 ReducedSpec with_bound(const ReducedSpec& reduced, const BoundChoice& choice);
 
 }  // namespace mixcmp::scene

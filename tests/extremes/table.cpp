@@ -10,6 +10,7 @@
 #include "model/data/sphere_family.hpp"
 #include "model/emulator/emulator.hpp"
 #include "model/golden/evaluate.hpp"
+#include "model/profile/lane_runner.hpp"
 #include "model/profile/systems.hpp"
 #include "model/workload/load_comparisons.hpp"
 
@@ -45,19 +46,16 @@ public:
       truth_.push_back(
           decision_of(golden::true_verdict(scene.graph, data.table().format, operands).value()));
     }
-    reference_ = decisions(emulator::Emulator(reference_graph(scene.graph, scene.reference)));
+    reference_.resize(size());
+    emulator::Emulator(reference_graph(scene.graph, scene.reference))
+        .decide(block_.columns(), size(), reference_);
   }
 
   const std::string& name() const { return name_; }
   std::uint64_t size() const { return truth_.size(); }
-  std::vector<Decision> decisions(const emulator::Emulator& lane) const {
+  std::vector<Decision> decisions(const profile::LaneRunner& lane) const {
     std::vector<Decision> result(size());
     lane.decide(block_.columns(), size(), result);
-    return result;
-  }
-  std::vector<Decision> orders(const emulator::Emulator& lane) const {
-    std::vector<Decision> result(size());
-    lane.compare(block_.columns(), size(), result);
     return result;
   }
 
@@ -96,10 +94,8 @@ struct Entry {
 };
 
 Entry entry_of(const Family& family, LaneInputs inputs, int precision,
-               const profile::SystemLanes& system, const error::Lane& lane) {
-  const emulator::Emulator emulator(lane);
-  const std::vector<Decision> decisions =
-      system.kind == SystemKind::lanes_alone ? family.orders(emulator) : family.decisions(emulator);
+               const profile::SystemLanes& system, const std::optional<design::Lane>& lane) {
+  const std::vector<Decision> decisions = family.decisions(profile::LaneRunner(system.kind, lane));
   return {family.name(),
           inputs,
           precision,
@@ -117,7 +113,7 @@ std::vector<Entry> entries_of(const Family& family, LaneInputs inputs, int first
     for (std::size_t k = 0; k < system.lanes.size(); ++k) {
       const int precision = first_precision + static_cast<int>(k);
       if (!shown(precision) || !system.lanes[k]) continue;
-      entries.push_back(entry_of(family, inputs, precision, system, *system.lanes[k]));
+      entries.push_back(entry_of(family, inputs, precision, system, system.lanes[k]));
     }
   }
   return entries;

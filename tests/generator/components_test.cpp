@@ -153,6 +153,26 @@ TEST_F(Components, ExponentBitsFollowTheScene) {
   EXPECT_EQ(formats(ranged, components::LaneExponents::reference), (Names{"s12e8", "s8e8"}));
 }
 
+TEST_F(Components, LanesInFixedPointAreWhatGenerateWritesOnceForAllInputs) {
+  const scene::Scene ranged =
+      scene("[reduced]\nformat = \"q12\"\n[system]\nlanes = 1\nreferences = 1\nprefix = \"\"\n");
+  const auto system = emit::generate_system(design::make_design(ranged, nullptr).value(), "");
+  ASSERT_TRUE(system.ok());
+  components::ComponentQuery query = lanes({12, 50}, {"fixed_norm"});
+  query.inputs = {LaneInputs::exact, LaneInputs::rounded};
+  query.multipliers = {scene::Multipliers::embedded, scene::Multipliers::logic};
+  const Found found = find(ranged, query);
+  ASSERT_EQ(found.components.size(), 2u);  // none of 50 bits
+  for (const auto& [key, component] : found.components) {
+    EXPECT_EQ(key.format, "q12");
+    EXPECT_EQ(key.inputs, "");
+    const bool same =
+        from_ports(source(component, "lane.v")) == from_ports(generated(*system, "_lane_"));
+    EXPECT_EQ(same, key.multipliers == "embedded");
+  }
+  EXPECT_TRUE(found.missing.empty());
+}
+
 TEST_F(Components, LanesThatDoNotExistAreToldWithTheirReason) {
   components::ComponentQuery query = lanes({4, 12}, {"relative", "running_4", "constant"});
   query.inputs = {LaneInputs::exact, LaneInputs::rounded};

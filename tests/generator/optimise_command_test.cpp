@@ -72,6 +72,36 @@ TEST_F(OptimiseCommand, ItsPlanIsWhatCheckTakes) {
   EXPECT_NE(read("plan.toml").find("target_mhz = 250\n"), std::string::npos);
 }
 
+/// Lanes in fixed point have no choice of inputs, in the table as in the plan.
+TEST_F(OptimiseCommand, APlanOfLanesInFixedPointIsWhatCheckTakes) {
+  std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);
+  row(table, "lane,,q11,,fixed_norm,embedded,0", 7, 380, 4);
+  row(table, "lane,,q11,,fixed_norm,logic,0", 9, 640, 0);
+  table.close();
+  const Outcome found = mixcmp("optimise scene.toml --last 14 --json -o plan.toml");
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  EXPECT_EQ(json_of(found).at("best"), 11) << found.output;
+  const std::string plan = read("plan.toml");
+  EXPECT_NE(plan.find("format = \"q11\"\nbound = \"certified\"\nerror_bound = \"norm\"\n"),
+            std::string::npos)
+      << plan;
+  const Outcome checked = mixcmp("check plan.toml --json");
+  ASSERT_EQ(checked.exit_code, 0) << checked.output;
+  const auto lanes = json_of(checked).at("lane_groups");
+  EXPECT_EQ(lanes[0].at("format"), "q11") << checked.output;
+}
+
+TEST_F(OptimiseCommand, RowsOfFixedPointWithInputsAreRefused) {
+  for (const char* wrong : {"lane,,q11,exact,fixed_norm,embedded,0", "lane,,q11,,relative,logic,0",
+                            "lane,,s11e8,exact,fixed_norm,logic,0", "reference,,q11,,,logic,0"}) {
+    write_table("scene-virtex6-lx760.csv", "virtex6-lx760");
+    std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);
+    row(table, wrong, 7, 380, 4);
+    table.close();
+    expect_refused("optimise scene.toml --last 14", "scene-virtex6-lx760.csv:13");
+  }
+}
+
 TEST_F(OptimiseCommand, JsonTellsEveryPrecision) {
   const Outcome found = mixcmp("optimise scene.toml --last 14 --json");
   ASSERT_EQ(found.exit_code, 0) << found.output;

@@ -63,10 +63,23 @@ TEST_F(ProfileCommand, CountsEverySystemAtEveryPrecision) {
   }
 }
 
-TEST_F(ProfileCommand, TellsThatItLeavesFixedPointOut) {
-  const Outcome run = profile("scene.toml --last 6 --set reduced.format=q13");
-  EXPECT_EQ(run.exit_code, 0) << run.output;
-  EXPECT_NE(run.output.find("none in q13"), std::string::npos) << run.output;
+TEST_F(ProfileCommand, CountsTheBoundsThatAreAskedFor) {
+  const Outcome run =
+      profile("scene.toml --last 20 --bounds constant,fixed_norm --json --accept 0");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto report = nlohmann::json::parse(run.output);
+  const auto& systems = report.at("recomputation_rates")[0].at("systems");
+  ASSERT_EQ(systems.size(), 2u);
+  EXPECT_EQ(systems[0].at("system"), "constant");
+  EXPECT_EQ(systems[1].at("system"), "fixed_norm");
+  for (const auto& point : report.at("trade")[0].at("points")) {
+    EXPECT_TRUE(point.at("system") == "constant" || point.at("system") == "fixed_norm");
+  }
+}
+
+TEST_F(ProfileCommand, RefusesBoundsThatItDoesNotCount) {
+  expect_profile_refused("scene.toml --bounds running_3", "running_3");
+  expect_profile_refused("scene.toml --bounds norm", "fixed_norm");
 }
 
 TEST_F(ProfileCommand, BruteForceFindsTheSame) {
@@ -79,23 +92,25 @@ TEST_F(ProfileCommand, WritesFigures) {
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const std::string figure4 = read("out/figure4.csv"), figure5 = read("out/figure5.csv");
   EXPECT_EQ(std::count(figure4.begin(), figure4.end(), '\n'), 1 + 2 * 9);
-  // The reference, and six systems.
-  EXPECT_EQ(std::count(figure5.begin(), figure5.end(), '\n'), 1 + 1 + 6 * 9);
+  // The reference, and eight systems.
+  EXPECT_EQ(std::count(figure5.begin(), figure5.end(), '\n'), 1 + 1 + 8 * 9);
   EXPECT_NE(figure4.find("\nrounded,12,"), std::string::npos);
   EXPECT_NE(figure5.find("\nexact,12,relative,19900,"), std::string::npos);
   EXPECT_FALSE(fs::exists(path("out") / "figure4.gnuplot"));
 }
 
 TEST_F(ProfileCommand, WeighsSystems) {
-  const Outcome run = profile("scene.toml --last 12 -o out --accept 0 --accept 100000 --json");
+  write("areas.csv", "system,precision,luts\nlanes_alone,4,1\n");
+  const Outcome run =
+      profile("scene.toml --last 12 -o out --accept 0 --accept 100000 --areas areas.csv --json");
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const auto report = nlohmann::json::parse(run.output);
-  EXPECT_EQ(report.at("trade")[0].at("points").size(), 6u * 9);
+  EXPECT_EQ(report.at("trade")[0].at("points").size(), 8u * 9);
   ASSERT_EQ(report.at("advice").size(), 2u);
   EXPECT_EQ(report.at("advice")[0].get<std::string>().rfind("certified, no wrong verdict", 0), 0u);
   EXPECT_NE(report.at("advice")[1].get<std::string>().find("lanes_alone"), std::string::npos);
   const std::string csv = read("out/trade.csv");
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 9);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 8 * 9);
   expect_profile_refused("scene.toml --accept -1", "--accept");
   expect_profile_refused("scene.toml --areas nowhere.csv",
                          "nowhere.csv: --areas: cannot read the file");

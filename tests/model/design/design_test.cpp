@@ -219,9 +219,6 @@ TEST(MakeDesign, RefusesWhatFixedPointHasNot) {
   scene.reduced.bound = BoundKind::profiled;
   EXPECT_EQ(error_of(scene).field, "reduced.bound");
   scene = fixed_scene();
-  scene.reduced.multipliers = Multipliers::logic;
-  EXPECT_EQ(error_of(scene).field, "reduced.multipliers");
-  scene = fixed_scene();
   scene.reduced.error_bound = ErrorBoundKind::running;
   EXPECT_EQ(error_of(scene).field, "reduced.error_bound");
   scene = complete_scene();

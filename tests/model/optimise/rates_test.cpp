@@ -54,6 +54,15 @@ TEST_F(RatesFile, GivesWhatAProfileCounted) {
   EXPECT_FALSE(rates->find({LaneInputs::exact, {scene::BoundChoice::Kind::running, 4}, 9}));
 }
 
+TEST_F(RatesFile, RatesInFixedPointAreThoseOfEitherInputs) {
+  const auto rates = read(std::string(header) + "rounded,8,fixed_norm,1000,5,5e-3,0,0\n");
+  ASSERT_TRUE(rates.ok()) << rates.error().to_string();
+  const scene::BoundChoice norm{scene::BoundChoice::Kind::fixed_norm};
+  EXPECT_EQ(rates->find({LaneInputs::exact, norm, 8})->undecided, 5u);
+  EXPECT_EQ(rates->find({LaneInputs::rounded, norm, 8})->undecided, 5u);
+  EXPECT_FALSE(rates->find({LaneInputs::exact, norm, 9}));
+}
+
 TEST_F(RatesFile, OtherFilesAreRefused) {
   expect_refused("a,b,c\n1,2,3\n", "not a table of recomputation rates");
 }

@@ -7,7 +7,7 @@
 #include "generator/report/profile_report.hpp"
 #include "model/data/sphere_family.hpp"
 #include "model/data/uniform_spheres.hpp"
-#include "model/golden/evaluate.hpp"
+#include "model/golden/fixed_evaluate.hpp"
 #include "model/number/double.hpp"
 #include "model/number/exact.hpp"
 #include "model/number/verdict.hpp"
@@ -23,7 +23,7 @@ namespace mixcmp::test {
 namespace {
 
 using data::Comparisons;
-using error::Lane;
+using design::Lane;
 using golden::evaluate_lane;
 using golden::evaluate_reference;
 using golden::true_verdict;
@@ -53,7 +53,11 @@ std::vector<Truth> truths(const Scene& scene, const Comparisons& data) {
 
 /// What the lane would say without its error bound.
 Verdict order_of_parts(const Lane& lane, const std::vector<Bits>& operands) {
-  return evaluate_reference(lane.graph, operands);
+  return evaluate_reference(design::float_lane(lane).graph, operands);
+}
+
+golden::LaneResult decision_of_lane(const Lane& lane, const std::vector<Bits>& operands) {
+  return std::visit([&](const auto& made) { return evaluate_lane(made, operands); }, lane);
 }
 
 SystemCounts golden_counts(SystemKind kind, const Lane& lane, const Comparisons& data,
@@ -66,7 +70,7 @@ SystemCounts golden_counts(SystemKind kind, const Lane& lane, const Comparisons&
     bool by_lane = true;
     if (kind == SystemKind::lanes_alone) {
       verdict = order_of_parts(lane, operands);
-    } else if (const auto result = evaluate_lane(lane, operands); result.decided) {
+    } else if (const auto result = decision_of_lane(lane, operands); result.decided) {
       verdict = result.verdict;
     } else {
       ++counts.undecided;
