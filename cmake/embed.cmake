@@ -59,14 +59,11 @@ function(mixcmp_write_embedded)
 
 namespace ${NAMESPACE} {
 
-namespace {
-
-constexpr EmbeddedFile files[] = {
-${entries}};
-
-}  // namespace
-
-std::span<const EmbeddedFile> ${SYMBOL}() { return files; }
+std::span<const EmbeddedFile> ${SYMBOL}() {
+  static constexpr EmbeddedFile files[] = {
+${entries}  };
+  return files;
+}
 
 }  // namespace ${NAMESPACE}
 ")

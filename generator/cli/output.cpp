@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "generator/cli/exit.hpp"
@@ -31,6 +32,14 @@ std::optional<fs::path> file_at(const fs::path& path) {
   const fs::path named = target.ok() ? *target : fs::absolute(path);
   const fs::path place = fs::weakly_canonical(named, failed);
   return failed ? named : place;
+}
+
+/// Whether a picture begins and ends as an SVG does: a full disk can cut it, a tool can talk into it.
+bool is_whole_svg(std::string_view picture) {
+  const std::size_t last = picture.find_last_not_of(" \n");
+  if (last == std::string_view::npos) return false;
+  const bool begins = picture.starts_with("<?xml") || picture.starts_with("<svg");
+  return begins && picture.substr(0, last + 1).ends_with("</svg>");
 }
 
 }  // namespace
@@ -114,12 +123,10 @@ void ResultFiles::add_picture(const std::string& name, const std::string& script
     return;
   }
   Captured picture = value_or_exit(drawn);
-  const bool is_svg = picture.output.find("<svg") != std::string::npos &&
-                      picture.output.find("</svg>") != std::string::npos;
   if (picture.in_time && picture.status != 0 && picture.errors.empty()) {
     picture.errors = "gnuplot " + how_it_ended(picture.status) + " and says nothing";
   }
-  if (!picture.succeeded() || !is_svg) {
+  if (!picture.succeeded() || !is_whole_svg(picture.output)) {
     fail(Error{.file = path,
                .message = "gnuplot draws no picture",
                .received = picture.in_time ? picture.errors : "nothing in a minute",

@@ -59,6 +59,11 @@ std::vector<Candidate> candidates(scene::Scene scene, const data::Comparisons* d
   return found;
 }
 
+/// Ends the program if Gappa is there and fails; where it is missing, scripts are left unchecked.
+void end_if_broken(const Result<std::string>& gappa) {
+  if (!gappa.ok() && gappa.error().kind != ErrorKind::missing_tool) fail(gappa.error());
+}
+
 /// The version of a tool; empty where the tool is missing.
 std::string version_text(const Result<std::string>& version) {
   return version.ok() ? *version : "";
@@ -74,6 +79,7 @@ ProvenLane prove_lane(const scene::Scene& scene, const std::string& name, const 
   value_or_exit(check_outputs({result.directory / (stem + ".json")}, inputs));
   proof::ProofDirectory directory = value_or_exit(
       proof::ProofDirectory::open(result.directory, options.seconds_a_script, tell_waiting));
+  end_if_broken(directory.gappa());
   result.proof = std::visit(
       [&](const auto& l) {
         return proof::prove_lane(l, std::ref(directory), proof::Effort::whole);

@@ -1,4 +1,5 @@
 #include "generator/report/paper_tables.hpp"
+#include "generator/report/units.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,7 +18,6 @@ using optimise::ResultsAtClocks;
 
 namespace {
 
-constexpr double giga = 1e9;
 constexpr const char* nothing = "-";
 
 /// Prints rows of cells as a Markdown table; the first row is the header.

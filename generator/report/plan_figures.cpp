@@ -5,6 +5,7 @@
 
 #include "generator/report/plan_report.hpp"
 #include "generator/report/plot.hpp"
+#include "generator/report/units.hpp"
 #include "model/optimise/plan_summary.hpp"
 #include "model/performance/performance.hpp"
 
@@ -27,8 +28,6 @@ using performance::equivalent_throughput;
 
 namespace {
 
-constexpr const char* x_label = "L: digits of the reduced precision";
-constexpr double giga = 1e9;
 
 /// One curve per kind of lane, of `value` for each of its rows; rows with value 0 are left out.
 template <class Value>
@@ -162,7 +161,7 @@ std::string figure3_script(const Optimisation& optimisation) {
 
 std::string figure7_script(const Optimisation& optimisation) {
   Picture picture{
-      where(optimisation) + ": area of a lane", x_label, "LUT", "set xtics 4\n", {}, Axis::linear};
+      where(optimisation) + ": area of a lane", precision_axis, "LUT", "set xtics 4\n", {}, Axis::linear};
   picture.curves = curves_by_kind(
       optimisation, [](const Measurement& row) { return static_cast<double>(row.area.luts); });
   int color = 0;
@@ -175,7 +174,7 @@ std::string figure7_script(const Optimisation& optimisation) {
 
 std::string figure8_script(const Optimisation& optimisation) {
   Picture picture{where(optimisation) + ": clock of a lane, " + describe_clocks(optimisation),
-                  x_label,
+                  precision_axis,
                   "MHz",
                   "set xtics 4\n",
                   {},
@@ -193,7 +192,7 @@ std::string figure8_script(const Optimisation& optimisation) {
 
 std::string figure9_script(const Optimisation& optimisation) {
   Picture picture{where(optimisation) + ": the best plan at each precision",
-                  x_label,
+                  precision_axis,
                   "T(equ), G comparisons/s",
                   "set xtics 4\nset ytics nomirror\nset y2tics\nset y2range [0:*]\n"
                   "set y2label \"p_L, 10 p_H\"\n",

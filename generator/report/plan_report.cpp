@@ -1,4 +1,5 @@
 #include "generator/report/plan_report.hpp"
+#include "generator/report/units.hpp"
 
 #include <fmt/format.h>
 
@@ -27,7 +28,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double giga = 1e9;
 
 std::string why_infeasible(const PrecisionPlan& plan) {
   return "infeasible: " + std::get<Infeasible>(plan.result).message;

@@ -25,6 +25,9 @@ struct Picture {
   Axis y_axis = Axis::logarithmic;
 };
 
+/// The label of an axis of precisions.
+inline constexpr const char* precision_axis = "L: digits of the reduced precision";
+
 /// A gnuplot script, points included, that writes an SVG to standard output. The caller leaves out
 /// points that a logarithmic axis cannot show: gnuplot would break the line there.
 std::string script(const Picture& picture);

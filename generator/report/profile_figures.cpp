@@ -16,7 +16,6 @@ using profile::SystemProfile;
 
 namespace {
 
-constexpr const char* x_label = "L: digits of the reduced precision";
 constexpr const char* x_axis = "set xtics 4\n";
 
 void add(Curve& curve, int precision, double value) {
@@ -27,7 +26,7 @@ void add(Curve& curve, int precision, double value) {
 
 std::string figure4_script(const ProfileReport& report) {
   Picture picture{
-      report.scene + ": largest relative error", x_label, "|f_L - f_T| / |f_T|", x_axis, {}};
+      report.scene + ": largest relative error", precision_axis, "|f_L - f_T| / |f_T|", x_axis, {}};
   int color = 0;
   for (const ErrorProfile& profile : report.errors) {
     const std::string inputs = fmt::format("{} inputs", to_string(profile.inputs));
@@ -49,7 +48,7 @@ std::string figure4_script(const ProfileReport& report) {
 
 std::string figure5_script(const ProfileReport& report) {
   Picture picture{
-      report.scene + ": recomputation rate", x_label, "undecided / comparisons", x_axis, {}};
+      report.scene + ": recomputation rate", precision_axis, "undecided / comparisons", x_axis, {}};
   for (const RateProfile& profile : report.rates) {
     int color = 0;
     for (const SystemProfile& system : profile.systems) {

@@ -27,8 +27,12 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
+/// Opens a log anew. What is not a file in its place (a link, a device) is replaced: a log is read
+/// again, and belongs to its folder.
 int open_log(const fs::path& log) {
-  return open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  std::error_code failed;
+  if (!fs::is_regular_file(fs::symlink_status(log, failed))) fs::remove(log, failed);
+  return open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644);
 }
 
 bool quotes_needed(const std::string& word) {

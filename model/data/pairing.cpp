@@ -7,13 +7,13 @@
 namespace mixcmp::data {
 namespace {
 
-constexpr std::string_view digits = "0123456789";
+constexpr std::string_view digit_letters = "0123456789";
 
 /// The subscripts at the end of a name: "_1_0" of "si_1_0".
 std::string_view subscripts_of(std::string_view name) {
   std::size_t begin = name.size();
   while (true) {
-    const std::size_t letter = name.substr(0, begin).find_last_not_of(digits);
+    const std::size_t letter = name.substr(0, begin).find_last_not_of(digit_letters);
     const bool subscript =
         letter != std::string_view::npos && letter + 1 < begin && name[letter] == '_';
     if (!subscript) return name.substr(begin);

@@ -13,7 +13,6 @@
 namespace mixcmp::emulator {
 namespace {
 
-constexpr int double_digits = 53;
 /// Formats with at most this many exponent bits lie within double's normal numbers, subnormal
 /// numbers of 53 digits included.
 constexpr int widest_free_exponent_bits = 9;

@@ -14,7 +14,6 @@
 namespace mixcmp::emulator {
 namespace {
 
-constexpr int double_digits = 53;
 constexpr int double_bias = 1023;
 
 double bound_as_double(BoundFormat format, Bits bound) {

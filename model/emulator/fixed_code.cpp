@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "model/common/check.hpp"
+#include "model/number/double.hpp"
 #include "model/number/verdict.hpp"
 
 namespace mixcmp::emulator {
@@ -14,7 +15,6 @@ using fixed::FixedLane;
 using fixed::FixedNode;
 using fixed::FixedPart;
 
-constexpr int double_digits = 53;
 /// Far from the exponents where doubles end, even for reciprocals and squares.
 constexpr int largest_exponent = 400;
 
@@ -34,7 +34,7 @@ bool fits_double(const FixedPart& part) {
   return norm == nullptr || (norm->shift_above >= 0 && norm->shift_below >= 0);
 }
 
-FixedKernel kernel_of(Operation operation) {
+FixedKernel fixed_kernel_of(Operation operation) {
   switch (operation) {
     case Operation::negate: return FixedKernel::negate;
     case Operation::absolute: return FixedKernel::absolute;
@@ -63,7 +63,7 @@ FixedConversion conversion_of(const FixedFormat& format) {
 /// The instruction that computes a node; of one operand a, b and c are the same.
 FixedInstruction instruction_of(const FixedNode& node, NodeId result) {
   const NodeId first = node.operands[0], last = node.operands[arity(node.operation) - 1];
-  return {.kernel = kernel_of(node.operation), .result = result, .a = first, .b = last, .c = first};
+  return {.kernel = fixed_kernel_of(node.operation), .result = result, .a = first, .b = last, .c = first};
 }
 
 /// Compiles a lane. What one operation alone reads, whole, is computed with it where there is a

@@ -90,7 +90,7 @@ TypedNode renumbered(TypedNode node, const Renumbering& ids) {
   return node;
 }
 
-Hazards either(const Hazards& a, const Hazards& b) {
+Hazards hazards_of_both(const Hazards& a, const Hazards& b) {
   return {.special_operand = a.special_operand || b.special_operand,
           .overflow = a.overflow || b.overflow,
           .underflow = a.underflow || b.underflow,
@@ -118,7 +118,7 @@ void add_part(Lane& whole, std::vector<bool>& has_hazards, const Lane& part, Ren
   for (std::size_t id = 0; id < ids.size(); ++id) {
     const auto node = static_cast<std::size_t>(ids[id]);
     const Hazards own = hazards_at(part, id);
-    whole.hazards[node] = has_hazards[node] ? either(whole.hazards[node], own) : own;
+    whole.hazards[node] = has_hazards[node] ? hazards_of_both(whole.hazards[node], own) : own;
     has_hazards[node] = true;
   }
   LanePart& added =

@@ -120,7 +120,7 @@ private:
         infinite_operand || result.may(Event::overflow) || result.may(Event::division_by_zero);
     if (!infinite_operand) return;
     const auto include = [&result](const Range& range) {
-      result.value = hull({result.value.low, result.value.high, range.low, range.high});
+      result.value = mixcmp::hull({result.value.low, result.value.high, range.low, range.high});
     };
     if (node.operation == Operation::minimum || node.operation == Operation::maximum) {
       include(operand(node, 0));

@@ -10,6 +10,7 @@
 
 #include "model/common/nearest.hpp"
 #include "model/expression/name.hpp"
+#include "model/expression/failure.hpp"
 #include "model/expression/syntax.hpp"
 #include "model/expression/text.hpp"
 #include "model/number/dyadic.hpp"
@@ -45,19 +46,6 @@ const Function* find_function(const std::string& name) {
   const auto found = std::find_if(functions.begin(), functions.end(),
                                   [&](const Function& f) { return f.name == name; });
   return found == functions.end() ? nullptr : found;
-}
-
-/// Carries an error out of the recursion; caught in parse_expression.
-struct Failure {
-  Error error;
-};
-
-[[noreturn]] void fail(std::size_t column, std::string message, std::string received = {},
-                       std::string accepted = {}) {
-  throw Failure{{.column = static_cast<int>(column),
-                 .message = std::move(message),
-                 .received = std::move(received),
-                 .accepted = std::move(accepted)}};
 }
 
 template <class T>

@@ -6,24 +6,12 @@
 #include <tao/pegtl.hpp>
 
 #include "model/common/quote.hpp"
+#include "model/expression/failure.hpp"
 
 namespace mixcmp::inline expression {
 namespace {
 
 namespace pegtl = tao::pegtl;
-
-/// Carries an error out of the recursive descent.
-struct Failure {
-  Error error;
-};
-
-[[noreturn]] void fail(std::size_t column, std::string message, std::string received,
-                       std::string accepted) {
-  throw Failure{{.column = static_cast<int>(column),
-                 .message = std::move(message),
-                 .received = std::move(received),
-                 .accepted = std::move(accepted)}};
-}
 
 /// A function whose arguments are being read.
 struct OpenCall {

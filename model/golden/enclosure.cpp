@@ -78,14 +78,14 @@ void hull(Interval& y, const Interval& a, const Interval& b, Operate operate, Bi
   include(a.high, b.high);
 }
 
-Knowledge divide(Interval& y, const Interval& a, const Interval& b, BigFloat& scratch) {
+Knowledge enclose_quotient(Interval& y, const Interval& a, const Interval& b, BigFloat& scratch) {
   if (is_zero(b)) return Knowledge::undefined;
   if (may_be_zero(b)) return Knowledge::uncertain;
   hull(y, a, b, mpfr_div, scratch);
   return Knowledge::enclosed;
 }
 
-Knowledge square_root(Interval& y, const Interval& x) {
+Knowledge enclose_root(Interval& y, const Interval& x) {
   if (mpfr_sgn(x.high.get()) < 0) return Knowledge::undefined;
   if (mpfr_sgn(x.low.get()) < 0) return Knowledge::uncertain;
   mpfr_sqrt(y.low.get(), x.low.get(), MPFR_RNDD);
@@ -220,8 +220,8 @@ Knowledge Enclosure::compute_node(NodeId id, FloatFormat format, std::span<const
       absolute(y, a);
       monotone(y, y, y, mpfr_mul);
       break;
-    case Operation::divide: return divide(y, a, b, scratch_);
-    case Operation::square_root: return square_root(y, a);
+    case Operation::divide: return enclose_quotient(y, a, b, scratch_);
+    case Operation::square_root: return enclose_root(y, a);
     case Operation::minimum: monotone(y, a, b, mpfr_min); break;
     case Operation::maximum: monotone(y, a, b, mpfr_max); break;
   }

@@ -12,6 +12,8 @@
 /// Algorithm 1 of the paper: for each L the best p_L and p_H, and among all L the best.
 namespace mixcmp::optimise {
 
+inline constexpr double hertz_per_mhz = 1e6;
+
 /// The clocks behind T(L) and T(H), at an initiation interval of one cycle. A clock that is not set
 /// is the table's, or the scene's target where the table has none.
 struct ClockChoice {

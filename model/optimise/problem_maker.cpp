@@ -14,7 +14,6 @@
 namespace mixcmp::optimise {
 namespace {
 
-constexpr double hertz_per_mhz = 1e6;
 
 template <class Choice>
 bool allows(const std::vector<Choice>& allowed, const Choice& word) {

@@ -58,6 +58,7 @@ GappaRun run_gappa(const std::string& script, Certificate certificate, double se
               {.input = script, .seconds = seconds, .memory_bytes = most_memory_bytes});
   if (!run.ok()) return {GappaVerdict::broken, run.error().to_string(), ""};
   Captured outcome = std::move(run).value();
+  outcome.errors.erase(outcome.errors.find_last_not_of('\n') + 1);
   const GappaVerdict verdict = verdict_of(outcome);
   if (verdict == GappaVerdict::broken && outcome.errors.empty()) {
     outcome.errors = "gappa " + how_it_ended(outcome.status) + " and says nothing";

@@ -13,7 +13,7 @@
 #include "tests/support/sphere.hpp"
 
 /// The search for misleading pairs, held against the golden model.
-namespace mixcmp::test {
+namespace mixcmp::test::near_tie_test {
 namespace {
 
 using data::NearTie;
@@ -113,4 +113,4 @@ INSTANTIATE_TEST_SUITE_P(Lanes, NearTies,
                          testing::PrintToStringParamName());
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::near_tie_test

@@ -7,7 +7,7 @@
 #include "model/workload/load_comparisons.hpp"
 
 /// A scene names a family; mistakes are told with their place.
-namespace mixcmp::test {
+namespace mixcmp::test::scene_data_test {
 namespace {
 
 const std::string scene_path = MIXCMP_SOURCE_DIR "/examples/extremes/scene.toml";
@@ -70,4 +70,4 @@ TEST(SceneData, SizesOfACubeAreRefused) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::scene_data_test

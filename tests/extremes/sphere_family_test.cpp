@@ -16,7 +16,7 @@
 #include "tests/support/sphere.hpp"
 
 /// Each family holds what its name promises.
-namespace mixcmp::test {
+namespace mixcmp::test::sphere_family_test {
 namespace {
 
 using data::Table;
@@ -318,4 +318,4 @@ TEST(SphereFamily, CounterexamplesAreNearTiesOfTheOperandsOwnDigits) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::sphere_family_test

@@ -21,7 +21,7 @@
 
 /// Certified lanes of every kind on every family: what they decide is the truth. Profiled lanes:
 /// what they decide is not. MIXCMP_FAMILY_ROWS and MIXCMP_PROFILE_SAMPLES say how much is tried.
-namespace mixcmp::test {
+namespace mixcmp::test::verdict_test {
 namespace {
 
 using error::ErrorBoundKind;
@@ -254,4 +254,4 @@ TEST(ProfiledLanes, AreWrongOnRoundedInputsFarFromTheOrigin) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::verdict_test

@@ -10,7 +10,7 @@
 #include "tests/generator/characterise_fixture.hpp"
 
 /// `mixcmp characterise` as a user calls it.
-namespace mixcmp::test {
+namespace mixcmp::test::characterise_command_test {
 namespace {
 
 const std::string two_lanes = "--precisions 4,6 --components lane";
@@ -319,4 +319,4 @@ TEST_F(CharacteriseCommand, ATableOfSomethingElseIsNotWrittenOver) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::characterise_command_test

@@ -8,7 +8,7 @@
 #include "tests/support/program.hpp"
 
 /// The program as a user calls it: what it refuses, what it says, what it leaves behind.
-namespace mixcmp::test {
+namespace mixcmp::test::command_line_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -320,4 +320,4 @@ TEST_F(CommandLine, NothingIsLeftOfATableThatWasNotFinished) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::command_line_test

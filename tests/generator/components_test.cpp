@@ -15,7 +15,7 @@
 #include "model/workload/load_comparisons.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::components_test {
 namespace {
 
 constexpr const char* spheres =
@@ -344,4 +344,4 @@ TEST_F(Components, ATableIsCurrentUntilTheSceneChanges) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::components_test

@@ -5,7 +5,7 @@
 #include "tests/support/program.hpp"
 
 /// mixcmp doctor as a user calls it.
-namespace mixcmp::test {
+namespace mixcmp::test::doctor_test {
 namespace {
 
 using nlohmann::json;
@@ -105,4 +105,4 @@ TEST_F(Doctor, AVariableThatNamesNothingIsAMissingRouter) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::doctor_test

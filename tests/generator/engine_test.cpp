@@ -7,7 +7,7 @@
 #include "tests/support/scratch_directory.hpp"
 #include "tests/support/sphere.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::engine_test {
 namespace {
 
 design::Design with_pairs(design::Design design, const scene::EngineSpec& engine) {
@@ -166,4 +166,4 @@ TEST(Engine, SameDesignGivesTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::engine_test

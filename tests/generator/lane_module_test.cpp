@@ -12,7 +12,7 @@
 #include "tests/support/sphere.hpp"
 
 /// What a generated lane instantiates, and with which parameters.
-namespace mixcmp::test {
+namespace mixcmp::test::lane_module_test {
 namespace {
 
 using error::ErrorBoundKind;
@@ -202,4 +202,4 @@ TEST(DatapathModules, AnInputMayHaveTheNameOfAnyWire) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::lane_module_test

@@ -9,7 +9,7 @@
 #include "tests/support/program.hpp"
 
 /// `mixcmp optimise` and `explore` as a user calls them, on a made-up table.
-namespace mixcmp::test {
+namespace mixcmp::test::optimise_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -547,4 +547,4 @@ TEST_F(OptimiseCommand, ExploreGoesOnWhereItWas) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::optimise_command_test

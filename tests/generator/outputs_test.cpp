@@ -8,7 +8,7 @@
 #include "tests/support/program.hpp"
 
 /// What every verb writes, where it writes it, and what its exit code says of that.
-namespace mixcmp::test {
+namespace mixcmp::test::outputs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -405,4 +405,4 @@ TEST_F(Outputs, WhatIsNotDoneForWantOfAToolEndsWith3) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::outputs_test

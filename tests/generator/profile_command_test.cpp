@@ -9,7 +9,7 @@
 #include "tests/support/program.hpp"
 
 /// `mixcmp profile` as a user calls it.
-namespace mixcmp::test {
+namespace mixcmp::test::profile_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -157,7 +157,8 @@ TEST_F(ProfileCommand, WhatAKilledRunHasSetAsideIsRemoved) {
 }
 
 TEST_F(ProfileCommand, WhatGnuplotLeavesIsAPictureOrAnError) {
-  for (const char* left : {"exit 0", "echo '<svg>'; exit 0", "echo '<svg></svg>'; exit 1"}) {
+  for (const char* left : {"exit 0", "echo '<svg>'; exit 0", "echo '<svg></svg>'; exit 1",
+                           "echo '<svg></svg>'; echo and more", "echo words; echo '<svg></svg>'"}) {
     const Outcome run = profile("scene.toml --last 6 -o out", instead_of("gnuplot", left));
     EXPECT_EQ(run.exit_code, 1) << left << "\n" << run.output;
     EXPECT_NE(run.output.find("out/figure4.svg: gnuplot draws no picture"), std::string::npos)
@@ -207,4 +208,4 @@ TEST_F(ProfileCommand, WritesNothingWhereItCannot) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::profile_command_test

@@ -7,7 +7,7 @@
 #include "tests/support/program.hpp"
 
 /// `mixcmp route` as a user calls it, on the smallest systems that there are.
-namespace mixcmp::test {
+namespace mixcmp::test::route_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,4 +102,4 @@ TEST_F(RouteCommand, ANumberOfReferencesIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::route_command_test

@@ -11,7 +11,7 @@
 #include "model/expression/parser.hpp"
 #include "tests/support/sphere.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::schedule_test {
 namespace {
 
 constexpr double targets_mhz[] = {1, 50, 150, 250, 400, 600, 2000};
@@ -286,4 +286,4 @@ TEST(Schedule, FasterTargetsNeverShortenTheLatency) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::schedule_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::signature_test {
 namespace {
 
 emit::Signature some_signature() {
@@ -96,4 +96,4 @@ TEST(Signature, RefusesWhatIsNotAnObject) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::signature_test

@@ -6,7 +6,7 @@
 #include "tests/support/program.hpp"
 
 /// `mixcmp baseline` as a user calls it.
-namespace mixcmp::test {
+namespace mixcmp::test::software_command_test {
 namespace {
 
 class BaselineCommand : public ProgramTest {
@@ -101,4 +101,4 @@ TEST_F(BaselineCommand, AsksForWhatItCannotDoWithout) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::software_command_test

@@ -16,7 +16,7 @@
 #include "tests/support/unproven_tie.hpp"
 
 /// Software against the golden model and against the real numbers, comparison by comparison.
-namespace mixcmp::test {
+namespace mixcmp::test::software_test {
 namespace {
 
 using error::ErrorBoundKind;
@@ -391,4 +391,4 @@ TEST(Software, FactorsOfBoundsRoundUp) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::software_test

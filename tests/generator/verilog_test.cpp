@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mixcmp::test {
+namespace mixcmp::test::verilog_test {
 namespace {
 
 using namespace rtl;
@@ -92,4 +92,4 @@ TEST(Verilog, LongAlternativesTakeALineEach) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::verilog_test

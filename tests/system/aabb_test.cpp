@@ -9,7 +9,7 @@
 #include "tests/support/simulated_system.hpp"
 
 /// examples/aabb through the program itself, against whole numbers.
-namespace mixcmp::test {
+namespace mixcmp::test::aabb_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ TEST(Boxes, AreThoseOfTheProtein) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::aabb_test

@@ -14,7 +14,7 @@
 
 /// Whole arg-min engines, lanes and references inside: each row leaves with the candidate that the
 /// golden model's search chooses.
-namespace mixcmp::test {
+namespace mixcmp::test::arg_min_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -159,4 +159,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::arg_min_test

@@ -12,7 +12,7 @@
 
 /// Systems whose lanes decide by an absolute error bound, or check ranges: the hardware is the
 /// golden model bit for bit, and where a lane decided, its verdict is the truth.
-namespace mixcmp::test {
+namespace mixcmp::test::error_bound_test {
 namespace {
 
 using error::ErrorBoundKind;
@@ -183,4 +183,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::error_bound_test

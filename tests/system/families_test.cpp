@@ -10,7 +10,7 @@
 
 /// The generated sphere system in simulation, on pairs made to mislead it: every verdict is the
 /// golden model's, and where a lane decided, the truth.
-namespace mixcmp::test {
+namespace mixcmp::test::families_test {
 namespace {
 
 struct Case {
@@ -104,4 +104,4 @@ TEST(ProfiledLanes, AreWrongOnTangentSpheres) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::families_test

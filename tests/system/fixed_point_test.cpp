@@ -9,7 +9,7 @@
 
 /// Systems whose lanes are in fixed point: the hardware is the golden model bit for bit, and where
 /// a lane decided, its verdict is the truth.
-namespace mixcmp::test {
+namespace mixcmp::test::fixed_point_test {
 namespace {
 
 struct Case {
@@ -116,4 +116,4 @@ TEST(SpheresInFixedPoint, AreDecidedTruly) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::fixed_point_test

@@ -12,7 +12,7 @@
 
 /// The assignment step of k-means through the program itself, held against a search in plain C++
 /// that shares nothing with it.
-namespace mixcmp::test {
+namespace mixcmp::test::kmeans_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ INSTANTIATE_TEST_SUITE_P(Traffic, KMeansChain,
                                          "/examples/kmeans/centres_1.csv"));
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::kmeans_test

@@ -13,7 +13,7 @@
 #include "tests/support/sphere.hpp"
 
 /// Generated systems raise no warning in Verilator, Icarus or Yosys, and hold no latch.
-namespace mixcmp::test {
+namespace mixcmp::test::lint_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -223,4 +223,4 @@ INSTANTIATE_TEST_SUITE_P(Systems, Lint, testing::ValuesIn(variants()),
 
 }  // namespace
 
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::lint_test

@@ -7,7 +7,7 @@
 
 /// Lanes and references of several kinds in one system: every verdict is that of the lane it went
 /// through, and what each kind did is told apart.
-namespace mixcmp::test {
+namespace mixcmp::test::mixed_test {
 namespace {
 
 struct Streams {
@@ -158,4 +158,4 @@ TEST(MixedCertainty, OnlyCertifiedLanesMustTellTheTruth) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::mixed_test

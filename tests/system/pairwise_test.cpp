@@ -13,7 +13,7 @@
 #include "tests/support/simulated_system.hpp"
 
 /// Whole engines, lanes and references inside: what is reported is what the golden model says.
-namespace mixcmp::test {
+namespace mixcmp::test::pairwise_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,4 +155,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::pairwise_test

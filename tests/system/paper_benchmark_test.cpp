@@ -6,7 +6,7 @@
 
 /// The paper's 20 benchmarks in simulation: 8192 spheres in a 100-cube, radii up to r. All 33.5
 /// million pairs of each are for examples/sphere_collision/run; here a share, spread over all.
-namespace mixcmp::test {
+namespace mixcmp::test::paper_benchmark_test {
 namespace {
 
 class PaperBenchmark : public testing::TestWithParam<int> {};
@@ -33,4 +33,4 @@ INSTANTIATE_TEST_SUITE_P(Radius, PaperBenchmark, testing::Range(5, 105, 5),
                          testing::PrintToStringParamName());
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::paper_benchmark_test

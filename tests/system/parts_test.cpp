@@ -11,7 +11,7 @@
 
 /// Systems that compare several parts: the hardware is the golden model bit for bit, and where a
 /// lane decided, its verdict is the truth; on every pair of encodings, NaNs and infinities too.
-namespace mixcmp::test {
+namespace mixcmp::test::parts_test {
 namespace {
 
 using error::ErrorBoundKind;
@@ -110,4 +110,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::parts_test

@@ -11,7 +11,7 @@
 #include "tests/support/simulated_system.hpp"
 
 /// The main job, as a user runs it: the clashes of 1A8O through the program itself.
-namespace mixcmp::test {
+namespace mixcmp::test::protein_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,4 +78,4 @@ TEST(Protein, ReportsOfThePairwiseEngineAreTheTrueOnes) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::protein_test

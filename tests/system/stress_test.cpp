@@ -6,7 +6,7 @@
 
 /// Nothing lost, doubled or mis-tagged: 10^6 comparisons under random stalls and resets. The lane
 /// has few bits, so that a good share is recomputed and the paths behind the crossbar work hard.
-namespace mixcmp::test {
+namespace mixcmp::test::stress_test {
 namespace {
 
 struct Shape {
@@ -60,4 +60,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::stress_test

@@ -6,7 +6,7 @@
 
 /// The analytical model against generated systems of several p_L / p_H, from no recomputation to
 /// nothing else.
-namespace mixcmp::test {
+namespace mixcmp::test::throughput_sweep_test {
 namespace {
 
 /// So many that filling and emptying the system is far below what is measured.
@@ -39,4 +39,4 @@ INSTANTIATE_TEST_SUITE_P(Shapes, ThroughputSweep,
                          });
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::throughput_sweep_test

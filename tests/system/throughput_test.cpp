@@ -6,7 +6,7 @@
 #include "tests/system/throughput_cases.hpp"
 
 /// The analytical model against a generated system in simulation.
-namespace mixcmp::test {
+namespace mixcmp::test::throughput_test {
 namespace {
 
 constexpr Shape shape{8, 1, scene::ResultOrder::tagged};
@@ -56,4 +56,4 @@ TEST(Throughput, FallsBelowEquation8WhereSlotsDoNotHoldABurst) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::throughput_test

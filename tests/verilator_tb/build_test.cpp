@@ -6,7 +6,7 @@
 
 #include "tests/verilator_tb/fake_system.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::build_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -73,4 +73,4 @@ TEST(Build, NamesAFolderWithoutASystem) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::build_test

@@ -12,7 +12,7 @@
 
 /// What is held against the truth, what is not and why, and what a report says beside its numbers;
 /// without a simulator.
-namespace mixcmp::test {
+namespace mixcmp::test::judgement_test {
 namespace {
 
 constexpr auto less = Verdict::less, equal = Verdict::equal, greater = Verdict::greater,
@@ -216,4 +216,4 @@ TEST(Report, NotesWhatWasNotPutToTheTest) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::judgement_test

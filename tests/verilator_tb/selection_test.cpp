@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace mixcmp::test {
+namespace mixcmp::test::selection_test {
 namespace {
 
 TEST(Selection, TakesAllOrTheFirst) {
@@ -54,4 +54,4 @@ TEST(PackOperands, PutsOperandKAtBitKTimesWidth) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::selection_test

@@ -6,7 +6,7 @@
 #include "tests/support/sphere.hpp"
 #include "tests/verilator_tb/fake_system.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::sphere_system_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -149,4 +149,4 @@ TEST(SphereSystem, LanesAloneInVerilator) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::sphere_system_test

@@ -10,7 +10,7 @@
 #include "tests/support/sphere.hpp"
 #include "tests/verilator_tb/fake_system.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::verify_test {
 namespace {
 
 constexpr verilator_tb::SimulatorKind simulators[] = {verilator_tb::SimulatorKind::verilator,
@@ -302,4 +302,4 @@ TEST(VerifyReport, TellsTheColumnOfEveryInput) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::verify_test

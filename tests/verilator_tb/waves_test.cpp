@@ -8,7 +8,7 @@
 
 #include "tests/verilator_tb/fake_system.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::waves_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +115,4 @@ TEST(Waves, OfHierarchicalBlocksShowTheInsideOfTheFirst) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::waves_test

@@ -10,7 +10,7 @@
 #include "model/characterise/sqlite.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -211,4 +211,4 @@ TEST_F(JobHash, AsksNothingOfWhatDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::store_test

@@ -10,7 +10,7 @@
 #include "model/characterise/static_timing.hpp"
 
 /// What is read from the tools' files, without the tools.
-namespace mixcmp::test {
+namespace mixcmp::test::synthesis_parts_test {
 namespace {
 
 using nlohmann::json;
@@ -241,4 +241,4 @@ TEST(RegisterWrapper, AModuleWithoutInputsOrClockIsWrapped) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::synthesis_parts_test

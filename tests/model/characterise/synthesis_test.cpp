@@ -11,7 +11,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// Small modules whose mapping is known, through the real tools.
-namespace mixcmp::test {
+namespace mixcmp::test::synthesis_test {
 namespace {
 
 /// Two 16-bit registers in, their sum in a third: 48 flip-flops, 16 LUTs on a carry chain.
@@ -411,4 +411,4 @@ TEST_F(ScriptedRouter, WithoutOneThereIsAnAreaAndAReason) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::synthesis_test

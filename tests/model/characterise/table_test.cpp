@@ -5,7 +5,7 @@
 #include "model/characterise/measurement.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::table_test {
 namespace {
 
 characterise::Measurement lane(const std::string& format, int luts) {
@@ -147,4 +147,4 @@ TEST_F(Table, IsNotAnyFile) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::table_test

@@ -13,7 +13,7 @@
 #include "model/common/file.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::output_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -173,4 +173,4 @@ TEST_F(OutputFileTest, PlacesWithoutAFileAreToldWithTheReason) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::output_file_test

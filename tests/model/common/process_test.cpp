@@ -11,7 +11,7 @@
 #include "model/common/file.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::process_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,6 +70,14 @@ TEST_F(Processes, AToolThatFailsIsToldWithTheEndOfItsLog) {
   const auto killed = run("kill -SEGV $$");
   ASSERT_FALSE(killed.ok());
   EXPECT_NE(killed.error().message.find("was ended by signal 11"), std::string::npos);
+}
+
+TEST_F(Processes, ALogIsAFileWhateverWasInItsPlace) {
+  fs::create_symlink("/dev/full", directory_.path() / "log");
+  const auto failed = run("echo words >&2; exit 3");
+  ASSERT_FALSE(failed.ok());
+  EXPECT_NE(failed.error().message.find("words"), std::string::npos);
+  EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(directory_.path() / "log")));
 }
 
 TEST_F(Processes, AToolThatIsNotThereIsMissing) {
@@ -214,4 +222,4 @@ TEST_F(Processes, ALogThatCannotBeWrittenIsAnError) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::process_test

@@ -12,7 +12,7 @@
 #include "model/common/scratch_folder.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::work_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -148,4 +148,4 @@ TEST_F(WorkFolders, AFolderThatCannotBeMadeIsNamed) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::work_folder_test

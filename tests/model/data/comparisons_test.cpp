@@ -7,7 +7,7 @@
 #include "model/number/exact.hpp"
 #include "model/workload/load_comparisons.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::comparisons_test {
 namespace {
 
 const FloatFormat binary32 = FloatFormat::parse("binary32").value();
@@ -143,4 +143,4 @@ TEST(LoadComparisons, MistakesStandInTheScenesDataSection) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::comparisons_test

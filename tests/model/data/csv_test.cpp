@@ -6,7 +6,7 @@
 
 #include "tests/model/data/data_file_test.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::csv_test {
 namespace {
 
 using CsvTest = DataFileTest;
@@ -164,4 +164,4 @@ TEST_F(CsvTest, MutatedFilesGiveErrorsNotCrashes) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::csv_test

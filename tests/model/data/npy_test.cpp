@@ -8,7 +8,7 @@
 
 #include "tests/model/data/data_file_test.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::npy_test {
 namespace {
 
 using NpyTest = DataFileTest;
@@ -224,4 +224,4 @@ TEST_F(NpyTest, MutatedFilesGiveErrorsNotCrashes) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::npy_test

@@ -7,7 +7,7 @@
 #include "model/data/comparisons.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::pairing_test {
 namespace {
 
 const FloatFormat binary32 = FloatFormat::parse("binary32").value();
@@ -204,4 +204,4 @@ TEST(ColumnNames, SelectedColumnsAreInTheWantedOrder) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::pairing_test

@@ -7,7 +7,7 @@
 #include "model/common/file.hpp"
 #include "tests/model/data/data_file_test.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::pdb_test {
 namespace {
 
 using PdbTest = DataFileTest;
@@ -189,4 +189,4 @@ TEST_F(PdbTest, MutatedFilesGiveErrorsNotCrashes) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::pdb_test

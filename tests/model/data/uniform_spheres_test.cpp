@@ -9,7 +9,7 @@
 #include "model/data/philox.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::uniform_spheres_test {
 namespace {
 
 const FloatFormat binary64 = FloatFormat::parse("binary64").value();
@@ -72,4 +72,4 @@ TEST(UniformSpheres, FillCubeAndRadiiEvenly) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::uniform_spheres_test

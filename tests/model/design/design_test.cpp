@@ -9,7 +9,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::design_test {
 namespace {
 
 using data::Comparisons;
@@ -347,4 +347,4 @@ TEST(MakeDesign, APairwiseEngineHoldsAllItemsOfTheData) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::design_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 /// Every mistake in a device file is told with its file, line and field.
-namespace mixcmp::test {
+namespace mixcmp::test::device_file_test {
 namespace {
 
 constexpr std::string_view valid = R"([device]
@@ -121,4 +121,4 @@ TEST(DeviceFile, BrokenSyntaxIsToldWithItsLine) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::device_file_test

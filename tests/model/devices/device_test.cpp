@@ -9,7 +9,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// The devices that come with the program.
-namespace mixcmp::test {
+namespace mixcmp::test::device_test {
 namespace {
 
 TEST(Devices, EveryListedNameIsFoundAndNamesItself) {
@@ -110,4 +110,4 @@ TEST(Devices, AUsersFileIsADevice) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::device_test

@@ -12,7 +12,7 @@
 
 /// Pairs of spheres that nearly touch, closer to a tie than a lane in fixed point can see or just
 /// beyond, by the million: what it decides is the truth, which 64-bit integers know.
-namespace mixcmp::test {
+namespace mixcmp::test::aimed_pairs_test {
 namespace {
 
 using emulator::FixedEmulator;
@@ -100,4 +100,4 @@ TEST_P(AimedAt, NoVerdictIsWrong) {
 INSTANTIATE_TEST_SUITE_P(Bits, AimedAt, testing::Values(7, 9, 11, 13, 15, 17, 19, 21));
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::aimed_pairs_test

@@ -10,7 +10,7 @@
 #include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::batches_test {
 namespace {
 
 using emulator::Emulator;
@@ -161,4 +161,4 @@ TEST(InstructionSets, AreAllRun) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::batches_test

@@ -12,7 +12,7 @@
 #include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::fixed_test {
 namespace {
 
 using emulator::Emulator;
@@ -177,4 +177,4 @@ TEST(FixedBatches, WriteNothingBeyondThem) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::fixed_test

@@ -3,15 +3,10 @@
 #include <cmath>
 
 #include "model/number/exact.hpp"
+#include "tests/model/emulator/random_lanes.hpp"
 
 namespace mixcmp::test {
 namespace {
-
-using Random = std::mt19937_64;
-
-int below(Random& random, int end) {
-  return static_cast<int>(random() % static_cast<unsigned>(end));
-}
 
 double unit(Random& random) {
   return 1 + static_cast<double>(random() >> 12) * 0x1p-52;

@@ -8,7 +8,7 @@
 #include "tests/support/float_samples.hpp"
 
 /// Single operations, each against every operand there is, or against those that are hard.
-namespace mixcmp::test {
+namespace mixcmp::test::operations_test {
 namespace {
 
 using error::Lane;
@@ -136,4 +136,4 @@ TEST_P(HalfWay, IsRoundedOnce) {
 INSTANTIATE_TEST_SUITE_P(Digits, HalfWay, testing::Range(2, 54));
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::operations_test

@@ -7,7 +7,7 @@
 #include "tests/support/sphere_families.hpp"
 
 /// The sphere comparison at every precision, on the families made to be hard.
-namespace mixcmp::test {
+namespace mixcmp::test::precisions_test {
 namespace {
 
 using error::ErrorBoundKind;
@@ -77,4 +77,4 @@ INSTANTIATE_TEST_SUITE_P(Formats, SphereReferences,
                          testing::Values("s53e8", "s53e11", "s24e8", "s11e5", "s24e11", "s53e5"));
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::precisions_test

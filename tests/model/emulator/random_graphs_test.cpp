@@ -4,7 +4,7 @@
 #include "tests/support/float_samples.hpp"
 
 /// Random graphs in random formats with random decisions, checks and operands.
-namespace mixcmp::test {
+namespace mixcmp::test::random_graphs_test {
 namespace {
 
 class RandomLanes : public testing::TestWithParam<int> {};
@@ -57,4 +57,4 @@ TEST_P(RandomLanes, SoAreThoseOfSeveralParts) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomLanes, testing::Range(1, 9));
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::random_graphs_test

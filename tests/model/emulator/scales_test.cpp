@@ -8,7 +8,7 @@
 
 /// Whole batches of one scale, from where results vanish to where they overflow: what is said of
 /// all operands at once has to hold for neighbours, too.
-namespace mixcmp::test {
+namespace mixcmp::test::scales_test {
 namespace {
 
 using error::Lane;
@@ -121,4 +121,4 @@ TEST(SafeOperands, DoNotExistWhereDifferencesMayVanishInASmallFormat) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::scales_test

@@ -23,7 +23,7 @@
 /// Lanes whose bound is a constant, on operands aimed at it: c is put beside the real number f that
 /// the other operands give, so that whoever believes in a smaller error than f has decides wrongly.
 /// Real numbers are rationals here, computed by each comparison's own formula.
-namespace mixcmp::test {
+namespace mixcmp::test::constant_bound_test {
 namespace {
 
 using error::Lane;
@@ -277,4 +277,4 @@ TEST(ConstantBound, IsToldAsTheHardwareHasIt) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::constant_bound_test

@@ -16,7 +16,7 @@
 
 /// Certified lanes of random graphs in random formats, on operands that are driven to where the
 /// lane is only just certain: what it decides is the order of the real numbers.
-namespace mixcmp::test {
+namespace mixcmp::test::fuzz_test {
 namespace {
 
 using error::CertifiedOptions;
@@ -366,4 +366,4 @@ TEST_P(RandomGraphs, OfSeveralPartsAreDecidedAsTheRealNumbersAre) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomGraphs, testing::Range(1, 5));
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::fuzz_test

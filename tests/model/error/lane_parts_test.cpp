@@ -13,7 +13,7 @@
 #include "tests/support/graphs.hpp"
 
 /// Lanes of several parts: every operand tuple of a small format.
-namespace mixcmp::test {
+namespace mixcmp::test::lane_parts_test {
 namespace {
 
 using error::Lane;
@@ -282,4 +282,4 @@ TEST(Lane, APartIsTheLaneOfThatPart) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::lane_parts_test

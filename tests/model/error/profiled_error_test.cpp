@@ -11,7 +11,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::profiled_error_test {
 namespace {
 
 using data::Comparisons;
@@ -132,4 +132,4 @@ TEST(ProfiledLane, RoundsItsConstantsUp) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::profiled_error_test

@@ -9,7 +9,7 @@
 #include "model/golden/evaluate.hpp"
 #include "model/number/exact.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::range_analysis_test {
 namespace {
 
 struct Case {
@@ -264,4 +264,4 @@ TEST(RangeAnalysis, NothingTheGoldenModelComputesEscapesIt) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::range_analysis_test

@@ -14,7 +14,7 @@
 #include "tests/support/sphere.hpp"
 
 /// What ranges and grids allow: checks, hazards, exponent bits, exactness.
-namespace mixcmp::test {
+namespace mixcmp::test::range_use_test {
 namespace {
 
 using error::Hazards;
@@ -208,4 +208,4 @@ TEST(ExactOnGrid, EndsWhereTheDigitsEnd) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::range_use_test

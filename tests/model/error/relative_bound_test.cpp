@@ -6,7 +6,7 @@
 #include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::relative_bound_test {
 namespace {
 
 using error::Lane;
@@ -289,4 +289,4 @@ TEST(GuardUlp, OfSelectionsOfRoundedInputsIsOneStep) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::relative_bound_test

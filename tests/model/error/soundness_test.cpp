@@ -12,7 +12,7 @@
 #include "tests/support/graphs.hpp"
 
 /// A certified lane decides as the real numbers do: every operand tuple of small formats.
-namespace mixcmp::test {
+namespace mixcmp::test::soundness_test {
 namespace {
 
 using error::Lane;
@@ -136,4 +136,4 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::soundness_test

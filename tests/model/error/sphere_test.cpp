@@ -15,7 +15,7 @@
 #include "tests/support/graphs.hpp"
 
 /// The sphere comparison at every precision that matters, on inputs made to mislead it.
-namespace mixcmp::test {
+namespace mixcmp::test::sphere_test {
 namespace {
 
 using error::Lane;
@@ -249,4 +249,4 @@ TEST_F(Counterexample, IsLeftOpenByTheCertifiedLane) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::sphere_test

@@ -9,7 +9,7 @@
 #include "model/expression/name.hpp"
 #include "model/expression/typed_graph.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::parser_test {
 namespace {
 
 using Inputs = std::vector<std::pair<std::string, mpq_class>>;
@@ -472,4 +472,4 @@ TEST(Names, FollowTheRuleOfVerilogIdentifiers) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::parser_test

@@ -4,7 +4,7 @@
 
 #include "model/expression/parser.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::text_test {
 namespace {
 
 TEST(NumberText, IsExactWhereThatIsShort) {
@@ -50,4 +50,4 @@ TEST(ExpressionText, IsCutShort) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::text_test

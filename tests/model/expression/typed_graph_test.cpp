@@ -6,7 +6,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::typed_graph_test {
 namespace {
 
 const FloatFormat wide = format_of(53, 8);
@@ -152,4 +152,4 @@ TEST(LaneGraph, PutsOperandsFirst) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::typed_graph_test

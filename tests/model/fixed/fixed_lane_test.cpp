@@ -8,7 +8,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::fixed_lane_test {
 namespace {
 
 using fixed::ConstantThresholds;
@@ -227,4 +227,4 @@ TEST(FixedLane, MistakesNameWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::fixed_lane_test

@@ -10,7 +10,7 @@
 
 /// A fixed-point lane decides as the real numbers do: every operand tuple of small formats, against
 /// exact rationals.
-namespace mixcmp::test {
+namespace mixcmp::test::soundness_test {
 namespace {
 
 using golden::LaneResult;
@@ -93,4 +93,4 @@ INSTANTIATE_TEST_SUITE_P(Comparisons, EveryTupleInFixedPoint,
                          [](const auto& parameter) { return parameter.param.name; });
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::soundness_test

@@ -11,7 +11,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/integer_float.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::arithmetic_test {
 namespace {
 
 using golden::Rounded;
@@ -272,4 +272,4 @@ TEST(Rationals, AgreeWithIntegers) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::arithmetic_test

@@ -10,7 +10,7 @@
 
 /// What the verdicts of several parts make together, from the two orders that the scene file's
 /// documentation names.
-namespace mixcmp::test {
+namespace mixcmp::test::combination_test {
 namespace {
 
 using golden::combine;
@@ -74,4 +74,4 @@ TEST(Combination, OfTruthAndReferenceIsThatOfTheirParts) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::combination_test

@@ -13,7 +13,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::evaluate_test {
 namespace {
 
 using error::Lane;
@@ -285,4 +285,4 @@ TEST(TrueVerdict, IgnoresWhatFAndGDoNotNeed) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::evaluate_test

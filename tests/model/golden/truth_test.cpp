@@ -13,7 +13,7 @@
 
 /// golden::true_verdict where intervals alone cannot decide: ties and zeros behind roots and
 /// roundoff, the ends of wide formats, and comparisons that stay undetermined.
-namespace mixcmp::test {
+namespace mixcmp::test::truth_test {
 namespace {
 
 using golden::true_verdict;
@@ -546,4 +546,4 @@ INSTANTIATE_TEST_SUITE_P(Formats, RationalTruth,
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::truth_test

@@ -7,7 +7,7 @@
 #include "model/golden/bound_arithmetic.hpp"
 #include "model/number/dyadic.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::bound_format_test {
 namespace {
 
 TEST(EncodeBound, IsTheLeastBoundNotBelow) {
@@ -61,4 +61,4 @@ TEST(BoundValue, IsWhatEncodesToTheSameBound) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::bound_format_test

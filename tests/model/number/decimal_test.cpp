@@ -12,7 +12,7 @@
 #include "model/number/exact.hpp"
 #include "tests/support/float_samples.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::decimal_test {
 namespace {
 
 /// A dyadic rational as "<digits>e-<places>" in decimal, or "0x<digits>p-<places>" in hexadecimal.
@@ -160,4 +160,4 @@ TEST(ToText, ChoosesTheReadableNotation) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::decimal_test

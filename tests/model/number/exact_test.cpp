@@ -13,7 +13,7 @@
 #include "tests/support/float_samples.hpp"
 
 /// Conversions in GMP integers against the golden model's, which go through MPFR.
-namespace mixcmp::test {
+namespace mixcmp::test::exact_test {
 namespace {
 
 std::string shown(FloatFormat format, Bits bits) {
@@ -121,4 +121,4 @@ TEST(Double, OfAWiderFormatIsTheNearest) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::exact_test

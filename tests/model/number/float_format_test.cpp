@@ -4,7 +4,7 @@
 
 #include "tests/support/float_samples.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::float_format_test {
 namespace {
 
 TEST(FloatFormat, KnowsTheLayoutOfBinary32) {
@@ -86,4 +86,4 @@ TEST(ToHex, PadsToTheWidth) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::float_format_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 /// The encodings of docs/rtl.md, bit by bit.
-namespace mixcmp::test {
+namespace mixcmp::test::verdict_test {
 namespace {
 
 TEST(ResultWord, HasTheBitsThatThePageOfTheRtlSays) {
@@ -52,4 +52,4 @@ TEST(Decisions, AreVerdictsOrNone) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::verdict_test

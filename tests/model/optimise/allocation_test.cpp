@@ -7,7 +7,7 @@
 
 /// The integer program against everything that small problems allow, and against plans known by
 /// hand.
-namespace mixcmp::test {
+namespace mixcmp::test::allocation_test {
 namespace {
 
 optimise::LaneKind lane(double mhz, double rate, devices::Area area) {
@@ -251,4 +251,4 @@ TEST(Allocation, FixedCommunicationAloneMayBeTooMuch) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::allocation_test

@@ -6,7 +6,7 @@
 
 #include "tests/model/optimise/planning_case.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::footprint_test {
 namespace {
 
 using optimise::Footprint;
@@ -71,4 +71,4 @@ TEST_F(FootprintTest, EmbeddedMultipliersTakeProductsOutOfTheEstimate) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::footprint_test

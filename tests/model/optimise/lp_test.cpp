@@ -10,7 +10,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// The program in the LP format, solved by GLPK: a solver that shares nothing with CBC.
-namespace mixcmp::test {
+namespace mixcmp::test::lp_test {
 namespace {
 
 class LinearProgram : public testing::Test {
@@ -145,4 +145,4 @@ TEST(LinearProgramText, NamesItsKindsAndEquations) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::lp_test

@@ -8,7 +8,7 @@
 #include "model/optimise/plan.hpp"
 #include "tests/model/optimise/planning_case.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::optimise_test {
 namespace {
 
 using characterise::ComponentKind;
@@ -266,4 +266,4 @@ TEST_F(Optimise, ScenarioTwoPlansForTheWorstRateOfEachKind) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::optimise_test

@@ -8,7 +8,7 @@
 #include "model/optimise/tangents.hpp"
 
 /// What allocation is made of.
-namespace mixcmp::test {
+namespace mixcmp::test::parts_test {
 namespace {
 
 double at(const optimise::Tangent& line, double x) {
@@ -95,4 +95,4 @@ TEST(Crossover, NeedsSomethingToCompare) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::parts_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::rates_test {
 namespace {
 
 using optimise::Rate;
@@ -82,4 +82,4 @@ TEST_F(RatesFile, AMistakeIsNamedByLineAndColumn) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::rates_test

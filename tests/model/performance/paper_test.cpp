@@ -12,7 +12,7 @@
 /// section V, cores and clocks of Table IV, a slack ratio of 0.2. Its figures are rounded to two or
 /// three digits, and some of them were rounded before they were divided: each comparison says how
 /// far the paper's own numbers are apart.
-namespace mixcmp::test {
+namespace mixcmp::test::paper_test {
 namespace {
 
 constexpr double slack = 0.2;
@@ -125,4 +125,4 @@ TEST(PaperTable4, NormalisedSpeedups) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::paper_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace mixcmp::test {
+namespace mixcmp::test::performance_test {
 namespace {
 
 performance::Datapaths lanes(int count, double throughput, double rate) {
@@ -102,4 +102,4 @@ TEST(Performance, WithoutReferencesOnlyLanesThatNeedNoneWork) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::performance_test

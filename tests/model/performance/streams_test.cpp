@@ -7,7 +7,7 @@
 
 /// The model of the streams against itself and against queues simulated here; tests/system and
 /// tests/rtl_templates/stream hold it against the hardware.
-namespace mixcmp::test {
+namespace mixcmp::test::streams_test {
 namespace {
 
 performance::LaneStreams streams(int slots, int lanes_served,
@@ -149,4 +149,4 @@ TEST(Streams, BurstThatIsNotAbsorbedTakesTheReferencesTime) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::streams_test

@@ -17,7 +17,7 @@
 #include "tests/model/profile/profile_cases.hpp"
 
 /// Theorems 1 and 3 of docs/profile.md, held against the golden model.
-namespace mixcmp::test {
+namespace mixcmp::test::envelope_test {
 namespace {
 
 using data::Comparisons;
@@ -351,4 +351,4 @@ TEST(BoundEnvelope, IsNeverBelowWhatTheHardwareComputes) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::envelope_test

@@ -7,7 +7,7 @@
 #include "tests/model/profile/profile_cases.hpp"
 #include "tests/support/sphere.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::errors_test {
 namespace {
 
 using data::Comparisons;
@@ -193,4 +193,4 @@ TEST(Errors, OfSeveralPartsAreTheLargest) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::errors_test

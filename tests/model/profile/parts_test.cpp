@@ -13,7 +13,7 @@
 #include "tests/model/profile/profile_cases.hpp"
 #include "tests/support/sphere.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::parts_test {
 namespace {
 
 using data::Comparisons;
@@ -159,4 +159,4 @@ TEST(Workers, PassOnWhatOneThrows) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::parts_test

@@ -19,7 +19,7 @@
 #include "tests/support/unproven_tie.hpp"
 
 /// The counts of profile_rates against the golden model, comparison by comparison.
-namespace mixcmp::test {
+namespace mixcmp::test::rates_test {
 namespace {
 
 using data::Comparisons;
@@ -338,4 +338,4 @@ TEST(Rates, OfSeveralPartsAreTheGoldenModels) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::rates_test

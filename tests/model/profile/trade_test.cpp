@@ -10,7 +10,7 @@
 #include "tests/support/scratch_directory.hpp"
 #include "tests/support/sphere.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::trade_test {
 namespace {
 
 using profile::MeasuredAreas;
@@ -159,4 +159,4 @@ TEST(CostModel, GrowsWithPrecisionAndWithTheErrorUnit) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::trade_test

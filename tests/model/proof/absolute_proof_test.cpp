@@ -10,7 +10,7 @@
 #include "tests/model/proof/random_lanes.hpp"
 
 /// Running and constant bounds: what is proven of them, and that wrong ones are refused.
-namespace mixcmp::test {
+namespace mixcmp::test::absolute_proof_test {
 namespace {
 
 using error::ErrorAnalysis;
@@ -250,4 +250,4 @@ TEST_F(AbsoluteProof, RangesThatAreNotCheckedProveNothing) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::absolute_proof_test

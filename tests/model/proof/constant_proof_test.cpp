@@ -20,7 +20,7 @@
 #include "tests/support/float_samples.hpp"
 
 /// What Gappa checks of ranges: constants that bound errors, and what lanes leave unbuilt.
-namespace mixcmp::test {
+namespace mixcmp::test::constant_proof_test {
 namespace {
 
 using error::ErrorBoundKind;
@@ -174,7 +174,7 @@ TEST_F(ConstantProof, HazardsAreLeftOutWhereGappaSaysSoAndNowhereElse) {
   const auto refused = [&](const Lane& one) {
     const std::vector<Finding> findings = prove_hazards(one, std::ref(prover_));
     return std::any_of(findings.begin(), findings.end(),
-                       [](const Finding& finding) { return finding.outcome != Outcome::proven; });
+                       [](const Finding& finding) { return finding.outcome != proof::Outcome::proven; });
   };
   EXPECT_FALSE(refused(lane));
   int promises = 0;
@@ -206,7 +206,7 @@ TEST_F(ConstantProof, HazardsOfFewerExponentBitsAreRefused) {
   }
   const std::vector<Finding> findings = prove_hazards(lane, std::ref(prover_));
   EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
-    return finding.outcome == Outcome::not_proven;
+    return finding.outcome == proof::Outcome::not_proven;
   }));
 }
 
@@ -255,4 +255,4 @@ TEST(EnforcedRange, IsNoneWhereInfinitiesOrNansPass) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::constant_proof_test

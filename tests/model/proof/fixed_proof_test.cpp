@@ -11,7 +11,7 @@
 #include "tests/support/graphs.hpp"
 
 /// What Gappa says of lanes in fixed point, and of such whose thresholds are too close.
-namespace mixcmp::test {
+namespace mixcmp::test::fixed_proof_test {
 namespace {
 
 using fixed::FixedBound;
@@ -145,4 +145,4 @@ TEST(FixedProofOfOperands, DoesNotBelieveTheLane) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::fixed_proof_test

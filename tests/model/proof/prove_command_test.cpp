@@ -10,7 +10,7 @@
 #include "tests/support/program.hpp"
 
 /// check --prove, generate's quick proof and doctor as a user calls them.
-namespace mixcmp::test {
+namespace mixcmp::test::prove_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,6 +60,13 @@ TEST_P(ProvenExample, IsProvenInEveryPrecision) {
 INSTANTIATE_TEST_SUITE_P(Examples, ProvenExample,
                          testing::Values("sphere_collision", "protein_clash"),
                          [](const auto& tested) { return tested.param; });
+
+TEST_F(ProveCommand, AGappaThatFailsIsAMistakeToldOnce) {
+  const Outcome run = mixcmp("check " + scene("sphere_collision") + " --prove",
+                             with_gappa("echo oops >&2; exit 3"));
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.output, "mixcmp: error: gappa does not work: received oops\n");
+}
 
 TEST_F(ProveCommand, KeepsEverythingInTheDirectoryAsked) {
   if (!proof::gappa_version()) GTEST_SKIP() << "gappa is not installed";
@@ -164,4 +171,4 @@ TEST_F(ProveCommand, DoctorSaysWhatIsMissingWithoutGappa) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::prove_command_test

@@ -13,7 +13,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// What is kept of a proof, what is done again, and what a missing or hanging Gappa does.
-namespace mixcmp::test {
+namespace mixcmp::test::provers_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,7 +85,7 @@ TEST_F(Provers, AHintThatIsNotAnEquationProvesNothing) {
 TEST_F(Provers, ScriptCertificateAndVerdictAreKept) {
   ProofDirectory directory = opened(kept_);
   const ScriptResult result = directory(truth);
-  EXPECT_EQ(result.outcome, Outcome::proven);
+  EXPECT_EQ(result.outcome, proof::Outcome::proven);
   const std::string stem = only_stem(kept_, ".g");
   EXPECT_EQ(result.file, stem + ".g");
   EXPECT_EQ(read_file(kept_ / (stem + ".g")).value(), truth);
@@ -97,11 +97,11 @@ TEST_F(Provers, ScriptCertificateAndVerdictAreKept) {
 }
 
 TEST_F(Provers, WhatIsNotProvenHasNoCertificate) {
-  EXPECT_EQ(opened(kept_)(falsehood).outcome, Outcome::not_proven);
+  EXPECT_EQ(opened(kept_)(falsehood).outcome, proof::Outcome::not_proven);
   const std::string stem = only_stem(kept_, ".verdict");
   EXPECT_FALSE(fs::exists(kept_ / (stem + ".v")));
   ProofDirectory again = opened(kept_);
-  EXPECT_EQ(again(falsehood).outcome, Outcome::not_proven);
+  EXPECT_EQ(again(falsehood).outcome, proof::Outcome::not_proven);
   EXPECT_EQ(again.reused(), 0);
 }
 
@@ -110,12 +110,12 @@ TEST_F(Provers, ASecondRunReusesWhatIsProvenAndOnlyThat) {
   const std::string stem = only_stem(kept_, ".g");
   {
     ProofDirectory again = opened(kept_);
-    EXPECT_EQ(again(truth).outcome, Outcome::proven);
+    EXPECT_EQ(again(truth).outcome, proof::Outcome::proven);
     EXPECT_EQ(again.reused(), 1);
   }
   const auto proven_anew = [&] {
     ProofDirectory again = opened(kept_);
-    return again(truth).outcome == Outcome::proven && again.reused() == 0;
+    return again(truth).outcome == proof::Outcome::proven && again.reused() == 0;
   };
   write(kept_ / (stem + ".v"), "(* shortened *)");
   EXPECT_TRUE(proven_anew());
@@ -135,7 +135,7 @@ TEST_F(Provers, AnInterruptedRunResumes) {
   {
     ProofDirectory directory = opened(kept_);
     const Prove until_interrupted = [&](const std::string& script) {
-      return ++scripts <= 4 ? directory(script) : ScriptResult{Outcome::unchecked, "", ""};
+      return ++scripts <= 4 ? directory(script) : ScriptResult{proof::Outcome::unchecked, "", ""};
     };
     prove_lane(lane, until_interrupted, Effort::whole);
   }
@@ -167,7 +167,7 @@ TEST_F(Provers, ADirectoryThatCannotBeIsAnError) {
 TEST_F(Provers, AFileThatCannotBeWrittenIsAnErrorAndNoProofLess) {
   ProofDirectory directory = opened(kept_);
   fs::remove_all(kept_);
-  EXPECT_EQ(directory(truth).outcome, Outcome::proven);
+  EXPECT_EQ(directory(truth).outcome, proof::Outcome::proven);
   EXPECT_TRUE(directory.failure().has_value());
 }
 
@@ -176,9 +176,9 @@ TEST(ProversWithoutGappa, LeaveEverythingUnchecked) {
   const OtherPath path(scratch.path().string());
   EXPECT_FALSE(gappa_version());
   QuickProver quick(5);
-  EXPECT_EQ(quick(truth).outcome, Outcome::unchecked);
+  EXPECT_EQ(quick(truth).outcome, proof::Outcome::unchecked);
   ProofDirectory directory = opened(scratch.path() / "proof");
-  EXPECT_EQ(directory(truth).outcome, Outcome::unchecked);
+  EXPECT_EQ(directory(truth).outcome, proof::Outcome::unchecked);
   EXPECT_EQ(only_stem(scratch.path() / "proof", ".g") + ".g", directory(truth).file);
 }
 
@@ -188,10 +188,10 @@ TEST(ProversWithAFake, AHangingGappaIsStoppedInTime) {
   const OtherPath path(fake_gappa(scratch, "exec sleep 60\n").string() + ":" + search);
   EXPECT_EQ(gappa_version().value(), "9.9");
   QuickProver quick(0.2);
-  EXPECT_EQ(quick(truth).outcome, Outcome::out_of_time);
-  EXPECT_EQ(quick(falsehood).outcome, Outcome::out_of_time);  // no budget left
+  EXPECT_EQ(quick(truth).outcome, proof::Outcome::out_of_time);
+  EXPECT_EQ(quick(falsehood).outcome, proof::Outcome::out_of_time);  // no budget left
   ProofDirectory directory = opened(scratch.path() / "proof", 0.2);
-  EXPECT_EQ(directory(truth).outcome, Outcome::out_of_time);
+  EXPECT_EQ(directory(truth).outcome, proof::Outcome::out_of_time);
 }
 
 TEST(ProversWithAFake, ACrashIsNoProof) {
@@ -200,7 +200,7 @@ TEST(ProversWithAFake, ACrashIsNoProof) {
   const OtherPath path(fake_gappa(scratch, "kill -9 $$\n").string() + ":" + search);
   EXPECT_EQ(run_gappa(truth, Certificate::coq, 30).verdict, GappaVerdict::broken);
   QuickProver quick(5);
-  EXPECT_NE(quick(truth).outcome, Outcome::proven);
+  EXPECT_NE(quick(truth).outcome, proof::Outcome::proven);
 }
 
 TEST(ProversWithAFake, ALaneWhoseGappaNeverAnswersIsNotRefused) {
@@ -239,7 +239,7 @@ TEST(ProversWithAFake, AProofWithoutItsCertificateIsNone) {
     ASSERT_TRUE(gappa_version());
     EXPECT_EQ(run_gappa(truth, Certificate::coq, 30).verdict, GappaVerdict::broken);
     ProofDirectory directory = opened(scratch.path() / "proof");
-    EXPECT_NE(directory(truth).outcome, Outcome::proven);
+    EXPECT_NE(directory(truth).outcome, proof::Outcome::proven);
   }
 }
 
@@ -250,7 +250,7 @@ TEST(ProversWithAFake, OneThatProvesEverythingIsNotBelieved) {
   ASSERT_FALSE(gappa_version());
   EXPECT_EQ(gappa_version().error().message, "gappa proves what is false");
   QuickProver quick(5);
-  EXPECT_EQ(quick(truth).outcome, Outcome::unchecked);
+  EXPECT_EQ(quick(truth).outcome, proof::Outcome::unchecked);
 }
 
 /// A crash is no refusal of what is false.
@@ -270,9 +270,9 @@ TEST(ProversWithAFake, OneThatCannotReadScriptsRefusesNothing) {
   const OtherPath path(fake_gappa(scratch, complaint).string() + ":" + search);
   QuickProver quick(5);
   const ScriptResult result = quick(truth);
-  EXPECT_EQ(result.outcome, Outcome::unchecked);
+  EXPECT_EQ(result.outcome, proof::Outcome::unchecked);
   EXPECT_NE(result.detail.find("syntax error"), std::string::npos) << result.detail;
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::provers_test

@@ -9,7 +9,7 @@
 #include "tests/model/proof/random_lanes.hpp"
 
 /// Gappa, which knows nothing of our rules, proves what the analysis claims, and no more than that.
-namespace mixcmp::test {
+namespace mixcmp::test::relative_proof_test {
 namespace {
 
 using error::Lane;
@@ -113,7 +113,7 @@ TEST_F(RelativeProof, WhatRoundsNothingIsProvenToRoundNothing) {
 TEST_F(RelativeProof, OneDigitTooManyRounds) {
   const auto proves = [&](ExactOperation operation, int from, int to) {
     const std::string script = exactness_script(operation, from, to, Rounding::nearest_even);
-    return prover_(script).outcome == Outcome::proven;
+    return prover_(script).outcome == proof::Outcome::proven;
   };
   for (const int digits : {2, 11, 26}) {
     EXPECT_TRUE(proves(ExactOperation::convert, digits, digits));
@@ -129,7 +129,7 @@ TEST_F(RelativeProof, TheoremOneHoldsFromTwoDigitsToMost) {
   for (const int precision : {2, 3, 4, 5, 8, 11, 16, 17, 24, 32, 52, 53, 64, 112, 113}) {
     for (const Rounding rounding : both_roundings) {
       for (const std::string& script : rounding_scripts(precision, rounding)) {
-        EXPECT_EQ(prover_(script).outcome, Outcome::proven) << script;
+        EXPECT_EQ(prover_(script).outcome, proof::Outcome::proven) << script;
       }
     }
   }
@@ -300,7 +300,7 @@ TEST_F(RelativeProof, NoScriptAssumesTheImpossible) {
         const std::size_t goal = one.script.rfind("->\n"), end = one.script.rfind('}');
         const std::string absurd =
             one.script.substr(0, goal) + "-> 1 in [2, 3] " + one.script.substr(end);
-        EXPECT_EQ(prover_(absurd).outcome, Outcome::not_proven) << absurd;
+        EXPECT_EQ(prover_(absurd).outcome, proof::Outcome::not_proven) << absurd;
         ++scripts;
       }
     }
@@ -317,7 +317,7 @@ TEST_F(RelativeProof, ManyTermsThatMayBeZeroAreProvenOneOperationAtATime) {
 TEST(RelativeProofWithoutGappa, SaysSo) {
   const Lane lane = lane_of(sphere_graph(), {}).value();
   const Prove absent = [](const std::string&) {
-    return ScriptResult{Outcome::unchecked, "gappa is not installed", ""};
+    return ScriptResult{proof::Outcome::unchecked, "gappa is not installed", ""};
   };
   for (const Effort effort : {Effort::whole, Effort::operations}) {
     const LaneProof proof = prove_lane(lane, absent, effort);
@@ -327,4 +327,4 @@ TEST(RelativeProofWithoutGappa, SaysSo) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::relative_proof_test

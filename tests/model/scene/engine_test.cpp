@@ -5,7 +5,7 @@
 #include "model/scene/scene.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::engine_test {
 namespace {
 
 const std::string spheres = "f = \"(xi - xj)^2\"\ng = \"(ri + rj)^2\"\n";
@@ -147,4 +147,4 @@ TEST_F(EngineSection, InputsMustBeColumnsOfTwoItems) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::engine_test

@@ -6,7 +6,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// [[lanes]] and [[references]]: lanes and references of several kinds.
-namespace mixcmp::test {
+namespace mixcmp::test::groups_test {
 namespace {
 
 const std::string head = R"([comparison]
@@ -182,4 +182,4 @@ TEST_F(Groups, AListIsNotChangedByOneKey) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::groups_test

@@ -9,7 +9,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// Every limit is the same in the documentation, in messages and in what is accepted.
-namespace mixcmp::test {
+namespace mixcmp::test::limits_test {
 namespace {
 
 struct Stated {
@@ -115,4 +115,4 @@ TEST(Limits, LanesOfAReference) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::limits_test

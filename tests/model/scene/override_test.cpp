@@ -1,6 +1,6 @@
 #include "tests/model/scene/scene_fixture.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::override_test {
 namespace {
 
 /// The error with the scene's path as "scene.toml".
@@ -116,4 +116,4 @@ TEST_F(OverrideTest, MistakesNameTheOption) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::override_test

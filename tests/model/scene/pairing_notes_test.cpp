@@ -4,7 +4,7 @@
 
 #include "model/expression/parser.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::pairing_notes_test {
 namespace {
 
 std::vector<std::string> notes(const std::string& f, const std::string& g, data::Pairing pairing) {
@@ -52,4 +52,4 @@ TEST(PairingNotes, AnInputOfOneItemAloneIsTold) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::pairing_notes_test

@@ -9,7 +9,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// [comparison] of several parts.
-namespace mixcmp::test {
+namespace mixcmp::test::parts_test {
 namespace {
 
 class PartsTest : public testing::Test {
@@ -138,4 +138,4 @@ TEST_F(PartsTest, AnExpressionsErrorNamesItsColumnInTheList) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::parts_test

@@ -7,7 +7,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// A plan: a scene with other sections laid over it.
-namespace mixcmp::test {
+namespace mixcmp::test::plan_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -212,4 +212,4 @@ TEST_F(Plans, ASceneHasNoPlanSection) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::plan_test

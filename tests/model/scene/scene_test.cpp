@@ -6,7 +6,7 @@
 
 #include "tests/model/scene/scene_fixture.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::scene_test {
 namespace {
 
 TEST_F(SceneTest, EveryKeyArrives) {
@@ -460,4 +460,4 @@ TEST_F(SceneTest, MutatedScenesGiveErrorsNotCrashes) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::scene_test

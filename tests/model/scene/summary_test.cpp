@@ -7,7 +7,7 @@
 #include "model/workload/load_comparisons.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::summary_test {
 namespace {
 
 const std::filesystem::path examples = MIXCMP_SOURCE_DIR "/examples";
@@ -190,4 +190,4 @@ TEST(Summary, DeeplySharedExpressionsPrintShort) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::summary_test

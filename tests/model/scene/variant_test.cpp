@@ -8,7 +8,7 @@
 #include "model/scene/scene.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::variant_test {
 namespace {
 
 class Variants : public testing::Test {
@@ -179,4 +179,4 @@ TEST_F(Variants, ASampleIsSpreadOverAll) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::variant_test

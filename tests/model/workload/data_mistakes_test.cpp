@@ -8,7 +8,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 /// Mistakes in [data] are those of a key, wherever it is set, and of a table.
-namespace mixcmp::test {
+namespace mixcmp::test::data_mistakes_test {
 namespace {
 
 class DataMistakes : public testing::Test {
@@ -232,4 +232,4 @@ TEST(ComparisonProgress, CountsUpToAllComparisons) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::data_mistakes_test

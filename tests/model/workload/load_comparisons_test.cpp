@@ -13,7 +13,7 @@
 #include "model/number/verdict.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::load_comparisons_test {
 namespace {
 
 class TwoTables : public testing::Test {
@@ -232,4 +232,4 @@ TEST_F(TwoTables, ArgMinFollowsFromTheVerdictsInAnyFormat) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::load_comparisons_test

@@ -4,7 +4,7 @@
 #include "tests/rtl_templates/bound/bound_units_fixture.hpp"
 #include "tests/support/float_samples.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::bound_units_test {
 namespace {
 
 constexpr int random_stimuli = 30'000;
@@ -71,4 +71,4 @@ TEST_F(BoundUnits, SpecialNumbers) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::bound_units_test

@@ -1,7 +1,7 @@
 #include "tests/rtl_templates/bound/bound_units_fixture.hpp"
 
 /// For formats small enough.
-namespace mixcmp::test {
+namespace mixcmp::test::every_operand_test {
 namespace {
 
 TEST_F(BoundUnits, EveryPairOfBounds) {
@@ -20,4 +20,4 @@ TEST_F(BoundUnits, EveryNumberAgainstEveryBound) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::every_operand_test

@@ -4,16 +4,12 @@
 
 #include <algorithm>
 
+#include "tests/rtl_templates/engine/mix.hpp"
+
 namespace mixcmp::test {
 namespace {
 
 enum Verdict : std::uint32_t { less, equal, greater, unordered };
-
-std::uint32_t mix(std::uint32_t a, std::uint32_t b) {
-  std::uint64_t z = (std::uint64_t{a} << 32 | b) * 0x9e3779b97f4a7c15u;
-  z = (z ^ z >> 29) * 0xbf58476d1ce4e5b9u;
-  return static_cast<std::uint32_t>(z >> 32);
-}
 
 constexpr std::uint32_t nan_cost = ~0u;
 

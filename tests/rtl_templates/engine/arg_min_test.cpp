@@ -7,7 +7,7 @@
 #include "arg_min_models.inc"
 #include "tests/rtl_templates/engine/arg_min_run.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::arg_min_test {
 namespace {
 
 template <class Model>
@@ -149,4 +149,4 @@ std::string name_of(const ::testing::TestParamInfo<ArgMinSpec>& info) {
 INSTANTIATE_TEST_SUITE_P(Engines, ArgMin, ::testing::ValuesIn(engines), name_of);
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::arg_min_test

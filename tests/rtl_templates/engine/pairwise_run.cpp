@@ -5,17 +5,13 @@
 #include <algorithm>
 #include <bit>
 
+#include "tests/rtl_templates/engine/mix.hpp"
+
 namespace mixcmp::test {
 namespace {
 
 constexpr std::uint32_t recomputed_flag = 4;
 constexpr std::uint32_t undecided_flag = 8;
-
-std::uint32_t mix(std::uint32_t a, std::uint32_t b) {
-  std::uint64_t z = (std::uint64_t{a} << 32 | b) * 0x9e3779b97f4a7c15u;
-  z = (z ^ z >> 29) * 0xbf58476d1ce4e5b9u;
-  return static_cast<std::uint32_t>(z >> 32);
-}
 
 }  // namespace
 

@@ -9,7 +9,7 @@
 #include "engine_models.inc"
 #include "tests/rtl_templates/engine/pairwise_run.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::pairwise_test {
 namespace {
 
 template <class Model>
@@ -168,4 +168,4 @@ INSTANTIATE_TEST_SUITE_P(Engines, QuietPairwise,
                          ::testing::ValuesIn(engines_that_leave_verdicts_out()), name_of);
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::pairwise_test

@@ -15,7 +15,7 @@
 
 /// fixed_operand at some tops and widths, one operand a cycle, each answer in the very cycle that
 /// its mask of cuts names, against the golden model's inputs.
-namespace mixcmp::test {
+namespace mixcmp::test::fixed_operands_test {
 namespace {
 
 using fixed::FixedLane;
@@ -139,4 +139,4 @@ TEST_F(FixedOperands, RandomOperands) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::fixed_operands_test

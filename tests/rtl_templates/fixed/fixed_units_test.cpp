@@ -11,7 +11,7 @@
 
 /// Every unit of fixed point at small widths on every operand, one a cycle, each answer in the very
 /// cycle that its mask of cuts names, against C++'s integers. fixed_units.v has what a slot holds.
-namespace mixcmp::test {
+namespace mixcmp::test::fixed_units_test {
 namespace {
 
 constexpr int widths = 5, kinds = 7, decisions = 96;
@@ -154,4 +154,4 @@ TEST_F(FixedUnits, EveryOperand) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::fixed_units_test

@@ -12,7 +12,7 @@
 
 /// Products of logic of many widths, one a cycle, each in the very cycle that its mask of cuts
 /// names, against C++'s integers. logic_products.v has what a slot holds.
-namespace mixcmp::test {
+namespace mixcmp::test::logic_products_test {
 namespace {
 
 constexpr int squares = 22, products = 36;
@@ -111,4 +111,4 @@ TEST_F(LogicProducts, RandomOperands) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::logic_products_test

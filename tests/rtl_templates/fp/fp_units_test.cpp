@@ -17,7 +17,7 @@
 #include "tests/rtl_templates/fp/regression.hpp"
 #include "tests/rtl_templates/fp/vectors.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::fp_units_test {
 namespace {
 
 class VerilatedUnits : public Simulation {
@@ -188,9 +188,9 @@ int run(const char* program, std::span<const std::string_view> arguments) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::fp_units_test
 
 int main(int argc, char** argv) {
   const std::vector<std::string_view> arguments(argv + 1, argv + argc);
-  return mixcmp::test::run(argv[0], arguments);
+  return mixcmp::test::fp_units_test::run(argv[0], arguments);
 }

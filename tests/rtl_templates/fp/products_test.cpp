@@ -15,7 +15,7 @@
 
 /// Products of logic and of multipliers against GMP, at every precision that is built in one cycle,
 /// each at the latency that its mask of cuts names.
-namespace mixcmp::test {
+namespace mixcmp::test::products_test {
 namespace {
 
 constexpr int widest = 113, levels = 7;
@@ -172,4 +172,4 @@ TEST_F(Product, WideFactorsAreMultipliedExactly) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::products_test

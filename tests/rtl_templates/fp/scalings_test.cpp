@@ -7,7 +7,7 @@
 #include "model/golden/arithmetic.hpp"
 
 /// Conversions that scale against the golden model's products with powers of two, every operand.
-namespace mixcmp::test {
+namespace mixcmp::test::scalings_test {
 namespace {
 
 /// One instance of scalings.v.
@@ -83,4 +83,4 @@ TEST_F(Scalings, EveryOperandIsMultipliedByThePowerOfTwo) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::scalings_test

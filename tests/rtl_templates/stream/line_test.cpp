@@ -8,7 +8,7 @@
 #include "VLines.h"
 #include "tests/rtl_templates/stream/random_source.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::line_test {
 namespace {
 
 struct Lines {
@@ -133,4 +133,4 @@ TEST(DualPortMemory, ReadsWhatWasWrittenAndHoldsWithoutEnable) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::line_test

@@ -19,7 +19,7 @@
 #include "VTree9.h"
 #include "tests/rtl_templates/stream/random_source.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::merge_test {
 namespace {
 
 class MergeDut {
@@ -349,4 +349,4 @@ INSTANTIATE_TEST_SUITE_P(Streams, FullRateMerge, ValuesIn(specs_with(merges_at_f
 INSTANTIATE_TEST_SUITE_P(Streams, BoundedMerge, ValuesIn(specs_with(has_capacity)), name_of);
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::merge_test

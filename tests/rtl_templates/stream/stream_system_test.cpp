@@ -9,7 +9,7 @@
 #include "system_models.inc"
 #include "tests/rtl_templates/stream/stream_system_run.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::stream_system_test {
 namespace {
 
 template <class Model>
@@ -278,4 +278,4 @@ INSTANTIATE_TEST_SUITE_P(Streams, SaturableReference, ValuesIn(systems_with(is_s
                          name_of);
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::stream_system_test

@@ -11,7 +11,7 @@
 #include "model/golden/evaluate.hpp"
 #include "model/number/verdict.hpp"
 
-namespace mixcmp::test {
+namespace mixcmp::test::verdict_combination_test {
 namespace {
 
 struct Expected {
@@ -75,4 +75,4 @@ TEST(VerdictCombination, OfAny) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test
+}  // namespace mixcmp::test::verdict_combination_test

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace mixcmp::report {
+
+/// Rates are told in G/s.
+inline constexpr double giga = 1e9;
+
+}  // namespace mixcmp::report
