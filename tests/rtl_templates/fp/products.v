@@ -24,8 +24,9 @@ module products #(
 
   generate
     for (precision = 2; precision <= WIDEST; precision = precision + 1) begin : with_precision
-      if (precision <= 34 || precision == WIDEST || (precision >= 52 && precision <= 54)
-          || (precision >= 63 && precision <= 65)) begin : built
+      if (precision <= 12 || (precision >= 16 && precision <= 18) || precision == 24
+          || precision == 33 || precision == 34 || precision == 53 || precision == 64
+          || precision == 65 || precision == WIDEST) begin : built
         wire [precision-1:0] x0 = {1'b1, a[precision-2:0]};
         wire [precision-1:0] x1 = {1'b1, b[precision-2:0]};
 

@@ -43,8 +43,9 @@ struct Slot {
 };
 
 bool is_built(int precision) {
-  return precision <= 34 || precision == widest || (precision >= 52 && precision <= 54) ||
-         (precision >= 63 && precision <= 65);
+  return precision <= 12 || (precision >= 16 && precision <= 18) || precision == 24 ||
+         precision == 33 || precision == 34 || precision == 53 || precision == 64 ||
+         precision == 65 || precision == widest;
 }
 
 bool has_multipliers(int precision) {
