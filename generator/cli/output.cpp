@@ -34,7 +34,8 @@ std::optional<fs::path> file_at(const fs::path& path) {
   return failed ? named : place;
 }
 
-/// Whether a picture begins and ends as an SVG does: a full disk can cut it, a tool can talk into it.
+/// Whether a picture begins and ends as an SVG does: a full disk can cut it, a tool can talk into
+/// it.
 bool is_whole_svg(std::string_view picture) {
   const std::size_t last = picture.find_last_not_of(" \n");
   if (last == std::string_view::npos) return false;

@@ -51,6 +51,15 @@ Unit choice_unit(int bits, const DelayTable& delays) {
   return std::move(stages).unit("fixed_minimum_maximum");
 }
 
+/// One bit of the root a stage.
+Unit square_root_unit(int root_bits, const DelayTable& delays) {
+  StageList stages(delays);
+  for (int bit = 0; bit < root_bits; ++bit) {
+    stages.add("digit " + std::to_string(bit), stages.carry(bit + 3));
+  }
+  return std::move(stages).unit("fixed_square_root");
+}
+
 /// A unit of one carry chain.
 Unit chain_unit(std::string module, std::string stage, int bits, const DelayTable& delays) {
   StageList stages(delays);
@@ -110,10 +119,10 @@ Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers
                       : product_unit(bits(0), delays);
     case Operation::minimum:
     case Operation::maximum: return choice_unit(std::max(bits(0), bits(1)), delays);
+    case Operation::square_root: return square_root_unit(node.format.width, delays);
     case Operation::constant:
     case Operation::convert:
-    case Operation::divide:
-    case Operation::square_root: break;
+    case Operation::divide: break;
   }
   MIXCMP_CHECK(!"an operation that fixed point has no unit for");
 }

@@ -1,11 +1,12 @@
 #include "generator/report/paper_tables.hpp"
-#include "generator/report/units.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
+
+#include "generator/report/units.hpp"
 
 namespace mixcmp::report {
 

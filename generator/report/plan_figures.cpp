@@ -28,7 +28,6 @@ using performance::equivalent_throughput;
 
 namespace {
 
-
 /// One curve per kind of lane, of `value` for each of its rows; rows with value 0 are left out.
 template <class Value>
 std::vector<Curve> curves_by_kind(const Optimisation& optimisation, Value value) {
@@ -160,8 +159,12 @@ std::string figure3_script(const Optimisation& optimisation) {
 }
 
 std::string figure7_script(const Optimisation& optimisation) {
-  Picture picture{
-      where(optimisation) + ": area of a lane", precision_axis, "LUT", "set xtics 4\n", {}, Axis::linear};
+  Picture picture{where(optimisation) + ": area of a lane",
+                  precision_axis,
+                  "LUT",
+                  "set xtics 4\n",
+                  {},
+                  Axis::linear};
   picture.curves = curves_by_kind(
       optimisation, [](const Measurement& row) { return static_cast<double>(row.area.luts); });
   int color = 0;

@@ -1,11 +1,11 @@
 #include "generator/report/plan_report.hpp"
-#include "generator/report/units.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "generator/report/units.hpp"
 #include "model/optimise/plan_summary.hpp"
 #include "model/performance/performance.hpp"
 
@@ -27,7 +27,6 @@ using optimise::PrecisionPlan;
 namespace {
 
 using Json = nlohmann::ordered_json;
-
 
 std::string why_infeasible(const PrecisionPlan& plan) {
   return "infeasible: " + std::get<Infeasible>(plan.result).message;

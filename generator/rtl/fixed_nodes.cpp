@@ -111,6 +111,9 @@ std::vector<Connection> FixedNodes::operands(NodeId id, int cycle) {
     connections.push_back({port, operand(node.operands[k], shift, cycle)});
   };
   switch (node.operation) {
+    case Operation::square_root:  // never negative
+      connections.push_back({"a", datapath_.at(values_[node.operands[0]], cycle)});
+      break;
     case Operation::negate:
       connections.push_back({"a", literal(1, 0)});
       connect("b", 0);
@@ -143,6 +146,12 @@ std::vector<Parameter> FixedNodes::parameters(NodeId id) const {
     case Operation::square:
       parameters = {{"A_WIDTH", bits(0)}, {"B_WIDTH", 1}, {"SQUARE", 1}};
       break;
+    case Operation::square_root: {
+      const FixedFormat& radicand = lane_.nodes[node.operands[0]].format;
+      const int shift = radicand.unit_exponent - 2 * node.format.unit_exponent;
+      parameters = {{"A_WIDTH", radicand.width}, {"SHIFT", shift}};
+      break;
+    }
     case Operation::absolute: parameters = {{"A_WIDTH", bits(0)}}; break;
     case Operation::minimum:
     case Operation::maximum:
@@ -181,11 +190,11 @@ std::string FixedNodes::describe(NodeId id) const {
     return constant ? to_text(source.value.low) : names_[node.operands[k]];
   };
   const bool is_input = node.operation == Operation::input;
+  const bool rounds = is_input || node.dropped_bits > 0 || node.operation == Operation::square_root;
   const std::string what =
       is_input ? datapath_.port(node.input) : formula(node.operation, text(0), text(1));
   return fmt::format("Cycles {} to {}: {}, {} {}.", step.start_cycle, step.ready_cycle, what,
-                     is_input || node.dropped_bits > 0 ? "rounded down to" : "exact in",
-                     node.format.name());
+                     rounds ? "rounded down to" : "exact in", node.format.name());
 }
 
 Literal twos_complement(int width, const mpz_class& value) {

@@ -22,10 +22,19 @@ double power(int exponent) {
   return std::ldexp(1, exponent);
 }
 
-bool fits_double(const FixedNode& node) {
-  const int exact_width = node.format.width + node.dropped_bits;
-  return exact_width <= double_digits &&
-         std::abs(node.format.unit_exponent) + exact_width <= largest_exponent;
+/// The digits of a double with which an operation is exact. A root is rounded to nearest before it
+/// is rounded down to its unit: with these digits never to the next unit (docs/emulator.md).
+int needed_digits(const std::vector<FixedNode>& nodes, const FixedNode& node) {
+  if (node.operation == Operation::square_root) {
+    return std::max(2 * node.format.width + 1, nodes[node.operands[0]].format.width + 3);
+  }
+  return node.format.width + node.dropped_bits;
+}
+
+bool fits_double(const std::vector<FixedNode>& nodes, const FixedNode& node) {
+  const int digits = needed_digits(nodes, node);
+  return digits <= double_digits &&
+         std::abs(node.format.unit_exponent) + digits <= largest_exponent;
 }
 
 /// Slopes below 1 would round.
@@ -44,11 +53,11 @@ FixedKernel fixed_kernel_of(Operation operation) {
     case Operation::square: return FixedKernel::multiply;
     case Operation::minimum: return FixedKernel::minimum;
     case Operation::maximum: return FixedKernel::maximum;
+    case Operation::square_root: return FixedKernel::square_root;
     case Operation::input:
     case Operation::constant:
     case Operation::convert:
-    case Operation::divide:
-    case Operation::square_root: break;
+    case Operation::divide: break;
   }
   MIXCMP_CHECK(false);
 }
@@ -63,7 +72,11 @@ FixedConversion conversion_of(const FixedFormat& format) {
 /// The instruction that computes a node; of one operand a, b and c are the same.
 FixedInstruction instruction_of(const FixedNode& node, NodeId result) {
   const NodeId first = node.operands[0], last = node.operands[arity(node.operation) - 1];
-  return {.kernel = fixed_kernel_of(node.operation), .result = result, .a = first, .b = last, .c = first};
+  return {.kernel = fixed_kernel_of(node.operation),
+          .result = result,
+          .a = first,
+          .b = last,
+          .c = first};
 }
 
 /// Compiles a lane. What one operation alone reads, whole, is computed with it where there is a
@@ -149,9 +162,10 @@ private:
                                    : squares_a_lone_difference(added) ? square_of_difference(added)
                                                                       : instruction_of(added, id);
     instruction.result = id;
-    if (added.dropped_bits > 0) instruction.result = code_.layout.columns++;
+    const bool truncates = added.dropped_bits > 0 || added.operation == Operation::square_root;
+    if (truncates) instruction.result = code_.layout.columns++;
     code_.instructions.push_back(instruction);
-    if (added.dropped_bits == 0) return;
+    if (!truncates) return;
     add_unary(FixedKernel::truncate, id, instruction.result).unit =
         power(added.format.unit_exponent);
   }
@@ -220,10 +234,11 @@ private:
 }  // namespace
 
 std::optional<FixedCode> make_fixed_code(const FixedLane& lane) {
-  const bool fits = std::all_of(lane.nodes.begin(), lane.nodes.end(),
-                                [](const FixedNode& node) { return fits_double(node); }) &&
-                    std::all_of(lane.parts.begin(), lane.parts.end(),
-                                [](const FixedPart& part) { return fits_double(part); });
+  const bool fits =
+      std::all_of(lane.nodes.begin(), lane.nodes.end(),
+                  [&](const FixedNode& node) { return fits_double(lane.nodes, node); }) &&
+      std::all_of(lane.parts.begin(), lane.parts.end(),
+                  [](const FixedPart& part) { return fits_double(part); });
   return fits ? std::optional(FixedCodeMaker(lane).make()) : std::nullopt;
 }
 

@@ -112,6 +112,8 @@ void execute_one(const FixedInstruction& instruction, const Block& block) {
         const Vec difference = hn::Sub(a, b);
         return hn::NegMulAdd(difference, difference, c);
       });
+    case FixedKernel::square_root:
+      return each([](Vec a, Vec, Vec) HWY_ATTR { return hn::Sqrt(a); });
     case FixedKernel::truncate: {
       const Vec unit = hn::Set(Tag(), instruction.unit);
       const Vec per_unit = hn::Set(Tag(), 1 / instruction.unit);

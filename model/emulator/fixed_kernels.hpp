@@ -29,6 +29,7 @@ enum class FixedKernel : std::uint8_t {
   square_of_difference,           ///< (a - b)^2
   add_square_of_difference,       ///< c + (a - b)^2
   subtract_square_of_difference,  ///< c - (a - b)^2
+  square_root,                    ///< of a, rounded to nearest
   truncate,                       ///< a, rounded down to a multiple of `unit`
   /// 2^k `unit` for the least k >= 0 with a < 4^k `square_unit`; of a NaN anything.
   power_above_root,

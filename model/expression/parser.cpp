@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "model/common/nearest.hpp"
-#include "model/expression/name.hpp"
 #include "model/expression/failure.hpp"
+#include "model/expression/name.hpp"
 #include "model/expression/syntax.hpp"
 #include "model/expression/text.hpp"
 #include "model/number/dyadic.hpp"

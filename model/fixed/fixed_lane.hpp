@@ -22,7 +22,8 @@ namespace mixcmp::fixed {
 /// and, where its sign bit is set, every bit inverted: both round down, to within a unit. An
 /// operand that is no number of the format's sign and magnitude (NaN and infinity among them; a
 /// negative zero where the format is unsigned) leaves the comparison undecided. The operands of an
-/// addition, a subtraction, a minimum and a maximum are aligned to the finer unit of the two.
+/// addition, a subtraction, a minimum and a maximum are aligned to the finer unit of the two. A
+/// square root is rounded down to its unit, whatever its operand's.
 struct FixedNode {
   Operation operation;
   std::array<NodeId, 2> operands = {-1, -1};

@@ -6,6 +6,7 @@
 
 #include "model/common/check.hpp"
 #include "model/fixed/node_enclosure.hpp"
+#include "model/fixed/root_error.hpp"
 #include "model/number/dyadic.hpp"
 
 namespace mixcmp::fixed {
@@ -64,16 +65,21 @@ NodeId FixedGraphBuilder::magnitude(NodeId a) {
   return add(operation(Operation::absolute, a));
 }
 
+Error FixedGraphBuilder::refused(const char* message, const char* accepted) const {
+  return {.field = "reduced.format",
+          .message = message,
+          .received = fmt::format("q{}", options_.bits),
+          .accepted = accepted};
+}
+
 Result<FixedNode> FixedGraphBuilder::make(const Node& node) {
   switch (node.operation) {
     case Operation::input: return input(node);
     case Operation::constant: return constant(node.value);
+    case Operation::square_root: return square_root(known_[node.operands[0]]);
     case Operation::divide:
-    case Operation::square_root:
-      return Error{.field = "reduced.format",
-                   .message = fmt::format("fixed point has no {}", to_string(node.operation)),
-                   .received = fmt::format("q{}", options_.bits),
-                   .accepted = "a floating-point format, or f and g without quotients and roots"};
+      return refused("fixed point has no divide",
+                     "a floating-point format, or f and g without quotients");
     case Operation::convert:
     case Operation::negate:
     case Operation::absolute:
@@ -127,6 +133,29 @@ FixedNode FixedGraphBuilder::constant(const mpq_class& value) const {
   constant.error = {rounded - value, rounded - value};
   constant.format = FixedFormat::holding(constant.constant, constant.constant, unit_exponent);
   return constant;
+}
+
+/// The unit is the power of two at or below half of the radicand's own effect on the root, so that
+/// dropping what is finer adds little to it.
+Result<FixedNode> FixedGraphBuilder::square_root(NodeId radicand) const {
+  if (!is_nonnegative(nodes_, radicand)) {
+    return refused("the radicand of a root may be negative",
+                   "a floating-point format, or a radicand such as a sum of squares");
+  }
+  FixedNode root{.operation = Operation::square_root, .operands = {radicand, -1}, .constant = {}};
+  const Range& squares = nodes_[radicand].value;
+  const Range exact = {root_below(squares.low), root_above(squares.high)};
+  root.error = root_error(nodes_, radicand);
+  const mpq_class effect = std::max<mpq_class>(-root.error.low, root.error.high);
+  const int top = exact.high == 0 ? 0 : static_cast<int>(floor_log2(exact.high)) + 1;
+  const int finest = top - options_.bits - spare_bits;
+  const int unit_exponent =
+      effect == 0 ? finest : std::max(finest, static_cast<int>(floor_log2(effect)) - 1);
+  const mpq_class unit = power_of_two(unit_exponent);
+  root.error.low -= unit;
+  root.value = {floor_of(exact.low / unit) * unit, floor_of(exact.high / unit) * unit};
+  root.format = format_of(root.value, unit_exponent);
+  return root;
 }
 
 FixedNode FixedGraphBuilder::operation(Operation operation, NodeId a, NodeId b) const {

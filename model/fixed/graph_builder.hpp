@@ -22,9 +22,11 @@ public:
   std::vector<FixedNode>& nodes() { return nodes_; }
 
 private:
+  Error refused(const char* message, const char* accepted) const;
   Result<FixedNode> make(const Node& node);
   Result<FixedNode> input(const Node& node) const;
   FixedNode constant(const mpq_class& value) const;
+  Result<FixedNode> square_root(NodeId radicand) const;
   FixedNode operation(Operation operation, NodeId a, NodeId b = -1) const;
   void cut(FixedNode& node) const;
   NodeId add(FixedNode node);

@@ -1,31 +1,40 @@
 #include "model/fixed/norm_bound.hpp"
 
+#include "model/fixed/root_error.hpp"
 #include "model/number/dyadic.hpp"
 
 namespace mixcmp::fixed {
 namespace {
 
-/// Appends the elements of a sum of squares; false where the node is something else or rounds.
-bool add_elements(const std::vector<FixedNode>& nodes, NodeId id, std::vector<NodeId>& elements) {
+/// What the low bits that a node drops are worth at most.
+mpq_class dropped_by(const FixedNode& node) {
+  return node.format.unit() * (1 - power_of_two(-node.dropped_bits));
+}
+
+/// Appends the elements of a sum of squares, and adds to `dropped` what low bits that are dropped
+/// on the way are worth; false where the node is something else.
+bool add_elements(const std::vector<FixedNode>& nodes, NodeId id, std::vector<NodeId>& elements,
+                  mpq_class& dropped) {
   const FixedNode& node = nodes[id];
-  if (node.dropped_bits > 0) return false;
+  dropped += dropped_by(node);
   if (node.operation == Operation::square) {
     elements.push_back(node.operands[0]);
     return true;
   }
-  return node.operation == Operation::add && add_elements(nodes, node.operands[0], elements) &&
-         add_elements(nodes, node.operands[1], elements);
+  return node.operation == Operation::add &&
+         add_elements(nodes, node.operands[0], elements, dropped) &&
+         add_elements(nodes, node.operands[1], elements, dropped);
 }
 
-/// The square root of value >= 0, rounded up.
-mpq_class root_above(const mpq_class& value) {
-  constexpr int digits = 64;
-  const mpq_class root = root_of(value, digits);
-  return root * root == value ? root : root * (1 + power_of_two(1 - digits));
+/// Appends the elements of a sum of squares; false where the node is something else or rounds.
+bool add_exact_elements(const std::vector<FixedNode>& nodes, NodeId id,
+                        std::vector<NodeId>& elements) {
+  mpq_class dropped = 0;
+  return add_elements(nodes, id, elements, dropped) && dropped == 0;
 }
 
-/// A bound of the Euclidean norm of the errors of x.
-mpq_class norm_of_errors(const std::vector<FixedNode>& nodes, const std::vector<NodeId>& elements) {
+/// A bound of the Euclidean norm of the errors of these nodes.
+mpq_class norm_of_all(const std::vector<FixedNode>& nodes, const std::vector<NodeId>& elements) {
   mpq_class sum = 0;
   for (const NodeId id : elements) sum += square(nodes[id].error).high;
   return root_above(sum);
@@ -51,15 +60,23 @@ std::optional<NormSides> norm_sides(const std::vector<FixedNode>& nodes, NodeId 
                                     NodeId square) {
   NormSides sides{.elements = {}, .radius = nodes[square].operands[0]};
   if (nodes[square].operation != Operation::square || nodes[square].dropped_bits > 0) return {};
-  if (!add_elements(nodes, sum, sides.elements)) return {};
+  if (!add_exact_elements(nodes, sum, sides.elements)) return {};
   return sides;
 }
 
 std::optional<NormSides> two_norms(const std::vector<FixedNode>& nodes, NodeId f, NodeId g) {
   NormSides sides{.elements = {}, .radius = g};
-  const bool are_sums =
-      add_elements(nodes, f, sides.elements) && add_elements(nodes, g, sides.radius_elements);
+  const bool are_sums = add_exact_elements(nodes, f, sides.elements) &&
+                        add_exact_elements(nodes, g, sides.radius_elements);
   return are_sums ? std::optional(sides) : std::nullopt;
+}
+
+std::optional<SquaredNorm> squared_norm(const std::vector<FixedNode>& nodes, NodeId sum) {
+  SquaredNorm norm;
+  std::vector<NodeId> elements;
+  if (!add_elements(nodes, sum, elements, norm.dropped)) return std::nullopt;
+  norm.error = norm_of_all(nodes, elements);
+  return norm;
 }
 
 int NormThresholds::unit_exponent(const std::vector<FixedNode>& nodes) const {
@@ -71,8 +88,8 @@ NormThresholds norm_thresholds(const std::vector<FixedNode>& nodes, const NormSi
                                const FixedNode& difference) {
   NormThresholds thresholds{.radius = sides.radius, .is_square = sides.is_square()};
   const FixedNode& radius = nodes[sides.radius];
-  const mpq_class norm = norm_of_errors(nodes, sides.elements);
-  const mpq_class other = norm_of_errors(nodes, sides.radius_elements);
+  const mpq_class norm = norm_of_all(nodes, sides.elements);
+  const mpq_class other = norm_of_all(nodes, sides.radius_elements);
   const mpq_class above = norm + (sides.is_square() ? other : radius_above(radius));
   const mpq_class below = norm + (sides.is_square() ? other : radius.error.high);
   const mpq_class unit = difference.format.unit();

@@ -22,6 +22,14 @@ std::optional<NormSides> norm_sides(const std::vector<FixedNode>& nodes, NodeId 
 /// The two sides, if f and g are sums of squares.
 std::optional<NormSides> two_norms(const std::vector<FixedNode>& nodes, NodeId f, NodeId g);
 
+/// A node that is |x|^2 less low bits.
+struct SquaredNorm {
+  mpq_class error;    ///< a bound of the Euclidean norm of the errors of x
+  mpq_class dropped;  ///< a bound of what the low bits are worth
+};
+/// None where the node is no sum of squares.
+std::optional<SquaredNorm> squared_norm(const std::vector<FixedNode>& nodes, NodeId sum);
+
 /// The thresholds of `difference`, |x|^2 - s^2 or |x|^2 - |y|^2. Proof: docs/fixed_point.md,
 /// theorem 4.
 NormThresholds norm_thresholds(const std::vector<FixedNode>& nodes, const NormSides& sides,

@@ -56,6 +56,11 @@ mpz_class operate(Operation operation, const mpz_class& a, const mpz_class& b) {
   MIXCMP_CHECK(false);
 }
 
+/// The root in units of 2^to of a number in units of 2^from, rounded down.
+mpz_class root(const mpz_class& value, int from, int to) {
+  return sqrt(shifted(value, from - 2 * to));
+}
+
 bool aligns_operands(Operation operation) {
   return operation == Operation::add || operation == Operation::subtract || is_choice(operation);
 }
@@ -73,6 +78,9 @@ Integer result_of(const FixedNode& node, const std::vector<FixedNode>& nodes,
     if (!operand) return std::nullopt;
     const int unit = nodes[node.operands[k]].format.unit_exponent;
     operands[k] = aligns_operands(node.operation) ? shifted(*operand, unit - finest) : *operand;
+  }
+  if (node.operation == Operation::square_root) {
+    return root(operands[0], finest, node.format.unit_exponent);
   }
   return shifted(operate(node.operation, operands[0], operands[1]), -node.dropped_bits);
 }

@@ -12,7 +12,6 @@
 namespace mixcmp::optimise {
 namespace {
 
-
 /// Solves the baseline: the references take the place of lanes and need no recomputation.
 AllocationResult fill_with_references(const scene::Scene& scene, const devices::Device& device,
                                       const std::vector<ReferenceImplementation>& references,

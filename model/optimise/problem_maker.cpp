@@ -14,7 +14,6 @@
 namespace mixcmp::optimise {
 namespace {
 
-
 template <class Choice>
 bool allows(const std::vector<Choice>& allowed, const Choice& word) {
   return allowed.empty() || std::find(allowed.begin(), allowed.end(), word) != allowed.end();

@@ -158,8 +158,8 @@ double lane_luts(const error::Lane& lane, Products products) {
   return luts;
 }
 
-/// One carry chain a node; an operand is a shifter, two places a LUT, and the compare of its
-/// exponent.
+/// One carry chain a node, one a bit of a root; an operand is a shifter, two places a LUT, and the
+/// compare of its exponent.
 double lane_luts(const fixed::FixedLane& lane, Products products) {
   double luts = 0;
   for (const fixed::FixedNode& node : lane.nodes) {
@@ -171,6 +171,7 @@ double lane_luts(const fixed::FixedLane& lane, Products products) {
       case Operation::square:
         if (products == Products::in_luts) luts += 0.25 * width * width;
         break;
+      case Operation::square_root: luts += 0.5 * width * (width + 5); break;
       default: luts += width; break;
     }
   }

@@ -8,6 +8,7 @@
 #include "model/common/check.hpp"
 #include "model/expression/text.hpp"
 #include "model/fixed/node_enclosure.hpp"
+#include "model/fixed/root_error.hpp"
 #include "model/number/dyadic.hpp"
 #include "model/proof/script.hpp"
 
@@ -110,6 +111,11 @@ private:
     if (node.operation == Operation::input) return assume_operand(node);
     if (node.operation == Operation::constant) {
       node.error = rounded_outward(node.error, node.format);
+      return;
+    }
+    if (node.operation == Operation::square_root) {
+      node.error = rounded_outward(fixed::root_error(nodes_, node.operands[0]), node.format);
+      node.error.low -= node.format.unit();
       return;
     }
     const FixedNode& a = nodes_[node.operands[0]];
@@ -257,6 +263,9 @@ private:
     }
     if (any([](const FixedNode& node) { return node.dropped_bits > 0; })) {
       add_step("2 (dropped bits)", "docs/fixed_point.md, theorem 2: what low bits are worth");
+    }
+    if (any([](const FixedNode& node) { return node.operation == Operation::square_root; })) {
+      add_step("5", "docs/fixed_point.md, theorem 5: value and error of a square root");
     }
     if (any_part<fixed::ConstantThresholds>()) {
       add_step("3", "docs/fixed_point.md, theorem 3: from the error to the constants");

@@ -65,6 +65,11 @@ std::vector<BoundedComparison> bounded_comparisons() {
       BoundedComparison{"tiny_range", "a", "b", {0, mpq_class(1, 16)}},
       BoundedComparison{"itself", "a - a", "b - b", {0, 3}},
       BoundedComparison{"clamped", "min(max(a - b, 0), 1)", "c", {0, 3}},
+      BoundedComparison{"root", "sqrt(a)", "b", {0, 4}},
+      BoundedComparison{"root_above_zero", "sqrt(a + 1)", "b", {0, 4}},
+      BoundedComparison{"root_of_a_product", "sqrt(a * b)", "c", {0, 3}},
+      BoundedComparison{"distance_as_a_root", "sqrt(a^2 + b^2)", "c", {-2, 2}, Range{0, 3}},
+      BoundedComparison{"roots", "sqrt(a^2 + b^2) - sqrt(abs(c))", "sqrt(max(b, c^2))", {-2, 2}},
       BoundedComparison{"norms", "a^2 + b^2", "(c + 0.7)^2", {-2, 2}, Range{0, 3}, true}};
 }
 

@@ -173,8 +173,9 @@ TEST_F(ConstantProof, HazardsAreLeftOutWhereGappaSaysSoAndNowhereElse) {
       lane_of(ranged, LaneInputs::exact, Rounding::nearest_even, ErrorBoundKind::running).value();
   const auto refused = [&](const Lane& one) {
     const std::vector<Finding> findings = prove_hazards(one, std::ref(prover_));
-    return std::any_of(findings.begin(), findings.end(),
-                       [](const Finding& finding) { return finding.outcome != proof::Outcome::proven; });
+    return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+      return finding.outcome != proof::Outcome::proven;
+    });
   };
   EXPECT_FALSE(refused(lane));
   int promises = 0;

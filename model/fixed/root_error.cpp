@@ -1,0 +1,72 @@
+#include "model/fixed/root_error.hpp"
+
+#include <algorithm>
+
+#include "model/fixed/norm_bound.hpp"
+#include "model/number/dyadic.hpp"
+
+namespace mixcmp::fixed {
+namespace {
+
+constexpr int root_digits = 64;
+
+/// What an error of `error` >= 0 can add to the root of a number that is computed as `least` or
+/// more.
+mpq_class raised_by(const mpq_class& error, const mpq_class& least) {
+  if (least < error) return root_above(error);
+  return root_above(least) - root_below(least - error);
+}
+
+/// What an error of -`error` <= 0 can take from it.
+mpq_class lowered_by(const mpq_class& error, const mpq_class& least) {
+  return root_above(least + error) - root_below(least);
+}
+
+}  // namespace
+
+mpq_class root_above(const mpq_class& value) {
+  const mpq_class root = root_of(value, root_digits);
+  return root * root == value ? root : root * (1 + power_of_two(1 - root_digits));
+}
+
+mpq_class root_below(const mpq_class& value) {
+  return root_of(value, root_digits);
+}
+
+bool is_nonnegative(const std::vector<FixedNode>& nodes, NodeId id) {
+  const FixedNode& node = nodes[id];
+  if (node.value.low < 0) return false;
+  if (node.value.low - node.error.high >= 0) return true;
+  const auto operand = [&](int k) { return is_nonnegative(nodes, node.operands[k]); };
+  switch (node.operation) {
+    case Operation::square:
+    case Operation::absolute:
+    case Operation::square_root: return true;
+    case Operation::input: return true;  // of a format without a sign
+    case Operation::add:
+    case Operation::multiply:
+    case Operation::minimum: return operand(0) && operand(1);
+    case Operation::maximum: return operand(0) || operand(1);
+    case Operation::constant:
+    case Operation::negate:
+    case Operation::subtract:
+    case Operation::convert:
+    case Operation::divide: return false;
+  }
+  MIXCMP_CHECK(false);
+}
+
+Range root_error(const std::vector<FixedNode>& nodes, NodeId radicand) {
+  const FixedNode& node = nodes[radicand];
+  const mpq_class least = std::max<mpq_class>(0, node.value.low);
+  Range error = {-lowered_by(std::max<mpq_class>(0, -node.error.low), least),
+                 raised_by(std::max<mpq_class>(0, node.error.high), least)};
+  if (const auto norm = squared_norm(nodes, radicand)) {
+    const mpq_class lost = norm->dropped == 0 ? 0 : lowered_by(norm->dropped, least);
+    error.low = std::max<mpq_class>(error.low, -norm->error - lost);
+    error.high = std::min(error.high, norm->error);
+  }
+  return error;
+}
+
+}  // namespace mixcmp::fixed

@@ -1,0 +1,100 @@
+// fixed_square_root: the root of a * 2^SHIFT, rounded down to an integer; one bit a stage.
+// Latency: the population count of CUTS (WIDTH bits); initiation interval 1; no reset.
+// a has no sign. A SHIFT below 0 drops low bits of a. The root must be below 2^WIDTH.
+`default_nettype none
+
+module fixed_square_root #(
+  parameter             A_WIDTH = 28,
+  parameter             SHIFT   = 0,
+  parameter             WIDTH   = 14,
+  parameter [WIDTH-1:0] CUTS    = 0
+) (
+  input  wire               aclk,
+  input  wire [A_WIDTH-1:0] a,
+  output wire [WIDTH-1:0]   y
+);
+
+  localparam UP       = (SHIFT > 0) ? SHIFT : 0;
+  localparam DOWN     = (SHIFT < 0) ? -SHIFT : 0;
+  localparam SHIFTED  = A_WIDTH + UP;
+  localparam ROOT     = (WIDTH < 1) ? 1 : WIDTH;  // what is refused elaborates, too
+  localparam RADICAND = 2 * ROOT;
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (WIDTH < 1) begin : g_refused_width
+      WIDTH_is_below_1 refused ();
+    end
+    if (A_WIDTH <= DOWN) begin : g_refused_a
+      A_WIDTH_is_not_above_what_SHIFT_drops refused ();
+    end
+  endgenerate
+
+  // The bits that the root depends on; those above are zero.
+  wire [SHIFTED+RADICAND-1:0] s0_shifted  = {{RADICAND{1'b0}}, a, {UP{1'b0}}};
+  wire [RADICAND-1:0]         s0_radicand = s0_shifted[DOWN+:RADICAND];
+  wire                        unused_bits = ^s0_shifted;
+
+  // Stages digit 0 to ROOT - 1, non-restoring: with the root's bits Q so far, subtract 4Q + 1 from
+  // the remainder after a 1, and so at first, add 4Q + 3 after a 0; its sign is the next bit.
+  genvar k;
+  generate
+    for (k = 0; k < ROOT; k = k + 1) begin : g_digit
+      // Up to twice the root of k + 1 bits, with a sign.
+      localparam REMAINDER = k + 3;
+
+      wire [REMAINDER-3:0]      above;     // the remainder so far
+      wire [RADICAND-2*k-1:0]   radicand;  // what is left of it; two bits come down
+      wire [REMAINDER-1:0]      change;
+      wire [REMAINDER-1:0]      remainder =
+          {above, radicand[RADICAND-2*k-1:RADICAND-2*k-2]} + change;
+      wire                      next_bit  = !remainder[REMAINDER-1];
+      wire [k:0]                root;      // with the next bit
+      wire [k:0]                next_root;
+
+      if (k == 0) begin : g_first
+        assign above    = 1'b0;
+        assign radicand = s0_radicand;
+        assign change   = 3'b111;
+        assign root     = next_bit;
+      end else begin : g_later
+        wire [k-1:0] known = g_digit[k-1].next_root;
+
+        assign above    = g_digit[k-1].g_more.next_remainder;
+        assign radicand = g_digit[k-1].g_more.next_radicand;
+        assign change   = {known[0], known ^ {k{known[0]}}, 2'b11};
+        assign root     = {known, next_bit};
+      end
+
+      fp_rank #(
+        .WIDTH     (k + 1),
+        .REGISTERED(CUTS[k])
+      ) rank_root (
+        .aclk(aclk),
+        .d   (root),
+        .q   (next_root)
+      );
+
+      if (k + 1 < ROOT) begin : g_more
+        wire [REMAINDER-2:0]    next_remainder;  // its sign is in the root
+        wire [RADICAND-2*k-3:0] next_radicand;
+
+        fp_rank #(
+          .WIDTH     (REMAINDER - 1 + RADICAND - 2 * k - 2),
+          .REGISTERED(CUTS[k])
+        ) rank (
+          .aclk(aclk),
+          .d   ({remainder[REMAINDER-2:0], radicand[RADICAND-2*k-3:0]}),
+          .q   ({next_remainder, next_radicand})
+        );
+      end else begin : g_last
+        wire unused_remainder = ^remainder;
+      end
+    end
+  endgenerate
+
+  assign y = g_digit[ROOT-1].next_root;
+
+endmodule
+
+`default_nettype wire
