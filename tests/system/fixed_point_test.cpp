@@ -77,6 +77,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"two_norms", {{"(a - b)^2 + b^2", "(b + 1.3)^2 + a^2"}}, 6, both_signs},
         Case{"constant", {{"a * b - a", "max(a, b) + 0.3"}}, 5, both_signs},
         Case{"dropped_bits", {{"a * b * abs(a - 0.7) * b", "min(-a, b) * 20"}}, 7, both_signs},
+        Case{"roots", {{"sqrt((a - b)^2 + b^2) - sqrt(abs(a))", "0.7 * a"}}, 7, both_signs},
+        Case{"root_of_a_fine_unit", {{"sqrt(a^4 * b^2)", "b * 11"}}, 11, positive},
         Case{"wider_than_a_multiplier", {{"(a - b) * (a + b)", "a * b"}}, 19, both_signs},
         Case{"norm_of_logic",
              {{"(a - b)^2 + b^2", "(abs(a) + 1.3)^2"}},

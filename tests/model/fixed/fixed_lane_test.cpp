@@ -224,6 +224,10 @@ TEST(FixedLane, MistakesNameWhatIsMissing) {
       fixed::fixed_lane(quotient, format_of(53, 8), {.ranges = {Range{0, 1}, Range{1, 2}}});
   ASSERT_FALSE(none.ok());
   EXPECT_NE(none.error().message.find("divide"), std::string::npos) << none.error().message;
+  const auto negative = fixed::fixed_lane(graph_of("sqrt(a - b)", "1"), format_of(53, 8),
+                                          {.ranges = {Range{0, 1}, Range{0, 1}}});
+  ASSERT_FALSE(negative.ok());
+  EXPECT_EQ(negative.error().message, "the radicand of a root may be negative");
 }
 
 }  // namespace
