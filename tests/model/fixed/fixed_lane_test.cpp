@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/golden/fixed_evaluate.hpp"
+#include "model/number/dyadic.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -140,6 +141,7 @@ std::vector<mpq_class> true_values(const FixedLane& lane, const std::vector<mpq_
       case Operation::square: values.push_back(a * a); break;
       case Operation::minimum: values.push_back(std::min(a, b)); break;
       case Operation::maximum: values.push_back(std::max(a, b)); break;
+      case Operation::square_root: values.push_back(root_of(a, 200)); break;
       default: ADD_FAILURE() << to_string(node.operation);
     }
   }
@@ -180,9 +182,10 @@ std::vector<mpq_class> around_units(int bits, bool is_signed) {
 }
 
 TEST(FixedLane, EnclosuresHoldWhereTheyAreTight) {
-  for (const char* f :
-       {"a * b", "a^2", "abs(a)", "-a", "min(a, b)", "max(a, b)", "abs(a - b)", "min(a, b / 4)",
-        "max(3 * a, b)", "a * b + 0.3", "a^4", "(a * b)^3", "a^2 * b^2 - b"}) {
+  for (const char* f : {"a * b", "a^2", "abs(a)", "-a", "min(a, b)", "max(a, b)", "abs(a - b)",
+                        "min(a, b / 4)", "max(3 * a, b)", "a * b + 0.3", "a^4", "(a * b)^3",
+                        "a^2 * b^2 - b", "sqrt(abs(a))", "sqrt(abs(a) + 1)", "sqrt(a^2 + b^2)",
+                        "sqrt((3 * a)^2 + (b / 64)^2)", "sqrt(a^4 + abs(b))"}) {
     const Graph graph = graph_of(f, "b");
     for (const int bits : {1, 2, 3, 5}) {
       for (const bool is_signed : {false, true}) {
@@ -228,6 +231,11 @@ TEST(FixedLane, MistakesNameWhatIsMissing) {
                                           {.ranges = {Range{0, 1}, Range{0, 1}}});
   ASSERT_FALSE(negative.ok());
   EXPECT_EQ(negative.error().message, "the radicand of a root may be negative");
+  // 0.2 becomes 0.25, and the difference 0 where in truth it is -0.05.
+  const auto hidden = fixed::fixed_lane(graph_of("sqrt(a + 0.2 - 0.25)", "1"), format_of(53, 8),
+                                        {.bits = 1, .ranges = {Range{0, 1}}});
+  ASSERT_FALSE(hidden.ok());
+  EXPECT_EQ(hidden.error().message, "the radicand of a root may be negative");
 }
 
 }  // namespace
