@@ -72,6 +72,11 @@ std::vector<MissingKind> missing_kinds(const std::vector<components::MissingLane
   return found;
 }
 
+/// Whether the table stays as it is, or is not made.
+bool nothing_measured(const CharacteriseReport& report) {
+  return report.components == 0 || report.table.rows.empty();
+}
+
 void print_text(const CharacteriseReport& report, const fs::path& table) {
   print(fmt::format("{} on {}: {} components, {} jobs run, {} failed\n", report.table.scene,
                     report.table.device, report.components, report.synthesised,
@@ -86,7 +91,7 @@ void print_text(const CharacteriseReport& report, const fs::path& table) {
     print(fmt::format("no clock: {}{}: {}\n", components.front(), more, reason));
   }
   if (report.interrupted_by != 0) return;
-  if (report.table.rows.empty()) {
+  if (nothing_measured(report)) {
     const char* const left = path_exists(table) ? "is as it was" : "is not written";
     return print(fmt::format("{} {}\n", table.string(), left));
   }
@@ -269,14 +274,17 @@ void run(const CharacteriseCommand& command) {
       value_or_exit(components::characterise(loaded.scene, loaded.data ? &*loaded.data : nullptr,
                                              device, options, previous ? &*previous : nullptr));
   show_progress("");
-  const bool nothing_measured = report.table.rows.empty() && !report.failed.empty();
-  if (report.interrupted_by == 0 && !nothing_measured) {
+  if (report.interrupted_by == 0 && !nothing_measured(report)) {
     write_table(report, command, loaded.scene, path, previous);
   }
   command.scene.json ? print_json(report, path) : print_text(report, path);
   tell_failures(report);
   if (report.interrupted_by != 0) throw Exit::interrupted(report.interrupted_by);
   if (!report.failed.empty()) throw Exit(ExitCode::mistake);
+  if (report.components == 0) {
+    tell("nothing was measured: no component that was asked for exists");
+    throw Exit(ExitCode::mistake);
+  }
   if (options.synthesis.effort == characterise::TimingEffort::timing)
     end_if_router_is_missing(device);
 }

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <variant>
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
@@ -22,10 +23,20 @@ constexpr double quick_seconds = 5;
 /// The scene with one kind of lane, that of [reduced], in the given precision.
 Result<scene::Scene> with_precision(const scene::Scene& scene, int precision) {
   scene::Scene one_kind = scene.with_one_kind();
+  if (scene.reduced.fixed_bits) {
+    const settings::Limits limits = settings::lane_fixed_bits(scene.reference.format);
+    if (!limits.allow(precision)) {
+      return Error{.field = "--precisions",
+                   .message = "no lane in fixed point has that many bits",
+                   .received = std::to_string(precision),
+                   .accepted = to_string(limits)};
+    }
+    one_kind.reduced.fixed_bits = precision;
+    return one_kind;
+  }
   const FloatFormat& known = scene.reduced.format.value_or(scene.reference.format);
   MIXCMP_TRY(format, FloatFormat::make(precision, known.exponent_bits()));
   one_kind.reduced.format = format;
-  one_kind.reduced.fixed_bits.reset();
   return one_kind;
 }
 
@@ -86,6 +97,7 @@ ProvenLane prove_lane(const scene::Scene& scene, const std::string& name, const 
       },
       lane);
   if (directory.failure()) fail(*directory.failure());
+  if (directory.broken()) fail(*directory.broken());
   result.gappa = version_text(directory.gappa());
   result.reused = directory.reused();
   const nlohmann::ordered_json report = report::to_json(result.proof, result.gappa);
@@ -165,13 +177,17 @@ QuickProof prove_quickly(const std::filesystem::path& scene, const design::Lane&
       lane);
   quick.gappa = version_text(prover.gappa());
   if (!quick.proof.refused()) return quick;
-  fail(Error{.file = scene.string(),
-             .field = "reduced.bound",
-             .message = quick.proof.verdict(),
-             .received = "a certified bound that the machine check refuses",
-             .accepted = "reduced.bound = \"profiled\"; `mixcmp check --prove` keeps the "
-                         "scripts; --no-prove trusts docs/error_bounds.md alone",
-             .kind = ErrorKind::refuted});
+  const bool is_fixed = std::holds_alternative<fixed::FixedLane>(lane);
+  fail(Error{
+      .file = scene.string(),
+      .field = is_fixed ? "reduced.format" : "reduced.bound",
+      .message = quick.proof.verdict(),
+      .received = "a certified bound that the machine check refuses",
+      .accepted = fmt::format("{}; `mixcmp check --prove` keeps the scripts; --no-prove "
+                              "trusts docs/{}.md alone",
+                              is_fixed ? "a floating-point format" : "reduced.bound = \"profiled\"",
+                              is_fixed ? "fixed_point" : "error_bounds"),
+      .kind = ErrorKind::refuted});
 }
 
 }  // namespace mixcmp::cli

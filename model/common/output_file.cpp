@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -60,8 +61,10 @@ fs::path folder_of(const fs::path& path) {
 /// run that was killed.
 Result<std::pair<fs::path, Descriptor>> create_unfinished(const fs::path& path) {
   const fs::path folder = folder_of(path);
-  for (int number = 0;; ++number) {
-    const fs::path name = folder / fmt::format("{}{}-{}", unfinished_prefix, getpid(), number);
+  // No name twice: where locks fail, the next file would take this one for abandoned and be it.
+  static std::atomic<int> number = 0;
+  for (;;) {
+    const fs::path name = folder / fmt::format("{}{}-{}", unfinished_prefix, getpid(), number++);
     Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (file.get() < 0 && errno != EEXIST) return cannot_write(path, errno);
     if (file.get() >= 0 && try_lock_new(file.get())) return std::pair(name, std::move(file));

@@ -9,6 +9,8 @@
 #include "model/error/certified_lane.hpp"
 #include "model/error/hazards.hpp"
 #include "model/error/range_analysis.hpp"
+#include "model/number/double.hpp"
+#include "model/number/dyadic.hpp"
 
 namespace mixcmp::design {
 namespace {
@@ -170,22 +172,32 @@ Result<std::optional<fixed::FixedBound>> fixed_bound(const scene::ReducedSpec& r
                .accepted = "auto, constant, norm"};
 }
 
-bool can_decide(const fixed::ConstantThresholds& thresholds, const fixed::FixedNode& difference) {
+bool can_decide(const fixed::FixedLane&, const fixed::ConstantThresholds& thresholds,
+                const fixed::FixedNode& difference) {
   const mpq_class unit = difference.format.unit();
   return thresholds.exact || thresholds.greater_from * unit <= difference.value.high ||
          thresholds.less_to * unit >= difference.value.low;
 }
 
-/// Above all where the radius is zero.
-bool can_decide(const fixed::NormThresholds& thresholds, const fixed::FixedNode& difference) {
-  return thresholds.offset_above * difference.format.unit() <= difference.value.high;
+/// Greater above all where the radius is zero, less where it is the largest: -D grows with its
+/// square. A power of two above a root is less than twice the root.
+bool can_decide(const fixed::FixedLane& lane, const fixed::NormThresholds& thresholds,
+                const fixed::FixedNode& difference) {
+  const mpq_class unit = difference.format.unit();
+  const fixed::FixedNode& radius = lane.nodes[static_cast<std::size_t>(thresholds.radius)];
+  const mpq_class largest =
+      thresholds.is_square ? root_of(radius.value.high, double_digits) : radius.value.high;
+  const mpq_class per_radius = unit / power_of_two(thresholds.unit_exponent(lane.nodes));
+  const mpq_class slope = power_of_two(thresholds.shift_below) * per_radius;
+  return thresholds.offset_above * unit <= difference.value.high ||
+         slope * largest < -difference.value.low;
 }
 
 /// Whether any two results can lie far enough apart for some part to be decided.
 bool can_decide(const fixed::FixedLane& lane) {
   return std::any_of(lane.parts.begin(), lane.parts.end(), [&](const fixed::FixedPart& part) {
     const fixed::FixedNode& difference = lane.nodes[static_cast<std::size_t>(part.difference)];
-    return std::visit([&](const auto& decision) { return can_decide(decision, difference); },
+    return std::visit([&](const auto& decision) { return can_decide(lane, decision, difference); },
                       part.decision);
   });
 }
@@ -227,7 +239,7 @@ Result<LaneGroup> design_group(const scene::Scene& scene, const scene::LaneGroup
   if (!lane.ok()) return with_location(lane.error(), group);
   MIXCMP_TRY(count, lane_count(scene, group, data));
   return LaneGroup{.lane = *lane,
-                   .inputs = group.reduced.inputs,
+                   .inputs = group.reduced.fixed_bits ? LaneInputs::exact : group.reduced.inputs,
                    .multipliers = group.reduced.multipliers,
                    .count = count};
 }

@@ -121,10 +121,12 @@ private:
            is_whole_and_read_once(id);
   }
 
+  /// A difference that computes a product itself has no kernel that squares it, too.
   bool squares_a_lone_difference(const FixedNode& node) const {
-    return node.operation == Operation::square &&
-           this->node(node.operands[0]).operation == Operation::subtract &&
-           is_whole_and_read_once(node.operands[0]);
+    if (node.operation != Operation::square) return false;
+    const FixedNode& squared = this->node(node.operands[0]);
+    return squared.operation == Operation::subtract && is_whole_and_read_once(node.operands[0]) &&
+           !product_of(squared);
   }
 
   /// The place of the product that a sum computes itself: of a difference the second; or none.

@@ -136,7 +136,7 @@ FixedNode FixedGraphBuilder::constant(const mpq_class& value) const {
 }
 
 /// The unit is the power of two at or below half of the radicand's own effect on the root, so that
-/// dropping what is finer adds little to it.
+/// dropping what is finer adds little to it; but no coarser than the largest root.
 Result<FixedNode> FixedGraphBuilder::square_root(NodeId radicand) const {
   if (!is_nonnegative(nodes_, radicand)) {
     return refused("the radicand of a root may be negative",
@@ -147,10 +147,12 @@ Result<FixedNode> FixedGraphBuilder::square_root(NodeId radicand) const {
   const Range exact = {root_below(squares.low), root_above(squares.high)};
   root.error = root_error(nodes_, radicand);
   const mpq_class effect = std::max<mpq_class>(-root.error.low, root.error.high);
-  const int top = exact.high == 0 ? 0 : static_cast<int>(floor_log2(exact.high)) + 1;
-  const int finest = top - options_.bits - spare_bits;
-  const int unit_exponent =
-      effect == 0 ? finest : std::max(finest, static_cast<int>(floor_log2(effect)) - 1);
+  const int half_unit = nodes_[radicand].format.unit_exponent / 2 - 1;  // where all roots are zero
+  const int largest =
+      exact.high == 0 ? half_unit : static_cast<int>(floor_log2(root_below(squares.high)));
+  const int finest = largest + 1 - options_.bits - spare_bits;
+  const int wanted = effect == 0 ? finest : static_cast<int>(floor_log2(effect)) - 1;
+  const int unit_exponent = std::clamp(wanted, finest, largest);
   const mpq_class unit = power_of_two(unit_exponent);
   root.error.low -= unit;
   root.value = {floor_of(exact.low / unit) * unit, floor_of(exact.high / unit) * unit};

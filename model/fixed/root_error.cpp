@@ -39,10 +39,10 @@ bool is_nonnegative(const std::vector<FixedNode>& nodes, NodeId id) {
   if (node.value.low - node.error.high >= 0) return true;
   const auto operand = [&](int k) { return is_nonnegative(nodes, node.operands[k]); };
   switch (node.operation) {
+    case Operation::input:  // of a format without a sign
     case Operation::square:
     case Operation::absolute:
     case Operation::square_root: return true;
-    case Operation::input: return true;  // of a format without a sign
     case Operation::add:
     case Operation::multiply:
     case Operation::minimum: return operand(0) && operand(1);

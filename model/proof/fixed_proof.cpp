@@ -28,7 +28,12 @@ mpq_class multiple_of(const mpq_class& grid, const mpz_class& count) {
   return grid * count;
 }
 
+bool is_dyadic(const mpq_class& value) {
+  return mixcmp::is_power_of_two(mpq_class(value.get_den()));
+}
+
 Range rounded_outward(const Range& error, const FixedFormat& format) {
+  if (is_dyadic(error.low) && is_dyadic(error.high)) return error;
   const mpq_class grid = power_of_two(format.unit_exponent - places);
   return {multiple_of(grid, floor_of(error.low / grid)),
           multiple_of(grid, ceiling_of(error.high / grid))};
@@ -153,6 +158,7 @@ private:
     const NodeId last = operands.back();
     script.define("c", operation_text(node.operation, computed(operands[0]), computed(last)));
     script.define("t", operation_text(node.operation, truth(operands[0]), truth(last)));
+    script.ask_for_digits(digits_between(operands, node));
     conclude(script, "c", value);
     conclude(script, "c - t", exact);
     script.hint("c - t", identity(node));
@@ -162,6 +168,17 @@ private:
                     result.outcome, result.detail};
     if (!result.file.empty()) finding.files.push_back(result.file);
     proof_.findings.push_back(std::move(finding));
+  }
+
+  /// Digits with which Gappa's products of numbers in these operands' units are exact.
+  int digits_between(const std::vector<NodeId>& operands, const FixedNode& result) const {
+    int least = result.format.unit_exponent, top = least + result.format.width;
+    for (const NodeId id : operands) {
+      const FixedFormat& format = nodes_[id].format;
+      least = std::min(least, format.unit_exponent);
+      top = std::max(top, format.unit_exponent + format.width);
+    }
+    return 2 * (top - least + places);
   }
 
   static std::string shown(const mpq_class& value) { return rounded_text(value, 4); }

@@ -90,6 +90,9 @@ ScriptResult ProofDirectory::operator()(const std::string& script) {
   } else {
     const GappaRun run = run_gappa(script, Certificate::coq, seconds_);
     place->second = to_result(run, seconds_);
+    if (run.verdict == GappaVerdict::broken && !broken_) {
+      broken_ = Error{.file = (path_ / (hash + ".g")).string(), .message = place->second.detail};
+    }
     const std::string words = fmt::format("{}\n{}", to_string(place->second.outcome), run.message);
     keep(hash, script, verdict_text(words, run.certificate), run.certificate);
   }

@@ -50,6 +50,8 @@ public:
   int reused() const { return reused_; }
   /// A file that could not be written, if any: scripts are proven all the same.
   const std::optional<Error>& failure() const { return failure_; }
+  /// The first run of Gappa that ended without a verdict, if any.
+  const std::optional<Error>& broken() const { return broken_; }
 
 private:
   ProofDirectory(std::filesystem::path path, FolderLock lock, Result<std::string> version,
@@ -71,6 +73,7 @@ private:
   std::map<std::string, ScriptResult> known_;
   int reused_ = 0;
   std::optional<Error> failure_;
+  std::optional<Error> broken_;
 };
 
 }  // namespace mixcmp::proof

@@ -100,10 +100,10 @@ std::string Script::text() const {
   MIXCMP_CHECK(!conclusions_.empty());
   const std::string given = assumptions_.empty() ? "" : conjunction(assumptions_) + "\n  ->\n  ";
   return fmt::format(
-      "#@ -Eprecision=768\n#@ -Echange-threshold=0\n#@ -Edichotomy=0\n#@ -Eno-auto-dichotomy\n#@ "
+      "#@ -Eprecision={}\n#@ -Echange-threshold=0\n#@ -Edichotomy=0\n#@ -Eno-auto-dichotomy\n#@ "
       "-Wno-unbound-variable\n"
       "{}{{ {}{} }}\n{}",
-      definitions_, given, conjunction(conclusions_), hints_);
+      digits_, definitions_, given, conjunction(conclusions_), hints_);
 }
 
 namespace {

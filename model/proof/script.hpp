@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,9 @@ public:
   /// Tells Gappa that both sides are equal numbers, so that a bound of the second bounds the first.
   void hint(const std::string& from, const std::string& to);
 
+  /// Has Gappa compute with at least this many digits.
+  void ask_for_digits(int digits) { digits_ = std::max(digits_, digits); }
+
   /// The script as Gappa reads it. Its options ask for enough digits and forbid bisection, which
   /// would search for hours where a proof does not follow at once.
   std::string text() const;
@@ -45,6 +49,7 @@ private:
   std::vector<std::string> assumptions_;
   std::vector<std::string> conclusions_;
   std::string hints_;
+  int digits_ = 768;
 };
 
 /// Scripts that prove theorem 1 in the binades from 1 to 2 and from -2 to -1. Exponents are

@@ -12,6 +12,7 @@
 #include "model/data/pdb.hpp"
 #include "model/data/sphere_family.hpp"
 #include "model/data/uniform_spheres.hpp"
+#include "model/number/exact.hpp"
 #include "model/workload/compare_by_reference.hpp"
 
 namespace mixcmp::workload {
@@ -30,11 +31,22 @@ Result<std::array<std::vector<std::string>, 2>> needed_columns(const scene::Scen
   return columns;
 }
 
+/// A coordinate or radius may be rounded up to its limit.
+Result<Done> check_limit(const char* field, double limit, FloatFormat format) {
+  if (!format.is_infinite(from_rational(format, mpq_class(limit)))) return Done{};
+  return Error{.field = field,
+               .message = fmt::format("beyond the largest number of {}", format.name()),
+               .received = fmt::format("{}", limit),
+               .accepted = "a smaller number, or a reference format with more exponent bits"};
+}
+
 Result<data::Table> generated_table(const scene::DataSpec& data, FloatFormat format) {
   const auto count = static_cast<std::uint64_t>(data.count);
   if (data.items == "sphere_family") {
     return data::sphere_family({.name = data.family, .count = count, .seed = data.seed}, format);
   }
+  MIXCMP_TRY(side, check_limit("data.side", data.side, format));
+  MIXCMP_TRY(radius, check_limit("data.radius_max", data.radius_max, format));
   return data::uniform_spheres(
       {.count = count, .side = data.side, .radius_max = data.radius_max, .seed = data.seed},
       format);

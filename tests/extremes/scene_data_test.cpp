@@ -56,6 +56,17 @@ TEST(SceneData, OnlyFamiliesHaveAFamily) {
                 ":24): received \"tangent\"; accepted no family here");
 }
 
+TEST(SceneData, SpheresBeyondTheReferenceAreRefused) {
+  const std::vector<std::string> overrides = {"reference.format=s24e5", "reduced.format=s8e5",
+                                              "data.side=1e6"};
+  const auto scene =
+      scene::load_scene(MIXCMP_SOURCE_DIR "/examples/sphere_collision/scene.toml", overrides);
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  const auto data = workload::load_comparisons(*scene);
+  ASSERT_FALSE(data.ok());
+  EXPECT_EQ(data.error().message, "beyond the largest number of s24e5");
+}
+
 TEST(SceneData, FamiliesThatDoNotFitTheReferenceAreAnErrorOfItsData) {
   EXPECT_EQ(
       error_of({"data.family=near_tie_17", "reference.format=binary16", "reduced.format=s8e5"}),

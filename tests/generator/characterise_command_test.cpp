@@ -280,6 +280,21 @@ TEST_F(CharacteriseCommand, WhereNothingIsMeasuredTheOldTableStays) {
   EXPECT_NE(run.output.find("old.csv is as it was"), std::string::npos) << run.output;
 }
 
+/// A norm bound of the fixture's product does not exist.
+TEST_F(CharacteriseCommand, WhereNoComponentExistsTheOldTableStays) {
+  const std::string nothing =
+      "characterise scene.toml --store s.sqlite --area-only --components lane --bounds fixed_norm "
+      "--precisions 5 -o old.csv";
+  const Outcome none = mixcmp(nothing, fake(""));
+  EXPECT_EQ(none.exit_code, 1) << none.output;
+  EXPECT_FALSE(fs::exists(path("old.csv")));
+  EXPECT_NE(none.output.find("nothing was measured"), std::string::npos) << none.output;
+  ASSERT_EQ(characterise("--components lane --precisions 4 -o old.csv", fake("")).exit_code, 0);
+  const std::string before = read("old.csv");
+  EXPECT_EQ(mixcmp(nothing, fake("")).exit_code, 1);
+  EXPECT_EQ(read("old.csv"), before);
+}
+
 TEST_F(CharacteriseCommand, RefusesWhatItCannotDo) {
   const auto refused = [this](const std::string& arguments, const std::string& words) {
     expect_refused("characterise scene.toml --store s.sqlite " + arguments, words);

@@ -195,6 +195,18 @@ TEST(MakeDesign, RefusesALaneThatCouldNeverDecide) {
   EXPECT_TRUE(design::make_design(scene, nullptr).ok());
 }
 
+TEST(MakeDesign, TakesALaneThatIsOnlyEverCertainOfOneVerdict) {
+  Scene scene = complete_scene();
+  scene.graph = graph_of("a^2", "(b + 5)^2");
+  scene.ranges = {Range{0, 1}, Range{0, 1}};
+  scene.reduced.format.reset();
+  scene.reduced.fixed_bits = 13;
+  const auto less = design::make_design(scene, nullptr);
+  EXPECT_TRUE(less.ok());
+  scene.graph = graph_of("(b + 5)^2", "a^2");
+  EXPECT_TRUE(design::make_design(scene, nullptr).ok());
+}
+
 /// The squares in fixed point.
 Scene fixed_scene() {
   Scene scene = complete_scene();

@@ -61,6 +61,28 @@ INSTANTIATE_TEST_SUITE_P(Examples, ProvenExample,
                          testing::Values("sphere_collision", "protein_clash"),
                          [](const auto& tested) { return tested.param; });
 
+TEST_F(ProveCommand, ALaneInFixedPointIsProvenInItsOwnPrecisions) {
+  if (!proof::gappa_version()) GTEST_SKIP() << "gappa is not installed";
+  const std::string arguments =
+      "check " + scene("sphere_collision") + " --format q13 --prove --json";
+  const Outcome run = mixcmp(arguments + " --precisions 7,12");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto proof = nlohmann::json::parse(run.output).at("proof");
+  ASSERT_EQ(proof.size(), 2U);
+  EXPECT_EQ(proof[0].at("format"), "q7");
+  EXPECT_EQ(proof[1].at("format"), "q12");
+  EXPECT_EQ(mixcmp(arguments + " --precisions 50").exit_code, 1);
+}
+
+TEST_F(ProveCommand, AGappaThatIsKilledIsNoMissingTool) {
+  const Outcome run =
+      mixcmp("check " + scene("sphere_collision") + " --prove",
+             with_gappa("case \"$*\" in *coq*) kill -9 $$;; esac\n"
+                        "echo 'Error: some properties were not satisfied' >&2; exit 1"));
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.output.find("gappa was ended by signal 9"), std::string::npos) << run.output;
+}
+
 TEST_F(ProveCommand, AGappaThatFailsIsAMistakeToldOnce) {
   const Outcome run = mixcmp("check " + scene("sphere_collision") + " --prove",
                              with_gappa("echo oops >&2; exit 3"));
