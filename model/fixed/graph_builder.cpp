@@ -144,12 +144,13 @@ Result<FixedNode> FixedGraphBuilder::square_root(NodeId radicand) const {
   }
   FixedNode root{.operation = Operation::square_root, .operands = {radicand, -1}, .constant = {}};
   const Range& squares = nodes_[radicand].value;
-  const Range exact = {root_below(squares.low), root_above(squares.high)};
+  const Range exact = {root_of(squares.low, root_digits), root_above(squares.high, root_digits)};
   root.error = root_error(nodes_, radicand);
   const mpq_class effect = std::max<mpq_class>(-root.error.low, root.error.high);
   const int half_unit = nodes_[radicand].format.unit_exponent / 2 - 1;  // where all roots are zero
-  const int largest =
-      exact.high == 0 ? half_unit : static_cast<int>(floor_log2(root_below(squares.high)));
+  const int largest = exact.high == 0
+                          ? half_unit
+                          : static_cast<int>(floor_log2(root_of(squares.high, root_digits)));
   const int finest = largest + 1 - options_.bits - spare_bits;
   const int wanted = effect == 0 ? finest : static_cast<int>(floor_log2(effect)) - 1;
   const int unit_exponent = std::clamp(wanted, finest, largest);

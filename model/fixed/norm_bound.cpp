@@ -1,12 +1,14 @@
 #include "model/fixed/norm_bound.hpp"
 
-#include "model/fixed/root_error.hpp"
 #include "model/number/dyadic.hpp"
 
 namespace mixcmp::fixed {
 namespace {
 
-/// What the low bits that a node drops are worth at most.
+/// The digits of norms, which are rounded up.
+constexpr int norm_digits = 64;
+
+/// The greatest value of the low bits that the node drops.
 mpq_class dropped_by(const FixedNode& node) {
   return node.format.unit() * (1 - power_of_two(-node.dropped_bits));
 }
@@ -37,7 +39,7 @@ bool add_exact_elements(const std::vector<FixedNode>& nodes, NodeId id,
 mpq_class norm_of_all(const std::vector<FixedNode>& nodes, const std::vector<NodeId>& elements) {
   mpq_class sum = 0;
   for (const NodeId id : elements) sum += square(nodes[id].error).high;
-  return root_above(sum);
+  return root_above(sum, norm_digits);
 }
 
 /// How far the magnitude of the real radius may exceed the radius as computed. A real radius that

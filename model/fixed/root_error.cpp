@@ -8,30 +8,20 @@
 namespace mixcmp::fixed {
 namespace {
 
-constexpr int root_digits = 64;
-
-/// What an error of `error` >= 0 can add to the root of a number that is computed as `least` or
-/// more.
+/// A root that is computed from `least` or more exceeds the real one by at most this if its
+/// radicand exceeds the real one by `error` >= 0.
 mpq_class raised_by(const mpq_class& error, const mpq_class& least) {
-  if (least < error) return root_above(error);
-  return root_above(least) - root_below(least - error);
+  if (least < error) return root_above(error, root_digits);
+  return root_above(least, root_digits) - root_of(mpq_class(least - error), root_digits);
 }
 
-/// What an error of -`error` <= 0 can take from it.
+/// A root that is computed from `least` or more falls short of the real one by at most this if its
+/// radicand falls short of the real one by `error` >= 0.
 mpq_class lowered_by(const mpq_class& error, const mpq_class& least) {
-  return root_above(least + error) - root_below(least);
+  return root_above(least + error, root_digits) - root_of(least, root_digits);
 }
 
 }  // namespace
-
-mpq_class root_above(const mpq_class& value) {
-  const mpq_class root = root_of(value, root_digits);
-  return root * root == value ? root : root * (1 + power_of_two(1 - root_digits));
-}
-
-mpq_class root_below(const mpq_class& value) {
-  return root_of(value, root_digits);
-}
 
 bool is_nonnegative(const std::vector<FixedNode>& nodes, NodeId id) {
   const FixedNode& node = nodes[id];

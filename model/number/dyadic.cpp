@@ -87,4 +87,9 @@ mpq_class root_of(const mpq_class& value, int digits) {
   return scaled(root_of(mpz_class(shifted.get_num() / shifted.get_den())), -shift);
 }
 
+mpq_class root_above(const mpq_class& value, int digits) {
+  const mpq_class root = root_of(value, digits);
+  return root * root == value ? root : root * (1 + power_of_two(1 - digits));
+}
+
 }  // namespace mixcmp::inline number

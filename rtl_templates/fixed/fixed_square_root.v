@@ -16,7 +16,6 @@ module fixed_square_root #(
 
   localparam UP       = (SHIFT > 0) ? SHIFT : 0;
   localparam DOWN     = (SHIFT < 0) ? -SHIFT : 0;
-  localparam SHIFTED  = A_WIDTH + UP;
   localparam ROOT     = (WIDTH < 1) ? 1 : WIDTH;  // what is refused elaborates, too
   localparam RADICAND = 2 * ROOT;
 
@@ -31,9 +30,9 @@ module fixed_square_root #(
   endgenerate
 
   // The bits that the root depends on; those above are zero.
-  wire [SHIFTED+RADICAND-1:0] s0_shifted  = {{RADICAND{1'b0}}, a, {UP{1'b0}}};
-  wire [RADICAND-1:0]         s0_radicand = s0_shifted[DOWN+:RADICAND];
-  wire                        unused_bits = ^s0_shifted;
+  wire [RADICAND+UP+A_WIDTH-1:0] s0_shifted  = {{(RADICAND + UP) {1'b0}}, a} << UP;
+  wire [RADICAND-1:0]            s0_radicand = s0_shifted[DOWN+:RADICAND];
+  wire                           unused_bits = ^s0_shifted;
 
   // Stages digit 0 to ROOT - 1, non-restoring: with the root's bits Q so far, subtract 4Q + 1 from
   // the remainder after a 1, and so at first, add 4Q + 3 after a 0; its sign is the next bit.

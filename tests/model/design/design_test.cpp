@@ -217,7 +217,10 @@ Scene fixed_scene() {
 }
 
 TEST(MakeDesign, HasLanesInFixedPoint) {
-  const Design design = design::make_design(fixed_scene(), nullptr).value();
+  Scene scene = fixed_scene();
+  scene.reduced.inputs = LaneInputs::rounded;
+  const Design design = design::make_design(scene, nullptr).value();
+  EXPECT_EQ(design.lanes.front().inputs, LaneInputs::exact) << "inputs are those of floats";
   EXPECT_TRUE(design.certified());
   EXPECT_EQ(design::format_name(design.lanes.front().lane), "q13");
   EXPECT_EQ(lane_group_names(design), (std::vector<std::string>{"q13"}));
