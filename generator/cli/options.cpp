@@ -45,7 +45,7 @@ constexpr std::array<Shortcut, 9> shortcuts = {{
 
 /// An error of the data with the place where the user wrote its cause. Errors in a data file stay
 /// as they are; others may come from an override.
-Error as_user_data_error(const Error& error, const scene::DataSpec& data,
+Error as_user_data_error(const Error& error, const data::DataSpec& data,
                          const SceneOptions& options) {
   if (error.file == data.file.string() || error.file == data.with.string()) return error;
   const auto attempt = [&](std::span<const std::string> settings) -> std::optional<Error> {

@@ -144,8 +144,9 @@ nlohmann::json to_json(const Summary& summary) {
                          {"lane_groups", json_of_groups(scene)},
                          {"notes", scene.notes}};
   for (std::size_t k = 0; k < scene.ranges.size(); ++k) {
-    json["inputs"].push_back(
-        {{"name", scene.graph.inputs()[k]}, {"range", json_of(scene.ranges[k])}});
+    json["inputs"].push_back({{"name", scene.graph.inputs()[k]},
+                              {"range", json_of(scene.ranges[k])},
+                              {"range_from_data", static_cast<bool>(scene.data_ranges[k])}});
   }
   if (scene.parts.size() > 1) json["combine"] = to_string(scene.graph.combination());
   for (const SideSummary& side : summary.sides) {

@@ -122,6 +122,7 @@ void print_understood(Page& page, const Scene& scene) {
   page.section("inputs");
   for (std::size_t k = 0; k < scene.ranges.size(); ++k) {
     std::string declared = scene.ranges[k] ? shown(*scene.ranges[k]) : "no range";
+    if (scene.data_ranges[k]) declared += ", from the data";
     if (scene.grids[k])
       declared += fmt::format(", multiples of {}", expression::to_text(*scene.grids[k]));
     page.line(scene.graph.inputs()[k], declared);

@@ -88,7 +88,7 @@ void read_columns(settings::Section& section, const std::string& key,
 }
 
 void read_second_table(settings::Section& section, const std::filesystem::path& scene,
-                       DataSpec& spec) {
+                       data::DataSpec& spec) {
   read_data_file(section, "with", scene, spec.with);
   read_columns(section, "with_columns", spec.with_columns);
   const bool given = section.find("with") != nullptr;
@@ -105,7 +105,7 @@ void read_second_table(settings::Section& section, const std::filesystem::path& 
   }
 }
 
-void check_family(settings::Section& section, const DataSpec& spec) {
+void check_family(settings::Section& section, const data::DataSpec& spec) {
   const bool given = section.find("family") != nullptr;
   if (spec.items != "sphere_family") {
     if (!given) return;
@@ -142,7 +142,7 @@ void refuse_unused(settings::Section& section, std::initializer_list<const char*
 }
 
 void check_data_source(settings::Section& section, const settings::Settings& settings,
-                       const DataSpec& spec) {
+                       const data::DataSpec& spec) {
   const bool items = section.find("items") != nullptr;
   const bool file = section.find("file") != nullptr;
   if (items == file) {
@@ -169,16 +169,11 @@ void check_data_source(settings::Section& section, const settings::Settings& set
 
 }  // namespace
 
-std::string table_name(const DataSpec& data, std::size_t which) {
-  if (which == 1) return data.with.filename().string();
-  return data.file.empty() ? data.items : data.file.filename().string();
-}
-
-Result<std::optional<DataSpec>> read_data(const settings::Settings& settings) {
+Result<std::optional<data::DataSpec>> read_data(const settings::Settings& settings) {
   settings::Section section(settings, "data");
   const settings::Setting* data = settings.root.find("data");
-  if (data == nullptr) return std::optional<DataSpec>();
-  DataSpec spec;
+  if (data == nullptr) return std::optional<data::DataSpec>();
+  data::DataSpec spec;
   spec.places[""] = {.file = settings::file_of(*data), .line = data->line};
   for (const settings::Setting& entry : section.entries()) {
     spec.places[entry.key] = {.file = settings::file_of(entry), .line = entry.line};
@@ -196,7 +191,7 @@ Result<std::optional<DataSpec>> read_data(const settings::Settings& settings) {
   read_second_table(section, settings.path, spec);
   check_data_source(section, settings, spec);
   if (const auto error = section.finish()) return *error;
-  return std::optional<DataSpec>(spec);
+  return std::optional<data::DataSpec>(spec);
 }
 
 }  // namespace mixcmp::scene

@@ -97,8 +97,9 @@ Result<Done> check_arg_min_inputs(const settings::Section& section,
                          "names that end in i or j for candidates, and others for the row");
 }
 
-Result<Done> check_data(const settings::Settings& settings, const std::optional<DataSpec>& data,
-                        data::Pairing wanted, const char* message) {
+Result<Done> check_data(const settings::Settings& settings,
+                        const std::optional<data::DataSpec>& data, data::Pairing wanted,
+                        const char* message) {
   if (!data || data->pairing == wanted) return Done{};
   const settings::Section section(settings, "data");
   const bool absent = data->pairing == data::Pairing::rows;
@@ -109,7 +110,7 @@ Result<Done> check_data(const settings::Settings& settings, const std::optional<
 
 Result<Done> check_pairwise(const settings::Settings& settings, const settings::Section& section,
                             const EngineSpec& engine, const std::vector<std::string>& inputs,
-                            const std::optional<DataSpec>& data) {
+                            const std::optional<data::DataSpec>& data) {
   MIXCMP_TRY(system_checked, check_pairwise_system(settings, engine));
   MIXCMP_TRY(inputs_checked, check_pairwise_inputs(section, inputs));
   return check_data(settings, data, data::Pairing::all,
@@ -118,7 +119,7 @@ Result<Done> check_pairwise(const settings::Settings& settings, const settings::
 
 Result<Done> check_arg_min(const settings::Settings& settings, const settings::Section& section,
                            const EngineSpec& engine, const std::vector<std::string>& inputs,
-                           const std::optional<DataSpec>& data) {
+                           const std::optional<data::DataSpec>& data) {
   MIXCMP_TRY(system_checked, check_arg_min_system(settings, engine));
   MIXCMP_TRY(inputs_checked, check_arg_min_inputs(section, inputs));
   return check_data(settings, data, data::Pairing::arg_min,
@@ -177,7 +178,7 @@ std::vector<std::string_view> reported_verdicts(const EngineSpec& engine) {
 
 Result<EngineSpec> read_engine(const settings::Settings& settings,
                                const std::vector<std::string>& inputs,
-                               const std::optional<DataSpec>& data) {
+                               const std::optional<data::DataSpec>& data) {
   settings::Section section(settings, "engine");
   EngineSpec engine;
   if (section.present()) section.require("kind");

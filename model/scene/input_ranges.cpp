@@ -19,13 +19,14 @@ bool is_pattern(const std::string& key) {
 }
 
 struct InputDeclaration {
-  Range range;
+  std::optional<Range> range;  ///< none: from the data
   std::optional<mpq_class> grid;
 };
 
 Result<InputDeclaration> read_input(const settings::Setting& entry) {
   const std::string field = "inputs." + entry.key;
-  const std::string accepted = "{ range = [low, high] }, low <= high, and a grid beside it";
+  const std::string accepted =
+      "{ range = [low, high] }, low <= high, or { range = \"data\" }, and a grid beside it";
   if (!std::holds_alternative<settings::Setting::Table>(entry.value)) {
     return settings::mistake_at(entry, field, "wrong type", entry.shown(), accepted);
   }
@@ -38,9 +39,12 @@ Result<InputDeclaration> read_input(const settings::Setting& entry) {
     section.fail("grid", "not a power of two", to_text(*grid), "1, 0.25, \"0x1p-10\", ...");
   }
   if (const auto error = section.finish()) return *error;
+  if (const auto* word = std::get_if<std::string>(&range->value); word && *word == "data") {
+    return InputDeclaration{.range = std::nullopt, .grid = grid};
+  }
   const auto wrong = [&](std::string message, std::string received) {
     return section.mistake("range", std::move(message), std::move(received),
-                           "[low, high], low <= high");
+                           "[low, high], low <= high, or \"data\"");
   };
   const auto* bounds = std::get_if<settings::Setting::Array>(&range->value);
   if (bounds == nullptr || bounds->size() != 2) return wrong("not a range", range->shown());
@@ -51,7 +55,7 @@ Result<InputDeclaration> read_input(const settings::Setting& entry) {
   if (*low > *high) {
     return wrong("the range is empty", fmt::format("[{}, {}]", to_text(*low), to_text(*high)));
   }
-  return InputDeclaration{.range = {.low = *low, .high = *high}, .grid = grid};
+  return InputDeclaration{.range = Range{.low = *low, .high = *high}, .grid = grid};
 }
 
 /// Checks that keys have well-formed subscripts and that no two keys spell the same name. TOML
@@ -134,10 +138,12 @@ Result<InputDeclarations> read_inputs(const settings::Settings& settings,
     MIXCMP_TRY(entry, entry_for(section.entries(), input));
     declared.ranges.emplace_back();
     declared.grids.emplace_back();
+    declared.from_data.push_back(nullptr);
     if (entry == nullptr) continue;
     MIXCMP_TRY(declaration, read_input(*entry));
     declared.ranges.back() = declaration.range;
     declared.grids.back() = declaration.grid;
+    if (!declaration.range) declared.from_data.back() = entry;
   }
   return declared;
 }

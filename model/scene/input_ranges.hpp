@@ -9,6 +9,9 @@ namespace mixcmp::scene {
 struct InputDeclarations {
   std::vector<std::optional<Range>> ranges;
   std::vector<std::optional<mpq_class>> grids;  ///< powers of two; an input with one has a range
+  /// The entries with range = "data", whose inputs have no range yet; null for other inputs. They
+  /// live as long as the settings.
+  std::vector<const settings::Setting*> from_data;
 };
 
 /// Reads [inputs]. In a pattern, '*' stands for any characters; an exact key beats patterns. A key

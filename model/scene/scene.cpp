@@ -11,6 +11,7 @@
 #include "model/expression/name.hpp"
 #include "model/expression/text.hpp"
 #include "model/number/exact.hpp"
+#include "model/scene/data_ranges.hpp"
 #include "model/scene/input_ranges.hpp"
 #include "model/scene/override_error.hpp"
 #include "model/scene/pairing_notes.hpp"
@@ -245,6 +246,13 @@ void note_missed_ends(const std::vector<std::optional<Range>>& ranges, FloatForm
   }
 }
 
+/// Tells for each input whether its range is that of its data.
+std::vector<bool> are_from_data(const InputDeclarations& declared) {
+  std::vector<bool> from_data;
+  for (const settings::Setting* entry : declared.from_data) from_data.push_back(entry != nullptr);
+  return from_data;
+}
+
 Result<Scene> load_with(const std::filesystem::path& path, std::span<const std::string> overrides) {
   MIXCMP_TRY(read, read_scene_settings(path, overrides));
   MIXCMP_TRY(names_checked, check_section_names(read.settings));
@@ -258,11 +266,13 @@ Result<Scene> load_with(const std::filesystem::path& path, std::span<const std::
   MIXCMP_TRY(reference, read_reference(settings));
   const FloatFormat format = reference.arithmetic.format;
   MIXCMP_TRY(constants_checked, check_constants(settings, graph, reference.arithmetic, notes));
+  MIXCMP_TRY(data, read_data(settings));
+  MIXCMP_TRY(measured,
+             take_ranges_from_data(data ? &*data : nullptr, graph.inputs(), format, declared));
   note_missed_ends(declared.ranges, format, notes);
   MIXCMP_TRY(lanes, read_lanes(settings, graph, format, declared.ranges));
   MIXCMP_TRY(references, read_reference_groups(settings, reference.multipliers));
   MIXCMP_TRY(system, read_system(settings));
-  MIXCMP_TRY(data, read_data(settings));
   if (data) {
     for (std::string& note : pairing_notes(graph, data->pairing)) notes.push_back(std::move(note));
   }
@@ -275,6 +285,7 @@ Result<Scene> load_with(const std::filesystem::path& path, std::span<const std::
               .graph = std::move(graph),
               .ranges = std::move(declared.ranges),
               .grids = std::move(declared.grids),
+              .data_ranges = are_from_data(declared),
               .reference = reference.arithmetic,
               .reference_multipliers = reference.multipliers,
               .reduced = std::move(lanes.reduced),

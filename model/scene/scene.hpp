@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,8 +9,7 @@
 #include <vector>
 
 #include "model/common/place.hpp"
-#include "model/data/column_names.hpp"
-#include "model/data/pairing.hpp"
+#include "model/data/data_spec.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
 #include "model/expression/typed_graph.hpp"
@@ -106,26 +104,6 @@ struct SystemSpec {
 /// recomputation, and a tag names two items in it; an arg_min engine wants verdicts in order.
 SystemSpec with_engine(SystemSpec system, const EngineSpec& engine);
 
-struct DataSpec {
-  std::string items;           ///< a generator's name, or empty when a file is named
-  std::string family;          ///< one of sphere_family_names(); only for items "sphere_family"
-  std::filesystem::path file;  ///< .pdb, .csv or .npy; relative to the scene file
-  std::int64_t count = 8192;
-  double side = 100;
-  double radius_max = 25;
-  std::uint64_t seed = 1;
-  data::Pairing pairing = data::Pairing::rows;
-  std::filesystem::path with;              ///< the second table's file, where the pairing has one
-  std::vector<data::ColumnNames> columns;  ///< the names that the scene gives to columns
-  std::vector<data::ColumnNames> with_columns;
-  /// The place of each key that is given, and of [data] itself under "", for errors that are found
-  /// when data are read.
-  std::map<std::string, Place> places;
-};
-
-/// The name of the table `which`, 0 or 1, in messages: that of its file or of its generator.
-std::string table_name(const DataSpec& data, std::size_t which);
-
 /// The keys and values of a plan's [plan] section, as text for display. They change nothing.
 struct PlanNotes {
   std::filesystem::path path;
@@ -150,13 +128,14 @@ struct Scene {
   Graph graph;
   std::vector<std::optional<Range>> ranges;     ///< one per graph input
   std::vector<std::optional<mpq_class>> grids;  ///< one per graph input: a power of two
-  Arithmetic reference;                         ///< rounds to nearest even
+  std::vector<bool> data_ranges;  ///< one per graph input: its range is that of its data
+  Arithmetic reference;           ///< rounds to nearest even
   Multipliers reference_multipliers = Multipliers::embedded;
   ReducedSpec reduced;
   std::vector<LaneGroupSpec> lanes;            ///< [[lanes]]; empty: system.lanes times `reduced`
   std::vector<ReferenceGroupSpec> references;  ///< [[references]]; empty: system.references
   SystemSpec system;
-  std::optional<DataSpec> data;
+  std::optional<data::DataSpec> data;
   std::optional<PlanNotes> plan;  ///< none where the scene was read without one
   /// Remarks for the user: inexact constants, unused ranges, ...
   std::vector<std::string> notes;

@@ -78,8 +78,8 @@ Result<SystemSpec> read_system(const settings::Settings& settings);
 /// absent, the kind is EngineKind::none.
 Result<EngineSpec> read_engine(const settings::Settings& settings,
                                const std::vector<std::string>& inputs,
-                               const std::optional<DataSpec>& data);
+                               const std::optional<data::DataSpec>& data);
 
-Result<std::optional<DataSpec>> read_data(const settings::Settings& settings);
+Result<std::optional<data::DataSpec>> read_data(const settings::Settings& settings);
 
 }  // namespace mixcmp::scene

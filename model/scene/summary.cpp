@@ -97,7 +97,7 @@ SideSummary summarise_side(const std::string& name, const std::string& text,
   return side;
 }
 
-std::string data_source(const DataSpec& data) {
+std::string data_source(const data::DataSpec& data) {
   if (!data.file.empty()) return data.file.filename().string();
   if (data.items == "sphere_family") {
     return fmt::format("{} \"{}\" (count {}, seed {})", data.items, data.family, data.count,

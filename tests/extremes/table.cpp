@@ -187,7 +187,7 @@ void print_rates(const std::vector<Family>& families, const std::vector<Entry>& 
 
 /// The errors that the paper would have measured: all pairs of 8192 spheres, radii up to 25.
 Result<std::vector<profile::ErrorProfile>> paper_errors(scene::Scene scene) {
-  scene.data = scene::DataSpec{.items = "uniform_spheres", .pairing = data::Pairing::all};
+  scene.data = data::DataSpec{.items = "uniform_spheres", .pairing = data::Pairing::all};
   MIXCMP_TRY(checked, profile::check_profile(scene, {}));
   MIXCMP_TRY(data, workload::load_comparisons(scene));
   return profile::profile_errors(scene, data, {LaneInputs::exact, LaneInputs::rounded}, {});

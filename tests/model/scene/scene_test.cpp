@@ -117,6 +117,57 @@ TEST_F(SceneTest, RangesAreReadExactly) {
             mpq_class("12345678901234567890123456789012345678901/1000000000000000000000"));
 }
 
+/// Columns a, b and c of each row: numbers of either sign and what is no number.
+constexpr const char* some_rows =
+    "a,b,c\n"
+    "-0.5,nan,nan\n"
+    "inf,-3,nan\n"
+    "0.25,-0.125,-inf\n"
+    "-0.75,-1e-3,nan\n";
+
+const std::string scene_of_rows = R"([comparison]
+name = "rows"
+f = "a"
+g = "b * c"
+[inputs]
+a = { range = "data" }
+b = { range = "data", grid = "0x1p-60" }
+c = { range = [-1, 1] }
+[reference]
+format = "s24e8"
+[data]
+file = "rows.csv"
+)";
+
+TEST_F(SceneTest, RangesAreTakenFromTheData) {
+  std::ofstream(directory_.path() / "rows.csv") << some_rows;
+  const Result<scene::Scene> scene = load(scene_of_rows);
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_EQ(scene->ranges.at(0), (Range{mpq_class(-3, 4), mpq_class(1, 4)}));
+  EXPECT_EQ(scene->ranges.at(1)->low, -3);
+  EXPECT_LT(scene->ranges.at(1)->high, mpq_class(-999, 1'000'000));
+  EXPECT_GT(scene->ranges.at(1)->high, mpq_class(-1001, 1'000'000));
+  EXPECT_EQ(scene->ranges.at(2)->high, 1);
+  EXPECT_EQ(scene->data_ranges, (std::vector<bool>{true, true, false}));
+}
+
+TEST_F(SceneTest, ARangeThatTheDataDoNotHaveIsAnError) {
+  std::ofstream(directory_.path() / "rows.csv") << some_rows;
+  const auto error_of = [&](const std::string& scene, const std::vector<std::string>& settings) {
+    const Result<scene::Scene> loaded = load(scene, settings);
+    return loaded.ok() ? "" : loaded.error().to_string();
+  };
+  EXPECT_EQ(error_of(scene_of_rows, {"inputs.c={ range = \"data\" }"}),
+            "--set: inputs.c.range: the data have no finite number for c: received \"data\"; "
+            "accepted [low, high], low <= high");
+  EXPECT_EQ(error_of(scene_of_rows.substr(0, scene_of_rows.find("[data]")), {}),
+            path_.string() +
+                ":6: inputs.a.range: the scene has no [data] to take it from: received \"data\"; "
+                "accepted [low, high], low <= high");
+  EXPECT_EQ(error_of(scene_of_rows, {"data.file=rows.pdb"}).substr(0, 30),
+            "--set: data.file: cannot read ");
+}
+
 TEST_F(SceneTest, ExactKeyBeatsPattern) {
   const Result<scene::Scene> scene =
       load_changed("[inputs]", "[inputs]\ncxj = { range = [-2.5, 1_000] }");
@@ -276,7 +327,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "to 0.95"},
         Mistake{"\"r*\" = { range = [0, 0.1] }", "\"r*\" = [0, 0.1]",
                 ":8: inputs.r*: wrong type: received an array of 2; accepted { range = [low, high] "
-                "}, low <= high, and a grid beside it"}));
+                "}, low <= high, or { range = \"data\" }, and a grid beside it"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Values, SceneMistake,
@@ -365,16 +416,19 @@ INSTANTIATE_TEST_SUITE_P(
             ":7: inputs.c*.rnage: unknown key: received rnage; accepted range (the nearest), grid"},
         Mistake{"range = [0, 100]", "range = [100, 0]",
                 ":7: inputs.c*.range: the range is empty: received [100, 0]; accepted [low, high], "
-                "low <= high"},
+                "low <= high, or \"data\""},
         Mistake{"range = [0, 100]", "range = [0]",
                 ":7: inputs.c*.range: not a range: received an array of 1; accepted [low, high], "
-                "low <= high"},
+                "low <= high, or \"data\""},
         Mistake{"range = [0, 100]", "range = [0, inf]",
                 ":7: inputs.c*.range: the high end is not a finite number: received inf; accepted "
-                "[low, high], low <= high"},
+                "[low, high], low <= high, or \"data\""},
         Mistake{"range = [0, 100]", "range = [\"zero\", 1]",
                 ":7: inputs.c*.range: the low end is not a finite number: received \"zero\"; "
-                "accepted [low, high], low <= high"}));
+                "accepted [low, high], low <= high, or \"data\""},
+        Mistake{"range = [0, 100]", "range = \"date\"",
+                ":7: inputs.c*.range: not a range: received \"date\"; accepted [low, high], low <= "
+                "high, or \"data\""}));
 
 INSTANTIATE_TEST_SUITE_P(
     Expressions, SceneMistake,

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "model/common/place.hpp"
+#include "model/data/column_names.hpp"
+#include "model/data/pairing.hpp"
+
+namespace mixcmp::data {
+
+/// What the section [data] of a scene names (docs/scene_file.md).
+struct DataSpec {
+  std::string items;           ///< a generator's name, or empty when a file is named
+  std::string family;          ///< one of sphere_family_names(); only for items "sphere_family"
+  std::filesystem::path file;  ///< .pdb, .csv or .npy; relative to the scene file
+  std::int64_t count = 8192;
+  double side = 100;
+  double radius_max = 25;
+  std::uint64_t seed = 1;
+  Pairing pairing = Pairing::rows;
+  std::filesystem::path with;        ///< the second table's file, where the pairing has one
+  std::vector<ColumnNames> columns;  ///< the names that the scene gives to columns
+  std::vector<ColumnNames> with_columns;
+  /// The place of each key that is given, and of [data] itself under "", for errors that are found
+  /// when data are read.
+  std::map<std::string, Place> places;
+};
+
+/// The name of the table `which`, 0 or 1, in messages: that of its file or of its generator.
+std::string table_name(const DataSpec& data, std::size_t which);
+
+}  // namespace mixcmp::data
