@@ -205,7 +205,8 @@ Result<Done> copy_folder(const fs::path& folder, const fs::path& copy) {
 
 Result<Done> write_kept_file(const fs::path& path, std::string_view text) {
   std::error_code failed;
-  if (fs::is_symlink(fs::symlink_status(path, failed))) fs::remove(path, failed);
+  const fs::file_status before = fs::symlink_status(path, failed);
+  if (fs::is_symlink(before) || fs::is_fifo(before)) fs::remove(path, failed);
   return write_file(path, text);
 }
 

@@ -63,7 +63,7 @@ Result<Done> put_folder_in_place(const std::filesystem::path& finished,
 Result<Done> copy_folder(const std::filesystem::path& folder, const std::filesystem::path& copy);
 
 /// Writes a file that this program keeps for its own later runs, under a name of its choice. A link
-/// of that name is replaced: what it leads to was not given as an output.
+/// or a pipe of that name is replaced: what it leads to was not given as an output.
 Result<Done> write_kept_file(const std::filesystem::path& path, std::string_view text);
 
 /// Writes a whole text through OutputFile.

@@ -175,6 +175,21 @@ Result<Captured> capture(const Command& command, const CaptureOptions& options) 
                .received = "more than 64 MiB"};
 }
 
+namespace {
+
+/// Whether a point in the line stands between two digits.
+bool names_a_version(std::string_view line) {
+  const auto digit = [&](std::size_t k) {
+    return k < line.size() && line[k] >= '0' && line[k] <= '9';
+  };
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    if (line[k] == '.' && digit(k - 1) && digit(k + 1)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 Result<std::string> tool_version(const Command& command, const std::string& package) {
   const Command tool(command.begin(), command.end() - 1);
   const Result<Captured> run = capture(command);
@@ -185,8 +200,7 @@ Result<std::string> tool_version(const Command& command, const std::string& pack
   }
   if (!run.ok()) return run.error();
   const std::string line = first_line(run->output.empty() ? run->errors : run->output);
-  const bool has_number = line.find_first_of("0123456789") != std::string::npos;
-  if (run->succeeded() && has_number) return line;
+  if (run->succeeded() && names_a_version(line)) return line;
   // Some tools need temporary files to print their version.
   if (const auto temporary = ScratchFolder::make(); !temporary.ok()) return temporary.error();
   const std::string how = !run->in_time      ? "does not end"

@@ -112,18 +112,18 @@ TEST_F(CharacteriseCommand, AReportOfTheTimingThatIsCutShortIsNoResult) {
 TEST_F(CharacteriseCommand, OldResultsAreNotServedForNewTools) {
   ASSERT_EQ(characterise("--components lane --precisions 4", fake("")).exit_code, 0);
   const Outcome newer =
-      characterise("--components lane --precisions 4", fake("FAKE_VERSION='Yosys 10'"));
+      characterise("--components lane --precisions 4", fake("FAKE_VERSION='Yosys 10.0'"));
   ASSERT_EQ(newer.exit_code, 0) << newer.output;
   EXPECT_EQ(calls(), 2);
   EXPECT_EQ(stored(), 2);
   ASSERT_EQ(read_table().rows.size(), 1u);
-  EXPECT_EQ(read_table().rows[0].tools, "Yosys 10");
+  EXPECT_EQ(read_table().rows[0].tools, "Yosys 10.0");
 }
 
 TEST_F(CharacteriseCommand, RowsOfOtherToolsAreNotKeptBesideNewOnes) {
   ASSERT_EQ(characterise(two_lanes, fake("")).exit_code, 0);
   const Outcome newer =
-      characterise("--components crossbar --ports 2", fake("FAKE_VERSION='Yosys 10'"));
+      characterise("--components crossbar --ports 2", fake("FAKE_VERSION='Yosys 10.0'"));
   ASSERT_EQ(newer.exit_code, 0) << newer.output;
   EXPECT_NE(newer.output.find("2 outdated rows dropped"), std::string::npos) << newer.output;
   EXPECT_EQ(read_table().rows.size(), 1u);
@@ -274,7 +274,7 @@ TEST_F(CharacteriseCommand, WhereNothingIsMeasuredTheOldTableStays) {
   const Outcome run = mixcmp(
       "characterise scene.toml --store s.sqlite --area-only -o old.csv "
       "--components fifo",
-      instead_of("yosys", "[ \"$1\" = -V ] && { echo Yosys 1; exit; }; exit 1"));
+      instead_of("yosys", "[ \"$1\" = -V ] && { echo Yosys 1.0; exit; }; exit 1"));
   EXPECT_EQ(run.exit_code, 1) << run.output;
   EXPECT_EQ(read("old.csv"), "");
   EXPECT_NE(run.output.find("old.csv is as it was"), std::string::npos) << run.output;

@@ -51,8 +51,8 @@ TEST_F(BaselineCommand, WhatTheProgramDidNotPrintIsMissed) {
     const std::string written =
         program.empty() ? "" : "printf '#!/bin/sh\\n" + program + "' >comparison; ";
     return mixcmp("baseline scene.toml" + quick,
-                  instead_of("g++", "[ \"$1\" = --version ] && { echo g++ 1; exit; }\n" + written +
-                                        "chmod +x comparison 2>/dev/null; exit 0"));
+                  instead_of("g++", "[ \"$1\" = --version ] && { echo g++ 1.0; exit; }\n" +
+                                        written + "chmod +x comparison 2>/dev/null; exit 0"));
   };
   const std::pair<std::string, std::string> programs[] = {
       {"", "g++ ended well and wrote no program"},
@@ -84,7 +84,7 @@ TEST_F(BaselineCommand, NamesOfNodesHideNoFunction) {
 TEST_F(BaselineCommand, AFailureLeavesTheLogThatItNames) {
   const Outcome run = mixcmp(
       "baseline scene.toml" + quick,
-      instead_of("g++", "[ \"$1\" = --version ] && { echo g++ 1; exit; }\necho broken; exit 1"));
+      instead_of("g++", "[ \"$1\" = --version ] && { echo g++ 1.0; exit; }\necho broken; exit 1"));
   EXPECT_EQ(run.exit_code, 1) << run.output;
   const std::size_t begin = run.output.find("/"), end = run.output.find(".log");
   ASSERT_LT(begin, end) << run.output;

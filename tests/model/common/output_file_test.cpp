@@ -146,6 +146,12 @@ TEST_F(OutputFileTest, ALinkInPlaceOfAKeptFileLosesNothing) {
   EXPECT_EQ(content(), "an input");
 }
 
+TEST_F(OutputFileTest, APipeInPlaceOfAKeptFileStopsNothing) {
+  ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+  ASSERT_TRUE(write_kept_file(path_, "new").ok());
+  EXPECT_EQ(content(), "new");
+}
+
 TEST_F(OutputFileTest, PermissionsOfWhatIsReplacedStay) {
   write_before("before");
   fs::permissions(path_, fs::perms::owner_read | fs::perms::owner_write);

@@ -180,7 +180,7 @@ TEST_F(Processes, CapturesNoMoreThanItMay) {
   const auto run = capture({"sh", "-c", "head -c 80000000 /dev/zero"});
   ASSERT_FALSE(run.ok());
   EXPECT_NE(run.error().message.find("prints too much"), std::string::npos);
-  const auto version = tool_version({"sh", "-c", "printf %05000d 7"}, "dash");
+  const auto version = tool_version({"sh", "-c", "printf 7.%05000d 7"}, "dash");
   ASSERT_TRUE(version.ok());
   EXPECT_EQ(version->size(), 200u);
 }
@@ -208,7 +208,7 @@ TEST_F(Processes, TemporaryFilesOfAToolGoToItsFolder) {
 }
 
 TEST_F(Processes, AToolThatPrintsNoVersionIsNone) {
-  for (const char* said : {"true", "echo I am a tool", "printf '\\377\\n'"}) {
+  for (const char* said : {"true", "echo I am a tool", "printf '\\3777\\n'", "echo 5. .5"}) {
     const auto version = tool_version({"sh", "-c", said}, "dash");
     ASSERT_FALSE(version.ok()) << said;
     EXPECT_NE(version.error().message.find("prints no version"), std::string::npos);
