@@ -58,7 +58,7 @@ bool is_chosen(const LoadedScene& loaded, const ReducedSpec& tried, const std::s
   if (reduced.bound != tried.bound || reduced.fixed_bits != tried.fixed_bits) return false;
   if (reduced.bound == scene::BoundKind::profiled) return true;
   const auto taken = design::design_lane(loaded.scene, reduced, nullptr);
-  return taken.ok() && design::describe_decision(*taken) == decision;
+  return taken.ok() && design::describe_criterion(*taken) == decision;
 }
 
 /// Adds the area of a lane, and of one in floating point with all that its ranges make unnecessary.
@@ -85,7 +85,7 @@ BoundCost cost_of(const LoadedScene& loaded, const ReducedSpec& compared,
     cost.decision = "does not exist: " + lane.error().message;
     return cost;
   }
-  cost.decision = design::describe_decision(*lane);
+  cost.decision = design::describe_criterion(*lane);
   cost.chosen = is_chosen(loaded, reduced, cost.decision);
   if (const auto added = add_areas(scene, reduced, *lane, cost); !added.ok()) {
     cost.why_no_area = added.error();
@@ -145,7 +145,7 @@ nlohmann::json json_of(const std::optional<Area>& area) {
 Result<BoundCosts> measure_costs(const LoadedScene& loaded) {
   MIXCMP_TRY(compared, lane_in_floating_point(loaded.scene));
   BoundCosts costs;
-  for (const scene::BoundChoice& choice : scene::profiled_bound_choices()) {
+  for (const scene::BoundChoice& choice : scene::counted_bound_choices()) {
     costs.bounds.push_back(cost_of(loaded, compared, choice));
   }
   add_rates(loaded, compared.format->precision(), costs);

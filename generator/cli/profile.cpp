@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 Result<std::vector<scene::BoundChoice>> counted_bounds(const std::vector<std::string>& names) {
   const std::string option = "--bounds";
   MIXCMP_TRY(bounds, parse_bounds(option, names));
-  const auto counted = scene::profiled_bound_choices();
+  const auto counted = scene::counted_bound_choices();
   std::vector<std::string> accepted;
   for (const scene::BoundChoice& choice : counted) accepted.push_back(to_string(choice));
   for (const scene::BoundChoice& bound : bounds) {

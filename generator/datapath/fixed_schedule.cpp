@@ -14,7 +14,7 @@ using fixed::FixedNode;
 
 /// The nodes that decide a part.
 std::vector<NodeId> decided_from(const fixed::FixedPart& part) {
-  const auto* norm = std::get_if<fixed::NormThresholds>(&part.decision);
+  const auto* norm = std::get_if<fixed::NormThresholds>(&part.criterion);
   if (norm == nullptr) return {part.difference};
   return {part.difference, norm->radius};
 }

@@ -132,7 +132,7 @@ Unit fixed_decision_unit(const FixedLane& lane, const fixed::FixedPart& part,
   const FixedFormat& difference = lane.nodes[part.difference].format;
   return std::visit(
       [&](const auto& thresholds) { return decision_unit(lane, thresholds, difference, delays); },
-      part.decision);
+      part.criterion);
 }
 
 int limit_bits(const FixedLane& lane, const fixed::NormThresholds& thresholds) {

@@ -57,11 +57,11 @@ public:
     for (const std::size_t check : part.checks) {
       start = std::max(start, schedule_.checks[check].ready_cycle);
     }
-    if (const auto* interval = std::get_if<error::IntervalDecision>(&part.decision)) {
+    if (const auto* interval = std::get_if<error::IntervalCriterion>(&part.criterion)) {
       return decide(std::move(schedule), interval_decision_unit(format, delays_),
                     {interval->minimum, interval->maximum}, start);
     }
-    if (const auto* absolute = std::get_if<error::AbsoluteBoundDecision>(&part.decision)) {
+    if (const auto* absolute = std::get_if<error::AbsoluteBoundCriterion>(&part.criterion)) {
       place_bounds(*absolute, format, schedule);
       for (const auto* beside : {&schedule.bounds, &schedule.conditions}) {
         for (const Step& step : *beside) start = std::max(start, step.ready_cycle);
@@ -81,10 +81,10 @@ public:
   Schedule finish() { return placer_.finish(std::move(schedule_)); }
 
 private:
-  void place_bounds(const error::AbsoluteBoundDecision& decision, FloatFormat lane,
+  void place_bounds(const error::AbsoluteBoundCriterion& criterion, FloatFormat lane,
                     PartSchedule& schedule) {
-    const BoundFormat format = decision.bound.format;
-    for (const error::BoundNode& node : decision.bound.nodes) {
+    const BoundFormat format = criterion.bound.format;
+    for (const error::BoundNode& node : criterion.bound.nodes) {
       if (node.operation == error::BoundOperation::constant) {
         schedule.bounds.push_back({});
         continue;
@@ -93,7 +93,7 @@ private:
                                         : ready_cycle(schedule.bounds, operands_of(node));
       schedule.bounds.push_back(place(bound_unit(node.operation, lane, format, delays_), start));
     }
-    for (const error::BoundCondition& condition : decision.conditions) {
+    for (const error::BoundCondition& condition : criterion.conditions) {
       const int start = std::max(schedule.bounds[condition.bound].ready_cycle,
                                  schedule_.steps[condition.value].ready_cycle);
       schedule.conditions.push_back(place(bound_at_most_unit(format, delays_), start));

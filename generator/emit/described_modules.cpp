@@ -45,7 +45,7 @@ std::string arithmetic_fact(const design::Lane& lane) {
 }
 
 std::vector<std::string> decision_facts(const design::Lane& lane) {
-  const std::string decision = "Decision: " + design::describe_decision(lane) + ".";
+  const std::string decision = "Decision: " + design::describe_criterion(lane) + ".";
   if (!design::is_certified(lane)) return {decision};
   const bool fixed = std::holds_alternative<fixed::FixedLane>(lane);
   return {decision, fixed ? "Operands out of range, infinities and NaNs are left undecided."

@@ -25,7 +25,7 @@ std::vector<SignatureLanes> lanes_of(const Design& design, const rtl::SystemShap
                      .format = design::format_name(group.lane),
                      .latency_cycles = shape.lane_groups[k].schedule.latency_cycles,
                      .certified = design::is_certified(group.lane),
-                     .decision = design::describe_decision(group.lane),
+                     .decision = design::describe_criterion(group.lane),
                      .inputs = group.inputs,
                      .multipliers = group.multipliers});
   }

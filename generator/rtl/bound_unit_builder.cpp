@@ -18,42 +18,42 @@ bool reads_value(const BoundNode& node) {
 
 BoundUnitBuilder::BoundUnitBuilder(DatapathBuilder& datapath, const FloatNodes& nodes,
                                    const error::Lane& lane,
-                                   const error::AbsoluteBoundDecision& decision,
+                                   const error::AbsoluteBoundCriterion& criterion,
                                    const datapath::PartSchedule& schedule,
                                    const std::string& suffix)
     : datapath_(datapath),
       nodes_(nodes),
       lane_(lane),
-      decision_(decision),
+      criterion_(criterion),
       schedule_(schedule),
-      names_(name_bounds(decision.bound, suffix, nodes.names(), datapath.pool())) {
+      names_(name_bounds(criterion.bound, suffix, nodes.names(), datapath.pool())) {
   const FloatFormat format = lane.graph.arithmetic.format;
-  MIXCMP_CHECK(decision.bound.format.exponent_bits == format.exponent_bits());
-  MIXCMP_CHECK(decision.bound.format.precision <= format.precision());
+  MIXCMP_CHECK(criterion.bound.format.exponent_bits == format.exponent_bits());
+  MIXCMP_CHECK(criterion.bound.format.precision <= format.precision());
   // A bound can be compared with nodes of the lane's format only; with exact inputs some nodes are
   // in the reference format.
-  for (const BoundNode& node : decision.bound.nodes) {
+  for (const BoundNode& node : criterion.bound.nodes) {
     MIXCMP_CHECK(!reads_value(node) || lane.graph.nodes[node.value].format == format);
   }
-  for (const error::BoundCondition& condition : decision.conditions) {
+  for (const error::BoundCondition& condition : criterion.conditions) {
     MIXCMP_CHECK(lane.graph.nodes[condition.value].format == format);
   }
 }
 
 void BoundUnitBuilder::build() {
-  for (std::size_t id = 0; id < decision_.bound.nodes.size(); ++id) {
+  for (std::size_t id = 0; id < criterion_.bound.nodes.size(); ++id) {
     build_node(static_cast<int>(id));
   }
-  for (std::size_t k = 0; k < decision_.conditions.size(); ++k) {
-    build_condition(decision_.conditions[k], schedule_.conditions[k]);
+  for (std::size_t k = 0; k < criterion_.conditions.size(); ++k) {
+    build_condition(criterion_.conditions[k], schedule_.conditions[k]);
   }
 }
 
 void BoundUnitBuilder::build_node(int id) {
-  const BoundNode& node = decision_.bound.nodes[id];
-  const int width = decision_.bound.format.width();
+  const BoundNode& node = criterion_.bound.nodes[id];
+  const int width = criterion_.bound.format.width();
   if (node.operation == BoundOperation::constant) {
-    const Bits value = encode_bound(decision_.bound.format, node.constant);
+    const Bits value = encode_bound(criterion_.bound.format, node.constant);
     bounds_.push_back({literal(width, value), names_[id], width, 0, true});
     return;
   }
@@ -80,7 +80,7 @@ std::vector<Connection> BoundUnitBuilder::operands(const BoundNode& node, int cy
 
 std::vector<Parameter> BoundUnitBuilder::parameters(const BoundNode& node,
                                                     const datapath::Step& step) const {
-  const BoundFormat format = decision_.bound.format;
+  const BoundFormat format = criterion_.bound.format;
   std::vector<Parameter> parameters = {{"EXPONENT_BITS", format.exponent_bits}};
   if (reads_value(node)) {
     parameters.push_back({"PRECISION", lane_.graph.arithmetic.format.precision()});
@@ -121,7 +121,7 @@ void BoundUnitBuilder::build_condition(const error::BoundCondition& condition,
                          datapath_.pool().unique("unit_" + holds),
                          {{"EXPONENT_BITS", format.exponent_bits()},
                           {"PRECISION", format.precision()},
-                          {"BOUND_PRECISION", decision_.bound.format.precision},
+                          {"BOUND_PRECISION", criterion_.bound.format.precision},
                           {"CUTS", cut_mask(step)}},
                          std::move(connections)});
   failures_.push_back({net(fails), fails, 1, step.ready_cycle});
@@ -129,15 +129,15 @@ void BoundUnitBuilder::build_condition(const error::BoundCondition& condition,
 
 std::string BoundUnitBuilder::describe(int id) const {
   const datapath::Step& step = schedule_.bounds[id];
-  const BoundNode& node = decision_.bound.nodes[id];
-  const int digits = decision_.bound.format.precision;
+  const BoundNode& node = criterion_.bound.nodes[id];
+  const int digits = criterion_.bound.format.precision;
   const bool exact =
       node.operation == BoundOperation::binade || node.operation == BoundOperation::maximum;
   const std::string rounding = digits == 1 ? ", rounded up to a power of two"
                                            : fmt::format(", rounded up to {} digits", digits);
   const bool rounds = !exact && node.operation != BoundOperation::reciprocal;
   return fmt::format("Cycles {} to {}: {}{}.", step.start_cycle, step.ready_cycle,
-                     bound_formula(decision_.bound, id, names_, nodes_.names()),
+                     bound_formula(criterion_.bound, id, names_, nodes_.names()),
                      rounds ? rounding : "");
 }
 

@@ -13,7 +13,7 @@ namespace mixcmp::rtl {
 class BoundUnitBuilder {
 public:
   BoundUnitBuilder(DatapathBuilder& datapath, const FloatNodes& nodes, const error::Lane& lane,
-                   const error::AbsoluteBoundDecision& decision,
+                   const error::AbsoluteBoundCriterion& criterion,
                    const datapath::PartSchedule& schedule, const std::string& suffix);
 
   void build();
@@ -34,7 +34,7 @@ private:
   DatapathBuilder& datapath_;
   const FloatNodes& nodes_;
   const error::Lane& lane_;
-  const error::AbsoluteBoundDecision& decision_;
+  const error::AbsoluteBoundCriterion& criterion_;
   const datapath::PartSchedule& schedule_;
   std::vector<std::string> names_;
   std::vector<Signal> bounds_;

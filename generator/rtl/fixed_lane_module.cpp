@@ -22,7 +22,7 @@ public:
 
   PartDecision build(std::size_t part) {
     const auto build = [&](const auto& thresholds) { return this->build(part, thresholds); };
-    return std::visit(build, lane_.parts[part].decision);
+    return std::visit(build, lane_.parts[part].criterion);
   }
 
 private:

@@ -21,14 +21,14 @@ public:
         format_(lane.graph.arithmetic.format) {}
 
   PartDecision build(std::size_t part, const Signal& out_of_range) {
-    const auto build = [&](const auto& decision) {
-      return this->build(part, decision, out_of_range);
+    const auto build = [&](const auto& criterion) {
+      return this->build(part, criterion, out_of_range);
     };
-    return std::visit(build, lane_.parts[part].decision);
+    return std::visit(build, lane_.parts[part].criterion);
   }
 
 private:
-  PartDecision build(std::size_t part, const error::UlpDistanceDecision& decision,
+  PartDecision build(std::size_t part, const error::UlpDistanceCriterion& criterion,
                      const Signal& out_of_range) {
     const auto [f_node, g_node] = lane_.graph.parts[part];
     const datapath::Step& step = schedule_.parts[part].decision;
@@ -38,8 +38,8 @@ private:
         {nodes_.flag(f_node), nodes_.flag(g_node), out_of_range}, step.start_cycle);
     PartDecision made = begin(part, "certain where the encodings are GUARD_ULP or more apart.");
     std::vector<Parameter> parameters = format_parameters(format_);
-    parameters.push_back({"GUARD_ULP", Literal{format_.width(), decision.guard_ulp}});
-    parameters.push_back({"NONNEGATIVE", decision.nonnegative ? 1 : 0});
+    parameters.push_back({"GUARD_ULP", Literal{format_.width(), criterion.guard_ulp}});
+    parameters.push_back({"NONNEGATIVE", criterion.nonnegative ? 1 : 0});
     parameters.push_back({"CUTS", cut_mask(step)});
     datapath_.add(Instance{step.unit.module,
                            made.instance,
@@ -53,22 +53,22 @@ private:
     return made;
   }
 
-  PartDecision build(std::size_t part, const error::AbsoluteBoundDecision& decision,
+  PartDecision build(std::size_t part, const error::AbsoluteBoundCriterion& criterion,
                      const Signal& out_of_range) {
     const datapath::Step& step = schedule_.parts[part].decision;
-    BoundUnitBuilder bounds(datapath_, nodes_, lane_, decision, schedule_.parts[part],
+    BoundUnitBuilder bounds(datapath_, nodes_, lane_, criterion, schedule_.parts[part],
                             part_suffix(part, lane_.parts.size()));
     bounds.build();
     std::vector<Signal> exceptions = bounds.failures();
-    exceptions.push_back(nodes_.flag(decision.difference));
+    exceptions.push_back(nodes_.flag(criterion.difference));
     exceptions.push_back(out_of_range);
-    const Operand difference = datapath_.at(nodes_.value(decision.difference), step.start_cycle);
+    const Operand difference = datapath_.at(nodes_.value(criterion.difference), step.start_cycle);
     const Operand bound = datapath_.at(bounds.bound(), step.start_cycle);
     const Operand exceptional = datapath_.any_at(exceptions, step.start_cycle);
     PartDecision made = begin(part, "certain where the difference exceeds the bound of its error.");
     std::vector<Parameter> parameters = format_parameters(format_);
-    parameters.push_back({"BOUND_PRECISION", decision.bound.format.precision});
-    parameters.push_back({"GUARD_ULP", Literal{format_.width(), decision.guard_ulp}});
+    parameters.push_back({"BOUND_PRECISION", criterion.bound.format.precision});
+    parameters.push_back({"GUARD_ULP", Literal{format_.width(), criterion.guard_ulp}});
     parameters.push_back({"CUTS", cut_mask(step)});
     datapath_.add(Instance{step.unit.module,
                            made.instance,
@@ -82,13 +82,13 @@ private:
     return made;
   }
 
-  PartDecision build(std::size_t part, const error::IntervalDecision& decision,
+  PartDecision build(std::size_t part, const error::IntervalCriterion& criterion,
                      const Signal& out_of_range) {
     // The unit of the paper's decision has no `exceptional` input.
     MIXCMP_CHECK(out_of_range.value == nullptr);
     const datapath::Step& step = schedule_.parts[part].decision;
-    const Operand minimum = datapath_.at(nodes_.value(decision.minimum), step.start_cycle);
-    const Operand maximum = datapath_.at(nodes_.value(decision.maximum), step.start_cycle);
+    const Operand minimum = datapath_.at(nodes_.value(criterion.minimum), step.start_cycle);
+    const Operand maximum = datapath_.at(nodes_.value(criterion.maximum), step.start_cycle);
     PartDecision made = begin(part, "case I, II or III of the paper.");
     std::vector<Parameter> parameters = format_parameters(format_);
     parameters.push_back({"CUTS", cut_mask(step)});

@@ -61,31 +61,31 @@ mpq_class ratio_of_steps(Bits steps) {
   return mpq_class(mpz_class(1) << doublings) / (1 - share);
 }
 
-bool all_finite(const ThresholdDecision& decision) {
-  return std::isfinite(decision.factor) &&
+bool all_finite(const ThresholdCriterion& criterion) {
+  return std::isfinite(criterion.factor) &&
          std::all_of(
-             decision.conditions.begin(), decision.conditions.end(),
+             criterion.conditions.begin(), criterion.conditions.end(),
              [](const FloatCondition& condition) { return std::isfinite(condition.factor); }) &&
-         std::all_of(decision.bound.nodes.begin(), decision.bound.nodes.end(),
+         std::all_of(criterion.bound.nodes.begin(), criterion.bound.nodes.end(),
                      [](const error::BoundNode& node) {
                        return node.operation != BoundOperation::constant ||
                               std::isfinite(float_at_least(node.constant));
                      });
 }
 
-/// The decision in binary32; nullopt where the guard has so many steps that binary32 cannot hold
+/// The criterion in binary32; nullopt where the guard has so many steps that binary32 cannot hold
 /// their factor.
-std::optional<ThresholdDecision> threshold_of(const error::AbsoluteBoundDecision& decision) {
+std::optional<ThresholdCriterion> threshold_of(const error::AbsoluteBoundCriterion& criterion) {
   constexpr Bits most_steps = Bits{1} << (float_digits + 6);
-  if (decision.guard_ulp > most_steps) return std::nullopt;
-  const std::vector<int> roundings = bound_roundings(decision.bound);
-  ThresholdDecision threshold{.difference = decision.difference,
-                              .bound = decision.bound,
-                              // The product with the factor rounds, too.
-                              .factor = float_at_least(ratio_of_steps(decision.guard_ulp) *
-                                                       inverse_of_roundings(roundings.back() + 1)),
-                              .conditions = {}};
-  for (const error::BoundCondition& condition : decision.conditions) {
+  if (criterion.guard_ulp > most_steps) return std::nullopt;
+  const std::vector<int> roundings = bound_roundings(criterion.bound);
+  ThresholdCriterion threshold{.difference = criterion.difference,
+                               .bound = criterion.bound,
+                               // The product with the factor rounds, too.
+                               .factor = float_at_least(ratio_of_steps(criterion.guard_ulp) *
+                                                        inverse_of_roundings(roundings.back() + 1)),
+                               .conditions = {}};
+  for (const error::BoundCondition& condition : criterion.conditions) {
     const int count = roundings[static_cast<std::size_t>(condition.bound)] + 1;
     threshold.conditions.push_back(
         {condition.bound, condition.value, float_at_least(inverse_of_roundings(count))});
@@ -95,11 +95,11 @@ std::optional<ThresholdDecision> threshold_of(const error::AbsoluteBoundDecision
 }
 
 /// Multiplies a constant bound by its factor here, so that the whole threshold is one literal.
-void fold_constant(ThresholdDecision& decision) {
-  error::BoundNode& last = decision.bound.nodes.back();
+void fold_constant(ThresholdCriterion& criterion) {
+  error::BoundNode& last = criterion.bound.nodes.back();
   if (last.operation != BoundOperation::constant) return;
-  last.constant *= mpq_class(decision.factor);
-  decision.factor = 1;
+  last.constant *= mpq_class(criterion.factor);
+  criterion.factor = 1;
 }
 
 Result<PartFilter> threshold_filter(ErrorBoundKind kind, const TypedGraph& graph,
@@ -108,12 +108,12 @@ Result<PartFilter> threshold_filter(ErrorBoundKind kind, const TypedGraph& graph
   MIXCMP_TRY(lane, error::certified_lane(graph, {.kind = kind,
                                                  .ranges = scene.ranges,
                                                  .hazards = error::HazardRemoval::keep}));
-  auto decision = threshold_of(std::get<error::AbsoluteBoundDecision>(lane.decision()));
-  if (decision) fold_constant(*decision);
-  if (!decision || !all_finite(*decision)) {
+  auto criterion = threshold_of(std::get<error::AbsoluteBoundCriterion>(lane.criterion()));
+  if (criterion) fold_constant(*criterion);
+  if (!criterion || !all_finite(*criterion)) {
     return Error{.message = "the bound is out of binary32's range"};
   }
-  return PartFilter{std::move(lane.graph), std::move(*decision), std::move(lane.checks)};
+  return PartFilter{std::move(lane.graph), std::move(*criterion), std::move(lane.checks)};
 }
 
 Result<PartFilter> ratio_filter(const TypedGraph& graph, const scene::Scene& scene) {
@@ -131,7 +131,7 @@ Result<PartFilter> ratio_filter(const TypedGraph& graph, const scene::Scene& sce
   const float ratio = float_at_least(
       std::max(f.relative->high / g.relative->low, g.relative->high / f.relative->low));
   if (!std::isfinite(ratio)) return Error{.message = "the errors are out of bounds"};
-  PartFilter filter{graph, RatioDecision{ratio}, {}};
+  PartFilter filter{graph, RatioCriterion{ratio}, {}};
   std::set<int> inputs = *proof;
   inputs.insert(analysis.nonnegative_inputs.begin(), analysis.nonnegative_inputs.end());
   for (const int input : inputs) {

@@ -17,7 +17,7 @@ float float_at_least(const mpq_class& value);
 
 /// Decides for f and g that are never negative: less iff f * ratio < g, greater iff g * ratio < f.
 /// `ratio` is at least R of docs/error_bounds.md, theorem 3.
-struct RatioDecision {
+struct RatioCriterion {
   float ratio;
 };
 
@@ -31,19 +31,19 @@ struct FloatCondition {
 /// Decides, where every condition holds, less iff difference < -threshold, greater iff difference >
 /// threshold; threshold = factor * the last bound node. The factors make up for the roundings to
 /// nearest of the bound itself, and for the guard of theorem 8.
-struct ThresholdDecision {
+struct ThresholdCriterion {
   NodeId difference;
   error::BoundGraph bound;  ///< its nodes are computed in binary32; its own format is not used
   float factor;
   std::vector<FloatCondition> conditions;
 };
 
-/// A certified decision in binary32 as a CPU computes it, operands rounded first. It holds where no
-/// operation is exceptional (model/golden/arithmetic.hpp) and every operand passes its check;
+/// A certified criterion in binary32 as a CPU computes it, operands rounded first. It holds where
+/// no operation is exceptional (model/golden/arithmetic.hpp) and every operand passes its check;
 /// docs/baseline.md proves it.
 struct PartFilter {
   TypedGraph graph;
-  std::variant<RatioDecision, ThresholdDecision> decision;
+  std::variant<RatioCriterion, ThresholdCriterion> criterion;
   std::vector<error::RangeCheck> checks;  ///< on operands in software_format()
 };
 

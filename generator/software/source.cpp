@@ -171,30 +171,30 @@ struct PartText {
   std::string greater;
 };
 
-PartText decide(Body& body, const RatioDecision& decision) {
+PartText decide(Body& body, const RatioCriterion& criterion) {
   const std::string& f = body.names[static_cast<std::size_t>(body.graph.f())];
   const std::string& g = body.names[static_cast<std::size_t>(body.graph.g())];
-  const std::string ratio = literal(decision.ratio);
+  const std::string ratio = literal(criterion.ratio);
   return {"", fmt::format("{} * {} < {}", f, ratio, g), fmt::format("{} * {} < {}", g, ratio, f)};
 }
 
-PartText decide(Body& body, const ThresholdDecision& decision) {
+PartText decide(Body& body, const ThresholdCriterion& criterion) {
   const std::vector<std::string> bounds =
-      rtl::name_bounds(decision.bound, "", body.names, body.pool);
+      rtl::name_bounds(criterion.bound, "", body.names, body.pool);
   std::string text;
   for (std::size_t id = 0; id < bounds.size(); ++id) {
-    text += define(bounds[id],
-                   bound_expression(decision.bound, decision.bound.nodes[id], bounds, body.names));
+    text += define(bounds[id], bound_expression(criterion.bound, criterion.bound.nodes[id], bounds,
+                                                body.names));
   }
-  text += define("threshold", scaled(bounds.back(), decision.factor));
+  text += define("threshold", scaled(bounds.back(), criterion.factor));
   std::string valid;
-  for (const FloatCondition& condition : decision.conditions) {
+  for (const FloatCondition& condition : criterion.conditions) {
     valid +=
         fmt::format(" & ({} <= magnitude({}))",
                     scaled(bounds[static_cast<std::size_t>(condition.bound)], condition.factor),
                     body.names[static_cast<std::size_t>(condition.value)]);
   }
-  const std::string& difference = body.names[static_cast<std::size_t>(decision.difference)];
+  const std::string& difference = body.names[static_cast<std::size_t>(criterion.difference)];
   text += fmt::format("    const bool less = ({} < -threshold){};\n", difference, valid);
   text += fmt::format("    const bool greater = ({} > threshold){};\n", difference, valid);
   return {text, "less", "greater"};
@@ -245,7 +245,7 @@ std::string text_of_part(const data::Comparisons& data, const PartFilter& part) 
   Body body(data, part.graph);
   const std::string values = nodes(body);
   const PartText text =
-      std::visit([&](const auto& each) { return decide(body, each); }, part.decision);
+      std::visit([&](const auto& each) { return decide(body, each); }, part.criterion);
   return values + text.statements + fmt::format("    use({}, {});\n", text.less, text.greater);
 }
 
@@ -268,11 +268,11 @@ std::string text_of_parts(const data::Comparisons& data, const FloatFilter& filt
   for (const PartFilter& part : filter.parts) {
     Body body(data, part.graph);
     std::string block = nodes(body);
-    const PartText decision =
-        std::visit([&](const auto& each) { return decide(body, each); }, part.decision);
-    block += decision.statements;
-    block += fmt::format("    all_less &= {0};\n    any_less |= {0};\n", decision.less);
-    block += fmt::format("    all_greater &= {0};\n    any_greater |= {0};\n", decision.greater);
+    const PartText decided =
+        std::visit([&](const auto& each) { return decide(body, each); }, part.criterion);
+    block += decided.statements;
+    block += fmt::format("    all_less &= {0};\n    any_less |= {0};\n", decided.less);
+    block += fmt::format("    all_greater &= {0};\n    any_greater |= {0};\n", decided.greater);
     text += "    {\n" + indented(block) + "    }\n";
   }
   const bool all = combination == Combination::all;

@@ -109,29 +109,29 @@ Result<error::Lane> design_profiled_lane(const scene::Scene& scene,
                               reduced.relative_error_g.value_or(g));
 }
 
-bool can_decide(const error::UlpDistanceDecision& decision, const error::Lane& lane) {
+bool can_decide(const error::UlpDistanceCriterion& criterion, const error::Lane& lane) {
   const Bits largest = lane.graph.arithmetic.format.largest_finite(false);
-  return decision.guard_ulp <= (decision.nonnegative ? largest : 2 * largest);
+  return criterion.guard_ulp <= (criterion.nonnegative ? largest : 2 * largest);
 }
 
 /// A constant bound can exceed every difference that the checked operands give.
-bool can_decide(const error::AbsoluteBoundDecision& decision, const error::Lane& lane) {
-  const error::BoundNode& bound = decision.bound.nodes.back();
+bool can_decide(const error::AbsoluteBoundCriterion& criterion, const error::Lane& lane) {
+  const error::BoundNode& bound = criterion.bound.nodes.back();
   if (bound.operation != error::BoundOperation::constant) return true;
   const auto ranges =
       error::analyse_ranges(lane.graph, error::checked_ranges(lane.graph, lane.checks));
-  const Range& difference = ranges[static_cast<std::size_t>(decision.difference)].value;
+  const Range& difference = ranges[static_cast<std::size_t>(criterion.difference)].value;
   return bound.constant < std::max<mpq_class>(abs(difference.low), abs(difference.high));
 }
 
-bool can_decide(const error::IntervalDecision&, const error::Lane&) {
+bool can_decide(const error::IntervalCriterion&, const error::Lane&) {
   return true;
 }
 
 /// Whether any two results can lie far enough apart for the lane to decide.
 bool part_can_decide(const error::Lane& lane) {
-  return std::visit([&](const auto& decision) { return can_decide(decision, lane); },
-                    lane.decision());
+  return std::visit([&](const auto& criterion) { return can_decide(criterion, lane); },
+                    lane.criterion());
 }
 
 Error undecidable(const std::string& format) {
@@ -197,8 +197,9 @@ bool can_decide(const fixed::FixedLane& lane, const fixed::NormThresholds& thres
 bool can_decide(const fixed::FixedLane& lane) {
   return std::any_of(lane.parts.begin(), lane.parts.end(), [&](const fixed::FixedPart& part) {
     const fixed::FixedNode& difference = lane.nodes[static_cast<std::size_t>(part.difference)];
-    return std::visit([&](const auto& decision) { return can_decide(lane, decision, difference); },
-                      part.decision);
+    return std::visit(
+        [&](const auto& criterion) { return can_decide(lane, criterion, difference); },
+        part.criterion);
   });
 }
 

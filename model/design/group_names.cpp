@@ -26,7 +26,7 @@ std::string bound_name(const error::Lane& lane) {
 std::string bound_name(const fixed::FixedLane& lane) {
   const auto has = [&](bool norm) {
     return std::any_of(lane.parts.begin(), lane.parts.end(), [&](const fixed::FixedPart& part) {
-      return std::holds_alternative<fixed::NormThresholds>(part.decision) == norm;
+      return std::holds_alternative<fixed::NormThresholds>(part.criterion) == norm;
     });
   };
   if (!has(true)) return "constant";
@@ -52,7 +52,7 @@ using RelativeErrors = std::optional<std::pair<mpq_class, mpq_class>>;
 RelativeErrors relative_errors_of(const LaneGroup& group) {
   const auto* lane = std::get_if<error::Lane>(&group.lane);
   if (lane == nullptr) return std::nullopt;
-  const auto* interval = std::get_if<error::IntervalDecision>(&lane->parts.front().decision);
+  const auto* interval = std::get_if<error::IntervalCriterion>(&lane->parts.front().criterion);
   if (interval == nullptr) return std::nullopt;
   return std::pair(interval->relative_error_f, interval->relative_error_g);
 }

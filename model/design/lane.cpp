@@ -15,8 +15,8 @@ std::string format_name(const Lane& lane) {
                     lane);
 }
 
-std::string describe_decision(const Lane& lane) {
-  return std::visit([](const auto& l) { return describe_decision(l); }, lane);
+std::string describe_criterion(const Lane& lane) {
+  return std::visit([](const auto& l) { return describe_criterion(l); }, lane);
 }
 
 }  // namespace mixcmp::design

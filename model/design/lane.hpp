@@ -23,7 +23,7 @@ bool is_certified(const Lane& lane);
 /// "s17e8" or "q13".
 std::string format_name(const Lane& lane);
 /// When the lane decides, for a report.
-std::string describe_decision(const Lane& lane);
+std::string describe_criterion(const Lane& lane);
 
 /// The lane, which must be one in floating point.
 inline const error::Lane& float_lane(const Lane& lane) {

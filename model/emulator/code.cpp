@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "model/common/check.hpp"
-#include "model/emulator/decision_code.hpp"
+#include "model/emulator/criterion_code.hpp"
 #include "model/emulator/safe_operands.hpp"
 #include "model/number/double.hpp"
 
@@ -217,13 +217,13 @@ std::optional<Code> make_code(const TypedGraph& graph, const error::Lane* lane) 
     if (!add_node(code, graph, id)) return std::nullopt;
   }
   add_window(code, graph);
-  code.decision = {.rule = Rule::order, .first = graph.f(), .second = graph.g()};
+  code.criterion = {.kind = CriterionKind::order, .first = graph.f(), .second = graph.g()};
   if (lane == nullptr) return code;
   code.doubtful_is_undecided = lane->certified() && doubtful_is_exceptional(graph);
   for (const NodeId id : values_as_encodings(*lane)) {
     add_range(code, trusted(graph.nodes[id].format), id);
   }
-  if (!add_decision(code, *lane)) return std::nullopt;
+  if (!add_criterion(code, *lane)) return std::nullopt;
   return code;
 }
 

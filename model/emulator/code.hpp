@@ -9,7 +9,7 @@
 
 namespace mixcmp::emulator {
 
-/// A graph and its decision, compiled to instructions on columns of doubles. Column k holds node k
+/// A graph and its criterion, compiled to instructions on columns of doubles. Column k holds node k
 /// of the graph; the columns of an absolute bound follow. docs/emulator.md proves that this is
 /// exact.
 struct Code {
@@ -21,14 +21,14 @@ struct Code {
   /// is known.
   std::optional<OperandWindow> window;
   int f = -1, g = -1;
-  DecisionRule decision;
+  FloatCriterion criterion;
   /// A value outside `ranges` is exceptional, so that the lane is undecided and the golden model is
   /// not needed.
   bool doubtful_is_undecided = false;
 };
 
 /// Compiles a graph. `lane` is null for a reference; otherwise the graph is the lane's. None where
-/// double does not hold some format, or cannot reproduce a constant or the decision.
+/// double does not hold some format, or cannot reproduce a constant or the criterion.
 std::optional<Code> make_code(const TypedGraph& graph, const error::Lane* lane);
 
 }  // namespace mixcmp::emulator

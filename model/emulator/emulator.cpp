@@ -81,7 +81,7 @@ namespace {
 
 /// Runs the code and decides; `doubtful` decides where double cannot be trusted.
 template <class Doubtful>
-void run(const Code& code, const DecisionRule& decision, Execution::Scope scope,
+void run(const Code& code, const FloatCriterion& criterion, Execution::Scope scope,
          OperandColumns operands, std::span<Decision> decisions, Doubtful doubtful) {
   static_assert(sizeof(Decision) == sizeof(std::uint8_t));
   std::array<std::uint8_t, max_block_size> last_codes;
@@ -89,9 +89,9 @@ void run(const Code& code, const DecisionRule& decision, Execution::Scope scope,
   while (execution.next()) {
     Decision* const results = decisions.data() + execution.first();
     if (execution.size() == execution.block().size) {
-      judge(decision, execution.block(), reinterpret_cast<std::uint8_t*>(results));
+      decide(criterion, execution.block(), reinterpret_cast<std::uint8_t*>(results));
     } else {
-      judge(decision, execution.block(), last_codes.data());
+      decide(criterion, execution.block(), last_codes.data());
       std::memcpy(results, last_codes.data(), execution.size());
     }
     for (std::size_t k = 0; execution.any_doubt() && k < execution.size(); ++k) {
@@ -108,9 +108,10 @@ void Emulator::Program::decide(OperandColumns operands, std::span<Decision> deci
     for (std::size_t k = 0; k < decisions.size(); ++k) decisions[k] = golden(k);
     return;
   }
-  run(*code_, code_->decision, Execution::Scope::decision, operands, decisions, [&](std::size_t k) {
-    return code_->doubtful_is_undecided ? Decision::undecided : golden(k);
-  });
+  run(*code_, code_->criterion, Execution::Scope::decision, operands, decisions,
+      [&](std::size_t k) {
+        return code_->doubtful_is_undecided ? Decision::undecided : golden(k);
+      });
 }
 
 void Emulator::Program::compare(OperandColumns operands, std::span<Decision> decisions) const {
@@ -119,7 +120,8 @@ void Emulator::Program::compare(OperandColumns operands, std::span<Decision> dec
     for (std::size_t k = 0; k < decisions.size(); ++k) decisions[k] = golden(k);
     return;
   }
-  const DecisionRule order = {.rule = Rule::order, .first = code_->f, .second = code_->g};
+  const FloatCriterion order = {
+      .kind = CriterionKind::order, .first = code_->f, .second = code_->g};
   run(*code_, order, Execution::Scope::values, operands, decisions, golden);
 }
 
@@ -137,14 +139,14 @@ Emulator::~Emulator() = default;
 Emulator::Emulator(Emulator&&) noexcept = default;
 Emulator& Emulator::operator=(Emulator&&) noexcept = default;
 
-template <class Judge>
-void Emulator::combine(std::size_t count, std::span<Decision> decisions, Judge judge) const {
+template <class Answer>
+void Emulator::combine(std::size_t count, std::span<Decision> decisions, Answer answer) const {
   MIXCMP_CHECK(decisions.size() >= count);
-  judge(*parts_.front(), decisions.first(count));
+  answer(*parts_.front(), decisions.first(count));
   if (parts_.size() == 1) return;
   std::vector<Decision> part(count);
   for (std::size_t index = 1; index < parts_.size(); ++index) {
-    judge(*parts_[index], std::span(part));
+    answer(*parts_[index], std::span(part));
     combine_parts(combination_, decisions.first(count), part);
   }
 }

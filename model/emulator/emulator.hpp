@@ -51,8 +51,8 @@ public:
 
 private:
   class Program;
-  template <class Judge>
-  void combine(std::size_t count, std::span<Decision> decisions, Judge judge) const;
+  template <class Answer>
+  void combine(std::size_t count, std::span<Decision> decisions, Answer answer) const;
 
   Combination combination_ = Combination::all;
   std::vector<std::unique_ptr<const Program>> parts_;

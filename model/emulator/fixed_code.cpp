@@ -39,7 +39,7 @@ bool fits_double(const std::vector<FixedNode>& nodes, const FixedNode& node) {
 
 /// Slopes below 1 would round.
 bool fits_double(const FixedPart& part) {
-  const auto* norm = std::get_if<fixed::NormThresholds>(&part.decision);
+  const auto* norm = std::get_if<fixed::NormThresholds>(&part.criterion);
   return norm == nullptr || (norm->shift_above >= 0 && norm->shift_below >= 0);
 }
 
@@ -92,7 +92,7 @@ public:
 
   FixedCode make() {
     for (NodeId id = 0; id < static_cast<NodeId>(lane_.nodes.size()); ++id) add_node(id);
-    for (const FixedPart& part : lane_.parts) add_decision(part);
+    for (const FixedPart& part : lane_.parts) add_criterion(part);
     return std::move(code_);
   }
 
@@ -105,7 +105,7 @@ private:
     }
     for (const FixedPart& part : lane_.parts) {
       ++reads_[part.difference];
-      if (const auto* norm = std::get_if<fixed::NormThresholds>(&part.decision)) {
+      if (const auto* norm = std::get_if<fixed::NormThresholds>(&part.criterion)) {
         ++reads_[norm->radius];
       }
     }
@@ -191,27 +191,27 @@ private:
     return instruction;
   }
 
-  void add_decision(const FixedPart& part) {
-    FixedDecision decision{.difference = part.difference, .radius = part.difference};
+  void add_criterion(const FixedPart& part) {
+    FixedCriterion criterion{.difference = part.difference, .radius = part.difference};
     const double unit = power(node(part.difference).format.unit_exponent);
-    std::visit([&](const auto& thresholds) { set(decision, thresholds, unit); }, part.decision);
-    if (part.swapped) std::swap(decision.greater, decision.less);
-    code_.decisions.push_back(decision);
+    std::visit([&](const auto& thresholds) { set(criterion, thresholds, unit); }, part.criterion);
+    if (part.swapped) std::swap(criterion.greater, criterion.less);
+    code_.criteria.push_back(criterion);
   }
 
-  void set(FixedDecision& decision, const fixed::ConstantThresholds& thresholds, double unit) {
+  void set(FixedCriterion& criterion, const fixed::ConstantThresholds& thresholds, double unit) {
     const mpz_class below = -thresholds.less_to - 1;
-    decision.offset_above = thresholds.greater_from.get_d() * unit;
-    decision.offset_below = below.get_d() * unit;
-    if (thresholds.exact) decision.otherwise = static_cast<std::uint8_t>(Decision::equal);
+    criterion.offset_above = thresholds.greater_from.get_d() * unit;
+    criterion.offset_below = below.get_d() * unit;
+    if (thresholds.exact) criterion.otherwise = static_cast<std::uint8_t>(Decision::equal);
   }
 
-  void set(FixedDecision& decision, const fixed::NormThresholds& thresholds, double unit) {
+  void set(FixedCriterion& criterion, const fixed::NormThresholds& thresholds, double unit) {
     const double radius_unit = power(thresholds.unit_exponent(lane_.nodes));
-    decision.radius = thresholds.is_square ? add_root(thresholds) : thresholds.radius;
-    decision.slope_above = power(thresholds.shift_above) * unit / radius_unit;
-    decision.offset_above = thresholds.offset_above.get_d() * unit;
-    decision.slope_below = power(thresholds.shift_below) * unit / radius_unit;
+    criterion.radius = thresholds.is_square ? add_root(thresholds) : thresholds.radius;
+    criterion.slope_above = power(thresholds.shift_above) * unit / radius_unit;
+    criterion.offset_above = thresholds.offset_above.get_d() * unit;
+    criterion.slope_below = power(thresholds.shift_below) * unit / radius_unit;
   }
 
   int add_root(const fixed::NormThresholds& thresholds) {

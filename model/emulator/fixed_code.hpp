@@ -20,7 +20,7 @@ struct FixedCode {
   std::vector<Input> inputs;
   ColumnLayout layout;  ///< its inputs are operands that are converted already
   std::vector<FixedInstruction> instructions;
-  std::vector<FixedDecision> decisions;  ///< one per part
+  std::vector<FixedCriterion> criteria;  ///< one per part
 };
 
 /// None where some integer has more bits than a double.

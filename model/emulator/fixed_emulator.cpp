@@ -29,14 +29,14 @@ void convert_all(const FixedConversion& conversion, std::span<const double> oper
 }
 
 /// The decisions on one block, whose last vectors may be filled up.
-void judge_block(const FixedCode& code, Combination combination, const Block& block,
-                 std::span<Decision> decisions) {
+void decide_block(const FixedCode& code, Combination combination, const Block& block,
+                  std::span<Decision> decisions) {
   static_assert(sizeof(Decision) == sizeof(std::uint8_t));
   std::array<Decision, max_block_size> of_part;
-  for (std::size_t part = 0; part < code.decisions.size(); ++part) {
+  for (std::size_t part = 0; part < code.criteria.size(); ++part) {
     const bool in_place = part == 0 && decisions.size() == block.size;
     Decision* const target = in_place ? decisions.data() : of_part.data();
-    judge(code.decisions[part], block, reinterpret_cast<std::uint8_t*>(target));
+    decide(code.criteria[part], block, reinterpret_cast<std::uint8_t*>(target));
     if (in_place) continue;
     if (part == 0) {
       std::copy_n(of_part.begin(), decisions.size(), decisions.begin());
@@ -102,8 +102,8 @@ void FixedEmulator::decide_converted(OperandColumns converted, std::size_t count
   ColumnBlocks blocks(code_->layout, converted, count);
   while (blocks.next()) {
     execute(code_->instructions, blocks.block());
-    judge_block(*code_, lane_.combination, blocks.block(),
-                decisions.subspan(blocks.first(), blocks.size()));
+    decide_block(*code_, lane_.combination, blocks.block(),
+                 decisions.subspan(blocks.first(), blocks.size()));
   }
 }
 

@@ -136,18 +136,18 @@ HWY_INLINE IntVec code(int decision) {
   return hn::Set(Int(), decision);
 }
 
-void judge_fixed(const FixedDecision& decision, const Block& block, std::uint8_t* codes) {
-  const Vec slope_above = hn::Set(Tag(), decision.slope_above);
-  const Vec offset_above = hn::Set(Tag(), decision.offset_above);
-  const Vec slope_below = hn::Set(Tag(), decision.slope_below);
-  const Vec offset_below = hn::Set(Tag(), decision.offset_below);
-  const IntVec greater = code(decision.greater), less = code(decision.less);
-  const IntVec otherwise = code(decision.otherwise), undecided = code(4);
+void decide_fixed(const FixedCriterion& criterion, const Block& block, std::uint8_t* codes) {
+  const Vec slope_above = hn::Set(Tag(), criterion.slope_above);
+  const Vec offset_above = hn::Set(Tag(), criterion.offset_above);
+  const Vec slope_below = hn::Set(Tag(), criterion.slope_below);
+  const Vec offset_below = hn::Set(Tag(), criterion.offset_below);
+  const IntVec greater = code(criterion.greater), less = code(criterion.less);
+  const IntVec otherwise = code(criterion.otherwise), undecided = code(4);
   const hn::Rebind<std::uint64_t, Tag> words;
   const hn::Rebind<std::uint8_t, Tag> bytes;
   for (std::size_t i = 0; i < block.size; i += hn::Lanes(Tag())) {
-    const Vec difference = hn::LoadU(Tag(), block.columns[decision.difference] + i);
-    const Vec radius = hn::LoadU(Tag(), block.columns[decision.radius] + i);
+    const Vec difference = hn::LoadU(Tag(), block.columns[criterion.difference] + i);
+    const Vec radius = hn::LoadU(Tag(), block.columns[criterion.radius] + i);
     const auto above = hn::Ge(difference, hn::MulAdd(slope_above, radius, offset_above));
     const auto below = hn::Gt(hn::Neg(difference), hn::MulAdd(slope_below, radius, offset_below));
     const auto is_number = hn::RebindMask(Int(), hn::Eq(difference, difference));
@@ -166,7 +166,7 @@ namespace mixcmp::emulator {
 
 HWY_EXPORT(convert_fixed);
 HWY_EXPORT(execute_fixed);
-HWY_EXPORT(judge_fixed);
+HWY_EXPORT(decide_fixed);
 
 void convert(const FixedConversion& conversion, const double* operands, std::size_t count,
              double* converted) {
@@ -177,8 +177,8 @@ void execute(const std::vector<FixedInstruction>& instructions, const Block& blo
   HWY_DYNAMIC_DISPATCH(execute_fixed)(instructions, block);
 }
 
-void judge(const FixedDecision& decision, const Block& block, std::uint8_t* codes) {
-  HWY_DYNAMIC_DISPATCH(judge_fixed)(decision, block, codes);
+void decide(const FixedCriterion& criterion, const Block& block, std::uint8_t* codes) {
+  HWY_DYNAMIC_DISPATCH(decide_fixed)(criterion, block, codes);
 }
 
 }  // namespace mixcmp::emulator

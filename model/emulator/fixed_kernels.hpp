@@ -48,7 +48,7 @@ struct FixedInstruction {
 /// Greater iff D >= slope_above s + offset_above, less iff -D > slope_below s + offset_below, where
 /// D is the difference; `otherwise` elsewhere. All numbers are codes of Decision; a NaN leaves the
 /// comparison undecided.
-struct FixedDecision {
+struct FixedCriterion {
   int difference = -1;
   int radius = -1;  ///< column of s
   double slope_above = 0, offset_above = 0;
@@ -61,6 +61,6 @@ void convert(const FixedConversion& conversion, const double* operands, std::siz
              double* converted);
 void execute(const std::vector<FixedInstruction>& instructions, const Block& block);
 /// Writes one code of Decision per comparison.
-void judge(const FixedDecision& decision, const Block& block, std::uint8_t* codes);
+void decide(const FixedCriterion& criterion, const Block& block, std::uint8_t* codes);
 
 }  // namespace mixcmp::emulator

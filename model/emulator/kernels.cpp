@@ -8,8 +8,8 @@
 // after foreach_target.h
 #include "hwy/highway.h"
 #include "model/emulator/bounds-inl.hpp"
+#include "model/emulator/criterion-inl.hpp"
 #include "model/emulator/doubts-inl.hpp"
-#include "model/emulator/judge-inl.hpp"
 #include "model/emulator/rounding-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -238,7 +238,7 @@ namespace mixcmp::emulator {
 HWY_EXPORT(all_inside);
 HWY_EXPORT(execute);
 HWY_EXPORT(find_doubts);
-HWY_EXPORT(judge);
+HWY_EXPORT(decide);
 HWY_EXPORT(instruction_set);
 
 void execute(const std::vector<Instruction>& instructions, const Block& block) {
@@ -254,8 +254,8 @@ bool all_inside(const OperandWindow& window, const Block& block) {
   return HWY_DYNAMIC_DISPATCH(all_inside)(window, block);
 }
 
-void judge(const DecisionRule& decision_rule, const Block& block, std::uint8_t* codes) {
-  HWY_DYNAMIC_DISPATCH(judge)(decision_rule, block, codes);
+void decide(const FloatCriterion& criterion, const Block& block, std::uint8_t* codes) {
+  HWY_DYNAMIC_DISPATCH(decide)(criterion, block, codes);
 }
 
 const char* instruction_set() {

@@ -89,7 +89,7 @@ struct OperandCheck {
   double greatest = std::numeric_limits<double>::infinity();
 };
 
-enum class Rule : std::uint8_t {
+enum class CriterionKind : std::uint8_t {
   order,           ///< by the order of columns `first` and `second`; always decides
   magnitudes,      ///< by how many encodings `first` and `second`, not negative, differ
   signed_keys,     ///< by how many encodings `first` and `second`, of either sign, differ
@@ -97,15 +97,15 @@ enum class Rule : std::uint8_t {
   interval,        ///< `first` > 0 or `second` < 0
 };
 
-struct DecisionRule {
-  Rule rule = Rule::order;
+struct FloatCriterion {
+  CriterionKind kind = CriterionKind::order;
   int first = -1;
   int second = -1;
   /// The guard in ulps of the lane, times 2^(53 - P), or times 2^(52 - P) for signed_keys. Where
   /// encodings differ by `guard` or more, which is at least 1, they decide; an absolute bound must
   /// be exceeded by more than `guard`.
   std::int64_t guard = 1;
-  /// The number whose encoding in the lane would be 0, were it normal; for the rules that count
+  /// The number whose encoding in the lane would be 0, were it normal; for the kinds that count
   /// encodings.
   double zero = 0;
   /// A condition of absolute_bound, by columns: bound <= |value|.
@@ -128,7 +128,7 @@ bool find_doubts(const std::vector<TrustedRange>& ranges, const Block& block,
 bool all_inside(const OperandWindow& window, const Block& block);
 
 /// Writes one code of Decision per comparison.
-void judge(const DecisionRule& decision_rule, const Block& block, std::uint8_t* codes);
+void decide(const FloatCriterion& criterion, const Block& block, std::uint8_t* codes);
 
 /// The instruction set that run-time dispatch chose.
 const char* instruction_set();

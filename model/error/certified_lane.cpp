@@ -109,10 +109,10 @@ Result<Lane> relative_lane(TypedGraph graph, const CertifiedOptions& options) {
                     what_helps(graph, failure));
   }
   const FloatFormat format = graph.arithmetic.format;
-  UlpDistanceDecision decision{
+  UlpDistanceCriterion criterion{
       .guard_ulp = std::min(smallest_guard(f, g, format.precision()), never(format)),
       .nonnegative = f.nonnegative && g.nonnegative};
-  return one_part_lane(std::move(graph), decision, sign_checks(analysis));
+  return one_part_lane(std::move(graph), criterion, sign_checks(analysis));
 }
 
 /// Appends f - g, rounded, and returns its node.
@@ -179,7 +179,7 @@ Result<DifferenceBound> bound_difference(TypedGraph& graph, ErrorBoundKind kind,
   const RelativeBound own =
       rounding_bound(graph.arithmetic.format.precision(), graph.arithmetic.rounding);
   const mpq_class low = bound.mixed->factor.low / own.low;
-  if (low < 1) result.bound.slack_factor = widened_up(result.bound.slack_factor / low);
+  if (low < 1) result.bound.inflation = widened_up(result.bound.inflation / low);
   return result;
 }
 
@@ -187,19 +187,19 @@ Result<Lane> running_lane(TypedGraph graph, const CertifiedOptions& options) {
   MIXCMP_TRY(found, bound_difference(graph, ErrorBoundKind::running, options));
   const FloatFormat format = graph.arithmetic.format;
   Pruner pruner(found.analysis.bounds);
-  AbsoluteBoundDecision decision{.difference = found.difference,
-                                 .bound = {.format = {.precision = 1, .exponent_bits = 1}}};
+  AbsoluteBoundCriterion criterion{.difference = found.difference,
+                                   .bound = {.format = {.precision = 1, .exponent_bits = 1}}};
   for (const BoundCondition& condition : found.analysis.conditions) {
-    decision.conditions.push_back({pruner.keep(condition.bound), condition.value});
+    criterion.conditions.push_back({pruner.keep(condition.bound), condition.value});
   }
-  decision.bound = {.format = {.precision = std::min(options.bound_digits, format.precision()),
-                               .exponent_bits = format.exponent_bits()},
-                    .nodes = pruner.take(found.bound.bound)};
-  if (found.bound.slack_factor > 1) {
-    decision.guard_ulp =
-        std::min(steps_beyond(found.bound.slack_factor, format.precision()), never(format));
+  criterion.bound = {.format = {.precision = std::min(options.bound_digits, format.precision()),
+                                .exponent_bits = format.exponent_bits()},
+                     .nodes = pruner.take(found.bound.bound)};
+  if (found.bound.inflation > 1) {
+    criterion.guard_ulp =
+        std::min(steps_beyond(found.bound.inflation, format.precision()), never(format));
   }
-  return one_part_lane(std::move(graph), std::move(decision), sign_checks(found.analysis));
+  return one_part_lane(std::move(graph), std::move(criterion), sign_checks(found.analysis));
 }
 
 Result<Lane> constant_lane(TypedGraph graph, const CertifiedOptions& options) {
@@ -208,13 +208,13 @@ Result<Lane> constant_lane(TypedGraph graph, const CertifiedOptions& options) {
   MIXCMP_TRY(divisors_checked, check_divisors(graph, checks));
   MIXCMP_TRY(bound, constant_bound(graph, found.analysis, found.bound, checks));
   const FloatFormat format = graph.arithmetic.format;
-  AbsoluteBoundDecision decision{
+  AbsoluteBoundCriterion criterion{
       .difference = found.difference,
       .bound = {.format = {.precision = std::min(constant_bound_digits, format.precision()),
                            .exponent_bits = format.exponent_bits()},
                 .nodes = {{.operation = BoundOperation::constant, .constant = bound}}},
       .conditions = {}};
-  return one_part_lane(std::move(graph), std::move(decision), checks);
+  return one_part_lane(std::move(graph), std::move(criterion), checks);
 }
 
 Result<Lane> lane_of(ErrorBoundKind kind, TypedGraph graph, const CertifiedOptions& options) {

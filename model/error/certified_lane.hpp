@@ -33,7 +33,7 @@ struct CertifiedOptions {
   HazardRemoval hazards = HazardRemoval::remove;
 };
 
-/// Makes a lane with a certified decision of each part, checks and hazards. An error says which
+/// Makes a lane with a certified criterion for each part, checks and hazards. An error says which
 /// operation has no bound of the kind, why, and what the user can do; it names the part if there
 /// are several. Proofs: docs/error_bounds.md.
 Result<Lane> certified_lane(const TypedGraph& graph, const CertifiedOptions& options);

@@ -55,7 +55,7 @@ public:
         return stands_in_the_way(condition.value, "may be closer to zero than its own error");
       }
     }
-    return mpq_class(value * bound.slack_factor);
+    return mpq_class(value * bound.inflation);
   }
 
 private:

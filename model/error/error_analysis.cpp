@@ -49,7 +49,7 @@ mpq_class farthest(const RelativeBound& factor, const mpq_class& center) {
 }
 
 /// Splits `value` into a number of three or four binary digits, which a bound of few digits holds
-/// without rounding it up, and a slack factor >= 1. Where that factor would exceed 33/32, returns
+/// without rounding it up, and an inflation >= 1. Where that would exceed 33/32, returns
 /// {value, 1}.
 std::pair<mpq_class, mpq_class> few_digits(const mpq_class& value) {
   constexpr long digits = 3;
@@ -65,9 +65,9 @@ std::pair<mpq_class, mpq_class> few_digits(const mpq_class& value) {
     unit *= mpz_class(1) << -shift;
   }
   const mpq_class rounded = mpz_class(scaled.get_num() / scaled.get_den()) * unit;
-  const mpq_class slack_factor = value / rounded;
-  if (slack_factor > mpq_class(33, 32)) return {value, 1};
-  return {rounded, slack_factor};
+  const mpq_class inflation = value / rounded;
+  if (inflation > mpq_class(33, 32)) return {value, 1};
+  return {rounded, inflation};
 }
 
 class ErrorAnalyser {
@@ -220,8 +220,8 @@ MixedBound ErrorAnalyser::exact_product(NodeId a, NodeId b) {
   const BoundId second = c.bound < 0 ? no_bound_node : magnitude(b);
   result.absolute = {
       builder_.add(builder_.multiply(first, d.bound), builder_.multiply(second, c.bound)),
-      widened_up(std::max<mpq_class>(std::max<mpq_class>(s.high, c.slack_factor) * d.slack_factor,
-                                     t.high * c.slack_factor))};
+      widened_up(std::max<mpq_class>(std::max<mpq_class>(s.high, c.inflation) * d.inflation,
+                                     t.high * c.inflation))};
   return result;
 }
 
@@ -232,7 +232,7 @@ MixedBound ErrorAnalyser::exact_square(NodeId a) {
   if (mixed(a).is_relative()) return result;
   const BoundId twice = builder_.scale(magnitude(a), 2);
   result.absolute = {builder_.multiply(builder_.add(twice, c.bound), c.bound),
-                     widened_up(c.slack_factor * std::max<mpq_class>(s.high, c.slack_factor))};
+                     widened_up(c.inflation * std::max<mpq_class>(s.high, c.inflation))};
   return result;
 }
 
@@ -242,18 +242,17 @@ MixedBound ErrorAnalyser::exact_quotient(NodeId id, NodeId a, NodeId b) {
   const auto& [t, d] = mixed(b);
   MixedBound result{.factor = quotient(s, t), .absolute = {}};
   if (mixed(a).is_relative() && mixed(b).is_relative()) return result;
-  mpq_class slack_factor = c.slack_factor;
+  mpq_class inflation = c.inflation;
   BoundId numerator = c.bound;
   if (d.bound != no_bound_node) {
-    conditions_.push_back({builder_.scale(d.bound, d.slack_factor * divisor_margin / t.low), b});
+    conditions_.push_back({builder_.scale(d.bound, d.inflation * divisor_margin / t.low), b});
     numerator = builder_.add(numerator, builder_.multiply(magnitude(id), d.bound));
     const RelativeBound own =
         rounding_bound(node(id).format.precision(), graph_.arithmetic.rounding);
-    slack_factor =
-        std::max<mpq_class>(slack_factor, own.high * result.factor.high * d.slack_factor);
-    slack_factor *= mpq_class(divisor_margin, divisor_margin - 1);
+    inflation = std::max<mpq_class>(inflation, own.high * result.factor.high * d.inflation);
+    inflation *= mpq_class(divisor_margin, divisor_margin - 1);
   }
-  result.absolute = {builder_.multiply(numerator, reciprocal(b)), widened_up(slack_factor / t.low)};
+  result.absolute = {builder_.multiply(numerator, reciprocal(b)), widened_up(inflation / t.low)};
   return result;
 }
 
@@ -263,13 +262,13 @@ MixedBound ErrorAnalyser::exact_root(NodeId id, NodeId a) {
   MixedBound result{.factor = square_root(s), .absolute = {}};
   if (mixed(a).is_relative()) return result;
   if (!signs_[a].nonnegative) {
-    conditions_.push_back({builder_.scale(c.bound, c.slack_factor / s.low), a});
+    conditions_.push_back({builder_.scale(c.bound, c.inflation / s.low), a});
   } else {
     used_.insert(signs_[a].nonnegative->begin(), signs_[a].nonnegative->end());
   }
   const RelativeBound own = rounding_bound(node(id).format.precision(), graph_.arithmetic.rounding);
   result.absolute = {builder_.multiply(c.bound, reciprocal(id)),
-                     widened_up(c.slack_factor / (root_below(s.low) * own.low))};
+                     widened_up(c.inflation / (root_below(s.low) * own.low))};
   return result;
 }
 
@@ -277,8 +276,7 @@ MixedBound ErrorAnalyser::exact_root(NodeId id, NodeId a) {
 MixedBound ErrorAnalyser::exact_selection(NodeId a, NodeId b) {
   const auto& [s, c] = mixed(a);
   const auto& [t, d] = mixed(b);
-  return {hull(s, t),
-          {builder_.maximum(c.bound, d.bound), std::max(c.slack_factor, d.slack_factor)}};
+  return {hull(s, t), {builder_.maximum(c.bound, d.bound), std::max(c.inflation, d.inflation)}};
 }
 
 bool ErrorAnalyser::rounds_nothing(const TypedNode& node) const {
@@ -345,10 +343,10 @@ AbsolutePart ErrorAnalyser::deviations(NodeId a, NodeId b, const mpq_class& cent
       deviation += farthest(factor, center);
     }
   }
-  const auto [factor, slack_factor] = few_digits(widened_up(deviation));
+  const auto [factor, inflation] = few_digits(widened_up(deviation));
   const BoundId rounding = builder_.scale(binades, rounding_error());
   return {builder_.add(builder_.add(constants, rounding), builder_.scale(larger, factor)),
-          slack_factor};
+          inflation};
 }
 
 /// The greatest error of one rounding, in units of its result's binade.
@@ -385,7 +383,7 @@ BoundId ErrorAnalyser::reciprocal(NodeId id) {
 }
 
 AbsolutePart ErrorAnalyser::sum(const AbsolutePart& a, const AbsolutePart& b) {
-  return {builder_.add(a.bound, b.bound), std::max(a.slack_factor, b.slack_factor)};
+  return {builder_.add(a.bound, b.bound), std::max(a.inflation, b.inflation)};
 }
 
 /// Extends the bound of the exact result by the operation's own rounding.
@@ -399,7 +397,7 @@ NodeBound ErrorAnalyser::rounded(NodeId id, BeforeRounding exact) const {
     if (mixed.is_relative()) bound.unrounded = mixed.factor;
     mixed.factor = widened(product(mixed.factor, own));
   }
-  if (is_useless(mixed.factor) || is_useless({1, mixed.absolute.slack_factor})) {
+  if (is_useless(mixed.factor) || is_useless({1, mixed.absolute.inflation})) {
     return {.reason = "so many operations round that the error is out of bounds"};
   }
   if (mixed.is_relative()) {

@@ -10,12 +10,12 @@
 
 namespace mixcmp::error {
 
-/// Bounds the absolute part a of a node's error (MixedBound): |a| <= slack_factor * B, where B is
-/// the value of bound node `bound`. The hardware computes B alone, in few digits; `slack_factor`,
-/// which is 1 or a little more, is covered by the decision's guard.
+/// Bounds the absolute part a of a node's error (MixedBound): |a| <= inflation * B, where B is
+/// the value of bound node `bound`. The hardware computes B alone, in few digits; `inflation`,
+/// which is 1 or a little more, is covered by the criterion's guard.
 struct AbsolutePart {
   BoundId bound = no_bound_node;  ///< none: a = 0
-  mpq_class slack_factor = 1;
+  mpq_class inflation = 1;
 };
 
 /// States that true value = computed value * t + a with t within `factor` and a within `absolute`,

@@ -165,8 +165,8 @@ void remove_hazards(Lane& lane, const std::vector<std::optional<Range>>& ranges)
     useful |= has_unit(lane.graph.nodes[id].operation) && hazards[id] != lane.hazards[id];
   }
   if (!useful) return;
-  const LaneDecision decision = lane.decision();
-  lane = one_part_lane(std::move(lane.graph), decision, std::move(checks));
+  const Criterion criterion = lane.criterion();
+  lane = one_part_lane(std::move(lane.graph), criterion, std::move(checks));
   lane.hazards = std::move(hazards);
 }
 

@@ -14,34 +14,34 @@ namespace {
 
 /// The largest difference that a constant bound leaves undecided, as the hardware has it: rounded
 /// up to the bound's digits, plus the guard.
-std::string describe_constant(const AbsoluteBoundDecision& decision, FloatFormat format) {
-  const BoundFormat bound_format = decision.bound.format;
-  const Bits bound = encode_bound(bound_format, decision.bound.nodes.back().constant);
+std::string describe_constant(const AbsoluteBoundCriterion& criterion, FloatFormat format) {
+  const BoundFormat bound_format = criterion.bound.format;
+  const Bits bound = encode_bound(bound_format, criterion.bound.nodes.back().constant);
   const Bits magnitude =
-      (bound << (format.precision() - bound_format.precision)) + decision.guard_ulp;
+      (bound << (format.precision() - bound_format.precision)) + criterion.guard_ulp;
   if (magnitude >= format.infinity(false)) return "the largest number";
   return rounded_text(to_rational(format, magnitude), 4);
 }
 
-std::string describe_bound(const AbsoluteBoundDecision& decision, FloatFormat format) {
-  const BoundGraph& bound = decision.bound;
+std::string describe_bound(const AbsoluteBoundCriterion& criterion, FloatFormat format) {
+  const BoundGraph& bound = criterion.bound;
   if (bound.nodes.back().operation == BoundOperation::constant) {
-    return describe_constant(decision, format) + ", a constant";
+    return describe_constant(criterion, format) + ", a constant";
   }
   if (bound.format.precision == 1) return "a running bound of exponents alone";
   return fmt::format("a running bound of {} digits", bound.format.precision);
 }
 
-std::string describe(const LaneDecision& decision, FloatFormat format) {
-  if (const auto* interval = std::get_if<IntervalDecision>(&decision)) {
+std::string describe(const Criterion& criterion, FloatFormat format) {
+  if (const auto* interval = std::get_if<IntervalCriterion>(&criterion)) {
     return fmt::format("profiled, not certified: RE_f = {}, RE_g = {}",
                        rounded_text(interval->relative_error_f, 4),
                        rounded_text(interval->relative_error_g, 4));
   }
-  if (const auto* absolute = std::get_if<AbsoluteBoundDecision>(&decision)) {
+  if (const auto* absolute = std::get_if<AbsoluteBoundCriterion>(&criterion)) {
     return "certified: where |f - g| exceeds " + describe_bound(*absolute, format);
   }
-  const Bits guard = std::get<UlpDistanceDecision>(decision).guard_ulp;
+  const Bits guard = std::get<UlpDistanceCriterion>(criterion).guard_ulp;
   if (guard == 0) return "certified: everywhere, f and g are exact";
   return fmt::format("certified: where f and g are {} ulp apart or more", guard);
 }
@@ -49,39 +49,39 @@ std::string describe(const LaneDecision& decision, FloatFormat format) {
 /// The numbers of nodes, of one graph in another.
 using Renumbering = std::vector<NodeId>;
 
-/// Renumbers the nodes that a decision names.
+/// Renumbers the nodes that a criterion names.
 struct Renumber {
   const Renumbering& ids;
 
-  LaneDecision operator()(const UlpDistanceDecision& decision) const { return decision; }
-  LaneDecision operator()(AbsoluteBoundDecision decision) const {
-    decision.difference = ids[decision.difference];
-    for (BoundNode& node : decision.bound.nodes) {
+  Criterion operator()(const UlpDistanceCriterion& criterion) const { return criterion; }
+  Criterion operator()(AbsoluteBoundCriterion criterion) const {
+    criterion.difference = ids[criterion.difference];
+    for (BoundNode& node : criterion.bound.nodes) {
       if (node.value >= 0) node.value = ids[node.value];
     }
-    for (BoundCondition& condition : decision.conditions) condition.value = ids[condition.value];
-    return decision;
+    for (BoundCondition& condition : criterion.conditions) condition.value = ids[condition.value];
+    return criterion;
   }
-  LaneDecision operator()(IntervalDecision decision) const {
-    decision.minimum = ids[decision.minimum];
-    decision.maximum = ids[decision.maximum];
-    return decision;
+  Criterion operator()(IntervalCriterion criterion) const {
+    criterion.minimum = ids[criterion.minimum];
+    criterion.maximum = ids[criterion.maximum];
+    return criterion;
   }
 };
 
-/// The nodes that a decision names, besides f and g.
+/// The nodes that a criterion names, besides f and g.
 struct NodesNamed {
-  std::vector<NodeId> operator()(const UlpDistanceDecision&) const { return {}; }
-  std::vector<NodeId> operator()(const AbsoluteBoundDecision& decision) const {
-    std::vector<NodeId> nodes = {decision.difference};
-    for (const BoundNode& node : decision.bound.nodes) {
+  std::vector<NodeId> operator()(const UlpDistanceCriterion&) const { return {}; }
+  std::vector<NodeId> operator()(const AbsoluteBoundCriterion& criterion) const {
+    std::vector<NodeId> nodes = {criterion.difference};
+    for (const BoundNode& node : criterion.bound.nodes) {
       if (node.value >= 0) nodes.push_back(node.value);
     }
-    for (const BoundCondition& condition : decision.conditions) nodes.push_back(condition.value);
+    for (const BoundCondition& condition : criterion.conditions) nodes.push_back(condition.value);
     return nodes;
   }
-  std::vector<NodeId> operator()(const IntervalDecision& decision) const {
-    return {decision.minimum, decision.maximum};
+  std::vector<NodeId> operator()(const IntervalCriterion& criterion) const {
+    return {criterion.minimum, criterion.maximum};
   }
 };
 
@@ -122,7 +122,7 @@ void add_part(Lane& whole, std::vector<bool>& has_hazards, const Lane& part, Ren
     has_hazards[node] = true;
   }
   LanePart& added =
-      whole.parts.emplace_back(LanePart{std::visit(Renumber{ids}, part.decision()), {}});
+      whole.parts.emplace_back(LanePart{std::visit(Renumber{ids}, part.criterion()), {}});
   for (const RangeCheck& check : part.checks) {
     added.checks.push_back(add_check(whole.checks, check));
   }
@@ -130,14 +130,14 @@ void add_part(Lane& whole, std::vector<bool>& has_hazards, const Lane& part, Ren
 
 }  // namespace
 
-const LaneDecision& Lane::decision() const {
+const Criterion& Lane::criterion() const {
   MIXCMP_CHECK(parts.size() == 1);
-  return parts.front().decision;
+  return parts.front().criterion;
 }
 
-LaneDecision& Lane::decision() {
+Criterion& Lane::criterion() {
   MIXCMP_CHECK(parts.size() == 1);
-  return parts.front().decision;
+  return parts.front().criterion;
 }
 
 bool Lane::certified() const {
@@ -145,9 +145,9 @@ bool Lane::certified() const {
                      [](const LanePart& part) { return part.certified(); });
 }
 
-Lane one_part_lane(TypedGraph graph, LaneDecision decision, std::vector<RangeCheck> checks) {
+Lane one_part_lane(TypedGraph graph, Criterion criterion, std::vector<RangeCheck> checks) {
   MIXCMP_CHECK(graph.parts.size() == 1);
-  Lane lane{std::move(graph), {{std::move(decision)}}, std::move(checks)};
+  Lane lane{std::move(graph), {{std::move(criterion)}}, std::move(checks)};
   for (std::size_t k = 0; k < lane.checks.size(); ++k) lane.parts.front().checks.push_back(k);
   return lane;
 }
@@ -171,7 +171,7 @@ Error of_part(Error error, std::size_t part, std::size_t parts) {
 }
 
 std::vector<bool> nodes_of_part(const Lane& lane, std::size_t part) {
-  std::vector<NodeId> roots = std::visit(NodesNamed{}, lane.parts[part].decision);
+  std::vector<NodeId> roots = std::visit(NodesNamed{}, lane.parts[part].criterion);
   roots.push_back(lane.graph.parts[part].f);
   roots.push_back(lane.graph.parts[part].g);
   return needed_nodes(lane.graph, roots);
@@ -184,7 +184,7 @@ Lane part_of(const Lane& lane, std::size_t part) {
   for (std::size_t id = 0; id < alone.ids.size(); ++id) {
     ids[alone.ids[id]] = static_cast<NodeId>(id);
   }
-  // The nodes of the decision follow those of f and g, as where the lane was made.
+  // The nodes of the criterion follow those of f and g, as where the lane was made.
   const std::vector<bool> needed = nodes_of_part(lane, part);
   for (std::size_t id = 0; id < needed.size(); ++id) {
     if (!needed[id] || ids[id] >= 0) continue;
@@ -195,7 +195,7 @@ Lane part_of(const Lane& lane, std::size_t part) {
   std::vector<RangeCheck> checks;
   for (const std::size_t check : lane.parts[part].checks) checks.push_back(lane.checks[check]);
   Lane made =
-      one_part_lane(std::move(alone.graph), std::visit(Renumber{ids}, lane.parts[part].decision),
+      one_part_lane(std::move(alone.graph), std::visit(Renumber{ids}, lane.parts[part].criterion),
                     std::move(checks));
   for (const NodeId id : alone.ids) {
     made.hazards.push_back(hazards_at(lane, static_cast<std::size_t>(id)));
@@ -203,11 +203,11 @@ Lane part_of(const Lane& lane, std::size_t part) {
   return made;
 }
 
-std::string describe_decision(const Lane& lane) {
-  if (lane.parts.size() == 1) return describe(lane.decision(), lane.graph.arithmetic.format);
+std::string describe_criterion(const Lane& lane) {
+  if (lane.parts.size() == 1) return describe(lane.criterion(), lane.graph.arithmetic.format);
   std::vector<std::string> texts;
   for (const LanePart& part : lane.parts)
-    texts.push_back(describe(part.decision, lane.graph.arithmetic.format));
+    texts.push_back(describe(part.criterion, lane.graph.arithmetic.format));
   const bool alike = std::all_of(texts.begin(), texts.end(),
                                  [&](const std::string& text) { return text == texts.front(); });
   std::string text = fmt::format("{} of {} parts", to_string(lane.graph.combination), texts.size());

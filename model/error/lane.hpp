@@ -12,16 +12,16 @@
 
 namespace mixcmp::error {
 
-/// Certified decision on packed encodings, for relative bounds. key(x) is the integer in the
+/// Certified criterion on packed encodings, for relative bounds. key(x) is the integer in the
 /// magnitude bits of x, negated if x is negative. The lane decides iff nothing is exceptional and
 /// |key(f) - key(g)| >= guard_ulp; the verdict is then the order of the keys. guard_ulp = 0 means
 /// that f and g are exact: every comparison is then decided, equality included.
-struct UlpDistanceDecision {
+struct UlpDistanceCriterion {
   Bits guard_ulp;
   /// f and g are never negative: the hardware compares plain magnitudes.
   bool nonnegative;
 
-  friend bool operator==(const UlpDistanceDecision&, const UlpDistanceDecision&) = default;
+  friend bool operator==(const UlpDistanceCriterion&, const UlpDistanceCriterion&) = default;
 };
 
 /// A condition that a bound depends on: the bound node `bound` is at most the magnitude of the
@@ -33,31 +33,31 @@ struct BoundCondition {
   friend bool operator==(const BoundCondition&, const BoundCondition&) = default;
 };
 
-/// Certified decision for absolute bounds, running or constant. The lane decides iff nothing is
+/// Certified criterion for absolute bounds, running or constant. The lane decides iff nothing is
 /// exceptional, every condition holds and magnitude(difference) > magnitude(bound) + guard_ulp,
 /// where magnitudes are integers as encoded in the lane's format; the verdict is the difference's
 /// sign. With an infinite bound the lane decides nothing.
-struct AbsoluteBoundDecision {
+struct AbsoluteBoundCriterion {
   NodeId difference;  ///< f - g, rounded: a node of the lane's graph
   BoundGraph bound;
   std::vector<BoundCondition> conditions;
-  /// Covers the slack factor, 1 or a little more, that the bound leaves out. A bound has few
+  /// Covers the inflation, 1 or a little more, that the bound leaves out. A bound has few
   /// digits: where the guard fits into the bits below them, the hardware concatenates the two,
   /// {bound, guard}.
   Bits guard_ulp = 0;
 
-  friend bool operator==(const AbsoluteBoundDecision&, const AbsoluteBoundDecision&) = default;
+  friend bool operator==(const AbsoluteBoundCriterion&, const AbsoluteBoundCriterion&) = default;
 };
 
-/// The paper's decision, equations 1-3, in the lane's format: D = f - g, E = |f|*RE_f + |g|*RE_g,
+/// The paper's criterion, equations 1-3, in the lane's format: D = f - g, E = |f|*RE_f + |g|*RE_g,
 /// greater iff D - E > 0, less iff D + E < 0. The nodes are part of the lane's graph.
-struct IntervalDecision {
+struct IntervalCriterion {
   NodeId minimum;  ///< D - E
   NodeId maximum;  ///< D + E
   mpq_class relative_error_f;
   mpq_class relative_error_g;
 
-  friend bool operator==(const IntervalDecision&, const IntervalDecision&) = default;
+  friend bool operator==(const IntervalCriterion&, const IntervalCriterion&) = default;
 };
 
 /// Special cases of one operation, each true unless the range checks or the expression itself rule
@@ -71,16 +71,16 @@ struct Hazards {
   friend bool operator==(const Hazards&, const Hazards&) = default;
 };
 
-using LaneDecision = std::variant<UlpDistanceDecision, AbsoluteBoundDecision, IntervalDecision>;
+using Criterion = std::variant<UlpDistanceCriterion, AbsoluteBoundCriterion, IntervalCriterion>;
 
 /// When a lane decides one part of its comparison: by that part's operations and checks alone.
 /// Theorem 11 of docs/error_bounds.md says how the verdicts of the parts combine.
 struct LanePart {
-  LaneDecision decision;
+  Criterion criterion;
   /// Indices of Lane::checks. An operand that fails one leaves the part undecided.
   std::vector<std::size_t> checks = {};
 
-  bool certified() const { return !std::holds_alternative<IntervalDecision>(decision); }
+  bool certified() const { return !std::holds_alternative<IntervalCriterion>(criterion); }
 
   friend bool operator==(const LanePart&, const LanePart&) = default;
 };
@@ -94,16 +94,16 @@ struct Lane {
   /// ruled out only where every such part rules it out.
   std::vector<Hazards> hazards = {};
 
-  /// The decision of a comparison that has one part.
-  const LaneDecision& decision() const;
-  LaneDecision& decision();
+  /// The criterion of a comparison that has one part.
+  const Criterion& criterion() const;
+  Criterion& criterion();
   bool certified() const;
 
   friend bool operator==(const Lane&, const Lane&) = default;
 };
 
 /// Makes a lane of one part, which makes all of `checks`.
-Lane one_part_lane(TypedGraph graph, LaneDecision decision, std::vector<RangeCheck> checks = {});
+Lane one_part_lane(TypedGraph graph, Criterion criterion, std::vector<RangeCheck> checks = {});
 
 /// Makes a lane of one part, given the part as a graph of its own.
 using MakePart = std::function<Result<Lane>(const TypedGraph& part)>;
@@ -118,10 +118,10 @@ Error of_part(Error error, std::size_t part, std::size_t parts);
 /// One part of a lane alone, with the nodes and the checks that it needs.
 Lane part_of(const Lane& lane, std::size_t part);
 
-/// Which nodes a part computes: those of its sides and of its decision.
+/// Which nodes a part computes: those of its sides and of its criterion.
 std::vector<bool> nodes_of_part(const Lane& lane, std::size_t part);
 
 /// When the lane decides, for a report: "certified: where f and g are 7 ulp apart or more".
-std::string describe_decision(const Lane& lane);
+std::string describe_criterion(const Lane& lane);
 
 }  // namespace mixcmp::error

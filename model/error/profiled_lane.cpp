@@ -69,13 +69,13 @@ Lane profiled_part(TypedGraph graph, const mpq_class& relative_error_f,
   const NodeId error_f = append.error(graph.f(), known[graph.f()].nonnegative, relative_error_f);
   const NodeId error_g = append.error(graph.g(), known[graph.g()].nonnegative, relative_error_g);
   const NodeId error = append.operation(Operation::add, error_f, error_g);
-  const IntervalDecision decision{
+  const IntervalCriterion criterion{
       .minimum = append.operation(Operation::subtract, difference, error),
       .maximum = append.operation(Operation::add, difference, error),
       .relative_error_f = relative_error_f,
       .relative_error_g = relative_error_g};
   std::vector<Hazards> hazards = structural_hazards(graph);
-  Lane lane = one_part_lane(std::move(graph), decision);
+  Lane lane = one_part_lane(std::move(graph), criterion);
   lane.hazards = std::move(hazards);
   return lane;
 }

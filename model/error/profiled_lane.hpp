@@ -17,7 +17,7 @@ struct ProfiledError {
   std::uint64_t f_unbounded = 0, g_unbounded = 0;
 };
 
-/// Makes a lane with the paper's decision (IntervalDecision) of each part, by the same relative
+/// Makes a lane with the paper's criterion (IntervalCriterion) for each part, by the same relative
 /// errors. These become constants, rounded up to the lane's format.
 Lane profiled_lane(const TypedGraph& graph, const mpq_class& relative_error_f,
                    const mpq_class& relative_error_g);

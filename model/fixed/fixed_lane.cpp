@@ -34,14 +34,14 @@ std::optional<FixedPart> norm_part(FixedGraphBuilder& builder, NodeId f, NodeId 
     return FixedPart{
         .difference = difference,
         .swapped = swapped,
-        .decision = norm_thresholds(builder.nodes(), *sides, builder.nodes()[difference])};
+        .criterion = norm_thresholds(builder.nodes(), *sides, builder.nodes()[difference])};
   }
   const auto sides = two_norms(builder.nodes(), f, g);
   if (!sides) return std::nullopt;
   const NodeId difference = builder.difference(f, g);
   return FixedPart{
       .difference = difference,
-      .decision = norm_thresholds(builder.nodes(), *sides, builder.nodes()[difference])};
+      .criterion = norm_thresholds(builder.nodes(), *sides, builder.nodes()[difference])};
 }
 
 Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
@@ -53,7 +53,7 @@ Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
   }
   const NodeId difference = builder.difference(f, g);
   return FixedPart{.difference = difference,
-                   .decision = constant_thresholds(builder.nodes()[difference])};
+                   .criterion = constant_thresholds(builder.nodes()[difference])};
 }
 
 /// Marks a node and all that it is computed from.
@@ -64,12 +64,12 @@ void mark(const FixedLane& lane, NodeId id, std::vector<bool>& marked) {
   for (int k = 0; k < arity(node.operation); ++k) mark(lane, node.operands[k], marked);
 }
 
-/// Removes the nodes that no decision depends on: attempts at a norm leave some behind.
+/// Removes the nodes that no criterion depends on: attempts at a norm leave some behind.
 void remove_unread(FixedLane& lane) {
   std::vector<bool> read(lane.nodes.size(), false);
   for (const FixedPart& part : lane.parts) {
     mark(lane, part.difference, read);
-    const auto* norm = std::get_if<NormThresholds>(&part.decision);
+    const auto* norm = std::get_if<NormThresholds>(&part.criterion);
     if (norm != nullptr) mark(lane, norm->radius, read);
   }
   std::vector<NodeId> new_id(lane.nodes.size(), -1);
@@ -83,7 +83,7 @@ void remove_unread(FixedLane& lane) {
   lane.nodes = std::move(kept);
   for (FixedPart& part : lane.parts) {
     part.difference = new_id[part.difference];
-    if (auto* norm = std::get_if<NormThresholds>(&part.decision)) {
+    if (auto* norm = std::get_if<NormThresholds>(&part.criterion)) {
       norm->radius = new_id[norm->radius];
     }
   }
@@ -126,7 +126,7 @@ std::string describe(const NormThresholds& thresholds, const FixedPart& part,
 
 std::string describe(const FixedLane& lane, const FixedPart& part) {
   return std::visit([&](const auto& thresholds) { return describe(thresholds, part, lane.nodes); },
-                    part.decision);
+                    part.criterion);
 }
 
 }  // namespace
@@ -152,11 +152,11 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
 
 bool has_norm(const FixedLane& lane) {
   return std::any_of(lane.parts.begin(), lane.parts.end(), [](const FixedPart& part) {
-    return std::holds_alternative<NormThresholds>(part.decision);
+    return std::holds_alternative<NormThresholds>(part.criterion);
   });
 }
 
-std::string describe_decision(const FixedLane& lane) {
+std::string describe_criterion(const FixedLane& lane) {
   std::vector<std::string> texts;
   for (const FixedPart& part : lane.parts) texts.push_back(describe(lane, part));
   if (texts.size() == 1) return texts.front();

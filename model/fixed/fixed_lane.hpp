@@ -70,7 +70,7 @@ struct NormThresholds {
 struct FixedPart {
   NodeId difference;     ///< f - g, or g - f where `swapped`
   bool swapped = false;  ///< `greater` and `less` of the decision change places
-  std::variant<ConstantThresholds, NormThresholds> decision;
+  std::variant<ConstantThresholds, NormThresholds> criterion;
 
   friend bool operator==(const FixedPart&, const FixedPart&) = default;
 };
@@ -107,6 +107,6 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
 bool has_norm(const FixedLane& lane);
 
 /// When the lane decides, for a report: "certified: where f - g >= 8 s + 14 or ...".
-std::string describe_decision(const FixedLane& lane);
+std::string describe_criterion(const FixedLane& lane);
 
 }  // namespace mixcmp::fixed

@@ -92,17 +92,17 @@ Distance distance(FloatFormat format, Bits f, Bits g) {
   return {f_larger != format.sign(f) ? Verdict::greater : Verdict::less, ulp};
 }
 
-/// The result of one kind of decision, before exceptional values are considered.
+/// The result of one criterion, before exceptional values are considered.
 struct Decision {
   bool decided;
   Verdict verdict;
 };
 
-Decision decide(const error::UlpDistanceDecision& decision, const TypedGraph& graph,
+Decision decide(const error::UlpDistanceCriterion& criterion, const TypedGraph& graph,
                 const Sides& sides, const std::vector<Rounded>& values) {
   const auto [verdict, ulp] =
       distance(graph.arithmetic.format, values[sides.f].bits, values[sides.g].bits);
-  return {ulp >= decision.guard_ulp, verdict};
+  return {ulp >= criterion.guard_ulp, verdict};
 }
 
 /// The encoding of a bound in the lane's format.
@@ -110,28 +110,29 @@ Bits padded(BoundFormat format, Bits bound, FloatFormat lane) {
   return bound << (lane.precision() - format.precision);
 }
 
-Decision decide(const error::AbsoluteBoundDecision& decision, const TypedGraph& graph, const Sides&,
-                const std::vector<Rounded>& values) {
-  const BoundFormat format = decision.bound.format;
+Decision decide(const error::AbsoluteBoundCriterion& criterion, const TypedGraph& graph,
+                const Sides&, const std::vector<Rounded>& values) {
+  const BoundFormat format = criterion.bound.format;
   const FloatFormat lane = graph.arithmetic.format;
-  const std::vector<Bits> bounds = evaluate_bound(decision.bound, graph, values);
-  const Bits difference = values[decision.difference].bits;
-  const bool valid = std::all_of(decision.conditions.begin(), decision.conditions.end(),
+  const std::vector<Bits> bounds = evaluate_bound(criterion.bound, graph, values);
+  const Bits difference = values[criterion.difference].bits;
+  const bool valid = std::all_of(criterion.conditions.begin(), criterion.conditions.end(),
                                  [&](const error::BoundCondition& condition) {
                                    return bound_is_at_most(format, bounds[condition.bound], lane,
                                                            values[condition.value].bits);
                                  });
-  return {valid && bounds.back() != format.infinity() &&
-              lane.magnitude(difference) > padded(format, bounds.back(), lane) + decision.guard_ulp,
-          lane.sign(difference) ? Verdict::less : Verdict::greater};
+  return {
+      valid && bounds.back() != format.infinity() &&
+          lane.magnitude(difference) > padded(format, bounds.back(), lane) + criterion.guard_ulp,
+      lane.sign(difference) ? Verdict::less : Verdict::greater};
 }
 
-Decision decide(const error::IntervalDecision& decision, const TypedGraph& graph, const Sides&,
+Decision decide(const error::IntervalCriterion& criterion, const TypedGraph& graph, const Sides&,
                 const std::vector<Rounded>& values) {
   const auto sign_of = [&](NodeId id) {
     return compare(graph.arithmetic.format, graph.arithmetic.subnormals, values[id].bits, 0);
   };
-  const Verdict minimum = sign_of(decision.minimum), maximum = sign_of(decision.maximum);
+  const Verdict minimum = sign_of(criterion.minimum), maximum = sign_of(criterion.maximum);
   const bool is_nan = minimum == Verdict::unordered || maximum == Verdict::unordered;
   const bool greater = minimum == Verdict::greater, less = maximum == Verdict::less;
   return {!is_nan && (greater || less), greater ? Verdict::greater : Verdict::less};
@@ -167,7 +168,7 @@ LaneResult evaluate_part(const error::Lane& lane, std::size_t part, std::span<co
                          const std::vector<Rounded>& values) {
   const Decision decision = std::visit(
       [&](const auto& kind) { return decide(kind, lane.graph, lane.graph.parts[part], values); },
-      lane.parts[part].decision);
+      lane.parts[part].criterion);
   // The paper's decision ignores exceptions; that flaw is modelled as it is.
   const bool usable = !lane.parts[part].certified() || !is_exceptional(lane, part, values);
   return {decision.decided && usable && !breaks_a_range(lane, part, inputs), decision.verdict};

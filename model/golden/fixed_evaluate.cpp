@@ -120,7 +120,7 @@ LaneResult evaluate_part(const FixedPart& part, const std::vector<Integer>& valu
   if (!difference) return {false, Verdict::unordered};
   LaneResult result =
       std::visit([&](const auto& thresholds) { return decide(thresholds, *difference, values); },
-                 part.decision);
+                 part.criterion);
   if (part.swapped) result.verdict = negated(result.verdict);
   return result;
 }

@@ -16,13 +16,13 @@ using envelope_kernels::for_each_lane;
 using envelope_kernels::infinity;
 using envelope_kernels::outward;
 
-const error::AbsoluteBoundDecision& decision_of(const error::Lane& lane) {
-  return std::get<error::AbsoluteBoundDecision>(lane.decision());
+const error::AbsoluteBoundCriterion& decision_of(const error::Lane& lane) {
+  return std::get<error::AbsoluteBoundCriterion>(lane.criterion());
 }
 
-bool is_constant(const error::AbsoluteBoundDecision& decision) {
-  return decision.bound.nodes.size() == 1 &&
-         decision.bound.nodes.front().operation == error::BoundOperation::constant;
+bool is_constant(const error::AbsoluteBoundCriterion& criterion) {
+  return criterion.bound.nodes.size() == 1 &&
+         criterion.bound.nodes.front().operation == error::BoundOperation::constant;
 }
 
 /// The constant as the hardware encodes it; infinite where it exceeds the format.
@@ -54,8 +54,8 @@ double smallest(const NodeEnvelope& node, std::size_t k) {
 
 }  // namespace
 
-bool BoundEnvelope::same_structure(const error::AbsoluteBoundDecision& a,
-                                   const error::AbsoluteBoundDecision& b) {
+bool BoundEnvelope::same_structure(const error::AbsoluteBoundCriterion& a,
+                                   const error::AbsoluteBoundCriterion& b) {
   const auto same_node = [](const error::BoundNode& x, const error::BoundNode& y) {
     return x.operation == y.operation && x.operands == y.operands && x.value == y.value;
   };

@@ -19,8 +19,8 @@ public:
   BoundEnvelope(std::span<const error::Lane* const> lanes, int first, int last,
                 const Envelope& envelope);
 
-  static bool same_structure(const error::AbsoluteBoundDecision& a,
-                             const error::AbsoluteBoundDecision& b);
+  static bool same_structure(const error::AbsoluteBoundCriterion& a,
+                             const error::AbsoluteBoundCriterion& b);
 
   /// Raises `scaled` and `fixed` to the limit of this bound where they are lower, and sets
   /// `wild` to 1 where a condition may fail or the bound may be infinite.

@@ -102,20 +102,20 @@ double bound_luts(const error::BoundNode& node, int digits) {
   MIXCMP_CHECK(false);
 }
 
-struct DecisionLuts {
+struct CriterionLuts {
   int precision;
 
-  double operator()(const error::UlpDistanceDecision& decision) const {
-    return decision.guard_ulp == 0 ? comparison(precision) : ulp_distance(precision);
+  double operator()(const error::UlpDistanceCriterion& criterion) const {
+    return criterion.guard_ulp == 0 ? comparison(precision) : ulp_distance(precision);
   }
-  double operator()(const error::AbsoluteBoundDecision& decision) const {
-    double luts = bound_decision(precision) * static_cast<double>(1 + decision.conditions.size());
-    for (const error::BoundNode& node : decision.bound.nodes) {
-      luts += bound_luts(node, decision.bound.format.precision);
+  double operator()(const error::AbsoluteBoundCriterion& criterion) const {
+    double luts = bound_decision(precision) * static_cast<double>(1 + criterion.conditions.size());
+    for (const error::BoundNode& node : criterion.bound.nodes) {
+      luts += bound_luts(node, criterion.bound.format.precision);
     }
     return luts;
   }
-  double operator()(const error::IntervalDecision&) const { return interval_decision(precision); }
+  double operator()(const error::IntervalCriterion&) const { return interval_decision(precision); }
 };
 
 Error bad_area(const std::filesystem::path& path, int line, const std::string& field,
@@ -153,7 +153,7 @@ double lane_luts(const error::Lane& lane, Products products) {
   const int precision = lane.graph.arithmetic.format.precision();
   double luts = graph_luts(lane.graph, products);
   for (const error::LanePart& part : lane.parts) {
-    luts += std::visit(DecisionLuts{precision}, part.decision);
+    luts += std::visit(CriterionLuts{precision}, part.criterion);
   }
   return luts;
 }

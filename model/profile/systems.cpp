@@ -34,7 +34,7 @@ void add(std::vector<SystemLanes>& systems, const std::optional<scene::BoundChoi
 }
 
 error::Lane lanes_alone(const TypedGraph& graph) {
-  const error::UlpDistanceDecision by_order{.guard_ulp = 0, .nonnegative = false};
+  const error::UlpDistanceCriterion by_order{.guard_ulp = 0, .nonnegative = false};
   return {graph, std::vector<error::LanePart>(graph.parts.size(), {by_order})};
 }
 

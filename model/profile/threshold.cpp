@@ -49,7 +49,7 @@ bool begins_alike(const TypedGraph& a, const TypedGraph& b, std::size_t count) {
 
 /// The largest factor by which `guard_ulp` steps raise a number: theorem 3.
 double guard_factor(const error::Lane& lane) {
-  const Bits guard = std::get<error::AbsoluteBoundDecision>(lane.decision()).guard_ulp;
+  const Bits guard = std::get<error::AbsoluteBoundCriterion>(lane.criterion()).guard_ulp;
   const int precision = lane.graph.arithmetic.format.precision();
   const Bits binade = Bits{1} << (precision - 1);
   const double doublings = to_double(guard / binade);
@@ -57,11 +57,12 @@ double guard_factor(const error::Lane& lane) {
          outward;
 }
 
-bool looks_at_shared_nodes(const error::AbsoluteBoundDecision& decision, const Envelope& envelope) {
+bool looks_at_shared_nodes(const error::AbsoluteBoundCriterion& criterion,
+                           const Envelope& envelope) {
   const auto shared = [&](const auto& part) { return part.value < envelope.node_count(); };
-  return decision.difference == envelope.difference() &&
-         std::all_of(decision.bound.nodes.begin(), decision.bound.nodes.end(), shared) &&
-         std::all_of(decision.conditions.begin(), decision.conditions.end(), shared);
+  return criterion.difference == envelope.difference() &&
+         std::all_of(criterion.bound.nodes.begin(), criterion.bound.nodes.end(), shared) &&
+         std::all_of(criterion.conditions.begin(), criterion.conditions.end(), shared);
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ Threshold Threshold::of_order() {
 Threshold Threshold::of_lanes(std::span<const error::Lane* const> lanes, const Envelope& envelope) {
   const bool known = std::all_of(lanes.begin(), lanes.end(), [&](const error::Lane* lane) {
     return lane != nullptr && lanes.front() != nullptr &&
-           lane->decision().index() == lanes.front()->decision().index() &&
+           lane->criterion().index() == lanes.front()->criterion().index() &&
            begins_alike(lane->graph, envelope.graph(), envelope.node_count() - 1);
   });
   const double floor = std::ldexp(1.0, envelope.lowest() + 2);
@@ -83,10 +84,10 @@ Threshold Threshold::of_lanes(std::span<const error::Lane* const> lanes, const E
 
 Threshold::Kind Threshold::kind_of(std::span<const error::Lane* const> lanes,
                                    const Envelope& envelope) {
-  const auto& decision = lanes.front()->decision();
-  if (std::holds_alternative<error::UlpDistanceDecision>(decision))
+  const auto& criterion = lanes.front()->criterion();
+  if (std::holds_alternative<error::UlpDistanceCriterion>(criterion))
     return distance(lanes, envelope);
-  if (std::holds_alternative<error::IntervalDecision>(decision)) return interval(lanes, envelope);
+  if (std::holds_alternative<error::IntervalCriterion>(criterion)) return interval(lanes, envelope);
   return absolute(lanes, envelope);
 }
 
@@ -95,7 +96,7 @@ Threshold::Kind Threshold::distance(std::span<const error::Lane* const> lanes,
   double guard = 0;
   for (const error::Lane* lane : lanes) {
     guard = std::max(guard,
-                     to_double(std::get<error::UlpDistanceDecision>(lane->decision()).guard_ulp));
+                     to_double(std::get<error::UlpDistanceCriterion>(lane->criterion()).guard_ulp));
   }
   return Distance{std::ldexp(guard, 1 - envelope.anchor())};
 }
@@ -106,9 +107,9 @@ Threshold::Kind Threshold::interval(std::span<const error::Lane* const> lanes,
   int precision = envelope.anchor();
   for (const error::Lane* lane : lanes) {
     const TypedGraph& graph = lane->graph;
-    const auto& decision = std::get<error::IntervalDecision>(lane->decision());
+    const auto& criterion = std::get<error::IntervalCriterion>(lane->criterion());
     // minimum = D - E, E = E_f + E_g, each a magnitude times a constant.
-    const TypedNode& error = graph.nodes[graph.nodes[decision.minimum].operands[1]];
+    const TypedNode& error = graph.nodes[graph.nodes[criterion.minimum].operands[1]];
     MIXCMP_CHECK(error.operation == Operation::add);
     const double scale = std::ldexp(1.0, precision - envelope.anchor());
     f = std::max(f, encoded_error(graph, error.operands[0]) * scale);
@@ -122,8 +123,8 @@ Threshold::Kind Threshold::interval(std::span<const error::Lane* const> lanes,
 
 Threshold::Kind Threshold::absolute(std::span<const error::Lane* const> lanes,
                                     const Envelope& envelope) {
-  const auto decision = [&](std::size_t k) -> const error::AbsoluteBoundDecision& {
-    return std::get<error::AbsoluteBoundDecision>(lanes[k]->decision());
+  const auto criterion = [&](std::size_t k) -> const error::AbsoluteBoundCriterion& {
+    return std::get<error::AbsoluteBoundCriterion>(lanes[k]->criterion());
   };
   double guard = 1;
   for (const error::Lane* lane : lanes) guard = std::max(guard, guard_factor(*lane));
@@ -132,8 +133,9 @@ Threshold::Kind Threshold::absolute(std::span<const error::Lane* const> lanes,
   for (std::size_t first = 0, next = 0; first < lanes.size(); first = next) {
     // The bound may refer to the shared nodes and the difference only, as the envelope has no
     // others.
-    if (!looks_at_shared_nodes(decision(first), envelope)) return Unknown{};
-    while (next < lanes.size() && BoundEnvelope::same_structure(decision(first), decision(next))) {
+    if (!looks_at_shared_nodes(criterion(first), envelope)) return Unknown{};
+    while (next < lanes.size() &&
+           BoundEnvelope::same_structure(criterion(first), criterion(next))) {
       ++next;
     }
     const int precision = envelope.anchor() + static_cast<int>(first);
@@ -192,7 +194,7 @@ Threshold Threshold::of_fixed_lanes(std::span<const fixed::FixedLane* const> lan
       const FixedNode& difference = lane->nodes[decided.difference];
       const Margin margin = std::visit(
           [&](const auto& thresholds) { return margin_of(thresholds, difference, lane->nodes); },
-          decided.decision);
+          decided.criterion);
       if (decided.swapped) root.square = envelope.graph().f();
       root.constant = std::max(root.constant, margin.constant * scale);
       root.per_root = std::max(root.per_root, margin.per_root * scale);

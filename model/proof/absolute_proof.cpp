@@ -17,16 +17,17 @@ void append(std::vector<Finding>& findings, std::vector<Finding> more) {
 }
 
 /// The operands of the difference whose sign is the lane's decision.
-std::array<NodeId, 2> sides(const error::Lane& lane, const error::AbsoluteBoundDecision& decision) {
-  const TypedNode& difference = lane.graph.nodes[decision.difference];
+std::array<NodeId, 2> sides(const error::Lane& lane,
+                            const error::AbsoluteBoundCriterion& criterion) {
+  const TypedNode& difference = lane.graph.nodes[criterion.difference];
   MIXCMP_CHECK(difference.operation == Operation::subtract);
   return difference.operands;
 }
 
-Finding prove_from_ranges(const error::Lane& lane, const error::AbsoluteBoundDecision& decision,
+Finding prove_from_ranges(const error::Lane& lane, const error::AbsoluteBoundCriterion& criterion,
                           const Prove& prove) {
   Finding finding{"f - g, the whole expression, from the ranges", Outcome::not_expressible, ""};
-  const auto [f, g] = sides(lane, decision);
+  const auto [f, g] = sides(lane, criterion);
   const std::optional<mpq_class> bound = decided_beyond(lane);
   if (!bound) return {finding.what, Outcome::proven, "an infinite bound decides nothing"};
   const RangeScript range = range_script(lane, f, g, *bound);
@@ -43,15 +44,15 @@ Finding prove_from_ranges(const error::Lane& lane, const error::AbsoluteBoundDec
 
 LaneProof prove_absolute(const error::Lane& lane, const error::ErrorAnalysis& analysis,
                          const Prove& prove, Effort effort) {
-  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision());
-  const bool constant = is_constant(decision);
+  const auto& criterion = std::get<error::AbsoluteBoundCriterion>(lane.criterion());
+  const bool constant = is_constant(criterion);
   LaneProof proof;
   proof.lane = describe_arithmetic(lane.graph.arithmetic);
   proof.kind = constant ? "constant" : "running";
   const ByHand decides = {"8", "theorem 8: from the bound of f - g to its sign"};
   proof.by_hand = {scaling_by_hand()};
   if (constant && effort == Effort::whole) {
-    Finding whole = prove_from_ranges(lane, decision, prove);
+    Finding whole = prove_from_ranges(lane, criterion, prove);
     const bool settled = whole.outcome == Outcome::proven || whole.outcome == Outcome::unchecked;
     whole.optional = !settled;
     proof.findings.push_back(std::move(whole));

@@ -43,9 +43,9 @@ bool is_checked_nonnegative(const std::vector<error::RangeCheck>& checks, int in
 
 error::RelativeBound provable(const error::RelativeBound& bound, int depth) {
   if (bound.low == 1 && bound.high == 1) return bound;
-  const mpq_class slack = power_of_two(2L * depth - slack_bits);
-  return {shortened(bound.low * (1 - slack), Direction::down),
-          shortened(bound.high * (1 + slack), Direction::up)};
+  const mpq_class widening = power_of_two(2L * depth - widening_bits);
+  return {shortened(bound.low * (1 - widening), Direction::down),
+          shortened(bound.high * (1 + widening), Direction::up)};
 }
 
 mpq_class rounded_down(const mpq_class& value) {

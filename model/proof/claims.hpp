@@ -39,8 +39,8 @@ error::RelativeBound provable(const error::RelativeBound& bound, int depth);
 mpq_class rounded_down(const mpq_class& value);
 mpq_class rounded_up(const mpq_class& value);
 
-/// The slack at depth 0 is 2^-slack_bits.
-constexpr long slack_bits = 400;
+/// The widening at depth 0 is 2^-widening_bits.
+constexpr long widening_bits = 400;
 /// An estimate of floor(log2(value)), for a positive value: that number, or one more.
 long binade_of(const mpq_class& value);
 

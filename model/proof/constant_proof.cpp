@@ -64,7 +64,7 @@ std::vector<Finding> ConstantProof::run() && {
 
 /// Proves that A / l of theorem 8 is at most `decided_beyond`.
 void ConstantProof::prove_bound() {
-  const NodeId difference = std::get<error::AbsoluteBoundDecision>(lane_.decision()).difference;
+  const NodeId difference = std::get<error::AbsoluteBoundCriterion>(lane_.criterion()).difference;
   const error::MixedBound& bound = *analysis_.nodes[difference].mixed;
   const std::optional<mpq_class> most = decided_beyond(lane_);
   const std::string what = "the constant, from that bound and the ranges";
@@ -75,7 +75,7 @@ void ConstantProof::prove_bound() {
   const error::RelativeBound own =
       rounding_interval(graph_.arithmetic.format.precision(), graph_.arithmetic.rounding);
   const mpq_class low = std::min<mpq_class>(1, bound.factor.low / own.low);
-  const mpq_class factor = rounded_up(provable_fudge(graph_, analysis_, difference) / low);
+  const mpq_class factor = rounded_up(provable_inflation(graph_, analysis_, difference) / low);
   prove_at_most(what, bound.absolute.bound, factor, *most);
 }
 
@@ -172,7 +172,7 @@ mpq_class ConstantProof::greatest(error::BoundId id) {
   const error::BoundNode& node = analysis_.bounds[id];
   const auto operand = [&](int k) { return greatest(node.operands[k]); };
   const auto widened = [](const mpq_class& value) {
-    return rounded_up(value * (1 + power_of_two(-slack_bits)));
+    return rounded_up(value * (1 + power_of_two(-widening_bits)));
   };
   switch (node.operation) {
     case error::BoundOperation::constant: return widened(node.constant);
@@ -192,19 +192,19 @@ mpq_class ConstantProof::greatest(error::BoundId id) {
 
 }  // namespace
 
-bool is_constant(const error::AbsoluteBoundDecision& decision) {
-  const std::vector<error::BoundNode>& nodes = decision.bound.nodes;
-  return decision.guard_ulp == 0 && decision.conditions.empty() && nodes.size() == 1 &&
+bool is_constant(const error::AbsoluteBoundCriterion& criterion) {
+  const std::vector<error::BoundNode>& nodes = criterion.bound.nodes;
+  return criterion.guard_ulp == 0 && criterion.conditions.empty() && nodes.size() == 1 &&
          nodes.front().operation == error::BoundOperation::constant;
 }
 
 /// Numbers of P digits are more than one part in 2^P apart, and an f - g less than half a step
 /// beyond the constant is still rounded to it.
 std::optional<mpq_class> decided_beyond(const error::Lane& lane) {
-  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision());
-  MIXCMP_CHECK(is_constant(decision));
-  const BoundFormat format = decision.bound.format;
-  const Bits encoded = encode_bound(format, decision.bound.nodes.front().constant);
+  const auto& criterion = std::get<error::AbsoluteBoundCriterion>(lane.criterion());
+  MIXCMP_CHECK(is_constant(criterion));
+  const BoundFormat format = criterion.bound.format;
+  const Bits encoded = encode_bound(format, criterion.bound.nodes.front().constant);
   if (encoded == format.infinity()) return std::nullopt;
   const int precision = lane.graph.arithmetic.format.precision();
   return mpq_class(bound_value(format, encoded) * (1 + power_of_two(-precision - 2)));

@@ -8,8 +8,8 @@
 
 namespace mixcmp::proof {
 
-/// Whether the bound of a lane's decision is a number, with neither guard nor conditions.
-bool is_constant(const error::AbsoluteBoundDecision& decision);
+/// Whether the bound of a lane's criterion is a number, with neither guard nor conditions.
+bool is_constant(const error::AbsoluteBoundCriterion& criterion);
 
 /// A number that |f - g|, the unrounded difference of the computed f and g, exceeds wherever a lane
 /// with a constant bound decides: the constant as the hardware holds it, times 1 + 2^-(P+2). None

@@ -70,7 +70,7 @@ public:
   LaneProof run() && {
     for (NodeId id = 0; id < static_cast<NodeId>(nodes_.size()); ++id) prove_node(id);
     for (const fixed::FixedPart& part : lane_.parts) {
-      std::visit([&](const auto& thresholds) { prove_decision(thresholds, part); }, part.decision);
+      std::visit([&](const auto& thresholds) { prove_decision(thresholds, part); }, part.criterion);
     }
     add_steps_by_hand();
     return std::move(proof_);
@@ -295,7 +295,7 @@ private:
   template <class Thresholds>
   bool any_part() const {
     return std::any_of(lane_.parts.begin(), lane_.parts.end(), [](const fixed::FixedPart& part) {
-      return std::holds_alternative<Thresholds>(part.decision);
+      return std::holds_alternative<Thresholds>(part.criterion);
     });
   }
 

@@ -110,7 +110,7 @@ ByHand scaling_by_hand() {
 LaneProof prove_part(const error::Lane& lane, const Prove& prove, Effort effort) {
   LaneProof proof;
   if (lane.certified()) {
-    proof = std::holds_alternative<error::UlpDistanceDecision>(lane.decision())
+    proof = std::holds_alternative<error::UlpDistanceCriterion>(lane.criterion())
                 ? prove_relative(lane, relative_claims(lane), prove, effort)
                 : prove_absolute(lane, analysis_of(lane), prove, effort);
     add_hazards(proof, lane, prove);

@@ -13,7 +13,7 @@ namespace {
 /// Which form of a bound is used.
 enum class Width {
   exact,     ///< as the analysis has it, in rationals
-  provable,  ///< as Gappa has proven it: wider by the slack of its dyadic numbers
+  provable,  ///< as Gappa has proven it: wider, for its dyadic numbers
 };
 
 class RelativeProof {
@@ -139,18 +139,18 @@ Bits RelativeProof::guard_from(Width width) const {
 }
 
 /// Checks the guard against the proven bounds. Where f and g have the same constant factor, its
-/// error cancels exactly, but with any slack it does not: there the guard follows from the exact
+/// error cancels exactly, but with any widening it does not: there the guard follows from the exact
 /// bounds only.
 void RelativeProof::check_guard() {
-  const auto& decision = std::get<error::UlpDistanceDecision>(lane_.decision());
+  const auto& criterion = std::get<error::UlpDistanceCriterion>(lane_.criterion());
   const NodeClaim &f = claims_[graph_.f()], &g = claims_[graph_.g()];
-  const bool beyond = decision.guard_ulp == low_mask(graph_.arithmetic.format.width());
-  const bool signs = !decision.nonnegative || (f.nonnegative && g.nonnegative);
+  const bool beyond = criterion.guard_ulp == low_mask(graph_.arithmetic.format.width());
+  const bool signs = !criterion.nonnegative || (f.nonnegative && g.nonnegative);
   const auto follows_from = [&](Width width) {
-    return signs && (beyond || decision.guard_ulp >= guard_from(width));
+    return signs && (beyond || criterion.guard_ulp >= guard_from(width));
   };
   Finding finding{fmt::format("a guard of {} ulp from these bounds",
-                              static_cast<unsigned long long>(decision.guard_ulp)),
+                              static_cast<unsigned long long>(criterion.guard_ulp)),
                   Outcome::not_proven, "by exact arithmetic; theorems 2 to 4 by hand"};
   if (follows_from(Width::provable)) {
     finding.outcome = Outcome::proven;

@@ -135,8 +135,8 @@ RuleVariable RuleWriter::factor(const char* name, NodeId id) const {
 }
 
 RuleVariable RuleWriter::error_factor(const char* name, NodeId id) const {
-  const mpq_class slack_factor = provable_fudge(graph_, analysis_, id);
-  return {name, -slack_factor, slack_factor};
+  const mpq_class inflation = provable_inflation(graph_, analysis_, id);
+  return {name, -inflation, inflation};
 }
 
 RuleVariable RuleWriter::own_rounding_factor(const char* name) const {
@@ -281,8 +281,8 @@ void RuleWriter::divide() {
   mpq_class share = 0;
   if (has_error(b_)) {
     const error::RelativeBound proven = provable(divisor, depth_of(graph_, b_));
-    const mpq_class& claimed = mixed(b_).absolute.slack_factor;
-    const mpq_class excess = provable_fudge(graph_, analysis_, b_) / claimed;
+    const mpq_class& claimed = mixed(b_).absolute.inflation;
+    const mpq_class excess = provable_inflation(graph_, analysis_, b_) / claimed;
     share = rounded_up(divisor_share * excess * divisor.low / proven.low);
     const mpq_class limit = claimed / divisor_share / divisor.low;
     result_.conditions.push_back({b_, scaled(error(b_), limit)});
@@ -304,7 +304,7 @@ void RuleWriter::square_root() {
   add(times(error(a_), reciprocal), "o * p / (r * sqrt(s))");
   rule_.identity = {"k - h", "(k * k - h * h) / (k + h)"};
   if (analysis_.nodes[a_].nonnegative) return;
-  const mpq_class limit = mixed(a_).absolute.slack_factor / mixed(a_).factor.low;
+  const mpq_class limit = mixed(a_).absolute.inflation / mixed(a_).factor.low;
   result_.conditions.push_back({a_, scaled(error(a_), limit)});
 }
 
@@ -315,21 +315,22 @@ NodeRules rules_of(const TypedGraph& graph, const error::ErrorAnalysis& analysis
 }
 
 /// A factor enters by its distance from one, which is about an ulp. Relative to that distance the
-/// slack of `provable` is about 2^P times as large, and so is the slack here.
-mpq_class provable_fudge(const TypedGraph& graph, const error::ErrorAnalysis& analysis, NodeId id) {
-  const mpq_class& slack_factor = analysis.nodes[id].mixed->absolute.slack_factor;
-  const long slack =
-      2L * depth_of(graph, id) + graph.arithmetic.format.precision() + 4 - slack_bits;
-  return rounded_up(slack_factor * (1 + power_of_two(slack)));
+/// widening of `provable` is about 2^P times as large, and so is the widening here.
+mpq_class provable_inflation(const TypedGraph& graph, const error::ErrorAnalysis& analysis,
+                             NodeId id) {
+  const mpq_class& inflation = analysis.nodes[id].mixed->absolute.inflation;
+  const long widening =
+      2L * depth_of(graph, id) + graph.arithmetic.format.precision() + 4 - widening_bits;
+  return rounded_up(inflation * (1 + power_of_two(widening)));
 }
 
-std::string rule_script(const Rule& rule, const mpq_class& slack_factor) {
+std::string rule_script(const Rule& rule, const mpq_class& inflation) {
   Script script;
   script.comment("An operation's absolute error is a sum of these factors, each times its weight.");
   for (const RuleVariable& variable : rule.variables) {
     script.assume_within(variable.name, dyadic(variable.low), dyadic(variable.high));
   }
-  const std::string most = dyadic(slack_factor);
+  const std::string most = dyadic(inflation);
   for (const RuleTerm& term : rule.terms) {
     script.conclude(fmt::format("{} in [-{}, {}]", term.factor, most, most));
   }

@@ -54,12 +54,13 @@ struct NodeRules {
 };
 NodeRules rules_of(const TypedGraph& graph, const error::ErrorAnalysis& analysis, NodeId id);
 
-/// A node's slack_factor as it is proven: a little larger than claimed, see `provable`.
-mpq_class provable_fudge(const TypedGraph& graph, const error::ErrorAnalysis& analysis, NodeId id);
+/// A node's inflation as it is proven: a little larger than claimed, see `provable`.
+mpq_class provable_inflation(const TypedGraph& graph, const error::ErrorAnalysis& analysis,
+                             NodeId id);
 
-/// A script that proves that no factor exceeds `slack_factor` in magnitude, so that the sum of
-/// terms does not exceed `slack_factor` times the sum of weights. It also states the rule's
+/// A script that proves that no factor exceeds `inflation` in magnitude, so that the sum of
+/// terms does not exceed `inflation` times the sum of weights. It also states the rule's
 /// identity, which Gappa checks by normalising both sides.
-std::string rule_script(const Rule& rule, const mpq_class& slack_factor);
+std::string rule_script(const Rule& rule, const mpq_class& inflation);
 
 }  // namespace mixcmp::proof

@@ -104,9 +104,9 @@ void RuleProof::prove_factor(NodeId id, const NodeRules& rules) {
 }
 
 void RuleProof::prove_absolute_part(NodeId id, const NodeRules& rules) {
-  const mpq_class slack_factor = provable_fudge(graph_, analysis_, id);
+  const mpq_class inflation = provable_inflation(graph_, analysis_, id);
   std::vector<ConeCase> cases;
-  for (const Rule& rule : rules.rules) cases.push_back({"", rule_script(rule, slack_factor)});
+  for (const Rule& rule : rules.rules) cases.push_back({"", rule_script(rule, inflation)});
   Finding finding = nodes_.run_scripts(
       fmt::format("{} {}, absolute error", to_string(graph_.nodes[id].operation), nodes_.text(id)),
       cases);
@@ -135,7 +135,7 @@ void RuleProof::check_lost_constant(NodeId id) {
   const error::MixedBound& bound = mixed(id);
   const mpq_class error = samples_.front().value(analysis_.bounds, bound.absolute.bound);
   const auto within = [&](const mpq_class& factor) {
-    return abs(node.value - computed * factor) <= bound.absolute.slack_factor * error;
+    return abs(node.value - computed * factor) <= bound.absolute.inflation * error;
   };
   nodes_.add({"constant " + nodes_.text(id),
               within(bound.factor.low) && within(bound.factor.high) ? Outcome::proven
@@ -159,18 +159,18 @@ void RuleProof::check_condition(const RuleCondition& condition) {
 /// Whether a node of the lane's bound graph equals the analysis' bound in every sample.
 bool stands_for(const error::Lane& lane, int lane_bound, const error::ErrorAnalysis& analysis,
                 error::BoundId bound) {
-  const auto& nodes = std::get<error::AbsoluteBoundDecision>(lane.decision()).bound.nodes;
+  const auto& nodes = std::get<error::AbsoluteBoundCriterion>(lane.criterion()).bound.nodes;
   const std::vector<BoundSample> samples = samples_of(lane.graph);
   return std::all_of(samples.begin(), samples.end(), [&](const BoundSample& sample) {
     return sample.value(nodes, lane_bound) == sample.value(analysis.bounds, bound);
   });
 }
 
-/// Whether the guard covers the slack_factor. A guard of 0 suffices for one of the size of the
-/// proof's own slack, since numbers of P digits are further apart.
-bool guards(Bits guard, const mpq_class& slack_factor, int precision) {
-  if (slack_factor <= 1 + power_of_two(-precision - 2)) return true;
-  return guard >= error::steps_beyond(slack_factor, precision);
+/// Whether the guard covers the inflation. A guard of 0 suffices for one of the size of the
+/// proof's own widening, since numbers of P digits are further apart.
+bool guards(Bits guard, const mpq_class& inflation, int precision) {
+  if (inflation <= 1 + power_of_two(-precision - 2)) return true;
+  return guard >= error::steps_beyond(inflation, precision);
 }
 
 }  // namespace
@@ -190,22 +190,22 @@ std::vector<Finding> prove_rules(const error::Lane& lane, const error::ErrorAnal
 
 std::vector<Finding> check_running_decision(const error::Lane& lane,
                                             const error::ErrorAnalysis& analysis) {
-  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision());
+  const auto& criterion = std::get<error::AbsoluteBoundCriterion>(lane.criterion());
   const Arithmetic& arithmetic = lane.graph.arithmetic;
   const int precision = arithmetic.format.precision();
   const auto finding = [](std::string what, bool holds) {
     return Finding{std::move(what), holds ? Outcome::proven : Outcome::not_proven,
                    "by exact arithmetic"};
   };
-  const error::MixedBound& bound = *analysis.nodes[decision.difference].mixed;
-  const auto last = static_cast<int>(decision.bound.nodes.size()) - 1;
+  const error::MixedBound& bound = *analysis.nodes[criterion.difference].mixed;
+  const auto last = static_cast<int>(criterion.bound.nodes.size()) - 1;
   const mpq_class low = bound.factor.low / rounding_interval(precision, arithmetic.rounding).low;
-  const mpq_class slack_factor =
-      provable_fudge(lane.graph, analysis, decision.difference) / std::min<mpq_class>(1, low);
+  const mpq_class inflation =
+      provable_inflation(lane.graph, analysis, criterion.difference) / std::min<mpq_class>(1, low);
   const bool conditions = std::all_of(
       analysis.conditions.begin(), analysis.conditions.end(),
       [&](const error::BoundCondition& needed) {
-        return std::any_of(decision.conditions.begin(), decision.conditions.end(),
+        return std::any_of(criterion.conditions.begin(), criterion.conditions.end(),
                            [&](const error::BoundCondition& held) {
                              return held.value == needed.value &&
                                     stands_for(lane, held.bound, analysis, needed.bound);
@@ -214,8 +214,8 @@ std::vector<Finding> check_running_decision(const error::Lane& lane,
   return {finding("the lane computes the bound of f - g",
                   stands_for(lane, last, analysis, bound.absolute.bound)),
           finding("its guard covers the factors left out",
-                  guards(decision.guard_ulp, slack_factor, precision) ||
-                      decision.guard_ulp == low_mask(arithmetic.format.width())),
+                  guards(criterion.guard_ulp, inflation, precision) ||
+                      criterion.guard_ulp == low_mask(arithmetic.format.width())),
           finding("it asks for every condition", conditions)};
 }
 

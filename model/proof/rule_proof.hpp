@@ -17,7 +17,7 @@ std::vector<Finding> prove_rules(const error::Lane& lane, const error::ErrorAnal
                                  const Prove& prove);
 
 /// Checks that a lane with a running bound computes the analysis' bound of f - g, that its guard
-/// covers the slack_factor, and that it tests every condition.
+/// covers the inflation, and that it tests every condition.
 std::vector<Finding> check_running_decision(const error::Lane& lane,
                                             const error::ErrorAnalysis& analysis);
 

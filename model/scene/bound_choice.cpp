@@ -62,7 +62,7 @@ std::string bound_choice_names() {
 
 BoundChoice bound_choice(const error::LanePart& part) {
   if (!part.certified()) return {Kind::profiled};
-  const auto* absolute = std::get_if<error::AbsoluteBoundDecision>(&part.decision);
+  const auto* absolute = std::get_if<error::AbsoluteBoundCriterion>(&part.criterion);
   if (absolute == nullptr) return {Kind::relative};
   if (absolute->bound.nodes.back().operation == error::BoundOperation::constant)
     return {Kind::constant};
@@ -91,7 +91,7 @@ BoundChoice bound_choice(const error::CandidateLane& candidate) {
   MIXCMP_CHECK(false);
 }
 
-std::span<const BoundChoice> profiled_bound_choices() {
+std::span<const BoundChoice> counted_bound_choices() {
   static constexpr std::array<BoundChoice, 7> choices = {{{Kind::relative},
                                                           {Kind::running, 4},
                                                           {Kind::running, 1},

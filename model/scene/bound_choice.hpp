@@ -43,7 +43,7 @@ BoundChoice bound_choice(const fixed::FixedLane& lane);
 BoundChoice bound_choice(const error::CandidateLane& candidate);
 
 /// The choices that a profile counts.
-std::span<const BoundChoice> profiled_bound_choices();
+std::span<const BoundChoice> counted_bound_choices();
 
 /// Returns a copy of `reduced` with this bound, in its number system: fixed point has as many bits
 /// as `reduced` has, or as its format has digits.

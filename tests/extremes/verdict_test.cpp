@@ -184,11 +184,11 @@ TEST(NearTies, MisleadALaneWhoseGuardIsTooSmall) {
     Lane lane =
         error::certified_lane(lane_graph(sphere_graph(), reference, reduced, LaneInputs::exact), {})
             .value();
-    auto& decision = std::get<error::UlpDistanceDecision>(lane.decision());
-    ASSERT_EQ(decision.guard_ulp, Bits{7});
+    auto& criterion = std::get<error::UlpDistanceCriterion>(lane.criterion());
+    ASSERT_EQ(criterion.guard_ulp, Bits{7});
     const Judged data = judged(fmt::format("near_tie_{}", precision), reference, 400);
     EXPECT_EQ(count(lane, data).wrong, 0u) << precision;
-    decision.guard_ulp = 5;
+    criterion.guard_ulp = 5;
     EXPECT_GT(count(lane, data).wrong, 0u) << precision;
   }
 }
@@ -201,16 +201,16 @@ double attained(int precision, int bound_digits) {
       error::certified_lane(lane_graph(sphere_graph(), reference, reduced, LaneInputs::rounded),
                             {.kind = ErrorBoundKind::running, .bound_digits = bound_digits})
           .value();
-  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision());
+  const auto& criterion = std::get<error::AbsoluteBoundCriterion>(lane.criterion());
   const Judged data = judged(fmt::format("near_tie_{}", precision), reference, 2000);
   mpq_class most = 0;
   for (std::size_t row = 0; row < data.rows.size(); ++row) {
     const auto values = golden::evaluate(lane.graph, data.rows[row]);
-    const auto bounds = golden::evaluate_bound(decision.bound, lane.graph, values);
-    const mpq_class difference = to_rational(reduced.format, values[decision.difference].bits);
+    const auto bounds = golden::evaluate_bound(criterion.bound, lane.graph, values);
+    const mpq_class difference = to_rational(reduced.format, values[criterion.difference].bits);
     const Verdict verdict = difference < 0 ? Verdict::less : Verdict::greater;
     if (difference == 0 || verdict == data.truths[row]) continue;
-    const mpq_class bound = bound_value(decision.bound.format, bounds.back());
+    const mpq_class bound = bound_value(criterion.bound.format, bounds.back());
     most = std::max<mpq_class>(most, abs(difference) / bound);
   }
   return most.get_d();

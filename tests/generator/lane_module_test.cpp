@@ -68,20 +68,20 @@ Lane lane_of(const Graph& graph, ErrorBoundKind kind, Subnormals subnormals,
 TEST(LaneModule, BoundHasAUnitForEveryOperation) {
   const Graph graph = graph_of("a / (b - 1.1)", "sqrt(a - 0.7)");
   const Lane lane = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, {});
-  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision());
+  const auto& criterion = std::get<error::AbsoluteBoundCriterion>(lane.criterion());
   std::map<std::string, int> expected;
-  for (const error::BoundNode& node : decision.bound.nodes) {
+  for (const error::BoundNode& node : criterion.bound.nodes) {
     ++expected["bound_" + std::string(to_string(node.operation))];
   }
-  ASSERT_GT(decision.guard_ulp, 0u);
-  ASSERT_EQ(decision.conditions.size(), 2u);
+  ASSERT_GT(criterion.guard_ulp, 0u);
+  ASSERT_EQ(criterion.conditions.size(), 2u);
   const std::vector<rtl::Instance> all = instances(graph, lane);
   for (const auto& [module, nodes] : expected) {
     EXPECT_EQ(count(all, module), module == "bound_constant" ? 0 : nodes) << module;
   }
-  EXPECT_EQ(count(all, "bound_at_most"), static_cast<int>(decision.conditions.size()));
+  EXPECT_EQ(count(all, "bound_at_most"), static_cast<int>(criterion.conditions.size()));
   EXPECT_EQ(parameter(only(all, "bound_decision"), "GUARD_ULP"),
-            static_cast<long long>(decision.guard_ulp));
+            static_cast<long long>(criterion.guard_ulp));
   EXPECT_EQ(count(all, "fp_range_check"), 0);
 }
 

@@ -157,13 +157,13 @@ TEST_P(ScheduleAtTarget, BoundsFollowTheirOperandsAndPrecedeTheDecision) {
           {.kind = error::ErrorBoundKind::running,
            .ranges = std::vector<std::optional<Range>>(8, Range{0, 100})})
           .value();
-  const auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision());
+  const auto& criterion = std::get<error::AbsoluteBoundCriterion>(lane.criterion());
   const datapath::Schedule schedule =
       datapath::schedule_lane(lane, scene::Multipliers::embedded, delays_, GetParam());
-  ASSERT_EQ(schedule.parts.front().bounds.size(), decision.bound.nodes.size());
+  ASSERT_EQ(schedule.parts.front().bounds.size(), criterion.bound.nodes.size());
   ASSERT_EQ(schedule.checks.size(), 8u);
-  for (std::size_t id = 0; id < decision.bound.nodes.size(); ++id) {
-    const error::BoundNode& node = decision.bound.nodes[id];
+  for (std::size_t id = 0; id < criterion.bound.nodes.size(); ++id) {
+    const error::BoundNode& node = criterion.bound.nodes[id];
     int latest = node.value >= 0 ? schedule.steps[node.value].ready_cycle : 0;
     for (int k = 0; k < error::arity(node.operation); ++k) {
       latest = std::max(latest, schedule.parts.front().bounds[node.operands[k]].ready_cycle);
@@ -173,7 +173,7 @@ TEST_P(ScheduleAtTarget, BoundsFollowTheirOperandsAndPrecedeTheDecision) {
   EXPECT_GE(schedule.parts.front().decision.start_cycle,
             schedule.parts.front().bounds.back().ready_cycle);
   EXPECT_GE(schedule.parts.front().decision.start_cycle,
-            schedule.steps[decision.difference].ready_cycle);
+            schedule.steps[criterion.difference].ready_cycle);
   for (const datapath::Step& check : schedule.checks) {
     EXPECT_EQ(check.unit.module, "fp_range_check");
     EXPECT_GE(schedule.parts.front().decision.start_cycle, check.ready_cycle);

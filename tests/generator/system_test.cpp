@@ -125,9 +125,9 @@ TEST(MixedSystem, EachKindHasItsModuleAndEqualKindsShareOne) {
 TEST(MixedSystem, LanesOfOneNameAreToldApartByANumberUnlessTheyAreOneHardware) {
   design::Design design = sphere_design(format("s8e8"), format("s24e8"), 1, 1);
   design.lanes.push_back(design.lanes.front());
-  auto& decision = std::get<error::UlpDistanceDecision>(
-      design::float_lane(design.lanes[1].lane).parts.front().decision);
-  decision.guard_ulp += 1;
+  auto& criterion = std::get<error::UlpDistanceCriterion>(
+      design::float_lane(design.lanes[1].lane).parts.front().criterion);
+  criterion.guard_ulp += 1;
   const emit::GeneratedSystem system = emit::generate_system(design, command).value();
   const std::string& first = system.signature.lane_groups[0].module;
   const std::string& second = system.signature.lane_groups[1].module;

@@ -21,9 +21,9 @@ Graph graph_of(const std::vector<std::pair<std::string, std::string>>& parts,
   return graph;
 }
 
-const error::UlpDistanceDecision& certified_decision(const error::Lane& lane) {
+const error::UlpDistanceCriterion& certified_decision(const error::Lane& lane) {
   MIXCMP_CHECK(lane.certified());
-  return std::get<error::UlpDistanceDecision>(lane.decision());
+  return std::get<error::UlpDistanceCriterion>(lane.criterion());
 }
 
 Result<error::Lane> relative_lane(TypedGraph graph, const std::vector<bool>& nonnegative) {

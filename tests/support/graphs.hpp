@@ -17,7 +17,7 @@ Graph graph_of(const std::vector<std::pair<std::string, std::string>>& parts,
                Combination combination);
 
 /// Where the certified decision exists: what it is.
-const error::UlpDistanceDecision& certified_decision(const error::Lane& lane);
+const error::UlpDistanceCriterion& certified_decision(const error::Lane& lane);
 
 /// The lane with a relative bound, if there is one, and nothing left out of its operations; the
 /// ranges of these inputs exclude negative values.

@@ -103,10 +103,10 @@ design::Design fake_design(const FakeSystem& fake) {
                          .input_format = binary16(),
                          .arithmetic = {binary16()},
                          .parts = {{0, 1}}};
-  const error::UlpDistanceDecision decision{.guard_ulp = 4, .nonnegative = true};
+  const error::UlpDistanceCriterion criterion{.guard_ulp = 4, .nonnegative = true};
   return {.name = "fake",
           .inputs = {"a", "b"},
-          .lanes = {{.lane = error::one_part_lane(graph, decision), .count = fake.lanes}},
+          .lanes = {{.lane = error::one_part_lane(graph, criterion), .count = fake.lanes}},
           .reference = graph,
           .references = references_of(fake)};
 }

@@ -15,7 +15,7 @@ namespace {
 using data::Comparisons;
 using design::Design;
 using error::ErrorBoundKind;
-using error::IntervalDecision;
+using error::IntervalCriterion;
 using scene::BoundKind;
 using scene::LaneGroupSpec;
 using scene::Multipliers;
@@ -177,10 +177,10 @@ TEST(MakeDesign, NeedsConstantsOrDataForAProfiledBound) {
   EXPECT_FALSE(design::make_design(scene, nullptr).ok());
   scene.reduced.relative_error_g = mpq_class(1, 2000);
   const Design design = design::make_design(scene, nullptr).value();
-  const auto& decision = std::get<IntervalDecision>(
-      design::float_lane(design.lanes.front().lane).parts.front().decision);
-  EXPECT_EQ(decision.relative_error_f, mpq_class(1, 1000));
-  EXPECT_EQ(decision.relative_error_g, mpq_class(1, 2000));
+  const auto& criterion = std::get<IntervalCriterion>(
+      design::float_lane(design.lanes.front().lane).parts.front().criterion);
+  EXPECT_EQ(criterion.relative_error_f, mpq_class(1, 1000));
+  EXPECT_EQ(criterion.relative_error_g, mpq_class(1, 2000));
 }
 
 TEST(MakeDesign, RefusesALaneThatCouldNeverDecide) {
@@ -296,11 +296,11 @@ TEST(MakeDesign, MeasuresMissingConstantsOnData) {
   }
   const Comparisons data = Comparisons::rows(std::move(table), {"a", "b"}).value();
   const Design design = design::make_design(scene, &data, profile::profile_error).value();
-  const auto& decision = std::get<IntervalDecision>(
-      design::float_lane(design.lanes.front().lane).parts.front().decision);
-  EXPECT_GT(decision.relative_error_f, 0);
-  EXPECT_LT(decision.relative_error_f, mpq_class(1, 1 << 17));
-  EXPECT_EQ(decision.relative_error_g, mpq_class(1, 2000));
+  const auto& criterion = std::get<IntervalCriterion>(
+      design::float_lane(design.lanes.front().lane).parts.front().criterion);
+  EXPECT_GT(criterion.relative_error_f, 0);
+  EXPECT_LT(criterion.relative_error_f, mpq_class(1, 1 << 17));
+  EXPECT_EQ(criterion.relative_error_g, mpq_class(1, 2000));
 }
 
 /// 0, 1, 2, ...

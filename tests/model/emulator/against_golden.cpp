@@ -170,7 +170,7 @@ std::uint64_t expect_golden(const error::Lane& lane, const Operands& operands) {
     answer.decision = result.decided ? decision_of(result.verdict) : Decision::undecided;
     expected.push_back(answer);
   }
-  return judge(Emulator(lane), lane.graph, operands, expected, describe_decision(lane));
+  return judge(Emulator(lane), lane.graph, operands, expected, describe_criterion(lane));
 }
 
 std::uint64_t expect_golden(const TypedGraph& reference, const Operands& operands) {

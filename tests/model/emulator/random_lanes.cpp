@@ -150,7 +150,7 @@ Arithmetic random_reduced(FloatFormat reference, Random& random) {
   return any_of(every_arithmetic(format_of(digits, exponent_bits)), random);
 }
 
-error::AbsoluteBoundDecision random_absolute_bound(TypedGraph& graph, Random& random) {
+error::AbsoluteBoundCriterion random_absolute_bound(TypedGraph& graph, Random& random) {
   const FloatFormat format = graph.arithmetic.format;
   graph.nodes.push_back({.operation = Operation::subtract,
                          .operands = {graph.f(), graph.g()},
@@ -160,41 +160,42 @@ error::AbsoluteBoundDecision random_absolute_bound(TypedGraph& graph, Random& ra
   const int most_digits = std::min(format.precision(), 52);
   const int digits =
       1 + below(random, below(random, 4) == 0 ? most_digits : std::min(most_digits, 8));
-  error::AbsoluteBoundDecision decision = {
+  error::AbsoluteBoundCriterion criterion = {
       .difference = static_cast<NodeId>(graph.nodes.size()) - 1,
       .bound = {.format = {digits, format.exponent_bits()}, .nodes = {}},
       .conditions = {}};
-  if (below(random, 2) == 0) decision.guard_ulp = random_guard(format, random);
-  auto& nodes = decision.bound.nodes;
+  if (below(random, 2) == 0) criterion.guard_ulp = random_guard(format, random);
+  auto& nodes = criterion.bound.nodes;
   for (int k = 1 + below(random, 4); k > 0; --k) nodes.push_back(random_leaf(graph, random));
   for (int k = below(random, 6); k > 0; --k) {
     nodes.push_back(random_bound_operation(static_cast<int>(nodes.size()), random));
   }
   for (int k = below(random, 3); k > 0; --k) {
-    decision.conditions.push_back(
+    criterion.conditions.push_back(
         {below(random, static_cast<int>(nodes.size())), lane_node(graph, random)});
   }
-  return decision;
+  return criterion;
 }
 
 Lane random_lane(TypedGraph graph, Random& random) {
-  error::LaneDecision decision = error::UlpDistanceDecision{0, false};
+  error::Criterion criterion = error::UlpDistanceCriterion{0, false};
   switch (below(random, 4)) {
     case 0:
-      decision = error::IntervalDecision{lane_node(graph, random), lane_node(graph, random), 0, 0};
+      criterion =
+          error::IntervalCriterion{lane_node(graph, random), lane_node(graph, random), 0, 0};
       break;
     case 1: {
       const Bits guard = random_guard(graph.arithmetic.format, random);
-      decision = error::UlpDistanceDecision{guard, false};
+      criterion = error::UlpDistanceCriterion{guard, false};
       break;
     }
-    default: decision = random_absolute_bound(graph, random);
+    default: criterion = random_absolute_bound(graph, random);
   }
   std::vector<error::RangeCheck> checks;
   for (int k = below(random, 3); k > 0; --k) {
     checks.push_back(random_check(graph, random));
   }
-  return one_part_lane(std::move(graph), std::move(decision), std::move(checks));
+  return one_part_lane(std::move(graph), std::move(criterion), std::move(checks));
 }
 
 Operands random_operands(int input_count, FloatFormat format, std::size_t count, Random& random) {

@@ -23,9 +23,9 @@ LaneInputs random_inputs(Random& random);
 FloatFormat random_reference(Random& random);
 Arithmetic random_reduced(FloatFormat reference, Random& random);
 
-/// With a decision and range checks made up.
+/// With a criterion and range checks made up.
 error::Lane random_lane(TypedGraph graph, Random& random);
-error::AbsoluteBoundDecision random_absolute_bound(TypedGraph& graph, Random& random);
+error::AbsoluteBoundCriterion random_absolute_bound(TypedGraph& graph, Random& random);
 
 /// Encodings of `format`, mostly of one scale.
 Operands random_operands(int input_count, FloatFormat format, std::size_t count, Random& random);

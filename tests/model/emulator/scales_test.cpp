@@ -36,7 +36,7 @@ TEST_P(Scales, NeighboursAreEmulatedBitForBit) {
       const Arithmetic reduced = {format_of(17, reference.exponent_bits()), Rounding::nearest_even,
                                   Subnormals::flush};
       const Lane lane = error::one_part_lane(lane_graph(graph, reference, reduced, inputs),
-                                             error::UlpDistanceDecision{3, false});
+                                             error::UlpDistanceCriterion{3, false});
       const int highest = reference.max_exponent() - 1;
       for (int exponent = reference.min_exponent(); exponent <= highest; ++exponent) {
         expect_golden(lane, neighbours(reference, exponent, random));
@@ -77,7 +77,7 @@ TEST(FlushingLanes, DecideOnOperandsThatOnlyChangeSign) {
       operands[1].push_back(only.is_nan(b) ? only.quiet_nan() : b);
     }
   }
-  expect_golden(error::one_part_lane(graph, error::UlpDistanceDecision{2, false}), operands);
+  expect_golden(error::one_part_lane(graph, error::UlpDistanceCriterion{2, false}), operands);
 }
 
 /// Steps of the encoding below the smallest normal number are not those of a double.
@@ -91,7 +91,7 @@ TEST(SubnormalConstants, AreAsFarApartAsTheirEncodings) {
   Operands operands(1);
   for (int k = 0; k < 500; ++k) operands[0].push_back(random_encoding(format("s17e2"), random));
   for (Bits guard = 1; guard < 1024; guard *= 2) {
-    expect_golden(error::one_part_lane(typed, error::UlpDistanceDecision{guard, false}), operands);
+    expect_golden(error::one_part_lane(typed, error::UlpDistanceCriterion{guard, false}), operands);
   }
 }
 

@@ -58,7 +58,7 @@ Result<Lane> lane_of(const Aimed& aimed) {
 }
 
 mpq_class& constant_of(Lane& lane) {
-  return std::get<error::AbsoluteBoundDecision>(lane.decision()).bound.nodes.back().constant;
+  return std::get<error::AbsoluteBoundCriterion>(lane.criterion()).bound.nodes.back().constant;
 }
 
 Verdict order(const Aimed& aimed, const Rationals& operands, const mpq_class& c) {
@@ -166,7 +166,7 @@ TEST_P(ConstantBound, IsNeverTooSmall) {
   const auto lane = lane_of(GetParam());
   ASSERT_TRUE(lane.ok()) << lane.error().to_string();
   const Decisions decisions = decide(GetParam(), *lane);
-  EXPECT_EQ(decisions.wrong, 0) << describe_decision(*lane) << "; " << decisions.example;
+  EXPECT_EQ(decisions.wrong, 0) << describe_criterion(*lane) << "; " << decisions.example;
 }
 
 /// The operands above are those that matter: they refute half the constant.
@@ -174,7 +174,7 @@ TEST_P(ConstantBound, HalvedDecidesWrongly) {
   Lane lane = lane_of(GetParam()).value();
   constant_of(lane) /= 2;
   const Decisions decisions = decide(GetParam(), lane);
-  EXPECT_GT(decisions.wrong, 0) << describe_decision(lane) << "; the largest error is "
+  EXPECT_GT(decisions.wrong, 0) << describe_criterion(lane) << "; the largest error is "
                                 << decisions.largest_error.get_d();
 }
 
@@ -259,7 +259,7 @@ TEST(ConstantBound, IsToldAsTheHardwareHasIt) {
     const Graph graph = graph_of(f, g);
     const std::vector<std::optional<Range>> ranges(graph.inputs().size(), range);
     const auto typed = lane_graph(graph, arrives, {lane}, LaneInputs::rounded);
-    return describe_decision(
+    return describe_criterion(
         error::certified_lane(typed, {.kind = error::ErrorBoundKind::constant, .ranges = ranges})
             .value());
   };

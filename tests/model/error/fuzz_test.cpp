@@ -194,7 +194,7 @@ std::string describe(const Target& target, const std::vector<Bits>& inputs) {
       "{} against {}, reference {}, lane {} {} {}, inputs {}, {}, operands checked {}:",
       text(lane.f()), text(lane.g()), lane.input_format.name(), lane.arithmetic.format.name(),
       to_string(lane.arithmetic.rounding), to_string(lane.arithmetic.subnormals),
-      target.how == LaneInputs::exact ? "exact" : "rounded", describe_decision(target.lane),
+      target.how == LaneInputs::exact ? "exact" : "rounded", describe_criterion(target.lane),
       target.lane.checks.size());
   for (const Bits input : inputs) {
     description += fmt::format(" 0x{}", to_hex(input, lane.input_format.width()));
@@ -213,11 +213,11 @@ Bits distance(FloatFormat format, Bits f, Bits g) {
 Bits margin(const Lane& lane, const std::vector<Bits>& inputs) {
   const auto values = golden::evaluate(lane.graph, inputs);
   const FloatFormat format = lane.graph.arithmetic.format;
-  if (const auto* relative = std::get_if<error::UlpDistanceDecision>(&lane.decision())) {
+  if (const auto* relative = std::get_if<error::UlpDistanceCriterion>(&lane.criterion())) {
     return distance(format, values[lane.graph.f()].bits, values[lane.graph.g()].bits) -
            relative->guard_ulp;
   }
-  const auto& absolute = std::get<error::AbsoluteBoundDecision>(lane.decision());
+  const auto& absolute = std::get<error::AbsoluteBoundCriterion>(lane.criterion());
   const Bits bound = golden::evaluate_bound(absolute.bound, lane.graph, values).back();
   const int padding = format.precision() - absolute.bound.format.precision;
   const Bits limit = (bound << padding) + absolute.guard_ulp;
@@ -356,7 +356,7 @@ TEST_P(RandomGraphs, OfSeveralPartsAreDecidedAsTheRealNumbersAre) {
       const auto truth = true_verdict(graph, format, inputs);
       if (!result.decided || !truth) continue;
       ++decided;
-      EXPECT_EQ(to_string(result.verdict), to_string(truth)) << describe_decision(*lane);
+      EXPECT_EQ(to_string(result.verdict), to_string(truth)) << describe_criterion(*lane);
     }
   }
   EXPECT_GT(lanes, MIXCMP_FUZZED_GRAPHS / 20);

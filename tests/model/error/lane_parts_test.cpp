@@ -138,14 +138,14 @@ TEST_P(EveryTuple, IsDecidedAsThePartsSayAndAsTheRealNumbersAre) {
       const Lane& lane = judged.lane;
       const LaneResult result = evaluate_lane(lane, inputs);
       const Expected expected = of_parts(judged, inputs);
-      EXPECT_EQ(result.decided, expected.result.decided) << describe_decision(lane);
+      EXPECT_EQ(result.decided, expected.result.decided) << describe_criterion(lane);
       if (!result.decided) continue;
       ++decided;
       alone += expected.alone ? 1 : 0;
       EXPECT_EQ(to_string(result.verdict), to_string(expected.result.verdict))
-          << describe_decision(lane);
+          << describe_criterion(lane);
       if (!lane.certified()) continue;
-      EXPECT_EQ(to_string(result.verdict), to_string(truth)) << describe_decision(lane);
+      EXPECT_EQ(to_string(result.verdict), to_string(truth)) << describe_criterion(lane);
     }
   }
   EXPECT_GT(decided, 0u);
@@ -202,13 +202,13 @@ TEST(Lane, APartIsHarmedOnlyByWhatItDependsOn) {
 TEST(Lane, EachPartHasTheBoundThatItNeeds) {
   const Graph graph = graph_of({{"a * b", "c"}, {"a - b * c", "b"}, {"a", "b"}}, Combination::any);
   const Lane lane = lane_of(graph, LaneInputs::exact, std::vector<std::optional<Range>>(3));
-  using error::AbsoluteBoundDecision;
-  using error::UlpDistanceDecision;
-  EXPECT_TRUE(std::holds_alternative<UlpDistanceDecision>(lane.parts[0].decision));
-  EXPECT_TRUE(std::holds_alternative<AbsoluteBoundDecision>(lane.parts[1].decision));
-  EXPECT_TRUE(std::holds_alternative<UlpDistanceDecision>(lane.parts[2].decision));
-  EXPECT_NE(describe_decision(lane).find("any of 3 parts; part 0 certified"), std::string::npos)
-      << describe_decision(lane);
+  using error::AbsoluteBoundCriterion;
+  using error::UlpDistanceCriterion;
+  EXPECT_TRUE(std::holds_alternative<UlpDistanceCriterion>(lane.parts[0].criterion));
+  EXPECT_TRUE(std::holds_alternative<AbsoluteBoundCriterion>(lane.parts[1].criterion));
+  EXPECT_TRUE(std::holds_alternative<UlpDistanceCriterion>(lane.parts[2].criterion));
+  EXPECT_NE(describe_criterion(lane).find("any of 3 parts; part 0 certified"), std::string::npos)
+      << describe_criterion(lane);
 }
 
 TEST(Lane, AnErrorNamesThePart) {
@@ -246,7 +246,7 @@ TEST(Lane, ANodeThatPartsShareKeepsTheHazardsOfEither) {
   std::vector<Lane> lanes;
   for (const error::Hazards& hazards : {none, all}) {
     lanes.push_back(
-        error::one_part_lane(part_of(typed, lanes.size()).graph, error::UlpDistanceDecision{}));
+        error::one_part_lane(part_of(typed, lanes.size()).graph, error::UlpDistanceCriterion{}));
     lanes.back().hazards.assign(lanes.back().graph.nodes.size(), hazards);
   }
   for (const bool swapped : {false, true}) {
@@ -264,7 +264,7 @@ TEST(Lane, ANodeThatPartsShareKeepsTheHazardsOfEither) {
   }
 }
 
-/// A part keeps the decision, the checks and the nodes of the lane that was made of it alone. It
+/// A part keeps the criterion, the checks and the nodes of the lane that was made of it alone. It
 /// keeps the hazards of nodes that it shared.
 TEST(Lane, APartIsTheLaneOfThatPart) {
   const Graph graph =
@@ -274,8 +274,8 @@ TEST(Lane, APartIsTheLaneOfThatPart) {
   for (std::size_t part = 0; part < 3; ++part) {
     const Lane extracted = part_of(lane, part);
     const Lane alone = lane_of(graph.part(part), LaneInputs::rounded, ranges);
-    EXPECT_EQ(extracted.decision().index(), alone.decision().index()) << part;
-    EXPECT_EQ(describe_decision(extracted), describe_decision(alone)) << part;
+    EXPECT_EQ(extracted.criterion().index(), alone.criterion().index()) << part;
+    EXPECT_EQ(describe_criterion(extracted), describe_criterion(alone)) << part;
     EXPECT_EQ(extracted.checks, alone.checks) << part;
     EXPECT_EQ(extracted.graph.nodes.size(), alone.graph.nodes.size()) << part;
   }

@@ -15,7 +15,7 @@ namespace mixcmp::test::profiled_error_test {
 namespace {
 
 using data::Comparisons;
-using error::IntervalDecision;
+using error::IntervalCriterion;
 using error::Lane;
 using error::ProfiledError;
 
@@ -109,9 +109,9 @@ TEST(ProfiledLane, AppendsThePapersErrorUnit) {
   EXPECT_EQ(operations,
             "input convert square input convert add "
             "subtract constant multiply absolute constant multiply add subtract add ");
-  const auto& decision = std::get<IntervalDecision>(lane.decision());
-  EXPECT_EQ(decision.maximum, static_cast<int>(lane.graph.nodes.size()) - 1);
-  EXPECT_EQ(decision.minimum, decision.maximum - 1);
+  const auto& criterion = std::get<IntervalCriterion>(lane.criterion());
+  EXPECT_EQ(criterion.maximum, static_cast<int>(lane.graph.nodes.size()) - 1);
+  EXPECT_EQ(criterion.minimum, criterion.maximum - 1);
 }
 
 TEST(ProfiledLane, RoundsItsConstantsUp) {

@@ -36,7 +36,7 @@ std::string describe(const Comparison& comparison, const Lane& lane, FloatFormat
   const Arithmetic& arithmetic = lane.graph.arithmetic;
   std::string text = fmt::format("{} against {} in {} {} {}, {}:", comparison.f, comparison.g,
                                  arithmetic.format.name(), to_string(arithmetic.rounding),
-                                 to_string(arithmetic.subnormals), describe_decision(lane));
+                                 to_string(arithmetic.subnormals), describe_criterion(lane));
   for (const Bits input : inputs) text += " " + to_text(format, input);
   return text;
 }
@@ -88,8 +88,9 @@ void judge(const Comparison& comparison, FloatFormat reference) {
   }
   for (size_t k = 0; k < lanes.size(); ++k) {
     // A bound of few digits may exceed all that so few digits of f and g can tell apart.
-    const bool is_able = std::holds_alternative<error::UlpDistanceDecision>(lanes[k].decision()) ||
-                         lanes[k].graph.arithmetic.format.precision() > 3;
+    const bool is_able =
+        std::holds_alternative<error::UlpDistanceCriterion>(lanes[k].criterion()) ||
+        lanes[k].graph.arithmetic.format.precision() > 3;
     if (is_able) {
       EXPECT_GT(decided[k], 0u) << describe(comparison, lanes[k], reference, {});
     }

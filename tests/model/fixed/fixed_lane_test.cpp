@@ -58,7 +58,7 @@ TEST(FixedLane, NodesAreAsWideAsTheirIntervals) {
 
 TEST(FixedLane, ASphereIsDecidedByTheNormOfItsErrors) {
   const FixedLane lane = lane_of(graph_of(spheres, "(ri + rj)^2"), 13, {0, 100});
-  const auto& norm = std::get<NormThresholds>(lane.parts.front().decision);
+  const auto& norm = std::get<NormThresholds>(lane.parts.front().criterion);
   // Differences are off by less than a unit, their norm by sqrt(3); the radii's sum by two units,
   // downward only: 2 (sqrt(3) + 2) = 7.46 and 2 sqrt(3) = 3.46.
   EXPECT_EQ(norm.shift_above, 3) << "8 >= 2 (sqrt(3) + 2)";
@@ -69,7 +69,7 @@ TEST(FixedLane, ASphereIsDecidedByTheNormOfItsErrors) {
 
 TEST(FixedLane, ARadiusMayErrUpward) {
   const FixedLane lane = lane_of(graph_of("a^2", "abs(b - c)^2"), 13, {0, 100});
-  const auto& norm = std::get<NormThresholds>(lane.parts.front().decision);
+  const auto& norm = std::get<NormThresholds>(lane.parts.front().criterion);
   EXPECT_EQ(norm.shift_above, 2) << "4 = 2 (1 + 1): a unit of either side";
   EXPECT_EQ(norm.shift_below, 2);
 }

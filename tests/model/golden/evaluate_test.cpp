@@ -17,7 +17,7 @@ namespace mixcmp::test::evaluate_test {
 namespace {
 
 using error::Lane;
-using error::UlpDistanceDecision;
+using error::UlpDistanceCriterion;
 using golden::evaluate;
 using golden::evaluate_lane;
 using golden::evaluate_reference;
@@ -79,20 +79,20 @@ TEST(Evaluate, ChangesSignsOfNansAndInfinitiesAndSaysSo) {
   EXPECT_EQ(f_and_g(1), std::pair(Rounded{sign | 1, false}, Rounded{1, false}));
 }
 
-/// Compares two inputs that the lane holds exactly, by a chosen decision.
-LaneResult decide(const UlpDistanceDecision& decision, Bits a, Bits b,
+/// Compares two inputs that the lane holds exactly, by a chosen criterion.
+LaneResult decide(const UlpDistanceCriterion& criterion, Bits a, Bits b,
                   Subnormals subnormals = Subnormals::gradual,
                   std::vector<error::RangeCheck> checks = {}) {
   const FloatFormat format = format_of(4, 4);
   const Arithmetic arithmetic{format, Rounding::nearest_even, subnormals};
   const Lane lane =
       error::one_part_lane(lane_graph(graph_of("a", "b"), format, arithmetic, LaneInputs::rounded),
-                           decision, std::move(checks));
+                           criterion, std::move(checks));
   return evaluate_lane(lane, std::vector<Bits>{a, b});
 }
 
 TEST(UlpDistance, DecidesFromTheGuardOn) {
-  const UlpDistanceDecision guard{.guard_ulp = 3, .nonnegative = false};
+  const UlpDistanceCriterion guard{.guard_ulp = 3, .nonnegative = false};
   EXPECT_FALSE(decide(guard, 40, 40).decided);
   EXPECT_FALSE(decide(guard, 42, 40).decided);
   EXPECT_FALSE(decide(guard, 40, 42).decided);
@@ -104,7 +104,7 @@ TEST(UlpDistance, DecidesFromTheGuardOn) {
 
 TEST(UlpDistance, AddsMagnitudesAcrossZero) {
   const Bits sign = format_of(4, 4).zero(true);
-  const UlpDistanceDecision guard{.guard_ulp = 3, .nonnegative = false};
+  const UlpDistanceCriterion guard{.guard_ulp = 3, .nonnegative = false};
   EXPECT_FALSE(decide(guard, 1, sign | 1).decided);
   EXPECT_TRUE(decide(guard, 2, sign | 1).decided);
   EXPECT_EQ(decide(guard, 2, sign | 1).verdict, Verdict::greater);
@@ -116,7 +116,7 @@ TEST(UlpDistance, AddsMagnitudesAcrossZero) {
 
 TEST(UlpDistance, DecidesEqualityWithoutAGuard) {
   const Bits sign = format_of(4, 4).zero(true);
-  const UlpDistanceDecision exact{.guard_ulp = 0, .nonnegative = false};
+  const UlpDistanceCriterion exact{.guard_ulp = 0, .nonnegative = false};
   for (const auto& [a, b] : {std::pair<Bits, Bits>{40, 40}, {0, sign}, {sign, 0}}) {
     EXPECT_TRUE(decide(exact, a, b).decided);
     EXPECT_EQ(decide(exact, a, b).verdict, Verdict::equal);
@@ -125,7 +125,7 @@ TEST(UlpDistance, DecidesEqualityWithoutAGuard) {
 
 TEST(UlpDistance, IsNeverDecidedWhereSomethingIsExceptional) {
   const FloatFormat format = format_of(4, 4);
-  const UlpDistanceDecision exact{.guard_ulp = 0, .nonnegative = false};
+  const UlpDistanceCriterion exact{.guard_ulp = 0, .nonnegative = false};
   EXPECT_FALSE(decide(exact, format.infinity(false), 40).decided);
   EXPECT_FALSE(decide(exact, 40, format.quiet_nan()).decided);
   EXPECT_FALSE(decide(exact, 40, 1, Subnormals::flush).decided);
@@ -134,7 +134,7 @@ TEST(UlpDistance, IsNeverDecidedWhereSomethingIsExceptional) {
 
 TEST(UlpDistance, IsNeverDecidedWhereAnInputBreaksItsRange) {
   const Bits sign = format_of(4, 4).zero(true);
-  const UlpDistanceDecision exact{.guard_ulp = 0, .nonnegative = false};
+  const UlpDistanceCriterion exact{.guard_ulp = 0, .nonnegative = false};
   const auto decided = [&](Bits a, Bits b) {
     const auto second = error::sign_check(1, error::RequiredSign::nonnegative);
     return decide(exact, a, b, Subnormals::gradual, {second}).decided;
@@ -154,13 +154,13 @@ LaneResult decide_by_interval(const std::string& a, const std::string& b,
 }
 
 /// The largest number is 255/128 * 2^31.
-TEST(IntervalDecision, DecidesNothingWithAConstantBeyondTheFormat) {
+TEST(IntervalCriterion, DecidesNothingWithAConstantBeyondTheFormat) {
   const mpq_class largest = mpq_class(mpz_class(255) << 24);
   EXPECT_TRUE(decide_by_interval("1e-7", "-1e7", largest).decided);
   EXPECT_FALSE(decide_by_interval("1e-7", "-1e7", largest + 1).decided);
 }
 
-TEST(IntervalDecision, DecidesOutsideTheError) {
+TEST(IntervalCriterion, DecidesOutsideTheError) {
   EXPECT_FALSE(decide_by_interval("8", "8").decided);
   EXPECT_FALSE(decide_by_interval("9", "8").decided);  // |D| = 1, E = 9/8 + 8/8
   EXPECT_FALSE(decide_by_interval("7", "9").decided);  // |D| = 2 = E
@@ -172,13 +172,13 @@ TEST(IntervalDecision, DecidesOutsideTheError) {
   EXPECT_EQ(decide_by_interval("1", "-1").verdict, Verdict::greater);
 }
 
-TEST(IntervalDecision, IsOpenForNans) {
+TEST(IntervalCriterion, IsOpenForNans) {
   EXPECT_FALSE(decide_by_interval("nan", "8").decided);
   EXPECT_FALSE(decide_by_interval("inf", "inf").decided);
 }
 
 /// 1 / -0 is -infinity though a root is "never negative": D - E is a NaN, D + E is negative.
-TEST(IntervalDecision, IsOpenWhereOneBoundIsANan) {
+TEST(IntervalCriterion, IsOpenWhereOneBoundIsANan) {
   const FloatFormat format = format_of(8, 6);
   const Lane lane = error::profiled_lane(
       lane_graph(graph_of("1 / sqrt(a)", "b"), format, {format}, LaneInputs::rounded),

@@ -21,7 +21,7 @@ namespace mixcmp::test::envelope_test {
 namespace {
 
 using data::Comparisons;
-using error::AbsoluteBoundDecision;
+using error::AbsoluteBoundCriterion;
 using error::Lane;
 using golden::bound_is_at_most;
 using golden::evaluate;
@@ -229,15 +229,15 @@ TEST(Envelope, KnowsThatComputedValuesUnderflowBeforeTrueOnes) {
 /// Theorem 3 on comparison k; the bound of one lane.
 void expect_bound_within(const Case& test, std::size_t k, const Lane& lane, double scaled,
                          double fixed) {
-  const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision());
+  const auto& criterion = std::get<AbsoluteBoundCriterion>(lane.criterion());
   const std::vector<Rounded> values = evaluate(lane.graph, test.operands(k));
-  const std::vector<Bits> bounds = golden::evaluate_bound(decision.bound, lane.graph, values);
-  const BoundFormat format = decision.bound.format;
+  const std::vector<Bits> bounds = golden::evaluate_bound(criterion.bound, lane.graph, values);
+  const BoundFormat format = criterion.bound.format;
   ASSERT_NE(bounds.back(), format.infinity());
   const int steps = lane.graph.arithmetic.format.precision() - test.envelope.anchor();
   const mpq_class allowed = mpq_class(scaled) * power_of_two(-steps) + mpq_class(fixed);
   EXPECT_LE(bound_value(format, bounds.back()), allowed);
-  for (const error::BoundCondition& condition : decision.conditions) {
+  for (const error::BoundCondition& condition : criterion.conditions) {
     EXPECT_TRUE(bound_is_at_most(format, bounds[condition.bound], lane.graph.arithmetic.format,
                                  values[condition.value].bits));
   }
@@ -258,12 +258,12 @@ int expect_theorem_3(const Case& test, const std::vector<const Lane*>& lanes, in
 
 /// What |f - g| as computed must exceed for the lane to decide: the bound, and its guard in steps.
 std::optional<mpq_class> least_decided(const Lane& lane, const std::vector<Bits>& operands) {
-  const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision());
+  const auto& criterion = std::get<AbsoluteBoundCriterion>(lane.criterion());
   const FloatFormat format = lane.graph.arithmetic.format;
   const auto values = evaluate(lane.graph, operands);
-  const Bits bound = golden::evaluate_bound(decision.bound, lane.graph, values).back();
+  const Bits bound = golden::evaluate_bound(criterion.bound, lane.graph, values).back();
   const Bits encoded =
-      (bound << (format.precision() - decision.bound.format.precision)) + decision.guard_ulp;
+      (bound << (format.precision() - criterion.bound.format.precision)) + criterion.guard_ulp;
   if (encoded > format.largest_finite(false)) return std::nullopt;
   return to_rational(format, encoded);
 }
@@ -297,7 +297,7 @@ TEST(Threshold, IsNeverBelowBoundAndGuard) {
             mpq_class(scaled[k]) * power_of_two(-static_cast<int>(n)) + mpq_class(fixed[k]);
         EXPECT_LE(*least, allowed * (1 - mpq_class(test.envelope.unit())));
         ++checked;
-        guarded += std::get<AbsoluteBoundDecision>(lanes[n]->decision()).guard_ulp != 0 ? 1 : 0;
+        guarded += std::get<AbsoluteBoundCriterion>(lanes[n]->criterion()).guard_ulp != 0 ? 1 : 0;
       }
     }
   }
@@ -312,10 +312,11 @@ std::vector<const Lane*> lanes_of_kind(
   for (const auto& [precision, all] : candidates) {
     if (!all[kind].lane.ok()) return {};
     const Lane& lane = *all[kind].lane;
-    if (!std::holds_alternative<AbsoluteBoundDecision>(lane.decision())) return {};
-    const auto& decision = std::get<AbsoluteBoundDecision>(lane.decision());
-    const auto& first = lanes.empty() ? lane.decision() : lanes.front()->decision();
-    if (!BoundEnvelope::same_structure(decision, std::get<AbsoluteBoundDecision>(first))) return {};
+    if (!std::holds_alternative<AbsoluteBoundCriterion>(lane.criterion())) return {};
+    const auto& criterion = std::get<AbsoluteBoundCriterion>(lane.criterion());
+    const auto& first = lanes.empty() ? lane.criterion() : lanes.front()->criterion();
+    if (!BoundEnvelope::same_structure(criterion, std::get<AbsoluteBoundCriterion>(first)))
+      return {};
     lanes.push_back(&lane);
   }
   return lanes;

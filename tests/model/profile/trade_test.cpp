@@ -149,7 +149,7 @@ TEST(CostModel, GrowsWithPrecisionAndWithTheErrorUnit) {
   for (int precision = 4; precision <= 52; ++precision) {
     const TypedGraph graph = profile::graph_at(scene, precision, LaneInputs::rounded);
     const error::Lane alone = error::one_part_lane(
-        graph, error::UlpDistanceDecision{.guard_ulp = 0, .nonnegative = true});
+        graph, error::UlpDistanceCriterion{.guard_ulp = 0, .nonnegative = true});
     const error::Lane profiled = error::profiled_lane(graph, mpq_class(1, 9), mpq_class(1, 9));
     EXPECT_GT(profile::lane_luts(alone), before);
     EXPECT_GT(profile::lane_luts(profiled), profile::lane_luts(alone) + 100);

@@ -30,8 +30,8 @@ Result<Lane> absolute_lane(const Graph& graph, ErrorBoundKind kind,
                          .ranges = nonnegative_ranges(graph)});
 }
 
-error::AbsoluteBoundDecision& decision_of(Lane& lane) {
-  return std::get<error::AbsoluteBoundDecision>(lane.decision());
+error::AbsoluteBoundCriterion& decision_of(Lane& lane) {
+  return std::get<error::AbsoluteBoundCriterion>(lane.criterion());
 }
 
 class AbsoluteProof : public WithGappa {
@@ -143,8 +143,8 @@ TEST_F(AbsoluteProof, RandomLanesAreProven) {
 }
 
 /// What the lane claims beyond 1 less one part in 1024.
-mpq_class shrunken(const mpq_class& slack_factor) {
-  return 1 + (slack_factor - 1) * (1 - mpq_class(1, 1 << 10));
+mpq_class shrunken(const mpq_class& inflation) {
+  return 1 + (inflation - 1) * (1 - mpq_class(1, 1 << 10));
 }
 
 TEST_F(AbsoluteProof, AFudgeShrunkenByOneInAThousandIsRefused) {
@@ -155,8 +155,8 @@ TEST_F(AbsoluteProof, AFudgeShrunkenByOneInAThousandIsRefused) {
     for (std::size_t id = 0; id < analysis.nodes.size(); ++id) {
       ErrorAnalysis wrong = analysis;
       auto& mixed = *wrong.nodes[id].mixed;
-      if (mixed.is_relative() || mixed.absolute.slack_factor == 1) continue;
-      mixed.absolute.slack_factor = shrunken(mixed.absolute.slack_factor);
+      if (mixed.is_relative() || mixed.absolute.inflation == 1) continue;
+      mixed.absolute.inflation = shrunken(mixed.absolute.inflation);
       EXPECT_TRUE(prove(lane, wrong).refused()) << "node " << id;
       ++shrunk;
     }

@@ -98,13 +98,13 @@ TEST_F(ConstantProof, EveryTermIsProvenOperationByOperation) {
 /// reciprocals, up to twice too large as a power of two, and what rounding up to few digits hides.
 TEST_F(ConstantProof, AConstantSmallerByOneInAThousandIsRefused) {
   for_every_lane([&](Lane lane) {
-    auto& decision = std::get<error::AbsoluteBoundDecision>(lane.decision());
+    auto& criterion = std::get<error::AbsoluteBoundCriterion>(lane.criterion());
     const std::vector<error::BoundNode> bounds = analysis_of(lane).bounds;
     const bool divides = std::any_of(bounds.begin(), bounds.end(), [](const auto& node) {
       return node.operation == error::BoundOperation::reciprocal;
     });
     const int one_in = lane.graph.arithmetic.format.precision() < 16 ? 25 : 1000;
-    decision.bound.nodes.back().constant *= 1 - mpq_class(1, divides ? 2 : one_in);
+    criterion.bound.nodes.back().constant *= 1 - mpq_class(1, divides ? 2 : one_in);
     const LaneProof proof = prove(lane, Effort::operations);
     EXPECT_TRUE(proof.refused()) << report::to_text(proof, "");
   });
@@ -138,7 +138,7 @@ TEST_F(ConstantProof, AConditionThatTheRangesBreakIsRefused) {
   for (RangeCheck& check : lane.checks) {
     if (check.input == 3) check = error::range_check(3, lane.graph.input_format, {11, 30});
   }
-  std::get<error::AbsoluteBoundDecision>(lane.decision()).bound.nodes.back().constant *= 1000;
+  std::get<error::AbsoluteBoundCriterion>(lane.criterion()).bound.nodes.back().constant *= 1000;
   const LaneProof wider =
       prove_absolute(lane, analysis_of(lane), std::ref(prover_), Effort::operations);
   ASSERT_TRUE(wider.refused()) << report::to_text(wider, "");

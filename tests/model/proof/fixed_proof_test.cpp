@@ -121,19 +121,19 @@ INSTANTIATE_TEST_SUITE_P(
 
 class TooClose : public testing::TestWithParam<int> {};
 
-/// Each of the numbers that a decision is made of, a step too close to what it must exceed.
+/// Each of the numbers that a criterion is made of, a step too close to what it must exceed.
 TEST_P(TooClose, IsRefused) {
   if (!proof::gappa_version().ok()) GTEST_SKIP() << "gappa is not installed";
   const auto bound = GetParam() < 3 ? FixedBound::norm : FixedBound::constant;
   FixedLane lane = lane_of({"", spheres, 13, {0, 100}, "", bound});
-  auto& decision = lane.parts.front().decision;
+  auto& criterion = lane.parts.front().criterion;
   ASSERT_FALSE(proof_of(lane).refused());
-  if (auto* norm = std::get_if<fixed::NormThresholds>(&decision)) {
+  if (auto* norm = std::get_if<fixed::NormThresholds>(&criterion)) {
     if (GetParam() == 0) --norm->shift_above;
     if (GetParam() == 1) --norm->shift_below;
     if (GetParam() == 2) --norm->offset_above;
   } else {
-    auto& constants = std::get<fixed::ConstantThresholds>(decision);
+    auto& constants = std::get<fixed::ConstantThresholds>(criterion);
     if (GetParam() == 3) --constants.greater_from;
     if (GetParam() == 4) ++constants.less_to;
   }

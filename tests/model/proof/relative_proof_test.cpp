@@ -265,7 +265,7 @@ TEST_F(RelativeProof, ASignThatTheLaneDoesNotCheckIsRefused) {
 TEST_F(RelativeProof, AGuardOneStepLowerIsRefused) {
   for (const char* format : {"s4e8", "s17e8", "s52e8"}) {
     Lane lane = lane_of(sphere_graph(), {.format = format}).value();
-    std::get<error::UlpDistanceDecision>(lane.decision()).guard_ulp -= 1;
+    std::get<error::UlpDistanceCriterion>(lane.criterion()).guard_ulp -= 1;
     const LaneProof proof = prove(lane, Effort::operations);
     EXPECT_TRUE(proof.refused());
     EXPECT_NE(proof.verdict().find("a guard of 6 ulp"), std::string::npos) << proof.verdict();
@@ -282,7 +282,7 @@ TEST_F(RelativeProof, AGuardThatFollowsFromExactBoundsAloneIsByHand) {
     const LaneProof sound = prove(lane, Effort::operations);
     EXPECT_FALSE(sound.refused()) << f << ": " << sound.verdict();
     EXPECT_FALSE(sound.machine_checked()) << f << ": " << sound.verdict();
-    std::get<error::UlpDistanceDecision>(lane.decision()).guard_ulp -= 1;
+    std::get<error::UlpDistanceCriterion>(lane.criterion()).guard_ulp -= 1;
     EXPECT_TRUE(prove(lane, Effort::operations).refused()) << f;
   }
 }

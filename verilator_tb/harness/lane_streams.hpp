@@ -15,9 +15,9 @@
 namespace mixcmp::harness {
 
 /// The testbench of one lane's two streams: it offers comparisons, takes results and records both.
-class Lane {
+class LaneStreams {
 public:
-  Lane(int index, Ports& ports, Recorder& recorder)
+  LaneStreams(int index, Ports& ports, Recorder& recorder)
       : index_(static_cast<std::uint32_t>(index)),
         ports_(ports),
         recorder_(recorder),

@@ -1,4 +1,4 @@
-#include "model/emulator/decision_code.hpp"
+#include "model/emulator/criterion_code.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -63,44 +63,46 @@ void add_bound_node(Code& code, const error::BoundNode& node, BoundFormat format
 
 /// Sets the guard to `guard` ulps times 2^power. One that exceeds every difference becomes the
 /// largest integer: the lane then never decides.
-void set_guard(DecisionRule& decision, FloatFormat format, Bits guard, int power) {
+void set_guard(FloatCriterion& criterion, FloatFormat format, Bits guard, int power) {
   constexpr Bits never = std::numeric_limits<std::int64_t>::max();
   const auto zero_exponent = static_cast<std::uint64_t>(double_bias - format.bias());
-  decision.guard = static_cast<std::int64_t>(guard <= never >> power ? guard << power : never);
-  decision.zero = std::bit_cast<double>(zero_exponent << (double_digits - 1));
+  criterion.guard = static_cast<std::int64_t>(guard <= never >> power ? guard << power : never);
+  criterion.zero = std::bit_cast<double>(zero_exponent << (double_digits - 1));
 }
 
-bool add(Code& code, const error::Lane& lane, const error::AbsoluteBoundDecision& decision) {
-  if (!is_safe(decision.bound.format)) return false;
+bool add(Code& code, const error::Lane& lane, const error::AbsoluteBoundCriterion& criterion) {
+  if (!is_safe(criterion.bound.format)) return false;
   const int first_column = code.layout.columns;
-  for (const error::BoundNode& node : decision.bound.nodes) {
-    add_bound_node(code, node, decision.bound.format, first_column);
+  for (const error::BoundNode& node : criterion.bound.nodes) {
+    add_bound_node(code, node, criterion.bound.format, first_column);
   }
-  code.decision.rule = Rule::absolute_bound;
-  code.decision.first = decision.difference;
-  code.decision.second = code.layout.columns - 1;
+  code.criterion.kind = CriterionKind::absolute_bound;
+  code.criterion.first = criterion.difference;
+  code.criterion.second = code.layout.columns - 1;
   const FloatFormat format = lane.graph.arithmetic.format;
-  set_guard(code.decision, format, decision.guard_ulp, double_digits - format.precision());
-  for (const error::BoundCondition& condition : decision.conditions) {
-    code.decision.conditions.push_back({first_column + condition.bound, condition.value});
+  set_guard(code.criterion, format, criterion.guard_ulp, double_digits - format.precision());
+  for (const error::BoundCondition& condition : criterion.conditions) {
+    code.criterion.conditions.push_back({first_column + condition.bound, condition.value});
   }
   return true;
 }
 
-bool add(Code& code, const error::Lane& lane, const error::UlpDistanceDecision& decision) {
+bool add(Code& code, const error::Lane& lane, const error::UlpDistanceCriterion& criterion) {
   const FloatFormat format = lane.graph.arithmetic.format;
   if (format.precision() == double_digits) return false;  // keys need the last bit
-  if (decision.guard_ulp == 0) return true;               // the order of exact f and g
-  code.decision.rule = decision.nonnegative ? Rule::magnitudes : Rule::signed_keys;
-  const int halved = decision.nonnegative ? 0 : 1;
-  set_guard(code.decision, format, decision.guard_ulp, double_digits - format.precision() - halved);
+  if (criterion.guard_ulp == 0) return true;              // the order of exact f and g
+  code.criterion.kind =
+      criterion.nonnegative ? CriterionKind::magnitudes : CriterionKind::signed_keys;
+  const int halved = criterion.nonnegative ? 0 : 1;
+  set_guard(code.criterion, format, criterion.guard_ulp,
+            double_digits - format.precision() - halved);
   return true;
 }
 
-bool add(Code& code, const error::Lane&, const error::IntervalDecision& decision) {
-  code.decision.rule = Rule::interval;
-  code.decision.first = decision.minimum;
-  code.decision.second = decision.maximum;
+bool add(Code& code, const error::Lane&, const error::IntervalCriterion& criterion) {
+  code.criterion.kind = CriterionKind::interval;
+  code.criterion.first = criterion.minimum;
+  code.criterion.second = criterion.maximum;
   return true;
 }
 
@@ -136,27 +138,27 @@ bool add_checks(Code& code, const error::Lane& lane) {
     const auto reads = [&](const auto& input) { return input.second == check.input; };
     const auto input = std::find_if(code.layout.inputs.begin(), code.layout.inputs.end(), reads);
     if (input == code.layout.inputs.end()) return false;
-    code.decision.checks.push_back(operand_check(check, input->first, lane.graph.input_format));
+    code.criterion.checks.push_back(operand_check(check, input->first, lane.graph.input_format));
   }
   return true;
 }
 
 }  // namespace
 
-bool add_decision(Code& code, const error::Lane& lane) {
+bool add_criterion(Code& code, const error::Lane& lane) {
   if (!add_checks(code, lane)) return false;
-  return std::visit([&](const auto& decision) { return add(code, lane, decision); },
-                    lane.decision());
+  return std::visit([&](const auto& criterion) { return add(code, lane, criterion); },
+                    lane.criterion());
 }
 
 std::vector<NodeId> values_as_encodings(const error::Lane& lane) {
-  if (std::holds_alternative<error::UlpDistanceDecision>(lane.decision())) {
+  if (std::holds_alternative<error::UlpDistanceCriterion>(lane.criterion())) {
     return {lane.graph.f(), lane.graph.g()};
   }
   std::vector<NodeId> values;
-  const auto* decision = std::get_if<error::AbsoluteBoundDecision>(&lane.decision());
-  if (decision == nullptr) return values;
-  for (const error::BoundNode& node : decision->bound.nodes) {
+  const auto* criterion = std::get_if<error::AbsoluteBoundCriterion>(&lane.criterion());
+  if (criterion == nullptr) return values;
+  for (const error::BoundNode& node : criterion->bound.nodes) {
     if (node.value >= 0) values.push_back(node.value);
   }
   return values;

@@ -1,9 +1,9 @@
 // Decides comparisons. Only kernels.cpp includes this file, once per instruction set.
-#if defined(MIXCMP_EMULATOR_JUDGE_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef MIXCMP_EMULATOR_JUDGE_INL
-#undef MIXCMP_EMULATOR_JUDGE_INL
+#if defined(MIXCMP_EMULATOR_CRITERION_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef MIXCMP_EMULATOR_CRITERION_INL
+#undef MIXCMP_EMULATOR_CRITERION_INL
 #else
-#define MIXCMP_EMULATOR_JUDGE_INL
+#define MIXCMP_EMULATOR_CRITERION_INL
 #endif
 
 #include "model/emulator/rounding-inl.hpp"
@@ -26,10 +26,10 @@ HWY_INLINE IntVec greater_or_less(hn::Mask<Int> greater, hn::Mask<Int> less) {
 /// Decides by the order of f and g: the code is 1 (equal), one more where f > g, one less where f <
 /// g.
 struct Order {
-  const DecisionRule& decision_rule;
+  const FloatCriterion& criterion;
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
-    const Vec f = hn::LoadU(Tag(), block.columns[decision_rule.first] + i);
-    const Vec g = hn::LoadU(Tag(), block.columns[decision_rule.second] + i);
+    const Vec f = hn::LoadU(Tag(), block.columns[criterion.first] + i);
+    const Vec g = hn::LoadU(Tag(), block.columns[criterion.second] + i);
     return hn::Add(hn::Sub(code(1), as_int(hn::Gt(f, g))), as_int(hn::Lt(f, g)));
   }
 };
@@ -39,12 +39,12 @@ struct Order {
 /// binade below the smallest normal number, stands for 0.
 class Magnitudes {
 public:
-  HWY_INLINE explicit Magnitudes(const DecisionRule& decision_rule)
-      : first_(decision_rule.first),
-        second_(decision_rule.second),
-        zero_(hn::Set(Tag(), decision_rule.zero)),
-        below_guard_(hn::Set(Int(), decision_rule.guard - 1)),
-        above_minus_guard_(hn::Set(Int(), 1 - decision_rule.guard)) {}
+  HWY_INLINE explicit Magnitudes(const FloatCriterion& criterion)
+      : first_(criterion.first),
+        second_(criterion.second),
+        zero_(hn::Set(Tag(), criterion.zero)),
+        below_guard_(hn::Set(Int(), criterion.guard - 1)),
+        above_minus_guard_(hn::Set(Int(), 1 - criterion.guard)) {}
 
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
     const IntVec f = bits_of(hn::Max(hn::LoadU(Tag(), block.columns[first_] + i), zero_));
@@ -64,12 +64,12 @@ private:
 /// with at most 52 digits is 0.
 class SignedKeys {
 public:
-  HWY_INLINE explicit SignedKeys(const DecisionRule& decision_rule)
-      : first_(decision_rule.first),
-        second_(decision_rule.second),
-        zero_(hn::Set(Tag(), decision_rule.zero)),
-        below_guard_(hn::Set(Int(), decision_rule.guard - 1)),
-        above_minus_guard_(hn::Set(Int(), 1 - decision_rule.guard)) {}
+  HWY_INLINE explicit SignedKeys(const FloatCriterion& criterion)
+      : first_(criterion.first),
+        second_(criterion.second),
+        zero_(hn::Set(Tag(), criterion.zero)),
+        below_guard_(hn::Set(Int(), criterion.guard - 1)),
+        above_minus_guard_(hn::Set(Int(), 1 - criterion.guard)) {}
 
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
     const IntVec f = key(hn::LoadU(Tag(), block.columns[first_] + i));
@@ -95,18 +95,18 @@ private:
 /// guard and every condition holds. An infinite bound exceeds every difference.
 class AbsoluteBound {
 public:
-  HWY_INLINE explicit AbsoluteBound(const DecisionRule& decision_rule)
-      : decision_rule_(decision_rule),
-        zero_(hn::Set(Tag(), decision_rule.zero)),
-        guard_(hn::Set(Int(), decision_rule.guard)) {}
+  HWY_INLINE explicit AbsoluteBound(const FloatCriterion& criterion)
+      : criterion_(criterion),
+        zero_(hn::Set(Tag(), criterion.zero)),
+        guard_(hn::Set(Int(), criterion.guard)) {}
 
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
-    const Vec difference = hn::LoadU(Tag(), block.columns[decision_rule_.first] + i);
-    const Vec bound = hn::LoadU(Tag(), block.columns[decision_rule_.second] + i);
+    const Vec difference = hn::LoadU(Tag(), block.columns[criterion_.first] + i);
+    const Vec bound = hn::LoadU(Tag(), block.columns[criterion_.second] + i);
     const IntVec excess =
         hn::Sub(bits_of(hn::Max(hn::Abs(difference), zero_)), bits_of(hn::Max(bound, zero_)));
     IntVec holds = hn::VecFromMask(Int(), hn::Gt(excess, guard_));
-    for (const DecisionRule::Condition& condition : decision_rule_.conditions) {
+    for (const FloatCriterion::Condition& condition : criterion_.conditions) {
       const Vec limit = hn::LoadU(Tag(), block.columns[condition.bound] + i);
       const Vec value = hn::LoadU(Tag(), block.columns[condition.value] + i);
       holds = hn::And(holds, as_int(hn::Le(limit, hn::Abs(value))));
@@ -117,16 +117,16 @@ public:
   }
 
 private:
-  const DecisionRule& decision_rule_;
+  const FloatCriterion& criterion_;
   Vec zero_;
   IntVec guard_;
 };
 
 struct Interval {
-  const DecisionRule& decision_rule;
+  const FloatCriterion& criterion;
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
-    const Vec minimum = hn::LoadU(Tag(), block.columns[decision_rule.first] + i);
-    const Vec maximum = hn::LoadU(Tag(), block.columns[decision_rule.second] + i);
+    const Vec minimum = hn::LoadU(Tag(), block.columns[criterion.first] + i);
+    const Vec maximum = hn::LoadU(Tag(), block.columns[criterion.second] + i);
     return greater_or_less(hn::RebindMask(Int(), hn::Gt(minimum, hn::Zero(Tag()))),
                            hn::RebindMask(Int(), hn::Lt(maximum, hn::Zero(Tag()))));
   }
@@ -144,28 +144,30 @@ HWY_INLINE IntVec failing(const OperandCheck& check, const Block& block, std::si
   return hn::Or(wrong_sign, hn::Or(low, high));
 }
 
-template <class RuleOf>
-void judge_by(const RuleOf& rule, const DecisionRule& decision_rule, const Block& block,
-              std::uint8_t* codes) {
+template <class Decides>
+void decide_by(const Decides& decides, const FloatCriterion& criterion, const Block& block,
+               std::uint8_t* codes) {
   const hn::Rebind<std::uint64_t, Tag> words;
   const hn::Rebind<std::uint8_t, Tag> bytes;
   for (std::size_t i = 0; i < block.size; i += hn::Lanes(Tag())) {
-    IntVec decision = rule(block, i);
-    for (const OperandCheck& check : decision_rule.checks) {
+    IntVec decision = decides(block, i);
+    for (const OperandCheck& check : criterion.checks) {
       decision = hn::IfThenElse(hn::MaskFromVec(failing(check, block, i)), code(4), decision);
     }
     hn::StoreU(hn::TruncateTo(bytes, hn::BitCast(words, decision)), bytes, codes + i);
   }
 }
 
-void judge(const DecisionRule& decision_rule, const Block& block, std::uint8_t* codes) {
-  switch (decision_rule.rule) {
-    case Rule::order: return judge_by(Order{decision_rule}, decision_rule, block, codes);
-    case Rule::magnitudes: return judge_by(Magnitudes(decision_rule), decision_rule, block, codes);
-    case Rule::signed_keys: return judge_by(SignedKeys(decision_rule), decision_rule, block, codes);
-    case Rule::absolute_bound:
-      return judge_by(AbsoluteBound(decision_rule), decision_rule, block, codes);
-    case Rule::interval: return judge_by(Interval{decision_rule}, decision_rule, block, codes);
+void decide(const FloatCriterion& criterion, const Block& block, std::uint8_t* codes) {
+  switch (criterion.kind) {
+    case CriterionKind::order: return decide_by(Order{criterion}, criterion, block, codes);
+    case CriterionKind::magnitudes:
+      return decide_by(Magnitudes(criterion), criterion, block, codes);
+    case CriterionKind::signed_keys:
+      return decide_by(SignedKeys(criterion), criterion, block, codes);
+    case CriterionKind::absolute_bound:
+      return decide_by(AbsoluteBound(criterion), criterion, block, codes);
+    case CriterionKind::interval: return decide_by(Interval{criterion}, criterion, block, codes);
   }
 }
 
