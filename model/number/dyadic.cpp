@@ -32,6 +32,13 @@ long floor_log2(const mpq_class& value) {
   return floor_log2(value.get_num(), value.get_den());
 }
 
+long lowest_digit(const mpq_class& value) {
+  const auto zeros = [](const mpz_class& number) {
+    return static_cast<long>(mpz_scan1(number.get_mpz_t(), 0));
+  };
+  return zeros(value.get_num()) - zeros(value.get_den());
+}
+
 mpz_class floor_of(const mpq_class& value) {
   mpz_class quotient;
   mpz_fdiv_q(quotient.get_mpz_t(), value.get_num_mpz_t(), value.get_den_mpz_t());

@@ -16,6 +16,9 @@ mpq_class scaled(mpq_class value, long exponent);
 
 /// floor(log2 value), value > 0.
 long floor_log2(const mpq_class& value);
+/// The place of the last binary digit of a dyadic number other than 0: the value is an odd multiple
+/// of 2 to the power of it.
+long lowest_digit(const mpq_class& value);
 /// floor(log2 (numerator / denominator)) for positive operands with any common factors.
 long floor_log2(const mpz_class& numerator, const mpz_class& denominator);
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "model/common/check.hpp"
@@ -158,7 +159,9 @@ private:
     const NodeId last = operands.back();
     script.define("c", operation_text(node.operation, computed(operands[0]), computed(last)));
     script.define("t", operation_text(node.operation, truth(operands[0]), truth(last)));
-    script.ask_for_digits(digits_between(operands, node));
+    const FixedNode &first = nodes_[operands[0]], &second = nodes_[last];
+    script.ask_for_digits(
+        digits_between({&first.value, &first.error, &second.value, &second.error, &value, &exact}));
     conclude(script, "c", value);
     conclude(script, "c - t", exact);
     script.hint("c - t", identity(node));
@@ -170,15 +173,17 @@ private:
     proof_.findings.push_back(std::move(finding));
   }
 
-  /// Digits with which Gappa's products of numbers in these operands' units are exact.
-  int digits_between(const std::vector<NodeId>& operands, const FixedNode& result) const {
-    int least = result.format.unit_exponent, top = least + result.format.width;
-    for (const NodeId id : operands) {
-      const FixedFormat& format = nodes_[id].format;
-      least = std::min(least, format.unit_exponent);
-      top = std::max(top, format.unit_exponent + format.width);
+  /// Digits with which Gappa's products of numbers between these ends are exact.
+  static int digits_between(std::initializer_list<const Range*> ranges) {
+    long least = 0, top = 0;
+    for (const Range* range : ranges) {
+      for (const mpq_class& end : {range->low, range->high}) {
+        if (end == 0) continue;
+        least = std::min(least, lowest_digit(end));
+        top = std::max(top, floor_log2(abs(end)) + 1);
+      }
     }
-    return 2 * (top - least + places);
+    return static_cast<int>(2 * (top - least));
   }
 
   static std::string shown(const mpq_class& value) { return rounded_text(value, 4); }
@@ -213,7 +218,7 @@ private:
                            .b = power_of_two(thresholds.shift_below) * per_radius,
                            .offset = thresholds.offset_above * unit};
     const mpq_class squares = sum_of_squares(difference.operands[0]);
-    const bool suffice = thresholds.is_square
+    const bool suffice = thresholds.radius_is_squared
                              ? suffice_for_two(limits, squares, sum_of_squares(thresholds.radius))
                              : suffice_for_radius(limits, squares, nodes_[thresholds.radius]);
     add_exact("the limits are those that theorem 4 asks for", suffice);
@@ -224,7 +229,7 @@ private:
     mpq_class offset;
   };
 
-  /// Whether a >= r + c, offset > (r + c)^2 and b >= r + h, where r^2 = squares.
+  /// Whether a >= r + c, offset > max(0, r + c)^2 and b >= r + h, where r^2 = squares.
   static bool suffice_for_radius(const Limits& limits, const mpq_class& squares,
                                  const FixedNode& radius) {
     const mpq_class c = largest_excess(radius);
@@ -234,8 +239,10 @@ private:
     // offset - r^2 - c^2 > 2 c r, without the root.
     const mpq_class rest = limits.offset - squares - c * c;
     const mpq_class twice = 4 * c * c * squares;
-    const bool offset_suffices =
-        c >= 0 ? rest > 0 && rest * rest > twice : rest > 0 || rest * rest < twice;
+    const bool none_is_needed = c <= 0 && c * c >= squares;
+    const bool offset_suffices = none_is_needed ? limits.offset > 0
+                                 : c >= 0       ? rest > 0 && rest * rest > twice
+                                                : rest > 0 || rest * rest < twice;
     return radius.value.low >= 0 && at_least(limits.a, c) && offset_suffices &&
            at_least(limits.b, radius.error.high);
   }
