@@ -1,6 +1,7 @@
 #include "generator/components/characterise.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -9,9 +10,11 @@
 #include "generator/cli/output.hpp"
 #include "generator/cli/planning.hpp"
 #include "generator/cli/verbs.hpp"
+#include "generator/components/shortlist.hpp"
 #include "generator/report/json_text.hpp"
 #include "model/common/file.hpp"
 #include "model/common/output_file.hpp"
+#include "model/number/lane_format.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -253,12 +256,45 @@ void tell_failures(const CharacteriseReport& report) {
   }
 }
 
+/// "fixed_norm q10 q11 q12, running_4 rounded s9e8 s10e8": the lanes by kind.
+std::string kinds_of(const std::set<characterise::ComponentKey>& lanes) {
+  std::map<std::string, std::set<int>> formats;
+  for (const characterise::ComponentKey& lane : lanes) {
+    const std::string kind = scene::to_string(lane.bound) + (lane.inputs.empty() ? "" : " ");
+    formats[kind + lane.inputs].insert(LaneFormat::parse(lane.format).value().precision);
+  }
+  std::vector<std::string> kinds;
+  for (const auto& [kind, precisions] : formats) {
+    kinds.push_back(fmt::format("{} of {}", kind, fmt::join(precisions, ", ")));
+  }
+  return fmt::format("{}", fmt::join(kinds, "; "));
+}
+
+/// Leaves those lanes in the query that look promising, and says which, and how long they take.
+void choose_quickly(const LoadedScene& loaded, const devices::Device& device,
+                    components::CharacteriseOptions& options) {
+  components::ComponentQuery& query = options.query;
+  const auto [first, last] = std::minmax_element(query.precisions.begin(), query.precisions.end());
+  const auto rates = optimise::Rates::of(
+      value_or_exit(measure_rates(loaded, {.first_precision = *first, .last_precision = *last})));
+  components::ComponentMaker maker(loaded.scene, loaded.data ? &*loaded.data : nullptr);
+  const auto found = value_or_exit(components::shortlist(maker, query, device, rates));
+  query.lanes = found.lanes;
+  if (found.lanes.empty()) return;
+  tell(fmt::format(
+      "quick: {} of {} lanes look promising, {}; {}about {} on {} processor{}", found.lanes.size(),
+      found.candidates, kinds_of(found.lanes),
+      options.synthesis.effort == characterise::TimingEffort::area_only ? "" : "without clocks ",
+      duration(found.seconds / options.workers), options.workers, options.workers == 1 ? "" : "s"));
+}
+
 void run(const CharacteriseCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
   const devices::Device device = value_or_exit(devices::find_device(loaded.scene.system.device));
   components::CharacteriseOptions options =
       value_or_exit(characterise_options(command, loaded.scene));
   options.progress = tell_progress;
+  if (command.quick) choose_quickly(loaded, device, options);
   const fs::path path = command.output.empty()
                             ? default_table(command.scene.scene, loaded.scene.variant, device.name)
                             : command.output;

@@ -93,6 +93,9 @@ Result<std::pair<int, int>> interval(const std::string& option, const std::strin
                   std::min(allowed.least + 2, allowed.most), allowed.most));
 }
 
+/// The crossbars of a quick table: `optimise` interpolates between them.
+constexpr std::string_view quick_ports = "1,8,32,64";
+
 Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
                                             const scene::Scene& scene) {
   const settings::Limits allowed = settings::lane_precisions(scene.reference.format);
@@ -110,7 +113,9 @@ Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
   MIXCMP_TRY(multipliers, one_or_both("--multipliers", command.multipliers, Multipliers::embedded,
                                       Multipliers::logic));
   query.multipliers = multipliers;
-  MIXCMP_TRY(ports, number_list("--ports", command.ports, components::measured_ports));
+  const bool few_ports = command.quick && command.ports == CharacteriseCommand().ports;
+  MIXCMP_TRY(ports, number_list("--ports", few_ports ? std::string(quick_ports) : command.ports,
+                                components::measured_ports));
   query.ports = ports;
   MIXCMP_TRY(kinds, component_kinds(command.components));
   query.kinds = kinds;
@@ -150,6 +155,10 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
               "what to measure, besides these unit (default: " + command.components + ")");
   verb.option("--ports", command.ports,
               "lanes at one reference's crossbar (default: " + command.ports + ")");
+  verb.flag("--quick", command.quick,
+            "of these lanes the few that a rough model of areas and the rates on the data find "
+            "promising, and crossbars of " +
+                std::string(quick_ports) + " lanes unless --ports says otherwise");
   verb.flag("--area-only", command.area_only, "no clocks");
   verb.option("--seeds", command.seeds, "of the router (default: 3)")
       .check(within(settings::limits::seeds));
@@ -195,6 +204,7 @@ std::string characterise_command_line(const CharacteriseCommand& command) {
   add("--components", command.components, defaults.components);
   add("--ports", command.ports, defaults.ports);
   add("--seeds", std::to_string(command.seeds), std::to_string(defaults.seeds));
+  if (command.quick) line += " --quick";
   return command.area_only ? line + " --area-only" : line;
 }
 

@@ -15,6 +15,7 @@ struct CharacteriseCommand {
   std::string components = "lane,reference,fifo,crossbar";
   std::string ports = "1-8,12,16,24,32,48,64,96,128";
   std::string exponents;  ///< empty: as the scene says
+  bool quick = false;
   bool area_only = false;
   int seeds = 3;
   unsigned jobs = 0;  ///< 0: one per processor

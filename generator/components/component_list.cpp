@@ -46,28 +46,6 @@ void add_fixed_lanes(std::vector<ComponentKey>& keys, const Scene& scene,
   }
 }
 
-Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQuery& query) {
-  std::vector<ComponentKey> keys;
-  for (const scene::BoundChoice& bound : query.bounds) {
-    if (bound.is_fixed_point()) add_fixed_lanes(keys, scene, query, bound);
-    for (const int precision : query.precisions) {
-      if (bound.is_fixed_point()) break;
-      for (const LaneInputs inputs : query.inputs) {
-        const int bits = exponent_bits(scene, query, precision, inputs, bound);
-        MIXCMP_TRY(format, FloatFormat::make(precision, bits));
-        for (const Multipliers multipliers : query.multipliers) {
-          keys.push_back({.kind = ComponentKind::lane,
-                          .format = format.name(),
-                          .inputs = std::string(to_string(inputs)),
-                          .bound = bound,
-                          .multipliers = std::string(to_string(multipliers))});
-        }
-      }
-    }
-  }
-  return keys;
-}
-
 /// Visits the components of one query.
 class Walk {
 public:
@@ -156,6 +134,31 @@ private:
 };
 
 }  // namespace
+
+Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQuery& query) {
+  std::vector<ComponentKey> keys;
+  for (const scene::BoundChoice& bound : query.bounds) {
+    if (bound.is_fixed_point()) add_fixed_lanes(keys, scene, query, bound);
+    for (const int precision : query.precisions) {
+      if (bound.is_fixed_point()) break;
+      for (const LaneInputs inputs : query.inputs) {
+        const int bits = exponent_bits(scene, query, precision, inputs, bound);
+        MIXCMP_TRY(format, FloatFormat::make(precision, bits));
+        for (const Multipliers multipliers : query.multipliers) {
+          keys.push_back({.kind = ComponentKind::lane,
+                          .format = format.name(),
+                          .inputs = std::string(to_string(inputs)),
+                          .bound = bound,
+                          .multipliers = std::string(to_string(multipliers))});
+        }
+      }
+    }
+  }
+  if (query.lanes) {
+    std::erase_if(keys, [&](const ComponentKey& key) { return !query.lanes->contains(key); });
+  }
+  return keys;
+}
 
 Result<std::vector<MissingLane>> for_each_component(
     ComponentMaker& maker, const ComponentQuery& query,

@@ -28,6 +28,8 @@ struct ComponentQuery {
   std::vector<scene::Multipliers> multipliers = {scene::Multipliers::embedded,
                                                  scene::Multipliers::logic};
   std::vector<int> ports;  ///< numbers of lanes at a crossbar with one reference
+  /// If present: of the lanes that all this asks for, these alone.
+  std::optional<std::set<characterise::ComponentKey>> lanes = {};
   /// If absent: as reduced.format says, or as many as the reference's where that is "auto".
   std::optional<LaneExponents> exponents;
 };
@@ -37,6 +39,10 @@ struct MissingLane {
   characterise::ComponentKey key;
   Error reason;
 };
+
+/// The keys of the lanes that the query asks for, whether or not they exist.
+Result<std::vector<characterise::ComponentKey>> lane_keys(const scene::Scene& scene,
+                                                          const ComponentQuery& query);
 
 /// Calls `use` with every component of the query, each once. Returns the lanes that do not exist.
 /// Fifos and units are those that the query's lanes need, whether or not the query asks for lanes.

@@ -131,7 +131,7 @@ Result<Component> ComponentMaker::make(const ComponentKey& key) {
   MIXCMP_CHECK(false);
 }
 
-Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
+Result<design::Lane> ComponentMaker::lane(const ComponentKey& key) {
   const scene::BoundChoice& bound = *key.bound;
   MIXCMP_TRY(format, LaneFormat::parse(key.format));
   MIXCMP_TRY(multipliers, multipliers_of(key));
@@ -146,7 +146,12 @@ Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
   if (bound.kind == scene::BoundChoice::Kind::profiled) {
     MIXCMP_TRY(given, give_constants(reduced));
   }
-  MIXCMP_TRY(lane, design::design_lane(scene_, reduced, nullptr));
+  return design::design_lane(scene_, reduced, nullptr);
+}
+
+Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
+  MIXCMP_TRY(multipliers, multipliers_of(key));
+  MIXCMP_TRY(lane, this->lane(key));
   MIXCMP_TRY(built, lane_rtl(scene_.graph.inputs(), lane, multipliers, scene_.system));
   return datapath(key, built.latency_cycles, built.module, has_product(lane));
 }

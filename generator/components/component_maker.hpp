@@ -44,6 +44,8 @@ public:
   /// The component of a key, or why there is none. A component without a product has no kind of
   /// multipliers in its key, even if the given key has one.
   Result<Component> make(const characterise::ComponentKey& key);
+  /// The lane of a lane's key, not yet hardware.
+  Result<design::Lane> lane(const characterise::ComponentKey& key);
 
   const scene::Scene& scene() const { return scene_; }
 

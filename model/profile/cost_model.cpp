@@ -80,6 +80,19 @@ bool is_product(const TypedNode& node) {
   return node.operation == Operation::multiply || node.operation == Operation::square;
 }
 
+/// Whether the node multiplies by anything but a power of two.
+bool multiplies(const TypedGraph& graph, const TypedNode& node) {
+  return is_product(node) && !is_scale(graph, node.operands[0]) &&
+         (node.operation == Operation::square || !is_scale(graph, node.operands[1]));
+}
+
+/// How many multipliers cover a product of factors of these bits.
+int covering(int a, int b, const devices::MultiplierSize& size) {
+  const auto tiles = [](int bits, int width) { return (bits + width - 1) / width; };
+  return std::min(tiles(a, size.a_bits) * tiles(b, size.b_bits),
+                  tiles(a, size.b_bits) * tiles(b, size.a_bits));
+}
+
 double graph_luts(const TypedGraph& graph, Products products) {
   double luts = 0;
   for (const TypedNode& node : graph.nodes) {
@@ -179,6 +192,30 @@ double lane_luts(const fixed::FixedLane& lane, Products products) {
     luts += 2.0 * lane.nodes[part.difference].format.width;
   }
   return luts;
+}
+
+int embedded_multipliers(const TypedGraph& reference, const devices::MultiplierSize& size) {
+  int count = 0;
+  for (const TypedNode& node : reference.nodes) {
+    const int digits = node.operand_format.precision();
+    if (multiplies(reference, node)) count += covering(digits, digits, size);
+  }
+  return count;
+}
+
+int embedded_multipliers(const error::Lane& lane, const devices::MultiplierSize& size) {
+  return embedded_multipliers(lane.graph, size);
+}
+
+int embedded_multipliers(const fixed::FixedLane& lane, const devices::MultiplierSize& size) {
+  int count = 0;
+  for (const fixed::FixedNode& node : lane.nodes) {
+    const bool square = node.operation == Operation::square;
+    if (!square && node.operation != Operation::multiply) continue;
+    const int a = lane.nodes[node.operands[0]].format.width;
+    count += covering(a, square ? a : lane.nodes[node.operands[1]].format.width, size);
+  }
+  return count;
 }
 
 double reference_luts(const TypedGraph& reference, Products products) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "model/devices/device.hpp"
 #include "model/error/lane.hpp"
 #include "model/fixed/fixed_lane.hpp"
 
@@ -23,6 +24,11 @@ enum class Products {
 double lane_luts(const error::Lane& lane, Products products = Products::in_luts);
 double lane_luts(const fixed::FixedLane& lane, Products products = Products::in_luts);
 double reference_luts(const TypedGraph& reference, Products products = Products::in_luts);
+
+/// How many embedded multipliers of this size cover every product of a datapath.
+int embedded_multipliers(const error::Lane& lane, const devices::MultiplierSize& size);
+int embedded_multipliers(const fixed::FixedLane& lane, const devices::MultiplierSize& size);
+int embedded_multipliers(const TypedGraph& reference, const devices::MultiplierSize& size);
 
 /// Areas measured by the user; each replaces the estimate for its system and precision.
 class MeasuredAreas {

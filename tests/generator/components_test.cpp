@@ -6,10 +6,13 @@
 
 #include "generator/components/characterise.hpp"
 #include "generator/components/component_list.hpp"
+#include "generator/components/shortlist.hpp"
 #include "generator/components/synthesis_jobs.hpp"
 #include "generator/emit/system.hpp"
 #include "model/characterise/job_hash.hpp"
 #include "model/design/slots.hpp"
+#include "model/devices/device.hpp"
+#include "model/number/lane_format.hpp"
 #include "model/profile/profiled_error.hpp"
 #include "model/scene/bound_choice.hpp"
 #include "model/workload/load_comparisons.hpp"
@@ -341,6 +344,56 @@ TEST_F(Components, ATableIsCurrentUntilTheSceneChanges) {
   EXPECT_EQ(components::count_rows(table, before, nullptr, device).outdated, 1);
   table.rows[0].key.format = "no format";
   EXPECT_EQ(components::count_rows(table, before, nullptr, device).outdated, 1);
+}
+
+/// Rates of lanes with each bound: `halving` halves with each digit from 1 at four digits on.
+optimise::Rates rates_of(const std::map<std::string, bool>& halving) {
+  constexpr std::uint64_t comparisons = 1 << 20;
+  profile::RateProfile rates{.first_precision = 4, .comparisons = comparisons};
+  for (const auto& [name, halves] : halving) {
+    profile::SystemProfile system{.name = name, .bound = scene::parse_bound_choice(name).value()};
+    for (int digits = 4; digits <= 16; ++digits) {
+      system.counts.push_back(
+          {.exists = true, .undecided = halves ? comparisons >> (digits - 4) : comparisons});
+    }
+    rates.systems.push_back(std::move(system));
+  }
+  return optimise::Rates::of({rates});
+}
+
+TEST_F(Components, TheShortlistHasTheBestPrecisionsOfTheBestKinds) {
+  const scene::Scene spheres = scene(one_system);
+  components::ComponentMaker maker(spheres, nullptr);
+  const devices::Device device = devices::find_device("virtex6-lx760").value();
+  components::ComponentQuery query =
+      lanes({4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14}, {"running_4", "fixed_norm"});
+  query.multipliers = {scene::Multipliers::logic};
+  const auto list = [&](const std::map<std::string, bool>& halving) {
+    const auto found = components::shortlist(maker, query, device, rates_of(halving));
+    EXPECT_TRUE(found.ok()) << found.error().to_string();
+    std::map<std::string, std::vector<int>> precisions;
+    for (const characterise::ComponentKey& key : found->lanes) {
+      precisions[scene::to_string(key.bound)].push_back(LaneFormat::parse(key.format)->precision);
+    }
+    EXPECT_GT(found->seconds, 0);
+    return precisions;
+  };
+  // A kind that recomputes everything is worth nothing, whatever its area.
+  const auto float_alone = list({{"running_4", true}, {"fixed_norm", false}});
+  ASSERT_EQ(float_alone.size(), 1u);
+  EXPECT_EQ(float_alone.begin()->first, "running_4");
+  // Of equal rates the smaller lane is the better one.
+  const auto fixed_alone = list({{"running_4", true}, {"fixed_norm", true}});
+  ASSERT_EQ(fixed_alone.size(), 1u);
+  ASSERT_EQ(fixed_alone.begin()->first, "fixed_norm");
+  const std::vector<int>& chosen = fixed_alone.begin()->second;
+  ASSERT_EQ(chosen.size(), 3u);
+  EXPECT_GT(chosen[0], 5) << "one in two is recomputed at five digits";
+  EXPECT_LT(chosen[2], 14) << "one in a thousand at fourteen, where lanes still grow";
+
+  query.lanes =
+      components::shortlist(maker, query, device, rates_of({{"fixed_norm", true}}))->lanes;
+  EXPECT_EQ(find(spheres, query).components.size(), 3u) << "no lane but those of the list";
 }
 
 }  // namespace

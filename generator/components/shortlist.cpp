@@ -1,0 +1,161 @@
+#include "generator/components/shortlist.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "model/design/slots.hpp"
+#include "model/number/lane_format.hpp"
+#include "model/optimise/crossover.hpp"
+#include "model/profile/cost_model.hpp"
+
+namespace mixcmp::components {
+namespace {
+
+using characterise::ComponentKey;
+using scene::Multipliers;
+
+/// How much more than the best of all the best of a kind may take.
+constexpr double margin = 1.25;
+/// Seconds of Yosys for one component: what it needs to begin, and for each LUT of the rough area.
+constexpr double seconds_to_begin = 2;
+constexpr double seconds_per_lut = 0.01;
+
+/// The area of anything that the cost model knows.
+template <class Datapath>
+devices::Area rough_area(double (*luts)(const Datapath&, profile::Products),
+                         const Datapath& datapath, Multipliers multipliers,
+                         const devices::MultiplierSize& size) {
+  const bool embedded = multipliers == Multipliers::embedded;
+  const auto products = embedded ? profile::Products::left_out : profile::Products::in_luts;
+  return {.luts = static_cast<int>(std::lround(luts(datapath, products))),
+          .dsps = embedded ? profile::embedded_multipliers(datapath, size) : 0};
+}
+
+/// What a lane's tracker takes where a LUT keeps a bit of 64 comparisons.
+devices::Area rough_streams(const scene::Scene& scene, int slots) {
+  const bool carried = scene.system.operands == scene::OperandStore::carried;
+  const int operands = static_cast<int>(scene.graph.inputs().size());
+  const int bits =
+      (carried ? operands * scene.reference.format.width() : 0) + scene.system.tag_bits;
+  return {.luts = 100 + bits * std::max(slots, 64) / 64};
+}
+
+class Shortlister {
+public:
+  Shortlister(ComponentMaker& maker, const ComponentQuery& query, const devices::Device& device,
+              const optimise::Rates& rates)
+      : maker_(maker), query_(query), device_(device), rates_(rates) {}
+
+  Result<Shortlist> run() {
+    weigh_references();
+    MIXCMP_TRY(keys, lane_keys(maker_.scene(), query_));
+    for (const ComponentKey& key : keys) {
+      MIXCMP_TRY(weighed, weigh(key));
+    }
+    choose();
+    return std::move(result_);
+  }
+
+private:
+  struct Kind {
+    scene::BoundChoice bound;
+    std::string inputs;
+    friend auto operator<=>(const Kind&, const Kind&) = default;
+  };
+  struct Candidate {
+    ComponentKey key;
+    int precision;
+    double share;    ///< of the device, that a comparison takes
+    double seconds;  ///< to map the lane
+  };
+
+  static double seconds_for(const devices::Area& area) {
+    return seconds_to_begin + seconds_per_lut * area.luts;
+  }
+
+  void weigh_references() {
+    const scene::Scene& scene = maker_.scene();
+    const TypedGraph reference = reference_graph(scene.graph, scene.reference);
+    for (const Multipliers multipliers : query_.multipliers) {
+      const devices::Area area = rough_area(profile::reference_luts, reference, multipliers,
+                                            device_.delays.multiplier_size);
+      reference_share_ =
+          std::min(reference_share_, optimise::device_share(area, device_.available));
+      result_.seconds += seconds_for(area);
+    }
+  }
+
+  devices::Area area_of(const design::Lane& lane, Multipliers multipliers) const {
+    const devices::MultiplierSize& size = device_.delays.multiplier_size;
+    return std::visit(
+        [&](const auto& made) { return rough_area(profile::lane_luts, made, multipliers, size); },
+        lane);
+  }
+
+  std::optional<double> rate_of(const ComponentKey& key, int precision) const {
+    const LaneInputs inputs =
+        key.inputs == to_string(LaneInputs::rounded) ? LaneInputs::rounded : LaneInputs::exact;
+    const auto rate = rates_.find({inputs, *key.bound, precision});
+    return rate ? std::optional(rate->value()) : std::nullopt;
+  }
+
+  /// A lane that does not exist is no candidate; the measurement tells why there is none.
+  Result<Done> weigh(const ComponentKey& key) {
+    MIXCMP_TRY(format, LaneFormat::parse(key.format));
+    const std::optional<double> rate = rate_of(key, format.precision);
+    if (!rate) return Done{};
+    const Result<design::Lane> lane = maker_.lane(key);
+    if (!lane.ok()) return Done{};
+    MIXCMP_TRY(component, maker_.make(key));
+    const auto multipliers = key.multipliers == to_string(Multipliers::logic)
+                                 ? Multipliers::logic
+                                 : Multipliers::embedded;
+    const devices::Area area = area_of(*lane, multipliers);
+    const bool recomputes = maker_.scene().system.references.value_or(1) > 0;
+    const int slots = design::slots_for(component.latency_cycles, recomputes);
+    const devices::Area all = area + rough_streams(maker_.scene(), slots);
+    const double share = optimise::device_share(all, device_.available) + *rate * reference_share_;
+    candidates_[{*key.bound, key.inputs}].push_back(
+        {key, format.precision, share, seconds_for(area)});
+    ++result_.candidates;
+    return Done{};
+  }
+
+  static const Candidate& best(const std::vector<Candidate>& kind) {
+    return *std::min_element(kind.begin(), kind.end(), [](const Candidate& a, const Candidate& b) {
+      return a.share < b.share;
+    });
+  }
+
+  void choose() {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [kind, all] : candidates_) least = std::min(least, best(all).share);
+    for (const auto& [kind, all] : candidates_) {
+      if (best(all).share > margin * least) continue;
+      for (const Candidate& candidate : all) {
+        if (std::abs(candidate.precision - best(all).precision) > 1) continue;
+        result_.lanes.insert(candidate.key);
+        result_.seconds += candidate.seconds;
+      }
+    }
+  }
+
+  ComponentMaker& maker_;
+  const ComponentQuery& query_;
+  const devices::Device& device_;
+  const optimise::Rates& rates_;
+  double reference_share_ = std::numeric_limits<double>::infinity();
+  std::map<Kind, std::vector<Candidate>> candidates_;
+  Shortlist result_;
+};
+
+}  // namespace
+
+Result<Shortlist> shortlist(ComponentMaker& maker, const ComponentQuery& query,
+                            const devices::Device& device, const optimise::Rates& rates) {
+  return Shortlister(maker, query, device, rates).run();
+}
+
+}  // namespace mixcmp::components

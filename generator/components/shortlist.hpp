@@ -1,0 +1,26 @@
+#pragma once
+
+#include <set>
+
+#include "generator/components/component_list.hpp"
+#include "model/devices/device.hpp"
+#include "model/optimise/rates.hpp"
+
+namespace mixcmp::components {
+
+/// The lanes that are worth measuring.
+struct Shortlist {
+  std::set<characterise::ComponentKey> lanes;
+  int candidates = 0;  ///< lanes that were to choose from
+  double seconds = 0;  ///< rough time of one processor to map them and the references, for areas
+};
+
+/// Chooses among the lanes that `query` asks for before anything is synthesised. What a comparison
+/// takes of the device is C(L) + R_R C(H) by equations 10 and 11 of the paper: here by rough areas
+/// (profile/cost_model.hpp) and by `rates`. Of each kind of lane, which is a bound and a choice of
+/// inputs, the best L and its two neighbours are chosen, unless that best takes more than 5/4 of
+/// the best of all. Lanes without a rate are left out.
+Result<Shortlist> shortlist(ComponentMaker& maker, const ComponentQuery& query,
+                            const devices::Device& device, const optimise::Rates& rates);
+
+}  // namespace mixcmp::components
