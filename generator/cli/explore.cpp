@@ -369,6 +369,19 @@ void write_files(Findings& findings, const fs::path& page_path) {
   value_or_exit(page.commit());
 }
 
+/// Refuses data sets that would each have lanes of their own: the plan for the worst of them has
+/// one kind of lane, whose ranges are those of the scene's data.
+void check_ranges(const ExploreCommand& command, const scene::Scene& scene) {
+  if (command.over.empty()) return;
+  const auto measured = std::find(scene.data_ranges.begin(), scene.data_ranges.end(), true);
+  if (measured == scene.data_ranges.end()) return;
+  const auto input = static_cast<std::size_t>(measured - scene.data_ranges.begin());
+  fail({.field = "--over",
+        .message = "the range of an input would be another one in each data set",
+        .received = fmt::format("range = \"data\" for {}", scene.graph.inputs()[input]),
+        .accepted = "[low, high], a range that all data sets keep"});
+}
+
 /// Loads the devices and their tables, and checks all that the run reads and writes.
 std::vector<Planning> plannings_for(const ExploreCommand& command, const LoadedScene& loaded,
                                     const std::vector<std::string>& settings) {
@@ -389,6 +402,7 @@ void run(const ExploreCommand& command) {
     tell("note: variants left out: explore plans [comparison], or what --variant names");
   }
   value_or_exit(check_has_data(loaded, "recomputation rates are measured on data"));
+  check_ranges(command, loaded.scene);
   const std::vector<std::string> settings = value_or_exit(data_sets(command.over));
   const std::vector<Planning> known = plannings_for(command, loaded, settings);
   const FolderLock held = lock_folder(command.output);

@@ -225,7 +225,7 @@ std::string to_text(const Summary& summary) {
   }
   page.section("what the ranges rule out");
   for (const SideSummary& side : summary.sides) {
-    page.line(side.name + " within", shown(side.value));
+    page.line(side.name + " where finite", shown(side.value));
     page.line(side.negative.question, answer(side.negative, false));
     page.line(side.zero.question, answer(side.zero, false));
   }

@@ -35,7 +35,7 @@ struct RangeQuestion {
 struct SideSummary {
   std::string name;
   std::string text;
-  Range value;
+  Range value;  ///< of the reference's results, infinities aside
   RangeQuestion negative;
   RangeQuestion zero;
 };

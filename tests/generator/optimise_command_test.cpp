@@ -240,6 +240,9 @@ TEST_F(OptimiseCommand, MistakesAreTold) {
   expect_refused("optimise scene.toml --device artix7-200t", "of another device");
   expect_refused("explore scene.toml --over radius", "names no data sets");
   expect_refused("explore scene.toml --over system.slack=0.1,0.3", "names no data sets");
+  expect_refused(
+      "explore scene.toml --over data.radius_max=10,25 --set 'inputs.r*={ range = \"data\" }'",
+      "accepted [low, high], a range that all data sets keep");
   for (const char* out :
        {"-o scene.toml", "--csv characterisation/scene-virtex6-lx760.csv", "-o x --lp x"}) {
     expect_refused(fmt::format("optimise scene.toml --last 14 {}", out), "would be written over");
