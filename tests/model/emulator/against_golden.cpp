@@ -132,15 +132,15 @@ OperandBatch::OperandBatch(FloatFormat format, const Operands& operands) {
 }
 
 void for_each_instruction_set(const std::function<void()>& test) {
-  const std::int64_t supported = hwy::SupportedTargets();
+  const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS;
+  const std::int64_t preferred = usable & -usable;  // a newer Highway prefers what AVX-512 grew by
   const auto choose = [](std::int64_t targets) {
     hwy::SetSupportedTargetsForTest(targets);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   };
-  for (const std::int64_t target :
-       {std::int64_t{HWY_AVX3}, std::int64_t{HWY_AVX2}, std::int64_t{HWY_STATIC_TARGET}}) {
-    if (target != HWY_STATIC_TARGET && (supported & target) == 0) continue;
-    choose(target);
+  const std::int64_t targets = preferred | (usable & (HWY_AVX3 | HWY_AVX2)) | HWY_STATIC_TARGET;
+  for (std::int64_t left = targets; left != 0; left &= left - 1) {
+    choose(left & -left);
     test();
   }
   choose(0);
