@@ -103,7 +103,7 @@ void ArgMinJudge::judge_end(const LoadRange& load, const LoadAnswer& answer, Use
 /// Judges, after each load, the counters, which run since reset. The report keeps the last totals.
 void ArgMinJudge::judge_counters(const LoadAnswer& answer, Use use) {
   if (signature_.counter_bits == 0) return;
-  const harness::wire::LaneEnd& counters = answer.response.counters;
+  const harness::wire::CounterValues& counters = answer.response.counters;
   const std::uint64_t stalled = stalls_gained(counters.counted[1]);
   if (use == Use::figures) report_.arg_min->stalled_cycles = stalled;
   std::vector<CounterTotal> totals = check_lanes(answer.lanes);

@@ -20,7 +20,7 @@ struct LoadAnswer {
   harness::wire::LoadResponse response = {};
   std::vector<harness::wire::RowResult> rows;
   std::vector<harness::wire::Violation> violations;
-  std::vector<harness::wire::LaneEnd> lanes;
+  std::vector<harness::wire::CounterValues> lanes;
 };
 
 /// A verilated arg-min engine at work in its own process.

@@ -40,7 +40,7 @@ public:
         "#pragma once\n\n#include \"Vsystem.h\"\n#include \"ports.hpp\"\n\n"
         "namespace mixcmp::harness::system {{\n\nusing Model = Vsystem;\n\n{}\n"
         "inline {} bind(Model& model) {{\n  {} ports;\n{}  return ports;\n}}\n\n"
-        "}}  // namespace mixcmp::verilator_tb::system\n",
+        "}}  // namespace mixcmp::harness::system\n",
         constants_, type, type, bindings_);
   }
 
@@ -143,8 +143,8 @@ Command verilator_command(const System& system, const Bench& bench, Waves waves,
       // This optimisation is wrong in Verilator 5.006 to 5.020 on some widths (its issues 4059,
       // 4841, 4842).
       "-fno-const-bit-op-tree", "--timescale-override", "1ns/1ns", "-CFLAGS", "-std=c++20",
-      // One source a block and -O1 build in half the time of many sources and -O2, and what is
-      // built is about as fast.
+      // One source for each hierarchical block and -O1 build in half the time of many sources and
+      // -O2, and what is built is about as fast.
       "-MAKEFLAGS", ccache ? one_source + " OBJCACHE=ccache" : one_source};
   if (waves == Waves::on) command.push_back("--trace-fst");
   if (is_hierarchical(system)) {

@@ -22,7 +22,7 @@ EngineJudge::EngineJudge(const emit::Signature& signature, const design::Design&
 }
 
 std::vector<CounterTotal> EngineJudge::check_lanes(
-    const std::vector<harness::wire::LaneEnd>& counted) {
+    const std::vector<harness::wire::CounterValues>& counted) {
   std::vector<CounterTotal> totals = {{"comparisons"}, {"recomputations"}};
   for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
     for (std::size_t k = 0; k < totals.size(); ++k) {

@@ -26,7 +26,7 @@ protected:
               const data::Comparisons& comparisons, const VerifyOptions& options);
 
   /// Compares the lanes' own counters with `lanes_`. Returns the totals, by name.
-  std::vector<CounterTotal> check_lanes(const std::vector<harness::wire::LaneEnd>& counted);
+  std::vector<CounterTotal> check_lanes(const std::vector<harness::wire::CounterValues>& counted);
   void check_counter(const std::string& name, std::uint64_t counted, std::uint64_t observed,
                      CounterTotal& total);
   /// How much the engine's counter of stalled cycles, which may wrap, has grown since the last
@@ -39,7 +39,8 @@ protected:
   const data::Comparisons& comparisons_;
   const VerifyOptions& options_;
   std::vector<std::size_t> group_of_lane_;
-  std::vector<harness::wire::LaneEnd> lanes_;  ///< `observed`: by the golden model, since reset
+  std::vector<harness::wire::CounterValues>
+      lanes_;  ///< `observed`: by the golden model, since reset
   std::vector<Bits> operands_;
   std::uint64_t stalled_before_ = 0;  ///< the stall counter after the last trial
   VerifyReport report_;

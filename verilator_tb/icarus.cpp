@@ -107,7 +107,7 @@ bool parse_line(const std::string& line, Answer& answer) {
     v.position = position < 0 ? harness::wire::no_position : static_cast<std::uint64_t>(position);
     answer.violations.push_back(v);
   } else if (kind == "end") {
-    harness::wire::LaneEnd end{};
+    harness::wire::CounterValues end{};
     for (int k = 0; k < 3; ++k) words >> end.counted[k] >> end.observed[k];
     answer.lanes.push_back(end);
   } else if (kind == "state") {

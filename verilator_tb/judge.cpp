@@ -98,7 +98,7 @@ void Judge::take_violation(const harness::wire::Violation& violation) {
   report_.violations.push_back(std::move(told));
 }
 
-void Judge::take_counters(const std::vector<harness::wire::LaneEnd>& lanes) {
+void Judge::take_counters(const std::vector<harness::wire::CounterValues>& lanes) {
   if (lanes.empty() || signature_.counter_bits == 0) return;
   constexpr const char* names[] = {"comparisons", "recomputations", "stalls"};
   const auto mask = static_cast<std::uint64_t>(low_mask(signature_.counter_bits));

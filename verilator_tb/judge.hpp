@@ -36,7 +36,7 @@ private:
   GroupReport& group_of(std::uint32_t lane) { return report_.groups[group_of_lane_[lane]]; }
   void take_result(const harness::wire::Result& result);
   void take_violation(const harness::wire::Violation& violation);
-  void take_counters(const std::vector<harness::wire::LaneEnd>& lanes);
+  void take_counters(const std::vector<harness::wire::CounterValues>& lanes);
   void report_wrong_counter(const char* name, std::uint32_t lane, std::uint64_t counted,
                             std::uint64_t observed);
   Mismatch mismatch_of(const harness::wire::Result& result, ResultWord expected) const;

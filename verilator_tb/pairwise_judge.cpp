@@ -125,7 +125,7 @@ void PairwiseJudge::judge_pair(const SetRange& set, std::uint64_t i, std::uint64
         add_violation(again ? "pair reported twice" : "report of no pair", report.cycle,
                       pair_text(report));
       });
-  harness::wire::LaneEnd& lane = lanes_[lane_of(i)];
+  harness::wire::CounterValues& lane = lanes_[lane_of(i)];
   ++lane.observed[0];
   if (!word.is_decided_by_lane()) ++lane.observed[1];
   const bool due = is_reported(word);
@@ -167,7 +167,7 @@ void PairwiseJudge::judge_closing_beat(const SetAnswer& answer, std::uint64_t du
 /// Judges, after each set, the counters, which run since reset. The report keeps the last totals.
 void PairwiseJudge::judge_counters(const SetAnswer& answer, Use use) {
   if (signature_.counter_bits == 0) return;
-  const harness::wire::LaneEnd& counters = answer.response.counters;
+  const harness::wire::CounterValues& counters = answer.response.counters;
   const std::uint64_t stalled = stalls_gained(counters.counted[2]);
   if (use == Use::figures) report_.engine->stalled_cycles = stalled;
   std::vector<CounterTotal> totals = check_lanes(answer.lanes);

@@ -21,7 +21,7 @@ struct SetAnswer {
   harness::wire::SetResponse response = {};
   std::vector<harness::wire::ReportedPair> reports;
   std::vector<harness::wire::Violation> violations;
-  std::vector<harness::wire::LaneEnd> lanes;
+  std::vector<harness::wire::CounterValues> lanes;
 };
 
 /// A verilated pairwise engine at work in its own process.

@@ -35,8 +35,8 @@ struct Block {
 struct Answer {
   std::vector<harness::wire::Result> results;
   std::vector<harness::wire::Violation> violations;
-  std::vector<harness::wire::LaneEnd> lanes;  ///< only in the answer to the last block
-  std::uint64_t cycles = 0;                   ///< cycles simulated so far
+  std::vector<harness::wire::CounterValues> lanes;  ///< only in the answer to the last block
+  std::uint64_t cycles = 0;                         ///< cycles simulated so far
   harness::wire::State state = harness::wire::State::running;
 };
 

@@ -79,7 +79,8 @@ Unit decision_unit(const FixedLane& lane, const fixed::NormThresholds& threshold
   const int limit = limit_bits(lane, thresholds);
   StageList stages(delays);
   const int root_bits = lane.nodes[thresholds.radius].format.width;
-  stages.add("root", thresholds.is_square ? stages.lut_delay_ns(reduction_levels(root_bits)) : 0);
+  stages.add("root",
+             thresholds.radius_is_squared ? stages.lut_delay_ns(reduction_levels(root_bits)) : 0);
   stages.add("limit", stages.carry(limit));
   stages.add("compare",
              stages.carry(std::max(signed_bits(difference), limit) + 1) + stages.lut_delay_ns(1));
@@ -138,7 +139,7 @@ Unit fixed_decision_unit(const FixedLane& lane, const fixed::FixedPart& part,
 int limit_bits(const FixedLane& lane, const fixed::NormThresholds& thresholds) {
   const FixedFormat& format = lane.nodes[thresholds.radius].format;
   const mpz_class radius =
-      thresholds.is_square ? shifted_left(1, (format.width + 1) / 2) : format.largest();
+      thresholds.radius_is_squared ? shifted_left(1, (format.width + 1) / 2) : format.largest();
   const mpz_class above = shifted_left(radius, thresholds.shift_above) + thresholds.offset_above;
   const mpz_class below = shifted_left(radius, thresholds.shift_below);
   return digits_of(std::max(above, below));

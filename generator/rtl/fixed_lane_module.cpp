@@ -49,7 +49,7 @@ private:
                "certain where the difference exceeds what the norm of the errors makes of it.",
                {{"WIDTH", difference_bits(part)},
                 {"RADIUS_WIDTH", radius.width},
-                {"ROOT", thresholds.is_square ? 1 : 0},
+                {"ROOT", thresholds.radius_is_squared ? 1 : 0},
                 {"LIMIT_WIDTH", limit},
                 {"SHIFT_ABOVE", thresholds.shift_above},
                 {"OFFSET_ABOVE", Literal{limit, to_bits(thresholds.offset_above)}},

@@ -59,7 +59,7 @@ Error column_mistake(const WantedColumn& wanted, std::string message, std::strin
 Error missing_column(const std::string& column, std::span<const std::string> known);
 
 /// The error, of the kind unnamed_columns, for a file of `columns` columns without names where the
-/// scene gives no numbers; load_comparisons adds the key's file and line.
+/// scene gives no numbers; load_tables adds the key's file and line.
 Error unnamed_columns(std::span<const WantedColumn> wanted, std::uint64_t columns);
 
 /// The wanted columns of `table`, in their order, under the scene's names.

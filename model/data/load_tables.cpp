@@ -107,7 +107,7 @@ Result<Done> check_source(const DataSpec& data, std::size_t which) {
 
 /// Places an error about missing column numbers at the key that gives such numbers or, where that
 /// is absent, at the key that names the file.
-Error with_columns_key(const DataSpec& data, std::size_t which, Error error) {
+Error at_columns_key(const DataSpec& data, std::size_t which, Error error) {
   const std::string key = which == 0 ? "columns" : "with_columns";
   const Place place = place_of(data, data.places.contains(key) ? key : source_key(data, which));
   error.file = place.file;
@@ -137,10 +137,10 @@ private:
   Result<std::array<std::vector<std::string>, 2>> needed_columns() const {
     std::array<std::vector<std::string>, 2> columns;
     for (const std::string& input : inputs_) {
-      MIXCMP_TRY(place, input_column(data_.pairing, input));
-      std::vector<std::string>& known = columns[place.table];
-      if (std::find(known.begin(), known.end(), place.name) == known.end()) {
-        known.push_back(place.name);
+      MIXCMP_TRY(column, input_column(data_.pairing, input));
+      std::vector<std::string>& known = columns[column.table];
+      if (std::find(known.begin(), known.end(), column.name) == known.end()) {
+        known.push_back(column.name);
       }
     }
     return columns;
@@ -149,8 +149,8 @@ private:
   /// The first input that needs the column which the scene calls `column`.
   std::string needing_input(std::size_t which, const std::string& column) const {
     for (const std::string& input : inputs_) {
-      const Result<InputColumn> place = input_column(data_.pairing, input);
-      if (place.ok() && place->table == which && place->name == column) return input;
+      const Result<InputColumn> needed = input_column(data_.pairing, input);
+      if (needed.ok() && needed->table == which && needed->name == column) return input;
     }
     MIXCMP_CHECK(false);
   }
@@ -175,7 +175,7 @@ private:
     const Result<Table> table = read_table(data_, which, format_, columns);
     if (table.ok()) return table;
     const Error& error = table.error();
-    if (error.kind == ErrorKind::unnamed_columns) return with_columns_key(data_, which, error);
+    if (error.kind == ErrorKind::unnamed_columns) return at_columns_key(data_, which, error);
     if (error.kind != ErrorKind::missing_column) return error;
     const auto missing = std::find_if(
         columns.begin(), columns.end(),

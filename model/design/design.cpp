@@ -186,7 +186,7 @@ bool can_decide(const fixed::FixedLane& lane, const fixed::NormThresholds& thres
   const mpq_class unit = difference.format.unit();
   const fixed::FixedNode& radius = lane.nodes[static_cast<std::size_t>(thresholds.radius)];
   const mpq_class largest =
-      thresholds.is_square ? root_of(radius.value.high, double_digits) : radius.value.high;
+      thresholds.radius_is_squared ? root_of(radius.value.high, double_digits) : radius.value.high;
   const mpq_class per_radius = unit / power_of_two(thresholds.unit_exponent(lane.nodes));
   const mpq_class slope = power_of_two(thresholds.shift_below) * per_radius;
   return thresholds.offset_above * unit <= difference.value.high ||

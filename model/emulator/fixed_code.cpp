@@ -208,7 +208,7 @@ private:
 
   void set(FixedCriterion& criterion, const fixed::NormThresholds& thresholds, double unit) {
     const double radius_unit = power(thresholds.unit_exponent(lane_.nodes));
-    criterion.radius = thresholds.is_square ? add_root(thresholds) : thresholds.radius;
+    criterion.radius = thresholds.radius_is_squared ? add_root(thresholds) : thresholds.radius;
     criterion.slope_above = power(thresholds.shift_above) * unit / radius_unit;
     criterion.offset_above = thresholds.offset_above.get_d() * unit;
     criterion.slope_below = power(thresholds.shift_below) * unit / radius_unit;

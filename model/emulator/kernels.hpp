@@ -91,8 +91,8 @@ struct OperandCheck {
 
 enum class CriterionKind : std::uint8_t {
   order,           ///< by the order of columns `first` and `second`; always decides
-  magnitudes,      ///< by how many encodings `first` and `second`, not negative, differ
-  signed_keys,     ///< by how many encodings `first` and `second`, of either sign, differ
+  magnitudes,      ///< by the distance of the encodings of `first` and `second`, which are >= 0
+  signed_keys,     ///< by the distance of the encodings of `first` and `second`, of either sign
   absolute_bound,  ///< by how many encodings |`first`| exceeds `second`
   interval,        ///< `first` > 0 or `second` < 0
 };
@@ -101,12 +101,13 @@ struct FloatCriterion {
   CriterionKind kind = CriterionKind::order;
   int first = -1;
   int second = -1;
-  /// The guard in ulps of the lane, times 2^(53 - P), or times 2^(52 - P) for signed_keys. Where
-  /// encodings differ by `guard` or more, which is at least 1, they decide; an absolute bound must
-  /// be exceeded by more than `guard`.
+  /// The lane's guard in steps of a double's last place: times 2^(53 - P); for signed_keys, whose
+  /// keys are halved, times 2^(52 - P). These two kinds decide where encodings differ by `guard`,
+  /// which is at least 1, or more; absolute_bound where |first| exceeds second by more than
+  /// `guard`.
   std::int64_t guard = 1;
-  /// The number whose encoding in the lane would be 0, were it normal; for the kinds that count
-  /// encodings.
+  /// One binade below the smallest normal number of the lane. It stands for 0 where encodings are
+  /// counted.
   double zero = 0;
   /// A condition of absolute_bound, by columns: bound <= |value|.
   struct Condition {

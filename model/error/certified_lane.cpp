@@ -155,7 +155,7 @@ private:
 struct DifferenceBound {
   NodeId difference;
   ErrorAnalysis analysis;
-  AbsolutePart bound;
+  AbsoluteError bound;
 };
 
 Result<DifferenceBound> bound_difference(TypedGraph& graph, ErrorBoundKind kind,
@@ -174,7 +174,8 @@ Result<DifferenceBound> bound_difference(TypedGraph& graph, ErrorBoundKind kind,
                     constant ? "a reduced.format with more exponent bits"
                              : "a reduced.format with more precision, or another formulation");
   }
-  // Before its own rounding f - g has a factor m: the lane may decide if |f - g| m > |a|.
+  // Theorem 8 uses the factor and the absolute error of f - g before its own rounding: dividing by
+  // `own` takes that rounding out. The bound must then exceed the absolute error over `low`.
   result.bound = bound.mixed->absolute;
   const RelativeBound own =
       rounding_bound(graph.arithmetic.format.precision(), graph.arithmetic.rounding);

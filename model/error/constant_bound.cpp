@@ -46,7 +46,7 @@ public:
     return Done{};
   }
 
-  Result<mpq_class> run(const AbsolutePart& bound) const {
+  Result<mpq_class> run(const AbsoluteError& bound) const {
     if (bound.bound == no_bound_node) return mpq_class(0);
     MIXCMP_TRY(value, fold(bound.bound));
     for (const BoundCondition& condition : analysis_.conditions) {
@@ -133,7 +133,8 @@ Result<Done> check_divisors(const TypedGraph& graph, const std::vector<RangeChec
 }
 
 Result<mpq_class> constant_bound(const TypedGraph& graph, const ErrorAnalysis& analysis,
-                                 const AbsolutePart& bound, const std::vector<RangeCheck>& checks) {
+                                 const AbsoluteError& bound,
+                                 const std::vector<RangeCheck>& checks) {
   return ConstantFolding(graph, analysis, checks).run(bound);
 }
 

@@ -14,6 +14,6 @@ Result<Done> check_divisors(const TypedGraph& graph, const std::vector<RangeChec
 /// error names the operation for whose range there is no constant (a divisor that may be zero, an
 /// input without a range), and what the user can do.
 Result<mpq_class> constant_bound(const TypedGraph& graph, const ErrorAnalysis& analysis,
-                                 const AbsolutePart& bound, const std::vector<RangeCheck>& checks);
+                                 const AbsoluteError& bound, const std::vector<RangeCheck>& checks);
 
 }  // namespace mixcmp::error

@@ -96,12 +96,12 @@ private:
   bool rounds_once(NodeId id) const;
   bool is_plain(NodeId id) const;
   mpq_class center_of(NodeId a, NodeId b) const;
-  AbsolutePart deviations(NodeId a, NodeId b, const mpq_class& center);
+  AbsoluteError deviations(NodeId a, NodeId b, const mpq_class& center);
   mpq_class rounding_error() const;
   BoundId selection_error(NodeId id);
   BoundId magnitude(NodeId id);
   BoundId reciprocal(NodeId id);
-  AbsolutePart sum(const AbsolutePart& a, const AbsolutePart& b);
+  AbsoluteError sum(const AbsoluteError& a, const AbsoluteError& b);
   NodeBound rounded(NodeId id, BeforeRounding exact) const;
   std::optional<RelativeBound> before_rounding(NodeId id, const NodeBound& bound) const;
   std::string text(NodeId id) const;
@@ -187,7 +187,7 @@ BeforeRounding ErrorAnalyser::exact_constant(NodeId id) {
 BeforeRounding ErrorAnalyser::exact_sum(NodeId id) {
   const auto [a, b] = node(id).operands;
   const bool is_difference = node(id).operation == Operation::subtract;
-  const AbsolutePart absolute = sum(mixed(a).absolute, mixed(b).absolute);
+  const AbsoluteError absolute = sum(mixed(a).absolute, mixed(b).absolute);
   if (is_exact(mixed(a).factor) && is_exact(mixed(b).factor)) {
     return {MixedBound{.factor = {}, .absolute = absolute}, ""};
   }
@@ -201,8 +201,8 @@ BeforeRounding ErrorAnalyser::exact_sum(NodeId id) {
 /// Sum of operands that may cancel: a s + b t = (a + b) m + a (s - m) + b (t - m).
 BeforeRounding ErrorAnalyser::cancelling_sum(NodeId id, NodeId a, NodeId b) {
   const mpq_class center = center_of(a, b);
-  const AbsolutePart inherited = sum(mixed(a).absolute, mixed(b).absolute);
-  const AbsolutePart absolute = sum(inherited, deviations(a, b, center));
+  const AbsoluteError inherited = sum(mixed(a).absolute, mixed(b).absolute);
+  const AbsoluteError absolute = sum(inherited, deviations(a, b, center));
   const bool is_difference = node(id).operation == Operation::subtract;
   return {MixedBound{.factor = {center, center}, .absolute = absolute},
           fmt::format("the {} {} takes inexact operands, and no rule here excludes that they "
@@ -328,7 +328,7 @@ mpq_class ErrorAnalyser::center_of(NodeId a, NodeId b) const {
 
 /// Bounds |a (s - m)| + |b (t - m)| of cancelling_sum. Where both terms need the magnitude of their
 /// operand, the larger magnitude stands for both.
-AbsolutePart ErrorAnalyser::deviations(NodeId a, NodeId b, const mpq_class& center) {
+AbsoluteError ErrorAnalyser::deviations(NodeId a, NodeId b, const mpq_class& center) {
   BoundId constants = no_bound_node, binades = no_bound_node, larger = no_bound_node;
   mpq_class deviation = 0;
   for (const NodeId operand : {a, b}) {
@@ -382,7 +382,7 @@ BoundId ErrorAnalyser::reciprocal(NodeId id) {
   return builder_.of_value(BoundOperation::reciprocal, id);
 }
 
-AbsolutePart ErrorAnalyser::sum(const AbsolutePart& a, const AbsolutePart& b) {
+AbsoluteError ErrorAnalyser::sum(const AbsoluteError& a, const AbsoluteError& b) {
   return {builder_.add(a.bound, b.bound), std::max(a.inflation, b.inflation)};
 }
 

@@ -10,10 +10,10 @@
 
 namespace mixcmp::error {
 
-/// Bounds the absolute part a of a node's error (MixedBound): |a| <= inflation * B, where B is
+/// Bounds the absolute error a of a node's error (MixedBound): |a| <= inflation * B, where B is
 /// the value of bound node `bound`. The hardware computes B alone, in few digits; `inflation`,
 /// which is 1 or a little more, is covered by the criterion's guard.
-struct AbsolutePart {
+struct AbsoluteError {
   BoundId bound = no_bound_node;  ///< none: a = 0
   mpq_class inflation = 1;
 };
@@ -22,7 +22,7 @@ struct AbsolutePart {
 /// if no operation was exceptional and every condition holds (docs/error_bounds.md, theorem 7).
 struct MixedBound {
   RelativeBound factor;
-  AbsolutePart absolute;
+  AbsoluteError absolute;
 
   bool is_relative() const { return absolute.bound == no_bound_node; }
 };

@@ -15,8 +15,8 @@ std::vector<bool> nonnegative(const std::vector<std::optional<Range>>& ranges) {
   return result;
 }
 
-/// Whether a sum's operands are not proven to lie on the same side of zero. True of all other
-/// operations, which ask no such thing.
+/// Whether a sum's operands are not proven to lie on the same side of zero. Operations other than
+/// sums have no logic for cancellation; true leaves their flag as it is by default.
 bool may_cancel(const TypedGraph& graph, const std::vector<Sign>& signs, NodeId id) {
   const TypedNode& node = graph.nodes[id];
   const bool subtracts = node.operation == Operation::subtract;

@@ -41,9 +41,9 @@ struct AbsoluteBoundCriterion {
   NodeId difference;  ///< f - g, rounded: a node of the lane's graph
   BoundGraph bound;
   std::vector<BoundCondition> conditions;
-  /// Covers the inflation, 1 or a little more, that the bound leaves out. A bound has few
-  /// digits: where the guard fits into the bits below them, the hardware concatenates the two,
-  /// {bound, guard}.
+  /// The error is at most inflation * bound (AbsoluteError), and the inflation 1 or a little more.
+  /// The hardware computes the bound alone: these ulps cover the inflation. A guard that fits into
+  /// the places below the bound's few digits costs no adder: {bound, guard}.
   Bits guard_ulp = 0;
 
   friend bool operator==(const AbsoluteBoundCriterion&, const AbsoluteBoundCriterion&) = default;

@@ -119,9 +119,9 @@ std::string describe(const NormThresholds& thresholds, const FixedPart& part,
                      shown(power_of_two(thresholds.shift_above) * per_radius),
                      shown(thresholds.offset_above * unit),
                      shown(-power_of_two(thresholds.shift_below) * per_radius),
-                     thresholds.is_square ? "s the power of two above the root of g"
-                     : part.swapped       ? "f = s^2"
-                                          : "g = s^2");
+                     thresholds.radius_is_squared ? "s the power of two above the root of g"
+                     : part.swapped               ? "f = s^2"
+                                                  : "g = s^2");
 }
 
 std::string describe(const FixedLane& lane, const FixedPart& part) {

@@ -48,14 +48,16 @@ struct ConstantThresholds {
   friend bool operator==(const ConstantThresholds&, const ConstantThresholds&) = default;
 };
 
-/// Decides by the norm of the errors, where the difference is that of a sum of squares, |x|^2, and
-/// a square, s^2, with s >= 0 as computed; or that of two sums of squares, |x|^2 and |y|^2, with s
-/// the least power of two above |y| as computed. For n and s in their units: greater iff
+/// Decides by the norm of the errors. For n, the difference, and s in their units: greater iff
 /// n >= 2^shift_above s + offset_above, less iff n < -2^shift_below s.
+///
+/// The difference is that of a sum of squares, |x|^2, and a square, s^2, with s >= 0 as computed;
+/// or it is that of two sums of squares, |x|^2 and |y|^2, and s the least power of two above |y| as
+/// computed.
 struct NormThresholds {
   NodeId radius;  ///< s, or |y|^2
-  bool is_square =
-      false;  ///< |y|^2: s is 2^k for the least k with |y|^2 < 4^k, both in their units
+  /// `radius` is |y|^2: s is 2^k for the least k with |y|^2 < 4^k, both in their units.
+  bool radius_is_squared = false;
   int shift_above;
   mpz_class offset_above;
   int shift_below;
@@ -76,7 +78,7 @@ struct FixedPart {
 };
 
 struct FixedLane {
-  int bits = 0;                  ///< W: "q13" has 13 bits below the power of two above a range
+  int bits = 0;                  ///< W: in q13 an input in [0, 100], below 2^7, counts 2^(7 - 13)
   std::vector<FixedNode> nodes;  ///< in topological order
   std::vector<std::string> input_names;
   FloatFormat input_format;  ///< in which operands arrive
@@ -92,8 +94,8 @@ enum class FixedBound {
 };
 
 struct FixedOptions {
-  int bits = 13;  ///< W: bits below the power of two above each input's range
-  std::optional<FixedBound> bound = {};      ///< none: norms where there are any
+  int bits = 13;                         ///< W: an input below 2^k is counted in units of 2^(k - W)
+  std::optional<FixedBound> bound = {};  ///< none: norms where there are any
   std::vector<std::optional<Range>> ranges;  ///< one per input; a lane needs them all
 };
 

@@ -83,17 +83,17 @@ std::optional<SquaredNorm> squared_norm(const std::vector<FixedNode>& nodes, Nod
 
 int NormThresholds::unit_exponent(const std::vector<FixedNode>& nodes) const {
   const int own = nodes[radius].format.unit_exponent;
-  return is_square ? own / 2 : own;  // that of a square is even
+  return radius_is_squared ? own / 2 : own;  // that of a square is even
 }
 
 NormThresholds norm_thresholds(const std::vector<FixedNode>& nodes, const NormSides& sides,
                                const FixedNode& difference) {
-  NormThresholds thresholds{.radius = sides.radius, .is_square = sides.is_square()};
+  NormThresholds thresholds{.radius = sides.radius, .radius_is_squared = sides.radius_is_squared()};
   const FixedNode& radius = nodes[sides.radius];
   const mpq_class norm = norm_of_all(nodes, sides.elements);
   const mpq_class other = norm_of_all(nodes, sides.radius_elements);
-  const mpq_class above = norm + (sides.is_square() ? other : radius_above(radius));
-  const mpq_class below = norm + (sides.is_square() ? other : radius.error.high);
+  const mpq_class above = norm + (sides.radius_is_squared() ? other : radius_above(radius));
+  const mpq_class below = norm + (sides.radius_is_squared() ? other : radius.error.high);
   const mpq_class unit = difference.format.unit();
   const mpq_class per_radius = 2 * power_of_two(thresholds.unit_exponent(nodes)) / unit;
   const mpq_class least = std::max<mpq_class>(0, above);

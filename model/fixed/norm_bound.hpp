@@ -12,7 +12,7 @@ struct NormSides {
   NodeId radius;                             ///< s, never negative as computed; or |y|^2
   std::vector<NodeId> radius_elements = {};  ///< of y; none: `radius` is s
 
-  bool is_square() const { return !radius_elements.empty(); }
+  bool radius_is_squared() const { return !radius_elements.empty(); }
 };
 
 /// The two sides, if `sum` is a sum of squares (or one square) and `square` a square. The radius

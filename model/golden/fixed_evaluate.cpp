@@ -102,7 +102,7 @@ LaneResult decide(const fixed::ConstantThresholds& thresholds, const mpz_class& 
 LaneResult decide(const fixed::NormThresholds& thresholds, const mpz_class& difference,
                   const std::vector<Integer>& values) {
   const mpz_class& value = *values[thresholds.radius];
-  const mpz_class radius = thresholds.is_square ? power_above_root(value) : value;
+  const mpz_class radius = thresholds.radius_is_squared ? power_above_root(value) : value;
   if (difference >= shifted(radius, thresholds.shift_above) + thresholds.offset_above) {
     return {true, Verdict::greater};
   }

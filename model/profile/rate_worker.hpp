@@ -48,8 +48,8 @@ public:
   const RateTally& tally() const { return tally_; }
 
 private:
-  /// A band is processed as soon as its queue holds `block` comparisons, or before the queue of the
-  /// band below it, which may be full, would make it longer than this.
+  /// A band is processed once its queue holds `block` comparisons, or earlier where the band before
+  /// it could fill the queue beyond this.
   static constexpr std::size_t capacity = 2 * block;
 
   void start(std::uint64_t first, std::size_t count);

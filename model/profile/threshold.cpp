@@ -176,10 +176,10 @@ Margin margin_of(const fixed::NormThresholds& thresholds, const FixedNode& diffe
   const int steepest = std::max(thresholds.shift_above, thresholds.shift_below);
   const double slope = std::ldexp(unit, steepest) / radius_unit;
   const double error = magnitude(radius.error);
-  const double beyond = thresholds.is_square ? radius_unit + 2 * std::sqrt(error) : error;
+  const double beyond = thresholds.radius_is_squared ? radius_unit + 2 * std::sqrt(error) : error;
   const double offset = thresholds.offset_above.get_d() * unit;
   return {.constant = (slope * beyond + offset) * outward + magnitude(difference.error),
-          .per_root = (thresholds.is_square ? 2 : 1) * slope * outward};
+          .per_root = (thresholds.radius_is_squared ? 2 : 1) * slope * outward};
 }
 
 }  // namespace

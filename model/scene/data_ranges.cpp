@@ -31,9 +31,9 @@ std::optional<Range> range_of(const data::Table& table, std::size_t column) {
 }
 
 std::optional<Range> range_of(const std::vector<data::Table>& tables,
-                              const data::InputColumn& place) {
-  const data::Table& table = tables[place.table];
-  const auto column = std::find(table.columns.begin(), table.columns.end(), place.name);
+                              const data::InputColumn& wanted) {
+  const data::Table& table = tables[wanted.table];
+  const auto column = std::find(table.columns.begin(), table.columns.end(), wanted.name);
   return range_of(table, static_cast<std::size_t>(column - table.columns.begin()));
 }
 
@@ -54,8 +54,8 @@ Result<Done> take_ranges_from_data(const data::DataSpec* data,
   MIXCMP_TRY(tables, data::load_tables(*data, inputs, format));
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     if (declared.from_data[k] == nullptr) continue;
-    MIXCMP_TRY(place, data::input_column(data->pairing, inputs[k]));
-    declared.ranges[k] = range_of(tables, place);
+    MIXCMP_TRY(column, data::input_column(data->pairing, inputs[k]));
+    declared.ranges[k] = range_of(tables, column);
     if (declared.ranges[k]) continue;
     return mistake_in(*declared.from_data[k],
                       fmt::format("the data have no finite number for {}", inputs[k]));

@@ -45,7 +45,7 @@ module bound_decision #(
     end
   endgenerate
 
-  // Stage limit: a bound has zeros where the difference goes on; a guard that fits there costs no
+  // Stage limit: the places that the bound lacks are zeros; a guard that fits into them costs no
   // adder.
   wire [BOUND-1:0] s0_leading = difference[SIGN-1:SIGN-BOUND];
   wire             s0_beyond  = (difference & REST) > GUARD_LOW;
@@ -66,8 +66,8 @@ module bound_decision #(
     .q   ({s1_leading, s1_limit, s1_beyond, s1_less, s1_exceptional})
   );
 
-  // Stage compare: leading > limit where leading + ~limit carries; where they are equal the rest
-  // decides, as a carry in, out of an extra last place.
+  // Stage compare: leading + ~limit carries where leading > limit. The rest, s1_beyond, is a carry
+  // from an extra last place, by which equal ones carry, too.
   wire             s1_exceeds;
   wire [BOUND+2:0] s1_unused_places;
 

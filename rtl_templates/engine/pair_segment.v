@@ -98,8 +98,8 @@ module pair_segment #(
   // Lanes hold items from the lowest up. Once all do, words are passed on.
   reg  [LANES-1:0] holds_q;
   reg  [LANES-1:0] taken_q;        // lanes that have taken the word at hand
-  reg              sent_q;         // and the next segment has
-  reg              passed_q;       // a word of this block was passed on
+  reg              sent_q;         // the next segment has taken it, too
+  reg              passed_q;       // a word of this block was sent to the next segment
   wire             is_item = word_valid && !word_close;
   wire [LANES-1:0] holds   = holds_q & {LANES{!word_first}};
   wire [LANES:0]   filled  = {holds, 1'b1};  // bit k: all lanes below k hold an item

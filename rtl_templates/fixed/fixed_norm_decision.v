@@ -96,8 +96,8 @@ module fixed_norm_decision #(
     .q   ({s2_difference, s2_wide_s, s2_above, s2_out_of_range})
   );
 
-  // Stage compare. With ROOT the lower limit lacks one: the ones below it, and a carry into the sum
-  // from an extra last place.
+  // Stage compare. With ROOT, s2_wide_s is s - 1: s 2^SHIFT_BELOW is that, shifted, with ones in the
+  // places below, plus 1, which is a carry from an extra last place.
   localparam [LIMIT_WIDTH-1:0] ONES = (ONE << SHIFT_BELOW) - ONE;
 
   wire [LIMIT_WIDTH-1:0] s2_below  = (s2_wide_s << SHIFT_BELOW) | ONES;

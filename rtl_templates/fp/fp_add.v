@@ -1,7 +1,7 @@
 // fp_add: a + b, or a - b with SUBTRACT, rounded once to the result format.
 // Latency: the population count of CUTS (nine bits); initiation interval 1; no reset.
 // Special values as IEEE 754: infinity - infinity is NaN, x - x is +0.
-// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/architecture.md.
+// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
 // CANCELLATION = 0 promises that what is added never has unlike signs, zeros aside.
 `default_nettype none
 

@@ -1,7 +1,7 @@
 // fp_convert: a * 2^SCALE in another format or the same, rounded once.
 // Latency: the population count of CUTS (five bits); initiation interval 1; no reset.
 // Special values as IEEE 754, but for NaNs, which all become the one positive quiet NaN.
-// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/architecture.md.
+// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
 `default_nettype none
 
 module fp_convert #(

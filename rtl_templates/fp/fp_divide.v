@@ -2,7 +2,7 @@
 // Latency: the population count of CUTS (RESULT_PRECISION + 8 bits); initiation interval 1; no
 // reset.
 // Special values as IEEE 754: x / 0 is infinite, 0 / 0 and infinity / infinity are NaN.
-// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/architecture.md. A
+// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md. A
 // divisor of zero is an overflow.
 `default_nettype none
 

@@ -3,7 +3,7 @@
 // EMBEDDED = 0: the product is logic on any device; else it is of `*`, each of FACTOR_A by FACTOR_B
 // bits, for the device's multipliers.
 // Special values as IEEE 754: infinity * 0 is NaN.
-// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/architecture.md.
+// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
 `default_nettype none
 
 module fp_multiply #(

@@ -2,7 +2,7 @@
 // Latency: the population count of CUTS (RESULT_PRECISION + 6 bits); initiation interval 1; no
 // reset.
 // Special values as IEEE 754: the root of -0 is -0, of other negative numbers NaN.
-// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/architecture.md.
+// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
 `default_nettype none
 
 module fp_square_root #(

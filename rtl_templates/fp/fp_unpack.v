@@ -1,7 +1,7 @@
 // fp_unpack: one packed operand as sign, biased exponent and significand, and what kind it is.
 // Combinational. GRADUAL: a subnormal has exponent 1 and a leading zero. Otherwise it is a zero,
 // and `flushed` says so; a zero's significand is then arbitrary, to spare the gates. What
-// SPECIAL_OPERANDS = 0 or UNDERFLOW = 0 excludes is not looked for: docs/architecture.md.
+// SPECIAL_OPERANDS = 0 or UNDERFLOW = 0 excludes is not looked for: docs/rtl.md.
 `default_nettype none
 
 module fp_unpack #(

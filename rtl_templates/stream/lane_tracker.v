@@ -1,8 +1,9 @@
 // lane_tracker: knows which slot's verdict leaves a free-running lane, and sends the undecided out.
 // A comparison enters with `start`; LANE_LATENCY + 1 cycles later `exit` says what became of it.
 // With RECOMPUTE = 1 the undecided also leave on m_request as {slot, payload}, at most every second
-// cycle: the request register loads only when empty, so that m_request_tready ends there. At most
-// 2^SLOT_BITS comparisons may be on the way: then nothing here can overflow. Reset forgets all.
+// cycle: the request register loads only when empty, so that no path leads on from m_request_tready
+// in the same cycle. At most 2^SLOT_BITS comparisons may be on the way: then nothing here can
+// overflow. Reset forgets all.
 `default_nettype none
 
 module lane_tracker #(

@@ -168,7 +168,7 @@ private:
     response_.state = stopped_ ? wire::LoadState::stopped : state_;
     read_counters(response_.counters, {&ports_.rows, &ports_.stalled_cycles});
     response_.counters.observed[0] = observed_rows_;
-    const std::vector<wire::LaneEnd> ends = lane_ends();
+    const std::vector<wire::CounterValues> ends = lane_counters();
     channel.write(&response_, 1);
     channel.write(results_.data(), results_.size());
     channel.write(violations_.data(), violations_.size());

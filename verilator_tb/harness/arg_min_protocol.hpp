@@ -27,7 +27,7 @@ enum class LoadState : std::uint64_t {
 };
 
 /// The head of a response, followed by the rows that left, in the order of leaving, by the
-/// violations, and by one LaneEnd for each lane, of which only `counted` is set.
+/// violations, and by one CounterValues for each lane, of which only `counted` is set.
 struct LoadResponse {
   std::uint64_t rows;
   std::uint64_t violations;
@@ -35,7 +35,7 @@ struct LoadResponse {
   std::uint64_t cycles;          ///< from the first row's acceptance to the last one's departure
   std::uint64_t overrun;         ///< value of the port when the last row had left
   /// The engine's counters since reset: rows, stalled cycles; of the latter only `counted` is set.
-  LaneEnd counters;
+  CounterValues counters;
   LoadState state;
 };
 

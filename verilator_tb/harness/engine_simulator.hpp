@@ -63,8 +63,8 @@ protected:
     stopped_ = true;
   }
 
-  std::vector<wire::LaneEnd> lane_ends() const {
-    std::vector<wire::LaneEnd> ends(system::lanes);
+  std::vector<wire::CounterValues> lane_counters() const {
+    std::vector<wire::CounterValues> ends(system::lanes);
     if (system::counter_bits == 0) return ends;
     const Port* const counters[] = {&ports_.comparisons, &ports_.recomputations, &ports_.stalls};
     for (std::size_t lane = 0; lane < ends.size(); ++lane) {
@@ -77,7 +77,7 @@ protected:
   }
 
   /// Reads the engine's own counters into end.counted, from its first place on.
-  void read_counters(wire::LaneEnd& end, std::initializer_list<const Port*> counters) const {
+  void read_counters(wire::CounterValues& end, std::initializer_list<const Port*> counters) const {
     if (system::counter_bits == 0) return;
     int place = 0;
     for (const Port* counter : counters) {

@@ -15,9 +15,9 @@
 namespace mixcmp::harness {
 
 /// The testbench of one lane's two streams: it offers comparisons, takes results and records both.
-class LaneStreams {
+class LaneDriver {
 public:
-  LaneStreams(int index, Ports& ports, Recorder& recorder)
+  LaneDriver(int index, Ports& ports, Recorder& recorder)
       : index_(static_cast<std::uint32_t>(index)),
         ports_(ports),
         recorder_(recorder),
@@ -91,8 +91,9 @@ public:
     return entry != nullptr && entry->state == Entry::State::inside ? entry : nullptr;
   }
 
-  wire::LaneEnd end() const {
-    wire::LaneEnd end{{}, {observed_.comparisons, observed_.recomputations, observed_.stalls}};
+  wire::CounterValues counters() const {
+    wire::CounterValues end{{},
+                            {observed_.comparisons, observed_.recomputations, observed_.stalls}};
     if (system::counter_bits == 0) return end;
     const Port* const counters[] = {&ports_.comparisons, &ports_.recomputations, &ports_.stalls};
     for (int k = 0; k < 3; ++k) {

@@ -134,7 +134,7 @@ private:
                   {&ports_.reports, &ports_.busy_cycles, &ports_.stalled_cycles});
     response_.counters.observed[0] = observed_reports_;
     response_.counters.observed[1] = observed_busy_;
-    const std::vector<wire::LaneEnd> ends = lane_ends();
+    const std::vector<wire::CounterValues> ends = lane_counters();
     channel.write(&response_, 1);
     channel.write(reports_.data(), reports_.size());
     channel.write(violations_.data(), violations_.size());

@@ -22,8 +22,8 @@ enum class SetState : std::uint64_t {
   stopped,      ///< the engine stands still, or max_violations were seen; the simulator ends
 };
 
-/// The head of a response, followed by the reports, the violations and one LaneEnd for each lane,
-/// of which only `counted` is set.
+/// The head of a response, followed by the reports, the violations and one CounterValues for each
+/// lane, of which only `counted` is set.
 struct SetResponse {
   std::uint64_t reports;
   std::uint64_t violations;
@@ -32,7 +32,7 @@ struct SetResponse {
   std::uint64_t closing_tuser;
   /// The engine's counters since reset: reports, busy cycles, stalled cycles; of the last only
   /// `counted` is set.
-  LaneEnd counters;
+  CounterValues counters;
   SetState state;
 };
 

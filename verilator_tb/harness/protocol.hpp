@@ -22,8 +22,8 @@ enum class State : std::uint64_t {
   stopped,  ///< a lane stands still, or max_violations were seen; the simulator ends
 };
 
-/// The head of a response, followed by the results, the violations and, when drained, one LaneEnd
-/// for each lane.
+/// The head of a response, followed by the results, the violations and, when drained, one
+/// CounterValues for each lane.
 struct Response {
   std::uint64_t results;
   std::uint64_t violations;
@@ -70,8 +70,9 @@ struct Violation {
 
 inline constexpr std::uint64_t no_position = ~std::uint64_t{0};
 
-/// The three counters of a lane since the last reset, by the hardware and by the harness.
-struct LaneEnd {
+/// Three counters of a lane or of an engine since the last reset, by the hardware and by the
+/// harness.
+struct CounterValues {
   std::uint64_t counted[3];
   std::uint64_t observed[3];
 };

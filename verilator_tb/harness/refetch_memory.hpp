@@ -5,7 +5,7 @@
 #include <deque>
 #include <vector>
 
-#include "lane_streams.hpp"
+#include "lane_driver.hpp"
 
 namespace mixcmp::harness {
 
@@ -27,7 +27,7 @@ public:
     latency_ = traffic.memory_latency(2 * system::lanes + index_, cycle);
   }
 
-  void sample(std::vector<LaneStreams>& lanes, std::uint64_t cycle) {
+  void sample(std::vector<LaneDriver>& lanes, std::uint64_t cycle) {
     if (ports_.s_refetch_tvalid.bit(index_) && ports_.s_refetch_tready.bit(index_)) {
       answers_.pop_front();
     }
@@ -55,8 +55,8 @@ private:
 
   static constexpr int tag_field_bits = (system::tag_bits + 7) / 8 * 8;
 
-  void answer(std::vector<LaneStreams>& lanes, std::uint64_t tag, std::uint64_t cycle) {
-    for (LaneStreams& lane : lanes) {
+  void answer(std::vector<LaneDriver>& lanes, std::uint64_t tag, std::uint64_t cycle) {
+    for (LaneDriver& lane : lanes) {
       if (const Entry* entry = lane.inside(tag)) {
         answers_.push_back({cycle + latency_, entry->operands});
         return;

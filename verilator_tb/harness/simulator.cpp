@@ -7,7 +7,7 @@
 
 #include "channel.hpp"
 #include "clocked_model.hpp"
-#include "lane_streams.hpp"
+#include "lane_driver.hpp"
 #include "refetch_memory.hpp"
 #include "settings.hpp"
 #include "system_ports.hpp"
@@ -61,7 +61,7 @@ private:
 
   bool is_busy() const {
     return std::any_of(lanes_.begin(), lanes_.end(),
-                       [](const LaneStreams& lane) { return lane.busy(); });
+                       [](const LaneDriver& lane) { return lane.busy(); });
   }
 
   bool stopped() {
@@ -74,10 +74,10 @@ private:
       resets_.pop_front();
       reset();
     }
-    for (LaneStreams& lane : lanes_) lane.drive(feed_, traffic_, cycle_);
+    for (LaneDriver& lane : lanes_) lane.drive(feed_, traffic_, cycle_);
     for (RefetchMemory& memory : memories_) memory.drive(traffic_, cycle_);
     clocked_.settle(cycle_);
-    for (LaneStreams& lane : lanes_) lane.sample(cycle_);
+    for (LaneDriver& lane : lanes_) lane.sample(cycle_);
     for (RefetchMemory& memory : memories_) memory.sample(lanes_, cycle_);
     clocked_.rise(cycle_);
     ++cycle_;
@@ -85,7 +85,7 @@ private:
   }
 
   void reset() {
-    for (LaneStreams& lane : lanes_) lane.discard(feed_);
+    for (LaneDriver& lane : lanes_) lane.discard(feed_);
     for (RefetchMemory& memory : memories_) memory.discard();
     feed_.sort_returned();
     ports_.aresetn.set_bit(0, false);
@@ -94,21 +94,21 @@ private:
       clocked_.rise(cycle_);
       ++cycle_;
     }
-    for (LaneStreams& lane : lanes_) lane.check_silent_in_reset(cycle_);
+    for (LaneDriver& lane : lanes_) lane.check_silent_in_reset(cycle_);
     ports_.aresetn.set_bit(0, true);
     if (feed_.taken() == 0) first_cycle_ = cycle_;
   }
 
   void check_overdue() {
     bool hung = false;
-    for (LaneStreams& lane : lanes_) hung |= lane.check_overdue(cycle_, settings_.hang_cycles);
+    for (LaneDriver& lane : lanes_) hung |= lane.check_overdue(cycle_, settings_.hang_cycles);
     if (hung) state_ = wire::State::stopped;
   }
 
   void respond(Channel& channel) {
-    std::vector<wire::LaneEnd> ends;
+    std::vector<wire::CounterValues> ends;
     if (state_ == wire::State::drained) {
-      for (const LaneStreams& lane : lanes_) ends.push_back(lane.end());
+      for (const LaneDriver& lane : lanes_) ends.push_back(lane.counters());
     }
     const std::vector<wire::Result> results = recorder_.take_results();
     const std::vector<wire::Violation> violations = recorder_.take_violations();
@@ -130,7 +130,7 @@ private:
   Ports ports_;
   Recorder recorder_;
   Feed feed_{system::tdata_bytes};
-  std::vector<LaneStreams> lanes_;
+  std::vector<LaneDriver> lanes_;
   std::vector<RefetchMemory> memories_;
   std::deque<std::uint64_t> resets_;
   std::uint64_t cycle_ = 0;

@@ -15,7 +15,7 @@ struct Stimulus {
   bool exceptional = false;  ///< of fp_ulp_distance alone
 };
 
-/// Hazards that a unit was promised not to meet, or that a stimulus is: docs/architecture.md.
+/// Hazards that a unit was promised not to meet, or that a stimulus is: docs/rtl.md.
 struct HazardSet {
   bool special_operands = false;
   bool overflow = false;
