@@ -271,8 +271,8 @@ std::string kinds_of(const std::set<characterise::ComponentKey>& lanes) {
 }
 
 /// Leaves those lanes in the query that look promising, and says which, and how long they take.
-void choose_quickly(const LoadedScene& loaded, const devices::Device& device,
-                    components::CharacteriseOptions& options) {
+void choose_quickly(const CharacteriseCommand& command, const LoadedScene& loaded,
+                    const devices::Device& device, components::CharacteriseOptions& options) {
   components::ComponentQuery& query = options.query;
   const auto [first, last] = std::minmax_element(query.precisions.begin(), query.precisions.end());
   const auto rates = optimise::Rates::of(
@@ -280,7 +280,12 @@ void choose_quickly(const LoadedScene& loaded, const devices::Device& device,
   components::ComponentMaker maker(loaded.scene, loaded.data ? &*loaded.data : nullptr);
   const auto found = value_or_exit(components::shortlist(maker, query, device, rates));
   query.lanes = found.lanes;
-  if (found.lanes.empty()) return;
+  if (found.lanes.empty()) {
+    fail({.field = "--quick",
+          .message = "none of the lanes exists and has a recomputation rate",
+          .received = fmt::format("--bounds {}", command.bounds),
+          .accepted = "bounds and precisions of lanes that the scene can have"});
+  }
   tell(fmt::format(
       "quick: {} of {} lanes look promising, {}; {}about {} on {} processor{}", found.lanes.size(),
       found.candidates, kinds_of(found.lanes),
@@ -294,7 +299,7 @@ void run(const CharacteriseCommand& command) {
   components::CharacteriseOptions options =
       value_or_exit(characterise_options(command, loaded.scene));
   options.progress = tell_progress;
-  if (command.quick) choose_quickly(loaded, device, options);
+  if (command.quick) choose_quickly(command, loaded, device, options);
   const fs::path path = command.output.empty()
                             ? default_table(command.scene.scene, loaded.scene.variant, device.name)
                             : command.output;

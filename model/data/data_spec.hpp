@@ -13,7 +13,7 @@
 
 namespace mixcmp::data {
 
-/// What the section [data] of a scene names (docs/scene_file.md).
+/// The section [data] of a scene: which numbers are compared (docs/scene_file.md).
 struct DataSpec {
   std::string items;           ///< a generator's name, or empty when a file is named
   std::string family;          ///< one of sphere_family_names(); only for items "sphere_family"

@@ -34,6 +34,21 @@ struct Order {
   }
 };
 
+/// Decides where two encodings are `guard` or more apart.
+class Guard {
+public:
+  HWY_INLINE explicit Guard(std::int64_t guard)
+      : below_(hn::Set(Int(), guard - 1)), above_minus_(hn::Set(Int(), 1 - guard)) {}
+
+  HWY_INLINE IntVec decide(IntVec f, IntVec g) const {
+    const IntVec distance = hn::Sub(f, g);
+    return greater_or_less(hn::Gt(distance, below_), hn::Gt(above_minus_, distance));
+  }
+
+private:
+  IntVec below_, above_minus_;
+};
+
 /// Decides by the distance of the encodings of f and g, which are not negative. Their bits as
 /// doubles are, up to a constant that cancels, 2^(53 - P) times those in the lane. `zero`, one
 /// binade below the smallest normal number, stands for 0.
@@ -43,20 +58,18 @@ public:
       : first_(criterion.first),
         second_(criterion.second),
         zero_(hn::Set(Tag(), criterion.zero)),
-        below_guard_(hn::Set(Int(), criterion.guard - 1)),
-        above_minus_guard_(hn::Set(Int(), 1 - criterion.guard)) {}
+        guard_(criterion.guard) {}
 
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
     const IntVec f = bits_of(hn::Max(hn::LoadU(Tag(), block.columns[first_] + i), zero_));
     const IntVec g = bits_of(hn::Max(hn::LoadU(Tag(), block.columns[second_] + i), zero_));
-    const IntVec distance = hn::Sub(f, g);
-    return greater_or_less(hn::Gt(distance, below_guard_), hn::Gt(above_minus_guard_, distance));
+    return guard_.decide(f, g);
   }
 
 private:
   int first_, second_;
   Vec zero_;
-  IntVec below_guard_, above_minus_guard_;
+  Guard guard_;
 };
 
 /// Decides by the distance of integer keys that have the order of signed numbers. They are half of
@@ -68,14 +81,12 @@ public:
       : first_(criterion.first),
         second_(criterion.second),
         zero_(hn::Set(Tag(), criterion.zero)),
-        below_guard_(hn::Set(Int(), criterion.guard - 1)),
-        above_minus_guard_(hn::Set(Int(), 1 - criterion.guard)) {}
+        guard_(criterion.guard) {}
 
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
     const IntVec f = key(hn::LoadU(Tag(), block.columns[first_] + i));
     const IntVec g = key(hn::LoadU(Tag(), block.columns[second_] + i));
-    const IntVec distance = hn::Sub(f, g);
-    return greater_or_less(hn::Gt(distance, below_guard_), hn::Gt(above_minus_guard_, distance));
+    return guard_.decide(f, g);
   }
 
 private:
@@ -88,7 +99,7 @@ private:
 
   int first_, second_;
   Vec zero_;
-  IntVec below_guard_, above_minus_guard_;
+  Guard guard_;
 };
 
 /// Decides by the sign of the difference, where its encoding exceeds the bound's by more than the

@@ -38,7 +38,7 @@ mpz_class rounded(const mpz_class& value, int precision, Rounding rounding);
 
 /// The square root of value >= 0, to `digits` digits or more, rounded down.
 mpq_class root_of(const mpq_class& value, int digits);
-/// The same number rounded up.
+/// The square root of value >= 0, to `digits` digits or more, rounded up.
 mpq_class root_above(const mpq_class& value, int digits);
 
 }  // namespace mixcmp::inline number

@@ -382,7 +382,7 @@ TEST_F(Components, TheShortlistHasTheBestPrecisionsOfTheBestKinds) {
   const auto float_alone = list({{"running_4", true}, {"fixed_norm", false}});
   ASSERT_EQ(float_alone.size(), 1u);
   EXPECT_EQ(float_alone.begin()->first, "running_4");
-  // Of equal rates the smaller lane is the better one.
+  // Where both kinds recompute as often, the kind with the smaller lane is the better one.
   const auto fixed_alone = list({{"running_4", true}, {"fixed_norm", true}});
   ASSERT_EQ(fixed_alone.size(), 1u);
   ASSERT_EQ(fixed_alone.begin()->first, "fixed_norm");
