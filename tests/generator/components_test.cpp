@@ -362,8 +362,8 @@ optimise::Rates rates_of(const std::map<std::string, bool>& halving) {
 }
 
 TEST_F(Components, TheShortlistHasTheBestPrecisionsOfTheBestKinds) {
-  const scene::Scene spheres = scene(one_system);
-  components::ComponentMaker maker(spheres, nullptr);
+  const scene::Scene two_kinds = scene(one_system);
+  components::ComponentMaker maker(two_kinds, nullptr);
   const devices::Device device = devices::find_device("virtex6-lx760").value();
   components::ComponentQuery query =
       lanes({4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14}, {"running_4", "fixed_norm"});
@@ -393,7 +393,7 @@ TEST_F(Components, TheShortlistHasTheBestPrecisionsOfTheBestKinds) {
 
   query.lanes =
       components::shortlist(maker, query, device, rates_of({{"fixed_norm", true}}))->lanes;
-  EXPECT_EQ(find(spheres, query).components.size(), 3u) << "no lane but those of the list";
+  EXPECT_EQ(find(two_kinds, query).components.size(), 3u) << "no lane but those of the list";
 }
 
 }  // namespace
