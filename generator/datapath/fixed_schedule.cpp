@@ -28,7 +28,8 @@ public:
   Schedule run() {
     for (const FixedNode& node : lane_.nodes) place_node(node);
     for (const fixed::FixedPart& part : lane_.parts) {
-      const int start = ready_cycle(schedule_.steps, decided_from(part));
+      int start = ready_cycle(schedule_.steps, decided_from(part));
+      for (const Step& check : schedule_.checks) start = std::max(start, check.ready_cycle);
       schedule_.parts.push_back(
           {.bounds = {},
            .conditions = {},
@@ -42,6 +43,13 @@ private:
   void place_node(const FixedNode& node) {
     if (node.operation == Operation::constant) return schedule_.steps.push_back({});
     const int start = ready_cycle(schedule_.steps, operands_of(node));
+    if (node.operation == Operation::convert) {  // wires
+      schedule_.steps.push_back(
+          {.unit = {}, .cuts = {}, .start_cycle = start, .ready_cycle = start});
+      if (!fixed::is_limit(node)) return;
+      return schedule_.checks.push_back(
+          placer_.place(limit_unit(lane_, node, placer_.delays()), start));
+    }
     schedule_.steps.push_back(
         placer_.place(fixed_unit(lane_, node, multipliers_, placer_.delays()), start));
   }
@@ -88,7 +96,7 @@ private:
 
   /// The cycles in which a node's result is read.
   std::vector<int> uses_of(NodeId id) const {
-    std::vector<int> cycles;
+    std::vector<int> cycles = checks_of(id);
     for (std::size_t reader = 0; reader < lane_.nodes.size(); ++reader) {
       const std::vector<int> operands = operands_of(lane_.nodes[reader]);
       if (std::find(operands.begin(), operands.end(), id) == operands.end()) continue;
@@ -100,6 +108,18 @@ private:
       cycles.push_back(schedule_.parts[part].decision.start_cycle);
     }
     MIXCMP_CHECK(!cycles.empty());
+    return cycles;
+  }
+
+  /// The cycles in which a limit's check reads a node.
+  std::vector<int> checks_of(NodeId id) const {
+    std::vector<int> cycles;
+    auto check = schedule_.checks.begin();
+    for (const FixedNode& node : lane_.nodes) {
+      if (!fixed::is_limit(node)) continue;
+      if (node.operands[0] == id) cycles.push_back(check->start_cycle);
+      ++check;
+    }
     return cycles;
   }
 

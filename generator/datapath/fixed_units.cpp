@@ -128,6 +128,13 @@ Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers
   MIXCMP_CHECK(!"an operation that fixed point has no unit for");
 }
 
+Unit limit_unit(const FixedLane& lane, const FixedNode& limit, const DelayTable& delays) {
+  StageList stages(delays);
+  const int compared = operand_bits(lane.nodes, limit, 0);
+  stages.add("compare", stages.lut_delay_ns(reduction_levels(compared)));
+  return std::move(stages).unit("fixed_range_check");
+}
+
 Unit fixed_decision_unit(const FixedLane& lane, const fixed::FixedPart& part,
                          const DelayTable& delays) {
   const FixedFormat& difference = lane.nodes[part.difference].format;

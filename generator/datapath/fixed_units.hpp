@@ -18,6 +18,9 @@ int operand_bits(const std::vector<fixed::FixedNode>& nodes, const fixed::FixedN
 /// The unit that computes `node` of a lane (not for a constant: that is a literal).
 Unit fixed_unit(const fixed::FixedLane& lane, const fixed::FixedNode& node,
                 scene::Multipliers multipliers, const DelayTable& delays);
+/// The unit that finds the numbers which a limit leaves undecided.
+Unit limit_unit(const fixed::FixedLane& lane, const fixed::FixedNode& limit,
+                const DelayTable& delays);
 /// The unit that decides one part of a lane.
 Unit fixed_decision_unit(const fixed::FixedLane& lane, const fixed::FixedPart& part,
                          const DelayTable& delays);

@@ -28,8 +28,10 @@ struct PartSchedule {
 /// When each node of a graph is computed. All paths are balanced: an operand is delayed by
 /// start_cycle of the operation that reads it, less its own ready_cycle.
 struct Schedule {
-  std::vector<Step> steps;   ///< one per node of the graph that all parts share
-  std::vector<Step> checks;  ///< one per range check of a lane; a check of a sign alone is wires
+  std::vector<Step> steps;  ///< one per node of the graph that all parts share
+  /// One per range check of a lane in floating point, where a check of a sign alone is wires; one
+  /// per limit of a lane in fixed point.
+  std::vector<Step> checks;
   std::vector<PartSchedule> parts;
   Step combination;        ///< of the verdicts of several parts; no unit if there is one part
   int latency_cycles = 0;  ///< from operands to verdict

@@ -148,6 +148,11 @@ nlohmann::json to_json(const Summary& summary) {
                               {"range", json_of(scene.ranges[k])},
                               {"range_from_data", static_cast<bool>(scene.data_ranges[k])}});
   }
+  constexpr std::size_t most_characters = 1000;
+  for (const auto& [node, limits] : scene.graph.limits()) {
+    json["limits"].push_back({{"value", expression::to_text(scene.graph, node, most_characters)},
+                              {"range", json_of(limits)}});
+  }
   if (scene.parts.size() > 1) json["combine"] = to_string(scene.graph.combination());
   for (const SideSummary& side : summary.sides) {
     json[side.name] = {{"text", side.text},

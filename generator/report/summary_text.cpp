@@ -116,6 +116,15 @@ void print_parts(Page& page, const Scene& scene) {
   }
 }
 
+void print_limits(Page& page, const Graph& graph) {
+  constexpr std::size_t most_characters = 60;
+  if (graph.limits().empty()) return;
+  page.section("what lanes in fixed point leave undecided: values outside of");
+  for (const auto& [node, limits] : graph.limits()) {
+    page.line(expression::to_text(graph, node, most_characters), shown(limits));
+  }
+}
+
 void print_understood(Page& page, const Scene& scene) {
   page.section(fmt::format("scene {}", scene.name));
   print_parts(page, scene);
@@ -127,6 +136,7 @@ void print_understood(Page& page, const Scene& scene) {
       declared += fmt::format(", multiples of {}", expression::to_text(*scene.grids[k]));
     page.line(scene.graph.inputs()[k], declared);
   }
+  print_limits(page, scene.graph);
   page.section("formats");
   page.line("reference", shown(scene.reference));
   const std::vector<LaneGroupSpec> groups = scene.lane_groups();

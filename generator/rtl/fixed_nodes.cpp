@@ -29,26 +29,27 @@ void FixedNodes::build() {
     switch (node.operation) {
       case Operation::input: build_operand(id); break;
       case Operation::constant: build_constant(id); break;
+      case Operation::convert: build_conversion(id); break;
       default: build_unit(id); break;
     }
   }
 }
 
 Signal FixedNodes::out_of_range(NodeId node) {
-  const std::set<NodeId> inputs = inputs_of(node);
-  const auto known = gathered_.find(inputs);
+  const std::set<NodeId> checked = checked_before(node);
+  const auto known = gathered_.find(checked);
   if (known != gathered_.end()) return known->second;
   std::vector<Signal> flags;
   int cycle = 0;
-  for (const NodeId input : inputs) {
-    flags.push_back(misfits_.at(input));
+  for (const NodeId id : checked) {
+    flags.push_back(misfits_.at(id));
     cycle = std::max(cycle, flags.back().cycle);
   }
   if (flags.size() < 2) return flags.empty() ? Signal{} : flags.front();
   const std::string name = datapath_.pool().unique("out_of_range");
   const Operand any = datapath_.any_at(flags, cycle);
   datapath_.add(Wire{1, name, any});
-  return gathered_[inputs] = {net(name), name, 1, cycle};
+  return gathered_[checked] = {net(name), name, 1, cycle};
 }
 
 void FixedNodes::build_operand(NodeId id) {
@@ -81,6 +82,44 @@ void FixedNodes::build_constant(NodeId id) {
   const Literal constant = twos_complement(node.format.width, node.constant);
   values_[id].value = literal(constant.width, constant.value);
   values_[id].constant = true;
+}
+
+/// A conversion is wires; the check of a limit is a unit beside it.
+void FixedNodes::build_conversion(NodeId id) {
+  const FixedNode& node = lane_.nodes[id];
+  const Signal& whole = values_[node.operands[0]];
+  const Operand value = datapath_.at(whole, schedule_.steps[id].start_cycle);
+  const int low = node.dropped_bits, high = low + node.format.width - 1;
+  const bool is_whole = node.format.width == whole.width;
+  datapath_.add(Comment{describe(id)});
+  datapath_.add(Wire{node.format.width, names_[id],
+                     is_whole ? value : slice(std::get<Net>(value->node).name, high, low)});
+  if (fixed::is_limit(node)) build_check(id);
+}
+
+void FixedNodes::build_check(NodeId id) {
+  const FixedNode& node = lane_.nodes[id];
+  const FixedNode& whole = lane_.nodes[node.operands[0]];
+  const datapath::Step& step = schedule_.checks[checks_built_++];
+  const std::string misfit = datapath_.pool().unique(names_[id] + "_out_of_range");
+  const int width = datapath::operand_bits(lane_.nodes, node, 0);
+  const auto in_units = [&](const mpq_class& limit) {
+    return twos_complement(width, floor_of(limit / node.format.unit()));
+  };
+  std::vector<Parameter> parameters = {{"A_WIDTH", width}};
+  if (node.value.low > whole.value.low) parameters.push_back({"LEAST", in_units(node.value.low)});
+  if (node.value.high < whole.value.high) {
+    parameters.push_back({"GREATEST", in_units(node.value.high)});
+  }
+  parameters.push_back({"CUTS", cut_mask(step)});
+  datapath_.add(Wire{1, misfit, nullptr});
+  datapath_.add(Instance{step.unit.module,
+                         datapath_.pool().unique("check_" + names_[id]),
+                         std::move(parameters),
+                         {{"aclk", net("aclk")},
+                          {"a", operand(node.operands[0], 0, step.start_cycle)},
+                          {"out_of_range", net(misfit)}}});
+  misfits_[id] = {net(misfit), misfit, 1, step.ready_cycle};
 }
 
 void FixedNodes::build_unit(NodeId id) {
@@ -168,16 +207,16 @@ std::vector<Parameter> FixedNodes::parameters(NodeId id) const {
   return parameters;
 }
 
-/// The inputs that a node depends on.
-std::set<NodeId> FixedNodes::inputs_of(NodeId node) const {
-  std::set<NodeId> inputs, open = {node};
+/// The inputs and limits that a node depends on.
+std::set<NodeId> FixedNodes::checked_before(NodeId node) const {
+  std::set<NodeId> checked, open = {node};
   while (!open.empty()) {
     const NodeId id = open.extract(std::prev(open.end())).value();
     const FixedNode& next = lane_.nodes[id];
-    if (next.operation == Operation::input) inputs.insert(id);
+    if (next.operation == Operation::input || fixed::is_limit(next)) checked.insert(id);
     open.insert(next.operands.begin(), next.operands.begin() + arity(next.operation));
   }
-  return inputs;
+  return checked;
 }
 
 std::string FixedNodes::describe(NodeId id) const {
@@ -189,6 +228,10 @@ std::string FixedNodes::describe(NodeId id) const {
     const bool constant = source.operation == Operation::constant;
     return constant ? to_text(source.value.low) : names_[node.operands[k]];
   };
+  if (fixed::is_limit(node)) {
+    return fmt::format("{} from {} to {}, {}; elsewhere the lane is undecided.", text(0),
+                       to_text(node.value.low), to_text(node.value.high), node.format.name());
+  }
   const bool is_input = node.operation == Operation::input;
   const bool rounds = is_input || node.dropped_bits > 0 || node.operation == Operation::square_root;
   const std::string what =

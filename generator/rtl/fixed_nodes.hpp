@@ -27,17 +27,19 @@ public:
   const Signal& value(NodeId node) const { return values_[node]; }
   /// A node's value in `cycle`, in two's complement whatever its format.
   Operand signed_value(NodeId node, int cycle) { return operand(node, 0, cycle); }
-  /// A flag that is set where an operand that the node depends on does not fit.
+  /// A flag that is set where an operand or a limited value that the node depends on does not fit.
   Signal out_of_range(NodeId node);
 
 private:
   void build_operand(NodeId id);
   void build_constant(NodeId id);
+  void build_conversion(NodeId id);
+  void build_check(NodeId id);
   void build_unit(NodeId id);
   Operand operand(NodeId node, int shift, int cycle);
   std::vector<Connection> operands(NodeId id, int cycle);
   std::vector<Parameter> parameters(NodeId id) const;
-  std::set<NodeId> inputs_of(NodeId node) const;
+  std::set<NodeId> checked_before(NodeId node) const;
   std::string describe(NodeId id) const;
 
   DatapathBuilder& datapath_;
@@ -45,7 +47,8 @@ private:
   const datapath::Schedule& schedule_;
   std::vector<std::string> names_;
   std::vector<Signal> values_;
-  std::map<NodeId, Signal> misfits_;  ///< [input]: set where that operand does not fit
+  std::map<NodeId, Signal> misfits_;  ///< [input or limit]: set where its number does not fit
+  std::size_t checks_built_ = 0;
   std::map<std::set<NodeId>, Signal> gathered_;
 };
 

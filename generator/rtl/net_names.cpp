@@ -60,6 +60,11 @@ std::string spelled_or_role(Operation operation, const std::string& a, const std
   return name.size() > longest_spelled_name ? role(operation) : name;
 }
 
+std::string conversion_name(const std::string& converted, const std::string& what) {
+  const std::string name = converted + "_" + what;
+  return name.size() > longest_spelled_name ? what : name;
+}
+
 std::string bound_role(BoundOperation operation, const std::string& value) {
   switch (operation) {
     case BoundOperation::constant: return "constant";
@@ -141,7 +146,9 @@ std::vector<std::string> name_nodes(const fixed::FixedLane& lane,
     const int count = arity(node.operation);
     const std::string a = count > 0 ? spellings[node.operands[0]] : "";
     const std::string b = count > 1 ? spellings[node.operands[1]] : "";
-    std::string wanted = spelled_or_role(node.operation, a, b);
+    std::string wanted = node.operation == Operation::convert
+                             ? conversion_name(a, fixed::is_limit(node) ? "limited" : "cut")
+                             : spelled_or_role(node.operation, a, b);
     for (std::size_t part = lane.parts.size(); part-- > 0;) {
       if (id != lane.parts[part].difference) continue;
       wanted = "difference" + part_suffix(part, lane.parts.size());

@@ -159,6 +159,7 @@ private:
 
   void add_instruction(NodeId id) {
     const FixedNode& added = node(id);
+    if (added.operation == Operation::convert) return add_conversion(id);
     const auto product = product_of(added);
     FixedInstruction instruction = product ? sum_with_product(added, *product)
                                    : squares_a_lone_difference(added) ? square_of_difference(added)
@@ -167,9 +168,19 @@ private:
     const bool truncates = added.dropped_bits > 0 || added.operation == Operation::square_root;
     if (truncates) instruction.result = code_.layout.columns++;
     code_.instructions.push_back(instruction);
-    if (!truncates) return;
-    add_unary(FixedKernel::truncate, id, instruction.result).unit =
-        power(added.format.unit_exponent);
+    if (truncates) add_truncation(id, instruction.result);
+  }
+
+  void add_conversion(NodeId id) {
+    const FixedNode& added = node(id);
+    if (!fixed::is_limit(added)) return add_truncation(id, added.operands[0]);
+    FixedInstruction& limit = add_unary(FixedKernel::limit, id, added.operands[0]);
+    limit.low = added.value.low.get_d();
+    limit.high = added.value.high.get_d();
+  }
+
+  void add_truncation(NodeId id, int operand) {
+    add_unary(FixedKernel::truncate, id, operand).unit = power(node(id).format.unit_exponent);
   }
 
   FixedInstruction square_of_difference(const FixedNode& square) const {

@@ -119,6 +119,12 @@ void execute_one(const FixedInstruction& instruction, const Block& block) {
       const Vec per_unit = hn::Set(Tag(), 1 / instruction.unit);
       return each([&](Vec a, Vec, Vec) HWY_ATTR { return rounded_down(a, unit, per_unit); });
     }
+    case FixedKernel::limit: {
+      const Vec low = hn::Set(Tag(), instruction.low), high = hn::Set(Tag(), instruction.high);
+      return each([&](Vec a, Vec, Vec) HWY_ATTR {
+        return hn::IfThenElse(hn::And(hn::Ge(a, low), hn::Le(a, high)), a, hn::NaN(Tag()));
+      });
+    }
     case FixedKernel::power_above_root: {
       const Vec unit = hn::Set(Tag(), instruction.unit);
       const Vec per_unit = hn::Set(Tag(), 1 / instruction.square_unit);

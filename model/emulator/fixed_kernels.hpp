@@ -31,6 +31,7 @@ enum class FixedKernel : std::uint8_t {
   subtract_square_of_difference,  ///< c - (a - b)^2
   square_root,                    ///< of a, rounded to nearest
   truncate,                       ///< a, rounded down to a multiple of `unit`
+  limit,                          ///< a if it is from `low` to `high`, a NaN otherwise
   /// 2^k `unit` for the least k >= 0 with a < 4^k `square_unit`; of a NaN anything.
   power_above_root,
 };
@@ -43,6 +44,7 @@ struct FixedInstruction {
   int c = -1;
   double unit = 1;
   double square_unit = 1;
+  double low = 0, high = 0;
 };
 
 /// Greater iff D >= slope_above s + offset_above, less iff -D > slope_below s + offset_below, where

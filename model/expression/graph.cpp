@@ -93,6 +93,18 @@ NodeId Graph::apply(Operation operation, NodeId first, NodeId second) {
   return intern({.operation = operation, .operands = {first, second}, .value = {}});
 }
 
+bool Graph::limit(NodeId id, const Range& limits) {
+  const auto known = limits_.find(id);
+  Range narrowed = limits;
+  if (known != limits_.end()) {
+    narrowed.low = std::max(limits.low, known->second.low);
+    narrowed.high = std::min(limits.high, known->second.high);
+  }
+  if (narrowed.low > narrowed.high) return false;
+  limits_[id] = narrowed;
+  return true;
+}
+
 void Graph::compare(NodeId f, NodeId g) {
   compare({{f, g}}, Combination::all);
 }

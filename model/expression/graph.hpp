@@ -3,11 +3,13 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "model/expression/combination.hpp"
+#include "model/expression/range.hpp"
 
 namespace mixcmp::inline expression {
 
@@ -64,6 +66,11 @@ public:
   NodeId constant(const mpq_class& value);
   NodeId apply(Operation operation, NodeId first, NodeId second = -1);
 
+  /// Says that a node's value matters within `limits` alone: a lane may leave other comparisons
+  /// undecided. Limits of one node narrow each other; false, and nothing is said, where no number
+  /// is within all of them.
+  bool limit(NodeId id, const Range& limits);
+
   void compare(NodeId f, NodeId g);
   /// Compares the two sides of each part; there is at least one.
   void compare(std::vector<Sides> parts, Combination combination);
@@ -72,6 +79,8 @@ public:
   /// The names of the inputs in order of first appearance, which is the order of operands
   /// everywhere.
   const std::vector<std::string>& inputs() const { return inputs_; }
+  /// The limits of those nodes that have some.
+  const std::map<NodeId, Range>& limits() const { return limits_; }
   const std::vector<Sides>& parts() const { return parts_; }
   /// Meaningful only where the comparison has several parts.
   Combination combination() const { return combination_; }
@@ -86,6 +95,7 @@ private:
 
   std::vector<Node> nodes_;
   std::vector<std::string> inputs_;
+  std::map<NodeId, Range> limits_;
   std::vector<Sides> parts_;
   Combination combination_ = Combination::all;
 };

@@ -29,16 +29,23 @@ constexpr long max_integer = 999'999;
 
 struct Function {
   std::string_view name;
-  Operation operation;
-  bool reduces;  ///< takes two arguments or more, or an index
+  std::optional<Operation> operation;  ///< none: its value is the first argument's
+  enum class Arguments {
+    one,
+    two_or_more,       ///< or an index
+    value_and_limits,  ///< a value, its least and its greatest
+  } arguments;
+
+  bool reduces() const { return arguments == Arguments::two_or_more; }
 };
-constexpr std::array<Function, 6> functions = {{
-    {"sqrt", Operation::square_root, false},
-    {"abs", Operation::absolute, false},
-    {"min", Operation::minimum, true},
-    {"max", Operation::maximum, true},
-    {"sum", Operation::add, true},
-    {"product", Operation::multiply, true},
+constexpr std::array<Function, 7> functions = {{
+    {"sqrt", Operation::square_root, Function::Arguments::one},
+    {"abs", Operation::absolute, Function::Arguments::one},
+    {"min", Operation::minimum, Function::Arguments::two_or_more},
+    {"max", Operation::maximum, Function::Arguments::two_or_more},
+    {"sum", Operation::add, Function::Arguments::two_or_more},
+    {"product", Operation::multiply, Function::Arguments::two_or_more},
+    {"within", std::nullopt, Function::Arguments::value_and_limits},
 }};
 constexpr std::string_view reducing_functions = "sum, product, min or max";
 
@@ -112,6 +119,8 @@ private:
   Value chain(const Syntax& syntax);
   Value power(const Syntax& syntax);
   Value call(const Syntax& syntax);
+  Value limited(const Syntax& syntax);
+  mpq_class limit(const Syntax& syntax);
   Value reduction(const Syntax& syntax);
 
   Value applied(Operation operation, const Value& a, const Value& b);
@@ -266,28 +275,69 @@ Value GraphBuilder::raised(const Value& base, int exponent) {
   fail(syntax.column, "unknown function", syntax.text, list_with_nearest(syntax.text, names));
 }
 
+void check_arguments(const Syntax& syntax, const Function& function) {
+  const std::size_t count = syntax.parts.size();
+  const auto refuse = [&](const std::string& needed, const std::string& accepted) {
+    fail(syntax.column, fmt::format("{} takes {}", syntax.text, needed),
+         fmt::format("{} argument{}", count, count == 1 ? "" : "s"), accepted);
+  };
+  switch (function.arguments) {
+    case Function::Arguments::one:
+      if (count != 1) refuse("1 argument", "1 argument");
+      return;
+    case Function::Arguments::two_or_more:
+      if (count >= 2) return;
+      refuse("2 arguments or more", "2 arguments or more, or an index (k in 0..3) and a term");
+      return;
+    case Function::Arguments::value_and_limits:
+      if (count != 3) refuse("3 arguments", "a value, its least and its greatest");
+      return;
+  }
+}
+
 Value GraphBuilder::call(const Syntax& syntax) {
   const Function* function = find_function(syntax.text);
   if (function == nullptr) fail_unknown_function(syntax);
-  const std::size_t count = syntax.parts.size();
-  const auto arguments = [](std::size_t n) {
-    return fmt::format("{} argument{}", n, n == 1 ? "" : "s");
-  };
-  if (function->reduces ? count < 2 : count != 1) {
-    const std::string needed = function->reduces ? "2 arguments or more" : arguments(1);
-    fail(syntax.column, fmt::format("{} takes {}", syntax.text, needed), arguments(count),
-         function->reduces ? needed + ", or an index (k in 0..3) and a term" : needed);
-  }
+  check_arguments(syntax, *function);
+  if (!function->operation) return limited(syntax);
   std::vector<Value> values;
   for (const Syntax& part : syntax.parts) values.push_back(value_of(part));
-  if (!function->reduces) return applied(function->operation, values[0], values[0]);
-  return joined_pairwise(function->operation, std::move(values));
+  if (!function->reduces()) return applied(*function->operation, values[0], values[0]);
+  return joined_pairwise(*function->operation, std::move(values));
+}
+
+/// The value of within(value, low, high).
+Value GraphBuilder::limited(const Syntax& syntax) {
+  const Value value = value_of(syntax.parts[0]);
+  if (value.constant) {
+    fail(value.column, "a constant needs no limits", to_text(*value.constant),
+         "an expression of inputs");
+  }
+  const Range limits = {.low = limit(syntax.parts[1]), .high = limit(syntax.parts[2])};
+  const auto refuse = [&](const char* message) {
+    fail(syntax.parts[1].column, message + index_values(),
+         fmt::format("[{}, {}]", to_text(limits.low), to_text(limits.high)),
+         "a least value and one that is not below it");
+  };
+  if (limits.low > limits.high) refuse("the limits are empty");
+  if (!graph_.limit(value.node, limits)) refuse("no number is within all limits of this value");
+  return value;
+}
+
+mpq_class GraphBuilder::limit(const Syntax& syntax) {
+  const bool outer = std::exchange(constants_only_, true);
+  const Value value = value_of(syntax);
+  constants_only_ = outer;
+  if (!value.constant) {
+    fail(syntax.column, "not a constant", "a square root", "a number, or numbers and + - * / ^");
+  }
+  return *value.constant;
 }
 
 Value GraphBuilder::reduction(const Syntax& syntax) {
   const Function* function = find_function(syntax.text);
   if (function == nullptr) fail_unknown_function(syntax);
-  if (!function->reduces) {
+  if (!function->reduces()) {
     fail(syntax.column, fmt::format("{} takes no index", syntax.text), syntax.index + " in",
          std::string(reducing_functions));
   }
@@ -304,7 +354,7 @@ Value GraphBuilder::reduction(const Syntax& syntax) {
     terms.push_back(value_of(syntax.parts[2]));
   }
   indices_.pop_back();
-  return joined_pairwise(function->operation, std::move(terms));
+  return joined_pairwise(*function->operation, std::move(terms));
 }
 
 IndexRange GraphBuilder::range(const Syntax& syntax) {

@@ -16,7 +16,8 @@ enum class Binding {
   atom,
 };
 
-Binding binding_of(const TypedNode& node) {
+template <class AnyNode>
+Binding binding_of(const AnyNode& node) {
   switch (node.operation) {
     case Operation::add:
     case Operation::subtract: return Binding::sum;
@@ -37,9 +38,11 @@ Binding binding_of(const TypedNode& node) {
   MIXCMP_CHECK(false);
 }
 
+/// Prints nodes of a graph with formats or without.
+template <class AnyNode>
 class Printer {
 public:
-  Printer(const std::vector<TypedNode>& nodes, const std::vector<std::string>& inputs,
+  Printer(const std::vector<AnyNode>& nodes, const std::vector<std::string>& inputs,
           std::size_t max_length)
       : nodes_(nodes), inputs_(inputs), max_length_(max_length) {}
 
@@ -53,7 +56,7 @@ private:
   /// Stops descending once the text is too long: shared nodes would print exponentially often.
   void expression(NodeId id, Binding least) {
     if (text_.size() > max_length_) return;
-    const TypedNode& node = nodes_[static_cast<std::size_t>(id)];
+    const AnyNode& node = nodes_[static_cast<std::size_t>(id)];
     if (node.operation == Operation::convert) return expression(node.operands[0], least);
     const bool parenthesised = binding_of(node) < least;
     if (parenthesised) text_ += '(';
@@ -61,7 +64,7 @@ private:
     if (parenthesised) text_ += ')';
   }
 
-  void body(const TypedNode& node) {
+  void body(const AnyNode& node) {
     switch (node.operation) {
       case Operation::input: text_ += inputs_[static_cast<std::size_t>(node.input)]; return;
       case Operation::constant: text_ += to_text(node.value); return;
@@ -83,13 +86,13 @@ private:
     MIXCMP_CHECK(false);
   }
 
-  void infix(const TypedNode& node, std::string_view sign, Binding left, Binding right) {
+  void infix(const AnyNode& node, std::string_view sign, Binding left, Binding right) {
     expression(node.operands[0], left);
     text_ += sign;
     expression(node.operands[1], right);
   }
 
-  void call(const TypedNode& node, std::string_view function) {
+  void call(const AnyNode& node, std::string_view function) {
     text_ += function;
     text_ += '(';
     expression(node.operands[0], Binding::sum);
@@ -100,7 +103,7 @@ private:
     text_ += ')';
   }
 
-  const std::vector<TypedNode>& nodes_;
+  const std::vector<AnyNode>& nodes_;
   const std::vector<std::string>& inputs_;
   std::size_t max_length_;
   std::string text_;
@@ -155,6 +158,10 @@ std::string to_text(const mpq_class& value) {
 std::string to_text(const std::vector<TypedNode>& nodes, const std::vector<std::string>& inputs,
                     NodeId node, std::size_t max_length) {
   return Printer(nodes, inputs, max_length).print(node);
+}
+
+std::string to_text(const Graph& graph, NodeId node, std::size_t max_length) {
+  return Printer(graph.nodes(), graph.inputs(), max_length).print(node);
 }
 
 }  // namespace mixcmp::inline expression

@@ -131,6 +131,10 @@ std::string describe(const FixedLane& lane, const FixedPart& part) {
 
 }  // namespace
 
+bool is_limit(const FixedNode& node) {
+  return node.operation == Operation::convert && node.dropped_bits == 0;
+}
+
 Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                              const FixedOptions& options) {
   FixedGraphBuilder builder(graph, input_format, options);

@@ -23,7 +23,9 @@ namespace mixcmp::fixed {
 /// operand that is no number of the format's sign and magnitude (NaN and infinity among them; a
 /// negative zero where the format is unsigned) leaves the comparison undecided. The operands of an
 /// addition, a subtraction, a minimum and a maximum are aligned to the finer unit of the two. A
-/// square root is rounded down to its unit, whatever its operand's.
+/// square root is rounded down to its unit, whatever its operand's. A conversion either cuts low
+/// bits off or, where it drops none, takes its operand's number as it is: one outside `value`
+/// leaves the comparison undecided.
 struct FixedNode {
   Operation operation;
   std::array<NodeId, 2> operands = {-1, -1};
@@ -36,6 +38,9 @@ struct FixedNode {
 
   friend bool operator==(const FixedNode&, const FixedNode&) = default;
 };
+
+/// Whether the node is a conversion that leaves numbers outside its `value` undecided.
+bool is_limit(const FixedNode& node);
 
 /// Decides by constants: greater iff n >= greater_from, less iff n <= less_to, where n is the
 /// difference in its units; equal iff neither holds and nothing was rounded.

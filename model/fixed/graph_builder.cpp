@@ -15,6 +15,10 @@ namespace {
 /// Sums of several products of two W-bit numbers stay exact; what is wider loses its low bits.
 constexpr int spare_bits = 8;
 
+/// The last bit of a factor is worth a 16th of its error or less: cutting off what is finer adds
+/// no more than that to it.
+constexpr int factor_guard_bits = 4;
+
 int unit_exponent_of(Operation operation, const FixedFormat& a, const FixedFormat& b) {
   if (operation == Operation::square) return 2 * a.unit_exponent;
   if (operation == Operation::multiply) return a.unit_exponent + b.unit_exponent;
@@ -36,6 +40,18 @@ FixedFormat format_of(const Range& value, int unit_exponent) {
                               unit_exponent);
 }
 
+/// Drops `count` low bits of a result that has dropped none, if that is more than 0.
+void drop_bits(FixedNode& node, int count) {
+  if (count <= 0) return;
+  node.dropped_bits = count;
+  const mpq_class exact_unit = node.format.unit();
+  const int unit_exponent = node.format.unit_exponent + count;
+  const mpq_class unit = power_of_two(unit_exponent);
+  node.error.low -= unit - exact_unit;
+  node.value = {floor_of(node.value.low / unit) * unit, floor_of(node.value.high / unit) * unit};
+  node.format = format_of(node.value, unit_exponent);
+}
+
 }  // namespace
 
 FixedGraphBuilder::FixedGraphBuilder(const Graph& graph, FloatFormat input_format,
@@ -54,7 +70,11 @@ Result<NodeId> FixedGraphBuilder::node(NodeId id) {
   }
   MIXCMP_TRY(made, make(node));
   known_[id] = add(std::move(made));
-  return known_[id];
+  const auto limits = graph_.limits().find(id);
+  if (limits == graph_.limits().end()) return known_[id];
+  MIXCMP_TRY(checked, limited(known_[id], limits->second));
+  known_[id] = checked;
+  return checked;
 }
 
 NodeId FixedGraphBuilder::difference(NodeId a, NodeId b) {
@@ -91,7 +111,44 @@ Result<FixedNode> FixedGraphBuilder::make(const Node& node) {
     case Operation::maximum: break;
   }
   const auto [a, b] = node.operands;
-  return operation(node.operation, known_[a], b < 0 ? -1 : known_[b]);
+  const NodeId first = known_[a], second = b < 0 ? -1 : known_[b];
+  if (node.operation == Operation::square) return operation(node.operation, factor(first));
+  if (node.operation != Operation::multiply) return operation(node.operation, first, second);
+  return operation(node.operation, factor(first), factor(second));
+}
+
+/// What the lane checks is the number computed.
+Result<NodeId> FixedGraphBuilder::limited(NodeId id, const Range& limits) {
+  const FixedNode& whole = nodes_[id];
+  const mpq_class unit = whole.format.unit();
+  const mpq_class low = floor_of(limits.low / unit) * unit,
+                  high = ceiling_of(limits.high / unit) * unit;
+  const Range checked = {std::max(low, whole.value.low), std::min(high, whole.value.high)};
+  if (checked == whole.value) return id;
+  if (checked.low > checked.high) {
+    return refused("the ranges allow no value that is within its limits",
+                   "limits that meet what the ranges allow");
+  }
+  FixedNode node{.operation = Operation::convert, .operands = {id, -1}, .constant = {}};
+  node.value = checked;
+  node.error = whole.error;
+  node.format = format_of(node.value, whole.format.unit_exponent);
+  return add(std::move(node));
+}
+
+/// A node as a factor: without the low bits that its error makes meaningless, since a multiplier's
+/// area grows with the bits of both factors.
+NodeId FixedGraphBuilder::factor(NodeId id) {
+  const FixedNode& whole = nodes_[id];
+  const mpq_class error = whole.error.high - whole.error.low;
+  if (error == 0) return id;
+  const int unit_exponent = static_cast<int>(floor_log2(error)) - factor_guard_bits;
+  FixedNode node{.operation = Operation::convert, .operands = {id, -1}, .constant = {}};
+  node.value = whole.value;
+  node.error = whole.error;
+  node.format = whole.format;
+  drop_bits(node, std::min(unit_exponent - whole.format.unit_exponent, whole.format.width - 1));
+  return node.dropped_bits == 0 ? id : add(std::move(node));
 }
 
 Result<FixedNode> FixedGraphBuilder::input(const Node& node) const {
@@ -169,20 +226,8 @@ FixedNode FixedGraphBuilder::operation(Operation operation, NodeId a, NodeId b) 
   node.value = cancels ? Range{0, 0} : exact_value(operation, first.value, second.value);
   node.error = cancels ? Range{0, 0} : exact_error(operation, first, second);
   node.format = format_of(node.value, unit_exponent_of(operation, first.format, second.format));
-  cut(node);
+  drop_bits(node, node.format.width - 2 * options_.bits - spare_bits);
   return node;
-}
-
-/// Drops the low bits that make a result wider than a sum of products needs to be.
-void FixedGraphBuilder::cut(FixedNode& node) const {
-  node.dropped_bits = std::max(0, node.format.width - 2 * options_.bits - spare_bits);
-  if (node.dropped_bits == 0) return;
-  const mpq_class exact_unit = node.format.unit();
-  const int unit_exponent = node.format.unit_exponent + node.dropped_bits;
-  const mpq_class unit = power_of_two(unit_exponent);
-  node.error.low -= unit - exact_unit;
-  node.value = {floor_of(node.value.low / unit) * unit, floor_of(node.value.high / unit) * unit};
-  node.format = format_of(node.value, unit_exponent);
 }
 
 NodeId FixedGraphBuilder::add(FixedNode node) {

@@ -23,12 +23,13 @@ public:
 
 private:
   Error refused(const char* message, const char* accepted) const;
-  Result<FixedNode> make(const Node& node);
+  Result<FixedNode> make(const Node& node);  ///< its operands are made already
   Result<FixedNode> input(const Node& node) const;
   FixedNode constant(const mpq_class& value) const;
   Result<FixedNode> square_root(NodeId radicand) const;
+  Result<NodeId> limited(NodeId id, const Range& limits);
+  NodeId factor(NodeId id);
   FixedNode operation(Operation operation, NodeId a, NodeId b = -1) const;
-  void cut(FixedNode& node) const;
   NodeId add(FixedNode node);
 
   const Graph& graph_;

@@ -36,11 +36,11 @@ bool is_nonnegative(const std::vector<FixedNode>& nodes, NodeId id) {
     case Operation::add:
     case Operation::multiply:
     case Operation::minimum: return operand(0) && operand(1);
+    case Operation::convert: return operand(0);
     case Operation::maximum: return operand(0) || operand(1);
     case Operation::constant:
     case Operation::negate:
     case Operation::subtract:
-    case Operation::convert:
     case Operation::divide: return false;
   }
   MIXCMP_CHECK(false);

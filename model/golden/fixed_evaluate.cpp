@@ -39,6 +39,7 @@ Integer converted(FloatFormat from, Bits bits, const FixedFormat& to) {
 
 mpz_class operate(Operation operation, const mpz_class& a, const mpz_class& b) {
   switch (operation) {
+    case Operation::convert: return a;
     case Operation::negate: return -a;
     case Operation::absolute: return abs(a);
     case Operation::add: return a + b;
@@ -49,7 +50,6 @@ mpz_class operate(Operation operation, const mpz_class& a, const mpz_class& b) {
     case Operation::maximum: return std::max(a, b);
     case Operation::input:
     case Operation::constant:
-    case Operation::convert:
     case Operation::divide:
     case Operation::square_root: break;
   }
@@ -63,6 +63,12 @@ mpz_class root(const mpz_class& value, int from, int to) {
 
 bool aligns_operands(Operation operation) {
   return operation == Operation::add || operation == Operation::subtract || is_choice(operation);
+}
+
+/// A number in the node's units, if it is one that the node takes.
+Integer within(const FixedNode& node, const mpz_class& value) {
+  const mpq_class number = value * node.format.unit();
+  return number < node.value.low || number > node.value.high ? Integer() : value;
 }
 
 Integer result_of(const FixedNode& node, const std::vector<FixedNode>& nodes,
@@ -82,6 +88,7 @@ Integer result_of(const FixedNode& node, const std::vector<FixedNode>& nodes,
   if (node.operation == Operation::square_root) {
     return root(operands[0], finest, node.format.unit_exponent);
   }
+  if (fixed::is_limit(node)) return within(node, operands[0]);
   return shifted(operate(node.operation, operands[0], operands[1]), -node.dropped_bits);
 }
 

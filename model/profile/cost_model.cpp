@@ -179,6 +179,7 @@ double lane_luts(const fixed::FixedLane& lane, Products products) {
     const int width = node.format.width;
     switch (node.operation) {
       case Operation::constant: break;
+      case Operation::convert: luts += fixed::is_limit(node) ? 1 + 0.1 * width : 0; break;
       case Operation::input: luts += 2.0 * width + lane.input_format.exponent_bits(); break;
       case Operation::multiply:
       case Operation::square:

@@ -182,6 +182,10 @@ Margin margin_of(const fixed::NormThresholds& thresholds, const FixedNode& diffe
           .per_root = (thresholds.radius_is_squared ? 2 : 1) * slope * outward};
 }
 
+bool has_limits(const fixed::FixedLane& lane) {
+  return std::any_of(lane.nodes.begin(), lane.nodes.end(), fixed::is_limit);
+}
+
 }  // namespace
 
 Threshold Threshold::of_fixed_lanes(std::span<const fixed::FixedLane* const> lanes,
@@ -190,6 +194,7 @@ Threshold Threshold::of_fixed_lanes(std::span<const fixed::FixedLane* const> lan
   double scale = outward;
   for (const fixed::FixedLane* lane : lanes) {
     if (lane != nullptr) {
+      if (has_limits(*lane)) return {Unknown{}, 0, envelope.graph().f(), envelope.graph().g()};
       const fixed::FixedPart& decided = lane->parts[part];
       const FixedNode& difference = lane->nodes[decided.difference];
       const Margin margin = std::visit(

@@ -23,7 +23,7 @@ public:
   /// their graphs do not begin with the envelope's nodes, every comparison is wild.
   static Threshold of_lanes(std::span<const error::Lane* const> lanes, const Envelope& envelope);
   /// The threshold of one part of lanes in fixed point with W = A, A+1, ... bits; lanes may be
-  /// missing.
+  /// missing. Where some lane has limits, every comparison is wild.
   static Threshold of_fixed_lanes(std::span<const fixed::FixedLane* const> lanes, std::size_t part,
                                   const Envelope& envelope);
 

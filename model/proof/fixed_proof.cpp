@@ -124,6 +124,7 @@ private:
       node.error.low -= node.format.unit();
       return;
     }
+    if (node.operation == Operation::convert) return convert(node);
     const FixedNode& a = nodes_[node.operands[0]];
     const FixedNode& b = nodes_[node.operands[std::max(0, arity(node.operation) - 1)]];
     const bool cancels =
@@ -131,10 +132,21 @@ private:
     if (cancels) return;
     const Range value = fixed::exact_value(node.operation, a.value, b.value);
     const Range exact = rounded_outward(fixed::exact_error(node.operation, a, b), node.format);
-    const FixedFormat fine = {.unit_exponent = node.format.unit_exponent - node.dropped_bits};
     node.error = exact;
-    if (node.dropped_bits > 0) node.error.low -= node.format.unit() - fine.unit();
+    drop_bits(node);
     if (is_polynomial(node.operation)) add_script(id, value, exact);
+  }
+
+  /// Widens the error by what the dropped bits are worth.
+  static void drop_bits(FixedNode& node) {
+    if (node.dropped_bits == 0) return;
+    node.error.low -= node.format.unit() * (1 - power_of_two(-node.dropped_bits));
+  }
+
+  /// A cut or a limit: theorem 2, by hand. The value of a limit is what the hardware checks.
+  void convert(FixedNode& node) {
+    node.error = nodes_[node.operands[0]].error;
+    drop_bits(node);
   }
 
   /// Theorem 1, by hand.
@@ -287,6 +299,9 @@ private:
     }
     if (any([](const FixedNode& node) { return node.dropped_bits > 0; })) {
       add_step("2 (dropped bits)", "docs/fixed_point.md, theorem 2: what low bits are worth");
+    }
+    if (any([](const FixedNode& node) { return fixed::is_limit(node); })) {
+      add_step("2 (limits)", "docs/fixed_point.md, theorem 2: what a limit takes");
     }
     if (any([](const FixedNode& node) { return node.operation == Operation::square_root; })) {
       add_step("5", "docs/fixed_point.md, theorem 5: value and error of a square root");

@@ -209,6 +209,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"x + \xc3\xa9", 5, "unexpected character", "byte 0xc3", "a number, a name"},
         Mistake{"a + squrt(b)", 5, "unknown function", "squrt", "sqrt (the nearest)"},
         Mistake{"sqrt(a, b)", 1, "sqrt takes 1 argument", "2 arguments", "1 argument"},
+        Mistake{"within(a, 1)", 1, "within takes 3 arguments", "2 arguments", "its greatest"},
+        Mistake{"within(2, 1, 3)", 8, "a constant needs no limits", "2", "inputs"},
+        Mistake{"within(a, 3, 2)", 11, "the limits are empty", "[3, 2]", "not below"},
+        Mistake{"within(a, b, 2)", 11, "unknown index", "b", "constant"},
+        Mistake{"within(a, 0, sqrt(2))", 14, "not a constant", "a square root", "numbers"},
+        Mistake{"within(a, 0, 1) - within(a, 2, 3)", 29,
+                "no number is within all limits of this value", "[2, 3]", "not below"},
+        Mistake{"within(k in 0..1, a)", 1, "within takes no index", "k in", "sum, product"},
         Mistake{"1 + min(a)", 5, "min takes 2 arguments or more", "1 argument", "k in 0..3"},
         Mistake{"max()", 1, "max takes 2 arguments or more", "0 arguments", "2 arguments"},
         Mistake{"min(a,)", 7, "unexpected character", "')'", "a number, a name"},
@@ -315,6 +323,18 @@ int depth(const Graph& graph, NodeId id) {
     deepest = std::max(deepest, 1 + depth(graph, node.operands[static_cast<std::size_t>(k)]));
   }
   return deepest;
+}
+
+TEST(Parser, LimitsAreThoseOfTheExpressionWhereverItOccurs) {
+  Graph graph;
+  const std::vector<LetDefinition> lets = {{"D", "3"}};
+  const NodeId limited = parse_expression(graph, "within(a - b, -D, 2^2 / 8)", lets).value();
+  EXPECT_EQ(limited, parse_expression(graph, "a - b", {}).value());
+  const Range first = {-3, mpq_class(1, 2)};
+  EXPECT_EQ(graph.limits(), (std::map<NodeId, Range>{{limited, first}}));
+  ASSERT_TRUE(parse_expression(graph, "within(a - b, -1, 1) + b", {}).ok());
+  const Range both = {-1, mpq_class(1, 2)};
+  EXPECT_EQ(graph.limits(), (std::map<NodeId, Range>{{limited, both}})) << "both hold";
 }
 
 TEST(Parser, SumsAreBalancedTreesInOrder) {

@@ -103,25 +103,91 @@ TEST(FixedLane, TheTopIsAPowerOfTwoOfTheFormat) {
 }
 
 TEST(FixedLane, WideResultsAreCut) {
-  const FixedLane lane = lane_of(graph_of("(a^2)^2", "b"), 8, {0, 1});
-  const FixedNode& fourth = lane.nodes[2];
-  ASSERT_EQ(fourth.operation, Operation::square);
-  EXPECT_EQ(fourth.format.name(), "ufix24_En20");
-  EXPECT_EQ(fourth.dropped_bits, 8);
-  // a < 2, in units of 2^-7, is 255 at most. The square of x + e, e >= -1, is off by 511; the
-  // square of that by 511 (2 * 255^2 + 511); the cut by 2^8 - 1 of these units more.
-  EXPECT_EQ(fourth.error.low, -mpq_class(511 * 130561 + 255) / (1 << 28));
-  EXPECT_EQ(fourth.error.high, 0);
+  const FixedLane lane = lane_of(graph_of("a - b / 4096", "c"), 8, {0, 1});
+  const FixedNode& sum = lane.nodes[4];
+  ASSERT_EQ(sum.operation, Operation::subtract);
+  // 1 < 2^8 2^-7, and b / 4096 counts 2^-19: 20 bits and a sign hold them, fewer than 2 * 8 + 8.
+  EXPECT_EQ(sum.format.name(), "sfix21_En19");
+  const FixedLane narrow = lane_of(graph_of("a - b / 4096", "c"), 4, {0, 1});
+  const FixedNode& cut = narrow.nodes[4];
+  // a < 2 counts 2^-3 and is off by one, b / 4096 2^-15; one of 17 bits is dropped, worth 2^-15.
+  EXPECT_EQ(cut.format.name(), "sfix16_En14");
+  EXPECT_EQ(cut.dropped_bits, 1);
+  EXPECT_EQ(cut.error.low, mpq_class(-1, 8) - mpq_class(1, 1 << 15));
+  EXPECT_EQ(cut.error.high, mpq_class(1, 1 << 15));
 }
 
 TEST(FixedLane, WhatIsCutHasNoNorm) {
-  const Graph graph = graph_of("(a^2)^2", "(b^2)^2");
-  const std::vector<std::optional<Range>> ranges(2, Range{0, 1});
-  for (const int bits : {3, 8}) {
-    const auto lane = fixed::fixed_lane(
-        graph, format_of(53, 8), {.bits = bits, .bound = FixedBound::norm, .ranges = ranges});
-    EXPECT_EQ(lane.ok(), bits == 3) << bits;
+  const std::vector<std::optional<Range>> ranges(3, Range{0, 1});
+  const auto has_norm = [&](const char* f) {
+    return fixed::fixed_lane(graph_of(f, "c^2"), format_of(53, 8),
+                             {.bits = 9, .bound = FixedBound::norm, .ranges = ranges})
+        .ok();
+  };
+  EXPECT_TRUE(has_norm("a^2 + (b / 8)^2")) << "25 bits";
+  EXPECT_FALSE(has_norm("a^2 + (b / 32)^2")) << "28 bits, of which 2 * 9 + 8 stay";
+}
+
+TEST(FixedLane, FactorsHaveTheBitsThatTheirErrorsLeaveMeaning) {
+  const FixedLane lane = lane_of(graph_of("(a^2)^2", "b"), 8, {0, 1});
+  const FixedNode& factor = lane.nodes[2];
+  ASSERT_EQ(factor.operation, Operation::convert);
+  EXPECT_FALSE(is_limit(factor));
+  // a < 2, in units of 2^-7, is 255 at most. The square of x + e, e >= -1, is off by 511, of which
+  // a 16th is more than 2^4; dropping four bits costs 2^4 - 1.
+  EXPECT_EQ(factor.dropped_bits, 4);
+  EXPECT_EQ(factor.format.name(), "ufix12_En10");
+  EXPECT_EQ(factor.error, (Range{mpq_class(-(511 + 15) / 2, 1 << 13), 0}));
+  EXPECT_EQ(lane.nodes[3].operation, Operation::square);
+  EXPECT_EQ(lane.nodes[3].format.name(), "ufix24_En20");
+}
+
+Range in_eighths(int low, int high) {
+  Range range = {{low, 8}, {high, 8}};
+  range.low.canonicalize();
+  range.high.canonicalize();
+  return range;
+}
+
+TEST(FixedLane, LimitsAreRoundedOutwardToUnits) {
+  const auto limited = [](const char* f, const Range& range) {
+    const FixedLane lane = lane_of(graph_of(f, "b"), 5, range);
+    for (const FixedNode& node : lane.nodes) {
+      if (is_limit(node)) return std::pair(node.value, node.format.name());
+    }
+    return std::pair(Range{0, 0}, std::string("none"));
+  };
+  using Limit = std::pair<Range, std::string>;
+  const Range both = {-3, 3}, positive = {0, 3};  // units of 1/8
+  EXPECT_EQ(limited("within(a, -1, 1.9)", both), Limit(in_eighths(-8, 16), "sfix6_En3"));
+  EXPECT_EQ(limited("within(a, -1.9, 0)", both), Limit(in_eighths(-16, 0), "sfix5_En3"));
+  EXPECT_EQ(limited("within(a, 0, 1)", both), Limit(in_eighths(0, 8), "ufix4_En3"));
+  EXPECT_EQ(limited("within(a, 0.7, 0.8)", positive), Limit(in_eighths(5, 7), "ufix3_En3"));
+  EXPECT_EQ(limited("within(a, 1, 1)", positive), Limit(in_eighths(8, 8), "ufix4_En3"));
+  EXPECT_EQ(limited("within(a, 0, 0)", both), Limit(in_eighths(0, 0), "ufix1_En3"));
+  EXPECT_EQ(limited("within(a, -4, 4)", both).second, "none") << "all that the operand can be";
+  EXPECT_EQ(limited("within(a, -9, 9)", positive).second, "none");
+}
+
+TEST(FixedLane, ALimitLeavesOtherNumbersUndecided) {
+  const FixedLane lane = lane_of(graph_of("within(a - b, 1, 2)", "-1"), 5, {0, 3});
+  for (int difference = -4; difference <= 24; ++difference) {
+    const std::vector<Bits> inputs = {
+        golden::from_rational(lane.input_format, mpq_class(difference + 4, 8)),
+        golden::from_rational(lane.input_format, mpq_class(4, 8))};
+    EXPECT_EQ(golden::evaluate_lane(lane, inputs).decided, 8 <= difference && difference <= 16)
+        << difference;
   }
+}
+
+TEST(FixedLane, ARootMayTakeWhatALimitKeepsFromZero) {
+  const Graph graph = graph_of("sqrt(within(a - b, 0.5, 4))", "1");
+  const std::vector<std::optional<Range>> ranges(2, Range{0, 3});
+  const auto is_refused = [&](int bits) {
+    return !fixed::fixed_lane(graph, format_of(53, 8), {.bits = bits, .ranges = ranges}).ok();
+  };
+  EXPECT_TRUE(is_refused(2)) << "a unit of 1: 0 as computed may be below in truth";
+  EXPECT_FALSE(is_refused(3)) << "a unit of 1/2, which the difference is off by at most";
 }
 
 /// The real number that each node stands for: its operation on those of its operands.
@@ -133,6 +199,7 @@ std::vector<mpq_class> true_values(const FixedLane& lane, const std::vector<mpq_
     switch (node.operation) {
       case Operation::input: values.push_back(inputs[node.input]); break;
       case Operation::constant: values.push_back(node.value.low - node.error.low); break;
+      case Operation::convert: values.push_back(a); break;
       case Operation::negate: values.push_back(-a); break;
       case Operation::absolute: values.push_back(abs(a)); break;
       case Operation::add: values.push_back(a + b); break;
@@ -231,6 +298,10 @@ TEST(FixedLane, MistakesNameWhatIsMissing) {
                                           {.ranges = {Range{0, 1}, Range{0, 1}}});
   ASSERT_FALSE(negative.ok());
   EXPECT_EQ(negative.error().message, "the radicand of a root may be negative");
+  const auto beyond = fixed::fixed_lane(graph_of("within(a, 20, 30)", "1"), format_of(53, 8),
+                                        {.ranges = {Range{0, 10}}});
+  ASSERT_FALSE(beyond.ok());
+  EXPECT_EQ(beyond.error().message, "the ranges allow no value that is within its limits");
   // 0.2 becomes 0.25, and the difference 0 where in truth it is -0.05.
   const auto hidden = fixed::fixed_lane(graph_of("sqrt(a + 0.2 - 0.25)", "1"), format_of(53, 8),
                                         {.bits = 1, .ranges = {Range{0, 1}}});

@@ -103,6 +103,7 @@ inline const std::vector<std::pair<std::string, std::string>> expressions = {
     {"-a * 3", "b^2 - 0.5"},
     {"((a - b)^2)^2", "((c - d)^2)^2 + 1"},
     {"((a - b) + (c - d))^2", "1 / 1024"},
+    {"within(a - b, -1, 1)^2", "within(c, 0.5, 2)"},
 };
 
 }  // namespace mixcmp::test

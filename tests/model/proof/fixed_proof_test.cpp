@@ -107,6 +107,12 @@ INSTANTIATE_TEST_SUITE_P(
              9,
              {-5, 5},
              "machine-checked but for theorems 1 (operands), 2 (choices), 5 and 3, by hand"},
+        Case{"limits",
+             {{"within(a - b, -2, 2)^2 * within(c, 1, 2)", "d"}},
+             9,
+             {-5, 5},
+             "machine-checked but for theorems 1 (operands), 2 (dropped bits), 2 (limits) and 3, "
+             "by hand"},
         Case{"a_radius_far_off",
              {{"a^2", "(b + 12.31)^2"}},
              10,

@@ -5,7 +5,8 @@
 module fixed_units #(
     parameter WIDTHS    = 5,
     parameter KINDS     = 7,  // sum, difference, product, square, minimum, maximum, absolute
-    parameter DECISIONS = 96
+    parameter DECISIONS = 96,
+    parameter CHECKS    = 80
 ) (
     input wire       aclk,
     input wire [5:0] a,
@@ -32,6 +33,7 @@ module fixed_units #(
   // Read by hierarchical name.
   wire [63:0] results[0:SLOTS-1]  /* verilator public_flat_rd */;
   wire [63:0] decisions[0:2*DECISIONS-1]  /* verilator public_flat_rd */;
+  wire [63:0] checks[0:CHECKS-1]  /* verilator public_flat_rd */;
 
   genvar slot;
 
@@ -162,6 +164,32 @@ module fixed_units #(
           .out_of_range(flag),
           .verdict     (verdict),
           .decided     (decided)
+      );
+    end
+  endgenerate
+
+  // Whether four bits are beyond limits: the lower one rises by one every five slots, the upper one
+  // lies 0, 1, 4, 9 and 16 above it, at most at the end of what four bits hold.
+  generate
+    for (slot = 0; slot < CHECKS; slot = slot + 1) begin : g_check
+      localparam       LOW      = slot / 5 - 8;
+      localparam       HIGH     = LOW + (slot % 5) * (slot % 5);
+      localparam [3:0] LEAST    = LOW;
+      localparam [3:0] GREATEST = (HIGH > 7) ? 7 : HIGH;
+
+      wire out_of_range;
+
+      assign checks[slot] = {63'b0, out_of_range};
+
+      fixed_range_check #(
+          .A_WIDTH (4),
+          .LEAST   (LEAST),
+          .GREATEST(GREATEST),
+          .CUTS    (slot % 2)
+      ) check (
+          .aclk        (aclk),
+          .a           (a[3:0]),
+          .out_of_range(out_of_range)
       );
     end
   endgenerate

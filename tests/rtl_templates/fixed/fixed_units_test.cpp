@@ -14,7 +14,7 @@
 namespace mixcmp::test::fixed_units_test {
 namespace {
 
-constexpr int widths = 5, kinds = 7, decisions = 96;
+constexpr int widths = 5, kinds = 7, decisions = 96, checks = 80;
 constexpr int slots = kinds * widths * widths * 4;
 
 struct Operands {
@@ -90,6 +90,12 @@ std::uint64_t norm_decision(int slot, const Operands& operands) {
   return answer(swapped ? less : greater, false, (greater || less) && !operands.flag);
 }
 
+std::uint64_t out_of_range(int slot, const Operands& operands) {
+  const int value = low_signed(operands.a, 4);
+  const int least = slot / 5 - 8, greatest = least + (slot % 5) * (slot % 5);
+  return value < least || value > greatest ? 1 : 0;
+}
+
 class FixedUnits : public testing::Test {
 protected:
   FixedUnits() : units_(&context_) {
@@ -128,6 +134,11 @@ private:
           std::popcount(static_cast<unsigned>(slot % 8)),
           [&](const Operands& operands) { return norm_decision(slot, operands); },
           "decision by a norm", slot);
+    }
+    for (int slot = 0; slot < checks; ++slot) {
+      compare(
+          units_.rootp->fixed_units__DOT__checks[slot], slot % 2,
+          [&](const Operands& operands) { return out_of_range(slot, operands); }, "check", slot);
     }
   }
 
