@@ -13,7 +13,7 @@
 #include "model/error/certified_lane.hpp"
 #include "model/profile/profile.hpp"
 #include "model/profile/profiled_error.hpp"
-#include "model/profile/systems.hpp"
+#include "model/profile/schemes.hpp"
 #include "model/scene/bound_choice.hpp"
 
 namespace mixcmp::cli {
@@ -122,10 +122,10 @@ void add_rates(const LoadedScene& loaded, int precision, BoundCosts& costs) {
   show_progress("measuring recomputation rates");
   const auto errors = profile_errors(scene, *loaded.data, {scene.reduced.inputs}, options);
   const auto rates = profile_rates(scene, *loaded.data, errors.front(), options);
-  for (const profile::SystemProfile& system : rates.systems) {
+  for (const profile::SchemeProfile& scheme : rates.schemes) {
     for (BoundCost& cost : costs.bounds) {
-      if (cost.name != system.name || !system.counts.front().exists) continue;
-      cost.recomputation_rate = static_cast<double>(system.counts.front().undecided) /
+      if (cost.name != scheme.name || !scheme.counts.front().exists) continue;
+      cost.recomputation_rate = static_cast<double>(scheme.counts.front().undecided) /
                                 static_cast<double>(rates.comparisons);
     }
   }

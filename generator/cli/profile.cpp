@@ -81,7 +81,7 @@ void add_options(const Verb& verb, ProfileCommand& command) {
       .one_value_each()
       .check(between(0, 1e6, "N"));
   verb.option("--areas", command.areas,
-              "measured areas instead of the cost model: CSV of system,precision,luts "
+              "measured areas instead of the cost model: CSV of scheme,precision,luts "
               "(includes --trade)");
   verb.option("-o,--output", command.output,
               "directory for figure4, figure5 and trade as .csv and .svg, and all of it as "

@@ -11,8 +11,8 @@ namespace mixcmp::report {
 using profile::ErrorAtPrecision;
 using profile::ErrorProfile;
 using profile::RateProfile;
-using profile::SystemKind;
-using profile::SystemProfile;
+using profile::SchemeKind;
+using profile::SchemeProfile;
 
 namespace {
 
@@ -51,15 +51,15 @@ std::string figure5_script(const ProfileReport& report) {
       report.scene + ": recomputation rate", precision_axis, "undecided / comparisons", x_axis, {}};
   for (const RateProfile& profile : report.rates) {
     int color = 0;
-    for (const SystemProfile& system : profile.systems) {
-      if (system.kind == SystemKind::lanes_alone) continue;
+    for (const SchemeProfile& scheme : profile.schemes) {
+      if (scheme.kind == SchemeKind::lanes_alone) continue;
       const int point = profile.inputs == LaneInputs::exact ? 7 : 6;
-      Curve curve{fmt::format("{}, {} inputs", system.name, to_string(profile.inputs)),
+      Curve curve{fmt::format("{}, {} inputs", scheme.name, to_string(profile.inputs)),
                   measured_style(color++, point),
                   {}};
-      for (std::size_t k = 0; k < system.counts.size(); ++k) {
+      for (std::size_t k = 0; k < scheme.counts.size(); ++k) {
         add(curve, profile.first_precision + static_cast<int>(k),
-            static_cast<double>(system.counts[k].undecided) /
+            static_cast<double>(scheme.counts[k].undecided) /
                 static_cast<double>(profile.comparisons));
       }
       picture.curves.push_back(std::move(curve));

@@ -11,9 +11,9 @@ namespace mixcmp::report {
 using profile::ErrorAtPrecision;
 using profile::ErrorProfile;
 using profile::RateProfile;
-using profile::SystemCounts;
-using profile::SystemKind;
-using profile::SystemProfile;
+using profile::SchemeCounts;
+using profile::SchemeKind;
+using profile::SchemeProfile;
 
 namespace {
 
@@ -31,7 +31,7 @@ private:
   std::string text_;
 };
 
-double rate_of(const SystemCounts& counts, const RateProfile& profile) {
+double rate_of(const SchemeCounts& counts, const RateProfile& profile) {
   return static_cast<double>(counts.undecided) / static_cast<double>(profile.comparisons);
 }
 
@@ -63,28 +63,28 @@ void add_errors(Page& page, const ErrorProfile& profile) {
   if (!profile.no_g_bound.empty()) page.add("no bound for g: {}\n", profile.no_g_bound);
 }
 
-std::string cell(const SystemProfile& system, std::size_t k, const RateProfile& profile) {
-  const SystemCounts& counts = system.counts[k];
+std::string cell(const SchemeProfile& scheme, std::size_t k, const RateProfile& profile) {
+  const SchemeCounts& counts = scheme.counts[k];
   if (!counts.exists) return fmt::format("  {:>20}", "-");
-  if (system.kind == SystemKind::lanes_alone) return fmt::format("  {:>12}", counts.wrong);
+  if (scheme.kind == SchemeKind::lanes_alone) return fmt::format("  {:>12}", counts.wrong);
   return fmt::format("  {:>9.2e} {:>10}", rate_of(counts, profile), counts.wrong);
 }
 
-bool exists(const SystemProfile& system) {
-  for (const SystemCounts& counts : system.counts) {
+bool exists(const SchemeProfile& scheme) {
+  for (const SchemeCounts& counts : scheme.counts) {
     if (counts.exists) return true;
   }
   return false;
 }
 
-/// The number of rows up to the last precision at which some system recomputes or errs, or after
+/// The number of rows up to the last precision at which some scheme recomputes or errs, or after
 /// which one begins to exist.
 std::size_t interesting_rows(const RateProfile& profile) {
   std::size_t rows = 0;
-  for (const SystemProfile& system : profile.systems) {
+  for (const SchemeProfile& scheme : profile.schemes) {
     bool exists_later = false;
-    for (std::size_t k = system.counts.size(); k > rows; --k) {
-      const SystemCounts& counts = system.counts[k - 1];
+    for (std::size_t k = scheme.counts.size(); k > rows; --k) {
+      const SchemeCounts& counts = scheme.counts[k - 1];
       const bool begins = exists_later && !counts.exists;
       if (begins || counts.undecided + counts.wrong > 0) rows = k;
       exists_later = exists_later || counts.exists;
@@ -96,11 +96,11 @@ std::size_t interesting_rows(const RateProfile& profile) {
 /// Adds how many verdicts that lanes decided were wrong, whatever the reference says.
 void add_wrong_lanes(Page& page, const RateProfile& profile) {
   page.add("wrong verdicts that a lane decided, at all L together:");
-  for (const SystemProfile& system : profile.systems) {
-    if (!exists(system)) continue;
+  for (const SchemeProfile& scheme : profile.schemes) {
+    if (!exists(scheme)) continue;
     std::uint64_t wrong = 0;
-    for (const SystemCounts& counts : system.counts) wrong += counts.wrong_by_lane;
-    page.add(" {} {}", system.name, wrong);
+    for (const SchemeCounts& counts : scheme.counts) wrong += counts.wrong_by_lane;
+    page.add(" {} {}", scheme.name, wrong);
   }
   page.add("\n");
 }
@@ -115,19 +115,19 @@ void add_rates(Page& page, const RateProfile& profile) {
   }
   page.add("{:>4}", "L");
   std::string units = "    ";
-  for (const SystemProfile& system : profile.systems) {
-    if (!exists(system)) continue;
-    const bool alone = system.kind == SystemKind::lanes_alone;
-    page.add("  {:>{}}", system.name, alone ? 12 : 20);
+  for (const SchemeProfile& scheme : profile.schemes) {
+    if (!exists(scheme)) continue;
+    const bool alone = scheme.kind == SchemeKind::lanes_alone;
+    page.add("  {:>{}}", scheme.name, alone ? 12 : 20);
     units +=
         alone ? fmt::format("  {:>12}", "wrong") : fmt::format("  {:>9} {:>10}", "rate", "wrong");
   }
   page.add("\n{}\n", units);
-  const std::size_t rows = profile.systems.front().counts.size(), told = interesting_rows(profile);
+  const std::size_t rows = profile.schemes.front().counts.size(), told = interesting_rows(profile);
   for (std::size_t k = 0; k < told; ++k) {
     page.add("{:>4}", profile.first_precision + static_cast<int>(k));
-    for (const SystemProfile& system : profile.systems) {
-      if (exists(system)) page.add("{}", cell(system, k, profile));
+    for (const SchemeProfile& scheme : profile.schemes) {
+      if (exists(scheme)) page.add("{}", cell(scheme, k, profile));
     }
     page.add("\n");
   }
@@ -136,8 +136,8 @@ void add_rates(Page& page, const RateProfile& profile) {
              profile.first_precision + static_cast<int>(told));
   }
   add_wrong_lanes(page, profile);
-  for (const SystemProfile& system : profile.systems) {
-    if (!system.reason.empty()) page.add("{}: {}\n", system.name, system.reason);
+  for (const SchemeProfile& scheme : profile.schemes) {
+    if (!scheme.reason.empty()) page.add("{}: {}\n", scheme.name, scheme.reason);
   }
 }
 
@@ -165,10 +165,10 @@ Json to_json(const ErrorProfile& profile) {
           {"precisions", std::move(rows)}};
 }
 
-Json to_json(const SystemProfile& system, const RateProfile& profile) {
+Json to_json(const SchemeProfile& scheme, const RateProfile& profile) {
   Json rows = Json::array();
-  for (std::size_t k = 0; k < system.counts.size(); ++k) {
-    const SystemCounts& counts = system.counts[k];
+  for (std::size_t k = 0; k < scheme.counts.size(); ++k) {
+    const SchemeCounts& counts = scheme.counts[k];
     if (!counts.exists) continue;
     rows.push_back({{"precision", profile.first_precision + static_cast<int>(k)},
                     {"undecided", counts.undecided},
@@ -176,22 +176,22 @@ Json to_json(const SystemProfile& system, const RateProfile& profile) {
                     {"wrong", counts.wrong},
                     {"wrong_by_lane", counts.wrong_by_lane}});
   }
-  return {{"system", system.name},
-          {"certified", system.kind == SystemKind::certified},
-          {"reason", system.reason},
+  return {{"scheme", scheme.name},
+          {"certified", scheme.kind == SchemeKind::certified},
+          {"reason", scheme.reason},
           {"precisions", std::move(rows)}};
 }
 
 Json to_json(const RateProfile& profile) {
-  Json systems = Json::array();
-  for (const SystemProfile& system : profile.systems) systems.push_back(to_json(system, profile));
+  Json schemes = Json::array();
+  for (const SchemeProfile& scheme : profile.schemes) schemes.push_back(to_json(scheme, profile));
   return {{"inputs", to_string(profile.inputs)},
           {"comparisons", profile.comparisons},
           {"reference_wrong", profile.reference_wrong},
           {"true_verdicts_by_mpfr", profile.true_verdicts},
           {"truth_undetermined", profile.undetermined},
           {"lane_evaluations", profile.emulated},
-          {"systems", std::move(systems)}};
+          {"schemes", std::move(schemes)}};
 }
 
 }  // namespace
@@ -237,17 +237,17 @@ std::string figure4_csv(const ProfileReport& report) {
 
 std::string figure5_csv(const ProfileReport& report) {
   Page page;
-  page.add("inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\n");
+  page.add("inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\n");
   for (const RateProfile& profile : report.rates) {
     const auto inputs = to_string(profile.inputs);
     page.add("{},{},reference,{},0,0,{},0\n", inputs, report.reference.precision(),
              profile.comparisons, profile.reference_wrong);
-    for (const SystemProfile& system : profile.systems) {
-      for (std::size_t k = 0; k < system.counts.size(); ++k) {
-        const SystemCounts& counts = system.counts[k];
+    for (const SchemeProfile& scheme : profile.schemes) {
+      for (std::size_t k = 0; k < scheme.counts.size(); ++k) {
+        const SchemeCounts& counts = scheme.counts[k];
         if (!counts.exists) continue;
         page.add("{},{},{},{},{},{},{},{}\n", inputs, profile.first_precision + static_cast<int>(k),
-                 system.name, profile.comparisons, counts.undecided, rate_of(counts, profile),
+                 scheme.name, profile.comparisons, counts.undecided, rate_of(counts, profile),
                  counts.wrong, counts.wrong_by_lane);
       }
     }

@@ -12,7 +12,7 @@
 
 namespace mixcmp::report {
 
-using profile::SystemKind;
+using profile::SchemeKind;
 using profile::Trade;
 using profile::TradePoint;
 
@@ -20,11 +20,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view to_string(SystemKind kind) {
+std::string_view to_string(SchemeKind kind) {
   switch (kind) {
-    case SystemKind::lanes_alone: return "lanes alone";
-    case SystemKind::profiled: return "profiled";
-    case SystemKind::certified: return "certified";
+    case SchemeKind::lanes_alone: return "lanes alone";
+    case SchemeKind::profiled: return "profiled";
+    case SchemeKind::certified: return "certified";
   }
   return "";
 }
@@ -43,12 +43,12 @@ std::string none_band(double floor) {
       floor / 500, tics, floor / 20, floor);
 }
 
-std::vector<std::string> systems_of(const Trade& trade) {
-  std::vector<std::string> systems;
+std::vector<std::string> schemes_of(const Trade& trade) {
+  std::vector<std::string> schemes;
   for (const TradePoint& point : trade.points) {
-    if (systems.empty() || systems.back() != point.system) systems.push_back(point.system);
+    if (schemes.empty() || schemes.back() != point.scheme) schemes.push_back(point.scheme);
   }
-  return systems;
+  return schemes;
 }
 
 std::string cell(const TradePoint& point) {
@@ -78,17 +78,17 @@ std::string to_text(const Trade& trade) {
       to_string(trade.inputs), trade.reference_luts,
       trade.reference_measured ? "measured" : "cost model", trade.reference_wrong_per_million,
       trade.slack, "L");
-  const std::vector<std::string> systems = systems_of(trade);
-  for (const std::string& system : systems) text += fmt::format("  {:>16}", system);
+  const std::vector<std::string> schemes = schemes_of(trade);
+  for (const std::string& scheme : schemes) text += fmt::format("  {:>16}", scheme);
   text += "\n    ";
-  for (std::size_t k = 0; k < systems.size(); ++k)
+  for (std::size_t k = 0; k < schemes.size(); ++k)
     text += fmt::format("  {:>7} {:>8}", "", "wrong");
   std::map<int, std::map<std::string, const TradePoint*>> rows;
-  for (const TradePoint& point : trade.points) rows[point.precision][point.system] = &point;
+  for (const TradePoint& point : trade.points) rows[point.precision][point.scheme] = &point;
   for (const auto& [precision, points] : rows) {
     text += fmt::format("\n{:>4}", precision);
-    for (const std::string& system : systems) {
-      const auto found = points.find(system);
+    for (const std::string& scheme : schemes) {
+      const auto found = points.find(scheme);
       text += found == points.end() ? fmt::format("  {:>16}", "-") : cell(*found->second);
     }
   }
@@ -108,18 +108,18 @@ std::string advice(const Trade& trade, double accepted_per_million) {
           : "";
   const TradePoint* point = cheapest(trade, accepted_per_million);
   if (point == nullptr)
-    return fmt::format("{}: no system at any of these precisions{}\n", accepted, unknown);
+    return fmt::format("{}: no scheme at any of these precisions{}\n", accepted, unknown);
   return fmt::format(
-      "{}: cheapest at L = {}, system {}, {} inputs: {:.4g} wrong per million on this data{}, "
+      "{}: cheapest at L = {}, scheme {}, {} inputs: {:.4g} wrong per million on this data{}, "
       "recomputation rate {:.2e}, {:.3f} comparisons a cycle from 1000 LUTs\n",
-      accepted, point->precision, point->system, to_string(trade.inputs), point->wrong_per_million,
+      accepted, point->precision, point->scheme, to_string(trade.inputs), point->wrong_per_million,
       unknown, point->rate, point->per_kiloluts);
 }
 
 Json to_json(const Trade& trade) {
   Json points = Json::array();
   for (const TradePoint& point : trade.points) {
-    points.push_back({{"system", point.system},
+    points.push_back({{"scheme", point.scheme},
                       {"kind", to_string(point.kind)},
                       {"precision", point.precision},
                       {"wrong_per_million", point.wrong_per_million},
@@ -139,12 +139,12 @@ Json to_json(const Trade& trade) {
 
 std::string trade_csv(const std::vector<Trade>& trades) {
   std::string text =
-      "inputs,system,precision,wrong_per_million,rate,lane_luts,reference_luts,area,"
+      "inputs,scheme,precision,wrong_per_million,rate,lane_luts,reference_luts,area,"
       "comparisons_per_kiloluts\n";
   for (const Trade& trade : trades) {
     for (const TradePoint& point : trade.points) {
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n",
-                     to_string(trade.inputs), point.system, point.precision,
+                     to_string(trade.inputs), point.scheme, point.precision,
                      point.wrong_per_million, point.rate, point.lane_luts, trade.reference_luts,
                      point.measured ? "measured" : "model", point.per_kiloluts);
     }
@@ -164,12 +164,12 @@ std::string trade_script(const std::vector<Trade>& trades, const std::string& sc
     int color = 0;
     const TradePoint* before = nullptr;
     for (const TradePoint& point : trade.points) {
-      if (before == nullptr || before->system != point.system) {
+      if (before == nullptr || before->scheme != point.scheme) {
         const int mark = trade.inputs == LaneInputs::exact ? 7 : 6;
-        // Points without a wrong verdict have another height for each system.
+        // Points without a wrong verdict have another height for each scheme.
         none *= 0.6;
         picture.curves.push_back(
-            {fmt::format("{}, {} inputs", point.system, to_string(trade.inputs)),
+            {fmt::format("{}, {} inputs", point.scheme, to_string(trade.inputs)),
              measured_style(color++, mark),
              {}});
       }

@@ -90,11 +90,22 @@ void FixedNodes::build_conversion(NodeId id) {
   const Signal& whole = values_[node.operands[0]];
   const Operand value = datapath_.at(whole, schedule_.steps[id].start_cycle);
   const int low = node.dropped_bits, high = low + node.format.width - 1;
-  const bool is_whole = node.format.width == whole.width;
+  MIXCMP_CHECK(high < whole.width);
   datapath_.add(Comment{describe(id)});
-  datapath_.add(Wire{node.format.width, names_[id],
-                     is_whole ? value : slice(std::get<Net>(value->node).name, high, low)});
+  if (node.format.width == whole.width) {
+    datapath_.add(Wire{node.format.width, names_[id], value});
+  } else {
+    const std::string& name = std::get<Net>(value->node).name;
+    datapath_.add(Wire{node.format.width, names_[id], slice(name, high, low)});
+    if (low > 0) drop(name, low);
+  }
   if (fixed::is_limit(node)) build_check(id);
+}
+
+/// Reads the `count` low bits of a net that may have no other reader.
+void FixedNodes::drop(const std::string& name, int count) {
+  datapath_.add(Wire{1, datapath_.pool().unique("unused_" + name),
+                     all_bits(concatenation({literal(1, 0), slice(name, count - 1, 0)}))});
 }
 
 void FixedNodes::build_check(NodeId id) {

@@ -482,8 +482,12 @@ const IndexValue* GraphBuilder::find_index(const std::string& name) const {
 void GraphBuilder::fail_unknown(const Syntax& syntax, const std::string& name) const {
   std::vector<std::string> known;
   for (const IndexValue& index : indices_) known.push_back(index.name);
-  for (const LetDefinition& let : lets_) known.push_back(let.name);
-  fail(syntax.column, "unknown index", name,
+  for (const LetDefinition& let : lets_) {
+    const bool is_open =
+        std::find(open_lets_.begin(), open_lets_.end(), let.name) != open_lets_.end();
+    if (!is_open) known.push_back(let.name);
+  }
+  fail(syntax.column, "unknown constant", name,
        known.empty() ? "an index of a reduction around it, or a let that is a constant"
                      : list_with_nearest(name, known));
 }

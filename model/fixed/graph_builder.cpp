@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/common/check.hpp"
+#include "model/expression/text.hpp"
 #include "model/fixed/node_enclosure.hpp"
 #include "model/fixed/root_error.hpp"
 #include "model/number/dyadic.hpp"
@@ -68,11 +69,11 @@ Result<NodeId> FixedGraphBuilder::node(NodeId id) {
     MIXCMP_TRY(operand, this->node(node.operands[k]));
     (void)operand;
   }
-  MIXCMP_TRY(made, make(node));
+  MIXCMP_TRY(made, make(id));
   known_[id] = add(std::move(made));
   const auto limits = graph_.limits().find(id);
   if (limits == graph_.limits().end()) return known_[id];
-  MIXCMP_TRY(checked, limited(known_[id], limits->second));
+  MIXCMP_TRY(checked, limited(id, limits->second));
   known_[id] = checked;
   return checked;
 }
@@ -85,20 +86,22 @@ NodeId FixedGraphBuilder::magnitude(NodeId a) {
   return add(operation(Operation::absolute, a));
 }
 
-Error FixedGraphBuilder::refused(const char* message, const char* accepted) const {
+Error FixedGraphBuilder::refused(NodeId id, std::string_view why, const char* accepted) const {
+  constexpr std::size_t most_characters = 60;
   return {.field = "reduced.format",
-          .message = message,
+          .message = fmt::format("{}: {}", why, to_text(graph_, id, most_characters)),
           .received = fmt::format("q{}", options_.bits),
           .accepted = accepted};
 }
 
-Result<FixedNode> FixedGraphBuilder::make(const Node& node) {
+Result<FixedNode> FixedGraphBuilder::make(NodeId id) {
+  const Node& node = graph_.nodes()[id];
   switch (node.operation) {
     case Operation::input: return input(node);
     case Operation::constant: return constant(node.value);
-    case Operation::square_root: return square_root(known_[node.operands[0]]);
+    case Operation::square_root: return square_root(id);
     case Operation::divide:
-      return refused("fixed point has no divide",
+      return refused(id, "fixed point does not divide",
                      "a floating-point format, or f and g without quotients");
     case Operation::convert:
     case Operation::negate:
@@ -119,17 +122,18 @@ Result<FixedNode> FixedGraphBuilder::make(const Node& node) {
 
 /// What the lane checks is the number computed.
 Result<NodeId> FixedGraphBuilder::limited(NodeId id, const Range& limits) {
-  const FixedNode& whole = nodes_[id];
+  const NodeId unlimited = known_[id];
+  const FixedNode& whole = nodes_[unlimited];
   const mpq_class unit = whole.format.unit();
   const mpq_class low = floor_of(limits.low / unit) * unit,
                   high = ceiling_of(limits.high / unit) * unit;
   const Range checked = {std::max(low, whole.value.low), std::min(high, whole.value.high)};
-  if (checked == whole.value) return id;
+  if (checked == whole.value) return unlimited;
   if (checked.low > checked.high) {
-    return refused("the ranges allow no value that is within its limits",
+    return refused(id, "the ranges allow no value that is within the limits",
                    "limits that meet what the ranges allow");
   }
-  FixedNode node{.operation = Operation::convert, .operands = {id, -1}, .constant = {}};
+  FixedNode node{.operation = Operation::convert, .operands = {unlimited, -1}, .constant = {}};
   node.value = checked;
   node.error = whole.error;
   node.format = format_of(node.value, whole.format.unit_exponent);
@@ -147,7 +151,8 @@ NodeId FixedGraphBuilder::factor(NodeId id) {
   node.value = whole.value;
   node.error = whole.error;
   node.format = whole.format;
-  drop_bits(node, std::min(unit_exponent - whole.format.unit_exponent, whole.format.width - 1));
+  const int most_dropped = whole.format.width - (whole.format.is_signed ? 2 : 1);
+  drop_bits(node, std::min(unit_exponent - whole.format.unit_exponent, most_dropped));
   return node.dropped_bits == 0 ? id : add(std::move(node));
 }
 
@@ -194,9 +199,10 @@ FixedNode FixedGraphBuilder::constant(const mpq_class& value) const {
 
 /// The unit is the power of two at or below half of the radicand's own effect on the root, so that
 /// dropping what is finer adds little to it; but no coarser than the largest root.
-Result<FixedNode> FixedGraphBuilder::square_root(NodeId radicand) const {
+Result<FixedNode> FixedGraphBuilder::square_root(NodeId id) const {
+  const NodeId radicand = known_[graph_.nodes()[id].operands[0]];
   if (!is_nonnegative(nodes_, radicand)) {
-    return refused("the radicand of a root may be negative",
+    return refused(id, "the radicand of a root may be negative",
                    "a floating-point format, or a radicand such as a sum of squares");
   }
   FixedNode root{.operation = Operation::square_root, .operands = {radicand, -1}, .constant = {}};

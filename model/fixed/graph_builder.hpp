@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "model/fixed/fixed_lane.hpp"
@@ -22,11 +23,12 @@ public:
   std::vector<FixedNode>& nodes() { return nodes_; }
 
 private:
-  Error refused(const char* message, const char* accepted) const;
-  Result<FixedNode> make(const Node& node);  ///< its operands are made already
+  /// Names the expression's node that fixed point does not have.
+  Error refused(NodeId id, std::string_view why, const char* accepted) const;
+  Result<FixedNode> make(NodeId id);  ///< the operands are made already
   Result<FixedNode> input(const Node& node) const;
   FixedNode constant(const mpq_class& value) const;
-  Result<FixedNode> square_root(NodeId radicand) const;
+  Result<FixedNode> square_root(NodeId id) const;
   Result<NodeId> limited(NodeId id, const Range& limits);
   NodeId factor(NodeId id);
   FixedNode operation(Operation operation, NodeId a, NodeId b = -1) const;

@@ -9,7 +9,7 @@
 #include "model/number/lane_format.hpp"
 #include "model/performance/performance.hpp"
 #include "model/performance/streams.hpp"
-#include "model/profile/systems.hpp"
+#include "model/profile/schemes.hpp"
 
 namespace mixcmp::optimise {
 namespace {

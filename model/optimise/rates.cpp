@@ -11,7 +11,7 @@ namespace mixcmp::optimise {
 namespace {
 
 constexpr const char* header =
-    "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane";
+    "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane";
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> fields;
@@ -39,7 +39,7 @@ std::optional<std::string> read_row(const std::vector<std::string>& fields, Row&
   row.key.inputs = fields[0] == "exact" ? LaneInputs::exact : LaneInputs::rounded;
   if (!read_number(fields[1], row.key.precision)) return "precision";
   const auto bound = scene::parse_bound_choice(fields[2]);
-  if (!bound.ok()) return "system";
+  if (!bound.ok()) return "scheme";
   row.key.bound = *bound;
   if (!read_number(fields[3], row.rate.comparisons) || row.rate.comparisons == 0) {
     return "comparisons";
@@ -71,12 +71,12 @@ double Rate::value() const {
 Rates Rates::of(const std::vector<profile::RateProfile>& profiles) {
   Rates rates;
   for (const profile::RateProfile& profile : profiles) {
-    for (const profile::SystemProfile& system : profile.systems) {
-      if (!system.bound) continue;  // lanes alone recompute nothing
-      for (std::size_t k = 0; k < system.counts.size(); ++k) {
-        if (!system.counts[k].exists) continue;
+    for (const profile::SchemeProfile& scheme : profile.schemes) {
+      if (!scheme.bound) continue;  // lanes alone recompute nothing
+      for (std::size_t k = 0; k < scheme.counts.size(); ++k) {
+        if (!scheme.counts[k].exists) continue;
         const int precision = profile.first_precision + static_cast<int>(k);
-        rates.rates_[{profile.inputs, *system.bound, precision}] = {system.counts[k].undecided,
+        rates.rates_[{profile.inputs, *scheme.bound, precision}] = {scheme.counts[k].undecided,
                                                                     profile.comparisons};
       }
     }

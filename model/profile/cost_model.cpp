@@ -230,7 +230,7 @@ const std::array<std::string_view, 9> names = {"reference", "lanes_alone", "prof
                                                "relative",  "running_4",   "running_1",
                                                "constant",  "fixed_norm",  "fixed_constant"};
 
-bool is_system(const std::string& name) {
+bool is_scheme(const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -245,7 +245,7 @@ Result<MeasuredAreas> MeasuredAreas::read(const std::filesystem::path& path) {
   }
   std::istringstream file(*content);
   std::string text;
-  const std::string header = "system,precision,luts";
+  const std::string header = "scheme,precision,luts";
   std::getline(file, text);
   if (fields_of(text) != fields_of(header)) return bad_area(path, 1, "header", text, header);
   MeasuredAreas areas;
@@ -254,8 +254,8 @@ Result<MeasuredAreas> MeasuredAreas::read(const std::filesystem::path& path) {
     int precision = 0;
     double luts = 0;
     if (fields.size() != 3) return bad_area(path, line, "line", text, header);
-    if (!is_system(fields[0])) {
-      return bad_area(path, line, "system", fields[0], fmt::format("{}", fmt::join(names, ", ")));
+    if (!is_scheme(fields[0])) {
+      return bad_area(path, line, "scheme", fields[0], fmt::format("{}", fmt::join(names, ", ")));
     }
     if (!read_number(fields[1], precision)) {
       return bad_area(path, line, "precision", fields[1], "an integer");
@@ -265,15 +265,15 @@ Result<MeasuredAreas> MeasuredAreas::read(const std::filesystem::path& path) {
     }
     const std::pair key{fields[0], fields[0] == "reference" ? 0 : precision};
     if (!areas.luts_.emplace(key, luts).second) {
-      return bad_area(path, line, "system, precision", text, "one line each");
+      return bad_area(path, line, "scheme, precision", text, "one line each");
     }
   }
   if (areas.luts_.empty()) return bad_area(path, 1, "lines", "the header alone", "an area or more");
   return areas;
 }
 
-std::optional<double> MeasuredAreas::of(const std::string& system, int precision) const {
-  const auto found = luts_.find({system, precision});
+std::optional<double> MeasuredAreas::of(const std::string& scheme, int precision) const {
+  const auto found = luts_.find({scheme, precision});
   if (found == luts_.end()) return std::nullopt;
   return found->second;
 }

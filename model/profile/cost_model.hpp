@@ -30,14 +30,14 @@ int embedded_multipliers(const error::Lane& lane, const devices::MultiplierSize&
 int embedded_multipliers(const fixed::FixedLane& lane, const devices::MultiplierSize& size);
 int embedded_multipliers(const TypedGraph& reference, const devices::MultiplierSize& size);
 
-/// Areas measured by the user; each replaces the estimate for its system and precision.
+/// Areas measured by the user; each replaces the estimate for its scheme and precision.
 class MeasuredAreas {
 public:
-  /// Reads a CSV file with a header and the columns system, precision, luts: "relative,17,2210".
-  /// The system "reference" stands for the reference datapath; its precision is ignored.
+  /// Reads a CSV file with a header and the columns scheme, precision, luts: "relative,17,2210".
+  /// The scheme "reference" stands for the reference datapath; its precision is ignored.
   static Result<MeasuredAreas> read(const std::filesystem::path& path);
 
-  std::optional<double> of(const std::string& system, int precision) const;
+  std::optional<double> of(const std::string& scheme, int precision) const;
   std::optional<double> reference() const;
 
 private:

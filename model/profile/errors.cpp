@@ -6,7 +6,7 @@
 
 #include "model/error/error_analysis.hpp"
 #include "model/profile/error_worker.hpp"
-#include "model/profile/systems.hpp"
+#include "model/profile/schemes.hpp"
 
 namespace mixcmp::profile {
 namespace {

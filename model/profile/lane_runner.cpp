@@ -2,7 +2,7 @@
 
 namespace mixcmp::profile {
 
-LaneRunner::LaneRunner(SystemKind kind, const std::optional<design::Lane>& lane) : kind_(kind) {
+LaneRunner::LaneRunner(SchemeKind kind, const std::optional<design::Lane>& lane) : kind_(kind) {
   if (!lane) return;
   std::visit(design::Cases{[&](const error::Lane& floating) {
                              emulator_.emplace<emulator::Emulator>(floating);
@@ -19,7 +19,7 @@ void LaneRunner::decide(emulator::OperandColumns operands, std::size_t count,
     return fixed_point->decide(operands, count, decisions);
   }
   const auto& floating = std::get<emulator::Emulator>(emulator_);
-  if (kind_ == SystemKind::lanes_alone) {
+  if (kind_ == SchemeKind::lanes_alone) {
     floating.compare(operands, count, decisions);
   } else {
     floating.decide(operands, count, decisions);

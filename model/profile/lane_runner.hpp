@@ -10,18 +10,18 @@
 
 namespace mixcmp::profile {
 
-/// A lane of one system, ready to run on batches.
+/// A lane of one scheme, ready to run on batches.
 class LaneRunner {
 public:
-  LaneRunner(SystemKind kind, const std::optional<design::Lane>& lane);
+  LaneRunner(SchemeKind kind, const std::optional<design::Lane>& lane);
 
   bool exists() const { return !std::holds_alternative<std::monostate>(emulator_); }
-  /// Decides as the system's lane does. `operands` as for emulator::Emulator.
+  /// Decides as the scheme's lane does. `operands` as for emulator::Emulator.
   void decide(emulator::OperandColumns operands, std::size_t count,
               std::span<Decision> decisions) const;
 
 private:
-  SystemKind kind_;
+  SchemeKind kind_;
   std::variant<std::monostate, emulator::Emulator, emulator::FixedEmulator> emulator_;
 };
 

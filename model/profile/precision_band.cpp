@@ -52,25 +52,25 @@ Threshold threshold_in_fixed_point(Lanes lanes, std::size_t part, const Envelope
 }
 
 /// The threshold of one part, at the precisions from number `index` on.
-Threshold threshold_of(const SystemLanes& system, std::size_t part, int index,
+Threshold threshold_of(const SchemeLanes& scheme, std::size_t part, int index,
                        const Envelope& envelope) {
-  if (system.kind == SystemKind::lanes_alone) return Threshold::of_order();
-  const Lanes lanes = Lanes(system.lanes).subspan(static_cast<std::size_t>(index));
-  const bool fixed_point = system.bound && system.bound->is_fixed_point();
+  if (scheme.kind == SchemeKind::lanes_alone) return Threshold::of_order();
+  const Lanes lanes = Lanes(scheme.lanes).subspan(static_cast<std::size_t>(index));
+  const bool fixed_point = scheme.bound && scheme.bound->is_fixed_point();
   return fixed_point ? threshold_in_fixed_point(lanes, part, envelope)
                      : threshold_of_floats(lanes, part, envelope);
 }
 
-/// Merges the findings on the parts into those on the whole comparison. A system is settled on the
+/// Merges the findings on the parts into those on the whole comparison. A scheme is settled on the
 /// whole once it is settled on every part, or on one part that dominates: its true verdict decides
 /// the combination whatever the others are.
 class PartsMerger {
 public:
-  PartsMerger(Combination combination, std::size_t systems, LastOpen never)
+  PartsMerger(Combination combination, std::size_t schemes, LastOpen never)
       : dominating_(combination == Combination::all ? Decision::greater : Decision::less),
-        all_(systems * envelope_width, 0),
-        dominated_(systems * envelope_width, never),
-        last_(systems * envelope_width) {
+        all_(schemes * envelope_width, 0),
+        dominated_(schemes * envelope_width, never),
+        last_(schemes * envelope_width) {
     any_doubt_.fill(0);
     any_dominating_.fill(0);
   }
@@ -107,7 +107,7 @@ public:
 
 private:
   Decision dominating_;
-  std::vector<LastOpen> all_, dominated_, last_;  ///< [system * envelope_width + k]
+  std::vector<LastOpen> all_, dominated_, last_;  ///< [scheme * envelope_width + k]
   std::array<std::uint8_t, envelope_width> doubtful_, any_doubt_, any_dominating_;
   std::array<Decision, envelope_width> truth_;
 };
@@ -115,20 +115,20 @@ private:
 }  // namespace
 
 PrecisionBand::PrecisionBand(const Envelope::Options& options, int next, int first,
-                             const TypedGraph& graph, const std::vector<SystemLanes>& systems)
+                             const TypedGraph& graph, const std::vector<SchemeLanes>& schemes)
     : combination_(graph.combination),
       reference_precision_(options.reference.precision()),
       next_(next) {
   for (std::size_t k = 0; k < graph.parts.size(); ++k) {
     Part& part = parts_.emplace_back(Part{Envelope(part_of(graph, k).graph, options), {}});
-    for (const SystemLanes& system : systems) {
-      part.thresholds.push_back(threshold_of(system, k, options.anchor - first, part.envelope));
+    for (const SchemeLanes& scheme : schemes) {
+      part.thresholds.push_back(threshold_of(scheme, k, options.anchor - first, part.envelope));
     }
   }
-  for (const SystemLanes& system : systems) {
+  for (const SchemeLanes& scheme : schemes) {
     std::vector<LaneRunner>& runners = runners_.emplace_back();
     for (int precision = anchor(); precision < next; ++precision) {
-      runners.emplace_back(system.kind, system.lanes[precision - first]);
+      runners.emplace_back(scheme.kind, scheme.lanes[precision - first]);
     }
   }
 }
@@ -136,7 +136,7 @@ PrecisionBand::PrecisionBand(const Envelope::Options& options, int next, int fir
 void PrecisionBand::classify(std::span<const double* const> columns, EnvelopeBlock& block,
                              const BlockFindings& findings) const {
   if (parts_.size() == 1) return classify(parts_.front(), columns, block, findings);
-  PartsMerger merger(combination_, system_count(), static_cast<LastOpen>(next_));
+  PartsMerger merger(combination_, scheme_count(), static_cast<LastOpen>(next_));
   for (const Part& part : parts_) {
     classify(part, columns, block, merger.part());
     merger.add_part();
@@ -159,10 +159,10 @@ void PrecisionBand::last_open(const Part& part, const EnvelopeBlock& block,
   // below a ratio of 1, all of them from `enough` on.
   const double enough = std::ldexp(1.0, next_ - anchor());
   const auto bias = static_cast<std::uint64_t>(1022 - (anchor() - 1));
-  for (std::size_t system = 0; system < part.thresholds.size(); ++system) {
+  for (std::size_t scheme = 0; scheme < part.thresholds.size(); ++scheme) {
     wild = block.wild;
-    part.thresholds[system].evaluate(block, scaled, fixed, wild);
-    LastOpen* const open = findings.last + system * findings.stride;
+    part.thresholds[scheme].evaluate(block, scaled, fixed, wild);
+    LastOpen* const open = findings.last + scheme * findings.stride;
     for_each_lane([&](std::size_t k) {
       // Open at L only if (|f - g| - fixed) 2^(L-A) <= errors + scaled.
       const double apart = gap.least(k) - fixed[k];

@@ -7,18 +7,18 @@
 
 #include "model/profile/envelope.hpp"
 #include "model/profile/lane_runner.hpp"
-#include "model/profile/systems.hpp"
+#include "model/profile/schemes.hpp"
 #include "model/profile/threshold.hpp"
 
 namespace mixcmp::profile {
 
-/// The last precision at which a comparison may be open, in one byte. It is open for a system at a
-/// precision where the system may be undecided or wrong.
+/// The last precision at which a comparison may be open, in one byte. It is open for a scheme at a
+/// precision where the scheme may be undecided or wrong.
 using LastOpen = std::uint8_t;
 
 /// The findings of one band on envelope_width comparisons.
 struct BlockFindings {
-  /// last[system * stride + k]: the last precision at which the system may be undecided or wrong on
+  /// last[scheme * stride + k]: the last precision at which the scheme may be undecided or wrong on
   /// comparison k; anchor() - 1 if at none, next() if at next() or later.
   LastOpen* last;
   std::size_t stride;
@@ -27,19 +27,19 @@ struct BlockFindings {
   Decision* truth;
 };
 
-/// The lanes of all systems at precisions anchor .. next - 1, with an envelope at anchor that tells
+/// The lanes of all schemes at precisions anchor .. next - 1, with an envelope at anchor that tells
 /// for which comparisons they need not be run.
 class PrecisionBand {
 public:
-  /// `systems` have lanes from precision `first` on.
+  /// `schemes` have lanes from precision `first` on.
   PrecisionBand(const Envelope::Options& options, int next, int first, const TypedGraph& graph,
-                const std::vector<SystemLanes>& systems);
+                const std::vector<SchemeLanes>& schemes);
 
   int anchor() const { return parts_.front().envelope.anchor(); }
   int next() const { return next_; }
-  std::size_t system_count() const { return runners_.size(); }
-  const LaneRunner& runner(std::size_t system, int precision) const {
-    return runners_[system][precision - anchor()];
+  std::size_t scheme_count() const { return runners_.size(); }
+  const LaneRunner& runner(std::size_t scheme, int precision) const {
+    return runners_[scheme][precision - anchor()];
   }
 
   /// Finds where envelope_width comparisons may be open. `columns` are as for Envelope::evaluate;
@@ -51,7 +51,7 @@ private:
   /// One part of the comparison.
   struct Part {
     Envelope envelope;
-    std::vector<Threshold> thresholds;  ///< one per system
+    std::vector<Threshold> thresholds;  ///< one per scheme
   };
 
   void classify(const Part& part, std::span<const double* const> columns, EnvelopeBlock& block,
@@ -64,7 +64,7 @@ private:
   Combination combination_;
   int reference_precision_;
   int next_;
-  std::vector<std::vector<LaneRunner>> runners_;  ///< [system][precision - anchor()]
+  std::vector<std::vector<LaneRunner>> runners_;  ///< [scheme][precision - anchor()]
 };
 
 }  // namespace mixcmp::profile

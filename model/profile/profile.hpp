@@ -63,14 +63,14 @@ std::vector<ErrorProfile> profile_errors(const scene::Scene& scene, const data::
                                          const std::vector<LaneInputs>& inputs,
                                          const ProfileOptions& options);
 
-enum class SystemKind {
+enum class SchemeKind {
   lanes_alone,  ///< the order of f_L and g_L: no error bound, no recomputation
   profiled,     ///< the paper's decision with the constants of figure 4
   certified,
 };
 
-/// The counts of one kind of system at one precision.
-struct SystemCounts {
+/// The counts of one kind of scheme at one precision.
+struct SchemeCounts {
   bool exists = false;
   std::uint64_t undecided = 0;  ///< recomputed
   /// Verdicts that differ from the order of the real numbers f and g of the operands; an undecided
@@ -78,14 +78,14 @@ struct SystemCounts {
   std::uint64_t wrong = 0;
   std::uint64_t wrong_by_lane = 0;  ///< those decided by a lane; 0 if certified
 
-  friend bool operator==(const SystemCounts&, const SystemCounts&) = default;
+  friend bool operator==(const SchemeCounts&, const SchemeCounts&) = default;
 };
 
-struct SystemProfile {
+struct SchemeProfile {
   std::string name;                         ///< "lanes_alone", or the name of its bound
   std::optional<scene::BoundChoice> bound;  ///< none: lanes alone
-  SystemKind kind = SystemKind::certified;
-  std::vector<SystemCounts> counts;  ///< one per precision
+  SchemeKind kind = SchemeKind::certified;
+  std::vector<SchemeCounts> counts;  ///< one per precision
   std::string reason;                ///< why there is no lane at some precision
 };
 
@@ -99,7 +99,7 @@ struct RateProfile {
   /// How many true verdicts stayed undetermined; no verdict counts as wrong there.
   std::uint64_t undetermined = 0;
   std::uint64_t emulated = 0;  ///< lane evaluations
-  std::vector<SystemProfile> systems;
+  std::vector<SchemeProfile> schemes;
 };
 
 RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& data,

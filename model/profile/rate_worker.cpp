@@ -16,18 +16,18 @@ bool is_wrong(Decision verdict, Decision truth) {
 }  // namespace
 
 RateTally::RateTally(const RateJob& job) {
-  for (const SystemLanes& system : job.systems) {
-    std::vector<SystemCounts>& row = counts.emplace_back();
-    for (const auto& lane : system.lanes) row.push_back({.exists = lane.has_value()});
+  for (const SchemeLanes& scheme : job.schemes) {
+    std::vector<SchemeCounts>& row = counts.emplace_back();
+    for (const auto& lane : scheme.lanes) row.push_back({.exists = lane.has_value()});
   }
 }
 
 void RateTally::add(const RateTally& other) {
-  for (std::size_t system = 0; system < counts.size(); ++system) {
-    for (std::size_t k = 0; k < counts[system].size(); ++k) {
-      counts[system][k].undecided += other.counts[system][k].undecided;
-      counts[system][k].wrong += other.counts[system][k].wrong;
-      counts[system][k].wrong_by_lane += other.counts[system][k].wrong_by_lane;
+  for (std::size_t scheme = 0; scheme < counts.size(); ++scheme) {
+    for (std::size_t k = 0; k < counts[scheme].size(); ++k) {
+      counts[scheme][k].undecided += other.counts[scheme][k].undecided;
+      counts[scheme][k].wrong += other.counts[scheme][k].wrong;
+      counts[scheme][k].wrong_by_lane += other.counts[scheme][k].wrong_by_lane;
     }
   }
   reference_wrong += other.reference_wrong;
@@ -40,7 +40,7 @@ RateWorker::RateWorker(const RateJob& job)
     : job_(job),
       tally_(job),
       pending_(job.bands.size(), UnsettledComparisons(job.source.data().input_count(), capacity)),
-      last_(job.systems.size() * capacity),
+      last_(job.schemes.size() * capacity),
       doubtful_(capacity),
       order_(capacity),
       picked_(job.source.data().input_count(), capacity),
@@ -56,8 +56,8 @@ void RateWorker::run(const BlockSource& next) {
 void RateWorker::start(std::uint64_t first, std::size_t count) {
   UnsettledComparisons& unsettled = pending_.front();
   job_.source.fetch(first, count, unsettled.operands());
-  const auto all = static_cast<std::uint32_t>((std::uint64_t{1} << job_.systems.size()) - 1);
-  std::fill_n(unsettled.systems.begin(), count, all);
+  const auto all = static_cast<std::uint32_t>((std::uint64_t{1} << job_.schemes.size()) - 1);
+  std::fill_n(unsettled.schemes.begin(), count, all);
   for (std::size_t k = 0; k < count; ++k) {
     if (job_.failing.empty()) break;
     const data::Items items = job_.source.data().items(first + k);
@@ -113,8 +113,8 @@ void RateWorker::process(std::size_t index) {
   make_room(index + 1, unsettled.size());
   if (index > 0) classify(band, unsettled, false);
   settle_finished(band, unsettled);
-  for (std::size_t system = 0; system < band.system_count(); ++system) {
-    run_system(band, system, unsettled);
+  for (std::size_t scheme = 0; scheme < band.scheme_count(); ++scheme) {
+    run_scheme(band, scheme, unsettled);
   }
   if (index + 1 < pending_.size()) pass_on(band, unsettled, pending_[index + 1]);
   unsettled.operands().resize(0);
@@ -132,37 +132,37 @@ void RateWorker::make_room(std::size_t index, std::size_t count) {
 /// check leaves a lane undecided at every precision, and what an earlier band settled stays
 /// settled.
 void RateWorker::settle_finished(const PrecisionBand& band, const UnsettledComparisons& unsettled) {
-  for (std::size_t system = 0; system < band.system_count(); ++system) {
-    LastOpen* const last = last_.data() + system * capacity;
+  for (std::size_t scheme = 0; scheme < band.scheme_count(); ++scheme) {
+    LastOpen* const last = last_.data() + scheme * capacity;
     for (std::size_t k = 0; k < unsettled.size(); ++k) {
-      if ((unsettled.failing[k] >> system & 1) != 0) last[k] = static_cast<LastOpen>(band.next());
-      if ((unsettled.systems[k] >> system & 1) == 0) {
+      if ((unsettled.failing[k] >> scheme & 1) != 0) last[k] = static_cast<LastOpen>(band.next());
+      if ((unsettled.schemes[k] >> scheme & 1) == 0) {
         last[k] = static_cast<LastOpen>(band.anchor() - 1);
       }
     }
   }
 }
 
-/// Runs the lanes of one system. A comparison that is not open is decided rightly, so counting it
+/// Runs the lanes of one scheme. A comparison that is not open is decided rightly, so counting it
 /// changes nothing: where more than a quarter are open, all are run, which is cheaper than picking.
-void RateWorker::run_system(const PrecisionBand& band, std::size_t system,
+void RateWorker::run_scheme(const PrecisionBand& band, std::size_t scheme,
                             const UnsettledComparisons& unsettled) {
-  count_open(band, system, unsettled.size());
+  count_open(band, scheme, unsettled.size());
   bool picked = false;
   for (int precision = band.anchor(); precision < band.next(); ++precision) {
     const std::size_t open = open_at_[precision - band.anchor()];
     if (open == 0) break;
-    const LaneRunner& runner = band.runner(system, precision);
+    const LaneRunner& runner = band.runner(scheme, precision);
     if (!runner.exists()) continue;
     const bool most = open > unsettled.size() / 4;
-    if (!most && !picked) pick(band, system, unsettled);
+    if (!most && !picked) pick(band, scheme, unsettled);
     picked = picked || !most;
-    run_lane(runner, system, precision, most ? unsettled : picked_, most ? unsettled.size() : open);
+    run_lane(runner, scheme, precision, most ? unsettled : picked_, most ? unsettled.size() : open);
   }
 }
 
-void RateWorker::count_open(const PrecisionBand& band, std::size_t system, std::size_t count) {
-  const LastOpen* const last = last_.data() + system * capacity;
+void RateWorker::count_open(const PrecisionBand& band, std::size_t scheme, std::size_t count) {
+  const LastOpen* const last = last_.data() + scheme * capacity;
   const int before = band.anchor() - 1, steps = band.next() - before;
   std::vector<std::size_t>& with = open_at_;
   with.assign(steps + 2, 0);
@@ -173,9 +173,9 @@ void RateWorker::count_open(const PrecisionBand& band, std::size_t system, std::
 
 /// Picks the comparisons that are open at some precision of the band, longest open first, so that
 /// the comparisons which are open at L stand at the beginning of the list.
-void RateWorker::pick(const PrecisionBand& band, std::size_t system,
+void RateWorker::pick(const PrecisionBand& band, std::size_t scheme,
                       const UnsettledComparisons& unsettled) {
-  const LastOpen* const last = last_.data() + system * capacity;
+  const LastOpen* const last = last_.data() + scheme * capacity;
   const int anchor = band.anchor();
   std::vector<std::size_t> place(open_at_.begin() + 1, open_at_.end());
   for (std::size_t k = 0; k < unsettled.size(); ++k) {
@@ -194,7 +194,7 @@ void RateWorker::pick(const PrecisionBand& band, std::size_t system,
   }
 }
 
-void RateWorker::run_lane(const LaneRunner& runner, std::size_t system, int precision,
+void RateWorker::run_lane(const LaneRunner& runner, std::size_t scheme, int precision,
                           const UnsettledComparisons& unsettled, std::size_t count) {
   runner.decide(unsettled.operands().columns(), count, decisions_);
   tally_.emulated += count;
@@ -207,7 +207,7 @@ void RateWorker::run_lane(const LaneRunner& runner, std::size_t system, int prec
     wrong += blamed ? 1 : 0;
     wrong_by_lane += blamed && !open ? 1 : 0;
   }
-  SystemCounts& counts = tally_.counts[system][precision - job_.bands.front().anchor()];
+  SchemeCounts& counts = tally_.counts[scheme][precision - job_.bands.front().anchor()];
   counts.undecided += undecided;
   counts.wrong += wrong;
   counts.wrong_by_lane += wrong_by_lane;
@@ -217,8 +217,8 @@ void RateWorker::pass_on(const PrecisionBand& band, const UnsettledComparisons& 
                          UnsettledComparisons& to) {
   for (std::size_t k = 0; k < from.size(); ++k) {
     std::uint32_t left = 0;
-    for (std::size_t system = 0; system < band.system_count(); ++system) {
-      if (last_[system * capacity + k] >= band.next()) left |= std::uint32_t{1} << system;
+    for (std::size_t scheme = 0; scheme < band.scheme_count(); ++scheme) {
+      if (last_[scheme * capacity + k] >= band.next()) left |= std::uint32_t{1} << scheme;
     }
     if (left != 0) to.append(from, k, left);
   }

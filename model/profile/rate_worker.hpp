@@ -14,11 +14,11 @@ struct RateJob {
   const scene::Scene& scene;
   const data::OperandSource& source;
   ProfileMethod method;
-  std::vector<SystemLanes> systems;
+  std::vector<SchemeLanes> schemes;
   std::vector<PrecisionBand> bands;  ///< the next() of each is the anchor() of the one after it
   emulator::Emulator reference;
   /// The operands of one input that lanes do not take. Bit k of of_row[row] is set where the value
-  /// in that row of the input's table fails a range check of system k, or lies outside of its
+  /// in that row of the input's table fails a range check of scheme k, or lies outside of its
   /// fixed-point format. Inputs that never fail are left out.
   struct Failing {
     data::Item item;
@@ -29,8 +29,8 @@ struct RateJob {
 
 /// Counts over comparisons. They are integers, so the order of addition does not matter.
 struct RateTally {
-  /// counts[system][precision - first precision].
-  std::vector<std::vector<SystemCounts>> counts;
+  /// counts[scheme][precision - first precision].
+  std::vector<std::vector<SchemeCounts>> counts;
   std::uint64_t reference_wrong = 0, true_verdicts = 0, undetermined = 0, emulated = 0;
 
   explicit RateTally(const RateJob& job);
@@ -38,7 +38,7 @@ struct RateTally {
 };
 
 /// One thread's share of the counts. Comparisons go through the bands and are dropped as soon as
-/// every system is settled on them.
+/// every scheme is settled on them.
 class RateWorker {
 public:
   static constexpr std::size_t block = 16384;
@@ -58,11 +58,11 @@ private:
   void classify(const PrecisionBand& band, UnsettledComparisons& unsettled, bool is_first);
   void find_true_verdicts(std::uint64_t first, UnsettledComparisons& unsettled);
   void settle_finished(const PrecisionBand& band, const UnsettledComparisons& unsettled);
-  void run_system(const PrecisionBand& band, std::size_t system,
+  void run_scheme(const PrecisionBand& band, std::size_t scheme,
                   const UnsettledComparisons& unsettled);
-  void count_open(const PrecisionBand& band, std::size_t system, std::size_t count);
-  void pick(const PrecisionBand& band, std::size_t system, const UnsettledComparisons& unsettled);
-  void run_lane(const LaneRunner& runner, std::size_t system, int precision,
+  void count_open(const PrecisionBand& band, std::size_t scheme, std::size_t count);
+  void pick(const PrecisionBand& band, std::size_t scheme, const UnsettledComparisons& unsettled);
+  void run_lane(const LaneRunner& runner, std::size_t scheme, int precision,
                 const UnsettledComparisons& unsettled, std::size_t count);
   void pass_on(const PrecisionBand& band, const UnsettledComparisons& from,
                UnsettledComparisons& to);
@@ -71,11 +71,11 @@ private:
   RateTally tally_;
   EnvelopeBlock envelope_;
   std::vector<UnsettledComparisons> pending_;  ///< one per band
-  std::vector<LastOpen> last_;                 ///< [system * capacity + row of the unsettled]
+  std::vector<LastOpen> last_;                 ///< [scheme * capacity + row of the unsettled]
   std::vector<std::uint8_t> doubtful_;
   std::vector<std::uint32_t> order_;  ///< rows of the unsettled, longest open first
   std::vector<std::size_t> open_at_;  ///< [L - anchor]: number of unsettled open at L
-  UnsettledComparisons picked_;       ///< the open unsettled of one system, in the order of order_
+  UnsettledComparisons picked_;       ///< the open unsettled of one scheme, in the order of order_
   std::vector<Decision> decisions_;
 };
 

@@ -31,7 +31,7 @@ std::vector<NodeMagnitude> input_magnitudes(const data::OperandSource& source) {
   return magnitudes;
 }
 
-/// What the lanes of one system take.
+/// What the lanes of one scheme take.
 struct TakenOperands {
   std::vector<error::RangeCheck> checks;
   const fixed::FixedLane* fixed_lane = nullptr;
@@ -47,9 +47,9 @@ struct TakenOperands {
 
 /// The checks of lanes repeat from precision to precision; one of each is enough. All lanes in
 /// fixed point with one kind of bound take the same operands.
-TakenOperands taken_operands(const SystemLanes& system) {
+TakenOperands taken_operands(const SchemeLanes& scheme) {
   TakenOperands taken;
-  for (const std::optional<design::Lane>& lane : system.lanes) {
+  for (const std::optional<design::Lane>& lane : scheme.lanes) {
     if (!lane) continue;
     if (const auto* fixed_lane = std::get_if<fixed::FixedLane>(&*lane)) {
       taken.fixed_lane = fixed_lane;
@@ -64,20 +64,20 @@ TakenOperands taken_operands(const SystemLanes& system) {
   return taken;
 }
 
-/// Bit k is set where system k does not take the operand for this input.
-std::uint32_t failing_systems(const std::vector<TakenOperands>& systems, int input,
+/// Bit k is set where scheme k does not take the operand for this input.
+std::uint32_t failing_schemes(const std::vector<TakenOperands>& schemes, int input,
                               FloatFormat format, Bits operand) {
   std::uint32_t failing = 0;
-  for (std::size_t system = 0; system < systems.size(); ++system) {
-    const bool fails = !systems[system].take(input, format, operand);
-    failing |= std::uint32_t{fails} << system;
+  for (std::size_t scheme = 0; scheme < schemes.size(); ++scheme) {
+    const bool fails = !schemes[scheme].take(input, format, operand);
+    failing |= std::uint32_t{fails} << scheme;
   }
   return failing;
 }
 
 void find_failing(RateJob& job) {
-  std::vector<TakenOperands> systems;
-  for (const SystemLanes& system : job.systems) systems.push_back(taken_operands(system));
+  std::vector<TakenOperands> schemes;
+  for (const SchemeLanes& scheme : job.schemes) schemes.push_back(taken_operands(scheme));
   const data::Comparisons& data = job.source.data();
   for (std::size_t input = 0; input < data.input_count(); ++input) {
     const data::Comparisons::Source& source = data.sources()[input];
@@ -85,7 +85,7 @@ void find_failing(RateJob& job) {
     RateJob::Failing failing{.item = source.item, .of_row = {}};
     std::uint32_t any = 0;
     for (std::size_t row = 0; row < table.rows(); ++row) {
-      failing.of_row.push_back(failing_systems(systems, static_cast<int>(input), table.format,
+      failing.of_row.push_back(failing_schemes(schemes, static_cast<int>(input), table.format,
                                                table.at(row, source.column)));
       any |= failing.of_row.back();
     }
@@ -93,9 +93,9 @@ void find_failing(RateJob& job) {
   }
 }
 
-std::vector<SystemLanes> existing_systems(std::vector<SystemLanes> systems) {
-  std::erase_if(systems, [](const SystemLanes& system) { return !system.exists(); });
-  return systems;
+std::vector<SchemeLanes> existing_schemes(std::vector<SchemeLanes> schemes) {
+  std::erase_if(schemes, [](const SchemeLanes& scheme) { return !scheme.exists(); });
+  return schemes;
 }
 
 void add_stages(RateJob& job, const ErrorProfile& errors) {
@@ -107,7 +107,7 @@ void add_stages(RateJob& job, const ErrorProfile& errors) {
                                     .reference = job.scene.reference.format,
                                     .inputs = inputs};
     job.bands.emplace_back(options, anchors[k + 1], anchors.front(),
-                           graph_at(job.scene, anchors[k], errors.inputs), job.systems);
+                           graph_at(job.scene, anchors[k], errors.inputs), job.schemes);
   }
 }
 
@@ -132,12 +132,12 @@ RateTally run(const RateJob& job, const ProfileOptions& options) {
 
 RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& data,
                           const ErrorProfile& errors, const ProfileOptions& options) {
-  const std::vector<SystemLanes> systems = make_systems(scene, errors, options.bounds);
+  const std::vector<SchemeLanes> schemes = make_schemes(scene, errors, options.bounds);
   const data::OperandSource source(data);
   RateJob job{.scene = scene,
               .source = source,
               .method = options.method,
-              .systems = existing_systems(systems),
+              .schemes = existing_schemes(schemes),
               .bands = {},
               .reference = emulator::Emulator(reference_graph(scene.graph, scene.reference)),
               .failing = {}};
@@ -151,13 +151,13 @@ RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& da
                       .true_verdicts = tally.true_verdicts,
                       .undetermined = tally.undetermined,
                       .emulated = tally.emulated,
-                      .systems = {}};
+                      .schemes = {}};
   std::size_t counted = 0;
-  for (const SystemLanes& system : systems) {
-    SystemProfile& row = profile.systems.emplace_back(
-        SystemProfile{system.name, system.bound, system.kind, {}, system.reason});
-    row.counts = system.exists() ? tally.counts[counted++]
-                                 : std::vector<SystemCounts>(errors.precisions.size());
+  for (const SchemeLanes& scheme : schemes) {
+    SchemeProfile& row = profile.schemes.emplace_back(
+        SchemeProfile{scheme.name, scheme.bound, scheme.kind, {}, scheme.reason});
+    row.counts = scheme.exists() ? tally.counts[counted++]
+                                 : std::vector<SchemeCounts>(errors.precisions.size());
   }
   return profile;
 }

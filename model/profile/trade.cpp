@@ -1,6 +1,6 @@
 #include "model/profile/trade.hpp"
 
-#include "model/profile/systems.hpp"
+#include "model/profile/schemes.hpp"
 
 namespace mixcmp::profile {
 namespace {
@@ -9,18 +9,18 @@ double per_million(std::uint64_t count, const RateProfile& rates) {
   return 1e6 * static_cast<double>(count) / static_cast<double>(rates.comparisons);
 }
 
-TradePoint make_point(const RateProfile& rates, const SystemProfile& system,
-                      const SystemCounts& counts) {
-  TradePoint point{.system = system.name, .kind = system.kind};
+TradePoint make_point(const RateProfile& rates, const SchemeProfile& scheme,
+                      const SchemeCounts& counts) {
+  TradePoint point{.scheme = scheme.name, .kind = scheme.kind};
   point.wrong_per_million = per_million(counts.wrong, rates);
   point.rate = static_cast<double>(counts.undecided) / static_cast<double>(rates.comparisons);
   return point;
 }
 
 /// The counts of these lanes; null where the profile left them out.
-const SystemProfile* find(const RateProfile& rates, const SystemLanes& lanes) {
-  for (const SystemProfile& system : rates.systems) {
-    if (system.name == lanes.name) return &system;
+const SchemeProfile* find(const RateProfile& rates, const SchemeLanes& lanes) {
+  for (const SchemeProfile& scheme : rates.schemes) {
+    if (scheme.name == lanes.name) return &scheme;
   }
   return nullptr;
 }
@@ -31,7 +31,7 @@ double rough_luts(const design::Lane& lane) {
 
 void price(const Trade& trade, const design::Lane& lane, const MeasuredAreas& areas,
            TradePoint& point) {
-  const std::optional<double> measured = areas.of(point.system, point.precision);
+  const std::optional<double> measured = areas.of(point.scheme, point.precision);
   point.measured = measured.has_value();
   point.lane_luts = measured ? *measured : rough_luts(lane);
   const double share = point.rate * (1 + trade.slack);
@@ -40,7 +40,7 @@ void price(const Trade& trade, const design::Lane& lane, const MeasuredAreas& ar
 
 bool qualifies(const TradePoint& point, double undetermined_per_million,
                double accepted_per_million) {
-  const bool proven = point.kind == SystemKind::certified;
+  const bool proven = point.kind == SchemeKind::certified;
   return (proven || accepted_per_million > 0) &&
          point.wrong_per_million + undetermined_per_million <= accepted_per_million;
 }
@@ -57,13 +57,13 @@ Trade make_trade(const scene::Scene& scene, const RateProfile& rates, const Erro
               .reference_wrong_per_million = per_million(rates.reference_wrong, rates),
               .undetermined_per_million = per_million(rates.undetermined, rates),
               .points = {}};
-  for (const SystemLanes& system : make_systems(scene, errors)) {
-    const SystemProfile* counted = find(rates, system);
-    for (std::size_t k = 0; counted != nullptr && k < system.lanes.size(); ++k) {
-      if (!system.lanes[k]) continue;
+  for (const SchemeLanes& scheme : make_schemes(scene, errors)) {
+    const SchemeProfile* counted = find(rates, scheme);
+    for (std::size_t k = 0; counted != nullptr && k < scheme.lanes.size(); ++k) {
+      if (!scheme.lanes[k]) continue;
       TradePoint point = make_point(rates, *counted, counted->counts[k]);
       point.precision = rates.first_precision + static_cast<int>(k);
-      price(trade, *system.lanes[k], areas, point);
+      price(trade, *scheme.lanes[k], areas, point);
       trade.points.push_back(std::move(point));
     }
   }

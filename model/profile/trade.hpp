@@ -8,10 +8,10 @@
 
 namespace mixcmp::profile {
 
-/// The wrong verdicts and the area of one system at one precision.
+/// The wrong verdicts and the area of one scheme at one precision.
 struct TradePoint {
-  std::string system;
-  SystemKind kind = SystemKind::certified;
+  std::string scheme;
+  SchemeKind kind = SchemeKind::certified;
   int precision = 0;
   double wrong_per_million = 0;
   double rate = 0;
@@ -31,7 +31,7 @@ struct Trade {
   /// Comparisons whose truth is undetermined, in a million. No point's wrong_per_million has them;
   /// `cheapest` adds them.
   double undetermined_per_million = 0;
-  std::vector<TradePoint> points;  ///< ordered by system, then by precision
+  std::vector<TradePoint> points;  ///< ordered by scheme, then by precision
 };
 
 /// Makes a point of every lane that exists. `rates` must have been counted with the constants of
@@ -40,7 +40,7 @@ Trade make_trade(const scene::Scene& scene, const RateProfile& rates, const Erro
                  const MeasuredAreas& areas);
 
 /// The point with the most comparisons per LUT among those with at most so many wrong verdicts per
-/// million, where each undetermined truth counts as one; for 0 only certified systems qualify. Null
+/// million, where each undetermined truth counts as one; for 0 only certified schemes qualify. Null
 /// where no point does.
 const TradePoint* cheapest(const Trade& trade, double accepted_per_million);
 

@@ -5,17 +5,17 @@ namespace mixcmp::profile {
 UnsettledComparisons::UnsettledComparisons(std::size_t inputs, std::size_t capacity)
     : truth(capacity),
       reference(capacity),
-      systems(capacity),
+      schemes(capacity),
       failing(capacity),
       operands_(inputs, capacity) {}
 
 void UnsettledComparisons::append(const UnsettledComparisons& from, std::size_t row,
-                                  std::uint32_t systems_left) {
+                                  std::uint32_t schemes_left) {
   MIXCMP_CHECK(size() < capacity());
   const std::size_t place = size();
   truth[place] = from.truth[row];
   reference[place] = from.reference[row];
-  systems[place] = systems_left;
+  schemes[place] = schemes_left;
   failing[place] = from.failing[row];
   operands_.append(from.operands_, row);
 }

@@ -8,7 +8,7 @@
 
 namespace mixcmp::profile {
 
-/// Comparisons on which some system is not settled, with the data that counting needs. A system is
+/// Comparisons on which some scheme is not settled, with the data that counting needs. A scheme is
 /// settled on a comparison once it is known to decide it rightly at every further precision.
 class UnsettledComparisons {
 public:
@@ -22,13 +22,13 @@ public:
   /// The order of the real numbers f and g; `undecided` where it is undetermined.
   std::vector<Decision> truth;
   std::vector<Decision> reference;  ///< verdicts of the reference datapath
-  /// Bit k is set while system k is not settled.
-  std::vector<std::uint32_t> systems;
+  /// Bit k is set while scheme k is not settled.
+  std::vector<std::uint32_t> schemes;
 
-  /// Bit k is set where an operand fails a range check that system k makes at some precision.
+  /// Bit k is set where an operand fails a range check that scheme k makes at some precision.
   std::vector<std::uint32_t> failing;
 
-  void append(const UnsettledComparisons& from, std::size_t row, std::uint32_t systems_left);
+  void append(const UnsettledComparisons& from, std::size_t row, std::uint32_t schemes_left);
 
 private:
   data::OperandBlock operands_;

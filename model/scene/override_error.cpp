@@ -16,7 +16,11 @@ Error with_setting(Error error, std::span<const std::string> overrides, const At
   while (!comes_up(count)) ++count;
   if (count == 0) return error;
   const std::string& culprit = overrides[count - 1];
-  if (error.line > 0) error.message += fmt::format(" (at {}:{})", error.file, error.line);
+  if (error.line > 0) {
+    error.message += fmt::format(" (at {}:{})", error.file, error.line);
+  } else if (!error.file.empty()) {
+    error.message += fmt::format(" (in {})", error.file);
+  }
   error.file = fmt::format("--set {}", culprit.substr(0, culprit.find('=')));
   error.line = error.column = 0;
   return error;

@@ -11,7 +11,7 @@
 #include "model/emulator/emulator.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/profile/lane_runner.hpp"
-#include "model/profile/systems.hpp"
+#include "model/profile/schemes.hpp"
 #include "model/workload/load_comparisons.hpp"
 
 /// extremes_table SCENE CSV: every family of sphere pairs through every lane at some precisions.
@@ -20,7 +20,7 @@
 namespace mixcmp {
 namespace {
 
-using profile::SystemKind;
+using profile::SchemeKind;
 
 constexpr int shown_precisions[] = {8, 11, 17, 24, 32, 40, 52};
 
@@ -88,40 +88,40 @@ struct Entry {
   std::string family;
   LaneInputs inputs;
   int precision;
-  std::string system;
-  SystemKind kind;
+  std::string scheme;
+  SchemeKind kind;
   std::uint64_t comparisons, undecided, wrong;
 };
 
 Entry entry_of(const Family& family, LaneInputs inputs, int precision,
-               const profile::SystemLanes& system, const std::optional<design::Lane>& lane) {
-  const std::vector<Decision> decisions = family.decisions(profile::LaneRunner(system.kind, lane));
+               const profile::SchemeLanes& scheme, const std::optional<design::Lane>& lane) {
+  const std::vector<Decision> decisions = family.decisions(profile::LaneRunner(scheme.kind, lane));
   return {family.name(),
           inputs,
           precision,
-          system.name,
-          system.kind,
+          scheme.name,
+          scheme.kind,
           family.size(),
           family.undecided(decisions),
           family.wrong(decisions)};
 }
 
 std::vector<Entry> entries_of(const Family& family, LaneInputs inputs, int first_precision,
-                              const std::vector<profile::SystemLanes>& systems) {
+                              const std::vector<profile::SchemeLanes>& schemes) {
   std::vector<Entry> entries;
-  for (const profile::SystemLanes& system : systems) {
-    for (std::size_t k = 0; k < system.lanes.size(); ++k) {
+  for (const profile::SchemeLanes& scheme : schemes) {
+    for (std::size_t k = 0; k < scheme.lanes.size(); ++k) {
       const int precision = first_precision + static_cast<int>(k);
-      if (!shown(precision) || !system.lanes[k]) continue;
-      entries.push_back(entry_of(family, inputs, precision, system, system.lanes[k]));
+      if (!shown(precision) || !scheme.lanes[k]) continue;
+      entries.push_back(entry_of(family, inputs, precision, scheme, scheme.lanes[k]));
     }
   }
   return entries;
 }
 
-/// Of the first system of this kind: the bound that a scene gets by default.
+/// Of the first scheme of this kind: the bound that a scene gets by default.
 const Entry* find(const std::vector<Entry>& entries, const std::string& family, LaneInputs inputs,
-                  int precision, SystemKind kind) {
+                  int precision, SchemeKind kind) {
   const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& candidate) {
     return candidate.family == family && candidate.inputs == inputs &&
            candidate.precision == precision && candidate.kind == kind;
@@ -159,11 +159,11 @@ void print_wrong(const std::vector<Family>& families, const std::vector<Entry>& 
   for (const Family& family : families) {
     fmt::print("| `{}` | {} | {} |", family.name(), family.ties(), family.reference_wrong());
     for (const int precision : shown_precisions) {
-      const auto text = [&](SystemKind kind) {
+      const auto text = [&](SchemeKind kind) {
         return wrong_text(find(entries, family.name(), inputs, precision, kind));
       };
-      fmt::print(" {} / {} / {} |", text(SystemKind::lanes_alone), text(SystemKind::profiled),
-                 text(SystemKind::certified));
+      fmt::print(" {} / {} / {} |", text(SchemeKind::lanes_alone), text(SchemeKind::profiled),
+                 text(SchemeKind::certified));
     }
     fmt::print("\n");
   }
@@ -176,10 +176,10 @@ void print_rates(const std::vector<Family>& families, const std::vector<Entry>& 
   for (const Family& family : families) {
     fmt::print("| `{}` |", family.name());
     for (const int precision : shown_precisions) {
-      const auto text = [&](SystemKind kind) {
+      const auto text = [&](SchemeKind kind) {
         return rate_text(find(entries, family.name(), inputs, precision, kind));
       };
-      fmt::print(" {} / {} |", text(SystemKind::profiled), text(SystemKind::certified));
+      fmt::print(" {} / {} |", text(SchemeKind::profiled), text(SchemeKind::certified));
     }
     fmt::print("\n");
   }
@@ -206,10 +206,10 @@ Result<std::vector<Family>> load_families(scene::Scene scene) {
 
 Result<Done> write_csv(const char* path, const std::vector<Entry>& entries) {
   std::ofstream file(path, std::ios::binary);
-  file << "family,inputs,L,system,comparisons,undecided,wrong\n";
+  file << "family,inputs,L,scheme,comparisons,undecided,wrong\n";
   for (const Entry& entry : entries) {
     file << fmt::format("{},{},{},{},{},{},{}\n", entry.family, to_string(entry.inputs),
-                        entry.precision, entry.system, entry.comparisons, entry.undecided,
+                        entry.precision, entry.scheme, entry.comparisons, entry.undecided,
                         entry.wrong);
   }
   file.flush();
@@ -219,8 +219,8 @@ Result<Done> write_csv(const char* path, const std::vector<Entry>& entries) {
 
 Result<Done> check_certified(const std::vector<Entry>& entries) {
   for (const Entry& entry : entries) {
-    if (entry.kind != SystemKind::certified || entry.wrong == 0) continue;
-    return Error{.message = fmt::format("{} with {} inputs is wrong on {} at L = {}", entry.system,
+    if (entry.kind != SchemeKind::certified || entry.wrong == 0) continue;
+    return Error{.message = fmt::format("{} with {} inputs is wrong on {} at L = {}", entry.scheme,
                                         to_string(entry.inputs), entry.family, entry.precision),
                  .received = fmt::format("{} wrong verdicts", entry.wrong),
                  .accepted = "none of a certified lane"};
@@ -234,10 +234,10 @@ Result<Done> run(const char* scene_path, const char* csv_path) {
   MIXCMP_TRY(families, load_families(scene));
   std::vector<Entry> entries;
   for (const profile::ErrorProfile& measured : errors) {
-    const auto systems = make_systems(scene, measured);
+    const auto schemes = make_schemes(scene, measured);
     for (const Family& family : families) {
       const auto found =
-          entries_of(family, measured.inputs, measured.precisions.front().precision, systems);
+          entries_of(family, measured.inputs, measured.precisions.front().precision, schemes);
       entries.insert(entries.end(), found.begin(), found.end());
     }
     print_wrong(families, entries, measured.inputs);

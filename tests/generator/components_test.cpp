@@ -351,12 +351,12 @@ optimise::Rates rates_of(const std::map<std::string, bool>& halving) {
   constexpr std::uint64_t comparisons = 1 << 20;
   profile::RateProfile rates{.first_precision = 4, .comparisons = comparisons};
   for (const auto& [name, halves] : halving) {
-    profile::SystemProfile system{.name = name, .bound = scene::parse_bound_choice(name).value()};
+    profile::SchemeProfile scheme{.name = name, .bound = scene::parse_bound_choice(name).value()};
     for (int digits = 4; digits <= 16; ++digits) {
-      system.counts.push_back(
+      scheme.counts.push_back(
           {.exists = true, .undecided = halves ? comparisons >> (digits - 4) : comparisons});
     }
-    rates.systems.push_back(std::move(system));
+    rates.schemes.push_back(std::move(scheme));
   }
   return optimise::Rates::of({rates});
 }

@@ -127,7 +127,7 @@ TEST_F(OptimiseCommand, GlpkWouldReadItsProgram) {
 
 TEST_F(OptimiseCommand, RatesMayHaveTheLineEndsOfASpreadsheet) {
   write("rates.csv",
-        "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\r\n"
+        "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\r\n"
         "exact,8,relative,1000,10,0.01,0,0\r\n");
   const Outcome found = mixcmp("optimise scene.toml --last 8 --rates rates.csv --json");
   ASSERT_EQ(found.exit_code, 0) << found.output;
@@ -136,7 +136,7 @@ TEST_F(OptimiseCommand, RatesMayHaveTheLineEndsOfASpreadsheet) {
 
 TEST_F(OptimiseCommand, RatesMayComeFromAProfile) {
   std::ofstream(path("rates.csv"))
-      << "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\n"
+      << "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\n"
       << "exact,12,relative,1000000,100,1e-4,0,0\n";
   const Outcome found = mixcmp("optimise scene.toml --rates rates.csv --json");
   ASSERT_EQ(found.exit_code, 0) << found.output;
@@ -147,7 +147,7 @@ TEST_F(OptimiseCommand, RatesMayComeFromAProfile) {
 
 TEST_F(OptimiseCommand, RatesOfAnotherReferenceAreRefusedAndOfOtherDataTold) {
   const std::string header =
-      "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\n";
+      "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\n";
   const std::string rate = "exact,8,relative,77,10,0.13,0,0\n";
   write("other.csv", header + "exact,24,reference,77,0,0,0,0\n" + rate);
   expect_refused("optimise scene.toml --last 8 --rates other.csv", "a reference of 24 digits");
@@ -542,7 +542,7 @@ TEST_F(OptimiseCommand, ExploreGoesOnWhereItWas) {
   for (const auto& entry : fs::directory_iterator(path("out"))) {
     if (entry.path().filename().string().find("rates-10-") != 0) continue;
     std::ofstream(entry.path())
-        << "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\n"
+        << "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\n"
         << "exact,8,relative,10,4,0.4,0,0\nexact,12,relative,10,4,0.4,0,0\n";
   }
   ASSERT_EQ(mixcmp(command).exit_code, 0);

@@ -41,7 +41,7 @@ protected:
   }
 };
 
-TEST_F(ProfileCommand, CountsEverySystemAtEveryPrecision) {
+TEST_F(ProfileCommand, CountsEverySchemeAtEveryPrecision) {
   const Outcome run = profile("scene.toml --last 20 --json");
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const auto report = nlohmann::json::parse(run.output);
@@ -49,17 +49,17 @@ TEST_F(ProfileCommand, CountsEverySystemAtEveryPrecision) {
   EXPECT_EQ(report.at("relative_errors").size(), 2u);
   const auto& rates = report.at("recomputation_rates");
   ASSERT_EQ(rates.size(), 1u);
-  for (const auto& system : rates[0].at("systems")) {
-    ASSERT_EQ(system.at("precisions").size(), 17u) << system.at("system");
-    const std::uint64_t first = system.at("precisions")[0].at("undecided");
-    const std::uint64_t last = system.at("precisions")[16].at("undecided");
-    if (system.at("system") == "lanes_alone") {
-      EXPECT_GT(system.at("precisions")[0].at("wrong"), 0);
+  for (const auto& scheme : rates[0].at("schemes")) {
+    ASSERT_EQ(scheme.at("precisions").size(), 17u) << scheme.at("scheme");
+    const std::uint64_t first = scheme.at("precisions")[0].at("undecided");
+    const std::uint64_t last = scheme.at("precisions")[16].at("undecided");
+    if (scheme.at("scheme") == "lanes_alone") {
+      EXPECT_GT(scheme.at("precisions")[0].at("wrong"), 0);
     } else {
-      EXPECT_GT(first, last) << system.at("system");
+      EXPECT_GT(first, last) << scheme.at("scheme");
     }
-    if (!system.at("certified")) continue;
-    for (const auto& row : system.at("precisions")) EXPECT_EQ(row.at("wrong"), 0);
+    if (!scheme.at("certified")) continue;
+    for (const auto& row : scheme.at("precisions")) EXPECT_EQ(row.at("wrong"), 0);
   }
 }
 
@@ -68,12 +68,12 @@ TEST_F(ProfileCommand, CountsTheBoundsThatAreAskedFor) {
       profile("scene.toml --last 20 --bounds constant,fixed_norm --json --accept 0");
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const auto report = nlohmann::json::parse(run.output);
-  const auto& systems = report.at("recomputation_rates")[0].at("systems");
-  ASSERT_EQ(systems.size(), 2u);
-  EXPECT_EQ(systems[0].at("system"), "constant");
-  EXPECT_EQ(systems[1].at("system"), "fixed_norm");
+  const auto& schemes = report.at("recomputation_rates")[0].at("schemes");
+  ASSERT_EQ(schemes.size(), 2u);
+  EXPECT_EQ(schemes[0].at("scheme"), "constant");
+  EXPECT_EQ(schemes[1].at("scheme"), "fixed_norm");
   for (const auto& point : report.at("trade")[0].at("points")) {
-    EXPECT_TRUE(point.at("system") == "constant" || point.at("system") == "fixed_norm");
+    EXPECT_TRUE(point.at("scheme") == "constant" || point.at("scheme") == "fixed_norm");
   }
 }
 
@@ -92,15 +92,15 @@ TEST_F(ProfileCommand, WritesFigures) {
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const std::string figure4 = read("out/figure4.csv"), figure5 = read("out/figure5.csv");
   EXPECT_EQ(std::count(figure4.begin(), figure4.end(), '\n'), 1 + 2 * 9);
-  // The reference, and eight systems.
+  // The reference, and eight schemes.
   EXPECT_EQ(std::count(figure5.begin(), figure5.end(), '\n'), 1 + 1 + 8 * 9);
   EXPECT_NE(figure4.find("\nrounded,12,"), std::string::npos);
   EXPECT_NE(figure5.find("\nexact,12,relative,19900,"), std::string::npos);
   EXPECT_FALSE(fs::exists(path("out") / "figure4.gnuplot"));
 }
 
-TEST_F(ProfileCommand, WeighsSystems) {
-  write("areas.csv", "system,precision,luts\nlanes_alone,4,1\n");
+TEST_F(ProfileCommand, WeighsSchemes) {
+  write("areas.csv", "scheme,precision,luts\nlanes_alone,4,1\n");
   const Outcome run =
       profile("scene.toml --last 12 -o out --accept 0 --accept 100000 --areas areas.csv --json");
   ASSERT_EQ(run.exit_code, 0) << run.output;
@@ -181,10 +181,10 @@ TEST_F(ProfileCommand, ResultsThatAreReplacedKeepPermissionsAndLinks) {
 
 TEST_F(ProfileCommand, ResultsReplaceNoInput) {
   fs::create_directory(path("out"));
-  write("out/trade.csv", "system,precision,luts\nreference,0,9000\nrelative,8,500\n");
+  write("out/trade.csv", "scheme,precision,luts\nreference,0,9000\nrelative,8,500\n");
   expect_profile_refused("scene.toml --areas out/trade.csv -o out", "would be written over");
-  EXPECT_EQ(read("out/trade.csv").substr(0, 7), "system,");
-  write("empty.csv", "system,precision,luts\n");
+  EXPECT_EQ(read("out/trade.csv").substr(0, 7), "scheme,");
+  write("empty.csv", "scheme,precision,luts\n");
   expect_profile_refused("scene.toml --areas empty.csv", "the header alone");
 }
 

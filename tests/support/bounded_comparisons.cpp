@@ -80,6 +80,9 @@ std::vector<BoundedComparison> bounded_comparisons() {
           "limited_element", "within(a - b, -1, 1)^2 + b^2", "c^2", {0, 3}, Range{0, 6}, true},
       BoundedComparison{"limited_radius", "a^2", "within(b - c, 0, 2)^2", {0, 3}, {}, true},
       BoundedComparison{"limits_that_always_hold", "within(a, -8, 8) - b", "c", {0, 3}},
+      BoundedComparison{
+          "factor_of_hardly_a_sign", "min(max(a - b, -0x1p-6), 0x1p-6) * c", "b", {-3, 3}},
+      BoundedComparison{"limited_factor", "within(a - b, -0x1p-6, 0x1p-6) * c", "b", {-3, 3}},
       BoundedComparison{"factors_of_few_bits", "(a * b)^2 * a", "(a - b) * (a * b)", {-3, 3}},
       BoundedComparison{"norms", "a^2 + b^2", "(c + 0.7)^2", {-2, 2}, Range{0, 3}, true}};
 }

@@ -448,6 +448,7 @@ module testbench;
       state = DRAINED;
       write_end;
     end
+    if (last_cycle < first_cycle) last_cycle = first_cycle - 1;  // nothing was decided
     $fdisplay(results, "state %0d %0d", state, last_cycle + 1 - first_cycle);
     $fclose(results);
     $finish;

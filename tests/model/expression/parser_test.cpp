@@ -212,7 +212,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"within(a, 1)", 1, "within takes 3 arguments", "2 arguments", "its greatest"},
         Mistake{"within(2, 1, 3)", 8, "a constant needs no limits", "2", "inputs"},
         Mistake{"within(a, 3, 2)", 11, "the limits are empty", "[3, 2]", "not below"},
-        Mistake{"within(a, b, 2)", 11, "unknown index", "b", "constant"},
+        Mistake{"within(a, b, 2)", 11, "unknown constant", "b", "constant"},
         Mistake{"within(a, 0, sqrt(2))", 14, "not a constant", "a square root", "numbers"},
         Mistake{"within(a, 0, 1) - within(a, 2, 3)", 29,
                 "no number is within all limits of this value", "[2, 3]", "not below"},
@@ -246,10 +246,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"sum(k in 0..sqrt(4), x)", 13, "not a constant", "an input or a square root",
                 "an integer"},
         Mistake{"sum(k in 0..10^7, x)", 13, "too large", "10000000", "999999"},
-        Mistake{"sum(k in 0..D, x)", 13, "unknown index", "D", "a let that is a constant"},
-        Mistake{"sum(key in 0..1, p[kye])", 20, "unknown index", "kye", "key (the nearest)"},
-        Mistake{"p[k]", 3, "unknown index", "k", "a reduction around it"},
-        Mistake{"sum(k in 0..1, p[k]) + p[k]", 26, "unknown index", "k", "a reduction around it"},
+        Mistake{"sum(k in 0..D, x)", 13, "unknown constant", "D", "a let that is a constant"},
+        Mistake{"sum(key in 0..1, p[kye])", 20, "unknown constant", "kye", "key (the nearest)"},
+        Mistake{"p[k]", 3, "unknown constant", "k", "a reduction around it"},
+        Mistake{"sum(k in 0..1, p[k]) + p[k]", 26, "unknown constant", "k", "a reduction around it"},
         Mistake{"p[-1]", 3, "a subscript below zero", "-1", "0.."},
         Mistake{"sum(k in 0..3, p[k - 2])", 18, "a subscript below zero, with k = 0", "-2", "0.."},
         Mistake{"sum(k in 0..1, k[0])", 16, "an index takes no subscript", "k[...]", "k"},
@@ -277,7 +277,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"p[1", 4, "the '[' at character 2 of the text is not closed", "the end", "']'"},
         Mistake{"p[(1]", 5, "the '(' at character 3 of the text is not closed", "']'", "')'"},
         Mistake{"p[]", 3, "unexpected character", "']'", "a number, a name"},
-        Mistake{"sqrt[1] + wire[x]", 16, "unknown index", "x", "a reduction"}));
+        Mistake{"sqrt[1] + wire[x]", 16, "unknown constant", "x", "a reduction"}));
 
 TEST(Parser, SubscriptsAreAnotherSpellingOfTheName) {
   Graph graph;
@@ -365,7 +365,7 @@ TEST(Parser, LetsHaveIndicesOfTheirOwn) {
   EXPECT_EQ(value_of("sum(k in 0..1, w[k] * p[k])", point, lets), 130);
   const Error outer = error_of("sum(k in 0..1, d)", {{"d", "p[k]"}});
   EXPECT_EQ(outer.field, "let.d");
-  EXPECT_EQ(outer.message, "unknown index");
+  EXPECT_EQ(outer.message, "unknown constant");
   EXPECT_EQ(outer.column, 3);
   const Error subscripted = error_of("sum(k in 0..1, d[k])", {{"d", "x"}});
   EXPECT_EQ(subscripted.message, "a let takes no subscript");

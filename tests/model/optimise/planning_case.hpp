@@ -76,9 +76,9 @@ protected:
   /// Undecided of a million, by precision, for exact inputs; profiled lanes the same.
   static optimise::Rates rates_of(const std::map<int, std::uint64_t>& undecided) {
     profile::RateProfile profile{.comparisons = 1'000'000};
-    for (const auto& [name, kind] : {std::pair("relative", profile::SystemKind::certified),
-                                     std::pair("profiled", profile::SystemKind::profiled)}) {
-      profile.systems.push_back({.name = name,
+    for (const auto& [name, kind] : {std::pair("relative", profile::SchemeKind::certified),
+                                     std::pair("profiled", profile::SchemeKind::profiled)}) {
+      profile.schemes.push_back({.name = name,
                                  .bound = scene::parse_bound_choice(name).value(),
                                  .kind = kind,
                                  .counts = {},
@@ -86,7 +86,7 @@ protected:
       for (int precision = 4; precision <= 16; ++precision) {
         const auto found = undecided.find(precision);
         const bool exists = found != undecided.end();
-        profile.systems.back().counts.push_back(
+        profile.schemes.back().counts.push_back(
             {.exists = exists, .undecided = exists ? found->second : 0});
       }
     }

@@ -14,7 +14,7 @@ using optimise::RateKey;
 using optimise::Rates;
 
 constexpr const char* header =
-    "inputs,precision,system,comparisons,undecided,rate,wrong,wrong_by_lane\n";
+    "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\n";
 
 class RatesFile : public testing::Test {
 protected:

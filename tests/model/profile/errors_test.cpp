@@ -3,7 +3,7 @@
 #include "model/data/uniform_spheres.hpp"
 #include "model/number/decimal.hpp"
 #include "model/profile/profiled_error.hpp"
-#include "model/profile/systems.hpp"
+#include "model/profile/schemes.hpp"
 #include "tests/model/profile/profile_cases.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -150,9 +150,9 @@ TEST(Errors, OfWhatIsInfiniteAreCountedAndMakeNoConstants) {
       rows_of(scene.graph, wide, {number("1e20"), number("1e10"), number("3e25"), number("1e11")});
   const ErrorProfile none = profile_errors(scene, infinite, {LaneInputs::rounded}, options).front();
   EXPECT_FALSE(none.precisions.front().f || none.precisions.front().g);
-  for (const profile::SystemLanes& system : make_systems(scene, none)) {
-    if (system.kind == profile::SystemKind::certified) continue;
-    EXPECT_EQ(system.exists(), system.kind == profile::SystemKind::lanes_alone) << system.name;
+  for (const profile::SchemeLanes& scheme : make_schemes(scene, none)) {
+    if (scheme.kind == profile::SchemeKind::certified) continue;
+    EXPECT_EQ(scheme.exists(), scheme.kind == profile::SchemeKind::lanes_alone) << scheme.name;
   }
 }
 

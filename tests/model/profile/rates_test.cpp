@@ -12,7 +12,7 @@
 #include "model/number/exact.hpp"
 #include "model/number/verdict.hpp"
 #include "model/profile/rate_worker.hpp"
-#include "model/profile/systems.hpp"
+#include "model/profile/schemes.hpp"
 #include "model/workload/compare_by_reference.hpp"
 #include "tests/model/profile/profile_cases.hpp"
 #include "tests/support/sphere.hpp"
@@ -30,9 +30,9 @@ using golden::true_verdict;
 using profile::ErrorProfile;
 using profile::ProfileOptions;
 using profile::RateProfile;
-using profile::SystemCounts;
-using profile::SystemKind;
-using profile::SystemLanes;
+using profile::SchemeCounts;
+using profile::SchemeKind;
+using profile::SchemeLanes;
 using scene::Scene;
 
 struct Truth {
@@ -60,15 +60,15 @@ golden::LaneResult decision_of_lane(const Lane& lane, const std::vector<Bits>& o
   return std::visit([&](const auto& made) { return evaluate_lane(made, operands); }, lane);
 }
 
-SystemCounts golden_counts(SystemKind kind, const Lane& lane, const Comparisons& data,
+SchemeCounts golden_counts(SchemeKind kind, const Lane& lane, const Comparisons& data,
                            const std::vector<Truth>& truth) {
-  SystemCounts counts{.exists = true};
+  SchemeCounts counts{.exists = true};
   std::vector<Bits> operands(data.input_count());
   for (std::uint64_t index = 0; index < data.size(); ++index) {
     data.fetch(index, operands);
     Verdict verdict = truth[index].reference;
     bool by_lane = true;
-    if (kind == SystemKind::lanes_alone) {
+    if (kind == SchemeKind::lanes_alone) {
       verdict = order_of_parts(lane, operands);
     } else if (const auto result = decision_of_lane(lane, operands); result.decided) {
       verdict = result.verdict;
@@ -79,7 +79,7 @@ SystemCounts golden_counts(SystemKind kind, const Lane& lane, const Comparisons&
     if (verdict == truth[index].real) continue;
     ++counts.wrong;
     counts.wrong_by_lane += by_lane ? 1 : 0;
-    EXPECT_FALSE(by_lane && kind == SystemKind::certified) << "comparison " << index;
+    EXPECT_FALSE(by_lane && kind == SchemeKind::certified) << "comparison " << index;
   }
   return counts;
 }
@@ -90,16 +90,16 @@ void expect_golden(const Scene& scene, const Comparisons& data, const ErrorProfi
   const auto wrong = std::count_if(truth.begin(), truth.end(),
                                    [](const Truth& t) { return t.reference != t.real; });
   EXPECT_EQ(profile.reference_wrong, static_cast<std::uint64_t>(wrong)) << what;
-  const std::vector<SystemLanes> systems = make_systems(scene, errors);
-  ASSERT_EQ(profile.systems.size(), systems.size());
-  for (std::size_t s = 0; s < systems.size(); ++s) {
-    ASSERT_EQ(profile.systems[s].counts.size(), systems[s].lanes.size());
-    for (std::size_t k = 0; k < systems[s].lanes.size(); ++k) {
-      const SystemCounts& got = profile.systems[s].counts[k];
-      const auto& lane = systems[s].lanes[k];
-      const SystemCounts expected =
-          lane ? golden_counts(systems[s].kind, *lane, data, truth) : SystemCounts{};
-      EXPECT_EQ(got, expected) << what << ": " << systems[s].name
+  const std::vector<SchemeLanes> schemes = make_schemes(scene, errors);
+  ASSERT_EQ(profile.schemes.size(), schemes.size());
+  for (std::size_t s = 0; s < schemes.size(); ++s) {
+    ASSERT_EQ(profile.schemes[s].counts.size(), schemes[s].lanes.size());
+    for (std::size_t k = 0; k < schemes[s].lanes.size(); ++k) {
+      const SchemeCounts& got = profile.schemes[s].counts[k];
+      const auto& lane = schemes[s].lanes[k];
+      const SchemeCounts expected =
+          lane ? golden_counts(schemes[s].kind, *lane, data, truth) : SchemeCounts{};
+      EXPECT_EQ(got, expected) << what << ": " << schemes[s].name
                                << " at L = " << errors.precisions[k].precision << ": undecided "
                                << got.undecided << ", expected " << expected.undecided << "; wrong "
                                << got.wrong << ", expected " << expected.wrong;
@@ -188,8 +188,8 @@ TEST(Rates, CallNobodyWrongWhereTheTruthIsUndetermined) {
   EXPECT_EQ(profile.true_verdicts, 10u);
   EXPECT_EQ(profile.undetermined, 10u);
   EXPECT_EQ(profile.reference_wrong, 0u);
-  for (const auto& system : profile.systems) {
-    for (const SystemCounts& counts : system.counts) EXPECT_EQ(counts.wrong, 0u) << system.name;
+  for (const auto& scheme : profile.schemes) {
+    for (const SchemeCounts& counts : scheme.counts) EXPECT_EQ(counts.wrong, 0u) << scheme.name;
   }
   const report::ProfileReport report{
       .scene = "tie", .reference = scene.reference.format, .comparisons = 10, .rates = {profile}};
@@ -253,9 +253,9 @@ TEST(Rates, CountDifferencesThatUnderflow) {
   const Comparisons data = random_rows(scene, Family::lowest, 200, random);
   const RateProfile profile =
       checked_profile(scene, data, LaneInputs::exact, options_of(4, 40), "lowest");
-  const auto running = std::find_if(profile.systems.begin(), profile.systems.end(),
-                                    [](const auto& system) { return system.name == "running_4"; });
-  ASSERT_NE(running, profile.systems.end());
+  const auto running = std::find_if(profile.schemes.begin(), profile.schemes.end(),
+                                    [](const auto& scheme) { return scheme.name == "running_4"; });
+  ASSERT_NE(running, profile.schemes.end());
   EXPECT_GT(running->counts.back().undecided, 10u);
 }
 
@@ -282,11 +282,11 @@ TEST(Rates, OfBlocksThatFillTheQueuesOfAllBandsAreThoseOfOneByOne) {
   options.method = profile::ProfileMethod::brute_force;
   options.threads = 2;
   const RateProfile slow = profile_rates(scene, data, errors, options);
-  for (std::size_t system = 0; system < fast.systems.size(); ++system) {
-    const auto &one = fast.systems[system].counts, &other = slow.systems[system].counts;
+  for (std::size_t scheme = 0; scheme < fast.schemes.size(); ++scheme) {
+    const auto &one = fast.schemes[scheme].counts, &other = slow.schemes[scheme].counts;
     for (std::size_t k = 0; k < one.size(); ++k) {
-      EXPECT_EQ(one[k].undecided, other[k].undecided) << fast.systems[system].name << " " << k;
-      EXPECT_EQ(one[k].wrong, other[k].wrong) << fast.systems[system].name << " " << k;
+      EXPECT_EQ(one[k].undecided, other[k].undecided) << fast.schemes[scheme].name << " " << k;
+      EXPECT_EQ(one[k].wrong, other[k].wrong) << fast.schemes[scheme].name << " " << k;
     }
   }
 }
@@ -300,8 +300,8 @@ TEST(Rates, DoNotDependOnThreadsOrMethod) {
     options.first_precision = 4;
     options.last_precision = 20;
     const RateProfile profile = profile_rates(scene, data, errors, options);
-    std::vector<std::vector<SystemCounts>> all;
-    for (const auto& system : profile.systems) all.push_back(system.counts);
+    std::vector<std::vector<SchemeCounts>> all;
+    for (const auto& scheme : profile.schemes) all.push_back(scheme.counts);
     return all;
   };
   const auto one = counts({.threads = 1});

@@ -5,7 +5,7 @@
 
 #include "generator/report/trade_report.hpp"
 #include "model/error/profiled_lane.hpp"
-#include "model/profile/systems.hpp"
+#include "model/profile/schemes.hpp"
 #include "tests/model/profile/profile_cases.hpp"
 #include "tests/support/scratch_directory.hpp"
 #include "tests/support/sphere.hpp"
@@ -15,8 +15,8 @@ namespace {
 
 using profile::MeasuredAreas;
 using profile::RateProfile;
-using profile::SystemCounts;
-using profile::SystemKind;
+using profile::SchemeCounts;
+using profile::SchemeKind;
 using profile::Trade;
 using profile::TradePoint;
 using scene::Scene;
@@ -28,7 +28,7 @@ Scene sphere_scene() {
   return scene;
 }
 
-/// Of a thousand comparisons: what each system leaves undecided and errs at L = 8, 9, 10.
+/// Of a thousand comparisons: what each scheme leaves undecided and errs at L = 8, 9, 10.
 Trade trade_of(const Scene& scene, const MeasuredAreas& areas) {
   profile::ErrorProfile errors{
       .comparisons = 1000, .precisions = {}, .no_f_bound = {}, .no_g_bound = {}};
@@ -37,22 +37,22 @@ Trade trade_of(const Scene& scene, const MeasuredAreas& areas) {
         {.precision = precision, .f = mpq_class(1, 50), .g = mpq_class(1, 50)});
   }
   RateProfile rates{.first_precision = 8, .comparisons = 1000, .reference_wrong = 3};
-  for (const profile::SystemLanes& system : make_systems(scene, errors)) {
-    const std::uint64_t wrong = system.kind == SystemKind::lanes_alone ? 20
-                                : system.kind == SystemKind::profiled  ? 1
+  for (const profile::SchemeLanes& scheme : make_schemes(scene, errors)) {
+    const std::uint64_t wrong = scheme.kind == SchemeKind::lanes_alone ? 20
+                                : scheme.kind == SchemeKind::profiled  ? 1
                                                                        : 0;
-    const std::uint64_t undecided = system.kind == SystemKind::lanes_alone ? 0 : 100;
-    rates.systems.push_back({.name = system.name, .kind = system.kind, .counts = {}, .reason = ""});
+    const std::uint64_t undecided = scheme.kind == SchemeKind::lanes_alone ? 0 : 100;
+    rates.schemes.push_back({.name = scheme.name, .kind = scheme.kind, .counts = {}, .reason = ""});
     for (const std::uint64_t k : {1u, 2u, 4u}) {
-      rates.systems.back().counts.push_back(SystemCounts{true, undecided / k, wrong / k});
+      rates.schemes.back().counts.push_back(SchemeCounts{true, undecided / k, wrong / k});
     }
   }
   return make_trade(scene, rates, errors, areas);
 }
 
-const TradePoint& point_of(const Trade& trade, const std::string& system, int precision) {
+const TradePoint& point_of(const Trade& trade, const std::string& scheme, int precision) {
   for (const TradePoint& point : trade.points) {
-    if (point.system == system && point.precision == precision) return point;
+    if (point.scheme == scheme && point.precision == precision) return point;
   }
   throw std::runtime_error("no such point");
 }
@@ -68,7 +68,7 @@ protected:
 };
 
 TEST_F(Areas, ReplaceTheModels) {
-  const auto areas = read("system,precision,luts\nreference,53,8000\nrelative,9,1000\r\n").value();
+  const auto areas = read("scheme,precision,luts\nreference,53,8000\nrelative,9,1000\r\n").value();
   const Trade trade = trade_of(sphere_scene(), areas);
   const TradePoint measured = point_of(trade, "relative", 9);
   EXPECT_TRUE(measured.measured && trade.reference_measured);
@@ -92,7 +92,7 @@ TEST_F(Areas, NameWhatIsWrong) {
   const auto message = [&](const std::string& text) { return read(text).error().to_string(); };
   EXPECT_NE(message("").find("areas.csv"), std::string::npos);
   EXPECT_NE(message("a,b\n").find("areas.csv:1: header"), std::string::npos);
-  const std::string header = "system,precision,luts\n";
+  const std::string header = "scheme,precision,luts\n";
   EXPECT_NE(message(header + "relative,9\n").find("areas.csv:2"), std::string::npos);
   EXPECT_NE(
       message(header + "relative,nine,1\n").find("precision: is not usable: received \"nine\""),
@@ -108,30 +108,30 @@ TEST(TradeAdvice, IsTheCheapestThatQualifies) {
   const auto expect_cheapest = [&](double accepted, auto qualifies) {
     const TradePoint* best = cheapest(trade, accepted);
     ASSERT_NE(best, nullptr);
-    EXPECT_TRUE(qualifies(*best)) << best->system;
+    EXPECT_TRUE(qualifies(*best)) << best->scheme;
     for (const TradePoint& point : trade.points) {
       if (!qualifies(point)) continue;
-      EXPECT_LE(point.per_kiloluts, best->per_kiloluts) << point.system;
+      EXPECT_LE(point.per_kiloluts, best->per_kiloluts) << point.scheme;
     }
   };
-  expect_cheapest(0, [](const TradePoint& p) { return p.kind == SystemKind::certified; });
+  expect_cheapest(0, [](const TradePoint& p) { return p.kind == SchemeKind::certified; });
   expect_cheapest(500, [](const TradePoint& p) { return p.wrong_per_million <= 500; });
   expect_cheapest(1e6, [](const TradePoint&) { return true; });
-  EXPECT_EQ(cheapest(trade, 1e6)->system, "lanes_alone");
+  EXPECT_EQ(cheapest(trade, 1e6)->scheme, "lanes_alone");
   EXPECT_EQ(point_of(trade, "lanes_alone", 8).wrong_per_million, 20000);
 }
 
 TEST(TradeAdvice, SaysWhereNothingQualifies) {
   Trade trade;
-  trade.points = {{.system = "relative", .kind = SystemKind::certified, .wrong_per_million = 1}};
+  trade.points = {{.scheme = "relative", .kind = SchemeKind::certified, .wrong_per_million = 1}};
   EXPECT_EQ(cheapest(trade, 0), nullptr) << "the reference errs on what it recomputes";
-  EXPECT_NE(report::advice(trade, 0).find("no system"), std::string::npos);
+  EXPECT_NE(report::advice(trade, 0).find("no scheme"), std::string::npos);
   EXPECT_NE(cheapest(trade, 2), nullptr);
 }
 
 TEST(TradeAdvice, TakesAnUndeterminedTruthForAWrongVerdict) {
   Trade trade;
-  trade.points = {{.system = "relative", .kind = SystemKind::certified, .per_kiloluts = 1}};
+  trade.points = {{.scheme = "relative", .kind = SchemeKind::certified, .per_kiloluts = 1}};
   EXPECT_NE(cheapest(trade, 0), nullptr);
   trade.undetermined_per_million = 4;
   EXPECT_EQ(cheapest(trade, 0), nullptr);

@@ -11,10 +11,10 @@
 namespace mixcmp::profile {
 
 /// The lanes with one kind of error bound, at every precision where they exist.
-struct SystemLanes {
+struct SchemeLanes {
   std::string name;
   std::optional<scene::BoundChoice> bound;  ///< none: lanes alone
-  SystemKind kind;
+  SchemeKind kind;
   std::vector<std::optional<design::Lane>> lanes;  ///< one per precision
   std::string reason;                              ///< why there is no lane at some precision
 
@@ -28,10 +28,10 @@ int profiled_exponent_bits(const scene::Scene& scene);
 /// The lane's graph at one precision, with `profiled_exponent_bits`.
 TypedGraph graph_at(const scene::Scene& scene, int precision, LaneInputs inputs);
 
-/// Makes the systems to be profiled: lanes alone, lanes profiled with the constants of `errors`,
+/// Makes the schemes to be profiled: lanes alone, lanes profiled with the constants of `errors`,
 /// and every certified candidate, in floating point and in fixed point. The precision of a lane in
 /// fixed point is its W. If `bounds` names any, these alone.
-std::vector<SystemLanes> make_systems(const scene::Scene& scene, const ErrorProfile& errors,
+std::vector<SchemeLanes> make_schemes(const scene::Scene& scene, const ErrorProfile& errors,
                                       std::span<const scene::BoundChoice> bounds = {});
 
 }  // namespace mixcmp::profile

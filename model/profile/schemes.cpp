@@ -1,4 +1,4 @@
-#include "model/profile/systems.hpp"
+#include "model/profile/schemes.hpp"
 
 #include <fmt/core.h>
 
@@ -12,24 +12,24 @@
 namespace mixcmp::profile {
 namespace {
 
-SystemLanes& system_with(std::vector<SystemLanes>& systems,
-                         const std::optional<scene::BoundChoice>& bound, SystemKind kind) {
-  const auto found = std::find_if(systems.begin(), systems.end(),
-                                  [&](const SystemLanes& system) { return system.bound == bound; });
-  if (found != systems.end()) return *found;
+SchemeLanes& scheme_with(std::vector<SchemeLanes>& schemes,
+                         const std::optional<scene::BoundChoice>& bound, SchemeKind kind) {
+  const auto found = std::find_if(schemes.begin(), schemes.end(),
+                                  [&](const SchemeLanes& scheme) { return scheme.bound == bound; });
+  if (found != schemes.end()) return *found;
   const std::string name = bound ? to_string(*bound) : "lanes_alone";
-  return systems.emplace_back(SystemLanes{name, bound, kind, {}, ""});
+  return schemes.emplace_back(SchemeLanes{name, bound, kind, {}, ""});
 }
 
 /// `bound`: none for lanes alone.
-void add(std::vector<SystemLanes>& systems, const std::optional<scene::BoundChoice>& bound,
-         SystemKind kind, Result<design::Lane> lane) {
-  SystemLanes& system = system_with(systems, bound, kind);
+void add(std::vector<SchemeLanes>& schemes, const std::optional<scene::BoundChoice>& bound,
+         SchemeKind kind, Result<design::Lane> lane) {
+  SchemeLanes& scheme = scheme_with(schemes, bound, kind);
   if (lane.ok()) {
-    system.lanes.emplace_back(std::move(lane).value());
+    scheme.lanes.emplace_back(std::move(lane).value());
   } else {
-    system.lanes.emplace_back(std::nullopt);
-    system.reason = lane.error().message;
+    scheme.lanes.emplace_back(std::nullopt);
+    scheme.reason = lane.error().message;
   }
 }
 
@@ -40,7 +40,7 @@ error::Lane lanes_alone(const TypedGraph& graph) {
 
 }  // namespace
 
-bool SystemLanes::exists() const {
+bool SchemeLanes::exists() const {
   return std::any_of(lanes.begin(), lanes.end(), [](const auto& lane) { return lane.has_value(); });
 }
 
@@ -62,42 +62,42 @@ Result<design::Lane> profiled_at(const TypedGraph& graph, const ErrorAtPrecision
   return Error{.message = "no comparison has a relative error of f and of g"};
 }
 
-void add_fixed_lanes(const scene::Scene& scene, int bits, std::vector<SystemLanes>& systems) {
+void add_fixed_lanes(const scene::Scene& scene, int bits, std::vector<SchemeLanes>& schemes) {
   for (const scene::BoundChoice::Kind kind :
        {scene::BoundChoice::Kind::fixed_norm, scene::BoundChoice::Kind::fixed_constant}) {
     const scene::BoundChoice choice{kind};
     scene::ReducedSpec reduced = with_bound(scene.reduced, choice);
     reduced.fixed_bits = bits;
-    SystemLanes& system = system_with(systems, choice, SystemKind::certified);
+    SchemeLanes& scheme = scheme_with(schemes, choice, SchemeKind::certified);
     if (settings::lane_fixed_bits(scene.reference.format).allow(bits)) {
-      add(systems, choice, SystemKind::certified, design::design_lane(scene, reduced, nullptr));
+      add(schemes, choice, SchemeKind::certified, design::design_lane(scene, reduced, nullptr));
     } else {
-      system.lanes.emplace_back(std::nullopt);
+      scheme.lanes.emplace_back(std::nullopt);
     }
   }
 }
 
 }  // namespace
 
-std::vector<SystemLanes> make_systems(const scene::Scene& scene, const ErrorProfile& errors,
+std::vector<SchemeLanes> make_schemes(const scene::Scene& scene, const ErrorProfile& errors,
                                       std::span<const scene::BoundChoice> bounds) {
-  std::vector<SystemLanes> systems;
+  std::vector<SchemeLanes> schemes;
   for (const ErrorAtPrecision& error : errors.precisions) {
     const TypedGraph graph = graph_at(scene, error.precision, errors.inputs);
-    add(systems, std::nullopt, SystemKind::lanes_alone, design::Lane(lanes_alone(graph)));
-    add(systems, scene::BoundChoice{scene::BoundChoice::Kind::profiled}, SystemKind::profiled,
+    add(schemes, std::nullopt, SchemeKind::lanes_alone, design::Lane(lanes_alone(graph)));
+    add(schemes, scene::BoundChoice{scene::BoundChoice::Kind::profiled}, SchemeKind::profiled,
         profiled_at(graph, error));
     for (error::CandidateLane& candidate : error::candidate_lanes(graph, scene.ranges)) {
-      add(systems, scene::bound_choice(candidate), SystemKind::certified,
+      add(schemes, scene::bound_choice(candidate), SchemeKind::certified,
           design::as_lane(std::move(candidate.lane)));
     }
-    add_fixed_lanes(scene, error.precision, systems);
+    add_fixed_lanes(scene, error.precision, schemes);
   }
-  const auto is_unwanted = [&](const SystemLanes& system) {
-    return std::find(bounds.begin(), bounds.end(), system.bound) == bounds.end();
+  const auto is_unwanted = [&](const SchemeLanes& scheme) {
+    return std::find(bounds.begin(), bounds.end(), scheme.bound) == bounds.end();
   };
-  if (!bounds.empty()) std::erase_if(systems, is_unwanted);
-  return systems;
+  if (!bounds.empty()) std::erase_if(schemes, is_unwanted);
+  return schemes;
 }
 
 }  // namespace mixcmp::profile
