@@ -131,7 +131,7 @@ Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers
 Unit limit_unit(const FixedLane& lane, const FixedNode& limit, const DelayTable& delays) {
   StageList stages(delays);
   const int compared = operand_bits(lane.nodes, limit, 0);
-  stages.add("compare", stages.lut_delay_ns(reduction_levels(compared)));
+  stages.add("compare", stages.carry(compared) + stages.lut_delay_ns(1));
   return std::move(stages).unit("fixed_range_check");
 }
 

@@ -97,13 +97,13 @@ void FixedNodes::build_conversion(NodeId id) {
   } else {
     const std::string& name = std::get<Net>(value->node).name;
     datapath_.add(Wire{node.format.width, names_[id], slice(name, high, low)});
-    if (low > 0) drop(name, low);
+    if (low > 0) consume_low_bits(name, low);
   }
   if (fixed::is_limit(node)) build_check(id);
 }
 
 /// Reads the `count` low bits of a net that may have no other reader.
-void FixedNodes::drop(const std::string& name, int count) {
+void FixedNodes::consume_low_bits(const std::string& name, int count) {
   datapath_.add(Wire{1, datapath_.pool().unique("unused_" + name),
                      all_bits(concatenation({literal(1, 0), slice(name, count - 1, 0)}))});
 }

@@ -34,7 +34,7 @@ private:
   void build_operand(NodeId id);
   void build_constant(NodeId id);
   void build_conversion(NodeId id);
-  void drop(const std::string& name, int count);
+  void consume_low_bits(const std::string& name, int count);
   void build_check(NodeId id);
   void build_unit(NodeId id);
   Operand operand(NodeId node, int shift, int cycle);

@@ -55,14 +55,19 @@ std::string role(Operation operation) {
   MIXCMP_CHECK(false);
 }
 
-std::string spelled_or_role(Operation operation, const std::string& a, const std::string& b) {
-  std::string name = spelled(operation, a, b);
-  return name.size() > longest_spelled_name ? role(operation) : name;
+std::string unless_too_long(std::string spelled_name, std::string role) {
+  return spelled_name.size() > longest_spelled_name ? std::move(role) : std::move(spelled_name);
 }
 
-std::string conversion_name(const std::string& converted, const std::string& what) {
-  const std::string name = converted + "_" + what;
-  return name.size() > longest_spelled_name ? what : name;
+std::string spelled_or_role(Operation operation, const std::string& a, const std::string& b) {
+  return unless_too_long(spelled(operation, a, b), role(operation));
+}
+
+std::string spelled_or_role(const fixed::FixedNode& node, const std::string& a,
+                            const std::string& b) {
+  if (node.operation != Operation::convert) return spelled_or_role(node.operation, a, b);
+  const std::string role = fixed::is_limit(node) ? "limited" : "cut";
+  return unless_too_long(a + "_" + role, role);
 }
 
 std::string bound_role(BoundOperation operation, const std::string& value) {
@@ -146,9 +151,7 @@ std::vector<std::string> name_nodes(const fixed::FixedLane& lane,
     const int count = arity(node.operation);
     const std::string a = count > 0 ? spellings[node.operands[0]] : "";
     const std::string b = count > 1 ? spellings[node.operands[1]] : "";
-    std::string wanted = node.operation == Operation::convert
-                             ? conversion_name(a, fixed::is_limit(node) ? "limited" : "cut")
-                             : spelled_or_role(node.operation, a, b);
+    std::string wanted = spelled_or_role(node, a, b);
     for (std::size_t part = lane.parts.size(); part-- > 0;) {
       if (id != lane.parts[part].difference) continue;
       wanted = "difference" + part_suffix(part, lane.parts.size());

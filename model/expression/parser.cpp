@@ -329,7 +329,8 @@ mpq_class GraphBuilder::limit(const Syntax& syntax) {
   const Value value = value_of(syntax);
   constants_only_ = outer;
   if (!value.constant) {
-    fail(syntax.column, "not a constant", "a square root", "a number, or numbers and + - * / ^");
+    fail(syntax.column, "not a constant", "an input or a square root",
+         "a number, or numbers and + - * / ^");
   }
   return *value.constant;
 }

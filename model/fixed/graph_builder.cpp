@@ -120,7 +120,7 @@ Result<FixedNode> FixedGraphBuilder::make(NodeId id) {
   return operation(node.operation, factor(first), factor(second));
 }
 
-/// What the lane checks is the number computed.
+/// A lane checks limits on the number that it computes, errors included.
 Result<NodeId> FixedGraphBuilder::limited(NodeId id, const Range& limits) {
   const NodeId unlimited = known_[id];
   const FixedNode& whole = nodes_[unlimited];

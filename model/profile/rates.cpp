@@ -31,7 +31,7 @@ std::vector<NodeMagnitude> input_magnitudes(const data::OperandSource& source) {
   return magnitudes;
 }
 
-/// What the lanes of one scheme take.
+/// The operands that the lanes of one scheme take.
 struct TakenOperands {
   std::vector<error::RangeCheck> checks;
   const fixed::FixedLane* fixed_lane = nullptr;

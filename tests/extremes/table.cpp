@@ -119,7 +119,7 @@ std::vector<Entry> entries_of(const Family& family, LaneInputs inputs, int first
   return entries;
 }
 
-/// Of the first scheme of this kind: the bound that a scene gets by default.
+/// The entry of the first scheme of this kind, whose bound a scene gets by default; or null.
 const Entry* find(const std::vector<Entry>& entries, const std::string& family, LaneInputs inputs,
                   int precision, SchemeKind kind) {
   const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& candidate) {

@@ -24,8 +24,26 @@ void PrintTo(const BoundedComparison& comparison, std::ostream* stream) {
   *stream << comparison.f << " against " << comparison.g;
 }
 
+namespace {
+
+std::vector<BoundedComparison> comparisons_with_limits_and_cuts() {
+  return {BoundedComparison{"limited_difference", "within(a - b, -1, 1)", "c", {-3, 3}},
+          BoundedComparison{"limited_from_below", "within(a^2, 0.5, 4)", "b", {-3, 3}},
+          BoundedComparison{"limited_input", "within(a, 1, 2) * b", "c", {0, 3}},
+          BoundedComparison{
+              "limited_element", "within(a - b, -1, 1)^2 + b^2", "c^2", {0, 3}, Range{0, 6}, true},
+          BoundedComparison{"limited_radius", "a^2", "within(b - c, 0, 2)^2", {0, 3}, {}, true},
+          BoundedComparison{"limits_that_always_hold", "within(a, -8, 8) - b", "c", {0, 3}},
+          BoundedComparison{
+              "factor_of_hardly_a_sign", "min(max(a - b, -0x1p-6), 0x1p-6) * c", "b", {-3, 3}},
+          BoundedComparison{"limited_factor", "within(a - b, -0x1p-6, 0x1p-6) * c", "b", {-3, 3}},
+          BoundedComparison{"factors_of_few_bits", "(a * b)^2 * a", "(a - b) * (a * b)", {-3, 3}}};
+}
+
+}  // namespace
+
 std::vector<BoundedComparison> bounded_comparisons() {
-  return {
+  std::vector<BoundedComparison> all = {
       BoundedComparison{"inputs", "a", "b", {0, 4}},
       BoundedComparison{"signed_inputs", "a", "b", {-3, 4}},
       BoundedComparison{"constant", "a", "0.3", {0, 1}},
@@ -73,18 +91,11 @@ std::vector<BoundedComparison> bounded_comparisons() {
       BoundedComparison{"root_of_a_product", "sqrt(a * b)", "c", {0, 3}},
       BoundedComparison{"distance_as_a_root", "sqrt(a^2 + b^2)", "c", {-2, 2}, Range{0, 3}},
       BoundedComparison{"roots", "sqrt(a^2 + b^2) - sqrt(abs(c))", "sqrt(max(b, c^2))", {-2, 2}},
-      BoundedComparison{"limited_difference", "within(a - b, -1, 1)", "c", {-3, 3}},
-      BoundedComparison{"limited_from_below", "within(a^2, 0.5, 4)", "b", {-3, 3}},
-      BoundedComparison{"limited_input", "within(a, 1, 2) * b", "c", {0, 3}},
-      BoundedComparison{
-          "limited_element", "within(a - b, -1, 1)^2 + b^2", "c^2", {0, 3}, Range{0, 6}, true},
-      BoundedComparison{"limited_radius", "a^2", "within(b - c, 0, 2)^2", {0, 3}, {}, true},
-      BoundedComparison{"limits_that_always_hold", "within(a, -8, 8) - b", "c", {0, 3}},
-      BoundedComparison{
-          "factor_of_hardly_a_sign", "min(max(a - b, -0x1p-6), 0x1p-6) * c", "b", {-3, 3}},
-      BoundedComparison{"limited_factor", "within(a - b, -0x1p-6, 0x1p-6) * c", "b", {-3, 3}},
-      BoundedComparison{"factors_of_few_bits", "(a * b)^2 * a", "(a - b) * (a * b)", {-3, 3}},
       BoundedComparison{"norms", "a^2 + b^2", "(c + 0.7)^2", {-2, 2}, Range{0, 3}, true}};
+  for (BoundedComparison& further : comparisons_with_limits_and_cuts()) {
+    all.push_back(std::move(further));
+  }
+  return all;
 }
 
 std::vector<NamedFixedLane> fixed_lanes(const BoundedComparison& comparison, FloatFormat format,

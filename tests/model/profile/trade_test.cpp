@@ -28,7 +28,7 @@ Scene sphere_scene() {
   return scene;
 }
 
-/// Of a thousand comparisons: what each scheme leaves undecided and errs at L = 8, 9, 10.
+/// The comparisons of a thousand that each scheme leaves undecided, and errs on, at L = 8, 9, 10.
 Trade trade_of(const Scene& scene, const MeasuredAreas& areas) {
   profile::ErrorProfile errors{
       .comparisons = 1000, .precisions = {}, .no_f_bound = {}, .no_g_bound = {}};
