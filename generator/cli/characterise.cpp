@@ -261,7 +261,7 @@ std::string kinds_of(const std::set<characterise::ComponentKey>& lanes) {
   std::map<std::string, std::set<int>> formats;
   for (const characterise::ComponentKey& lane : lanes) {
     const std::string kind = scene::to_string(lane.bound) + (lane.inputs.empty() ? "" : " ");
-    formats[kind + lane.inputs].insert(LaneFormat::parse(lane.format).value().precision);
+    formats[kind + lane.inputs].insert(LaneFormat::parse(lane.format).value().precision());
   }
   std::vector<std::string> kinds;
   for (const auto& [kind, precisions] : formats) {

@@ -9,7 +9,9 @@ namespace mixcmp::cli {
 struct CharacteriseCommand {
   SceneOptions scene;
   std::string precisions;  ///< empty: all that the scene can have
-  std::string bounds = "relative,running_4,running_1,constant,profiled,fixed_norm,fixed_constant";
+  std::string bounds =
+      "relative,running_4,running_1,constant,profiled,fixed_norm,fixed_constant,block_norm,"
+      "block_constant";
   std::string inputs = "both";
   std::string multipliers = "both";
   std::string components = "lane,reference,fifo,crossbar";

@@ -55,7 +55,7 @@ Result<std::optional<Area>> area_of_all_built(const Scene& scene, const ReducedS
 /// Tells whether `generate` takes the bound of `tried`, whose lane has this decision.
 bool is_chosen(const LoadedScene& loaded, const ReducedSpec& tried, const std::string& decision) {
   const ReducedSpec& reduced = loaded.scene.reduced;
-  if (reduced.bound != tried.bound || reduced.fixed_bits != tried.fixed_bits) return false;
+  if (reduced.bound != tried.bound || reduced.fixed_point != tried.fixed_point) return false;
   if (reduced.bound == scene::BoundKind::profiled) return true;
   const auto taken = design::design_lane(loaded.scene, reduced, nullptr);
   return taken.ok() && design::describe_criterion(*taken) == decision;
@@ -96,9 +96,9 @@ BoundCost cost_of(const LoadedScene& loaded, const ReducedSpec& compared,
 /// The scene's lane; of one in fixed point that in floating point with as many digits.
 Result<ReducedSpec> lane_in_floating_point(const Scene& scene) {
   ReducedSpec reduced = scene.reduced;
-  if (reduced.fixed_bits) {
-    MIXCMP_TRY(format,
-               FloatFormat::make(*reduced.fixed_bits, profile::profiled_exponent_bits(scene)));
+  if (reduced.fixed_point) {
+    MIXCMP_TRY(format, FloatFormat::make(reduced.fixed_point->bits,
+                                         profile::profiled_exponent_bits(scene)));
     reduced.format = format;
   }
   if (reduced.format) return reduced;

@@ -23,7 +23,7 @@ constexpr double quick_seconds = 5;
 /// The scene with one kind of lane, that of [reduced], in the given precision.
 Result<scene::Scene> with_precision(const scene::Scene& scene, int precision) {
   scene::Scene one_kind = scene.with_one_kind();
-  if (scene.reduced.fixed_bits) {
+  if (scene.reduced.fixed_point) {
     const settings::Limits limits = settings::lane_fixed_bits(scene.reference.format);
     if (!limits.allow(precision)) {
       return Error{.field = "--precisions",
@@ -31,7 +31,7 @@ Result<scene::Scene> with_precision(const scene::Scene& scene, int precision) {
                    .received = std::to_string(precision),
                    .accepted = to_string(limits)};
     }
-    one_kind.reduced.fixed_bits = precision;
+    one_kind.reduced.fixed_point->bits = precision;
     return one_kind;
   }
   const FloatFormat& known = scene.reduced.format.value_or(scene.reference.format);

@@ -38,7 +38,7 @@ void add_fixed_lanes(std::vector<ComponentKey>& keys, const Scene& scene,
     for (const Multipliers multipliers : query.multipliers) {
       keys.push_back({.kind = ComponentKind::lane,
                       .name = {},
-                      .format = fmt::format("q{}", bits),
+                      .format = FixedPoint{bits, bound.is_block()}.name(),
                       .inputs = {},
                       .bound = bound,
                       .multipliers = std::string(to_string(multipliers))});

@@ -137,7 +137,7 @@ Result<design::Lane> ComponentMaker::lane(const ComponentKey& key) {
   MIXCMP_TRY(multipliers, multipliers_of(key));
   scene::ReducedSpec reduced = scene::with_bound(scene_.reduced, bound);
   reduced.format = format.floating;
-  reduced.fixed_bits = format.floating ? std::nullopt : std::optional(format.precision);
+  reduced.fixed_point = format.fixed_point;
   if (format.floating) {
     MIXCMP_TRY(inputs, choice(key.inputs, {LaneInputs::rounded, LaneInputs::exact}));
     reduced.inputs = inputs;

@@ -105,7 +105,7 @@ private:
   /// A lane that does not exist is no candidate; the measurement tells why there is none.
   Result<Done> weigh(const ComponentKey& key) {
     MIXCMP_TRY(format, LaneFormat::parse(key.format));
-    const std::optional<double> rate = rate_of(key, format.precision);
+    const std::optional<double> rate = rate_of(key, format.precision());
     if (!rate) return Done{};
     const Result<design::Lane> lane = maker_.lane(key);
     if (!lane.ok()) return Done{};
@@ -119,7 +119,7 @@ private:
     const devices::Area all = area + rough_streams(maker_.scene(), slots);
     const double share = optimise::device_share(all, device_.available) + *rate * reference_share_;
     candidates_[{*key.bound, key.inputs}].push_back(
-        {key, format.precision, share, seconds_for(area)});
+        {key, format.precision(), share, seconds_for(area)});
     ++result_.candidates;
     return Done{};
   }

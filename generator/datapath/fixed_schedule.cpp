@@ -26,6 +26,9 @@ public:
       : lane_(lane), multipliers_(multipliers), placer_(delays, target_mhz) {}
 
   Schedule run() {
+    if (lane_.format.is_block) {
+      schedule_.largest_exponent = placer_.place(block_exponent_unit(lane_, placer_.delays()), 0);
+    }
     for (const FixedNode& node : lane_.nodes) place_node(node);
     for (const fixed::FixedPart& part : lane_.parts) {
       int start = ready_cycle(schedule_.steps, decided_from(part));
@@ -42,7 +45,9 @@ public:
 private:
   void place_node(const FixedNode& node) {
     if (node.operation == Operation::constant) return schedule_.steps.push_back({});
-    const int start = ready_cycle(schedule_.steps, operands_of(node));
+    const int start = node.operation == Operation::input
+                          ? schedule_.largest_exponent.ready_cycle
+                          : ready_cycle(schedule_.steps, operands_of(node));
     if (node.operation == Operation::convert) {  // wires
       schedule_.steps.push_back(
           {.unit = {}, .cuts = {}, .start_cycle = start, .ready_cycle = start});

@@ -1,5 +1,7 @@
 #include "generator/datapath/fixed_units.hpp"
 
+#include <algorithm>
+
 #include "generator/datapath/stage_list.hpp"
 #include "model/common/check.hpp"
 #include "model/number/dyadic.hpp"
@@ -19,11 +21,13 @@ int signed_bits(const FixedFormat& format) {
   return format.width + (format.is_signed ? 0 : 1);
 }
 
-Unit operand_unit(FloatFormat from, const FixedFormat& to, const DelayTable& delays) {
+/// Aligns an operand to its range or, in block floating point, to the largest operand.
+Unit operand_unit(const FixedLane& lane, const FixedFormat& to, const DelayTable& delays) {
+  const FloatFormat from = lane.input_format;
   StageList stages(delays);
   stages.add("distance", stages.carry(from.exponent_bits()) + stages.lut_delay_ns(1));
   stages.add("shift", stages.lut_delay_ns(1 + shift_levels(bits_for(to.width - 1))));
-  return std::move(stages).unit("fixed_operand");
+  return std::move(stages).unit(lane.format.is_block ? "fixed_alignment" : "fixed_operand");
 }
 
 /// `b_bits`: of the factor that may exceed a multiplier by some rows.
@@ -105,7 +109,7 @@ Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers
   const bool of_logic = multipliers == scene::Multipliers::logic;
   const auto bits = [&](int operand) { return operand_bits(lane.nodes, node, operand); };
   switch (node.operation) {
-    case Operation::input: return operand_unit(lane.input_format, node.format, delays);
+    case Operation::input: return operand_unit(lane, node.format, delays);
     case Operation::negate: return chain_unit("fixed_sum", "add", bits(0) + 1, delays);
     case Operation::add:
     case Operation::subtract:
@@ -126,6 +130,23 @@ Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers
     case Operation::divide: break;
   }
   MIXCMP_CHECK(!"an operation that fixed point has no unit for");
+}
+
+Unit block_exponent_unit(const FixedLane& lane, const DelayTable& delays) {
+  const int bits = lane.input_format.exponent_bits();
+  const int levels = std::max(1, bits_for(operand_count(lane) - 1));
+  StageList stages(delays);
+  for (int level = 0; level < levels; ++level) {
+    const int choose = level + 1 < levels ? 1 : 1 + reduction_levels(bits);
+    stages.add("level " + std::to_string(level), stages.carry(bits) + stages.lut_delay_ns(choose));
+  }
+  return std::move(stages).unit("block_exponent");
+}
+
+int operand_count(const FixedLane& lane) {
+  return static_cast<int>(
+      std::count_if(lane.nodes.begin(), lane.nodes.end(),
+                    [](const FixedNode& node) { return node.operation == Operation::input; }));
 }
 
 Unit limit_unit(const FixedLane& lane, const FixedNode& limit, const DelayTable& delays) {

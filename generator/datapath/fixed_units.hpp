@@ -7,8 +7,8 @@
 
 namespace mixcmp::datapath {
 
-/// The bits by which an operand of `node` is shifted up, to the unit in which the operation counts:
-/// 0 but for what aligns its operands.
+/// The bits by which an operand of `node` is shifted up, to the unit in which the operation counts.
+/// Only additions, subtractions, minima and maxima align their operands; for others it is 0.
 int alignment_bits(const std::vector<fixed::FixedNode>& nodes, const fixed::FixedNode& node,
                    int operand);
 /// The bits of an operand of `node` as its unit takes it: aligned, in two's complement.
@@ -18,6 +18,10 @@ int operand_bits(const std::vector<fixed::FixedNode>& nodes, const fixed::FixedN
 /// The unit that computes `node` of a lane (not for a constant: that is a literal).
 Unit fixed_unit(const fixed::FixedLane& lane, const fixed::FixedNode& node,
                 scene::Multipliers multipliers, const DelayTable& delays);
+/// The number of operands that a lane reads.
+int operand_count(const fixed::FixedLane& lane);
+/// The unit that finds the largest exponent of the operands of block floating point.
+Unit block_exponent_unit(const fixed::FixedLane& lane, const DelayTable& delays);
 /// The unit that finds the numbers which a limit leaves undecided.
 Unit limit_unit(const fixed::FixedLane& lane, const fixed::FixedNode& limit,
                 const DelayTable& delays);

@@ -28,6 +28,8 @@ struct PartSchedule {
 /// When each node of a graph is computed. All paths are balanced: an operand is delayed by
 /// start_cycle of the operation that reads it, less its own ready_cycle.
 struct Schedule {
+  /// In block floating point: finds the largest exponent of the operands. No unit elsewhere.
+  Step largest_exponent;
   std::vector<Step> steps;  ///< one per node of the graph that all parts share
   /// One per range check of a lane in floating point, where a check of a sign alone is wires; one
   /// per limit of a lane in fixed point.

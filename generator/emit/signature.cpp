@@ -83,10 +83,10 @@ public:
     return low;
   }
 
-  /// "s17e8" or "q13".
+  /// "s17e8", "q13" or "block13".
   std::string lane_format(const char* field) {
     std::string name = text(field);
-    if (!LaneFormat::parse(name).ok()) refuse(field, "a format: \"s17e8\", \"q13\"");
+    if (!LaneFormat::parse(name).ok()) refuse(field, "a format: \"s17e8\", \"q13\", \"block13\"");
     return name;
   }
   FloatFormat format(const char* field) {

@@ -77,9 +77,11 @@ std::string answer(const RangeQuestion& finding, bool with_operations) {
 }
 
 void print_reduced(Page& page, const std::string& name, const ReducedSpec& reduced) {
-  if (reduced.fixed_bits) {
-    page.line(name, fmt::format("{}, fixed point, multipliers {}", reduced.format_name(),
-                                to_string(reduced.multipliers)));
+  if (reduced.fixed_point) {
+    page.line(name,
+              fmt::format("{}, {}, multipliers {}", reduced.format_name(),
+                          reduced.fixed_point->is_block ? "block floating point" : "fixed point",
+                          to_string(reduced.multipliers)));
     return page.line("error bound", std::string(scene::to_string(reduced.error_bound)));
   }
   page.line(name, fmt::format("{}, {}, {}, inputs {}, bound {}, multipliers {}",

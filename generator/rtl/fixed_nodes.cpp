@@ -22,12 +22,15 @@ FixedNodes::FixedNodes(DatapathBuilder& datapath, const fixed::FixedLane& lane,
       names_(name_nodes(lane, datapath.ports(), datapath.pool())) {}
 
 void FixedNodes::build() {
+  if (lane_.format.is_block) build_largest_exponent();
   for (NodeId id = 0; id < static_cast<NodeId>(lane_.nodes.size()); ++id) {
     const FixedNode& node = lane_.nodes[id];
     values_.push_back(
         {net(names_[id]), names_[id], node.format.width, schedule_.steps[id].ready_cycle});
     switch (node.operation) {
-      case Operation::input: build_operand(id); break;
+      case Operation::input:
+        lane_.format.is_block ? build_aligned_operand(id) : build_operand(id);
+        break;
       case Operation::constant: build_constant(id); break;
       case Operation::convert: build_conversion(id); break;
       default: build_unit(id); break;
@@ -40,16 +43,90 @@ Signal FixedNodes::out_of_range(NodeId node) {
   const auto known = gathered_.find(checked);
   if (known != gathered_.end()) return known->second;
   std::vector<Signal> flags;
-  int cycle = 0;
+  if (lane_.format.is_block && !checked.empty()) flags.push_back(not_finite_);
   for (const NodeId id : checked) {
-    flags.push_back(misfits_.at(id));
-    cycle = std::max(cycle, flags.back().cycle);
+    if (const auto misfit = misfits_.find(id); misfit != misfits_.end()) {
+      flags.push_back(misfit->second);
+    }
   }
+  int cycle = 0;
+  for (const Signal& flag : flags) cycle = std::max(cycle, flag.cycle);
   if (flags.size() < 2) return flags.empty() ? Signal{} : flags.front();
   const std::string name = datapath_.pool().unique("out_of_range");
   const Operand any = datapath_.any_at(flags, cycle);
   datapath_.add(Wire{1, name, any});
   return gathered_[checked] = {net(name), name, 1, cycle};
+}
+
+void FixedNodes::build_largest_exponent() {
+  const FloatFormat& format = lane_.input_format;
+  const datapath::Step& step = schedule_.largest_exponent;
+  const std::string largest = datapath_.pool().unique("largest_exponent");
+  const std::string not_finite = datapath_.pool().unique("not_finite");
+  std::vector<Operand> exponents;
+  for (const FixedNode& node : lane_.nodes) {
+    if (node.operation != Operation::input) continue;
+    exponents.push_back(slice(datapath_.port(node.input),
+                              format.fraction_bits() + format.exponent_bits() - 1,
+                              format.fraction_bits()));
+  }
+  datapath_.add(
+      Comment{fmt::format("Cycles {} to {}: the largest exponent of all operands, biased.",
+                          step.start_cycle, step.ready_cycle)});
+  datapath_.add(Wire{format.exponent_bits(), largest, nullptr});
+  datapath_.add(Wire{1, not_finite, nullptr});
+  datapath_.add(Instance{step.unit.module,
+                         datapath_.pool().unique("unit_" + largest),
+                         {{"COUNT", static_cast<int>(exponents.size())},
+                          {"LEVELS", static_cast<int>(step.cuts.size())},
+                          {"EXPONENT_BITS", format.exponent_bits()},
+                          {"CUTS", cut_mask(step)}},
+                         {{"aclk", net("aclk")},
+                          {"exponents", concatenation(std::move(exponents))},
+                          {"largest", net(largest)},
+                          {"not_finite", net(not_finite)}}});
+  largest_exponent_ = {net(largest), largest, format.exponent_bits(), step.ready_cycle};
+  not_finite_ = {net(not_finite), not_finite, 1, step.ready_cycle};
+}
+
+/// An operand without the low bits of its fraction that lie below the unit whatever the largest
+/// exponent is: they need not be delayed.
+Signal FixedNodes::leading_bits(int input) {
+  const FloatFormat& format = lane_.input_format;
+  const std::string& port = datapath_.port(input);
+  const int low = format.precision() - lane_.format.bits;
+  if (low <= 0) return {net(port), port, format.width(), 0};
+  const std::string name = datapath_.pool().unique(port + "_leading");
+  const int width = format.width() - low;
+  datapath_.add(Wire{width, name, slice(port, format.width() - 1, low)});
+  consume_low_bits(port, low);
+  return {net(name), name, width, 0};
+}
+
+/// An operand of block floating point.
+void FixedNodes::build_aligned_operand(NodeId id) {
+  const FixedNode& node = lane_.nodes[id];
+  const datapath::Step& step = schedule_.steps[id];
+  const FloatFormat& format = lane_.input_format;
+  datapath_.add(Comment{describe(id)});
+  const Signal operand = leading_bits(node.input);
+  datapath_.add(Wire{node.format.width, names_[id], nullptr});
+  const std::string& port = datapath_.port(node.input);
+  datapath_.add(Instance{step.unit.module,
+                         datapath_.pool().unique("unit_" + names_[id]),
+                         {{"EXPONENT_BITS", format.exponent_bits()},
+                          {"PRECISION", operand.width - format.exponent_bits()},
+                          {"WIDTH", lane_.format.bits},
+                          {"SIGNED", node.format.is_signed ? 1 : 0},
+                          {"CUTS", cut_mask(step)}},
+                         {{"aclk", net("aclk")},
+                          {"x", datapath_.at(operand, step.start_cycle)},
+                          {"largest", datapath_.at(largest_exponent_, step.start_cycle)},
+                          {"y", net(names_[id])}}});
+  if (node.format.is_signed) return;
+  const std::string negative = datapath_.pool().unique(port + "_out_of_range");
+  datapath_.add(Wire{1, negative, bit(port, format.width() - 1)});
+  misfits_[id] = {net(negative), negative, 1, 0};
 }
 
 void FixedNodes::build_operand(NodeId id) {
@@ -245,8 +322,9 @@ std::string FixedNodes::describe(NodeId id) const {
   }
   const bool is_input = node.operation == Operation::input;
   const bool rounds = is_input || node.dropped_bits > 0 || node.operation == Operation::square_root;
+  const std::string scaled = lane_.format.is_block ? " / 2^(1 + the largest exponent)" : "";
   const std::string what =
-      is_input ? datapath_.port(node.input) : formula(node.operation, text(0), text(1));
+      is_input ? datapath_.port(node.input) + scaled : formula(node.operation, text(0), text(1));
   return fmt::format("Cycles {} to {}: {}, {} {}.", step.start_cycle, step.ready_cycle, what,
                      rounds ? "rounded down to" : "exact in", node.format.name());
 }

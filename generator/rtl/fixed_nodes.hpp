@@ -31,7 +31,10 @@ public:
   Signal out_of_range(NodeId node);
 
 private:
+  void build_largest_exponent();
   void build_operand(NodeId id);
+  void build_aligned_operand(NodeId id);
+  Signal leading_bits(int input);
   void build_constant(NodeId id);
   void build_conversion(NodeId id);
   void consume_low_bits(const std::string& name, int count);
@@ -48,7 +51,10 @@ private:
   const datapath::Schedule& schedule_;
   std::vector<std::string> names_;
   std::vector<Signal> values_;
-  std::map<NodeId, Signal> misfits_;  ///< [input or limit]: set where its number does not fit
+  /// [input or limit]: set where its number does not fit; none where all do.
+  std::map<NodeId, Signal> misfits_;
+  Signal largest_exponent_;  ///< of block floating point
+  Signal not_finite_;        ///< likewise: set where some operand is infinite or a NaN
   std::size_t checks_built_ = 0;
   std::map<std::set<NodeId>, Signal> gathered_;
 };

@@ -191,14 +191,16 @@ private:
       if (!is_lane && !format->floating) return error(field, "not a format", "of a reference");
     }
     if (column.name == "inputs" && is_lane) {
-      const bool fixed_point = !LaneFormat::parse(key.format)->floating;
-      return fixed_point ? check_one_of(field, {""}) : check_one_of(field, {"exact", "rounded"});
+      const bool floating = LaneFormat::parse(key.format)->floating.has_value();
+      return floating ? check_one_of(field, {"exact", "rounded"}) : check_one_of(field, {""});
     }
     if (column.name == "bound" && is_lane) {
-      const bool fixed_point = !LaneFormat::parse(key.format)->floating;
-      if (key.bound && key.bound->is_fixed_point() == fixed_point) return Done{};
+      const LaneFormat format = *LaneFormat::parse(key.format);
+      if (key.bound && key.bound->is_for(format)) return Done{};
       return error(field, "not a bound of such lanes",
-                   fixed_point ? "fixed_norm, fixed_constant" : "a bound in floating point");
+                   format.floating                ? "a bound in floating point"
+                   : format.fixed_point->is_block ? "block_norm, block_constant"
+                                                  : "fixed_norm, fixed_constant");
     }
     if (column.name == "multipliers") return check_one_of(field, {"embedded", "logic", ""});
     return Done{};

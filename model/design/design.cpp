@@ -213,7 +213,7 @@ Result<fixed::FixedLane> design_fixed_lane(const scene::Scene& scene,
   }
   MIXCMP_TRY(bound, fixed_bound(reduced));
   const fixed::FixedOptions options{
-      .bits = *reduced.fixed_bits, .bound = bound, .ranges = scene.ranges};
+      .format = *reduced.fixed_point, .bound = bound, .ranges = scene.ranges};
   MIXCMP_TRY(lane, fixed::fixed_lane(scene.graph, scene.reference.format, options));
   if (can_decide(lane)) return lane;
   return undecidable(reduced.format_name());
@@ -240,7 +240,7 @@ Result<LaneGroup> design_group(const scene::Scene& scene, const scene::LaneGroup
   if (!lane.ok()) return with_location(lane.error(), group);
   MIXCMP_TRY(count, lane_count(scene, group, data));
   return LaneGroup{.lane = *lane,
-                   .inputs = group.reduced.fixed_bits ? LaneInputs::exact : group.reduced.inputs,
+                   .inputs = group.reduced.fixed_point ? LaneInputs::exact : group.reduced.inputs,
                    .multipliers = group.reduced.multipliers,
                    .count = count};
 }
@@ -302,10 +302,10 @@ bool Design::certified() const {
 
 Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& reduced,
                          const data::Comparisons* data, MeasureErrors measure) {
-  if (reduced.fixed_bits) return as_lane(design_fixed_lane(scene, reduced));
+  if (reduced.fixed_point) return as_lane(design_fixed_lane(scene, reduced));
   if (!reduced.format) {
     return unresolved(scene, "reduced.format", "--format s17e8",
-                      "sPeE, such as s17e8, or qW, such as q13");
+                      "sPeE, such as s17e8, qW, such as q13, or blockW");
   }
   const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
   const TypedGraph graph =

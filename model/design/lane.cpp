@@ -11,7 +11,7 @@ bool is_certified(const Lane& lane) {
 
 std::string format_name(const Lane& lane) {
   return std::visit(Cases{[](const error::Lane& l) { return l.graph.arithmetic.format.name(); },
-                          [](const fixed::FixedLane& l) { return fmt::format("q{}", l.bits); }},
+                          [](const fixed::FixedLane& l) { return l.format.name(); }},
                     lane);
 }
 

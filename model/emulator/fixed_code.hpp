@@ -9,8 +9,8 @@
 
 namespace mixcmp::emulator {
 
-/// A lane in fixed point, compiled to instructions on columns of doubles. The operands that it
-/// reads stand in the first columns.
+/// A lane in fixed point, compiled to instructions on columns of doubles. Column k holds node k of
+/// the lane; those of intermediate results follow.
 struct FixedCode {
   struct Input {
     int column;
@@ -18,6 +18,9 @@ struct FixedCode {
     FixedConversion conversion;
   };
   std::vector<Input> inputs;
+  /// Block floating point: the operands of a comparison are divided by a power of two of their own
+  /// before they are converted, at least by this one.
+  std::optional<int> least_block_exponent;
   ColumnLayout layout;  ///< its inputs are operands that are converted already
   std::vector<FixedInstruction> instructions;
   std::vector<FixedCriterion> criteria;  ///< one per part

@@ -72,21 +72,46 @@ void FixedEmulator::decide(OperandColumns operands, std::size_t count,
   }
   std::vector<double> memory(code_->inputs.size() * convert_at_once);
   std::vector<const double*> converted(operands.begin(), operands.end());
+  std::vector<double*> columns;
+  for (const FixedCode::Input& input : code_->inputs) {
+    columns.push_back(memory.data() + columns.size() * convert_at_once);
+    converted[input.operand] = columns.back();
+  }
+  const auto convert =
+      code_->least_block_exponent ? &FixedEmulator::convert_block : &FixedEmulator::convert_apart;
   for (std::size_t first = 0; first < count; first += convert_at_once) {
     const std::size_t size = std::min(convert_at_once, count - first);
-    double* column = memory.data();
-    for (const FixedCode::Input& input : code_->inputs) {
-      convert_all(input.conversion, {operands[input.operand] + first, size}, column);
-      converted[input.operand] = column;
-      column += convert_at_once;
-    }
-    decide_converted(converted, size, decisions.subspan(first, size));
+    (this->*convert)(operands, first, size, columns);
+    run(converted, size, decisions.subspan(first, size));
+  }
+}
+
+/// Converts the operands of `size` comparisons from number `first` on, each by itself.
+void FixedEmulator::convert_apart(OperandColumns operands, std::size_t first, std::size_t size,
+                                  std::span<double* const> columns) const {
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const FixedCode::Input& input = code_->inputs[k];
+    convert_all(input.conversion, {operands[input.operand] + first, size}, columns[k]);
+  }
+}
+
+/// Likewise, the operands of each comparison in the unit that the largest of them sets.
+void FixedEmulator::convert_block(OperandColumns operands, std::size_t first, std::size_t size,
+                                  std::span<double* const> columns) const {
+  const std::size_t filled = (size + block_granularity - 1) / block_granularity * block_granularity;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const double* const operand = operands[code_->inputs[k].operand] + first;
+    std::fill(std::copy_n(operand, size, columns[k]), columns[k] + filled, 0.0);
+  }
+  divide_by_common_power(columns, filled, *code_->least_block_exponent);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    emulator::convert(code_->inputs[k].conversion, columns[k], filled, columns[k]);
   }
 }
 
 void FixedEmulator::convert(int input, std::span<const double> operands,
                             std::span<double> converted) const {
-  MIXCMP_CHECK(code_ && converted.size() >= operands.size());
+  MIXCMP_CHECK(converts_alone() && converted.size() >= operands.size());
   const auto reads = [&](const FixedCode::Input& each) { return each.operand == input; };
   const auto found = std::find_if(code_->inputs.begin(), code_->inputs.end(), reads);
   if (found == code_->inputs.end()) {
@@ -98,7 +123,12 @@ void FixedEmulator::convert(int input, std::span<const double> operands,
 
 void FixedEmulator::decide_converted(OperandColumns converted, std::size_t count,
                                      std::span<Decision> decisions) const {
-  MIXCMP_CHECK(code_ && decisions.size() >= count);
+  MIXCMP_CHECK(converts_alone() && decisions.size() >= count);
+  run(converted, count, decisions);
+}
+
+void FixedEmulator::run(OperandColumns converted, std::size_t count,
+                        std::span<Decision> decisions) const {
   ColumnBlocks blocks(code_->layout, converted, count);
   while (blocks.next()) {
     execute(code_->instructions, blocks.block());

@@ -21,8 +21,11 @@ public:
   /// Operands as for Emulator.
   void decide(OperandColumns operands, std::size_t count, std::span<Decision> decisions) const;
 
-  /// Whether double holds every integer, so that operands can be converted beforehand.
+  /// Whether double holds every integer.
   bool is_exact_in_double() const { return code_.has_value(); }
+  /// Whether operands can be converted beforehand: that is so where double holds every integer and
+  /// the unit of an operand does not depend on others, as it does in block floating point.
+  bool converts_alone() const { return code_ && !code_->least_block_exponent; }
   /// Converts `count` operands of one input as the lane does at its border; a NaN stands for one
   /// that it does not take. Operands that the lane does not read stay what they are.
   void convert(int input, std::span<const double> operands, std::span<double> converted) const;
@@ -34,6 +37,11 @@ public:
   std::uint64_t fallbacks() const { return fallbacks_->load(std::memory_order_relaxed); }
 
 private:
+  void convert_apart(OperandColumns operands, std::size_t first, std::size_t size,
+                     std::span<double* const> columns) const;
+  void convert_block(OperandColumns operands, std::size_t first, std::size_t size,
+                     std::span<double* const> columns) const;
+  void run(OperandColumns converted, std::size_t count, std::span<Decision> decisions) const;
   Decision golden_decision(OperandColumns operands, std::size_t index) const;
 
   fixed::FixedLane lane_;

@@ -48,6 +48,36 @@ void convert_fixed(const FixedConversion& conversion, const double* operands, st
                               : convert_all<false>(conversion, operands, count, converted);
 }
 
+/// 2^exponent, for exponents of normal numbers.
+HWY_INLINE Vec power_of(IntVec exponent) {
+  const IntVec biased = hn::Add(exponent, hn::Set(Int(), 1023));
+  return hn::BitCast(Tag(), hn::ShiftLeft<52>(biased));
+}
+
+/// The division takes two steps, since the reciprocal of the largest power is no normal number.
+void divide_all(double* const* operands, std::size_t operand_count, std::size_t count,
+                int least_exponent) {
+  const IntVec least = hn::Set(Int(), least_exponent + 1022);
+  const IntVec no_number = hn::Set(Int(), 2047);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(Tag())) {
+    IntVec largest = hn::Zero(Int());
+    for (std::size_t k = 0; k < operand_count; ++k) {
+      const Vec magnitude = hn::Abs(hn::LoadU(Tag(), operands[k] + i));
+      largest = hn::Max(largest, hn::BitCast(Int(), magnitude));
+    }
+    const IntVec biased = hn::ShiftRight<52>(largest);
+    const IntVec exponent = hn::Sub(hn::Set(Int(), 1022), hn::Max(biased, least));
+    const IntVec half = hn::ShiftRight<1>(exponent);
+    const Vec first = hn::IfThenElse(hn::RebindMask(Tag(), hn::Eq(biased, no_number)),
+                                     hn::NaN(Tag()), power_of(half));
+    const Vec second = power_of(hn::Sub(exponent, half));
+    for (std::size_t k = 0; k < operand_count; ++k) {
+      const Vec operand = hn::LoadU(Tag(), operands[k] + i);
+      hn::StoreU(hn::Mul(hn::Mul(operand, first), second), Tag(), operands[k] + i);
+    }
+  }
+}
+
 /// One loop over the columns of an instruction. A column that the function does not read may be any
 /// of the block's: code takes the first operand's.
 template <class Function>
@@ -171,12 +201,18 @@ HWY_AFTER_NAMESPACE();
 namespace mixcmp::emulator {
 
 HWY_EXPORT(convert_fixed);
+HWY_EXPORT(divide_all);
 HWY_EXPORT(execute_fixed);
 HWY_EXPORT(decide_fixed);
 
 void convert(const FixedConversion& conversion, const double* operands, std::size_t count,
              double* converted) {
   HWY_DYNAMIC_DISPATCH(convert_fixed)(conversion, operands, count, converted);
+}
+
+void divide_by_common_power(std::span<double* const> operands, std::size_t count,
+                            int least_exponent) {
+  HWY_DYNAMIC_DISPATCH(divide_all)(operands.data(), operands.size(), count, least_exponent);
 }
 
 void execute(const std::vector<FixedInstruction>& instructions, const Block& block) {

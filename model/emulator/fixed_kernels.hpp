@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "model/emulator/block.hpp"
@@ -15,6 +16,12 @@ struct FixedConversion {
   double limit = 0;  ///< the magnitudes taken are below this power of two
   bool is_signed = false;
 };
+
+/// Block floating point: divides the operands of each comparison, in place, by the least power of
+/// two above all their magnitudes, or by 2^`least_exponent` where that is more. Where one is no
+/// number, all become NaNs. `count`: a multiple of block_granularity.
+void divide_by_common_power(std::span<double* const> operands, std::size_t count,
+                            int least_exponent);
 
 enum class FixedKernel : std::uint8_t {
   negate,
@@ -48,8 +55,8 @@ struct FixedInstruction {
 };
 
 /// Greater iff D >= slope_above s + offset_above, less iff -D > slope_below s + offset_below, where
-/// D is the difference; `otherwise` elsewhere. All numbers are codes of Decision; a NaN leaves the
-/// comparison undecided.
+/// D is the difference; `otherwise` elsewhere. A NaN leaves the comparison undecided. `greater`,
+/// `less` and `otherwise` are codes of Decision.
 struct FixedCriterion {
   int difference = -1;
   int radius = -1;  ///< column of s

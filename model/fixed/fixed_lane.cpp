@@ -6,6 +6,7 @@
 
 #include "model/fixed/graph_builder.hpp"
 #include "model/fixed/norm_bound.hpp"
+#include "model/fixed/scale_degree.hpp"
 #include "model/number/dyadic.hpp"
 
 namespace mixcmp::fixed {
@@ -98,6 +99,11 @@ Error no_norm() {
           .accepted = "constant"};
 }
 
+Error received(Error error, const FixedPoint& format) {
+  error.received = format.name();
+  return error;
+}
+
 std::string shown(const mpq_class& value) {
   return fmt::format("{:.3g}", value.get_d());
 }
@@ -137,16 +143,23 @@ bool is_limit(const FixedNode& node) {
 
 Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                              const FixedOptions& options) {
+  std::vector<mpq_class> degrees(graph.parts().size());
+  if (options.format.is_block) {
+    auto found = scale_degrees(graph);
+    if (!found.ok()) return received(found.error(), options.format);
+    degrees = std::move(found).value();
+  }
   FixedGraphBuilder builder(graph, input_format, options);
-  FixedLane lane{.bits = options.bits,
+  FixedLane lane{.format = options.format,
                  .nodes = {},
                  .input_names = graph.inputs(),
                  .input_format = input_format,
                  .parts = {},
                  .combination = graph.combination()};
-  for (const Sides& sides : graph.parts()) {
-    MIXCMP_TRY(part, make_part(builder, sides, options));
+  for (std::size_t k = 0; k < graph.parts().size(); ++k) {
+    MIXCMP_TRY(part, make_part(builder, graph.parts()[k], options));
     lane.parts.push_back(std::move(part));
+    lane.parts.back().degree = degrees[k];
   }
   lane.nodes = std::move(builder.nodes());
   remove_unread(lane);

@@ -11,6 +11,7 @@
 #include "model/expression/range.hpp"
 #include "model/number/fixed_format.hpp"
 #include "model/number/float_format.hpp"
+#include "model/number/lane_format.hpp"
 
 /// Lanes in fixed point: operands that the scene bounds become integers at the border, everything
 /// behind is integer arithmetic. Proofs: docs/fixed_point.md.
@@ -78,12 +79,19 @@ struct FixedPart {
   NodeId difference;     ///< f - g, or g - f where `swapped`
   bool swapped = false;  ///< `greater` and `less` of the decision change places
   std::variant<ConstantThresholds, NormThresholds> criterion;
+  /// In block floating point: f and g of operands that are multiplied by t > 0 are t^degree times
+  /// what they were.
+  mpq_class degree = 0;
 
   friend bool operator==(const FixedPart&, const FixedPart&) = default;
 };
 
+/// In q13 an input in [0, 100], below 2^7, counts units of 2^(7 - 13). In block13 the lane computes
+/// on x / 2^e instead of each operand x that it reads: 2^(e - 1) is the power of two at or below
+/// the largest magnitude among them, or the least normal number where that is more. So all are
+/// below 1 and count units of 2^-13. If one is no number, the comparison is left undecided.
 struct FixedLane {
-  int bits = 0;                  ///< W: in q13 an input in [0, 100], below 2^7, counts 2^(7 - 13)
+  FixedPoint format;
   std::vector<FixedNode> nodes;  ///< in topological order
   std::vector<std::string> input_names;
   FloatFormat input_format;  ///< in which operands arrive
@@ -99,14 +107,16 @@ enum class FixedBound {
 };
 
 struct FixedOptions {
-  int bits = 13;                         ///< W: an input below 2^k is counted in units of 2^(k - W)
+  FixedPoint format = {.bits = 13};
   std::optional<FixedBound> bound = {};  ///< none: norms where there are any
-  std::vector<std::optional<Range>> ranges;  ///< one per input; a lane needs them all
+  /// One per input. A lane needs them all; in block floating point none, and takes from those that
+  /// there are only which inputs are never negative.
+  std::vector<std::optional<Range>> ranges;
 };
 
 /// Makes the lane of a comparison whose operands arrive in `input_format`. Errors name the input
-/// without a range, the operation that fixed point does not have, or the bound that is asked for
-/// and that no part has.
+/// without a range, the operation that fixed point does not have, what keeps f and g from being
+/// homogeneous, or the bound that is asked for and that no part has.
 Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                              const FixedOptions& options);
 

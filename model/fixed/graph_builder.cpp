@@ -90,7 +90,7 @@ Error FixedGraphBuilder::refused(NodeId id, std::string_view why, const char* ac
   constexpr std::size_t most_characters = 60;
   return {.field = "reduced.format",
           .message = fmt::format("{}: {}", why, to_text(graph_, id, most_characters)),
-          .received = fmt::format("q{}", options_.bits),
+          .received = options_.format.name(),
           .accepted = accepted};
 }
 
@@ -100,9 +100,7 @@ Result<FixedNode> FixedGraphBuilder::make(NodeId id) {
     case Operation::input: return input(node);
     case Operation::constant: return constant(node.value);
     case Operation::square_root: return square_root(id);
-    case Operation::divide:
-      return refused(id, "fixed point does not divide",
-                     "a floating-point format, or f and g without quotients");
+    case Operation::divide: return quotient(id);
     case Operation::convert:
     case Operation::negate:
     case Operation::absolute:
@@ -118,6 +116,18 @@ Result<FixedNode> FixedGraphBuilder::make(NodeId id) {
   if (node.operation == Operation::square) return operation(node.operation, factor(first));
   if (node.operation != Operation::multiply) return operation(node.operation, first, second);
   return operation(node.operation, factor(first), factor(second));
+}
+
+/// Division by a constant is multiplication by its reciprocal.
+Result<FixedNode> FixedGraphBuilder::quotient(NodeId id) {
+  const auto [dividend, divisor] = graph_.nodes()[id].operands;
+  const Node& constant_node = graph_.nodes()[divisor];
+  if (constant_node.operation != Operation::constant || constant_node.value == 0) {
+    return refused(id, "fixed point divides by constants alone",
+                   "a floating-point format, or f and g without other quotients");
+  }
+  const NodeId reciprocal = add(constant(1 / constant_node.value));
+  return operation(Operation::multiply, factor(known_[dividend]), factor(reciprocal));
 }
 
 /// A lane checks limits on the number that it computes, errors included.
@@ -158,6 +168,7 @@ NodeId FixedGraphBuilder::factor(NodeId id) {
 
 Result<FixedNode> FixedGraphBuilder::input(const Node& node) const {
   const std::optional<Range>& range = options_.ranges[static_cast<std::size_t>(node.input)];
+  if (options_.format.is_block) return input_below(0, range && range->low >= 0, node.input);
   const std::string& name = graph_.inputs()[static_cast<std::size_t>(node.input)];
   if (!range) {
     return Error{.field = fmt::format("inputs.{}.range", name),
@@ -166,15 +177,20 @@ Result<FixedNode> FixedGraphBuilder::input(const Node& node) const {
                  .accepted = "a range, such as [0, 100]"};
   }
   const int top = exponent_above(absolute(*range).high, input_format_);
-  FixedNode input{.operation = Operation::input, .input = node.input, .constant = {}};
-  input.format = {.width = options_.bits, .unit_exponent = top - options_.bits};
+  return input_below(top, range->low >= 0, node.input);
+}
+
+/// An operand below 2^top in magnitude.
+FixedNode FixedGraphBuilder::input_below(int top, bool nonnegative, int index) const {
+  const int bits = options_.format.bits;
+  FixedNode input{.operation = Operation::input, .input = index, .constant = {}};
+  input.format = {.width = bits, .unit_exponent = top - bits};
   const mpq_class unit = input.format.unit(), greatest = input.format.largest() * unit;
   input.value = {0, greatest};
   input.error = {-unit, 0};
-  if (range->low >= 0) return input;
+  if (nonnegative) return input;
   input.value.low = -greatest - unit;
-  input.format = {
-      .width = options_.bits + 1, .unit_exponent = top - options_.bits, .is_signed = true};
+  input.format = {.width = bits + 1, .unit_exponent = top - bits, .is_signed = true};
   return input;
 }
 
@@ -183,7 +199,7 @@ FixedNode FixedGraphBuilder::constant(const mpq_class& value) const {
   FixedNode constant{.operation = Operation::constant, .constant = {}};
   int unit_exponent = 0;
   if (value != 0) {
-    unit_exponent = static_cast<int>(floor_log2(abs(value))) + 1 - options_.bits;
+    unit_exponent = static_cast<int>(floor_log2(abs(value))) + 1 - options_.format.bits;
     constant.constant = floor_of(scaled(value, -unit_exponent) + mpq_class(1, 2));
   }
   while (constant.constant != 0 && mpz_even_p(constant.constant.get_mpz_t()) != 0) {
@@ -214,7 +230,7 @@ Result<FixedNode> FixedGraphBuilder::square_root(NodeId id) const {
   const int largest = exact.high == 0
                           ? half_unit
                           : static_cast<int>(floor_log2(root_of(squares.high, root_digits)));
-  const int finest = largest + 1 - options_.bits - spare_bits;
+  const int finest = largest + 1 - options_.format.bits - spare_bits;
   const int wanted = effect == 0 ? finest : static_cast<int>(floor_log2(effect)) - 1;
   const int unit_exponent = std::clamp(wanted, finest, largest);
   const mpq_class unit = power_of_two(unit_exponent);
@@ -232,7 +248,7 @@ FixedNode FixedGraphBuilder::operation(Operation operation, NodeId a, NodeId b) 
   node.value = cancels ? Range{0, 0} : exact_value(operation, first.value, second.value);
   node.error = cancels ? Range{0, 0} : exact_error(operation, first, second);
   node.format = format_of(node.value, unit_exponent_of(operation, first.format, second.format));
-  drop_bits(node, node.format.width - 2 * options_.bits - spare_bits);
+  drop_bits(node, node.format.width - 2 * options_.format.bits - spare_bits);
   return node;
 }
 

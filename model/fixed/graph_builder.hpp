@@ -27,8 +27,10 @@ private:
   Error refused(NodeId id, std::string_view why, const char* accepted) const;
   Result<FixedNode> make(NodeId id);  ///< the operands are made already
   Result<FixedNode> input(const Node& node) const;
+  FixedNode input_below(int top, bool nonnegative, int index) const;
   FixedNode constant(const mpq_class& value) const;
   Result<FixedNode> square_root(NodeId id) const;
+  Result<FixedNode> quotient(NodeId id);
   Result<NodeId> limited(NodeId id, const Range& limits);
   NodeId factor(NodeId id);
   FixedNode operation(Operation operation, NodeId a, NodeId b = -1) const;

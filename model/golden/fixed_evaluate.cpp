@@ -4,6 +4,7 @@
 
 #include "model/common/check.hpp"
 #include "model/golden/arithmetic.hpp"
+#include "model/number/dyadic.hpp"
 
 namespace mixcmp::golden {
 namespace {
@@ -24,6 +25,30 @@ mpz_class shifted(const mpz_class& value, int shift) {
   return result;
 }
 
+/// The least e >= `least` for which the magnitudes of all operands are below 2^e; none where one is
+/// infinite or a NaN.
+std::optional<int> exponent_above(FloatFormat format, const std::vector<Bits>& operands,
+                                  int least) {
+  int exponent = least;
+  for (const Bits operand : operands) {
+    if (format.is_nan(operand) || format.is_infinite(operand)) return std::nullopt;
+    const mpq_class magnitude = to_rational(format, format.magnitude(operand));
+    while (magnitude >= mixcmp::power_of_two(exponent)) ++exponent;
+  }
+  return exponent;
+}
+
+/// In block floating point, the exponent of the power of two by which the lane divides operands; 0
+/// elsewhere. None where an operand is no number.
+std::optional<int> block_exponent(const FixedLane& lane, std::span<const Bits> inputs) {
+  if (!lane.format.is_block) return 0;
+  std::vector<Bits> read;
+  for (const FixedNode& node : lane.nodes) {
+    if (node.operation == Operation::input) read.push_back(inputs[node.input]);
+  }
+  return exponent_above(lane.input_format, read, lane.input_format.min_exponent() + 1);
+}
+
 /// An operand that arrives, its magnitude truncated, all bits inverted if its sign bit is set; none
 /// if the magnitude or the sign is not of the format.
 Integer converted(FloatFormat from, Bits bits, const FixedFormat& to) {
@@ -35,6 +60,12 @@ Integer converted(FloatFormat from, Bits bits, const FixedFormat& to) {
   const int magnitude_bits = to.width - (to.is_signed ? 1 : 0);
   if (magnitude >= shifted(1, magnitude_bits)) return std::nullopt;
   return from.sign(bits) ? mpz_class(-magnitude - 1) : magnitude;
+}
+
+/// The format of numbers that are 2^exponent times as large.
+FixedFormat scaled(FixedFormat format, int exponent) {
+  format.unit_exponent += exponent;
+  return format;
 }
 
 mpz_class operate(Operation operation, const mpz_class& a, const mpz_class& b) {
@@ -136,10 +167,14 @@ LaneResult evaluate_part(const FixedPart& part, const std::vector<Integer>& valu
 
 std::vector<Integer> evaluate(const FixedLane& lane, std::span<const Bits> inputs) {
   MIXCMP_CHECK(inputs.size() == lane.input_names.size());
+  const std::optional<int> scale = block_exponent(lane, inputs);
   std::vector<Integer> values;
   for (const FixedNode& node : lane.nodes) {
-    if (node.operation == Operation::input) {
-      values.push_back(converted(lane.input_format, inputs[node.input], node.format));
+    if (node.operation == Operation::input && !scale) {
+      values.emplace_back();
+    } else if (node.operation == Operation::input) {
+      const FixedFormat format = scaled(node.format, *scale);
+      values.push_back(converted(lane.input_format, inputs[node.input], format));
     } else if (node.operation == Operation::constant) {
       values.emplace_back(node.constant);
     } else {
@@ -150,9 +185,11 @@ std::vector<Integer> evaluate(const FixedLane& lane, std::span<const Bits> input
 }
 
 bool takes(const FixedLane& lane, int input, Bits operand) {
+  // In block floating point other operands set the scale: the largest one takes every number.
+  const int scale = lane.format.is_block ? lane.input_format.max_exponent() + 1 : 0;
   return std::all_of(lane.nodes.begin(), lane.nodes.end(), [&](const FixedNode& node) {
     return node.operation != Operation::input || node.input != input ||
-           converted(lane.input_format, operand, node.format);
+           converted(lane.input_format, operand, scaled(node.format, scale));
   });
 }
 

@@ -1,5 +1,7 @@
 #include "model/number/lane_format.hpp"
 
+#include <fmt/core.h>
+
 #include <charconv>
 
 #include "model/common/quote.hpp"
@@ -7,25 +9,40 @@
 namespace mixcmp::inline number {
 namespace {
 
-/// W of "q13"; none for another word.
-std::optional<int> fixed_bits(std::string_view name) {
-  if (!name.starts_with('q')) return std::nullopt;
-  int bits = 0;
-  const char* const end = name.data() + name.size();
-  const auto read = std::from_chars(name.data() + 1, end, bits);
-  const bool whole = read.ec == std::errc() && read.ptr == end && bits > 0;
-  return whole ? std::optional(bits) : std::nullopt;
-}
+constexpr std::string_view fixed_prefix = "q", block_prefix = "block";
 
 }  // namespace
 
+std::string FixedPoint::name() const {
+  return fmt::format("{}{}", is_block ? block_prefix : fixed_prefix, bits);
+}
+
+std::optional<FixedPoint> FixedPoint::parse(std::string_view word) {
+  for (const bool is_block : {false, true}) {
+    const std::string_view prefix = is_block ? block_prefix : fixed_prefix;
+    if (!word.starts_with(prefix)) continue;
+    unsigned short bits = 0;  // unsigned: takes no sign
+    const char* const end = word.data() + word.size();
+    const auto read = std::from_chars(word.data() + prefix.size(), end, bits);
+    if (read.ec == std::errc() && read.ptr == end) return FixedPoint{bits, is_block};
+  }
+  return std::nullopt;
+}
+
+int LaneFormat::precision() const {
+  return floating ? floating->precision() : fixed_point->bits;
+}
+
 Result<LaneFormat> LaneFormat::parse(std::string_view name) {
-  if (const auto bits = fixed_bits(name)) return LaneFormat{.floating = {}, .precision = *bits};
+  const std::optional<FixedPoint> fixed_point = FixedPoint::parse(name);
+  if (fixed_point && fixed_point->bits > 0) return LaneFormat{{}, fixed_point};
   const Result<FloatFormat> floating = FloatFormat::parse(name);
-  if (floating.ok()) return LaneFormat{.floating = *floating, .precision = floating->precision()};
+  if (floating.ok()) return LaneFormat{*floating, {}};
   return Error{.message = "not a format of lanes",
                .received = in_quotes(name),
-               .accepted = "s<digits>e<exponent bits>, such as s17e8, or q<bits>, such as q13"};
+               .accepted =
+                   "s<digits>e<exponent bits>, such as s17e8, q<bits>, such as q13, or "
+                   "block<bits>, such as block13"};
 }
 
 }  // namespace mixcmp::inline number

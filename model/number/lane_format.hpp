@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "model/common/result.hpp"
@@ -8,10 +9,27 @@
 
 namespace mixcmp::inline number {
 
-/// The format of a lane, as tables and signatures name it: "s17e8", or "q13" in fixed point.
+/// The integers that a lane in fixed point takes its operands as.
+struct FixedPoint {
+  int bits = 0;  ///< W
+  /// Block floating point: the largest exponent among the operands of a comparison sets the unit of
+  /// all of them. Otherwise each input has its own, which its range sets.
+  bool is_block = false;
+
+  std::string name() const;  ///< "q13", or "block13"
+  /// None where the word is no such name.
+  static std::optional<FixedPoint> parse(std::string_view word);
+
+  friend bool operator==(const FixedPoint&, const FixedPoint&) = default;
+};
+
+/// The format of a lane, as tables and signatures name it: "s17e8", or "q13" or "block13" in fixed
+/// point.
 struct LaneFormat {
-  std::optional<FloatFormat> floating;  ///< none: fixed point
-  int precision = 0;                    ///< L; of fixed point W
+  std::optional<FloatFormat> floating;  ///< this or the other
+  std::optional<FixedPoint> fixed_point;
+
+  int precision() const;  ///< L; of fixed point W
 
   static Result<LaneFormat> parse(std::string_view name);
 };

@@ -125,13 +125,13 @@ void ProblemMaker::sort_rows() {
       references_.push_back(&row);
     }
     if (key.kind == characterise::ComponentKind::lane && is_wanted(row)) {
-      lanes_[format_of(row).precision].push_back(&row);
+      lanes_[format_of(row).precision()].push_back(&row);
     }
   }
 }
 
 bool ProblemMaker::is_wanted(const characterise::Measurement& lane) const {
-  const int precision = format_of(lane).precision;
+  const int precision = format_of(lane).precision();
   const bool wanted_inputs = lane.key.inputs.empty() || allows(options_.inputs, lane.key.inputs);
   return options_.first_precision <= precision && precision <= options_.last_precision &&
          wanted_inputs && allows(options_.bounds, *lane.key.bound) && is_trusted(lane);

@@ -226,9 +226,9 @@ double reference_luts(const TypedGraph& reference, Products products) {
 
 namespace {
 
-const std::array<std::string_view, 9> names = {"reference", "lanes_alone", "profiled",
-                                               "relative",  "running_4",   "running_1",
-                                               "constant",  "fixed_norm",  "fixed_constant"};
+const std::array<std::string_view, 11> names = {
+    "reference", "lanes_alone", "profiled",       "relative",   "running_4",     "running_1",
+    "constant",  "fixed_norm",  "fixed_constant", "block_norm", "block_constant"};
 
 bool is_scheme(const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();

@@ -63,11 +63,12 @@ Result<design::Lane> profiled_at(const TypedGraph& graph, const ErrorAtPrecision
 }
 
 void add_fixed_lanes(const scene::Scene& scene, int bits, std::vector<SchemeLanes>& schemes) {
-  for (const scene::BoundChoice::Kind kind :
-       {scene::BoundChoice::Kind::fixed_norm, scene::BoundChoice::Kind::fixed_constant}) {
+  using Kind = scene::BoundChoice::Kind;
+  for (const Kind kind :
+       {Kind::fixed_norm, Kind::fixed_constant, Kind::block_norm, Kind::block_constant}) {
     const scene::BoundChoice choice{kind};
     scene::ReducedSpec reduced = with_bound(scene.reduced, choice);
-    reduced.fixed_bits = bits;
+    reduced.fixed_point = FixedPoint{bits, choice.is_block()};
     SchemeLanes& scheme = scheme_with(schemes, choice, SchemeKind::certified);
     if (settings::lane_fixed_bits(scene.reference.format).allow(bits)) {
       add(schemes, choice, SchemeKind::certified, design::design_lane(scene, reduced, nullptr));

@@ -191,9 +191,11 @@ bool has_limits(const fixed::FixedLane& lane) {
 Threshold Threshold::of_fixed_lanes(std::span<const fixed::FixedLane* const> lanes,
                                     std::size_t part, const Envelope& envelope) {
   Root root{.square = envelope.graph().g(), .constant = 0, .per_root = 0};
+  const fixed::FixedLane* block_lane = nullptr;
   double scale = outward;
   for (const fixed::FixedLane* lane : lanes) {
     if (lane != nullptr) {
+      if (lane->format.is_block) block_lane = lane;
       if (has_limits(*lane)) return {Unknown{}, 0, envelope.graph().f(), envelope.graph().g()};
       const fixed::FixedPart& decided = lane->parts[part];
       const FixedNode& difference = lane->nodes[decided.difference];
@@ -206,7 +208,24 @@ Threshold Threshold::of_fixed_lanes(std::span<const fixed::FixedLane* const> lan
     }
     scale *= 2;
   }
+  if (block_lane != nullptr) {
+    return {block(root, *block_lane, part, envelope), 0, envelope.graph().f(),
+            envelope.graph().g()};
+  }
   return {root, 0, envelope.graph().f(), envelope.graph().g()};
+}
+
+Threshold::Kind Threshold::block(const Root& of_scaled, const fixed::FixedLane& lane,
+                                 std::size_t part, const Envelope& envelope) {
+  Block block{.of_scaled = of_scaled,
+              .degree = lane.parts[part].degree.get_d(),
+              .inputs = {},
+              .least_power = std::ldexp(1.0, lane.input_format.min_exponent() + 1)};
+  for (NodeId id = 0; id < envelope.difference(); ++id) {
+    const bool is_input = envelope.graph().nodes[id].operation == Operation::input;
+    if (is_input) block.inputs.push_back(id);
+  }
+  return block;
 }
 
 void Threshold::evaluate(const EnvelopeBlock& block, EnvelopeRow& scaled, EnvelopeRow& fixed,
@@ -234,6 +253,18 @@ void Threshold::evaluate(const EnvelopeBlock& block, EnvelopeRow& scaled, Envelo
     const NodeEnvelope& square = block.nodes[root->square];
     for_each_lane([&](std::size_t k) {
       scaled[k] = root->constant + root->per_root * std::sqrt(largest(square, k)) * outward;
+    });
+  } else if (const auto* in_block = std::get_if<Block>(&kind_)) {
+    const Root& below_one = in_block->of_scaled;
+    for_each_lane([&](std::size_t k) {
+      double power = in_block->least_power;
+      for (const NodeId input : in_block->inputs) {
+        power = std::max(power, 2 * largest(block.nodes[input], k));
+      }
+      const double grown = std::pow(power, in_block->degree) * outward;
+      const double square = grown * largest(block.nodes[below_one.square], k);
+      scaled[k] =
+          (below_one.constant * grown + below_one.per_root * std::sqrt(square) * outward) * outward;
     });
   } else if (std::holds_alternative<Unknown>(kind_)) {
     wild.fill(1);

@@ -48,14 +48,23 @@ private:
     NodeId square;
     double constant, per_root;  ///< per root of the square's magnitude
   };
+  /// A root's threshold for operands below 1; those of a comparison are larger by a power of two.
+  struct Block {
+    Root of_scaled;
+    double degree;               ///< of f and g, in the operands
+    std::vector<NodeId> inputs;  ///< of the envelope's graph
+    double least_power;
+  };
   struct Unknown {};
-  using Kind = std::variant<Order, Distance, Interval, Absolute, Root, Unknown>;
+  using Kind = std::variant<Order, Distance, Interval, Absolute, Root, Block, Unknown>;
 
   Threshold(Kind kind, double floor, NodeId f, NodeId g)
       : kind_(std::move(kind)), floor_(floor), f_(f), g_(g) {}
   static Kind kind_of(std::span<const error::Lane* const> lanes, const Envelope& envelope);
   static Kind distance(std::span<const error::Lane* const> lanes, const Envelope& envelope);
   static Kind interval(std::span<const error::Lane* const> lanes, const Envelope& envelope);
+  static Kind block(const Root& of_scaled, const fixed::FixedLane& lane, std::size_t part,
+                    const Envelope& envelope);
   static Kind absolute(std::span<const error::Lane* const> lanes, const Envelope& envelope);
 
   Kind kind_;

@@ -56,7 +56,7 @@ class FixedProof {
 public:
   FixedProof(const FixedLane& lane, const Prove& prove)
       : lane_(lane), nodes_(lane.nodes), prove_(prove) {
-    proof_.lane = fmt::format("q{}", lane.bits);
+    proof_.lane = lane.format.name();
     proof_.kind = "fixed-point";
     for (const FixedNode& node : lane.nodes) {
       typed_.push_back(TypedNode{.operation = node.operation,
@@ -69,6 +69,9 @@ public:
   }
 
   LaneProof run() && {
+    if (lane_.format.is_block) {
+      add_exact("f and g are homogeneous of one degree", is_homogeneous());
+    }
     for (NodeId id = 0; id < static_cast<NodeId>(nodes_.size()); ++id) prove_node(id);
     for (const fixed::FixedPart& part : lane_.parts) {
       std::visit([&](const auto& thresholds) { prove_decision(thresholds, part); }, part.criterion);
@@ -213,6 +216,37 @@ private:
         {std::move(what), holds ? Outcome::proven : Outcome::not_proven, "by exact arithmetic"});
   }
 
+  /// Whether what is added, subtracted or compared grows alike with the operands, so that every
+  /// part's difference has a degree. A constant zero has each: none is stored for it.
+  bool is_homogeneous() const {
+    std::vector<std::optional<mpq_class>> degrees;
+    for (const FixedNode& node : nodes_) {
+      const auto degree = [&](int k) { return degrees[node.operands[k]]; };
+      switch (node.operation) {
+        case Operation::input: degrees.emplace_back(1); break;
+        case Operation::constant:
+          degrees.push_back(node.constant == 0 ? std::nullopt : std::optional<mpq_class>(0));
+          break;
+        case Operation::square_root:
+          degrees.push_back(degree(0) ? std::optional<mpq_class>(*degree(0) / 2) : std::nullopt);
+          break;
+        case Operation::square:
+        case Operation::multiply: {
+          const auto other = degree(node.operation == Operation::square ? 0 : 1);
+          const bool zero = !degree(0) || !other;
+          degrees.push_back(zero ? std::nullopt : std::optional<mpq_class>(*degree(0) + *other));
+          break;
+        }
+        default: {
+          const auto other = degree(arity(node.operation) - 1);
+          if (degree(0) && other && *degree(0) != *other) return false;
+          degrees.push_back(degree(0) ? degree(0) : other);
+        }
+      }
+    }
+    return std::none_of(nodes_.begin(), nodes_.end(), fixed::is_limit);
+  }
+
   void prove_decision(const fixed::ConstantThresholds& thresholds, const fixed::FixedPart& part) {
     const FixedNode& difference = nodes_[part.difference];
     const mpq_class unit = difference.format.unit();
@@ -305,6 +339,9 @@ private:
     }
     if (any([](const FixedNode& node) { return node.operation == Operation::square_root; })) {
       add_step("5", "docs/fixed_point.md, theorem 5: value and error of a square root");
+    }
+    if (lane_.format.is_block) {
+      add_step("6", "docs/fixed_point.md, theorem 6: operands divided by a power of two");
     }
     if (any_part<fixed::ConstantThresholds>()) {
       add_step("3", "docs/fixed_point.md, theorem 3: from the error to the constants");

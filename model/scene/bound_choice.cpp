@@ -17,6 +17,8 @@ constexpr std::string_view running_prefix = "running_";
 
 std::string_view word(Kind kind) {
   switch (kind) {
+    case Kind::block_constant: return "block_constant";
+    case Kind::block_norm: return "block_norm";
     case Kind::constant: return "constant";
     case Kind::fixed_constant: return "fixed_constant";
     case Kind::fixed_norm: return "fixed_norm";
@@ -29,6 +31,11 @@ std::string_view word(Kind kind) {
 
 }  // namespace
 
+bool BoundChoice::is_for(const LaneFormat& format) const {
+  if (!format.fixed_point) return !is_fixed_point();
+  return is_fixed_point() && is_block() == format.fixed_point->is_block;
+}
+
 std::string to_string(const BoundChoice& choice) {
   if (choice.kind != Kind::running) return std::string(word(choice.kind));
   return fmt::format("{}{}", running_prefix, choice.digits);
@@ -39,8 +46,8 @@ std::string to_string(const std::optional<BoundChoice>& choice) {
 }
 
 Result<BoundChoice> parse_bound_choice(std::string_view name) {
-  for (const Kind kind :
-       {Kind::constant, Kind::fixed_constant, Kind::fixed_norm, Kind::profiled, Kind::relative}) {
+  for (const Kind kind : {Kind::block_constant, Kind::block_norm, Kind::constant,
+                          Kind::fixed_constant, Kind::fixed_norm, Kind::profiled, Kind::relative}) {
     if (name == word(kind)) return BoundChoice{kind};
   }
   constexpr settings::Limits digits = settings::limits::bound_digits;
@@ -56,7 +63,8 @@ Result<BoundChoice> parse_bound_choice(std::string_view name) {
 std::string bound_choice_names() {
   constexpr settings::Limits digits = settings::limits::bound_digits;
   return fmt::format(
-      "relative, running_{} to running_{}, constant, profiled, fixed_norm, fixed_constant",
+      "relative, running_{} to running_{}, constant, profiled, fixed_norm, fixed_constant, "
+      "block_norm, block_constant",
       digits.least, digits.most);
 }
 
@@ -78,6 +86,7 @@ std::optional<BoundChoice> bound_choice(const error::Lane& lane) {
 }
 
 BoundChoice bound_choice(const fixed::FixedLane& lane) {
+  if (lane.format.is_block) return {has_norm(lane) ? Kind::block_norm : Kind::block_constant};
   return {has_norm(lane) ? Kind::fixed_norm : Kind::fixed_constant};
 }
 
@@ -92,24 +101,32 @@ BoundChoice bound_choice(const error::CandidateLane& candidate) {
 }
 
 std::span<const BoundChoice> counted_bound_choices() {
-  static constexpr std::array<BoundChoice, 7> choices = {{{Kind::relative},
+  static constexpr std::array<BoundChoice, 9> choices = {{{Kind::relative},
                                                           {Kind::running, 4},
                                                           {Kind::running, 1},
                                                           {Kind::constant},
                                                           {Kind::profiled},
                                                           {Kind::fixed_norm},
-                                                          {Kind::fixed_constant}}};
+                                                          {Kind::fixed_constant},
+                                                          {Kind::block_norm},
+                                                          {Kind::block_constant}}};
   return choices;
 }
 
 ReducedSpec with_bound(const ReducedSpec& reduced, const BoundChoice& choice) {
   ReducedSpec copy = reduced;
   copy.bound = BoundKind::certified;
-  if (!choice.is_fixed_point()) copy.fixed_bits.reset();
-  if (choice.is_fixed_point() && copy.format) copy.fixed_bits = copy.format->precision();
+  if (!choice.is_fixed_point()) {
+    copy.fixed_point.reset();
+  } else if (copy.fixed_point || copy.format) {
+    const int bits = copy.format ? copy.format->precision() : copy.fixed_point->bits;
+    copy.fixed_point = FixedPoint{bits, choice.is_block()};
+  }
   switch (choice.kind) {
+    case Kind::block_constant:
     case Kind::fixed_constant:
     case Kind::constant: copy.error_bound = error::ErrorBoundKind::constant; break;
+    case Kind::block_norm:
     case Kind::fixed_norm: copy.error_bound = error::ErrorBoundKind::norm; break;
     case Kind::relative: copy.error_bound = error::ErrorBoundKind::relative; break;
     case Kind::running:

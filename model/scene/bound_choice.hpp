@@ -13,15 +13,31 @@ namespace mixcmp::scene {
 
 /// A way to bound the errors of a lane, whatever its precision. Profiles, tables and options name
 /// it "relative", "running_4" (digits), "constant" or "profiled"; of lanes in fixed point
-/// "fixed_constant" or "fixed_norm".
+/// "fixed_constant" or "fixed_norm", and "block_constant" or "block_norm" in block floating point.
 struct BoundChoice {
   /// In the order of their names, in which tables are sorted.
-  enum class Kind { constant, fixed_constant, fixed_norm, profiled, relative, running };
+  enum class Kind {
+    block_constant,
+    block_norm,
+    constant,
+    fixed_constant,
+    fixed_norm,
+    profiled,
+    relative,
+    running
+  };
 
   Kind kind = Kind::relative;
   int digits = 0;  ///< digits of a running bound; 0 for others
 
-  bool is_fixed_point() const { return kind == Kind::fixed_constant || kind == Kind::fixed_norm; }
+  bool is_block() const { return kind == Kind::block_constant || kind == Kind::block_norm; }
+  /// Block floating point included.
+  bool is_fixed_point() const {
+    return is_block() || kind == Kind::fixed_constant || kind == Kind::fixed_norm;
+  }
+
+  /// Whether lanes of this format have such bounds.
+  bool is_for(const LaneFormat& format) const;
 
   friend auto operator<=>(const BoundChoice&, const BoundChoice&) = default;
 };

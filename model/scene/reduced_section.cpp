@@ -19,7 +19,7 @@ std::optional<int> number_after(char letter, const std::string& word) {
 std::string accepted_lane_formats(FloatFormat reference) {
   const settings::Limits precisions = settings::lane_precisions(reference);
   const bool narrowed = precisions.most < settings::limits::lane_precision.most;
-  return fmt::format("\"auto\", sP or {}{}; qW with W {}",
+  return fmt::format("\"auto\", sP or {}{}; qW or blockW with W {}",
                      FloatFormat::accepted(precisions.least, precisions.most),
                      narrowed ? "; P at most the reference's" : "",
                      to_string(settings::lane_fixed_bits(reference)));
@@ -29,15 +29,16 @@ void read_reduced_format(settings::Section& section, FloatFormat reference, Redu
   const settings::Setting* setting = section.find("format");
   if (setting == nullptr) return;
   spec.format.reset();
-  spec.fixed_bits.reset();
+  spec.fixed_point.reset();
   spec.exponent_bits_from_ranges = false;
   const settings::Limits allowed = settings::lane_precisions(reference);
   const std::string accepted = accepted_lane_formats(reference);
   const auto* word = std::get_if<std::string>(&setting->value);
   if (word != nullptr && *word == "auto") return;
-  if (word != nullptr) spec.fixed_bits = number_after('q', *word);
-  if (spec.fixed_bits) {
-    if (settings::lane_fixed_bits(reference).allow(*spec.fixed_bits)) return;
+  if (word != nullptr) spec.fixed_point = FixedPoint::parse(*word);
+  if (spec.fixed_point) {
+    if (settings::lane_fixed_bits(reference).allow(spec.fixed_point->bits)) return;
+    spec.fixed_point.reset();
     return section.fail("format", "bits out of range", setting->shown(), accepted);
   }
   const std::optional<int> precision = word == nullptr ? std::nullopt : number_after('s', *word);

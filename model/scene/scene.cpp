@@ -312,7 +312,7 @@ Result<Scene> load_scene(const std::filesystem::path& path,
 }
 
 std::string ReducedSpec::format_name() const {
-  if (fixed_bits) return fmt::format("q{}", *fixed_bits);
+  if (fixed_point) return fixed_point->name();
   return format ? format->name() : "auto";
 }
 

@@ -13,6 +13,7 @@
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
 #include "model/expression/typed_graph.hpp"
+#include "model/number/lane_format.hpp"
 #include "model/scene/engine.hpp"
 #include "model/settings/limits.hpp"
 
@@ -49,8 +50,8 @@ std::string_view to_string(OperandStore store);
 std::string_view to_string(Multipliers multipliers);
 
 struct ReducedSpec {
-  std::optional<FloatFormat> format;  ///< none: "auto", or fixed point
-  std::optional<int> fixed_bits;      ///< written as "q13": the bits W of fixed point
+  std::optional<FloatFormat> format;      ///< none: "auto", or fixed point
+  std::optional<FixedPoint> fixed_point;  ///< written as "q13" or "block13"
   /// Written as "s17": the format's exponent bits are the fewest that the ranges allow.
   bool exponent_bits_from_ranges = false;
   BoundKind bound = BoundKind::certified;
@@ -64,7 +65,7 @@ struct ReducedSpec {
   std::optional<mpq_class> relative_error_f;
   std::optional<mpq_class> relative_error_g;
 
-  std::string format_name() const;  ///< "s17e8", "q13" or "auto"
+  std::string format_name() const;  ///< "s17e8", "q13", "block13" or "auto"
 };
 
 inline constexpr int max_lanes = settings::limits::lanes.most;

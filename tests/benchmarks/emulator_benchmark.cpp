@@ -137,8 +137,9 @@ void by_fixed_emulator(benchmark::State& state, std::int64_t target, bool conver
   choose_instruction_set(target);
   const std::vector<std::optional<Range>> ranges(operand_count, Range{0, 100});
   const emulator::FixedEmulator emulator(
-      fixed::fixed_lane(test::sphere_graph(), test::format("s53e8"),
-                        {.bits = static_cast<int>(state.range(0)), .bound = {}, .ranges = ranges})
+      fixed::fixed_lane(
+          test::sphere_graph(), test::format("s53e8"),
+          {.format = {static_cast<int>(state.range(0))}, .bound = {}, .ranges = ranges})
           .value());
   const Pairs arriving, loaded;
   for (std::size_t operand = 0; operand < operand_count; ++operand) {

@@ -373,7 +373,7 @@ TEST_F(Components, TheShortlistHasTheBestPrecisionsOfTheBestKinds) {
     EXPECT_TRUE(found.ok()) << found.error().to_string();
     std::map<std::string, std::vector<int>> precisions;
     for (const characterise::ComponentKey& key : found->lanes) {
-      precisions[scene::to_string(key.bound)].push_back(LaneFormat::parse(key.format)->precision);
+      precisions[scene::to_string(key.bound)].push_back(LaneFormat::parse(key.format)->precision());
     }
     EXPECT_GT(found->seconds, 0);
     return precisions;

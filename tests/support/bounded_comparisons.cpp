@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "model/fixed/scale_degree.hpp"
 #include "tests/support/graphs.hpp"
 
 namespace mixcmp::test {
@@ -82,6 +83,8 @@ std::vector<BoundedComparison> bounded_comparisons() {
       BoundedComparison{"scales", "a - c / 1024", "b", {0, 3}, Range{0, 3000}},
       BoundedComparison{"tiny_range", "a", "b", {0, mpq_class(1, 16)}},
       BoundedComparison{"itself", "a - a", "b - b", {0, 3}},
+      BoundedComparison{"clamped_at_zero", "max(a - b, 0)", "c / 3", {-3, 3}},
+      BoundedComparison{"product_of_two_degrees", "a * b * c", "sqrt(a * b) * b^2", {0, 3}},
       BoundedComparison{"clamped", "min(max(a - b, 0), 1)", "c", {0, 3}},
       BoundedComparison{"square_less_a_product", "(c - a * b)^2", "b", {0, 3}},
       BoundedComparison{"square_less_a_square", "(c - (a - b)^2)^2 + a", "b", {0, 3}},
@@ -98,22 +101,41 @@ std::vector<BoundedComparison> bounded_comparisons() {
   return all;
 }
 
-std::vector<NamedFixedLane> fixed_lanes(const BoundedComparison& comparison, FloatFormat format,
-                                        const std::vector<int>& widths) {
+namespace {
+
+std::vector<NamedFixedLane> lanes_of(const BoundedComparison& comparison, FloatFormat format,
+                                     const std::vector<FixedPoint>& lane_formats) {
   using fixed::FixedBound;
   std::vector<NamedFixedLane> lanes;
-  for (const int bits : widths) {
+  for (const FixedPoint& lane_format : lane_formats) {
     for (const FixedBound bound : {FixedBound::constant, FixedBound::norm}) {
       const auto lane =
           fixed::fixed_lane(comparison.graph(), format,
-                            {.bits = bits, .bound = bound, .ranges = comparison.ranges()});
+                            {.format = lane_format, .bound = bound, .ranges = comparison.ranges()});
       const char* const name = bound == FixedBound::norm ? "norm" : "constant";
       const bool exists = bound == FixedBound::constant || comparison.has_norm.value_or(lane.ok());
       EXPECT_EQ(lane.ok(), exists) << name;
-      if (lane.ok()) lanes.push_back({fmt::format("q{}, {}", bits, name), *lane});
+      if (lane.ok()) lanes.push_back({fmt::format("{}, {}", lane_format.name(), name), *lane});
     }
   }
   return lanes;
+}
+
+}  // namespace
+
+std::vector<NamedFixedLane> fixed_lanes(const BoundedComparison& comparison, FloatFormat format,
+                                        const std::vector<int>& widths) {
+  std::vector<FixedPoint> formats;
+  for (const int bits : widths) formats.push_back({.bits = bits});
+  return lanes_of(comparison, format, formats);
+}
+
+std::vector<NamedFixedLane> block_lanes(const BoundedComparison& comparison, FloatFormat format,
+                                        const std::vector<int>& widths) {
+  if (!fixed::scale_degrees(comparison.graph()).ok()) return {};
+  std::vector<FixedPoint> formats;
+  for (const int bits : widths) formats.push_back({.bits = bits, .is_block = true});
+  return lanes_of(comparison, format, formats);
 }
 
 }  // namespace mixcmp::test

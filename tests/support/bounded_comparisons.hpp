@@ -36,5 +36,8 @@ struct NamedFixedLane {
 /// otherwise, a test fails.
 std::vector<NamedFixedLane> fixed_lanes(const BoundedComparison& comparison, FloatFormat format,
                                         const std::vector<int>& widths);
+/// Likewise in block floating point; none where f and g are not homogeneous of one degree.
+std::vector<NamedFixedLane> block_lanes(const BoundedComparison& comparison, FloatFormat format,
+                                        const std::vector<int>& widths);
 
 }  // namespace mixcmp::test

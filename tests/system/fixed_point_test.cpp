@@ -19,15 +19,17 @@ struct Case {
   Range range;
   Combination combination = Combination::all;
   scene::Multipliers multipliers = scene::Multipliers::embedded;
+  bool is_block = false;
 };
 
 void PrintTo(const Case& c, std::ostream* stream) {
   *stream << c.name;
 }
 
-design::Design design_of(const Graph& graph, FloatFormat reference, int bits, const Range& range,
+design::Design design_of(const Graph& graph, FloatFormat reference, FixedPoint lane_format,
+                         const Range& range,
                          scene::Multipliers multipliers = scene::Multipliers::embedded) {
-  const fixed::FixedOptions options = {.bits = bits,
+  const fixed::FixedOptions options = {.format = lane_format,
                                        .ranges = {graph.inputs().size(), std::optional(range)}};
   return {.name = "fixed_point",
           .inputs = graph.inputs(),
@@ -48,13 +50,13 @@ data::Table every_pair(FloatFormat format) {
   return table;
 }
 
-class FixedPoint : public testing::TestWithParam<Case> {};
+class SystemInFixedPoint : public testing::TestWithParam<Case> {};
 
-TEST_P(FixedPoint, EveryOperandIsDecidedAsTheGoldenModelSaysAndTruly) {
+TEST_P(SystemInFixedPoint, EveryOperandIsDecidedAsTheGoldenModelSaysAndTruly) {
   const Graph graph = graph_of(GetParam().parts, GetParam().combination);
   const FloatFormat s4e4 = format("s4e4");
-  const design::Design design =
-      design_of(graph, s4e4, GetParam().bits, GetParam().range, GetParam().multipliers);
+  const design::Design design = design_of(graph, s4e4, {GetParam().bits, GetParam().is_block},
+                                          GetParam().range, GetParam().multipliers);
   const auto data = data::Comparisons::rows(every_pair(s4e4), design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
   const verilator_tb::VerifyReport report =
@@ -70,7 +72,7 @@ const Range both_signs = {-6, 6};
 const Range positive = {0, 12};
 
 INSTANTIATE_TEST_SUITE_P(
-    Lanes, FixedPoint,
+    Lanes, SystemInFixedPoint,
     testing::Values(
         Case{"norm", {{"(a - b)^2 + b^2", "(abs(a) + 1.3)^2"}}, 4, both_signs},
         Case{"norm_swapped", {{"(a + 1.5)^2", "(b - 2)^2 + (a - b)^2"}}, 5, positive},
@@ -105,14 +107,35 @@ INSTANTIATE_TEST_SUITE_P(
              {{"(a - b)^2", "(b + 1)^2"}, {"a", "3 * b - 1"}},
              4,
              positive,
-             Combination::any}),
+             Combination::any},
+        Case{"block_norm",
+             {{"(a - b)^2 + b^2", "(2 * abs(a) + b)^2"}},
+             4,
+             both_signs,
+             Combination::all,
+             scene::Multipliers::embedded,
+             true},
+        Case{"block_of_positive_operands",
+             {{"a * b", "0.7 * a^2"}},
+             3,
+             positive,
+             Combination::all,
+             scene::Multipliers::logic,
+             true},
+        Case{"block_of_two_degrees",
+             {{"(a - b)^2", "a * b"}, {"a", "3 * abs(b)"}},
+             6,
+             both_signs,
+             Combination::any,
+             scene::Multipliers::embedded,
+             true}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 /// The families of spheres that are made to mislead a lane.
 TEST(SpheresInFixedPoint, AreDecidedTruly) {
   const Graph graph = sphere_graph();
   const FloatFormat s53e8 = format("s53e8");
-  const design::Design design = design_of(graph, s53e8, 13, {0, 100});
+  const design::Design design = design_of(graph, s53e8, {13}, {0, 100});
   std::uint64_t decided = 0;
   for (const SphereFamily& family : sphere_families(s53e8, 13, 400, 5)) {
     const auto data = data::Comparisons::rows(family.pairs, design.inputs);

@@ -200,7 +200,7 @@ TEST(MakeDesign, TakesALaneThatIsOnlyEverCertainOfOneVerdict) {
   scene.graph = graph_of("a^2", "(b + 5)^2");
   scene.ranges = {Range{0, 1}, Range{0, 1}};
   scene.reduced.format.reset();
-  scene.reduced.fixed_bits = 13;
+  scene.reduced.fixed_point = FixedPoint{13};
   const auto less = design::make_design(scene, nullptr);
   EXPECT_TRUE(less.ok());
   scene.graph = graph_of("(b + 5)^2", "a^2");
@@ -211,7 +211,7 @@ TEST(MakeDesign, TakesALaneThatIsOnlyEverCertainOfOneVerdict) {
 Scene fixed_scene() {
   Scene scene = complete_scene();
   scene.reduced.format.reset();
-  scene.reduced.fixed_bits = 13;
+  scene.reduced.fixed_point = FixedPoint{13};
   scene.ranges = {Range{0, 4}, Range{0, 4}};
   return scene;
 }
@@ -244,7 +244,7 @@ TEST(MakeDesign, RefusesWhatFixedPointHasNot) {
 TEST(MakeDesign, RefusesALaneInFixedPointThatCouldNeverDecide) {
   Scene scene = fixed_scene();
   scene.graph = graph_of("a^8", "b^8");
-  scene.reduced.fixed_bits = 2;
+  scene.reduced.fixed_point = FixedPoint{2};
   scene.reduced.error_bound = ErrorBoundKind::constant;
   EXPECT_NE(error_of(scene).message.find("no two results"), std::string::npos);
   EXPECT_EQ(error_of(scene).received, "q2");

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/golden/fixed_evaluate.hpp"
+#include "model/number/decimal.hpp"
 #include "model/number/dyadic.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
@@ -24,7 +25,7 @@ FixedLane lane_of(const Graph& graph, int bits, const Range& range,
                   std::optional<FixedBound> bound = {}) {
   const std::vector<std::optional<Range>> ranges(graph.inputs().size(), range);
   return fixed::fixed_lane(graph, format_of(53, 8),
-                           {.bits = bits, .bound = bound, .ranges = ranges})
+                           {.format = {bits}, .bound = bound, .ranges = ranges})
       .value();
 }
 
@@ -121,7 +122,7 @@ TEST(FixedLane, WhatIsCutHasNoNorm) {
   const std::vector<std::optional<Range>> ranges(3, Range{0, 1});
   const auto has_norm = [&](const char* f) {
     return fixed::fixed_lane(graph_of(f, "c^2"), format_of(53, 8),
-                             {.bits = 9, .bound = FixedBound::norm, .ranges = ranges})
+                             {.format = {9}, .bound = FixedBound::norm, .ranges = ranges})
         .ok();
   };
   EXPECT_TRUE(has_norm("a^2 + (b / 8)^2")) << "25 bits";
@@ -158,7 +159,7 @@ TEST(FixedLane, ConversionsTakeBitsThatTheirOperandsHave) {
     ranges[1] = {mpq_class(-1, 64), mpq_class(1, 64)};
     for (int bits = 1; bits <= 16; ++bits) {
       const FixedLane lane =
-          fixed::fixed_lane(graph, format_of(24, 8), {.bits = bits, .ranges = ranges}).value();
+          fixed::fixed_lane(graph, format_of(24, 8), {.format = {bits}, .ranges = ranges}).value();
       for (const FixedNode& node : lane.nodes) {
         if (node.operation != Operation::convert) continue;
         EXPECT_LE(node.dropped_bits + node.format.width, lane.nodes[node.operands[0]].format.width)
@@ -203,7 +204,7 @@ TEST(FixedLane, ARootMayTakeWhatALimitKeepsFromZero) {
   const Graph graph = graph_of("sqrt(within(a - b, 0.5, 4))", "1");
   const std::vector<std::optional<Range>> ranges(2, Range{0, 3});
   const auto is_refused = [&](int bits) {
-    return !fixed::fixed_lane(graph, format_of(53, 8), {.bits = bits, .ranges = ranges}).ok();
+    return !fixed::fixed_lane(graph, format_of(53, 8), {.format = {bits}, .ranges = ranges}).ok();
   };
   EXPECT_TRUE(is_refused(2)) << "a unit of 1: 0 as computed may be below in truth";
   EXPECT_FALSE(is_refused(3)) << "a unit of 1/2, which the difference is off by at most";
@@ -302,6 +303,65 @@ TEST(FixedLane, AConstantIsNoFartherThanItsErrorSays) {
   EXPECT_EQ(constant->error, (Range{constant->error.low, constant->error.low}));
 }
 
+FixedLane block_of(const Graph& graph, int bits, std::vector<std::optional<Range>> ranges = {}) {
+  ranges.resize(graph.inputs().size());
+  return fixed::fixed_lane(graph, format_of(24, 8),
+                           {.format = {bits, true}, .ranges = std::move(ranges)})
+      .value();
+}
+
+std::vector<std::optional<mpz_class>> in_block(const FixedLane& lane,
+                                               const std::vector<const char*>& operands) {
+  std::vector<Bits> inputs;
+  for (const char* operand : operands) {
+    inputs.push_back(from_text(lane.input_format, operand).value());
+  }
+  return golden::evaluate(lane, inputs);
+}
+
+TEST(BlockLane, NeedsNoRangesAndTakesSignsFromThem) {
+  const Graph graph = graph_of("a - b", "c");
+  EXPECT_EQ(formats_of(block_of(graph, 9)).front(), "input sfix10_En9");
+  const FixedLane lane = block_of(graph, 9, {Range{0, 1000}, Range{-1, 1}});
+  EXPECT_EQ(lane.nodes[0].format.name(), "ufix9_En9");
+  EXPECT_EQ(lane.nodes[1].format.name(), "sfix10_En9");
+}
+
+/// 5 is the largest magnitude, so all are counted in units of 8 / 2^4.
+TEST(BlockLane, CountsInUnitsOfTheLargestOperand) {
+  const FixedLane lane = block_of(graph_of("a - b", "c"), 4);
+  const auto values = in_block(lane, {"-5", "1.7", "0.4"});
+  EXPECT_EQ(values[0], mpz_class(-11));  // one's complement
+  EXPECT_EQ(values[1], mpz_class(3));
+  EXPECT_EQ(in_block(lane, {"-0x5p100", "0x1.bp100", "0.4"})[0], values[0]);
+  EXPECT_EQ(in_block(lane, {"8", "1.7", "0.4"})[0], mpz_class(8));
+}
+
+/// Below the least normal number the unit stays.
+TEST(BlockLane, CountsSubnormalsInTheUnitOfNormals) {
+  const FixedLane lane = block_of(graph_of("a", "b"), 4);
+  EXPECT_EQ(in_block(lane, {"0x1p-127", "0"})[0], mpz_class(4));
+  EXPECT_EQ(in_block(lane, {"0x1p-126", "0"})[0], mpz_class(8));
+  EXPECT_EQ(in_block(lane, {"0x1.8p-126", "0"})[0], mpz_class(12));
+}
+
+TEST(BlockLane, MistakesNameTheFormat) {
+  const auto mixed = fixed::fixed_lane(graph_of("a^2", "b"), format_of(24, 8),
+                                       {.format = {9, true}, .ranges = {{}, {}}});
+  ASSERT_FALSE(mixed.ok());
+  EXPECT_EQ(mixed.error().received, "block9");
+}
+
+TEST(FixedLane, DividesByConstants) {
+  const FixedLane lane = lane_of(graph_of("a / 3", "b"), 6, {0, 4});
+  const auto constant =
+      std::find_if(lane.nodes.begin(), lane.nodes.end(),
+                   [](const FixedNode& node) { return node.operation == Operation::constant; });
+  ASSERT_NE(constant, lane.nodes.end());
+  EXPECT_EQ(constant->constant, 43);  // of 2^-7
+  EXPECT_EQ(constant->error.low, mpq_class(43, 128) - mpq_class(1, 3));
+}
+
 TEST(FixedLane, MistakesNameWhatIsMissing) {
   const Graph graph = graph_of("a", "b");
   const auto open =
@@ -312,7 +372,7 @@ TEST(FixedLane, MistakesNameWhatIsMissing) {
   const auto none =
       fixed::fixed_lane(quotient, format_of(53, 8), {.ranges = {Range{0, 1}, Range{1, 2}}});
   ASSERT_FALSE(none.ok());
-  EXPECT_EQ(none.error().message, "fixed point does not divide: a / b");
+  EXPECT_EQ(none.error().message, "fixed point divides by constants alone: a / b");
   const auto negative = fixed::fixed_lane(graph_of("sqrt(a - b)", "1"), format_of(53, 8),
                                           {.ranges = {Range{0, 1}, Range{0, 1}}});
   ASSERT_FALSE(negative.ok());
@@ -323,7 +383,7 @@ TEST(FixedLane, MistakesNameWhatIsMissing) {
   EXPECT_EQ(beyond.error().message, "the ranges allow no value that is within the limits: a");
   // 0.2 becomes 0.25, and the difference 0 where in truth it is -0.05.
   const auto hidden = fixed::fixed_lane(graph_of("sqrt(a + 0.2 - 0.25)", "1"), format_of(53, 8),
-                                        {.bits = 1, .ranges = {Range{0, 1}}});
+                                        {.format = {1}, .ranges = {Range{0, 1}}});
   ASSERT_FALSE(hidden.ok());
   EXPECT_EQ(hidden.error().message, "the radicand of a root may be negative: sqrt(a + 0.2 - 0.25)");
 }

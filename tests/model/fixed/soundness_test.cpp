@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "model/golden/fixed_evaluate.hpp"
 #include "model/number/decimal.hpp"
@@ -28,6 +29,7 @@ mpq_class exact_value(const Graph& graph, NodeId id, const std::vector<mpq_class
     case Operation::subtract: return operand(0) - operand(1);
     case Operation::multiply: return operand(0) * operand(1);
     case Operation::square: return operand(0) * operand(0);
+    case Operation::divide: return operand(0) / operand(1);
     case Operation::minimum: return std::min<mpq_class>(operand(0), operand(1));
     case Operation::maximum: return std::max<mpq_class>(operand(0), operand(1));
     default: ADD_FAILURE() << to_string(node.operation); return 0;
@@ -77,7 +79,11 @@ TEST_P(EveryTupleInFixedPoint, IsDecidedAsTheRealNumbersAre) {
   const bool roots = has_roots(graph);
   const std::size_t count = graph.inputs().size();
   const FloatFormat format = count <= 2 ? format_of(4, 4) : MIXCMP_TRIPLE_FORMAT;
-  const auto lanes = fixed_lanes(GetParam(), format, {1, 2, 3, 4, 5, 6});
+  const std::vector<int> widths = {1, 2, 3, 4, 5, 6};
+  std::vector<NamedFixedLane> lanes = fixed_lanes(GetParam(), format, widths);
+  for (NamedFixedLane& lane : block_lanes(GetParam(), format, widths)) {
+    lanes.push_back(std::move(lane));
+  }
   std::vector<std::uint64_t> decided(lanes.size(), 0);
   const Bits end = Bits{1} << (count * static_cast<std::size_t>(format.width()));
   for (Bits index = 0; index < end && !HasFailure(); ++index) {

@@ -26,6 +26,7 @@ struct Case {
   Range range;
   const char* verdict;
   std::optional<FixedBound> bound = {};
+  bool is_block = false;
 };
 
 void PrintTo(const Case& c, std::ostream* stream) {
@@ -35,7 +36,7 @@ void PrintTo(const Case& c, std::ostream* stream) {
 FixedLane lane_of(const Case& c) {
   const Graph graph = graph_of(c.parts, Combination::all);
   return fixed::fixed_lane(graph, format_of(53, 8),
-                           {.bits = c.bits,
+                           {.format = {c.bits, c.is_block},
                             .bound = c.bound,
                             .ranges = {graph.inputs().size(), std::optional(c.range)}})
       .value();
@@ -130,6 +131,13 @@ INSTANTIATE_TEST_SUITE_P(
             6,
             {0, 1},
             "machine-checked but for theorems 1 (operands), 2 (dropped bits) and 3, by hand"},
+        Case{"block",
+             {{"(a - b)^2 + (2 * c)^2", "(d + max(e, 0))^2"}},
+             9,
+             {0, 1},
+             "machine-checked but for theorems 1 (operands), 2 (choices), 6 and 4, by hand",
+             {},
+             true},
         Case{"parts",
              {{"a - b", "a - a"}, {"a^2 + b^2", "c^2"}},
              17,
@@ -159,6 +167,17 @@ TEST_P(TooClose, IsRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Thresholds, TooClose, testing::Range(0, 5));
+
+/// A lane of a sum of degrees 1 and 2, which says that it is in block floating point.
+TEST(FixedProofOfBlocks, RefusesWhatDoesNotGrowAlike) {
+  FixedLane lane = lane_of({"", {{"a + a^2", "b"}}, 9, {0, 1}, ""});
+  const auto prove = [](const std::string&) {
+    return proof::ScriptResult{Outcome::proven, "", ""};
+  };
+  EXPECT_FALSE(proof::prove_fixed(lane, prove).refused());
+  lane.format.is_block = true;
+  EXPECT_TRUE(proof::prove_fixed(lane, prove).refused());
+}
 
 TEST(FixedProofOfOperands, DoesNotBelieveTheLane) {
   FixedLane lane = lane_of({"", sum, 12, {0, 5}, ""});

@@ -349,11 +349,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "s17e8", "s3e8",
             ":14: reduced.format: precision out of range: received \"s3e8\"; accepted \"auto\", "
-            "sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; qW with W "
+            "sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; qW or blockW "
+            "with W "
             "2..48"},
         Mistake{"s17e8", "s53",
                 ":14: reduced.format: precision out of range: received \"s53\"; accepted \"auto\", "
-                "sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; qW with W "
+                "sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; qW or "
+                "blockW with W "
                 "2..48"},
         Mistake{"s17e8", "float",
                 ":14: reduced.format: not a floating-point format: received \"float\"; accepted "
@@ -366,7 +368,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"s53e8", "s16e8",
                 ":14: reduced.format: precision out of range: received \"s17e8\"; accepted "
                 "\"auto\", sP or sPeE with P 4..16 and E 2..15, or binary16, bfloat16; P at most "
-                "the reference's; qW with W 2..16"},
+                "the reference's; qW or blockW with W 2..16"},
         Mistake{"\"profiled\"", "\"profield\"",
                 ":15: reduced.bound: not a choice: received \"profield\"; accepted profiled (the "
                 "nearest), certified"},

@@ -1,0 +1,120 @@
+// fixed_alignment: an operand as an integer that counts units of 2^(E+1-WIDTH), where E is the
+// exponent whose biased code is `largest`, rounded down: its magnitude truncated and, if its sign
+// bit is set, all bits inverted. The integer has WIDTH bits, or WIDTH + 1 in two's complement if
+// SIGNED. It means nothing where the operand's exponent is above E; `largest` is at least 1.
+// SUBNORMALS = 0: subnormal operands are less than a unit, whatever `largest` is.
+// Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
+`default_nettype none
+
+module fixed_alignment #(
+  parameter       EXPONENT_BITS = 8,
+  parameter       PRECISION     = 24,
+  parameter       WIDTH         = 13,
+  parameter       SIGNED        = 0,
+  parameter       SUBNORMALS    = 1,
+  parameter [1:0] CUTS          = 2'b00
+) (
+  input  wire                               aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] x,
+  input  wire [EXPONENT_BITS-1:0]           largest,
+  output wire [WIDTH+SIGNED-1:0]            y
+);
+
+  function integer bits_for(input integer value);
+    integer rest;
+    begin
+      bits_for = 0;
+      for (rest = value; rest > 0; rest = rest >> 1) bits_for = bits_for + 1;
+    end
+  endfunction
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent
+      EXPONENT_BITS_is_below_2 refused ();
+    end
+    if (PRECISION < 1) begin : g_refused_precision
+      PRECISION_is_below_1 refused ();
+    end
+    if (WIDTH < 1) begin : g_refused_width
+      WIDTH_is_below_1 refused ();
+    end
+    if ((SIGNED != 0) && (SIGNED != 1)) begin : g_refused_signed
+      SIGNED_is_not_0_or_1 refused ();
+    end
+  endgenerate
+
+  localparam FRACTION = PRECISION - 1;
+  localparam SIGN     = EXPONENT_BITS + FRACTION;
+  // The bits of a distance that leaves something of the significand.
+  localparam PLACES   = (WIDTH < 3) ? 1 : bits_for(WIDTH - 1);
+  localparam SHIFT    = (PLACES < EXPONENT_BITS) ? PLACES : EXPONENT_BITS;
+
+  // Stage distance: how far the leading digit is below the leading bit of the integer.
+  wire [EXPONENT_BITS-1:0] s0_exponent = x[SIGN-1:FRACTION];
+  wire                     s0_normal   = (s0_exponent != 0) || (SUBNORMALS == 0);
+  wire [EXPONENT_BITS-1:0] s0_distance =
+      largest - s0_exponent - {{(EXPONENT_BITS - 1) {1'b0}}, !s0_normal};
+  wire                     s0_far      = (s0_distance >> SHIFT) != 0;
+  wire                     s0_negative = x[SIGN];
+  wire [PRECISION-1:0]     s0_significand;
+  wire [WIDTH-1:0]         s0_leading;
+  wire                     unused_lost;
+
+  generate
+    if (FRACTION > 0) begin : g_fraction
+      assign s0_significand = {s0_normal, x[FRACTION-1:0]};
+    end else begin : g_no_fraction
+      assign s0_significand = s0_normal;
+    end
+  endgenerate
+
+  fp_fit #(
+    .FROM(PRECISION),
+    .TO  (WIDTH)
+  ) s0_fit (
+    .value (s0_significand),
+    .fitted(s0_leading),
+    .sticky(unused_lost)
+  );
+
+  wire [WIDTH-1:0] s1_leading;
+  wire [SHIFT-1:0] s1_distance;
+  wire             s1_far;
+  wire             s1_negative;
+
+  fp_rank #(
+    .WIDTH     (WIDTH + SHIFT + 2),
+    .REGISTERED(CUTS[0])
+  ) rank_0 (
+    .aclk(aclk),
+    .d   ({s0_leading, s0_distance[SHIFT-1:0], s0_far, s0_negative}),
+    .q   ({s1_leading, s1_distance, s1_far, s1_negative})
+  );
+
+  // Stage shift.
+  wire [WIDTH-1:0]        s1_magnitude = s1_far ? {WIDTH{1'b0}} : s1_leading >> s1_distance;
+  wire [WIDTH+SIGNED-1:0] s1_integer;
+
+  generate
+    if (SIGNED != 0) begin : g_signed
+      assign s1_integer = {s1_negative, s1_magnitude ^ {WIDTH{s1_negative}}};
+    end else begin : g_unsigned
+      wire unused_negative = s1_negative;
+
+      assign s1_integer = s1_magnitude;
+    end
+  endgenerate
+
+  fp_rank #(
+    .WIDTH     (WIDTH + SIGNED),
+    .REGISTERED(CUTS[1])
+  ) rank_1 (
+    .aclk(aclk),
+    .d   (s1_integer),
+    .q   (y)
+  );
+
+endmodule
+
+`default_nettype wire
