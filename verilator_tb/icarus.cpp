@@ -172,6 +172,7 @@ Result<Answer> simulate_in_icarus(const System& system, const Block& block,
                                   const fs::path& work_dir, const SimulationOptions& options,
                                   const Progress& progress, const Waiting& waiting) {
   MIXCMP_TRY(version, tool_version({"iverilog", "-V"}, "iverilog"));
+  MIXCMP_TRY(simulator_version, tool_version({"vvp", "-V"}, "iverilog"));
   MIXCMP_TRY(inputs, system_sources(system));
   const auto bytes = static_cast<std::size_t>(system.signature.tdata_bytes);
   for (const EmbeddedFile& file : icarus_files()) inputs.emplace_back(file.name, file.text);

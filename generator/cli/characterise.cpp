@@ -256,7 +256,7 @@ void tell_failures(const CharacteriseReport& report) {
   }
 }
 
-/// "fixed_norm q10 q11 q12, running_4 rounded s9e8 s10e8": the lanes by kind.
+/// "fixed_norm of 10, 11, 12; running_4 rounded of 9, 10": the precisions of each kind of lane.
 std::string kinds_of(const std::set<characterise::ComponentKey>& lanes) {
   std::map<std::string, std::set<int>> formats;
   for (const characterise::ComponentKey& lane : lanes) {

@@ -93,7 +93,8 @@ BoundCost cost_of(const LoadedScene& loaded, const ReducedSpec& compared,
   return cost;
 }
 
-/// The scene's lane; of one in fixed point that in floating point with as many digits.
+/// The scene's lane; in the place of one in fixed point a lane in floating point, with W bits of
+/// significand.
 Result<ReducedSpec> lane_in_floating_point(const Scene& scene) {
   ReducedSpec reduced = scene.reduced;
   if (reduced.fixed_point) {

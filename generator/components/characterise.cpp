@@ -53,7 +53,8 @@ public:
     tools_ = tools;
     for (const TimingEffort effort : {TimingEffort::area_only, TimingEffort::timing}) {
       const Result<std::string> here = tool_versions(device_, effort);
-      if (!here.ok() && here.error().kind != ErrorKind::missing_tool) return here.error();
+      const bool is_broken = !here.ok() && here.error().kind != ErrorKind::missing_tool;
+      if (is_broken && effort == options_.synthesis.effort) return here.error();
       if (here.ok()) tools_here_[effort] = *here;
     }
     MIXCMP_TRY(planned, plan());

@@ -30,7 +30,8 @@ Unit operand_unit(const FixedLane& lane, const FixedFormat& to, const DelayTable
   return std::move(stages).unit(lane.format.is_block ? "fixed_alignment" : "fixed_operand");
 }
 
-/// `b_bits`: of the factor that may exceed a multiplier by some rows.
+/// `b_bits`: the width of the second factor. What a multiplier's port is too narrow for is rows of
+/// gates.
 Unit product_unit(int b_bits, const DelayTable& delays) {
   const bool rows = b_bits - 1 > delays.multiplier_size.b_bits;
   StageList stages(delays);
@@ -80,14 +81,14 @@ Unit decision_unit(const FixedLane&, const fixed::ConstantThresholds&,
 
 Unit decision_unit(const FixedLane& lane, const fixed::NormThresholds& thresholds,
                    const FixedFormat& difference, const DelayTable& delays) {
-  const int limit = limit_bits(lane, thresholds);
+  const int threshold = threshold_bits(lane, thresholds);
   StageList stages(delays);
   const int root_bits = lane.nodes[thresholds.radius].format.width;
   stages.add("root",
              thresholds.radius_is_squared ? stages.lut_delay_ns(reduction_levels(root_bits)) : 0);
-  stages.add("limit", stages.carry(limit));
-  stages.add("compare",
-             stages.carry(std::max(signed_bits(difference), limit) + 1) + stages.lut_delay_ns(1));
+  stages.add("threshold", stages.carry(threshold));
+  stages.add("compare", stages.carry(std::max(signed_bits(difference), threshold) + 1) +
+                            stages.lut_delay_ns(1));
   return std::move(stages).unit("fixed_norm_decision");
 }
 
@@ -164,7 +165,7 @@ Unit fixed_decision_unit(const FixedLane& lane, const fixed::FixedPart& part,
       part.criterion);
 }
 
-int limit_bits(const FixedLane& lane, const fixed::NormThresholds& thresholds) {
+int threshold_bits(const FixedLane& lane, const fixed::NormThresholds& thresholds) {
   const FixedFormat& format = lane.nodes[thresholds.radius].format;
   const mpz_class radius =
       thresholds.radius_is_squared ? shifted_left(1, (format.width + 1) / 2) : format.largest();

@@ -29,7 +29,7 @@ Unit limit_unit(const fixed::FixedLane& lane, const fixed::FixedNode& limit,
 Unit fixed_decision_unit(const fixed::FixedLane& lane, const fixed::FixedPart& part,
                          const DelayTable& delays);
 
-/// The bits of the largest limit of a norm's thresholds.
-int limit_bits(const fixed::FixedLane& lane, const fixed::NormThresholds& thresholds);
+/// The bits of the largest threshold of a norm's thresholds.
+int threshold_bits(const fixed::FixedLane& lane, const fixed::NormThresholds& thresholds);
 
 }  // namespace mixcmp::datapath

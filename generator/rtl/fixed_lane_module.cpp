@@ -44,15 +44,15 @@ private:
 
   PartDecision build(std::size_t part, const fixed::NormThresholds& thresholds) {
     const Signal& radius = nodes_.value(thresholds.radius);
-    const int limit = datapath::limit_bits(lane_, thresholds);
+    const int threshold = datapath::threshold_bits(lane_, thresholds);
     return add(part,
-               "certain where the difference exceeds what the norm of the errors makes of it.",
+               "certain where the difference exceeds what follows from the norm of the errors.",
                {{"WIDTH", difference_bits(part)},
                 {"RADIUS_WIDTH", radius.width},
                 {"ROOT", thresholds.radius_is_squared ? 1 : 0},
-                {"LIMIT_WIDTH", limit},
+                {"THRESHOLD_WIDTH", threshold},
                 {"SHIFT_ABOVE", thresholds.shift_above},
-                {"OFFSET_ABOVE", Literal{limit, to_bits(thresholds.offset_above)}},
+                {"OFFSET_ABOVE", Literal{threshold, to_bits(thresholds.offset_above)}},
                 {"SHIFT_BELOW", thresholds.shift_below},
                 {"SWAPPED", lane_.parts[part].swapped ? 1 : 0}},
                {{"radius", datapath_.at(radius, step(part).start_cycle)}});

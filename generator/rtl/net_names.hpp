@@ -27,8 +27,8 @@ std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<s
                                     NamePool& pool);
 
 /// Names for the nodes of a lane in fixed point. An input bears its port's name with "_fixed"; a
-/// difference that decides is "difference" (with several parts "difference_0", ...); others are
-/// named as in floating point.
+/// difference that decides is "difference" (with several parts "difference_0", ...); a cut
+/// ends in "_cut", a limit in "_limited"; others are named as in floating point.
 std::vector<std::string> name_nodes(const fixed::FixedLane& lane,
                                     const std::vector<std::string>& ports, NamePool& pool);
 

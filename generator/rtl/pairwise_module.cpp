@@ -61,7 +61,8 @@ void declare_lane_streams(const EngineShape& engine, const SystemShape& system,
 void declare_refetch_streams(const EngineShape& engine, const SystemShape& system,
                              std::vector<ModuleItem>& items) {
   const int references = system.references;
-  items.push_back(Comment{"Tags from the references, the operands they name back."});
+  items.push_back(Comment{
+      "Tags from the references; back to them the operands of the items that a tag names."});
   for (const auto& [width, name] :
        std::vector<std::pair<int, std::string>>{{1, "refetch_tvalid"},
                                                 {1, "refetch_tready"},

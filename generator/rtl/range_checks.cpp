@@ -49,7 +49,8 @@ std::vector<Signal> build_magnitude_checks(DatapathBuilder& builder, const error
     if (lane.checks[k].leading_bits == 0) continue;
     if (!told) {
       builder.add(
-          Comment{"What is proven and what is left out hold for operands in these ranges."});
+          Comment{"Operands in these ranges: for others the error bound is not proven; they stay "
+                  "undecided."});
     }
     told = true;
     flags.back() =

@@ -171,7 +171,7 @@ Result<std::filesystem::path> default_store_path() {
   if (cache.is_absolute()) return cache / "mixcmp" / "characterisation.sqlite";
   return Error{.field = "--store",
                .message = "no place for the store of results",
-               .received = "neither $XDG_CACHE_HOME nor $HOME is set",
+               .received = "neither $XDG_CACHE_HOME nor $HOME is an absolute path",
                .accepted = "--store FILE"};
 }
 

@@ -27,11 +27,10 @@ std::size_t character_bytes(std::string_view text) {
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t most = 80;
-  std::string shown = "\"";
-  for (const char c : text.substr(0, most)) shown += ' ' <= c && c <= '~' ? c : '?';
-  if (text.size() > most) shown += "...";
-  shown += '"';
-  return shown;
+  if (text.size() <= most) return '"' + printable_line(text) + '"';
+  std::size_t end = most;  // between two characters
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return '"' + printable_line(text.substr(0, end)) + "...\"";
 }
 
 bool is_one_line(std::string_view text) {

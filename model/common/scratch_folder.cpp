@@ -53,7 +53,9 @@ ScratchFolder::~ScratchFolder() {
 }
 
 void ScratchFolder::keep_for(const Error& error) {
-  kept_ = kept_ || error.to_string().find(path_.string()) != std::string::npos;
+  std::error_code failed;
+  const bool is_named = error.to_string().find(path_.string()) != std::string::npos;
+  kept_ = kept_ || (is_named && !std::filesystem::is_empty(path_, failed));
 }
 
 }  // namespace mixcmp::inline common

@@ -27,7 +27,7 @@ public:
 
   /// Leaves the folder for the user to look into, until the next run removes it.
   void keep() { kept_ = true; }
-  /// Does so if the error names a file in it.
+  /// Does so if the error names a file in it, and there is one.
   void keep_for(const Error& error);
 
 private:

@@ -59,7 +59,8 @@ std::vector<error::ProfiledError> profile_parts(const scene::Scene& scene, const
   return parts;
 }
 
-/// The key of a constant that the scene does not give and no comparison tells of some part.
+/// The key of a constant that the scene does not give and the data do not tell: no comparison has
+/// that relative error in some part.
 std::optional<std::string> unmeasured_constant(const scene::ReducedSpec& reduced,
                                                const std::vector<error::ProfiledError>& parts) {
   for (const error::ProfiledError& part : parts) {
@@ -135,12 +136,11 @@ bool part_can_decide(const error::Lane& lane) {
 }
 
 Error undecidable(const std::string& format) {
-  return {.field = "reduced.format",
-          .message =
-              "too many roundings for so few digits: no two results are far enough "
-              "apart to be decided",
-          .received = format,
-          .accepted = "more precision"};
+  return {
+      .field = "reduced.format",
+      .message = "the error bound exceeds every difference of f and g: nothing would be decided",
+      .received = format,
+      .accepted = "more precision, or f and g that differ by more"};
 }
 
 Result<error::Lane> design_certified_lane(const scene::Scene& scene,
@@ -179,8 +179,9 @@ bool can_decide(const fixed::FixedLane&, const fixed::ConstantThresholds& thresh
          thresholds.less_to * unit >= difference.value.low;
 }
 
-/// Greater above all where the radius is zero, less where it is the largest: -D grows with its
-/// square. A power of two above a root is less than twice the root.
+/// `greater` is decided most easily where the radius is zero, `less` where it is the largest: -D
+/// grows with its square, the threshold with the radius itself. A power of two above a root is less
+/// than twice the root.
 bool can_decide(const fixed::FixedLane& lane, const fixed::NormThresholds& thresholds,
                 const fixed::FixedNode& difference) {
   const mpq_class unit = difference.format.unit();

@@ -11,7 +11,7 @@ namespace mixcmp::design {
 /// A lane in either number system.
 using Lane = std::variant<error::Lane, fixed::FixedLane>;
 
-/// A lane of one number system, or why there is none, as a lane of either.
+/// A lane made in one number system as a Lane; an error stays what it is.
 template <class Made>
 Result<Lane> as_lane(Result<Made> made) {
   if (!made.ok()) return made.error();
@@ -20,7 +20,7 @@ Result<Lane> as_lane(Result<Made> made) {
 
 /// Whether no decision of the lane can be wrong.
 bool is_certified(const Lane& lane);
-/// "s17e8" or "q13".
+/// "s17e8", "q13" or "block13".
 std::string format_name(const Lane& lane);
 /// When the lane decides, for a report.
 std::string describe_criterion(const Lane& lane);

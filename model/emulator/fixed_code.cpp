@@ -37,7 +37,7 @@ bool fits_double(const std::vector<FixedNode>& nodes, const FixedNode& node) {
          std::abs(node.format.unit_exponent) + digits <= largest_exponent;
 }
 
-/// Slopes below 1 would round.
+/// A slope below 1 would have to round; `norm_thresholds` gives none.
 bool fits_double(const FixedPart& part) {
   const auto* norm = std::get_if<fixed::NormThresholds>(&part.criterion);
   return norm == nullptr || (norm->shift_above >= 0 && norm->shift_below >= 0);
@@ -79,8 +79,9 @@ FixedInstruction instruction_of(const FixedNode& node, NodeId result) {
           .c = first};
 }
 
-/// Compiles a lane. What one operation alone reads, whole, is computed with it where there is a
-/// kernel: the difference in a square, the product or square in a sum.
+/// Compiles a lane. A node that has one reader and drops no bits is computed together with that
+/// reader where a kernel does both: the difference with its square, the product or square with a
+/// sum.
 class FixedCodeMaker {
 public:
   explicit FixedCodeMaker(const FixedLane& lane)

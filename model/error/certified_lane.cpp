@@ -59,9 +59,21 @@ bool would_be_exact(const TypedGraph& graph, NodeId id) {
   MIXCMP_CHECK(false);
 }
 
+/// For a constant that its format does not hold. That is the lane's or, with exact inputs, the
+/// reference's.
+std::string what_helps_a_constant(const TypedGraph& graph, const TypedNode& constant) {
+  const bool is_lanes = constant.format == graph.arithmetic.format;
+  std::string help = is_lanes ? "a reduced.format with more exponent bits"
+                              : "reduced.inputs = \"rounded\", a reference.format with more "
+                                "exponent bits";
+  const bool is_flushed = constant.format.is_subnormal(constant.constant);
+  if (is_flushed) help += ", reduced.subnormals = \"gradual\"";
+  return help;
+}
+
 std::string what_helps(const TypedGraph& graph, NodeId failure) {
   const TypedNode& node = graph.nodes[failure];
-  if (node.operation == Operation::constant) return "a reduced.format with more exponent bits";
+  if (node.operation == Operation::constant) return what_helps_a_constant(graph, node);
   std::string help = "reduced.error_bound = \"running\", ";
   if (would_be_exact(graph, node.operands[0]) && would_be_exact(graph, node.operands[1])) {
     help += "reduced.inputs = \"exact\", ";
@@ -171,7 +183,7 @@ Result<DifferenceBound> bound_difference(TypedGraph& graph, ErrorBoundKind kind,
         first_failure(result.analysis, [](const NodeBound& node) { return !node.mixed; });
     const bool constant = graph.nodes[failure].operation == Operation::constant;
     return no_bound(kind, result.analysis.nodes[failure].reason,
-                    constant ? "a reduced.format with more exponent bits"
+                    constant ? what_helps_a_constant(graph, graph.nodes[failure])
                              : "a reduced.format with more precision, or another formulation");
   }
   // Theorem 8 uses the factor and the absolute error of f - g before its own rounding: dividing by

@@ -10,7 +10,7 @@
 
 namespace mixcmp::error {
 
-/// Bounds the absolute error a of a node's error (MixedBound): |a| <= inflation * B, where B is
+/// Bounds the absolute part a of a node's error (MixedBound): |a| <= inflation * B, where B is
 /// the value of bound node `bound`. The hardware computes B alone, in few digits; `inflation`,
 /// which is 1 or a little more, is covered by the criterion's guard.
 struct AbsoluteError {

@@ -16,7 +16,7 @@ namespace mixcmp::inline expression {
 enum class Operation {
   input,
   constant,
-  convert,  ///< between formats; appears only in typed graphs
+  convert,  ///< to another format, in typed graphs; a cut or a limit in fixed point
   negate,
   absolute,
   add,

@@ -144,7 +144,7 @@ private:
   std::vector<IndexValue> indices_;  ///< indices of the enclosing reductions, innermost last
   std::map<std::string, IndexPlace> index_places_;
   std::set<std::string> input_names_;
-  bool constants_only_ = false;  ///< within a range's bound or a subscript
+  bool constants_only_ = false;  ///< while an end of an index range, a subscript or a limit is read
   long terms_ = 0;
 };
 

@@ -24,9 +24,9 @@ namespace mixcmp::fixed {
 /// operand that is no number of the format's sign and magnitude (NaN and infinity among them; a
 /// negative zero where the format is unsigned) leaves the comparison undecided. The operands of an
 /// addition, a subtraction, a minimum and a maximum are aligned to the finer unit of the two. A
-/// square root is rounded down to its unit, whatever its operand's. A conversion either cuts low
-/// bits off or, where it drops none, takes its operand's number as it is: one outside `value`
-/// leaves the comparison undecided.
+/// square root is rounded down to its unit, whatever its operand's. A conversion that
+/// drops bits is a cut. One that drops none is a limit: it passes its operand on, and a number
+/// outside `value` leaves the comparison undecided.
 struct FixedNode {
   Operation operation;
   std::array<NodeId, 2> operands = {-1, -1};
@@ -48,8 +48,8 @@ bool is_limit(const FixedNode& node);
 struct ConstantThresholds {
   mpz_class greater_from;
   mpz_class less_to;
-  bool exact =
-      false;  ///< neither an operation nor a conversion rounds: all comparisons are decided
+  /// The difference has no error: comparisons whose operands fit are decided, equal ones too.
+  bool exact = false;
 
   friend bool operator==(const ConstantThresholds&, const ConstantThresholds&) = default;
 };
@@ -103,7 +103,7 @@ struct FixedLane {
 
 enum class FixedBound {
   constant,
-  norm,  ///< of each part that has one; a lane needs one such part, others have constants
+  norm,  ///< for parts of the form of theorem 4, of which there must be one; others have constants
 };
 
 struct FixedOptions {

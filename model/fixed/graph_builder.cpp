@@ -26,8 +26,8 @@ int unit_exponent_of(Operation operation, const FixedFormat& a, const FixedForma
   return std::min(a.unit_exponent, b.unit_exponent);
 }
 
-/// The exponent of the power of two above a magnitude, strictly, so that the magnitude itself has a
-/// number; but no power that would cut off all normal numbers of the format, and none above them.
+/// The least k with magnitude < 2^k, but from a binade above the format's least normal number to
+/// one above its largest.
 int exponent_above(const mpq_class& magnitude, FloatFormat format) {
   const int least = format.min_exponent() + 1, most = format.max_exponent() + 1;
   if (magnitude == 0) return least;
@@ -194,7 +194,7 @@ FixedNode FixedGraphBuilder::input_below(int top, bool nonnegative, int index) c
   return input;
 }
 
-/// A constant of at most as many digits as an operand has is exact.
+/// A constant is rounded to W digits; one that has no more of them stays exact.
 FixedNode FixedGraphBuilder::constant(const mpq_class& value) const {
   FixedNode constant{.operation = Operation::constant, .constant = {}};
   int unit_exponent = 0;
@@ -213,8 +213,8 @@ FixedNode FixedGraphBuilder::constant(const mpq_class& value) const {
   return constant;
 }
 
-/// The unit is the power of two at or below half of the radicand's own effect on the root, so that
-/// dropping what is finer adds little to it; but no coarser than the largest root.
+/// The unit is the power of two at or below half of the error that the radicand's error gives the
+/// root, so that rounding adds little to it; but no coarser than the largest root.
 Result<FixedNode> FixedGraphBuilder::square_root(NodeId id) const {
   const NodeId radicand = known_[graph_.nodes()[id].operands[0]];
   if (!is_nonnegative(nodes_, radicand)) {

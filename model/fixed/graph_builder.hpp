@@ -23,7 +23,7 @@ public:
   std::vector<FixedNode>& nodes() { return nodes_; }
 
 private:
-  /// Names the expression's node that fixed point does not have.
+  /// The error that names a node of the expression and says why fixed point does not have it.
   Error refused(NodeId id, std::string_view why, const char* accepted) const;
   Result<FixedNode> make(NodeId id);  ///< the operands are made already
   Result<FixedNode> input(const Node& node) const;

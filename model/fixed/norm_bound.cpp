@@ -42,8 +42,8 @@ mpq_class norm_of_all(const std::vector<FixedNode>& nodes, const std::vector<Nod
   return root_above(sum, norm_digits);
 }
 
-/// How far the magnitude of the real radius may exceed the radius as computed. A real radius that
-/// is negative has come below zero by its error.
+/// How far the magnitude of the real radius may exceed the radius as computed, which is not
+/// negative: the magnitude of a negative real radius is no larger than the error.
 mpq_class radius_above(const FixedNode& radius) {
   const bool is_nonnegative = radius.value.low - radius.error.high >= 0;
   return is_nonnegative ? mpq_class(-radius.error.low) : absolute(radius.error).high;

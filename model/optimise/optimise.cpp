@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 #include <utility>
 
 #include "model/optimise/crossover.hpp"
@@ -50,6 +51,23 @@ Error nothing_to_choose_from(const scene::Scene& scene, const std::string& what)
               fmt::format("the characterisation has no {} for this scene and these options", what),
           .received = "none",
           .accepted = "a table made by mixcmp characterise"};
+}
+
+/// With reduced.bound = "profiled" certified lanes are left out, and the other way round.
+Error no_lane(const scene::Scene& scene) {
+  Error error = nothing_to_choose_from(scene, "lane");
+  error.accepted = fmt::format("a table of {0} lanes, as reduced.bound is \"{0}\"",
+                               to_string(scene.reduced.bound));
+  return error;
+}
+
+Error incomplete(const scene::Scene& scene, const std::set<std::string>& missing) {
+  return {.file = scene.path.string(),
+          .field = {},
+          .message = fmt::format("the characterisation lacks what the systems have: {}",
+                                 fmt::join(missing, ", ")),
+          .received = "a table without it",
+          .accepted = "one that `mixcmp characterise --components fifo,crossbar` completed"};
 }
 
 }  // namespace
@@ -108,7 +126,7 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
                               const characterise::Characterisation& table, const Rates& rates,
                               const OptimiseOptions& options) {
   ProblemMaker maker(scene, table, rates, options);
-  if (maker.precisions().empty()) return nothing_to_choose_from(scene, "lane");
+  if (maker.precisions().empty()) return no_lane(scene);
   if (!maker.has_references()) return nothing_to_choose_from(scene, "reference");
   Optimisation all{.scene = scene.name,
                    .device = device,
@@ -128,6 +146,7 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
   all.crossover = crossover_of(all);
   all.basis = maker.basis();
   all.notes = maker.notes();
+  if (!maker.missing().empty()) return incomplete(scene, maker.missing());
   if (all.plans.empty()) return nothing_to_choose_from(scene, "lane with a known rate");
   return all;
 }

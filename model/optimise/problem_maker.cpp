@@ -69,7 +69,7 @@ ProblemMaker::ProblemMaker(const scene::Scene& scene, const characterise::Charac
   communication_.fixed = options.fixed_communication.value_or(devices::Area{});
   sort_rows();
   leave_out_untimed();
-  if (!options_.fixed_communication) add_crossbar();
+  if (!options_.fixed_communication && scene.system.references != 0) add_crossbar();
   if (scene_.system.engine.kind == scene::EngineKind::pairwise) {
     notes_.insert("the pairwise engine around the system is not counted");
   }
@@ -184,7 +184,7 @@ void ProblemMaker::add_crossbar() {
     if (row.key.kind == characterise::ComponentKind::crossbar) measured[row.key.ports] = &row;
   }
   if (measured.empty()) {
-    notes_.insert("no crossbar in the table: it is not counted");
+    missing_.insert("a crossbar");
     return;
   }
   std::vector<devices::Area>& shares = communication_.crossbar;
@@ -226,7 +226,7 @@ const characterise::Measurement* ProblemMaker::fifo_for(const Rows& lanes) {
   for (const characterise::Measurement& row : table_.rows) {
     if (row.key.kind == characterise::ComponentKind::fifo && row.key.ports == slots) return &row;
   }
-  notes_.insert(fmt::format("no fifo of {} slots in the table: it is not counted", slots));
+  missing_.insert(fmt::format("a fifo of {} slots", slots));
   return nullptr;
 }
 

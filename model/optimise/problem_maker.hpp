@@ -17,6 +17,8 @@ public:
   /// The precisions for which the table has lanes, with the options at hand.
   std::vector<int> precisions() const;
   bool has_references() const { return !references_.empty(); }
+  /// What every system has and the table has not: "a crossbar", "a fifo of 64 slots".
+  const std::set<std::string>& missing() const { return missing_; }
 
   std::vector<ReferenceImplementation> references();
 
@@ -57,6 +59,7 @@ private:
   double crossbar_mhz_ = std::numeric_limits<double>::infinity();
   ClockBasis basis_ = ClockBasis::given;
   std::set<std::string> notes_;
+  std::set<std::string> missing_;
   std::string left_out_;  ///< why the current precision has no lane worth using, for the user
 };
 

@@ -171,16 +171,18 @@ double lane_luts(const error::Lane& lane, Products products) {
   return luts;
 }
 
-/// One carry chain a node, one a bit of a root; an operand is a shifter, two places a LUT, and the
-/// compare of its exponent.
+/// A sum takes a LUT a bit, a root a sum for each bit of its result; an operand a shifter, of two
+/// places a LUT, and the compare of its exponent, in block floating point its share of the search
+/// for the largest one, too. Factors below 1 are fitted to mapped lanes.
 double lane_luts(const fixed::FixedLane& lane, Products products) {
+  const double exponent = lane.input_format.exponent_bits();
   double luts = 0;
   for (const fixed::FixedNode& node : lane.nodes) {
     const int width = node.format.width;
     switch (node.operation) {
       case Operation::constant: break;
       case Operation::convert: luts += fixed::is_limit(node) ? 1 + 0.1 * width : 0; break;
-      case Operation::input: luts += 2.0 * width + lane.input_format.exponent_bits(); break;
+      case Operation::input: luts += 2.0 * width + exponent * (lane.format.is_block ? 4 : 1); break;
       case Operation::multiply:
       case Operation::square:
         if (products == Products::in_luts) luts += 0.25 * width * width;

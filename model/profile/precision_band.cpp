@@ -97,7 +97,7 @@ public:
     for (std::size_t k = 0; k < envelope_width; ++k) {
       const bool dominating = any_dominating_[k] != 0;
       findings.doubtful[k] = dominating ? 0 : any_doubt_[k];
-      findings.truth[k] = dominating ? dominating_ : other;
+      findings.likely_verdict[k] = dominating ? dominating_ : other;
       for (std::size_t at = k; at < last_.size(); at += envelope_width) {
         findings.last[at / envelope_width * findings.stride + k] =
             std::min(all_[at], dominated_[at]);
@@ -185,7 +185,7 @@ void PrecisionBand::find_verdicts(const Part& part, const EnvelopeBlock& block,
   });
   for (std::size_t k = 0; k < envelope_width; ++k) {
     const bool greater = block.nodes.back().value[k] > 0;
-    findings.truth[k] = greater ? Decision::greater : Decision::less;
+    findings.likely_verdict[k] = greater ? Decision::greater : Decision::less;
   }
 }
 

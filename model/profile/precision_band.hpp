@@ -22,9 +22,9 @@ struct BlockFindings {
   /// comparison k; anchor() - 1 if at none, next() if at next() or later.
   LastOpen* last;
   std::size_t stride;
-  /// 1 where `truth` may differ from the true verdict or from the reference's verdict.
+  /// 1 where `likely_verdict` may differ from the true verdict or from the reference's.
   std::uint8_t* doubtful;
-  Decision* truth;
+  Decision* likely_verdict;
 };
 
 /// The lanes of all schemes at precisions anchor .. next - 1, with an envelope at anchor that tells

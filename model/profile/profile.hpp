@@ -69,7 +69,7 @@ enum class SchemeKind {
   certified,
 };
 
-/// The counts of one kind of scheme at one precision.
+/// The counts of one scheme at one precision.
 struct SchemeCounts {
   bool exists = false;
   std::uint64_t undecided = 0;  ///< recomputed

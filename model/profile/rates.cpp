@@ -98,7 +98,7 @@ std::vector<SchemeLanes> existing_schemes(std::vector<SchemeLanes> schemes) {
   return schemes;
 }
 
-void add_stages(RateJob& job, const ErrorProfile& errors) {
+void add_bands(RateJob& job, const ErrorProfile& errors) {
   const std::vector<int> anchors = anchors_of(errors);
   const std::vector<NodeMagnitude> inputs = input_magnitudes(job.source);
   for (std::size_t k = 0; k + 1 < anchors.size(); ++k) {
@@ -142,7 +142,7 @@ RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& da
               .reference = emulator::Emulator(reference_graph(scene.graph, scene.reference)),
               .failing = {}};
   find_failing(job);
-  add_stages(job, errors);
+  add_bands(job, errors);
   const RateTally tally = run(job, options);
   RateProfile profile{.inputs = errors.inputs,
                       .first_precision = errors.precisions.front().precision,

@@ -255,52 +255,53 @@ private:
                   thresholds.less_to * unit < difference.error.low);
   }
 
-  /// The conditions of theorem 4: a and b, which the limits' slopes stand for, and the offset.
+  /// The conditions of theorem 4: a and b, which the thresholds' slopes stand for, and the offset.
   void prove_decision(const fixed::NormThresholds& thresholds, const fixed::FixedPart& part) {
     const FixedNode& difference = nodes_[part.difference];
     const mpq_class unit = difference.format.unit();
     const mpq_class per_radius = unit / power_of_two(thresholds.unit_exponent(nodes_)) / 2;
-    const Limits limits = {.a = power_of_two(thresholds.shift_above) * per_radius,
-                           .b = power_of_two(thresholds.shift_below) * per_radius,
-                           .offset = thresholds.offset_above * unit};
+    const ChosenThresholds chosen = {.a = power_of_two(thresholds.shift_above) * per_radius,
+                                     .b = power_of_two(thresholds.shift_below) * per_radius,
+                                     .offset = thresholds.offset_above * unit};
     const mpq_class squares = sum_of_squares(difference.operands[0]);
     const bool suffice = thresholds.radius_is_squared
-                             ? suffice_for_two(limits, squares, sum_of_squares(thresholds.radius))
-                             : suffice_for_radius(limits, squares, nodes_[thresholds.radius]);
-    add_exact("the limits are those that theorem 4 asks for", suffice);
+                             ? suffice_for_two(chosen, squares, sum_of_squares(thresholds.radius))
+                             : suffice_for_radius(chosen, squares, nodes_[thresholds.radius]);
+    add_exact("the thresholds are those that theorem 4 asks for", suffice);
   }
 
-  struct Limits {
+  struct ChosenThresholds {
     mpq_class a, b;
     mpq_class offset;
   };
 
   /// Whether a >= r + c, offset > max(0, r + c)^2 and b >= r + h, where r^2 = squares.
-  static bool suffice_for_radius(const Limits& limits, const mpq_class& squares,
+  static bool suffice_for_radius(const ChosenThresholds& chosen, const mpq_class& squares,
                                  const FixedNode& radius) {
     const mpq_class c = largest_excess(radius);
-    const auto at_least = [&](const mpq_class& limit, const mpq_class& beside) {
-      return limit >= beside && (limit - beside) * (limit - beside) >= squares;
+    const auto at_least = [&](const mpq_class& factor, const mpq_class& beside) {
+      return factor >= beside && (factor - beside) * (factor - beside) >= squares;
     };
     // offset - r^2 - c^2 > 2 c r, without the root.
-    const mpq_class rest = limits.offset - squares - c * c;
+    const mpq_class rest = chosen.offset - squares - c * c;
     const mpq_class twice = 4 * c * c * squares;
     const bool none_is_needed = c <= 0 && c * c >= squares;
-    const bool offset_suffices = none_is_needed ? limits.offset > 0
+    const bool offset_suffices = none_is_needed ? chosen.offset > 0
                                  : c >= 0       ? rest > 0 && rest * rest > twice
                                                 : rest > 0 || rest * rest < twice;
-    return radius.value.low >= 0 && at_least(limits.a, c) && offset_suffices &&
-           at_least(limits.b, radius.error.high);
+    return radius.value.low >= 0 && at_least(chosen.a, c) && offset_suffices &&
+           at_least(chosen.b, radius.error.high);
   }
 
   /// Whether a and b are at least p + q, and offset > (p + q)^2, given p^2 and q^2.
-  static bool suffice_for_two(const Limits& limits, const mpq_class& p2, const mpq_class& q2) {
-    const auto at_least = [&](const mpq_class& limit) {
-      const mpq_class rest = limit * limit - p2 - q2;
-      return limit >= 0 && rest >= 0 && rest * rest >= 4 * p2 * q2;
+  static bool suffice_for_two(const ChosenThresholds& chosen, const mpq_class& p2,
+                              const mpq_class& q2) {
+    const auto at_least = [&](const mpq_class& factor) {
+      const mpq_class rest = factor * factor - p2 - q2;
+      return factor >= 0 && rest >= 0 && rest * rest >= 4 * p2 * q2;
     };
-    const mpq_class rest = limits.offset - p2 - q2;
-    return at_least(limits.a) && at_least(limits.b) && rest > 0 && rest * rest > 4 * p2 * q2;
+    const mpq_class rest = chosen.offset - p2 - q2;
+    return at_least(chosen.a) && at_least(chosen.b) && rest > 0 && rest * rest > 4 * p2 * q2;
   }
 
   /// c of theorem 4.
@@ -332,10 +333,10 @@ private:
       add_step("2 (choices)", "docs/fixed_point.md, theorem 2: absolute values, minima and maxima");
     }
     if (any([](const FixedNode& node) { return node.dropped_bits > 0; })) {
-      add_step("2 (dropped bits)", "docs/fixed_point.md, theorem 2: what low bits are worth");
+      add_step("2 (dropped bits)", "docs/fixed_point.md, theorem 2: the error of dropped bits");
     }
     if (any([](const FixedNode& node) { return fixed::is_limit(node); })) {
-      add_step("2 (limits)", "docs/fixed_point.md, theorem 2: what a limit takes");
+      add_step("2 (limits)", "docs/fixed_point.md, theorem 2: the values that pass a limit");
     }
     if (any([](const FixedNode& node) { return node.operation == Operation::square_root; })) {
       add_step("5", "docs/fixed_point.md, theorem 5: value and error of a square root");
@@ -347,7 +348,8 @@ private:
       add_step("3", "docs/fixed_point.md, theorem 3: from the error to the constants");
     }
     if (any_part<fixed::NormThresholds>()) {
-      add_step("4", "docs/fixed_point.md, theorem 4: from the norm of the errors to the limits");
+      add_step("4",
+               "docs/fixed_point.md, theorem 4: from the norm of the errors to the thresholds");
     }
   }
 

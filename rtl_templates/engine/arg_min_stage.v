@@ -2,11 +2,10 @@
 // against the best of those before, in one lane that returns its verdicts in order.
 // Only the best one's index travels with a row: its operands are read from a memory, as are those
 // of every candidate before STAGE. On `greater` candidate STAGE becomes the best; any other verdict
-// keeps it. Candidates come from the stage behind in the order of their indices; the register that
-// hands them on to the stage before keeps the last, candidate STAGE, for itself: all stages are
-// complete in the same cycle, 1 after the last word left candidate_loader. Interval 1; latency 1
-// and the lane's.
-// Reset empties it, but for the candidates.
+// keeps it. Candidates enter at the last stage, in the order of their indices, and move towards
+// stage 1; each stage hands them on until candidate STAGE arrives, which it keeps. So all stages
+// are complete in the same cycle, 1 after the last word left candidate_loader. Interval 1; latency
+// 1 and the lane's. Reset empties it, but for the candidates.
 `default_nettype none
 
 module arg_min_stage #(
@@ -84,7 +83,7 @@ module arg_min_stage #(
   // Candidates.
   reg                       moving_q;  // a word came in the cycle before
   reg  [INDEX_BITS-1:0]     index_q;
-  reg  [CANDIDATE_BITS-1:0] own_q;
+  reg  [CANDIDATE_BITS-1:0] candidate_q;
   wire                      passes = moving_q && (index_q != OWN);
 
   always @(posedge aclk) begin
@@ -98,13 +97,13 @@ module arg_min_stage #(
   always @(posedge aclk) begin
     if (s_word_valid) begin
       index_q <= s_word_index;
-      own_q   <= s_word_data;
+      candidate_q   <= s_word_data;
     end
   end
 
   assign m_word_valid = passes;
   assign m_word_index = index_q;
-  assign m_word_data  = own_q;
+  assign m_word_data  = candidate_q;
 
   // The row at hand, and the operands of its best candidate.
   reg                     row_valid_q;
@@ -137,7 +136,7 @@ module arg_min_stage #(
 
       always @(posedge aclk) begin
         if (passes) begin
-          candidate_0_q <= own_q;
+          candidate_0_q <= candidate_q;
         end
       end
 
@@ -150,7 +149,7 @@ module arg_min_stage #(
         .aclk         (aclk),
         .write_enable (passes),
         .write_address(index_q[BEST_BITS-1:0]),
-        .write_data   (own_q),
+        .write_data   (candidate_q),
         .read_enable  (load),
         .read_address (s_row_best[BEST_BITS-1:0]),
         .read_data    (pair_best)
@@ -164,7 +163,7 @@ module arg_min_stage #(
 
   assign pair_tvalid = row_valid_q && queue_ready;
   assign pair_row    = row_q[ROW_BITS-1:0];
-  assign pair_own    = own_q;
+  assign pair_own    = candidate_q;
 
   // Rows whose verdict is awaited.
   wire                  queue_valid;

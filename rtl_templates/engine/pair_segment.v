@@ -1,8 +1,9 @@
-// pair_segment: a link of the chain that carries items past the lanes, and LANES lanes at it.
+// pair_segment: a link of the chain that carries items past the lanes; it feeds LANES lanes by the
+// ports pair_* and collects their results at result_*.
 // Of a block's words the first LANES stay, one in each lane; every word behind meets those that its
 // lanes hold, and from then on is passed to the next segment, where the same happens. So lane k of
-// the chain holds item base + k and meets each later one once, and nobody counts. A word goes on
-// once all lanes that it meets have taken their pair; whoever is ready early takes it early.
+// the chain holds item base + k and meets each later one once, and no pair needs a counter. A word
+// goes on once all lanes that it meets have taken their pair; whoever is ready early takes it early.
 // Results whose verdict is in REPORT (bit v: verdict v) and all undecided ones leave as reports;
 // the others end here. A word that says `close` waits until nothing is inside, and takes the number
 // of reports with it: its payload is their sum. Interval 1, latency 2. Reset empties it.
@@ -174,7 +175,7 @@ module pair_segment #(
   endgenerate
 
   // Pairs inside, from the lane's entry to the end of the result or the departure of the report.
-  // What happens counts a cycle later.
+  // The counter is a cycle late: it adds registered events.
   reg  [LANES-1:0]          entered_q;
   reg  [LANES-1:0]          dropped_q;
   reg  [LANES-1:0]          left_q;

@@ -1,22 +1,22 @@
-// fixed_norm_decision: decides the sign of a difference |x|^2 - s^2 by the norm of the errors:
-// greater (2) from s * 2^SHIFT_ABOVE + OFFSET_ABOVE on, less (0) below -s * 2^SHIFT_BELOW. SWAPPED
-// exchanges the two verdicts. With ROOT, `radius` is a square, and s is 2^k for the least k with
-// radius < 4^k.
+// fixed_norm_decision: decides the sign of a difference by the norm of the errors: greater (2) from
+// s * 2^SHIFT_ABOVE + OFFSET_ABOVE on, less (0) below -s * 2^SHIFT_BELOW. SWAPPED exchanges the two
+// verdicts. ROOT = 0: the difference is |x|^2 - s^2 and `radius` is s. ROOT = 1: the difference is
+// |x|^2 - |y|^2, `radius` is |y|^2, and s is 2^k for the least k with |y|^2 < 4^k.
 // Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
 // What lies between stays undecided, as what is out of range does. The difference is in two's
 // complement, the radius s has no sign. A verdict means something where `decided` is 1.
 `default_nettype none
 
 module fixed_norm_decision #(
-  parameter                   WIDTH        = 30,
-  parameter                   RADIUS_WIDTH = 14,
-  parameter                   ROOT         = 0,
-  parameter                   LIMIT_WIDTH  = 18,  // of the largest limit, without a sign
-  parameter                   SHIFT_ABOVE  = 3,
-  parameter [LIMIT_WIDTH-1:0] OFFSET_ABOVE = 14,
-  parameter                   SHIFT_BELOW  = 2,
-  parameter                   SWAPPED      = 0,
-  parameter [2:0]             CUTS         = 3'b000
+  parameter                       WIDTH           = 30,
+  parameter                       RADIUS_WIDTH    = 14,
+  parameter                       ROOT            = 0,
+  parameter                       THRESHOLD_WIDTH = 18,  // of the largest one, without a sign
+  parameter                       SHIFT_ABOVE     = 3,
+  parameter [THRESHOLD_WIDTH-1:0] OFFSET_ABOVE    = 14,
+  parameter                       SHIFT_BELOW     = 2,
+  parameter                       SWAPPED         = 0,
+  parameter [2:0]                 CUTS            = 3'b000
 ) (
   input  wire                    aclk,
   input  wire [WIDTH-1:0]        difference,
@@ -29,8 +29,8 @@ module fixed_norm_decision #(
   // Of s, or with ROOT of s - 1: k ones.
   localparam S_WIDTH = (ROOT != 0) ? (RADIUS_WIDTH + 1) / 2 : RADIUS_WIDTH;
 
-  // A bit above the wider of the two, and one for the sum.
-  localparam COMMON = ((WIDTH > LIMIT_WIDTH) ? WIDTH : LIMIT_WIDTH + 1) + 1;
+  // A threshold gets a sign; the sum needs one bit more than the wider of threshold and difference.
+  localparam COMMON = ((WIDTH > THRESHOLD_WIDTH) ? WIDTH : THRESHOLD_WIDTH + 1) + 1;
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
@@ -40,15 +40,15 @@ module fixed_norm_decision #(
     if (RADIUS_WIDTH < 1) begin : g_refused_radius
       RADIUS_WIDTH_is_below_1 refused ();
     end
-    if ((SHIFT_ABOVE < 0) || (SHIFT_ABOVE + S_WIDTH > LIMIT_WIDTH)) begin : g_refused_above
-      SHIFT_ABOVE_is_not_0_to_what_LIMIT_WIDTH_holds refused ();
+    if ((SHIFT_ABOVE < 0) || (SHIFT_ABOVE + S_WIDTH > THRESHOLD_WIDTH)) begin : g_refused_above
+      SHIFT_ABOVE_is_not_0_to_what_THRESHOLD_WIDTH_holds refused ();
     end
-    if ((SHIFT_BELOW < 0) || (SHIFT_BELOW + S_WIDTH > LIMIT_WIDTH)) begin : g_refused_below
-      SHIFT_BELOW_is_not_0_to_what_LIMIT_WIDTH_holds refused ();
+    if ((SHIFT_BELOW < 0) || (SHIFT_BELOW + S_WIDTH > THRESHOLD_WIDTH)) begin : g_refused_below
+      SHIFT_BELOW_is_not_0_to_what_THRESHOLD_WIDTH_holds refused ();
     end
   endgenerate
 
-  // Stage root: a one for each place from which on the square has a digit, two bits a place.
+  // Stage root: bit k is 1 where radius >= 4^k, so s0_s is s - 1.
   wire [S_WIDTH-1:0] s0_s;
 
   genvar place;
@@ -75,20 +75,20 @@ module fixed_norm_decision #(
     .q   ({s1_difference, s1_s, s1_out_of_range})
   );
 
-  // Stage limit.
-  localparam [LIMIT_WIDTH-1:0] ONE    = (ROOT != 0) ? 1 : 0;
-  localparam [LIMIT_WIDTH-1:0] OFFSET = OFFSET_ABOVE + (ONE << SHIFT_ABOVE);
+  // Stage threshold.
+  localparam [THRESHOLD_WIDTH-1:0] ONE    = (ROOT != 0) ? 1 : 0;
+  localparam [THRESHOLD_WIDTH-1:0] OFFSET = OFFSET_ABOVE + (ONE << SHIFT_ABOVE);
 
-  wire [LIMIT_WIDTH-1:0] s1_wide_s = {{(LIMIT_WIDTH - S_WIDTH) {1'b0}}, s1_s};
-  wire [LIMIT_WIDTH-1:0] s1_above  = (s1_wide_s << SHIFT_ABOVE) + OFFSET;
+  wire [THRESHOLD_WIDTH-1:0] s1_wide_s = {{(THRESHOLD_WIDTH - S_WIDTH) {1'b0}}, s1_s};
+  wire [THRESHOLD_WIDTH-1:0] s1_above  = (s1_wide_s << SHIFT_ABOVE) + OFFSET;
 
-  wire [WIDTH-1:0]       s2_difference;
-  wire [LIMIT_WIDTH-1:0] s2_wide_s;
-  wire [LIMIT_WIDTH-1:0] s2_above;
-  wire                   s2_out_of_range;
+  wire [WIDTH-1:0]           s2_difference;
+  wire [THRESHOLD_WIDTH-1:0] s2_wide_s;
+  wire [THRESHOLD_WIDTH-1:0] s2_above;
+  wire                       s2_out_of_range;
 
   fp_rank #(
-    .WIDTH     (WIDTH + 2 * LIMIT_WIDTH + 1),
+    .WIDTH     (WIDTH + 2 * THRESHOLD_WIDTH + 1),
     .REGISTERED(CUTS[1])
   ) rank_1 (
     .aclk(aclk),
@@ -96,18 +96,20 @@ module fixed_norm_decision #(
     .q   ({s2_difference, s2_wide_s, s2_above, s2_out_of_range})
   );
 
-  // Stage compare. With ROOT, s2_wide_s is s - 1: s 2^SHIFT_BELOW is that, shifted, with ones in the
-  // places below, plus 1, which is a carry from an extra last place.
-  localparam [LIMIT_WIDTH-1:0] ONES = (ONE << SHIFT_BELOW) - ONE;
+  // Stage compare. With ROOT, s2_wide_s is s - 1: s 2^SHIFT_BELOW is that, shifted, with ones in
+  // the places below, plus 1, which is a carry from an extra last place.
+  localparam [THRESHOLD_WIDTH-1:0] ONES = (ONE << SHIFT_BELOW) - ONE;
 
-  wire [LIMIT_WIDTH-1:0] s2_below  = (s2_wide_s << SHIFT_BELOW) | ONES;
-  wire [COMMON-1:0]      s2_common = {{(COMMON - WIDTH) {s2_difference[WIDTH-1]}}, s2_difference};
-  wire [COMMON-1:0]      s2_over   = s2_common - {{(COMMON - LIMIT_WIDTH) {1'b0}}, s2_above};
-  wire [COMMON:0]        s2_under  =
-      {s2_common, 1'b1} + {{(COMMON - LIMIT_WIDTH) {1'b0}}, s2_below, ROOT != 0};
-  wire                   s2_greater  = !s2_over[COMMON-1];
-  wire                   s2_less     = s2_under[COMMON];
-  wire                   unused_bits = ^{s2_over, s2_under};
+  wire [THRESHOLD_WIDTH-1:0] s2_below  = (s2_wide_s << SHIFT_BELOW) | ONES;
+  wire [COMMON-1:0]          s2_common =
+      {{(COMMON - WIDTH) {s2_difference[WIDTH-1]}}, s2_difference};
+  wire [COMMON-1:0]          s2_over   =
+      s2_common - {{(COMMON - THRESHOLD_WIDTH) {1'b0}}, s2_above};
+  wire [COMMON:0]            s2_under  =
+      {s2_common, 1'b1} + {{(COMMON - THRESHOLD_WIDTH) {1'b0}}, s2_below, ROOT != 0};
+  wire                       s2_greater  = !s2_over[COMMON-1];
+  wire                       s2_less     = s2_under[COMMON];
+  wire                       unused_bits = ^{s2_over, s2_under};
 
   fp_rank #(
     .WIDTH     (3),

@@ -2,9 +2,8 @@
 // Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
 //
 // Booth's digits make half as many rows as there are bits, a square's on average half as long as a
-// product's. A row that joins a sum is gates of five inputs in front of a carry chain: with the
-// sum's bit that fills a look-up table of six, so that of four rows each after the first
-// takes nothing else.
+// product's. A row is gates of five inputs. With the sum's bit they fill a look-up table of six
+// inputs in front of a carry chain, so the second to fourth row of each four cost their sum alone.
 // Then sums are added two by two.
 `default_nettype none
 
@@ -72,7 +71,7 @@ module fp_logic_product #(
     end
   endgenerate
 
-  // A last digit of -1 is owed more than its row can have.
+  // Where the last Booth digit is -1 its row lacks the 1 of the two's complement: added at the end.
   generate
     for (level = 0; level < 7; level = level + 1) begin : g_owed
       wire carry;
@@ -95,7 +94,8 @@ module fp_logic_product #(
     end
   endgenerate
 
-  // Levels 0 to 2: two, three, four rows of each four. Levels 3 to 6: 8, 16, 32, 64 rows.
+  // Levels 0 to 2 add the second, third and fourth row of each four. Levels 3 to 6: 8, 16, 32, 64
+  // rows.
   generate
     for (level = 0; level < 7; level = level + 1) begin : g_sums
       localparam PITCH = (level < 3) ? 4 : 1 << level;

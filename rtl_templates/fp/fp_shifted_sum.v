@@ -1,5 +1,5 @@
-// fp_shifted_sum: low + high * 2^SHIFT, and with CARRY + carry * 2^SHIFT; one carry chain as long as
-// `high`.
+// fp_shifted_sum: low + high * 2^SHIFT, and with CARRY + carry * 2^SHIFT; one carry chain as long
+// as `high`.
 // Combinational. SHIFT < LOW < HIGH + SHIFT; the sum must fit.
 `default_nettype none
 

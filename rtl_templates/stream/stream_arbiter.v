@@ -73,7 +73,7 @@ module stream_arbiter #(
   integer               w;
 
   always @* begin
-    words = {(WORDS*WIDTH){1'b0}};
+    words = {WORDS{{WIDTH{1'b0}}}};
     words[INPUTS*WIDTH-1:0] = s_axis_tdata;
     for (select_bit = 0; select_bit < SELECT_BITS; select_bit = select_bit + 1) begin
       for (w = 0; w < (WORDS >> (select_bit + 1)); w = w + 1) begin

@@ -77,6 +77,7 @@ TEST_F(OptimiseCommand, APlanOfLanesInFixedPointIsWhatCheckTakes) {
   std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);
   row(table, "lane,,q11,,fixed_norm,embedded,0", 7, 380, 4);
   row(table, "lane,,q11,,fixed_norm,logic,0", 9, 640, 0);
+  row(table, "fifo,,,,,,32", 0, 200, 0);
   table.close();
   const Outcome found = mixcmp("optimise scene.toml --last 14 --json -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
@@ -89,6 +90,23 @@ TEST_F(OptimiseCommand, APlanOfLanesInFixedPointIsWhatCheckTakes) {
   ASSERT_EQ(checked.exit_code, 0) << checked.output;
   const auto lanes = json_of(checked).at("lane_groups");
   EXPECT_EQ(lanes[0].at("format"), "q11") << checked.output;
+}
+
+/// Without the streams around a lane a plan would promise lanes that have no room.
+TEST_F(OptimiseCommand, TablesWithoutStreamsAreRefused) {
+  const std::string name = "characterisation/scene-virtex6-lx760.csv";
+  const std::string whole = read(name);
+  for (const std::string kind : {"fifo", "crossbar"}) {
+    std::istringstream lines(whole);
+    std::string kept, line;
+    while (std::getline(lines, line)) {
+      if (!line.starts_with(kind)) kept += line + "\n";
+    }
+    write(name, kept);
+    expect_refused("optimise scene.toml --first 8 --last 14 -o plan.toml", "a " + kind);
+    EXPECT_FALSE(fs::exists(path("plan.toml")));
+    write(name, whole);
+  }
 }
 
 TEST_F(OptimiseCommand, RowsOfFixedPointWithInputsAreRefused) {

@@ -92,8 +92,8 @@ TEST_F(ProfileCommand, WritesFigures) {
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const std::string figure4 = read("out/figure4.csv"), figure5 = read("out/figure5.csv");
   EXPECT_EQ(std::count(figure4.begin(), figure4.end(), '\n'), 1 + 2 * 9);
-  // The reference, and eight schemes.
-  EXPECT_EQ(std::count(figure5.begin(), figure5.end(), '\n'), 1 + 1 + 8 * 9);
+  // The reference, and ten schemes.
+  EXPECT_EQ(std::count(figure5.begin(), figure5.end(), '\n'), 1 + 1 + 10 * 9);
   EXPECT_NE(figure4.find("\nrounded,12,"), std::string::npos);
   EXPECT_NE(figure5.find("\nexact,12,relative,19900,"), std::string::npos);
   EXPECT_FALSE(fs::exists(path("out") / "figure4.gnuplot"));
@@ -105,12 +105,12 @@ TEST_F(ProfileCommand, WeighsSchemes) {
       profile("scene.toml --last 12 -o out --accept 0 --accept 100000 --areas areas.csv --json");
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const auto report = nlohmann::json::parse(run.output);
-  EXPECT_EQ(report.at("trade")[0].at("points").size(), 8u * 9);
+  EXPECT_EQ(report.at("trade")[0].at("points").size(), 10u * 9);
   ASSERT_EQ(report.at("advice").size(), 2u);
   EXPECT_EQ(report.at("advice")[0].get<std::string>().rfind("certified, no wrong verdict", 0), 0u);
   EXPECT_NE(report.at("advice")[1].get<std::string>().find("lanes_alone"), std::string::npos);
   const std::string csv = read("out/trade.csv");
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 8 * 9);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 10 * 9);
   expect_profile_refused("scene.toml --accept -1", "--accept");
   expect_profile_refused("scene.toml --areas nowhere.csv",
                          "nowhere.csv: --areas: cannot read the file");

@@ -360,11 +360,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"s17e8", "float",
                 ":14: reduced.format: not a floating-point format: received \"float\"; accepted "
                 "\"auto\", sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; "
-                "qW with W 2..48"},
+                "qW or blockW with W 2..48"},
         Mistake{"s17e8", "s53e8",
                 ":14: reduced.format: precision out of range: received \"s53e8\"; accepted "
                 "\"auto\", sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; "
-                "qW with W 2..48"},
+                "qW or blockW with W 2..48"},
         Mistake{"s53e8", "s16e8",
                 ":14: reduced.format: precision out of range: received \"s17e8\"; accepted "
                 "\"auto\", sP or sPeE with P 4..16 and E 2..15, or binary16, bfloat16; P at most "
