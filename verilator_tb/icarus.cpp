@@ -87,6 +87,13 @@ Command run_command(const SimulationOptions& options) {
   return command;
 }
 
+/// iverilog ran already: its package is there, but for vvp.
+Error naming_the_package(Error error) {
+  const bool is_missing = error.kind == ErrorKind::missing_tool;
+  if (is_missing) error.accepted = "vvp, on Debian: apt-get install --reinstall iverilog";
+  return error;
+}
+
 /// Reads one line of the testbench: "result lane position tdata accepted left", "violation fault
 /// lane position tag cycle", "end" with three pairs of counted and observed, or "state n cycles".
 bool parse_line(const std::string& line, Answer& answer) {
@@ -172,7 +179,6 @@ Result<Answer> simulate_in_icarus(const System& system, const Block& block,
                                   const fs::path& work_dir, const SimulationOptions& options,
                                   const Progress& progress, const Waiting& waiting) {
   MIXCMP_TRY(version, tool_version({"iverilog", "-V"}, "iverilog"));
-  MIXCMP_TRY(simulator_version, tool_version({"vvp", "-V"}, "iverilog"));
   MIXCMP_TRY(inputs, system_sources(system));
   const auto bytes = static_cast<std::size_t>(system.signature.tdata_bytes);
   for (const EmbeddedFile& file : icarus_files()) inputs.emplace_back(file.name, file.text);
@@ -194,10 +200,11 @@ Result<Answer> simulate_in_icarus(const System& system, const Block& block,
   if (!options.waves.empty()) {
     MIXCMP_TRY(linked, link_waves(folder, options.waves));
   }
-  MIXCMP_TRY(simulated, run_tool({.command = run_command(options),
-                                  .directory = folder,
-                                  .log = folder / "simulation.log",
-                                  .progress = progress}));
+  const auto simulated = run_tool({.command = run_command(options),
+                                   .directory = folder,
+                                   .log = folder / "simulation.log",
+                                   .progress = progress});
+  if (!simulated.ok()) return naming_the_package(simulated.error());
   MIXCMP_TRY(answer, read_results(folder / "results.txt"));
   MIXCMP_TRY(possible, check_results(answer, block, system.signature, folder / "results.txt"));
   return answer;

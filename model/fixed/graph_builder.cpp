@@ -34,6 +34,14 @@ int exponent_above(const mpq_class& magnitude, FloatFormat format) {
   return static_cast<int>(std::clamp<long>(floor_log2(magnitude) + 1, least, most));
 }
 
+/// The root of the square of a rational number; none of others.
+std::optional<mpq_class> exact_root(const mpq_class& value) {
+  const bool is_square = value > 0 && mpz_perfect_square_p(value.get_num_mpz_t()) != 0 &&
+                         mpz_perfect_square_p(value.get_den_mpz_t()) != 0;
+  if (!is_square) return std::nullopt;
+  return mpq_class(sqrt(value.get_num()), sqrt(value.get_den()));
+}
+
 /// The format that holds a range of multiples of the unit.
 FixedFormat format_of(const Range& value, int unit_exponent) {
   const mpq_class per_unit = power_of_two(-unit_exponent);
@@ -115,7 +123,27 @@ Result<FixedNode> FixedGraphBuilder::make(NodeId id) {
   const NodeId first = known_[a], second = b < 0 ? -1 : known_[b];
   if (node.operation == Operation::square) return operation(node.operation, factor(first));
   if (node.operation != Operation::multiply) return operation(node.operation, first, second);
+  if (const auto square = multiple_of_square(id)) return *square;
   return operation(node.operation, factor(first), factor(second));
+}
+
+/// c^2 x^2 as (c x)^2, which a sum of squares may hold; none if the product has another form.
+std::optional<FixedNode> FixedGraphBuilder::multiple_of_square(NodeId id) {
+  for (const int k : {0, 1}) {
+    const NodeId square_id = graph_.nodes()[id].operands[1 - k];
+    const Node& coefficient = graph_.nodes()[graph_.nodes()[id].operands[k]];
+    const Node& square = graph_.nodes()[square_id];
+    if (coefficient.operation != Operation::constant || square.operation != Operation::square ||
+        graph_.limits().contains(square_id)) {
+      continue;
+    }
+    const std::optional<mpq_class> root = exact_root(coefficient.value);
+    if (!root) continue;
+    const NodeId multiple = add(operation(Operation::multiply, factor(add(constant(*root))),
+                                          factor(known_[square.operands[0]])));
+    return operation(Operation::square, factor(multiple));
+  }
+  return std::nullopt;
 }
 
 /// Division by a constant is multiplication by its reciprocal.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -31,6 +32,7 @@ private:
   FixedNode constant(const mpq_class& value) const;
   Result<FixedNode> square_root(NodeId id) const;
   Result<FixedNode> quotient(NodeId id);
+  std::optional<FixedNode> multiple_of_square(NodeId id);
   Result<NodeId> limited(NodeId id, const Range& limits);
   NodeId factor(NodeId id);
   FixedNode operation(Operation operation, NodeId a, NodeId b = -1) const;

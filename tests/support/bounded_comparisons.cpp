@@ -83,6 +83,7 @@ std::vector<BoundedComparison> bounded_comparisons() {
       BoundedComparison{"scales", "a - c / 1024", "b", {0, 3}, Range{0, 3000}},
       BoundedComparison{"tiny_range", "a", "b", {0, mpq_class(1, 16)}},
       BoundedComparison{"itself", "a - a", "b - b", {0, 3}},
+      BoundedComparison{"weighted_squares", "(a - b)^2 + 9/4 * b^2", "c^2 * 4", {-3, 3}, {}, true},
       BoundedComparison{"clamped_at_zero", "max(a - b, 0)", "c / 3", {-3, 3}},
       BoundedComparison{"product_of_two_degrees", "a * b * c", "sqrt(a * b) * b^2", {0, 3}},
       BoundedComparison{"clamped", "min(max(a - b, 0), 1)", "c", {0, 3}},

@@ -72,14 +72,15 @@ TEST_F(WorkFolders, AKeptFolderStaysUntilTheNextRun) {
 }
 
 TEST_F(WorkFolders, AFolderIsKeptForAnErrorThatNamesAFileInIt) {
-  for (const bool named : {false, true}) {
+  for (const auto& [named, written] : {std::pair(false, true), {true, false}, {true, true}}) {
     {
       auto made = ScratchFolder::make_in(directory_.path(), "job");
       auto folder = std::move(made).value();
+      if (written) std::ofstream(folder.path() / "map.log") << "a line";
       folder.keep_for({.file = named ? (folder.path() / "map.log").string() : "scene.toml",
                        .message = "is wrong"});
     }
-    EXPECT_EQ(entries(), named ? 1 : 0);
+    EXPECT_EQ(entries(), named && written ? 1 : 0);
   }
 }
 
