@@ -13,8 +13,12 @@
 namespace mixcmp::fixed {
 namespace {
 
-/// Sums of several products of two W-bit numbers stay exact; what is wider loses its low bits.
-constexpr int spare_bits = 8;
+/// Results have at most 2 W + 16 bits: sums of some products of two operands stay exact, also where
+/// their units differ by some places. What is wider loses its low bits.
+constexpr int spare_bits = 16;
+
+/// A root has at most W + 8 bits.
+constexpr int spare_root_bits = 8;
 
 /// The last bit of a factor is worth a 16th of its error or less: cutting off what is finer adds
 /// no more than that to it.
@@ -258,7 +262,7 @@ Result<FixedNode> FixedGraphBuilder::square_root(NodeId id) const {
   const int largest = exact.high == 0
                           ? half_unit
                           : static_cast<int>(floor_log2(root_of(squares.high, root_digits)));
-  const int finest = largest + 1 - options_.format.bits - spare_bits;
+  const int finest = largest + 1 - options_.format.bits - spare_root_bits;
   const int wanted = effect == 0 ? finest : static_cast<int>(floor_log2(effect)) - 1;
   const int unit_exponent = std::clamp(wanted, finest, largest);
   const mpq_class unit = power_of_two(unit_exponent);

@@ -107,15 +107,15 @@ TEST(FixedLane, WideResultsAreCut) {
   const FixedLane lane = lane_of(graph_of("a - b / 4096", "c"), 8, {0, 1});
   const FixedNode& sum = lane.nodes[4];
   ASSERT_EQ(sum.operation, Operation::subtract);
-  // 1 < 2^8 2^-7, and b / 4096 counts 2^-19: 20 bits and a sign hold them, fewer than 2 * 8 + 8.
+  // 1 < 2^8 2^-7, and b / 4096 counts 2^-19: 20 bits and a sign hold them, fewer than 2 * 8 + 16.
   EXPECT_EQ(sum.format.name(), "sfix21_En19");
-  const FixedLane narrow = lane_of(graph_of("a - b / 4096", "c"), 4, {0, 1});
+  const FixedLane narrow = lane_of(graph_of("a - b / 1048576", "c"), 4, {0, 1});
   const FixedNode& cut = narrow.nodes[4];
-  // a < 2 counts 2^-3 and is off by one, b / 4096 2^-15; one of 17 bits is dropped, worth 2^-15.
-  EXPECT_EQ(cut.format.name(), "sfix16_En14");
+  // a < 2 counts 2^-3 and is off by one, b / 2^20 2^-23; one of 25 bits is dropped, worth 2^-23.
+  EXPECT_EQ(cut.format.name(), "sfix24_En22");
   EXPECT_EQ(cut.dropped_bits, 1);
-  EXPECT_EQ(cut.error.low, mpq_class(-1, 8) - mpq_class(1, 1 << 15));
-  EXPECT_EQ(cut.error.high, mpq_class(1, 1 << 15));
+  EXPECT_EQ(cut.error.low, mpq_class(-1, 8) - mpq_class(1, 1 << 23));
+  EXPECT_EQ(cut.error.high, mpq_class(1, 1 << 23));
 }
 
 TEST(FixedLane, WhatIsCutHasNoNorm) {
@@ -125,8 +125,8 @@ TEST(FixedLane, WhatIsCutHasNoNorm) {
                              {.format = {9}, .bound = FixedBound::norm, .ranges = ranges})
         .ok();
   };
-  EXPECT_TRUE(has_norm("a^2 + (b / 8)^2")) << "25 bits";
-  EXPECT_FALSE(has_norm("a^2 + (b / 32)^2")) << "28 bits, of which 2 * 9 + 8 stay";
+  EXPECT_TRUE(has_norm("a^2 + (b / 128)^2")) << "32 bits";
+  EXPECT_FALSE(has_norm("a^2 + (b / 512)^2")) << "36 bits, of which 2 * 9 + 16 stay";
 }
 
 TEST(FixedLane, FactorsHaveTheBitsThatTheirErrorsLeaveMeaning) {
