@@ -162,8 +162,8 @@ void ResultFiles::write_out() {
     list += fmt::format("{} {}\n", ContentHash().add(*file.text).hex(), file.name);
   }
   const Result<std::string> before = read_file(folder_ / results_list);
-  // Until all files are in place the list names old and new ones, so that a run after a kill knows
-  // both for its own.
+  // Until all files are in place the list names old and new ones: should this run be killed, the
+  // next one recognises both as mixcmp's.
   const std::string known = before.ok() ? *before : "";
   value_or_exit(write_kept_file(folder_ / results_list, known + list));
   set_stale_aside(known);

@@ -30,7 +30,7 @@ Unit operand_unit(const FixedLane& lane, const FixedFormat& to, const DelayTable
   return std::move(stages).unit(lane.format.is_block ? "fixed_alignment" : "fixed_operand");
 }
 
-/// `b_bits`: the width of the second factor. What a multiplier's port is too narrow for is rows of
+/// `b_bits`: the width of the second factor. Bits beyond the multiplier's port become rows of
 /// gates.
 Unit product_unit(int b_bits, const DelayTable& delays) {
   const bool rows = b_bits - 1 > delays.multiplier_size.b_bits;
@@ -135,19 +135,13 @@ Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers
 
 Unit block_exponent_unit(const FixedLane& lane, const DelayTable& delays) {
   const int bits = lane.input_format.exponent_bits();
-  const int levels = std::max(1, bits_for(operand_count(lane) - 1));
+  const int levels = std::max(1, bits_for(static_cast<int>(fixed::inputs_read(lane).size()) - 1));
   StageList stages(delays);
   for (int level = 0; level < levels; ++level) {
     const int choose = level + 1 < levels ? 1 : 1 + reduction_levels(bits);
     stages.add("level " + std::to_string(level), stages.carry(bits) + stages.lut_delay_ns(choose));
   }
   return std::move(stages).unit("block_exponent");
-}
-
-int operand_count(const FixedLane& lane) {
-  return static_cast<int>(
-      std::count_if(lane.nodes.begin(), lane.nodes.end(),
-                    [](const FixedNode& node) { return node.operation == Operation::input; }));
 }
 
 Unit limit_unit(const FixedLane& lane, const FixedNode& limit, const DelayTable& delays) {

@@ -18,8 +18,6 @@ int operand_bits(const std::vector<fixed::FixedNode>& nodes, const fixed::FixedN
 /// The unit that computes `node` of a lane (not for a constant: that is a literal).
 Unit fixed_unit(const fixed::FixedLane& lane, const fixed::FixedNode& node,
                 scene::Multipliers multipliers, const DelayTable& delays);
-/// The number of operands that a lane reads.
-int operand_count(const fixed::FixedLane& lane);
 /// The unit that finds the largest exponent of the operands of block floating point.
 Unit block_exponent_unit(const fixed::FixedLane& lane, const DelayTable& delays);
 /// The unit that finds the numbers which a limit leaves undecided.
@@ -29,7 +27,7 @@ Unit limit_unit(const fixed::FixedLane& lane, const fixed::FixedNode& limit,
 Unit fixed_decision_unit(const fixed::FixedLane& lane, const fixed::FixedPart& part,
                          const DelayTable& delays);
 
-/// The bits of the largest threshold of a norm's thresholds.
+/// The width of the largest threshold of a norm decision.
 int threshold_bits(const fixed::FixedLane& lane, const fixed::NormThresholds& thresholds);
 
 }  // namespace mixcmp::datapath

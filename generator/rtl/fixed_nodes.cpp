@@ -64,9 +64,8 @@ void FixedNodes::build_largest_exponent() {
   const std::string largest = datapath_.pool().unique("largest_exponent");
   const std::string not_finite = datapath_.pool().unique("not_finite");
   std::vector<Operand> exponents;
-  for (const FixedNode& node : lane_.nodes) {
-    if (node.operation != Operation::input) continue;
-    exponents.push_back(slice(datapath_.port(node.input),
+  for (const int input : fixed::inputs_read(lane_)) {
+    exponents.push_back(slice(datapath_.port(input),
                               format.fraction_bits() + format.exponent_bits() - 1,
                               format.fraction_bits()));
   }

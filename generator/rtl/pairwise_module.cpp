@@ -62,7 +62,7 @@ void declare_refetch_streams(const EngineShape& engine, const SystemShape& syste
                              std::vector<ModuleItem>& items) {
   const int references = system.references;
   items.push_back(Comment{
-      "Tags from the references; back to them the operands of the items that a tag names."});
+      "References send tags; the engine answers with the operands of the items that a tag names."});
   for (const auto& [width, name] :
        std::vector<std::pair<int, std::string>>{{1, "refetch_tvalid"},
                                                 {1, "refetch_tready"},

@@ -49,8 +49,8 @@ std::vector<Signal> build_magnitude_checks(DatapathBuilder& builder, const error
     if (lane.checks[k].leading_bits == 0) continue;
     if (!told) {
       builder.add(
-          Comment{"Operands in these ranges: for others the error bound is not proven; they stay "
-                  "undecided."});
+          Comment{"The error bound is proven for operands in these ranges. Others leave the "
+                  "comparison undecided."});
     }
     told = true;
     flags.back() =

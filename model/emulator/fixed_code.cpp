@@ -87,7 +87,8 @@ public:
   explicit FixedCodeMaker(const FixedLane& lane)
       : lane_(lane), reads_(lane.nodes.size(), 0), is_fused_(lane.nodes.size(), false) {
     code_.layout.columns = static_cast<int>(lane.nodes.size());
-    if (lane.format.is_block) code_.least_block_exponent = lane.input_format.min_exponent() + 1;
+    if (lane.format.is_block)
+      code_.least_block_exponent = fixed::least_block_exponent(lane.input_format);
     count_reads();
     choose_fused();
   }

@@ -18,8 +18,7 @@ struct FixedCode {
     FixedConversion conversion;
   };
   std::vector<Input> inputs;
-  /// Block floating point: the operands of a comparison are divided by a power of two of their own
-  /// before they are converted, at least by this one.
+  /// The least e of theorem 6 (docs/fixed_point.md); none but in block floating point.
   std::optional<int> least_block_exponent;
   ColumnLayout layout;  ///< its inputs are operands that are converted already
   std::vector<FixedInstruction> instructions;

@@ -77,18 +77,18 @@ void FixedEmulator::decide(OperandColumns operands, std::size_t count,
     columns.push_back(memory.data() + columns.size() * convert_at_once);
     converted[input.operand] = columns.back();
   }
-  const auto convert =
-      code_->least_block_exponent ? &FixedEmulator::convert_block : &FixedEmulator::convert_apart;
+  const auto convert = code_->least_block_exponent ? &FixedEmulator::convert_in_common_unit
+                                                   : &FixedEmulator::convert_each;
   for (std::size_t first = 0; first < count; first += convert_at_once) {
     const std::size_t size = std::min(convert_at_once, count - first);
     (this->*convert)(operands, first, size, columns);
-    run(converted, size, decisions.subspan(first, size));
+    decide_columns(converted, size, decisions.subspan(first, size));
   }
 }
 
 /// Converts the operands of `size` comparisons from number `first` on, each by itself.
-void FixedEmulator::convert_apart(OperandColumns operands, std::size_t first, std::size_t size,
-                                  std::span<double* const> columns) const {
+void FixedEmulator::convert_each(OperandColumns operands, std::size_t first, std::size_t size,
+                                 std::span<double* const> columns) const {
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const FixedCode::Input& input = code_->inputs[k];
     convert_all(input.conversion, {operands[input.operand] + first, size}, columns[k]);
@@ -96,8 +96,9 @@ void FixedEmulator::convert_apart(OperandColumns operands, std::size_t first, st
 }
 
 /// Likewise, the operands of each comparison in the unit that the largest of them sets.
-void FixedEmulator::convert_block(OperandColumns operands, std::size_t first, std::size_t size,
-                                  std::span<double* const> columns) const {
+void FixedEmulator::convert_in_common_unit(OperandColumns operands, std::size_t first,
+                                           std::size_t size,
+                                           std::span<double* const> columns) const {
   const std::size_t filled = (size + block_granularity - 1) / block_granularity * block_granularity;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const double* const operand = operands[code_->inputs[k].operand] + first;
@@ -111,7 +112,7 @@ void FixedEmulator::convert_block(OperandColumns operands, std::size_t first, st
 
 void FixedEmulator::convert(int input, std::span<const double> operands,
                             std::span<double> converted) const {
-  MIXCMP_CHECK(converts_alone() && converted.size() >= operands.size());
+  MIXCMP_CHECK(can_convert_beforehand() && converted.size() >= operands.size());
   const auto reads = [&](const FixedCode::Input& each) { return each.operand == input; };
   const auto found = std::find_if(code_->inputs.begin(), code_->inputs.end(), reads);
   if (found == code_->inputs.end()) {
@@ -123,12 +124,12 @@ void FixedEmulator::convert(int input, std::span<const double> operands,
 
 void FixedEmulator::decide_converted(OperandColumns converted, std::size_t count,
                                      std::span<Decision> decisions) const {
-  MIXCMP_CHECK(converts_alone() && decisions.size() >= count);
-  run(converted, count, decisions);
+  MIXCMP_CHECK(can_convert_beforehand() && decisions.size() >= count);
+  decide_columns(converted, count, decisions);
 }
 
-void FixedEmulator::run(OperandColumns converted, std::size_t count,
-                        std::span<Decision> decisions) const {
+void FixedEmulator::decide_columns(OperandColumns converted, std::size_t count,
+                                   std::span<Decision> decisions) const {
   ColumnBlocks blocks(code_->layout, converted, count);
   while (blocks.next()) {
     execute(code_->instructions, blocks.block());

@@ -23,9 +23,9 @@ public:
 
   /// Whether double holds every integer.
   bool is_exact_in_double() const { return code_.has_value(); }
-  /// Whether operands can be converted beforehand: that is so where double holds every integer and
-  /// the unit of an operand does not depend on others, as it does in block floating point.
-  bool converts_alone() const { return code_ && !code_->least_block_exponent; }
+  /// Whether each input can be converted by itself beforehand. Double must hold every integer; and
+  /// in block floating point the unit depends on all operands.
+  bool can_convert_beforehand() const { return code_ && !code_->least_block_exponent; }
   /// Converts `count` operands of one input as the lane does at its border; a NaN stands for one
   /// that it does not take. Operands that the lane does not read stay what they are.
   void convert(int input, std::span<const double> operands, std::span<double> converted) const;
@@ -37,11 +37,12 @@ public:
   std::uint64_t fallbacks() const { return fallbacks_->load(std::memory_order_relaxed); }
 
 private:
-  void convert_apart(OperandColumns operands, std::size_t first, std::size_t size,
-                     std::span<double* const> columns) const;
-  void convert_block(OperandColumns operands, std::size_t first, std::size_t size,
-                     std::span<double* const> columns) const;
-  void run(OperandColumns converted, std::size_t count, std::span<Decision> decisions) const;
+  void convert_each(OperandColumns operands, std::size_t first, std::size_t size,
+                    std::span<double* const> columns) const;
+  void convert_in_common_unit(OperandColumns operands, std::size_t first, std::size_t size,
+                              std::span<double* const> columns) const;
+  void decide_columns(OperandColumns converted, std::size_t count,
+                      std::span<Decision> decisions) const;
   Decision golden_decision(OperandColumns operands, std::size_t index) const;
 
   fixed::FixedLane lane_;

@@ -167,6 +167,18 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
   return lane;
 }
 
+std::vector<int> inputs_read(const FixedLane& lane) {
+  std::vector<int> inputs;
+  for (const FixedNode& node : lane.nodes) {
+    if (node.operation == Operation::input) inputs.push_back(node.input);
+  }
+  return inputs;
+}
+
+int least_block_exponent(FloatFormat input_format) {
+  return input_format.min_exponent() + 1;
+}
+
 bool has_norm(const FixedLane& lane) {
   return std::any_of(lane.parts.begin(), lane.parts.end(), [](const FixedPart& part) {
     return std::holds_alternative<NormThresholds>(part.criterion);

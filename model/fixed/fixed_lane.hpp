@@ -87,9 +87,9 @@ struct FixedPart {
 };
 
 /// In q13 an input in [0, 100], below 2^7, counts units of 2^(7 - 13). In block13 the lane computes
-/// on x / 2^e instead of each operand x that it reads: 2^(e - 1) is the power of two at or below
-/// the largest magnitude among them, or the least normal number where that is more. So all are
-/// below 1 and count units of 2^-13. If one is no number, the comparison is left undecided.
+/// on x / 2^e instead of each operand x that it reads, where 2^e is the least power of two above
+/// all their magnitudes, but no less than `least_block_exponent` says. So all are below 1 and count
+/// units of 2^-13. Where one is infinite or a NaN, the comparison is left undecided.
 struct FixedLane {
   FixedPoint format;
   std::vector<FixedNode> nodes;  ///< in topological order
@@ -109,8 +109,8 @@ enum class FixedBound {
 struct FixedOptions {
   FixedPoint format = {.bits = 13};
   std::optional<FixedBound> bound = {};  ///< none: norms where there are any
-  /// One per input. A lane needs them all; in block floating point none, and takes from those that
-  /// there are only which inputs are never negative.
+  /// One per input; a lane needs them all. In block floating point they are optional: an input
+  /// whose range has no negative numbers needs no sign.
   std::vector<std::optional<Range>> ranges;
 };
 
@@ -119,6 +119,13 @@ struct FixedOptions {
 /// homogeneous, or the bound that is asked for and that no part has.
 Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                              const FixedOptions& options);
+
+/// The inputs that the lane reads, in the order of its nodes.
+std::vector<int> inputs_read(const FixedLane& lane);
+
+/// In block floating point, the least e by whose power 2^e operands are divided: a binade above the
+/// least normal number.
+int least_block_exponent(FloatFormat input_format);
 
 /// Whether some part is decided by a norm.
 bool has_norm(const FixedLane& lane);

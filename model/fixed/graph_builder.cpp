@@ -127,27 +127,33 @@ Result<FixedNode> FixedGraphBuilder::make(NodeId id) {
   const NodeId first = known_[a], second = b < 0 ? -1 : known_[b];
   if (node.operation == Operation::square) return operation(node.operation, factor(first));
   if (node.operation != Operation::multiply) return operation(node.operation, first, second);
-  if (const auto square = multiple_of_square(id)) return *square;
-  return operation(node.operation, factor(first), factor(second));
+  for (const auto& [constant, other] : {std::pair(a, b), {b, a}}) {
+    const Node& coefficient = graph_.nodes()[constant];
+    if (coefficient.operation != Operation::constant) continue;
+    if (const auto square = multiple_of_square(coefficient.value, other)) return *square;
+  }
+  return product(first, second);
 }
 
-/// c^2 x^2 as (c x)^2, which a sum of squares may hold; none if the product has another form.
-std::optional<FixedNode> FixedGraphBuilder::multiple_of_square(NodeId id) {
-  for (const int k : {0, 1}) {
-    const NodeId square_id = graph_.nodes()[id].operands[1 - k];
-    const Node& coefficient = graph_.nodes()[graph_.nodes()[id].operands[k]];
-    const Node& square = graph_.nodes()[square_id];
-    if (coefficient.operation != Operation::constant || square.operation != Operation::square ||
-        graph_.limits().contains(square_id)) {
-      continue;
-    }
-    const std::optional<mpq_class> root = exact_root(coefficient.value);
-    if (!root) continue;
-    const NodeId multiple = add(operation(Operation::multiply, factor(add(constant(*root))),
-                                          factor(known_[square.operands[0]])));
-    return operation(Operation::square, factor(multiple));
+FixedNode FixedGraphBuilder::product(NodeId a, NodeId b) {
+  const NodeId first = factor(a);
+  const NodeId second = factor(b);
+  return operation(Operation::multiply, first, second);
+}
+
+/// c^2 x^2 as (c x)^2, of which a norm bound can be made; none if the bound or the product is of
+/// another kind.
+std::optional<FixedNode> FixedGraphBuilder::multiple_of_square(const mpq_class& coefficient,
+                                                               NodeId id) {
+  const Node& square = graph_.nodes()[id];
+  if (options_.bound == FixedBound::constant || square.operation != Operation::square ||
+      graph_.limits().contains(id)) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  const std::optional<mpq_class> root = exact_root(coefficient);
+  if (!root) return std::nullopt;
+  const NodeId multiple = add(product(add(constant(*root)), known_[square.operands[0]]));
+  return operation(Operation::square, factor(multiple));
 }
 
 /// Division by a constant is multiplication by its reciprocal.
@@ -158,8 +164,9 @@ Result<FixedNode> FixedGraphBuilder::quotient(NodeId id) {
     return refused(id, "fixed point divides by constants alone",
                    "a floating-point format, or f and g without other quotients");
   }
-  const NodeId reciprocal = add(constant(1 / constant_node.value));
-  return operation(Operation::multiply, factor(known_[dividend]), factor(reciprocal));
+  const mpq_class reciprocal = 1 / constant_node.value;
+  if (const auto square = multiple_of_square(reciprocal, dividend)) return *square;
+  return product(known_[dividend], add(constant(reciprocal)));
 }
 
 /// A lane checks limits on the number that it computes, errors included.

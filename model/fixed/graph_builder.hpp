@@ -32,7 +32,8 @@ private:
   FixedNode constant(const mpq_class& value) const;
   Result<FixedNode> square_root(NodeId id) const;
   Result<FixedNode> quotient(NodeId id);
-  std::optional<FixedNode> multiple_of_square(NodeId id);
+  std::optional<FixedNode> multiple_of_square(const mpq_class& coefficient, NodeId id);
+  FixedNode product(NodeId a, NodeId b);
   Result<NodeId> limited(NodeId id, const Range& limits);
   NodeId factor(NodeId id);
   FixedNode operation(Operation operation, NodeId a, NodeId b = -1) const;

@@ -19,13 +19,13 @@ using Degree = std::optional<mpq_class>;
 
 Error refused(const Graph& graph, NodeId node, const std::string& why) {
   return {.field = "reduced.format",
-          .message = fmt::format("block floating point needs f and g that grow alike with their "
-                                 "inputs; {}: {}",
+          .message = fmt::format("block floating point needs f and g that are homogeneous of one "
+                                 "degree; {}: {}",
                                  why, to_text(graph, node, most_characters)),
           .received = {},
           .accepted =
-              "f and g that are homogeneous, such as a*b and c^2; or qW with a range for "
-              "each input, or a floating-point format"};
+              "f and g such as a*b and c^2; or qW with a range for each input, or a "
+              "floating-point format"};
 }
 
 std::string shown(const Degree& degree) {

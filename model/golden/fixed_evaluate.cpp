@@ -25,28 +25,19 @@ mpz_class shifted(const mpz_class& value, int shift) {
   return result;
 }
 
-/// The least e >= `least` for which the magnitudes of all operands are below 2^e; none where one is
-/// infinite or a NaN.
-std::optional<int> exponent_above(FloatFormat format, const std::vector<Bits>& operands,
-                                  int least) {
-  int exponent = least;
-  for (const Bits operand : operands) {
-    if (format.is_nan(operand) || format.is_infinite(operand)) return std::nullopt;
-    const mpq_class magnitude = to_rational(format, format.magnitude(operand));
-    while (magnitude >= mixcmp::power_of_two(exponent)) ++exponent;
-  }
-  return exponent;
-}
-
-/// In block floating point, the exponent of the power of two by which the lane divides operands; 0
-/// elsewhere. None where an operand is no number.
+/// In block floating point, e of theorem 6 (docs/fixed_point.md); 0 elsewhere. None where an
+/// operand is infinite or a NaN.
 std::optional<int> block_exponent(const FixedLane& lane, std::span<const Bits> inputs) {
   if (!lane.format.is_block) return 0;
-  std::vector<Bits> read;
-  for (const FixedNode& node : lane.nodes) {
-    if (node.operation == Operation::input) read.push_back(inputs[node.input]);
+  const FloatFormat format = lane.input_format;
+  int exponent = fixed::least_block_exponent(format);
+  for (const int input : fixed::inputs_read(lane)) {
+    if (format.is_nan(inputs[input]) || format.is_infinite(inputs[input])) return std::nullopt;
+    const mpq_class magnitude = to_rational(format, format.magnitude(inputs[input]));
+    if (magnitude == 0) continue;
+    exponent = std::max(exponent, static_cast<int>(floor_log2(magnitude)) + 1);
   }
-  return exponent_above(lane.input_format, read, lane.input_format.min_exponent() + 1);
+  return exponent;
 }
 
 /// An operand that arrives, its magnitude truncated, all bits inverted if its sign bit is set; none
@@ -185,7 +176,7 @@ std::vector<Integer> evaluate(const FixedLane& lane, std::span<const Bits> input
 }
 
 bool takes(const FixedLane& lane, int input, Bits operand) {
-  // In block floating point other operands set the scale: the largest one takes every number.
+  // In block floating point every finite number fits in the largest unit that there is.
   const int scale = lane.format.is_block ? lane.input_format.max_exponent() + 1 : 0;
   return std::all_of(lane.nodes.begin(), lane.nodes.end(), [&](const FixedNode& node) {
     return node.operation != Operation::input || node.input != input ||

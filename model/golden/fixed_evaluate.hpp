@@ -18,7 +18,7 @@ std::vector<std::optional<mpz_class>> evaluate(const fixed::FixedLane& lane,
                                                std::span<const Bits> inputs);
 
 /// Whether the lane takes this encoding for one of its inputs: a number of the format's sign and
-/// magnitude, in block floating point of its sign.
+/// magnitude; in block floating point any finite one of its sign.
 bool takes(const fixed::FixedLane& lane, int input, Bits operand);
 
 /// The decision of a lane in hardware, bit for bit.

@@ -9,7 +9,7 @@
 
 namespace mixcmp::inline number {
 
-/// The integers that a lane in fixed point takes its operands as.
+/// The format of the operands of a lane in fixed point.
 struct FixedPoint {
   int bits = 0;  ///< W
   /// Block floating point: the largest exponent among the operands of a comparison sets the unit of
@@ -26,7 +26,8 @@ struct FixedPoint {
 /// The format of a lane, as tables and signatures name it: "s17e8", or "q13" or "block13" in fixed
 /// point.
 struct LaneFormat {
-  std::optional<FloatFormat> floating;  ///< this or the other
+  /// One of the two is set.
+  std::optional<FloatFormat> floating;
   std::optional<FixedPoint> fixed_point;
 
   int precision() const;  ///< L; of fixed point W

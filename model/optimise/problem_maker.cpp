@@ -97,8 +97,12 @@ std::optional<PrecisionPlan> ProblemMaker::plan(
   PrecisionPlan plan{.precision = precision, .lanes = {}, .problem = {}, .result = Infeasible{}};
   left_out_.clear();
   const Rows& rows = lanes_.at(precision);
-  const characterise::Measurement* fifo = fifo_for(rows);
+  const int slots = slots_for(rows);
+  const characterise::Measurement* fifo = fifo_of(slots);
   for (const characterise::Measurement* row : rows) add_lane(plan, *row, fifo);
+  if (!plan.lanes.empty() && fifo == nullptr && !options_.fixed_communication) {
+    missing_.insert(fmt::format("a fifo of {} slots", slots));
+  }
   for (const LaneImplementation& lane : plan.lanes) plan.problem.lanes.push_back(lane.kind);
   for (const auto& reference : references) {
     plan.problem.references.push_back(reference.kind);
@@ -215,18 +219,21 @@ void ProblemMaker::note_largest_crossbar(const PrecisionPlan& plan) {
                   plan.precision, served));
 }
 
-/// The scoreboard's row. All lanes of a system have the slots that the lane of the longest latency
-/// needs.
-const characterise::Measurement* ProblemMaker::fifo_for(const Rows& lanes) {
-  if (options_.fixed_communication) return nullptr;
+/// All lanes of a system have the slots that the lane of the longest latency needs.
+int ProblemMaker::slots_for(const Rows& lanes) const {
   int slowest = 0;
-  for (const characterise::Measurement* lane : lanes)
+  for (const characterise::Measurement* lane : lanes) {
     slowest = std::max(slowest, lane->latency_cycles);
-  const int slots = design::slots_for(slowest, scene_.system.references.value_or(1) > 0);
+  }
+  return design::slots_for(slowest, scene_.system.references.value_or(1) > 0);
+}
+
+/// The scoreboard's row; none where the table has none, or where streams have a given area.
+const characterise::Measurement* ProblemMaker::fifo_of(int slots) const {
+  if (options_.fixed_communication) return nullptr;
   for (const characterise::Measurement& row : table_.rows) {
     if (row.key.kind == characterise::ComponentKind::fifo && row.key.ports == slots) return &row;
   }
-  missing_.insert(fmt::format("a fifo of {} slots", slots));
   return nullptr;
 }
 

@@ -42,7 +42,8 @@ private:
 
   void add_crossbar();
   void note_largest_crossbar(const PrecisionPlan& plan);
-  const characterise::Measurement* fifo_for(const Rows& lanes);
+  int slots_for(const Rows& lanes) const;
+  const characterise::Measurement* fifo_of(int slots) const;
 
   double clock_of(const characterise::Measurement& row, const std::optional<double>& given,
                   const characterise::Measurement* fifo);

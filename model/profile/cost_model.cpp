@@ -171,9 +171,11 @@ double lane_luts(const error::Lane& lane, Products products) {
   return luts;
 }
 
-/// A sum takes a LUT a bit, a root a sum for each bit of its result; an operand a shifter, of two
-/// places a LUT, and the compare of its exponent, in block floating point its share of the search
-/// for the largest one, too. Factors below 1 are fitted to mapped lanes.
+/// - A sum takes a LUT a bit.
+/// - A root takes a sum for each bit of its result.
+/// - An operand takes a shifter, two places a LUT, and a compare of its exponent; in block floating
+///   point also its share of the search for the largest exponent.
+/// - Products of logic and limits have factors that are fitted to mapped lanes.
 double lane_luts(const fixed::FixedLane& lane, Products products) {
   const double exponent = lane.input_format.exponent_bits();
   double luts = 0;

@@ -215,15 +215,21 @@ Threshold Threshold::of_fixed_lanes(std::span<const fixed::FixedLane* const> lan
   return {root, 0, envelope.graph().f(), envelope.graph().g()};
 }
 
+/// The unit depends on all operands that the lane reads: where the part does not have them all, its
+/// envelope does not tell the unit.
 Threshold::Kind Threshold::block(const Root& of_scaled, const fixed::FixedLane& lane,
                                  std::size_t part, const Envelope& envelope) {
   Block block{.of_scaled = of_scaled,
               .degree = lane.parts[part].degree.get_d(),
               .inputs = {},
-              .least_power = std::ldexp(1.0, lane.input_format.min_exponent() + 1)};
-  for (NodeId id = 0; id < envelope.difference(); ++id) {
-    const bool is_input = envelope.graph().nodes[id].operation == Operation::input;
-    if (is_input) block.inputs.push_back(id);
+              .least_scale = std::ldexp(1.0, fixed::least_block_exponent(lane.input_format))};
+  const std::vector<TypedNode>& nodes = envelope.graph().nodes;
+  for (const int input : fixed::inputs_read(lane)) {
+    const auto found = std::find_if(nodes.begin(), nodes.end(), [&](const TypedNode& node) {
+      return node.operation == Operation::input && node.input == input;
+    });
+    if (found == nodes.end()) return Unknown{};
+    block.inputs.push_back(static_cast<NodeId>(found - nodes.begin()));
   }
   return block;
 }
@@ -257,14 +263,14 @@ void Threshold::evaluate(const EnvelopeBlock& block, EnvelopeRow& scaled, Envelo
   } else if (const auto* in_block = std::get_if<Block>(&kind_)) {
     const Root& below_one = in_block->of_scaled;
     for_each_lane([&](std::size_t k) {
-      double power = in_block->least_power;
+      double scale = in_block->least_scale;
       for (const NodeId input : in_block->inputs) {
-        power = std::max(power, 2 * largest(block.nodes[input], k));
+        scale = std::max(scale, 2 * largest(block.nodes[input], k));
       }
-      const double grown = std::pow(power, in_block->degree) * outward;
-      const double square = grown * largest(block.nodes[below_one.square], k);
-      scaled[k] =
-          (below_one.constant * grown + below_one.per_root * std::sqrt(square) * outward) * outward;
+      const double grown = std::pow(scale, in_block->degree) * outward;
+      // Two roots, since the product of such numbers may underflow.
+      const double slope = std::sqrt(grown) * std::sqrt(largest(block.nodes[below_one.square], k));
+      scaled[k] = (below_one.constant * grown + below_one.per_root * slope * outward) * outward;
     });
   } else if (std::holds_alternative<Unknown>(kind_)) {
     wild.fill(1);

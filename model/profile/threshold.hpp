@@ -48,12 +48,13 @@ private:
     NodeId square;
     double constant, per_root;  ///< per root of the square's magnitude
   };
-  /// A root's threshold for operands below 1; those of a comparison are larger by a power of two.
+  /// Of a lane in block floating point: `of_scaled` holds for operands divided by 2^e; `evaluate`
+  /// multiplies it back.
   struct Block {
     Root of_scaled;
     double degree;               ///< of f and g, in the operands
     std::vector<NodeId> inputs;  ///< of the envelope's graph
-    double least_power;
+    double least_scale;          ///< 2^e for the least e
   };
   struct Unknown {};
   using Kind = std::variant<Order, Distance, Interval, Absolute, Root, Block, Unknown>;

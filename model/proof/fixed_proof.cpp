@@ -217,7 +217,7 @@ private:
   }
 
   /// Whether what is added, subtracted or compared grows alike with the operands, so that every
-  /// part's difference has a degree. A constant zero has each: none is stored for it.
+  /// part's difference has a degree. Zero has every degree and is stored as none.
   bool is_homogeneous() const {
     std::vector<std::optional<mpq_class>> degrees;
     for (const FixedNode& node : nodes_) {

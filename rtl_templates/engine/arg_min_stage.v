@@ -97,7 +97,7 @@ module arg_min_stage #(
   always @(posedge aclk) begin
     if (s_word_valid) begin
       index_q <= s_word_index;
-      candidate_q   <= s_word_data;
+      candidate_q <= s_word_data;
     end
   end
 

@@ -337,5 +337,43 @@ TEST(Rates, OfSeveralPartsAreTheGoldenModels) {
   }
 }
 
+/// In block floating point the operands of one part set the unit of the others.
+TEST(Rates, OfPartsWithOperandsOfTheirOwnAreTheGoldenModels) {
+  std::mt19937_64 random(12);
+  const FloatFormat format = format_of(53, 8);
+  const Scene scene = scene_of(graph_of({{"a^2", "b^2"}, {"c", "d"}}, Combination::any), format,
+                               nearest(format_of(8, 8)));
+  std::vector<Bits> values;
+  for (int row = 0; row < 400; ++row) {
+    for (const double scale : {1.0, 1.0, 1000.0, 1000.0}) {
+      const double number = 1 + static_cast<double>(random() % 512) / 512;
+      values.push_back(from_double(format, row % 2 == 0 ? number : number * scale));
+    }
+  }
+  const Comparisons data = rows_of(scene.graph, format, values);
+  const RateProfile profile =
+      checked_profile(scene, data, LaneInputs::exact, options_of(6, 24), "parts of their own");
+  const auto block = std::find_if(profile.schemes.begin(), profile.schemes.end(),
+                                  [](const auto& scheme) { return scheme.name == "block_norm"; });
+  ASSERT_NE(block, profile.schemes.end());
+  EXPECT_GT(block->counts.front().undecided, 100u);
+}
+
+/// f and g are at 2^-560 and above, and so is the power of two that scales a threshold: their
+/// product is no double.
+TEST(Rates, InBlocksOfTinyOperandsAreTheGoldenModels) {
+  std::mt19937_64 random(13);
+  const Scene scene = scene_of(graph_of("a^2 + b^2", "c^2"), binary64, nearest(format_of(8, 11)));
+  std::vector<Bits> values;
+  for (int row = 0; row < 400; ++row) {
+    const double a = 3 + static_cast<double>(random() % 64) / 4096;
+    for (const double number : {a, 4.0, 5 + static_cast<double>(random() % 64) / 4096}) {
+      values.push_back(from_double(binary64, std::ldexp(number, -280)));
+    }
+  }
+  const Comparisons data = rows_of(scene.graph, binary64, values);
+  checked_profile(scene, data, LaneInputs::exact, options_of(6, 24), "tiny operands");
+}
+
 }  // namespace
 }  // namespace mixcmp::test::rates_test

@@ -151,7 +151,7 @@ module fixed_units #(
           .WIDTH       (6),
           .RADIUS_WIDTH(RADIUS),
           .ROOT        (slot % 5 == 4),
-          .THRESHOLD_WIDTH (6),
+          .THRESHOLD_WIDTH(6),
           .SHIFT_ABOVE (slot % 3),
           .OFFSET_ABOVE(slot / 3 % 8),
           .SHIFT_BELOW (slot / 24 % 3),
