@@ -7,3 +7,8 @@ file(GLOB MIXCMP_RTL_TEMPLATES CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/rtl_templates/stream/*.v
   ${PROJECT_SOURCE_DIR}/rtl_templates/verdict/*.v
 )
+
+# Templates as cells of a family, for a Yosys that does not find them by itself.
+file(GLOB MIXCMP_ECP5_CELLS CONFIGURE_DEPENDS
+  ${PROJECT_SOURCE_DIR}/rtl_templates/technology/ecp5/*.v
+)

@@ -30,8 +30,13 @@ std::vector<ParameterValue> values_of(const rtl::TemplateInstance& instance) {
 }
 
 void add_templates(SynthesisJob& job, const std::set<std::string>& modules) {
-  for (const std::string& name : emit::template_closure(modules)) {
+  const std::vector<std::string> templates = emit::template_closure(modules);
+  for (const std::string& name : templates) {
     job.sources.push_back({name + ".v", without_comments(emit::template_text(name))});
+  }
+  for (const emit::TechnologyCell& cell : emit::technology_cells(templates)) {
+    job.sources.push_back(
+        {cell.module + ".v." + cell.cells, without_comments(cell.text), cell.cells});
   }
 }
 

@@ -39,7 +39,8 @@ characterise::SynthesisJob system_job(const emit::GeneratedSystem& system) {
   characterise::SynthesisJob job{.sources = {},
                                  .top = signature.engine ? signature.engine->top : signature.top};
   for (const emit::GeneratedFile& file : system.files) {
-    if (file.name.ends_with(".v")) job.sources.push_back({file.name, without_comments(file.text)});
+    if (!file.name.ends_with(".v") && file.cells.empty()) continue;
+    job.sources.push_back({file.name, without_comments(file.text), file.cells});
   }
   return job;
 }

@@ -275,6 +275,7 @@ std::string to_json(const Signature& s) {
                {"ports", ports_to_json(s.ports)}};
   if (s.engine) json["engine"] = to_json(*s.engine);
   json["files"] = s.files;
+  if (!s.cells.empty()) json["cells"] = s.cells;
   return json.dump(2) + "\n";
 }
 
@@ -305,7 +306,11 @@ Result<Signature> read_signature(const std::filesystem::path& path) {
       .target_mhz = reader.read<double>("target_mhz", "a number"),
       .ports = reader.groups("ports", read_port),
       .engine = reader.part("engine", read_engine),
-      .files = reader.read<std::vector<std::string>>("files", "a list of Verilog files")};
+      .files = reader.read<std::vector<std::string>>("files", "a list of Verilog files"),
+      .cells = {}};
+  if (json.contains("cells")) {
+    signature.cells = reader.read<std::vector<std::string>>("cells", "a list of Verilog files");
+  }
   if (reader.error()) return *reader.error();
   return signature;
 }

@@ -77,6 +77,8 @@ struct Signature {
   std::vector<SignaturePort> ports;
   std::optional<SignatureEngine> engine;
   std::vector<std::string> files;  ///< Verilog, in compile order, relative to the signature
+  /// Verilog that Yosys takes in place of some of `files` on the design's device.
+  std::vector<std::string> cells;
 };
 
 std::string to_json(const Signature& signature);

@@ -9,6 +9,7 @@
 #include "generator/emit/verilog.hpp"
 #include "generator/emit/version.hpp"
 #include "model/common/content_hash.hpp"
+#include "model/devices/device.hpp"
 
 namespace mixcmp::emit {
 namespace {
@@ -155,11 +156,19 @@ void add_prefix(std::vector<Described>& modules, const std::string& prefix) {
   }
 }
 
+std::string copied(std::string_view text, const std::string& prefix) {
+  return fmt::format(
+      "// Copied by mixcmp {}. This copy is unencumbered: use it as you like.\n//\n{}", version,
+      with_prefix(text, prefix));
+}
+
 GeneratedFile template_file(const std::string& name, const std::string& prefix) {
-  return {prefix + name + ".v",
-          fmt::format("// Copied by mixcmp {}. This copy is unencumbered: use it as you "
-                      "like.\n//\n{}",
-                      version, prefixed_template(name, prefix))};
+  return {prefix + name + ".v", copied(template_text(name), prefix)};
+}
+
+/// Its name does not end in ".v": tools that read DIR/*.v find the template of the same module.
+GeneratedFile cell_file(const TechnologyCell& cell, const std::string& prefix) {
+  return {prefix + cell.module + ".v." + cell.cells, copied(cell.text, prefix), cell.cells};
 }
 
 /// Names are relative to the list's own folder: absolute ones would make other bytes in another
@@ -177,6 +186,14 @@ GeneratedFile file_list(const Signature& signature) {
       "-c\n"
       "// names are relative to the working directory.\n",
       top, signature.top);
+  if (!signature.cells.empty()) {
+    text += fmt::format(
+        "// Yosys alone needs cells of ECP5, with their registers, in place of some modules:\n"
+        "//   yosys -p 'read_verilog DIR/*.v; read_verilog -overwrite DIR/*.v.ecp5; synth_ecp5 "
+        "-top "
+        "{}'\n",
+        top);
+  }
   for (const std::string& file : signature.files) text += file + "\n";
   return {signature.top + ".f", text};
 }
@@ -229,6 +246,12 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
     system.files.push_back(verilog_file(std::move(described), system.signature, command));
   }
   for (const GeneratedFile& file : system.files) system.signature.files.push_back(file.name);
+  MIXCMP_TRY(device, devices::find_device(design.system.device));
+  for (const TechnologyCell& cell : technology_cells(templates)) {
+    if (cell.cells != device.cells) continue;
+    system.files.push_back(cell_file(cell, prefix));
+    system.signature.cells.push_back(system.files.back().name);
+  }
 
   system.files.push_back(file_list(system.signature));
   system.files.push_back(constraint_file(system.signature));

@@ -12,6 +12,7 @@ namespace mixcmp::emit {
 struct GeneratedFile {
   std::string name;  ///< no folders
   std::string text;
+  std::string cells = {};  ///< of a family with cells of its own; see TechnologyCell
 };
 
 /// Everything that `generate` writes, in memory; the same design gives the same bytes.

@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <cctype>
 
+#include "embedded/ecp5_cells.hpp"
 #include "embedded/rtl_templates.hpp"
 #include "model/common/check.hpp"
 
 namespace mixcmp::emit {
 namespace {
 
+std::string_view module_of(const EmbeddedFile& file) {
+  return file.name.substr(0, file.name.rfind('.'));
+}
+
 const EmbeddedFile* find_template(std::string_view module) {
   for (const EmbeddedFile& file : rtl_templates()) {
-    if (file.name.substr(0, file.name.rfind('.')) == module) return &file;
+    if (module_of(file) == module) return &file;
   }
   return nullptr;
 }
@@ -61,8 +66,17 @@ bool is_template(const std::string& module) {
   return find_template(module) != nullptr;
 }
 
-std::string prefixed_template(const std::string& module, const std::string& prefix) {
-  const std::string_view text = template_text(module);
+std::vector<TechnologyCell> technology_cells(const std::vector<std::string>& modules) {
+  std::vector<TechnologyCell> cells;
+  for (const EmbeddedFile& file : ecp5_cells()) {
+    const std::string module(module_of(file));
+    if (std::find(modules.begin(), modules.end(), module) == modules.end()) continue;
+    cells.push_back({module, "ecp5", std::string(file.text)});
+  }
+  return cells;
+}
+
+std::string with_prefix(std::string_view text, const std::string& prefix) {
   std::string prefixed;
   for (std::size_t k = 0; k < text.size();) {
     if (!is_identifier(text[k])) {

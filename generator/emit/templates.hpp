@@ -14,9 +14,19 @@ std::string_view template_text(const std::string& module);
 /// in alphabetical order.
 std::vector<std::string> template_closure(const std::set<std::string>& modules);
 
+/// Devices of the family `cells` take `text` in place of the template `module`.
+struct TechnologyCell {
+  std::string module;
+  std::string cells;
+  std::string text;
+};
+
+/// The cells for templates among `modules`, of all families (rtl_templates/technology).
+std::vector<TechnologyCell> technology_cells(const std::vector<std::string>& modules);
+
 bool is_template(const std::string& module);
 
-/// The text of a template with `prefix` in front of its own name and of every other template's.
-std::string prefixed_template(const std::string& module, const std::string& prefix);
+/// The text of a template or a cell with `prefix` in front of the names of all templates.
+std::string with_prefix(std::string_view text, const std::string& prefix);
 
 }  // namespace mixcmp::emit

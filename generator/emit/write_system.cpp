@@ -26,8 +26,10 @@ std::set<std::string> files_of_previous_output(const fs::path& directory) {
     std::ifstream stream(entry.path());
     const nlohmann::json signature = nlohmann::json::parse(stream, nullptr, false);
     if (!signature.is_object() || !signature.contains("generator_version")) continue;
-    for (const nlohmann::json& file : signature.value("files", nlohmann::json::array())) {
-      if (file.is_string()) names.insert(file.get<std::string>());
+    for (const char* list : {"files", "cells"}) {
+      for (const nlohmann::json& file : signature.value(list, nlohmann::json::array())) {
+        if (file.is_string()) names.insert(file.get<std::string>());
+      }
     }
     const std::string top = entry.path().stem().string();
     for (const char* extension : {".json", ".f", ".sdc"}) names.insert(top + extension);

@@ -287,11 +287,22 @@ std::vector<Parameter> FixedNodes::parameters(NodeId id) const {
       break;
     default: MIXCMP_CHECK(!"an operation that fixed point has no unit for");
   }
+  append_positive_factors(id, parameters);
   if (node.dropped_bits > 0) parameters.push_back({"DROPPED", node.dropped_bits});
   parameters.push_back({"WIDTH", node.format.width});
   append_multiplier_parameters(schedule_.steps[id].unit, parameters);
   parameters.push_back({"CUTS", cut_mask(schedule_.steps[id])});
   return parameters;
+}
+
+/// An embedded multiplier has room for one bit more of a factor without a sign.
+void FixedNodes::append_positive_factors(NodeId id, std::vector<Parameter>& parameters) const {
+  if (schedule_.steps[id].unit.module != "fixed_product") return;
+  const FixedNode& node = lane_.nodes[id];
+  for (int k = 0; k < arity(node.operation); ++k) {
+    if (lane_.nodes[node.operands[k]].format.is_signed) continue;
+    parameters.push_back({k == 0 ? "POSITIVE_A" : "POSITIVE_B", 1});
+  }
 }
 
 /// The inputs and limits that a node depends on.

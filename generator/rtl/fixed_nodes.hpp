@@ -43,6 +43,7 @@ private:
   Operand operand(NodeId node, int shift, int cycle);
   std::vector<Connection> operands(NodeId id, int cycle);
   std::vector<Parameter> parameters(NodeId id) const;
+  void append_positive_factors(NodeId id, std::vector<Parameter>& parameters) const;
   std::set<NodeId> checked_before(NodeId node) const;
   std::string describe(NodeId id) const;
 

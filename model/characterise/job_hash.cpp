@@ -26,7 +26,9 @@ std::string job_hash(const SynthesisJob& job, const devices::Device& device,
                      const SynthesisOptions& options, const std::string& tools) {
   ContentHash hash;
   hash.add(method).add(tools).add(device.synthesis).add(job.top).add(job.clock_port);
-  for (const SourceText& source : job.sources) hash.add(source.name).add(source.text);
+  for (const SourceText& source : job.sources) {
+    if (source.cells.empty() || is_cell_of(source, device)) hash.add(source.name).add(source.text);
+  }
   switch (options.effort) {
     case TimingEffort::area_only: break;
     case TimingEffort::timing: add_timing(hash, device, options.seeds); break;

@@ -35,10 +35,15 @@ Result<Done> write_sources(const Run& run) {
   return Done{};
 }
 
-std::string read_sources(const SynthesisJob& job) {
-  std::string names;
-  for (const SourceText& source : job.sources) names += " " + source.name;
-  return fmt::format("read_verilog{}\n", names);
+std::string read_sources(const Run& run) {
+  std::string names, replacements;
+  for (const SourceText& source : run.job.sources) {
+    if (source.cells.empty()) names += " " + source.name;
+    if (is_cell_of(source, run.device)) replacements += " " + source.name;
+  }
+  std::string script = fmt::format("read_verilog{}\n", names);
+  if (!replacements.empty()) script += fmt::format("read_verilog -overwrite{}\n", replacements);
+  return script;
 }
 
 Result<Done> run_yosys(const Run& run, const std::string& name, const std::string& script) {
@@ -54,7 +59,7 @@ Result<devices::Area> map_alone(const Run& run) {
   const std::string script = fmt::format(
       "{}{} -top {}\ntee -q -o area.json stat -json\nwrite_json map.json\n"
       "select {}\nwrite_rtlil -selected map.il\n",
-      read_sources(run.job), run.device.synthesis, top, top);
+      read_sources(run), run.device.synthesis, top, top);
   MIXCMP_TRY(ran, run_yosys(run, "map", script));
   MIXCMP_TRY(statistics, read_json(run.directory / "area.json"));
   MIXCMP_TRY(area, in_file(area_of_statistics(statistics), run.directory / "area.json"));
@@ -76,7 +81,7 @@ std::string timing_script(const Run& run) {
       "{}{} -top {}\nselect {}\nwrite_rtlil -selected timing.il\ndesign -reset\n"
       "read_rtlil timing.il\nread_verilog -lib -specify +/xilinx/cells_sim.v\n"
       "hierarchy -top {}\ntee -q -o timing.txt sta\ntee -q -a timing.txt log {}\n",
-      read_sources(run.job), run.device.timing_synthesis, top, top, top, end_of_timing);
+      read_sources(run), run.device.timing_synthesis, top, top, top, end_of_timing);
 }
 
 /// A clock, or why there is none. A tool that fails is an error instead, since that is no property
@@ -161,6 +166,10 @@ Result<Timing> find_clock(const Run& run, devices::Area& area) {
 }
 
 }  // namespace
+
+bool is_cell_of(const SourceText& source, const devices::Device& device) {
+  return !source.cells.empty() && source.cells == device.cells;
+}
 
 Result<std::string> tool_versions(const devices::Device& device, TimingEffort effort) {
   MIXCMP_TRY(yosys, yosys_version(device));

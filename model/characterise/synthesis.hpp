@@ -13,7 +13,13 @@ namespace mixcmp::characterise {
 struct SourceText {
   std::string name;  ///< "fp_add.v", no folders
   std::string text;
+  /// Of a family whose devices take this text in place of the one of the same module; empty: the
+  /// text is for all devices.
+  std::string cells = {};
 };
+
+/// Whether `source` replaces a module on `device`.
+bool is_cell_of(const SourceText& source, const devices::Device& device);
 
 /// One module to be synthesised alone. Parameters are set by a wrapper among the sources.
 struct SynthesisJob {

@@ -5,8 +5,8 @@
 
 namespace mixcmp::inline common {
 
-/// `text` in quotes, fit for one line of an error message: control characters and bytes beyond
-/// ASCII's become '?', and what is too long ends in "...".
+/// `text` in quotes, fit for one line of an error message: '?' stands for control characters and
+/// for bytes that are not valid UTF-8, and what is too long ends in "...".
 std::string in_quotes(std::string_view text);
 
 /// Whether `text` is valid UTF-8 without control characters.

@@ -49,6 +49,7 @@ struct Device {
   int technology_nm = 0;
   Area available;         ///< luts, registers, dsps, memories
   std::string synthesis;  ///< Yosys command without -top: "synth_xilinx -family xc6v ..."
+  std::string cells;  ///< rtl_templates/technology/CELLS has modules for its Yosys; may be empty
   TimingTool timing = TimingTool::none;
   std::string timing_synthesis;               ///< `synthesis` for the timing run; may be empty
   std::vector<std::string> timing_arguments;  ///< for nextpnr: "--hx8k", "--package", "ct256"

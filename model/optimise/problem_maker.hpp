@@ -17,7 +17,7 @@ public:
   /// The precisions for which the table has lanes, with the options at hand.
   std::vector<int> precisions() const;
   bool has_references() const { return !references_.empty(); }
-  /// What every system has and the table has not: "a crossbar", "a fifo of 64 slots".
+  /// The parts of every system that have no row in the table, such as "a crossbar".
   const std::set<std::string>& missing() const { return missing_; }
 
   std::vector<ReferenceImplementation> references();

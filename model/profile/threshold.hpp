@@ -48,8 +48,8 @@ private:
     NodeId square;
     double constant, per_root;  ///< per root of the square's magnitude
   };
-  /// Of a lane in block floating point: `of_scaled` holds for operands divided by 2^e; `evaluate`
-  /// multiplies it back.
+  /// A lane in block floating point compares operands divided by 2^e: `of_scaled` is the threshold
+  /// of these, and 2^(e degree) times as much that of the operands themselves.
   struct Block {
     Root of_scaled;
     double degree;               ///< of f and g, in the operands

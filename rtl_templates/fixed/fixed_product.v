@@ -1,21 +1,24 @@
 // fixed_product: a * b, or the square of a with SQUARE, less its DROPPED low bits.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// Operands are in two's complement. The result is as many low bits as its range needs, WIDTH.
+// Operands are in two's complement; where POSITIVE_A (POSITIVE_B) is 1, the sign bit of one is 0.
+// The result is as many low bits as its range needs, WIDTH.
 //
-// Synthesis puts the cuts into the registers behind an embedded multiplier of FACTOR_A by FACTOR_B
-// bits and two signs. A bit or two of b beyond FACTOR_B are rows of gates, which the adder behind
-// the multiplier takes; what is wider is left to synthesis.
+// An embedded multiplier takes factors of FACTOR_A and FACTOR_B bits and their signs, and has
+// registers for the cuts. A bit or two of b beyond FACTOR_B are rows of gates, which the adder
+// behind the multiplier takes; what is wider is left to synthesis.
 `default_nettype none
 
 module fixed_product #(
-  parameter       A_WIDTH  = 14,
-  parameter       B_WIDTH  = 14,
-  parameter       SQUARE   = 0,     // 1: b is not read
-  parameter       DROPPED  = 0,
-  parameter       WIDTH    = 28,
-  parameter       FACTOR_A = 24,
-  parameter       FACTOR_B = 17,
-  parameter [1:0] CUTS     = 2'b00
+  parameter       A_WIDTH    = 14,
+  parameter       B_WIDTH    = 14,
+  parameter       SQUARE     = 0,     // 1: b is not read
+  parameter       POSITIVE_A = 0,
+  parameter       POSITIVE_B = 0,
+  parameter       DROPPED    = 0,
+  parameter       WIDTH      = 28,
+  parameter       FACTOR_A   = 24,
+  parameter       FACTOR_B   = 17,
+  parameter [1:0] CUTS       = 2'b00
 ) (
   input  wire               aclk,
   input  wire [A_WIDTH-1:0] a,
@@ -64,60 +67,81 @@ module fixed_product #(
     end
   endgenerate
 
-  wire [PRODUCT-1:0] s1_product;
-
   generate
     if (ROWS) begin : g_rows
-      localparam LOW  = A_WIDTH + FACTOR_B + 1;
+      localparam LOW  = A_WIDTH + FACTOR_B;
       localparam HIGH = A_WIDTH + EXCESS + 1;
 
-      wire [FACTOR_B:0] s0_low_factor = {1'b0, s0_second[FACTOR_B-1:0]};
-      wire [LOW-1:0]    s0_low        = $signed(a) * $signed(s0_low_factor);
-      wire [HIGH-1:0]   s0_a          = {{(EXCESS + 1) {a[A_WIDTH-1]}}, a};
-      wire [HIGH-1:0]   s0_row        = s0_a & {HIGH{s0_second[FACTOR_B]}};
-      wire [HIGH-1:0]   s0_above      = s0_a & {HIGH{s0_second[FACTOR_B+1]}};
-      wire [HIGH-1:0]   s0_sign       = s0_a & {HIGH{s0_second[SECOND-1]}};
-      wire [HIGH-1:0]   s0_high       =
+      wire [HIGH-1:0] s0_a     = {{(EXCESS + 1) {a[A_WIDTH-1]}}, a};
+      wire [HIGH-1:0] s0_row   = s0_a & {HIGH{s0_second[FACTOR_B]}};
+      wire [HIGH-1:0] s0_above = s0_a & {HIGH{s0_second[FACTOR_B+1]}};
+      wire [HIGH-1:0] s0_sign  = s0_a & {HIGH{s0_second[SECOND-1]}};
+      wire [HIGH-1:0] s0_high  =
           (EXCESS == 1) ? s0_row - (s0_sign << 1) : s0_row + (s0_above << 1) - (s0_sign << 2);
 
       wire [LOW-1:0]  s1_low;
       wire [HIGH-1:0] s1_high;
 
+      embedded_multiplier #(
+        .A_WIDTH (A_WIDTH),
+        .B_WIDTH (FACTOR_B),
+        .SIGNED_A(1),
+        .CUTS    ({1'b0, CUTS[0]})
+      ) multiplier (
+        .aclk   (aclk),
+        .a      (a),
+        .b      (s0_second[FACTOR_B-1:0]),
+        .product(s1_low)
+      );
       fp_rank #(
-        .WIDTH     (LOW + HIGH),
+        .WIDTH     (HIGH),
         .REGISTERED(CUTS[0])
       ) rank_0 (
         .aclk(aclk),
-        .d   ({s0_low, s0_high}),
-        .q   ({s1_low, s1_high})
+        .d   (s0_high),
+        .q   (s1_high)
       );
 
-      assign s1_product = {{EXCESS{s1_low[LOW-1]}}, s1_low} + {s1_high, {FACTOR_B{1'b0}}};
+      wire [PRODUCT-1:0] s1_product =
+          {{(PRODUCT - LOW) {s1_low[LOW-1]}}, s1_low} + {s1_high, {FACTOR_B{1'b0}}};
+      wire               unused_bits = ^s1_product;
+
+      fp_rank #(
+        .WIDTH     (WIDTH),
+        .REGISTERED(CUTS[1])
+      ) rank_1 (
+        .aclk(aclk),
+        .d   (s1_product[DROPPED+:WIDTH]),
+        .q   (y)
+      );
     end else begin : g_whole
-      wire [PRODUCT-1:0] s0_product = $signed(a) * $signed(s0_second);
+      // The multiplier is not given a sign bit that is always 0: it may have no room for it.
+      localparam SIGNED_A = (POSITIVE_A == 0) || (A_WIDTH == 1);
+      localparam SIGNED_B = (SQUARE != 0) ? SIGNED_A : (POSITIVE_B == 0) || (B_WIDTH == 1);
+      localparam A        = SIGNED_A ? A_WIDTH : A_WIDTH - 1;
+      localparam B        = SIGNED_B ? SECOND : SECOND - 1;
 
-      fp_rank #(
-        .WIDTH     (PRODUCT),
-        .REGISTERED(CUTS[0])
-      ) rank_0 (
-        .aclk(aclk),
-        .d   (s0_product),
-        .q   (s1_product)
+      wire [A+B-1:0] product;
+      wire           negative    = (SIGNED_A || SIGNED_B) && product[A+B-1];
+      wire [A+B+1:0] extended    = {negative, negative, product};
+      wire           unused_bits = ^{a, s0_second, extended};
+
+      embedded_multiplier #(
+        .A_WIDTH (A),
+        .B_WIDTH (B),
+        .SIGNED_A(SIGNED_A),
+        .SIGNED_B(SIGNED_B),
+        .CUTS    (CUTS)
+      ) multiplier (
+        .aclk   (aclk),
+        .a      (a[A-1:0]),
+        .b      (s0_second[B-1:0]),
+        .product(product)
       );
+
+      assign y = extended[DROPPED+:WIDTH];
     end
   endgenerate
-
-  // Stage output.
-  wire unused_bits = ^s1_product;
-
-  fp_rank #(
-    .WIDTH     (WIDTH),
-    .REGISTERED(CUTS[1])
-  ) rank_1 (
-    .aclk(aclk),
-    .d   (s1_product[DROPPED+:WIDTH]),
-    .q   (y)
-  );
 
 endmodule
 

@@ -76,15 +76,15 @@ module fp_embedded_product #(
           assign b_part = b[row*FACTOR_B+:B_WIDTH];
         end
 
-        wire [A_WIDTH+B_WIDTH-1:0] whole = a_part * b_part;
-
-        fp_rank #(
-          .WIDTH     (A_WIDTH + B_WIDTH),
-          .REGISTERED(CUTS[0])
-        ) multiplier_rank (
-          .aclk(aclk),
-          .d   (whole),
-          .q   (partial)
+        embedded_multiplier #(
+          .A_WIDTH(A_WIDTH),
+          .B_WIDTH(B_WIDTH),
+          .CUTS   ({1'b0, CUTS[0]})
+        ) multiplier (
+          .aclk   (aclk),
+          .a      (a_part),
+          .b      (b_part),
+          .product(partial)
         );
 
         wire [A_WIDTH+B_WIDTH-1:0] joined;

@@ -71,7 +71,8 @@ module fp_logic_product #(
     end
   endgenerate
 
-  // Where the last Booth digit is -1 its row lacks the 1 of the two's complement: added at the end.
+  // The row of the last Booth digit, where that is -1, is a ones' complement: the 1 that it lacks
+  // waits for the last stage, which adds it.
   generate
     for (level = 0; level < 7; level = level + 1) begin : g_owed
       wire carry;

@@ -237,6 +237,39 @@ TEST(System, SignatureIsReadBackWhole) {
   EXPECT_EQ(to_json(*read), to_json(system.signature));
 }
 
+emit::GeneratedSystem ecp5_system() {
+  design::Design design = sphere_design(format("s17e8"), format("s53e8"), 2, 1);
+  design.system.device = "ecp5-85k";
+  return emit::generate_system(design, command).value();
+}
+
+TEST(System, Ecp5HasItsMultiplierAsACellBesideTheTemplate) {
+  const emit::GeneratedSystem system = ecp5_system();
+  const std::string name = "mixcmp_embedded_multiplier.v";
+  ASSERT_EQ(system.signature.cells, std::vector<std::string>{name + ".ecp5"});
+  const std::string& cell = find(system, name + ".ecp5")->text;
+  EXPECT_NE(cell.find("\nmodule mixcmp_embedded_multiplier #("), std::string::npos) << cell;
+  EXPECT_NE(cell.find("MULT18X18D"), std::string::npos);
+  EXPECT_NE(cell.find(" mixcmp_fp_ranks #("), std::string::npos) << "its instances have the prefix";
+  EXPECT_EQ(find(system, name)->text.find("MULT18X18D"), std::string::npos);
+  EXPECT_NE(find(system, system.signature.top + ".f")->text.find("-overwrite DIR/*.v.ecp5"),
+            std::string::npos);
+  EXPECT_TRUE(sphere_system().signature.cells.empty()) << "other devices have none";
+}
+
+TEST(System, AnOutputWithCellsIsReadBackAndReplaced) {
+  ScratchDirectory scratch;
+  const fs::path out = scratch.path() / "out";
+  const emit::GeneratedSystem system = ecp5_system();
+  ASSERT_TRUE(emit::write_system(system, out).ok());
+  const auto read = emit::read_signature(out / (system.signature.top + ".json"));
+  ASSERT_TRUE(read.ok()) << read.error().to_string();
+  EXPECT_EQ(to_json(*read), to_json(system.signature));
+  const emit::GeneratedSystem next = sphere_system();
+  ASSERT_TRUE(emit::write_system(next, out).ok());
+  EXPECT_EQ(names_in(out).size(), next.files.size());
+}
+
 TEST(System, ConstraintHoldsThePeriodOfTheTarget) {
   design::Design design = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
   design.system.target_mhz = 160;

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "model/characterise/job_hash.hpp"
 #include "model/characterise/router.hpp"
 #include "model/characterise/tools.hpp"
 #include "tests/support/scratch_directory.hpp"
@@ -183,6 +184,30 @@ TEST_F(Synthesis, Ecp5CountsTwoLutsForACarryAndSixForADistributedRam) {
   EXPECT_EQ(found.shift_luts, 6 * 8);  // twice 16 words, in fours of bits
   EXPECT_EQ(area(multiplier, "ecp5-85k").dsps, 4);
   EXPECT_EQ(area(memory, "ecp5-85k").memories, 1);
+}
+
+/// The module has eight registers, the cell one.
+TEST_F(Synthesis, ACellReplacesItsModuleOnItsOwnFamily) {
+  SKIP_WITHOUT_YOSYS();
+  const std::string ports =
+      "module part (input wire aclk, input wire [7:0] a, output reg [7:0] y);\n";
+  const characterise::SynthesisJob job = {
+      .sources = {{"part.v", ports + "always @(posedge aclk) y <= a + 1; endmodule\n"},
+                  {"part.v.ecp5", ports + "always @(posedge aclk) y <= a[0]; endmodule\n", "ecp5"},
+                  {"dut.v",
+                   "module dut (input wire aclk, input wire [7:0] a, output wire [7:0] y);\n"
+                   "part part (.aclk(aclk), .a(a), .y(y)); endmodule\n"}},
+      .top = "dut"};
+  const characterise::SynthesisOptions options = {.effort = characterise::TimingEffort::area_only};
+  characterise::SynthesisJob without = job;
+  without.sources.erase(without.sources.begin() + 1);
+  for (const auto& [name, registers] : {std::pair{"ecp5-85k", 1}, {"ice40-hx8k", 8}}) {
+    const auto result = characterise::synthesise(job, device(name), options, directory_.path());
+    ASSERT_TRUE(result.ok()) << result.error().to_string();
+    EXPECT_EQ(result->area.registers, registers) << name;
+    const auto hash = [&](const auto& of) { return job_hash(of, device(name), options, "tools"); };
+    EXPECT_EQ(hash(job) != hash(without), registers == 1) << name;
+  }
 }
 
 TEST_F(Synthesis, Ice40CountsLogicCells) {

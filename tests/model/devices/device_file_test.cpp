@@ -85,6 +85,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "synthesis.command", "\"synth_ecp5; !reboot\""},
         Mistake{"OtherCommand", "synth_ecp5 -abc9", "write_verilog x.v", 8, "synthesis.command",
                 "\"write_verilog x.v\""},
+        Mistake{"UnknownCells", "-abc9\"", "-abc9\"\ncells = \"ice40\"", 9, "synthesis.cells",
+                "\"ice40\""},
         Mistake{"UnknownTool", "nextpnr_ecp5", "nextpnr_ecp6", 10, "timing.tool",
                 "\"nextpnr_ecp6\""},
         Mistake{"SynthesisForARouter", "arguments", "synthesis = \"synth_ecp5\"\narguments", 11,

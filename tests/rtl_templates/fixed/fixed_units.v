@@ -4,7 +4,9 @@
 
 module fixed_units #(
     parameter WIDTHS    = 5,
-    parameter KINDS     = 7,  // sum, difference, product, square, minimum, maximum, absolute
+    // Sum, difference, product, square, minimum, maximum, absolute; then products by fixed_product
+    // with POSITIVE factors: both, that of a square, the first, the second.
+    parameter KINDS     = 11,
     parameter DECISIONS = 96,
     parameter CHECKS    = 80
 ) (
@@ -26,6 +28,9 @@ module fixed_units #(
       2: whole = a_width + b_width;
       3: whole = 2 * a_width;
       6: whole = a_width;
+      7: whole = a_width + b_width + 2;
+      8: whole = 2 * a_width + 2;
+      9, 10: whole = a_width + b_width + 1;
       default: whole = larger(a_width, b_width) + 1;
     endcase
   endfunction
@@ -95,6 +100,30 @@ module fixed_units #(
             .aclk(aclk),
             .a   (a[A-1:0]),
             .b   (b[B-1:0]),
+            .y   (y)
+        );
+      end else if (KIND > 6) begin : g_positive
+        localparam POSITIVE_A = KIND < 10;
+        localparam POSITIVE_B = (KIND == 7) || (KIND == 10);
+
+        wire [A:0] factor_a = {1'b0, a[A-1:0]};
+        wire [B:0] factor_b = {1'b0, b[B-1:0]};
+
+        fixed_product #(
+            .A_WIDTH   (A + POSITIVE_A),
+            .B_WIDTH   (B + POSITIVE_B),
+            .SQUARE    (KIND == 8),
+            .POSITIVE_A(POSITIVE_A),
+            .POSITIVE_B(POSITIVE_B),
+            .DROPPED   (DROPPED),
+            .WIDTH     (WIDTH),
+            .FACTOR_A  (4),
+            .FACTOR_B  (2),
+            .CUTS      (CUTS)
+        ) unit (
+            .aclk(aclk),
+            .a   (factor_a[A+POSITIVE_A-1:0]),
+            .b   (factor_b[B+POSITIVE_B-1:0]),
             .y   (y)
         );
       end else begin : g_absolute

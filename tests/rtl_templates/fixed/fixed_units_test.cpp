@@ -14,7 +14,7 @@
 namespace mixcmp::test::fixed_units_test {
 namespace {
 
-constexpr int widths = 5, kinds = 7, decisions = 96, checks = 80;
+constexpr int widths = 5, kinds = 11, decisions = 96, checks = 80;
 constexpr int slots = kinds * widths * widths * 4;
 
 struct Operands {
@@ -22,9 +22,14 @@ struct Operands {
   bool flag;
 };
 
+/// The lowest bits of a number, without a sign.
+int low(int bits, int width) {
+  return bits & ((1 << width) - 1);
+}
+
 /// The lowest bits of a number, in two's complement.
 int low_signed(int bits, int width) {
-  const int value = bits & ((1 << width) - 1);
+  const int value = low(bits, width);
   return value >> (width - 1) == 0 ? value : value - (1 << width);
 }
 
@@ -42,6 +47,10 @@ struct Slot {
       case 2: return a_width + b_width;
       case 3: return 2 * a_width;
       case 6: return a_width;
+      case 7: return a_width + b_width + 2;
+      case 8: return 2 * a_width + 2;
+      case 9:
+      case 10: return a_width + b_width + 1;
       default: return std::max(a_width, b_width) + 1;
     }
   }
@@ -53,8 +62,18 @@ struct Slot {
 
   std::uint64_t expected(const Operands& operands) const {
     const int a = low_signed(operands.a, a_width), b = low_signed(operands.b, b_width);
-    const std::array results = {a + b,          a - b,          a * b,      a * a,
-                                std::min(a, b), std::max(a, b), std::abs(a)};
+    const int a_positive = low(operands.a, a_width), b_positive = low(operands.b, b_width);
+    const std::array results = {a + b,
+                                a - b,
+                                a * b,
+                                a * a,
+                                std::min(a, b),
+                                std::max(a, b),
+                                std::abs(a),
+                                a_positive * b_positive,
+                                a_positive * a_positive,
+                                a_positive * b,
+                                a * b_positive};
     return static_cast<std::uint64_t>(results[kind] >> dropped) & ((1u << width) - 1);
   }
 

@@ -1,0 +1,52 @@
+// The cell of a family, named embedded_multiplier_cell here, beside the template that it stands for,
+// at widths around those of one multiplier: corners, powers of two and random factors.
+`default_nettype none
+
+module embedded_multiplier_tb;
+
+  reg aclk = 0;
+  reg [18:0] a, b;
+  integer cycle, seed = 1;
+  wire [24:0] differs;
+
+  genvar first, second;
+  generate
+    for (first = 0; first < 5; first = first + 1) begin : g_first
+      for (second = 0; second < 5; second = second + 1) begin : g_second
+        localparam A = (first == 0) ? 1 : (first == 1) ? 7 : first + 15;
+        localparam B = (second == 0) ? 1 : (second == 1) ? 7 : second + 15;
+
+        wire [16*(A+B)-1:0] expected, products;
+
+        embedded_multiplier_modes #(.A_WIDTH(A), .B_WIDTH(B)) templates
+          (.aclk(aclk), .a(a[A-1:0]), .b(b[B-1:0]), .products(expected));
+        embedded_multiplier_cell_modes #(.A_WIDTH(A), .B_WIDTH(B)) cells
+          (.aclk(aclk), .a(a[A-1:0]), .b(b[B-1:0]), .products(products));
+
+        assign differs[5*first+second] = products !== expected;
+      end
+    end
+  endgenerate
+
+  initial begin
+    for (cycle = 0; cycle < 160; cycle = cycle + 1) begin
+      case (cycle % 4)
+        0: begin a = $random(seed); b = $random(seed); end
+        1: {a, b} = {{19{cycle[2]}}, {19{cycle[3]}}};
+        2: {a, b} = {19'd1 << (cycle / 4 % 19), 19'h7ffff};
+        default: {a, b} = {19'h7ffff, 19'd1 << (cycle / 4 % 19)};
+      endcase
+      #1 aclk = 1;
+      #1 aclk = 0;
+      if ((cycle >= 2) && (differs != 0)) begin
+        $display("cycle %0d: the cell differs from the template", cycle);
+        $finish;
+      end
+    end
+    $display("all equal");
+    $finish;
+  end
+
+endmodule
+
+`default_nettype wire
