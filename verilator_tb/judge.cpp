@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "model/number/double.hpp"
 #include "model/number/verdict.hpp"
 #include "verilator_tb/judgement.hpp"
 
@@ -18,8 +19,12 @@ Judge::Judge(const emit::Signature& signature, const design::Design& design,
       comparisons_(comparisons),
       selection_(selection),
       options_(options),
+      operands_(comparisons.input_count()),
       report_(empty_report(signature, design, options)) {
   report_.requested = selection.size();
+  if (options.judge == JudgeKind::emulator && fits_double(comparisons.format())) {
+    emulator_.emplace(design, comparisons);
+  }
   for (std::size_t k = 0; k < design.lanes.size(); ++k) {
     group_of_lane_.insert(group_of_lane_.end(), static_cast<std::size_t>(design.lanes[k].count), k);
   }
@@ -31,6 +36,7 @@ void Judge::announce(std::uint64_t count) {
 
 void Judge::take(const Answer& answer) {
   for (const harness::wire::Result& result : answer.results) take_result(result);
+  judge(answer.results);
   for (const harness::wire::Violation& violation : answer.violations) take_violation(violation);
   report_.cycles = answer.cycles;
   take_counters(answer.lanes);
@@ -56,16 +62,73 @@ void Judge::take_result(const harness::wire::Result& result) {
                                                   : &Latencies::recomputed;
   (report_.latencies.*latency).add(cycles);
   (group.latencies.*latency).add(cycles);
+}
 
-  std::vector<Bits> operands(comparisons_.input_count());
-  comparisons_.fetch(selection_.index(result.position), operands);
+void Judge::judge(const std::vector<harness::wire::Result>& results) {
   if (options_.truth) {
-    check_against_truth(*options_.truth, design_, operands, fate.word, *report_.truth, group);
+    for (const harness::wire::Result& result : results) check_truth(result);
   }
-  const ResultWord expected = expected_word(design_, group_of_lane_[result.lane], operands);
-  if (fate.word == expected) return;
+  std::vector<ResultWord> emulated;
+  if (emulator_) emulated = emulate(results);
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    const ResultWord must =
+        expected(results[k], emulator_ ? std::optional(emulated[k]) : std::nullopt);
+    if (ResultWord(results[k].tdata) != must) add_mismatch(results[k], must);
+  }
+}
+
+/// The emulator's words, lanes of one kind after the other.
+std::vector<ResultWord> Judge::emulate(const std::vector<harness::wire::Result>& results) {
+  std::vector<ResultWord> all(results.size(), ResultWord::undecided());
+  std::vector<ResultWord> words;
+  std::vector<std::size_t> of_group;
+  std::vector<std::uint64_t> indices;
+  for (std::size_t group = 0; group < report_.groups.size(); ++group) {
+    of_group.clear();
+    indices.clear();
+    for (std::size_t k = 0; k < results.size(); ++k) {
+      if (group_of_lane_[results[k].lane] != group) continue;
+      of_group.push_back(k);
+      indices.push_back(selection_.index(results[k].position));
+    }
+    words.assign(indices.size(), ResultWord::undecided());
+    emulator_->find(group, indices, words);
+    for (std::size_t k = 0; k < words.size(); ++k) all[of_group[k]] = words[k];
+  }
+  return all;
+}
+
+bool Judge::needs_golden_model(const harness::wire::Result& result, ResultWord emulated) const {
+  constexpr std::uint64_t one_in = 64;
+  return result.position % one_in == 0 || !emulated.is_decided_by_lane() ||
+         ResultWord(result.tdata) != emulated;
+}
+
+ResultWord Judge::expected(const harness::wire::Result& result,
+                           std::optional<ResultWord> emulated) {
+  if (emulated && !needs_golden_model(result, *emulated)) {
+    ++report_.judged_by_emulator;
+    return *emulated;
+  }
+  fetch(result);
+  const ResultWord golden = expected_word(design_, group_of_lane_[result.lane], operands_);
+  if (emulated && *emulated != golden) ++report_.emulator_errors;
+  return golden;
+}
+
+void Judge::fetch(const harness::wire::Result& result) {
+  comparisons_.fetch(selection_.index(result.position), operands_);
+}
+
+void Judge::check_truth(const harness::wire::Result& result) {
+  fetch(result);
+  check_against_truth(*options_.truth, design_, operands_, ResultWord(result.tdata), *report_.truth,
+                      group_of(result.lane));
+}
+
+void Judge::add_mismatch(const harness::wire::Result& result, ResultWord expected) {
   ++report_.mismatch_count;
-  ++group.mismatches;
+  ++group_of(result.lane).mismatches;
   if (report_.mismatches.size() < VerifyReport::kept) {
     report_.mismatches.push_back(mismatch_of(result, expected));
   }

@@ -3,12 +3,16 @@
 #include <cstdint>
 #include <deque>
 
+#include "verilator_tb/expected_words.hpp"
 #include "verilator_tb/verify.hpp"
 
 namespace mixcmp::verilator_tb {
 
-/// Compares results with the golden model, in whatever order and from whichever simulator they
-/// come. It remembers only the comparisons from the oldest missing result to the newest announced.
+/// Compares results with the golden model or with the emulator, as `options.judge` says, in
+/// whatever order and from whichever simulator they come. The emulator's words are held against the
+/// golden model for every 64th comparison, for all that a lane left undecided or must leave so, and
+/// for all mismatches. It remembers only the comparisons from the oldest missing result to the
+/// newest announced.
 class Judge {
 public:
   Judge(const emit::Signature& signature, const design::Design& design,
@@ -35,6 +39,13 @@ private:
 
   GroupReport& group_of(std::uint32_t lane) { return report_.groups[group_of_lane_[lane]]; }
   void take_result(const harness::wire::Result& result);
+  void judge(const std::vector<harness::wire::Result>& results);
+  std::vector<ResultWord> emulate(const std::vector<harness::wire::Result>& results);
+  bool needs_golden_model(const harness::wire::Result& result, ResultWord emulated) const;
+  ResultWord expected(const harness::wire::Result& result, std::optional<ResultWord> emulated);
+  void fetch(const harness::wire::Result& result);
+  void check_truth(const harness::wire::Result& result);
+  void add_mismatch(const harness::wire::Result& result, ResultWord expected);
   void take_violation(const harness::wire::Violation& violation);
   void take_counters(const std::vector<harness::wire::CounterValues>& lanes);
   void report_wrong_counter(const char* name, std::uint32_t lane, std::uint64_t counted,
@@ -49,6 +60,8 @@ private:
   const Selection& selection_;
   const VerifyOptions& options_;
   std::vector<std::size_t> group_of_lane_;
+  std::optional<ExpectedWords> emulator_;  ///< none where the golden model judges alone
+  std::vector<Bits> operands_;             ///< of one comparison
   std::deque<Fate> window_;
   std::uint64_t window_start_ = 0;  ///< position of window_.front()
   std::optional<harness::wire::Result> first_undecided_;

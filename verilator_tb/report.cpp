@@ -120,6 +120,14 @@ std::string arg_min_lines(const VerifyReport& r) {
   return text + line("stalled cycles", std::to_string(engine.stalled_cycles));
 }
 
+std::string judge_lines(const VerifyReport& r) {
+  if (r.judged_by_emulator == 0) return line("judged by", "the golden model (MPFR, GMP)");
+  std::string text = line("judged by", fmt::format("the emulator; the golden model for {} of them",
+                                                   r.comparisons - r.judged_by_emulator));
+  if (r.emulator_errors > 0) text += line("emulator's errors", std::to_string(r.emulator_errors));
+  return text;
+}
+
 std::string latency_range(const Latency& latency) {
   if (latency.count == 0) return "none";
   return fmt::format("{} .. {} cycles", latency.minimum_cycles, latency.maximum_cycles);
@@ -271,7 +279,8 @@ bool VerifyReport::passed() const {
   const bool proof_holds = std::all_of(groups.begin(), groups.end(), [](const GroupReport& group) {
     return !group.certified || group.wrong_by_lane == 0;
   });
-  return comparisons == requested && mismatch_count == 0 && violation_count == 0 && proof_holds;
+  return comparisons == requested && mismatch_count == 0 && violation_count == 0 &&
+         emulator_errors == 0 && proof_holds;
 }
 
 double VerifyReport::recomputation_rate() const {
@@ -310,6 +319,7 @@ std::string to_text(const VerifyReport& r) {
   text += engine_lines(r);
   text += arg_min_lines(r);
   text += group_lines(r);
+  text += judge_lines(r);
   text += line("mismatches", std::to_string(r.mismatch_count));
   for (const Mismatch& mismatch : r.mismatches) text += to_text(mismatch);
   text += line("protocol violations", std::to_string(r.violation_count));
@@ -347,6 +357,8 @@ Json to_json(const VerifyReport& r) {
   for (const CounterTotal& counter : r.counters) {
     json["counters"][counter.name] = {{"counted", counter.counted}, {"observed", counter.observed}};
   }
+  json["judged_by_emulator"] = r.judged_by_emulator;
+  json["emulator_errors"] = r.emulator_errors;
   json["mismatch_count"] = r.mismatch_count;
   json["mismatches"] = Json::array();
   for (const Mismatch& mismatch : r.mismatches) json["mismatches"].push_back(to_json(mismatch));

@@ -141,6 +141,8 @@ struct VerifyReport {
   std::uint64_t cycles = 0;
   Latencies latencies;
   std::vector<CounterTotal> counters;
+  std::uint64_t judged_by_emulator = 0;  ///< results that the golden model did not judge, too
+  std::uint64_t emulator_errors = 0;     ///< comparisons of which it said what the emulator did not
   std::uint64_t mismatch_count = 0;
   std::vector<Mismatch> mismatches;  ///< the first ones
   std::uint64_t violation_count = 0;
@@ -152,7 +154,8 @@ struct VerifyReport {
   double run_seconds = 0;
 
   /// Tells whether every requested comparison came back once, with the golden model's result and
-  /// without a protocol violation; and, if the truth was asked for, no certified lane was wrong.
+  /// without a protocol violation, and no error of the emulator was found; and, if the truth was
+  /// asked for, no certified lane was wrong.
   bool passed() const;
   double recomputation_rate() const;
   double comparisons_per_cycle() const;

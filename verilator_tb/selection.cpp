@@ -38,16 +38,22 @@ std::uint64_t counter_random(std::uint64_t seed, std::uint64_t counter) {
 
 void pack_operands(std::span<const Bits> operands, int width, bool padding,
                    std::span<std::uint8_t> tdata) {
-  std::fill(tdata.begin(), tdata.end(), std::uint8_t{0});
   std::size_t at = 0;
-  const auto put = [&](bool bit) {
-    tdata[at / 8] = static_cast<std::uint8_t>(tdata[at / 8] | (bit ? 1u : 0u) << at % 8);
-    ++at;
+  Bits waiting = 0;  // the bits behind the last whole byte, and those above them
+  int count = 0;
+  const auto put = [&](Bits bits, int bit_count) {
+    waiting |= bits << count;
+    for (count += bit_count; count >= 8; count -= 8) {
+      tdata[at++] = static_cast<std::uint8_t>(waiting);
+      waiting >>= 8;
+    }
   };
+  const int low = std::min(width, 64);
   for (const Bits operand : operands) {
-    for (int k = 0; k < width; ++k) put((operand >> k & 1) != 0);
+    put(operand & low_mask(low), low);
+    put(operand >> low, width - low);
   }
-  while (at < 8 * tdata.size()) put(padding);
+  while (at < tdata.size()) put(padding ? 0xff : 0, 8);
 }
 
 std::vector<std::uint8_t> stimulus(const data::Comparisons& comparisons, const Selection& selection,

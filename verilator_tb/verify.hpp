@@ -22,6 +22,12 @@ enum class SimulatorKind {
   icarus,  ///< for small systems and thousands of comparisons
 };
 
+/// Who says what the hardware must answer; see Judge.
+enum class JudgeKind {
+  emulator,
+  golden_model,  ///< MPFR and GMP, for every comparison
+};
+
 enum class TruthScope {
   recomputed,  ///< only the verdicts of references
   all,
@@ -41,6 +47,7 @@ struct VerifiedResult {
 
 struct VerifyOptions {
   SimulatorKind simulator = SimulatorKind::verilator;
+  JudgeKind judge = JudgeKind::emulator;
   std::filesystem::path work_dir;  ///< builds and logs
   Selection::Options selection;
   TrafficKind traffic = TrafficKind::full_rate;

@@ -77,6 +77,12 @@ void add_options(const Verb& verb, VerifyCommand& command) {
       {{"verilator", verilator_tb::SimulatorKind::verilator},
        {"icarus", verilator_tb::SimulatorKind::icarus}},
       "verilator, or icarus for small systems (default: verilator)");
+  add_choice<verilator_tb::JudgeKind>(
+      verb, "--judge", command.run.judge,
+      {{"emulator", verilator_tb::JudgeKind::emulator},
+       {"mpfr", verilator_tb::JudgeKind::golden_model}},
+      "who says what verdicts must be: the emulator, which is checked by MPFR in samples and where "
+      "it matters; or mpfr for every comparison (default: emulator)");
   add_choice<verilator_tb::TrafficKind>(
       verb, "--traffic", command.run.traffic,
       {{"full_rate", verilator_tb::TrafficKind::full_rate},

@@ -70,7 +70,7 @@ void OperandSource::fetch(std::uint64_t first, std::size_t count, OperandBlock& 
   }
 }
 
-void OperandSource::fetch(const std::vector<std::uint64_t>& indices, OperandBlock& block) const {
+void OperandSource::fetch(std::span<const std::uint64_t> indices, OperandBlock& block) const {
   MIXCMP_CHECK(indices.size() <= block.capacity());
   block.resize(0);
   for (const std::uint64_t index : indices) fetch_run(data_.items(index), 1, block);

@@ -40,7 +40,7 @@ public:
   /// Replaces the block's contents by the `count` comparisons from `first` on.
   void fetch(std::uint64_t first, std::size_t count, OperandBlock& block) const;
   /// Replaces the block's contents by the comparisons of these indices.
-  void fetch(const std::vector<std::uint64_t>& indices, OperandBlock& block) const;
+  void fetch(std::span<const std::uint64_t> indices, OperandBlock& block) const;
 
 private:
   /// Appends `length` comparisons to the block. The first has the items `at`; from one to the next

@@ -181,6 +181,24 @@ TEST(Report, NotesLanesThatDecidedNothing) {
   EXPECT_TRUE(verilator_tb::notes_on(report).empty());
 }
 
+TEST(Report, SaysWhoJudged) {
+  verilator_tb::VerifyReport report = usual_report();
+  report.judged_by_emulator = report.comparisons - 10;
+  EXPECT_TRUE(contains(to_text(report), "the emulator; the golden model for 10 of them"));
+  report.judged_by_emulator = 0;
+  EXPECT_TRUE(contains(to_text(report), "judged by              the golden model (MPFR, GMP)\n"));
+}
+
+TEST(Report, FailsWhereTheEmulatorErred) {
+  verilator_tb::VerifyReport report = usual_report();
+  ASSERT_TRUE(report.passed());
+  report.judged_by_emulator = 90;
+  report.emulator_errors = 1;
+  EXPECT_FALSE(report.passed());
+  EXPECT_TRUE(contains(to_text(report), "emulator's errors      1\n")) << to_text(report);
+  EXPECT_EQ(to_json(report)["emulator_errors"], 1);
+}
+
 TEST(Report, NotesLanesThatSawNothing) {
   verilator_tb::VerifyReport report = usual_report();
   report.groups.push_back({.name = "s4e8", .lanes = 1, .certified = true});

@@ -53,5 +53,25 @@ TEST(PackOperands, PutsOperandKAtBitKTimesWidth) {
   EXPECT_EQ(tdata, (std::vector<std::uint8_t>{0xff, 0x0f, 0x00, 0x00, 0x01}));
 }
 
+/// Bit by bit, at every width that a format has.
+TEST(PackOperands, AgreesWithBitsPutOneByOne) {
+  for (int width = 3; width <= 128; ++width) {
+    std::vector<Bits> operands;
+    for (std::uint64_t k = 0; k < 10; k += 2) {
+      const Bits random =
+          Bits{verilator_tb::counter_random(1, k)} << 64 | verilator_tb::counter_random(1, k + 1);
+      operands.push_back(random & low_mask(width));
+    }
+    std::vector<std::uint8_t> tdata((operands.size() * static_cast<std::size_t>(width) + 7) / 8);
+    verilator_tb::pack_operands(operands, width, true, tdata);
+    for (std::size_t at = 0; at < 8 * tdata.size(); ++at) {
+      const std::size_t operand = at / static_cast<std::size_t>(width);
+      const Bits bits = operand < operands.size() ? operands[operand] : low_mask(width);
+      const auto expected = static_cast<int>(bits >> at % static_cast<std::size_t>(width) & 1);
+      ASSERT_EQ(tdata[at / 8] >> at % 8 & 1, expected) << width << ", bit " << at;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mixcmp::test::selection_test
