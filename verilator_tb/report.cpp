@@ -120,6 +120,12 @@ std::string arg_min_lines(const VerifyReport& r) {
   return text + line("stalled cycles", std::to_string(engine.stalled_cycles));
 }
 
+template <class Finding>
+void append_up_to(std::size_t most, std::vector<Finding>& all, const std::vector<Finding>& more) {
+  const std::size_t count = std::min(more.size(), most - std::min(most, all.size()));
+  all.insert(all.end(), more.begin(), more.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
 std::string judge_lines(const VerifyReport& r) {
   if (r.judged_by_emulator == 0) return line("judged by", "the golden model (MPFR, GMP)");
   std::string text = line("judged by", fmt::format("the emulator; the golden model for {} of them",
@@ -271,8 +277,70 @@ void Latency::add(std::uint64_t cycles) {
   ++count;
 }
 
+void Latency::add(const Latency& other) {
+  if (other.count == 0) return;
+  minimum_cycles =
+      count == 0 ? other.minimum_cycles : std::min(minimum_cycles, other.minimum_cycles);
+  maximum_cycles = std::max(maximum_cycles, other.maximum_cycles);
+  count += other.count;
+  total_cycles += other.total_cycles;
+}
+
 double Latency::mean_cycles() const {
   return ratio(total_cycles, count);
+}
+
+void Latencies::add(const Latencies& other) {
+  decided.add(other.decided);
+  recomputed.add(other.recomputed);
+  undecided.add(other.undecided);
+}
+
+void TruthCount::add(const TruthCount& other) {
+  checked += other.checked;
+  wrong_by_lane += other.wrong_by_lane;
+  wrong_by_reference += other.wrong_by_reference;
+  reference_alone_checked += other.reference_alone_checked;
+  reference_alone_wrong += other.reference_alone_wrong;
+  undefined += other.undefined;
+  undetermined += other.undetermined;
+  undecided += other.undecided;
+  decided_by_lane += other.decided_by_lane;
+}
+
+void GroupReport::add(const GroupReport& other) {
+  comparisons += other.comparisons;
+  recomputations += other.recomputations;
+  undecided += other.undecided;
+  mismatches += other.mismatches;
+  wrong_by_lane += other.wrong_by_lane;
+  latencies.add(other.latencies);
+}
+
+void VerifyReport::add(const VerifyReport& share) {
+  requested += share.requested;
+  comparisons += share.comparisons;
+  for (std::size_t k = 0; k < verdicts.size(); ++k) verdicts[k] += share.verdicts[k];
+  recomputations += share.recomputations;
+  undecided += share.undecided;
+  cycles += share.cycles;
+  latencies.add(share.latencies);
+  for (std::size_t k = 0; k < groups.size(); ++k) groups[k].add(share.groups[k]);
+  if (counters.empty()) {
+    counters = share.counters;
+  } else {
+    for (std::size_t k = 0; k < share.counters.size(); ++k) {
+      counters[k].counted += share.counters[k].counted;
+      counters[k].observed += share.counters[k].observed;
+    }
+  }
+  judged_by_emulator += share.judged_by_emulator;
+  emulator_errors += share.emulator_errors;
+  mismatch_count += share.mismatch_count;
+  append_up_to(kept, mismatches, share.mismatches);
+  violation_count += share.violation_count;
+  append_up_to(kept, violations, share.violations);
+  if (truth) truth->add(*share.truth);
 }
 
 bool VerifyReport::passed() const {

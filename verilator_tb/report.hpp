@@ -46,6 +46,7 @@ struct Latency {
   std::uint64_t total_cycles = 0;
 
   void add(std::uint64_t cycles);
+  void add(const Latency& other);
   double mean_cycles() const;
 };
 
@@ -54,6 +55,8 @@ struct Latencies {
   Latency decided;
   Latency recomputed;
   Latency undecided;  ///< of systems without references
+
+  void add(const Latencies& other);
 };
 
 /// One of the hardware's counters, summed over the lanes, since the last reset.
@@ -81,6 +84,7 @@ struct TruthCount {
   std::uint64_t undecided = 0;        ///< not checked: no lane decided and there is no reference
   std::uint64_t decided_by_lane = 0;  ///< not checked: TruthScope::recomputed asks for references
 
+  void add(const TruthCount& other);
   std::uint64_t not_checked() const {
     return undefined + undetermined + undecided + decided_by_lane;
   }
@@ -97,6 +101,8 @@ struct GroupReport {
   std::uint64_t mismatches = 0;
   std::uint64_t wrong_by_lane = 0;  ///< counted only where the truth was asked for
   Latencies latencies;
+
+  void add(const GroupReport& other);
 };
 
 /// The figures of a pairwise engine on all of the scene's items as one set.
@@ -152,6 +158,9 @@ struct VerifyReport {
   std::optional<ArgMinFigures> arg_min;
   double build_seconds = 0;
   double run_seconds = 0;
+
+  /// Adds the findings of the next share of the run, of the same system.
+  void add(const VerifyReport& share);
 
   /// Tells whether every requested comparison came back once, with the golden model's result and
   /// without a protocol violation, and no error of the emulator was found; and, if the truth was

@@ -15,18 +15,30 @@ std::uint64_t selected(std::uint64_t available, const Selection::Options& option
 }  // namespace
 
 Selection::Selection(std::uint64_t available, const Options& options)
-    : available_(available), options_(options), size_(selected(available, options)) {}
+    : available_(available),
+      options_(options),
+      whole_size_(selected(available, options)),
+      size_(whole_size_) {}
+
+Selection Selection::part(std::uint64_t first, std::uint64_t count) const {
+  MIXCMP_CHECK(first <= size_ && count <= size_ - first);
+  Selection part = *this;
+  part.first_ = first_ + first;
+  part.size_ = count;
+  return part;
+}
 
 std::uint64_t Selection::stratum_start(std::uint64_t position) const {
-  return static_cast<std::uint64_t>(Bits{available_} * position / size_);
+  return static_cast<std::uint64_t>(Bits{available_} * position / whole_size_);
 }
 
 std::uint64_t Selection::index(std::uint64_t position) const {
   MIXCMP_CHECK(position < size_);
+  const std::uint64_t in_whole = first_ + position;
   if (options_.only) return *options_.only;
-  if (options_.sampling == Sampling::first) return position;
-  const std::uint64_t start = stratum_start(position);
-  return start + counter_random(options_.seed, position) % (stratum_start(position + 1) - start);
+  if (options_.sampling == Sampling::first) return in_whole;
+  const std::uint64_t start = stratum_start(in_whole);
+  return start + counter_random(options_.seed, in_whole) % (stratum_start(in_whole + 1) - start);
 }
 
 std::uint64_t counter_random(std::uint64_t seed, std::uint64_t counter) {

@@ -30,11 +30,16 @@ public:
   std::uint64_t size() const { return size_; }
   std::uint64_t index(std::uint64_t position) const;
 
+  /// The `count` positions from `first` on, as 0 .. count - 1.
+  Selection part(std::uint64_t first, std::uint64_t count) const;
+
 private:
   std::uint64_t stratum_start(std::uint64_t position) const;
 
   std::uint64_t available_;
   Options options_;
+  std::uint64_t whole_size_;  ///< of the selection that this is a part of
+  std::uint64_t first_ = 0;   ///< position of the first one there
   std::uint64_t size_;
 };
 

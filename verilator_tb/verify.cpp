@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <future>
+#include <mutex>
 
 #include "generator/emit/system.hpp"
 #include "model/design/engine_data.hpp"
@@ -13,6 +15,7 @@
 #include "verilator_tb/engine_verify.hpp"
 #include "verilator_tb/icarus.hpp"
 #include "verilator_tb/judge.hpp"
+#include "verilator_tb/judgement.hpp"
 #include "verilator_tb/pairwise_verify.hpp"
 #include "verilator_tb/waves.hpp"
 
@@ -27,13 +30,48 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A run in progress: what is simulated, and who judges it.
+/// A run in progress: what is simulated.
 struct Run {
   const System& system;
+  const design::Design& design;
   const data::Comparisons& comparisons;
   const Selection& selection;
   const VerifyOptions& options;
-  Judge& judge;
+};
+
+/// One simulation, from reset to the end: `number` counts them in a run.
+struct Share {
+  std::uint64_t number;
+  Selection selection;
+  std::vector<std::uint64_t> resets;  ///< positions in the selection
+};
+
+/// What a share came to.
+struct ShareOutcome {
+  VerifyReport report;
+  std::optional<harness::wire::Result> first_undecided;
+  std::vector<VerifiedResult> results;  ///< where somebody asks for them
+};
+
+/// Tells how far all shares are; they call it from threads of their own.
+class Tally {
+public:
+  explicit Tally(const Run& run) : run_(run) {}
+
+  void add(std::uint64_t comparisons, std::uint64_t mismatches) {
+    const std::lock_guard held(mutex_);
+    done_ += comparisons;
+    mismatches_ += mismatches;
+    if (!run_.options.progress) return;
+    run_.options.progress(fmt::format("{}: {} of {} comparisons, {} mismatches",
+                                      run_.system.signature.top, done_, run_.selection.size(),
+                                      mismatches_));
+  }
+
+private:
+  const Run& run_;
+  std::mutex mutex_;
+  std::uint64_t done_ = 0, mismatches_ = 0;
 };
 
 Result<Done> check_selection(const data::Comparisons& comparisons,
@@ -57,76 +95,133 @@ std::vector<std::uint64_t> reset_positions(const Run& run) {
   return positions;
 }
 
-Block make_block(const Run& run, const std::vector<std::uint64_t>& resets, std::uint64_t first) {
+std::vector<Share> shares_of(const Run& run) {
+  const std::vector<std::uint64_t> resets = reset_positions(run);
+  const std::uint64_t size = run.options.share_size;
+  std::vector<Share> shares;
+  for (std::uint64_t first = 0; first < run.selection.size(); first += size) {
+    const std::uint64_t count = std::min(size, run.selection.size() - first);
+    Share& share = shares.emplace_back(Share{shares.size(), run.selection.part(first, count), {}});
+    for (const std::uint64_t at : resets) {
+      if (at >= first && at < first + count) share.resets.push_back(at - first);
+    }
+  }
+  return shares;
+}
+
+Block make_block(const Run& run, const Share& share, std::uint64_t first) {
   const emit::Signature& s = run.system.signature;
-  const std::uint64_t count = std::min(run.options.block_size, run.selection.size() - first);
+  const std::uint64_t count = std::min(run.options.block_size, share.selection.size() - first);
   Block block{.comparisons = count,
-              .operands = stimulus(run.comparisons, run.selection, s.reference_format.width(),
+              .operands = stimulus(run.comparisons, share.selection, s.reference_format.width(),
                                    s.tdata_bytes, first, count),
-              .last = first + count == run.selection.size()};
-  std::copy_if(resets.begin(), resets.end(), std::back_inserter(block.resets),
+              .last = first + count == share.selection.size()};
+  std::copy_if(share.resets.begin(), share.resets.end(), std::back_inserter(block.resets),
                [&](std::uint64_t at) { return at >= first && at < first + count; });
   return block;
 }
 
-void tell(const Run& run, std::uint64_t done) {
-  if (!run.options.progress) return;
-  run.options.progress(fmt::format("{}: {} of {} comparisons, {} mismatches",
-                                   run.system.signature.top, done, run.selection.size(),
-                                   run.judge.report().mismatch_count));
+/// The options of one share: it keeps its results, has a seed of its own, and the first alone has
+/// waves.
+VerifyOptions options_of(const Run& run, const Share& share, ShareOutcome& outcome) {
+  VerifyOptions options = run.options;
+  if (options.on_result) {
+    options.on_result = [&outcome](const VerifiedResult& result) {
+      outcome.results.push_back(result);
+    };
+  }
+  options.traffic_seed += share.number;
+  if (share.number > 0) options.wave_file = nullptr;
+  return options;
 }
 
-Result<Done> run_verilator(const Run& run) {
+Result<ShareOutcome> run_share(const Run& run, const Share& share, const Executable& executable,
+                               Tally& tally) {
+  ShareOutcome outcome;
+  const VerifyOptions options = options_of(run, share, outcome);
+  Judge judge(run.system.signature, run.design, run.comparisons, share.selection, options);
+  MIXCMP_TRY(simulation, SystemSimulation::start(executable, simulation_options(options)));
+  Answer answer;  // to the previous block
+  std::uint64_t told = 0;
+  for (std::uint64_t first = 0; answer.state == harness::wire::State::running;) {
+    const Block block = make_block(run, share, first);
+    // The simulator works on one core while its last answer is judged on another.
+    auto exchange = std::async(
+        std::launch::async, [&] { return simulation.exchange(block, run.system.signature.lanes); });
+    judge.take(answer);
+    judge.announce(block.comparisons);
+    MIXCMP_TRY(next, exchange.get());
+    answer = std::move(next);
+    first += block.comparisons;
+    tally.add(block.comparisons, judge.report().mismatch_count - told);
+    told = judge.report().mismatch_count;
+  }
+  judge.take(answer);
+  MIXCMP_TRY(finished, simulation.finish());
+  outcome.report = std::move(judge.report());
+  outcome.first_undecided = judge.first_undecided();
+  return outcome;
+}
+
+/// Runs the shares, options.jobs at a time, and adds their findings in order, up to and with the
+/// first that a fault of the hardware ended early.
+Result<ShareOutcome> run_verilator(const Run& run) {
+  ShareOutcome all{.report = empty_report(run.system.signature, run.design, run.options),
+                   .first_undecided = {},
+                   .results = {}};
   MIXCMP_TRY(
       executable,
       build_simulator(run.system, {.work_dir = run.options.work_dir,
                                    .waves = run.options.waves.empty() ? Waves::off : Waves::on,
                                    .progress = run.options.progress,
                                    .waiting = run.options.waiting}));
-  run.judge.report().build_seconds = executable.build_seconds;
-  MIXCMP_TRY(simulation, SystemSimulation::start(executable, simulation_options(run.options)));
-  const std::vector<std::uint64_t> resets = reset_positions(run);
-  Answer answer;  // to the previous block
-  for (std::uint64_t first = 0; answer.state == harness::wire::State::running;) {
-    const Block block = make_block(run, resets, first);
-    // The simulator works on one core while the golden model judges its last answer on another.
-    auto exchange = std::async(
-        std::launch::async, [&] { return simulation.exchange(block, run.system.signature.lanes); });
-    run.judge.take(answer);
-    run.judge.announce(block.comparisons);
-    MIXCMP_TRY(next, exchange.get());
-    answer = std::move(next);
-    first += block.comparisons;
-    tell(run, first);
+  all.report.build_seconds = executable.build_seconds;
+  const std::vector<Share> shares = shares_of(run);
+  Tally tally(run);
+  std::deque<std::future<Result<ShareOutcome>>> running;
+  for (std::size_t next = 0, taken = 0; taken < shares.size(); ++taken) {
+    for (; next < shares.size() && next < taken + static_cast<std::size_t>(run.options.jobs);
+         ++next) {
+      running.push_back(std::async(std::launch::async, [&, number = next] {
+        return run_share(run, shares[number], executable, tally);
+      }));
+    }
+    MIXCMP_TRY(outcome, running.front().get());
+    running.pop_front();
+    for (const VerifiedResult& result : outcome.results) run.options.on_result(result);
+    all.report.add(outcome.report);
+    if (!all.first_undecided) all.first_undecided = outcome.first_undecided;
+    if (outcome.report.comparisons < outcome.report.requested) break;
   }
-  run.judge.take(answer);
-  return simulation.finish();
+  all.report.requested = run.selection.size();
+  return all;
 }
 
-Result<Done> run_icarus(const Run& run) {
-  const Block all{.comparisons = run.selection.size(),
-                  .operands = stimulus(run.comparisons, run.selection,
-                                       run.system.signature.reference_format.width(),
-                                       run.system.signature.tdata_bytes, 0, run.selection.size()),
-                  .resets = reset_positions(run),
-                  .last = true};
-  MIXCMP_TRY(answer, simulate_in_icarus(run.system, all, run.options.work_dir,
+Result<ShareOutcome> run_icarus(const Run& run) {
+  const Block block{.comparisons = run.selection.size(),
+                    .operands = stimulus(run.comparisons, run.selection,
+                                         run.system.signature.reference_format.width(),
+                                         run.system.signature.tdata_bytes, 0, run.selection.size()),
+                    .resets = reset_positions(run),
+                    .last = true};
+  MIXCMP_TRY(answer, simulate_in_icarus(run.system, block, run.options.work_dir,
                                         simulation_options(run.options), run.options.progress,
                                         run.options.waiting));
-  run.judge.announce(all.comparisons);
-  run.judge.take(answer);
-  tell(run, all.comparisons);
-  return Done{};
+  Judge judge(run.system.signature, run.design, run.comparisons, run.selection, run.options);
+  judge.announce(block.comparisons);
+  judge.take(answer);
+  Tally(run).add(block.comparisons, judge.report().mismatch_count);
+  return ShareOutcome{std::move(judge.report()), judge.first_undecided(), {}};
 }
 
-std::string save_file(const Run& run) {
+std::string save_file(const Run& run, const std::optional<harness::wire::Result>& marked) {
   const bool icarus = run.options.simulator == SimulatorKind::icarus;
   return gtkwave_save_file(
       run.system.signature,
       {.waves = run.options.waves,
        .scope = icarus ? std::string("testbench.system") : "TOP." + run.system.signature.top,
        .time_per_cycle = icarus ? icarus_time_per_cycle : 2,
-       .marked = run.judge.first_undecided()});
+       .marked = marked});
 }
 
 Result<VerifyReport> run_system(const System& system, const design::Design& design,
@@ -138,15 +233,16 @@ Result<VerifyReport> run_system(const System& system, const design::Design& desi
     case scene::EngineKind::arg_min: return verify_arg_min(system, design, comparisons, options);
   }
   const Selection selection(comparisons.size(), options.selection);
-  Judge judge(system.signature, design, comparisons, selection, options);
-  const Run run{system, comparisons, selection, options, judge};
+  const Run run{system, design, comparisons, selection, options};
   const auto start = Clock::now();
   const bool icarus = options.simulator == SimulatorKind::icarus;
-  judge.report().simulator = icarus ? "Icarus Verilog" : "Verilator";
-  MIXCMP_TRY(done, icarus ? run_icarus(run) : run_verilator(run));
-  judge.report().run_seconds = seconds_since(start) - judge.report().build_seconds;
-  if (options.wave_file != nullptr) options.wave_file->set_save_file(save_file(run));
-  return std::move(judge.report());
+  MIXCMP_TRY(outcome, icarus ? run_icarus(run) : run_verilator(run));
+  outcome.report.simulator = icarus ? "Icarus Verilog" : "Verilator";
+  outcome.report.run_seconds = seconds_since(start) - outcome.report.build_seconds;
+  if (options.wave_file != nullptr) {
+    options.wave_file->set_save_file(save_file(run, outcome.first_undecided));
+  }
+  return std::move(outcome.report);
 }
 
 }  // namespace

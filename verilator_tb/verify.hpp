@@ -55,6 +55,10 @@ struct VerifyOptions {
   int resets = 0;  ///< resets in mid-stream, spread over the run
   std::uint64_t hang_cycles = 50'000;
   std::uint64_t block_size = 16'384;  ///< comparisons exchanged at a time
+  /// Comparisons that Verilator makes between a reset and the end of a simulation. A longer run is
+  /// so many simulations, `jobs` at a time: its report is the same for any number of them.
+  std::uint64_t share_size = std::uint64_t{1} << 20;
+  int jobs = 1;
   /// FST file to write; beside it goes a GTKWave save file, .gtkw.
   std::filesystem::path waves;
   WaveFile* wave_file = nullptr;  ///< set by `verify` where there are waves to write

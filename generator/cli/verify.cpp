@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
@@ -28,6 +29,7 @@ enum class TruthOption { off, recomputed, all };
 struct VerifyCommand {
   SceneOptions scene;
   verilator_tb::VerifyOptions run;
+  int jobs = 0;  ///< 0: not asked for
   fs::path work;
   fs::path csv;
   std::set<std::string> csv_verdicts = csv_verdict_names;
@@ -88,6 +90,10 @@ void add_options(const Verb& verb, VerifyCommand& command) {
       {{"full_rate", verilator_tb::TrafficKind::full_rate},
        {"stressed", verilator_tb::TrafficKind::stressed}},
       "full_rate, or stressed: random gaps and backpressure (default: full_rate)");
+  verb.option("--jobs", command.jobs,
+              "simulators side by side, for runs of more than a million comparisons (default: one "
+              "a processor)")
+      .check(whole(1, 1024));
   verb.option("--resets", command.run.resets, "resets in mid-stream, 0..1000000 (default: 0)")
       .check(whole(0, 1'000'000));
   verb.option("--trace", command.run.waves,
@@ -132,6 +138,9 @@ verilator_tb::VerifyOptions run_options(const VerifyCommand& command, const Load
                                         const fs::path& work) {
   verilator_tb::VerifyOptions options = command.run;
   options.work_dir = work / "build";
+  options.jobs = command.jobs > 0
+                     ? command.jobs
+                     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   options.selection = selection(command);
   options.traffic_seed = command.run.selection.seed;
   options.repeat_command = repeat_command(command);

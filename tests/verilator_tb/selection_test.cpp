@@ -44,6 +44,16 @@ TEST(Selection, RandomSampleOfAllIsAll) {
   for (std::uint64_t k = 0; k < 100; ++k) EXPECT_EQ(sample.index(k), k);
 }
 
+TEST(Selection, PartsAreTheWholeInOrder) {
+  for (const auto sampling : {verilator_tb::Sampling::first, verilator_tb::Sampling::random}) {
+    const verilator_tb::Selection whole(1000, {.limit = 103, .sampling = sampling});
+    const verilator_tb::Selection middle = whole.part(10, 60), last = middle.part(50, 10);
+    ASSERT_EQ(middle.size(), 60u);
+    for (std::uint64_t k = 0; k < 60; ++k) EXPECT_EQ(middle.index(k), whole.index(10 + k));
+    for (std::uint64_t k = 0; k < 10; ++k) EXPECT_EQ(last.index(k), whole.index(60 + k));
+  }
+}
+
 TEST(PackOperands, PutsOperandKAtBitKTimesWidth) {
   std::vector<std::uint8_t> tdata(5);
   const Bits operands[] = {0x7ff, 0x001, 0x400};

@@ -170,6 +170,56 @@ TEST_P(FakeSystems, BothJudgesFindTheSame) {
   }
 }
 
+/// Seven shares, one of them short; the same report and results in order for any number of jobs.
+TEST(Verify, SharesSideBySideAreOneRun) {
+  std::vector<std::uint64_t> order;
+  nlohmann::ordered_json reports[2];
+  for (const int jobs : {1, 3}) {
+    order.clear();
+    const verilator_tb::VerifyReport report =
+        run({.name = "good"}, 3100,
+            {.traffic = verilator_tb::TrafficKind::stressed,
+             .resets = 9,
+             .block_size = 100,
+             .share_size = 500,
+             .jobs = jobs,
+             .on_result = [&](const auto& result) { order.push_back(result.index); }});
+    EXPECT_TRUE(report.passed()) << to_text(report);
+    EXPECT_EQ(report.comparisons, 3100u);
+    ASSERT_EQ(order.size(), 3100u);
+    EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
+    nlohmann::ordered_json& json = reports[jobs == 1 ? 0 : 1] = to_json(report);
+    json.erase("build_seconds");
+    json.erase("run_seconds");
+  }
+  EXPECT_EQ(reports[0], reports[1]);
+}
+
+/// Shares find what one simulation finds: the same verdicts, recomputations, latencies' extremes.
+TEST(Verify, SharesChangeNoVerdict) {
+  const verilator_tb::VerifyReport whole = run({.name = "good"}, 3100, {});
+  const verilator_tb::VerifyReport shares =
+      run({.name = "good"}, 3100, {.share_size = 500, .jobs = 2});
+  EXPECT_EQ(whole.verdicts, shares.verdicts);
+  EXPECT_EQ(whole.recomputations, shares.recomputations);
+  EXPECT_EQ(whole.counters[0].counted, shares.counters[0].counted);
+  EXPECT_EQ(whole.counters[1].observed, shares.counters[1].observed);
+  EXPECT_GT(shares.cycles, whole.cycles) << "each share fills and drains the lanes";
+}
+
+TEST(Verify, AFaultInOneShareFailsTheRunAndEndsIt) {
+  for (const int jobs : {1, 3}) {
+    const verilator_tb::VerifyReport report =
+        run({.name = "good"}, 3000,
+            {.hang_cycles = 3000, .share_size = 500, .jobs = jobs, .plusargs = {"fault=7"}});
+    EXPECT_FALSE(report.passed());
+    EXPECT_LT(report.comparisons, 500u);
+    EXPECT_EQ(report.requested, 3000u);
+    ASSERT_FALSE(report.violations.empty());
+    EXPECT_EQ(report.violations[0].fault, "lane stands still");
+  }
+}
+
 TEST(Verify, FullRateFeedsEveryLaneInEveryCycle) {
   const verilator_tb::VerifyReport report =
       run({.name = "lanes_only", .tag_bits = 64, .route = FakeRoute::none}, 20'000,
