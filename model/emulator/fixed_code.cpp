@@ -45,12 +45,12 @@ bool fits_double(const FixedPart& part) {
 
 FixedKernel fixed_kernel_of(Operation operation) {
   switch (operation) {
-    case Operation::negate: return FixedKernel::negate;
-    case Operation::absolute: return FixedKernel::absolute;
-    case Operation::add: return FixedKernel::add;
-    case Operation::subtract: return FixedKernel::subtract;
+    case Operation::negate:
+    case Operation::add:
+    case Operation::subtract:
     case Operation::multiply:
-    case Operation::square: return FixedKernel::multiply;
+    case Operation::square: return FixedKernel::sum;
+    case Operation::absolute: return FixedKernel::absolute;
     case Operation::minimum: return FixedKernel::minimum;
     case Operation::maximum: return FixedKernel::maximum;
     case Operation::square_root: return FixedKernel::square_root;
@@ -69,37 +69,63 @@ FixedConversion conversion_of(const FixedFormat& format) {
           .is_signed = format.is_signed};
 }
 
-/// The instruction that computes a node; of one operand a, b and c are the same.
-FixedInstruction instruction_of(const FixedNode& node, NodeId result) {
-  const NodeId first = node.operands[0], last = node.operands[arity(node.operation) - 1];
-  return {.kernel = fixed_kernel_of(node.operation),
-          .result = result,
-          .a = first,
-          .b = last,
-          .c = first};
+mpq_class largest_magnitude(const Range& range) {
+  return std::max(mpq_class(abs(range.low)), mpq_class(abs(range.high)));
 }
 
-/// Compiles a lane. A node that has one reader and drops no bits is computed together with that
-/// reader where a kernel does both: the difference with its square, the product or square with a
-/// sum.
+/// A number as a sum of terms.
+struct Expansion {
+  FixedSum terms;
+  mpq_class largest;  ///< no sum of some of the terms is larger in magnitude
+  int unit_exponent;  ///< all terms are multiples of this power of two
+
+  bool is_exact_in_double() const {
+    return largest <= FixedFormat{.unit_exponent = unit_exponent + double_digits}.unit();
+  }
+  /// Whether reading the terms costs hardly more than reading a column with their sum.
+  bool is_cheap() const {
+    return terms.size() <= 2 && std::all_of(terms.begin(), terms.end(), [](const FixedTerm& term) {
+             return term.kind == FixedTerm::Kind::value;
+           });
+  }
+};
+
+enum class Sign { plus, minus };
+
+/// a + b or a - b.
+Expansion sum(Expansion a, const Expansion& b, Sign sign) {
+  for (FixedTerm term : b.terms) {
+    term.is_negative = term.is_negative != (sign == Sign::minus);
+    a.terms.push_back(term);
+  }
+  a.largest += b.largest;
+  a.unit_exponent = std::min(a.unit_exponent, b.unit_exponent);
+  return a;
+}
+
+/// Compiles a lane. What reads a node reads its terms instead, where the node drops no bits and
+/// either has no other reader or its terms are cheap. Nodes that are still read get columns.
 class FixedCodeMaker {
 public:
   explicit FixedCodeMaker(const FixedLane& lane)
-      : lane_(lane), reads_(lane.nodes.size(), 0), is_fused_(lane.nodes.size(), false) {
-    code_.layout.columns = static_cast<int>(lane.nodes.size());
+      : lane_(lane), reads_(lane.nodes.size(), 0), has_column_(lane.nodes.size(), false) {
+    code_.converted.columns = static_cast<int>(lane.nodes.size());
     if (lane.format.is_block)
       code_.least_block_exponent = fixed::least_block_exponent(lane.input_format);
     count_reads();
-    choose_fused();
+    for (NodeId id = 0; id < node_count(); ++id) expansions_.push_back(expansion_of(id));
+    choose_columns();
   }
 
   FixedCode make() {
-    for (NodeId id = 0; id < static_cast<NodeId>(lane_.nodes.size()); ++id) add_node(id);
+    for (NodeId id = 0; id < node_count(); ++id) add_node(id);
     for (const FixedPart& part : lane_.parts) add_criterion(part);
+    add_arriving();
     return std::move(code_);
   }
 
 private:
+  NodeId node_count() const { return static_cast<NodeId>(lane_.nodes.size()); }
   const FixedNode& node(NodeId id) const { return lane_.nodes[id]; }
 
   void count_reads() {
@@ -114,64 +140,122 @@ private:
     }
   }
 
-  bool is_whole_and_read_once(NodeId id) const {
-    return reads_[id] == 1 && node(id).dropped_bits == 0;
+  Expansion of_term(NodeId id, const FixedTerm& term) const {
+    return {{term}, largest_magnitude(node(id).value), node(id).format.unit_exponent};
   }
 
-  bool is_lone_product(NodeId id) const {
-    const Operation operation = node(id).operation;
-    return (operation == Operation::multiply || operation == Operation::square) &&
-           is_whole_and_read_once(id);
-  }
+  Expansion of_column(NodeId id) const { return of_term(id, {.a = id, .b = id}); }
 
-  /// A difference that computes a product itself has no kernel that squares it, too.
-  bool squares_a_lone_difference(const FixedNode& node) const {
-    if (node.operation != Operation::square) return false;
-    const FixedNode& squared = this->node(node.operands[0]);
-    return squared.operation == Operation::subtract && is_whole_and_read_once(node.operands[0]) &&
-           !product_of(squared);
-  }
-
-  /// The place of the product that a sum computes itself: of a difference the second; or none.
-  std::optional<int> product_of(const FixedNode& sum) const {
-    if (sum.operation != Operation::add && sum.operation != Operation::subtract) return {};
-    if (is_lone_product(sum.operands[1])) return 1;
-    const bool first = sum.operation == Operation::add && is_lone_product(sum.operands[0]);
-    return first ? std::optional(0) : std::nullopt;
-  }
-
-  void choose_fused() {
-    for (const FixedNode& node : lane_.nodes) {
-      if (squares_a_lone_difference(node)) is_fused_[node.operands[0]] = true;
-      if (const auto place = product_of(node)) is_fused_[node.operands[*place]] = true;
+  /// A node before bits are dropped, by the operands' terms; or as what it is, a column.
+  Expansion expansion_of(NodeId id) const {
+    const FixedNode& expanded = node(id);
+    const NodeId first = expanded.operands[0], second = expanded.operands[1];
+    switch (expanded.operation) {
+      case Operation::negate:
+        return sum({{}, 0, node(id).format.unit_exponent}, read(first), Sign::minus);
+      case Operation::add: return sum_of(first, second, Sign::plus);
+      case Operation::subtract: return sum_of(first, second, Sign::minus);
+      case Operation::multiply:
+        return of_term(id, {.kind = FixedTerm::Kind::product, .a = first, .b = second});
+      case Operation::square: return of_term(id, square_of(first));
+      case Operation::input:
+      case Operation::constant:
+      case Operation::convert:
+      case Operation::absolute:
+      case Operation::divide:
+      case Operation::square_root:
+      case Operation::minimum:
+      case Operation::maximum: return of_column(id);
     }
+    MIXCMP_CHECK(false);
+  }
+
+  /// What a reader of the node reads.
+  Expansion read(NodeId id) const {
+    const Expansion& expansion = expansions_[id];
+    const bool replaces = node(id).dropped_bits == 0 && (reads_[id] == 1 || expansion.is_cheap());
+    return replaces ? expansion : of_column(id);
+  }
+
+  /// The sum of two terms is the node's, which is a double; each sum of more has to be one.
+  Expansion sum_of(NodeId first, NodeId second, Sign sign) const {
+    Expansion terms = sum(read(first), read(second), sign);
+    const bool exact = terms.terms.size() <= 2 || terms.is_exact_in_double();
+    return exact ? terms : sum(of_column(first), of_column(second), sign);
+  }
+
+  FixedTerm square_of(NodeId id) const {
+    const FixedSum squared = read(id).terms;
+    if (!read(id).is_cheap()) return {.kind = FixedTerm::Kind::product, .a = id, .b = id};
+    const FixedTerm &first = squared.front(), &last = squared.back();
+    const FixedTerm::Kind kind = squared.size() == 1 ? FixedTerm::Kind::product
+                                 : first.is_negative == last.is_negative
+                                     ? FixedTerm::Kind::square_of_sum
+                                     : FixedTerm::Kind::square_of_difference;
+    return {.kind = kind, .a = first.a, .b = last.a};
+  }
+
+  /// From the decisions back to the inputs.
+  void choose_columns() {
+    for (const FixedPart& part : lane_.parts) {
+      choose_columns(read(part.difference).terms);
+      const auto* norm = std::get_if<fixed::NormThresholds>(&part.criterion);
+      if (norm != nullptr) choose_columns(read_radius(*norm).terms);
+    }
+    for (NodeId id = node_count(); id-- > 0;) {
+      if (!has_column_[id]) continue;
+      choose_columns(expansions_[id].terms);
+      const bool is_sum = expansions_[id].terms.front().a != id;
+      const int operands = is_sum ? 0 : arity(node(id).operation);
+      for (int k = 0; k < operands; ++k) has_column_[node(id).operands[k]] = true;
+    }
+  }
+
+  void choose_columns(const FixedSum& terms) {
+    for (const FixedTerm& term : terms) has_column_[term.a] = has_column_[term.b] = true;
+  }
+
+  /// A root is computed from a column.
+  Expansion read_radius(const fixed::NormThresholds& norm) const {
+    return norm.radius_is_squared ? of_column(norm.radius) : read(norm.radius);
   }
 
   void add_node(NodeId id) {
     const FixedNode& added = node(id);
     if (added.operation == Operation::input) {
-      code_.inputs.push_back({id, added.input, conversion_of(added.format)});
-      code_.layout.inputs.emplace_back(id, added.input);
+      code_.inputs.push_back({.operand = added.input,
+                              .arriving = -1,
+                              .converted = id,
+                              .conversion = conversion_of(added.format)});
+      code_.converted.inputs.emplace_back(id, added.input);
     } else if (added.operation == Operation::constant) {
       const double value = added.constant.get_d() * power(added.format.unit_exponent);
-      code_.layout.constants.emplace_back(id, value);
-    } else if (!is_fused_[id]) {
+      code_.converted.constants.emplace_back(id, value);
+    } else if (has_column_[id]) {
       add_instruction(id);
+    }
+  }
+
+  /// Operands as they arrive have columns behind all others.
+  void add_arriving() {
+    code_.arriving = code_.converted;
+    for (std::size_t k = 0; k < code_.inputs.size(); ++k) {
+      const int column = code_.arriving.columns++;
+      code_.inputs[k].arriving = code_.arriving.inputs[k].first = column;
     }
   }
 
   void add_instruction(NodeId id) {
     const FixedNode& added = node(id);
     if (added.operation == Operation::convert) return add_conversion(id);
-    const auto product = product_of(added);
-    FixedInstruction instruction = product ? sum_with_product(added, *product)
-                                   : squares_a_lone_difference(added) ? square_of_difference(added)
-                                                                      : instruction_of(added, id);
-    instruction.result = id;
     const bool truncates = added.dropped_bits > 0 || added.operation == Operation::square_root;
-    if (truncates) instruction.result = code_.layout.columns++;
-    code_.instructions.push_back(instruction);
-    if (truncates) add_truncation(id, instruction.result);
+    const int result = truncates ? code_.converted.columns++ : id;
+    code_.instructions.push_back({.kernel = fixed_kernel_of(added.operation),
+                                  .result = result,
+                                  .a = added.operands[0],
+                                  .b = added.operands[arity(added.operation) - 1],
+                                  .terms = expansions_[id].terms});
+    if (truncates) add_truncation(id, result);
   }
 
   void add_conversion(NodeId id) {
@@ -186,27 +270,8 @@ private:
     add_unary(FixedKernel::truncate, id, operand).unit = power(node(id).format.unit_exponent);
   }
 
-  FixedInstruction square_of_difference(const FixedNode& square) const {
-    FixedInstruction instruction = instruction_of(node(square.operands[0]), -1);
-    instruction.kernel = FixedKernel::square_of_difference;
-    return instruction;
-  }
-
-  FixedInstruction sum_with_product(const FixedNode& sum, int place) const {
-    const FixedNode& product = node(sum.operands[place]);
-    const bool squared = squares_a_lone_difference(product), adds = sum.operation == Operation::add;
-    FixedInstruction instruction =
-        squared ? square_of_difference(product) : instruction_of(product, -1);
-    instruction.c = sum.operands[1 - place];
-    instruction.kernel = squared ? (adds ? FixedKernel::add_square_of_difference
-                                         : FixedKernel::subtract_square_of_difference)
-                         : adds  ? FixedKernel::add_product
-                                 : FixedKernel::subtract_product;
-    return instruction;
-  }
-
   void add_criterion(const FixedPart& part) {
-    FixedCriterion criterion{.difference = part.difference, .radius = part.difference};
+    FixedCriterion criterion{.difference = read(part.difference).terms, .radius = {}};
     const double unit = power(node(part.difference).format.unit_exponent);
     std::visit([&](const auto& thresholds) { set(criterion, thresholds, unit); }, part.criterion);
     if (part.swapped) std::swap(criterion.greater, criterion.less);
@@ -222,14 +287,18 @@ private:
 
   void set(FixedCriterion& criterion, const fixed::NormThresholds& thresholds, double unit) {
     const double radius_unit = power(thresholds.unit_exponent(lane_.nodes));
-    criterion.radius = thresholds.radius_is_squared ? add_root(thresholds) : thresholds.radius;
+    criterion.radius = read_radius(thresholds).terms;
+    if (thresholds.radius_is_squared) {
+      const int root = add_root(thresholds);
+      criterion.radius = {{.a = root, .b = root}};
+    }
     criterion.slope_above = power(thresholds.shift_above) * unit / radius_unit;
     criterion.offset_above = thresholds.offset_above.get_d() * unit;
     criterion.slope_below = power(thresholds.shift_below) * unit / radius_unit;
   }
 
   int add_root(const fixed::NormThresholds& thresholds) {
-    const int column = code_.layout.columns++;
+    const int column = code_.converted.columns++;
     FixedInstruction& root = add_unary(FixedKernel::power_above_root, column, thresholds.radius);
     root.unit = power(thresholds.unit_exponent(lane_.nodes));
     root.square_unit = power(node(thresholds.radius).format.unit_exponent);
@@ -237,13 +306,14 @@ private:
   }
 
   FixedInstruction& add_unary(FixedKernel kernel, int result, int operand) {
-    return code_.instructions.emplace_back(FixedInstruction{
-        .kernel = kernel, .result = result, .a = operand, .b = operand, .c = operand});
+    return code_.instructions.emplace_back(
+        FixedInstruction{.kernel = kernel, .result = result, .a = operand, .b = operand});
   }
 
   const FixedLane& lane_;
   std::vector<int> reads_;  ///< [node]: by nodes and decisions
-  std::vector<bool> is_fused_;
+  std::vector<Expansion> expansions_;
+  std::vector<bool> has_column_;
   FixedCode code_;
 };
 

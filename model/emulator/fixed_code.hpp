@@ -10,17 +10,13 @@
 namespace mixcmp::emulator {
 
 /// A lane in fixed point, compiled to instructions on columns of doubles. Column k holds node k of
-/// the lane; those of intermediate results follow.
+/// the lane; those of operands as they arrive and of intermediate results follow.
 struct FixedCode {
-  struct Input {
-    int column;
-    int operand;
-    FixedConversion conversion;
-  };
-  std::vector<Input> inputs;
+  std::vector<FixedInput> inputs;
   /// The least e of theorem 6 (docs/fixed_point.md); none but in block floating point.
   std::optional<int> least_block_exponent;
-  ColumnLayout layout;  ///< its inputs are operands that are converted already
+  ColumnLayout arriving;   ///< its inputs are operands as they arrive
+  ColumnLayout converted;  ///< its inputs are operands that are converted already
   std::vector<FixedInstruction> instructions;
   std::vector<FixedCriterion> criteria;  ///< one per part
 };

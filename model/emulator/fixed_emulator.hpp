@@ -37,12 +37,6 @@ public:
   std::uint64_t fallbacks() const { return fallbacks_->load(std::memory_order_relaxed); }
 
 private:
-  void convert_each(OperandColumns operands, std::size_t first, std::size_t size,
-                    std::span<double* const> columns) const;
-  void convert_in_common_unit(OperandColumns operands, std::size_t first, std::size_t size,
-                              std::span<double* const> columns) const;
-  void decide_columns(OperandColumns converted, std::size_t count,
-                      std::span<Decision> decisions) const;
   Decision golden_decision(OperandColumns operands, std::size_t index) const;
 
   fixed::FixedLane lane_;

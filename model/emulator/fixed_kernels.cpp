@@ -1,7 +1,11 @@
 #include "model/emulator/fixed_kernels.hpp"
 
-// On x86 only the baseline, AVX2 and AVX-512 are worth their compile time.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
+#include <utility>
+
+// On x86 only the baseline, AVX2 and AVX-512 are worth their compile time. Arrays of vectors, as
+// below, need vectors of a size that the compiler knows.
+#define HWY_DISABLED_TARGETS \
+  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/emulator/fixed_kernels.cpp"
 #include "hwy/foreach_target.h"
@@ -17,28 +21,30 @@ using Tag = hn::ScalableTag<double>;
 using Int = hn::RebindToSigned<Tag>;
 using Vec = hn::Vec<Tag>;
 using IntVec = hn::Vec<Int>;
+using Words = hn::RebindToUnsigned<Int>;
 
-HWY_INLINE Vec rounded_down(Vec x, Vec unit, Vec per_unit) {
-  return hn::Mul(hn::Floor(hn::Mul(x, per_unit)), unit);
-}
-
-/// The magnitude is truncated; all bits of a negative operand's are inverted: -k - 1.
+/// The bits of a negative operand are inverted: of its magnitude in units, cut to the integer k,
+/// that makes -k - 1. So does rounding down, if the magnitude is first raised to the next double:
+/// that takes an integer k beyond k, and others not beyond k + 1.
 template <bool is_signed>
 HWY_INLINE void convert_all(const FixedConversion& conversion, const double* operands,
                             std::size_t count, double* converted) {
   const Vec unit = hn::Set(Tag(), conversion.unit);
   const Vec per_unit = hn::Set(Tag(), 1 / conversion.unit);
   const Vec limit = hn::Set(Tag(), conversion.limit);
-  const Vec no_number = hn::NaN(Tag());
+  const Words words;
   for (std::size_t i = 0; i < count; i += hn::Lanes(Tag())) {
     const Vec x = hn::LoadU(Tag(), operands + i);
-    const Vec magnitude = hn::Abs(x);
-    const Vec kept = rounded_down(magnitude, unit, per_unit);
-    const auto negative =
-        hn::MaskFromVec(hn::BitCast(Tag(), hn::BroadcastSignBit(hn::BitCast(Int(), x))));
-    const Vec below_zero = is_signed ? hn::Neg(hn::Add(kept, unit)) : no_number;
-    const Vec number = hn::IfThenElse(negative, below_zero, kept);
-    hn::StoreU(hn::IfThenElse(hn::Lt(magnitude, limit), number, no_number), Tag(), converted + i);
+    // Bits of doubles without a sign are ordered like these; with one they are beyond.
+    auto taken = hn::RebindMask(Tag(), hn::Lt(hn::BitCast(words, x), hn::BitCast(words, limit)));
+    Vec units = hn::Mul(x, per_unit);
+    if constexpr (is_signed) {
+      taken = hn::Lt(hn::Abs(x), limit);
+      const IntVec bits = hn::BitCast(Int(), units);
+      units = hn::BitCast(Tag(), hn::Sub(bits, hn::BroadcastSignBit(bits)));
+    }
+    const Vec number = hn::Mul(hn::Floor(units), unit);
+    hn::StoreU(hn::IfThenElse(taken, number, hn::NaN(Tag())), Tag(), converted + i);
   }
 }
 
@@ -55,14 +61,13 @@ HWY_INLINE Vec power_of(IntVec exponent) {
 }
 
 /// The division takes two steps, since the reciprocal of the largest power is no normal number.
-void divide_all(double* const* operands, std::size_t operand_count, std::size_t count,
-                int least_exponent) {
+void divide_all(const std::vector<FixedInput>& inputs, const Block& block, int least_exponent) {
   const IntVec least = hn::Set(Int(), least_exponent + 1022);
   const IntVec no_number = hn::Set(Int(), 2047);
-  for (std::size_t i = 0; i < count; i += hn::Lanes(Tag())) {
+  for (std::size_t i = 0; i < block.size; i += hn::Lanes(Tag())) {
     IntVec largest = hn::Zero(Int());
-    for (std::size_t k = 0; k < operand_count; ++k) {
-      const Vec magnitude = hn::Abs(hn::LoadU(Tag(), operands[k] + i));
+    for (const FixedInput& input : inputs) {
+      const Vec magnitude = hn::Abs(hn::LoadU(Tag(), block.columns[input.arriving] + i));
       largest = hn::Max(largest, hn::BitCast(Int(), magnitude));
     }
     const IntVec biased = hn::ShiftRight<52>(largest);
@@ -71,35 +76,88 @@ void divide_all(double* const* operands, std::size_t operand_count, std::size_t 
     const Vec first = hn::IfThenElse(hn::RebindMask(Tag(), hn::Eq(biased, no_number)),
                                      hn::NaN(Tag()), power_of(half));
     const Vec second = power_of(hn::Sub(exponent, half));
-    for (std::size_t k = 0; k < operand_count; ++k) {
-      const Vec operand = hn::LoadU(Tag(), operands[k] + i);
-      hn::StoreU(hn::Mul(hn::Mul(operand, first), second), Tag(), operands[k] + i);
+    for (const FixedInput& input : inputs) {
+      const Vec operand = hn::LoadU(Tag(), block.columns[input.arriving] + i);
+      hn::StoreU(hn::Mul(hn::Mul(operand, first), second), Tag(),
+                 block.results[input.converted] + i);
     }
   }
 }
 
-/// One loop over the columns of an instruction. A column that the function does not read may be any
-/// of the block's: code takes the first operand's.
+/// The vectors that hold a sum of block_granularity comparisons stay in registers while its terms
+/// are added to them; so a jump to each term's code costs little.
+constexpr std::size_t group = block_granularity / hn::MaxLanes(Tag());
+
+/// Adds the term's values for the comparisons from number `first` on.
+HWY_INLINE void add(const FixedTerm& term, const Block& block, std::size_t first,
+                    Vec (&sum)[group]) {
+  const double* const a_column = block.columns[term.a] + first;
+  const double* const b_column = block.columns[term.b] + first;
+  const auto each = [&](auto added) HWY_ATTR {
+    for (std::size_t k = 0; k < group; ++k) {
+      const std::size_t i = k * hn::Lanes(Tag());
+      sum[k] = added(hn::LoadU(Tag(), a_column + i), hn::LoadU(Tag(), b_column + i), sum[k]);
+    }
+  };
+  const auto add_product = [&](auto factors) HWY_ATTR {
+    if (term.is_negative) {
+      each([&](Vec a, Vec b, Vec onto) HWY_ATTR {
+        const auto [x, y] = factors(a, b);
+        return hn::NegMulAdd(x, y, onto);
+      });
+    } else {
+      each([&](Vec a, Vec b, Vec onto) HWY_ATTR {
+        const auto [x, y] = factors(a, b);
+        return hn::MulAdd(x, y, onto);
+      });
+    }
+  };
+  const auto twice = [](Vec x) HWY_ATTR { return std::pair(x, x); };
+  switch (term.kind) {
+    case FixedTerm::Kind::value:
+      return add_product([&](Vec a, Vec) HWY_ATTR { return std::pair(hn::Set(Tag(), 1), a); });
+    case FixedTerm::Kind::product:
+      return add_product([&](Vec a, Vec b) HWY_ATTR { return std::pair(a, b); });
+    case FixedTerm::Kind::square_of_sum:
+      return add_product([&](Vec a, Vec b) HWY_ATTR { return twice(hn::Add(a, b)); });
+    case FixedTerm::Kind::square_of_difference:
+      return add_product([&](Vec a, Vec b) HWY_ATTR { return twice(hn::Sub(a, b)); });
+  }
+}
+
+/// The sum of the terms of the comparisons from number `first` on.
+HWY_INLINE void add_up(const FixedSum& terms, const Block& block, std::size_t first,
+                       Vec (&sum)[group]) {
+  for (Vec& each : sum) each = hn::Zero(Tag());
+  for (const FixedTerm& term : terms) add(term, block, first, sum);
+}
+
+void execute_sum(const FixedInstruction& instruction, const Block& block) {
+  double* const results = block.results[instruction.result];
+  for (std::size_t first = 0; first < block.size; first += block_granularity) {
+    Vec sum[group];
+    add_up(instruction.terms, block, first, sum);
+    for (std::size_t k = 0; k < group; ++k) {
+      hn::StoreU(sum[k], Tag(), results + first + k * hn::Lanes(Tag()));
+    }
+  }
+}
+
+/// One loop over the columns of an instruction. One of a single operand has it twice.
 template <class Function>
 HWY_INLINE void loop(const FixedInstruction& instruction, const Block& block, Function function) {
   const double* HWY_RESTRICT a_column = block.columns[instruction.a];
   const double* HWY_RESTRICT b_column = block.columns[instruction.b];
-  const double* HWY_RESTRICT c_column = block.columns[instruction.c];
   double* HWY_RESTRICT results = block.results[instruction.result];
   for (std::size_t i = 0; i < block.size; i += hn::Lanes(Tag())) {
     const Vec a = hn::LoadU(Tag(), a_column + i), b = hn::LoadU(Tag(), b_column + i);
-    const Vec c = hn::LoadU(Tag(), c_column + i);
-    hn::StoreU(function(a, b, c), Tag(), results + i);
+    hn::StoreU(function(a, b), Tag(), results + i);
   }
-}
-
-HWY_INLINE Vec square(Vec a) {
-  return hn::Mul(a, a);
 }
 
 /// The exponent of the root's power is half of the square's, rounded down, and one.
 HWY_INLINE Vec power_above_root(Vec square) {
-  const hn::RebindToUnsigned<Int> words;
+  const Words words;
   const auto exponent = hn::ShiftRight<52>(hn::BitCast(words, square));
   const auto halved = hn::ShiftRight<1>(hn::Add(exponent, hn::Set(words, 1025)));
   const Vec power = hn::BitCast(Tag(), hn::ShiftLeft<52>(halved));
@@ -115,50 +173,29 @@ HWY_INLINE Vec or_no_number(Vec a, Vec b, Vec chosen) {
 void execute_one(const FixedInstruction& instruction, const Block& block) {
   const auto each = [&](auto function) HWY_ATTR { loop(instruction, block, function); };
   switch (instruction.kernel) {
-    case FixedKernel::negate: return each([](Vec a, Vec, Vec) HWY_ATTR { return hn::Neg(a); });
-    case FixedKernel::absolute: return each([](Vec a, Vec, Vec) HWY_ATTR { return hn::Abs(a); });
-    case FixedKernel::add: return each([](Vec a, Vec b, Vec) HWY_ATTR { return hn::Add(a, b); });
-    case FixedKernel::subtract:
-      return each([](Vec a, Vec b, Vec) HWY_ATTR { return hn::Sub(a, b); });
-    case FixedKernel::multiply:
-      return each([](Vec a, Vec b, Vec) HWY_ATTR { return hn::Mul(a, b); });
+    case FixedKernel::sum: return execute_sum(instruction, block);
+    case FixedKernel::absolute: return each([](Vec a, Vec) HWY_ATTR { return hn::Abs(a); });
     case FixedKernel::minimum:
-      return each([](Vec a, Vec b, Vec) HWY_ATTR { return or_no_number(a, b, hn::Min(a, b)); });
+      return each([](Vec a, Vec b) HWY_ATTR { return or_no_number(a, b, hn::Min(a, b)); });
     case FixedKernel::maximum:
-      return each([](Vec a, Vec b, Vec) HWY_ATTR { return or_no_number(a, b, hn::Max(a, b)); });
-    case FixedKernel::add_product:
-      return each([](Vec a, Vec b, Vec c) HWY_ATTR { return hn::MulAdd(a, b, c); });
-    case FixedKernel::subtract_product:
-      return each([](Vec a, Vec b, Vec c) HWY_ATTR { return hn::NegMulAdd(a, b, c); });
-    case FixedKernel::square_of_difference:
-      return each([](Vec a, Vec b, Vec) HWY_ATTR { return square(hn::Sub(a, b)); });
-    case FixedKernel::add_square_of_difference:
-      return each([](Vec a, Vec b, Vec c) HWY_ATTR {
-        const Vec difference = hn::Sub(a, b);
-        return hn::MulAdd(difference, difference, c);
-      });
-    case FixedKernel::subtract_square_of_difference:
-      return each([](Vec a, Vec b, Vec c) HWY_ATTR {
-        const Vec difference = hn::Sub(a, b);
-        return hn::NegMulAdd(difference, difference, c);
-      });
-    case FixedKernel::square_root:
-      return each([](Vec a, Vec, Vec) HWY_ATTR { return hn::Sqrt(a); });
+      return each([](Vec a, Vec b) HWY_ATTR { return or_no_number(a, b, hn::Max(a, b)); });
+    case FixedKernel::square_root: return each([](Vec a, Vec) HWY_ATTR { return hn::Sqrt(a); });
     case FixedKernel::truncate: {
       const Vec unit = hn::Set(Tag(), instruction.unit);
       const Vec per_unit = hn::Set(Tag(), 1 / instruction.unit);
-      return each([&](Vec a, Vec, Vec) HWY_ATTR { return rounded_down(a, unit, per_unit); });
+      return each([&](Vec a, Vec)
+                      HWY_ATTR { return hn::Mul(hn::Floor(hn::Mul(a, per_unit)), unit); });
     }
     case FixedKernel::limit: {
       const Vec low = hn::Set(Tag(), instruction.low), high = hn::Set(Tag(), instruction.high);
-      return each([&](Vec a, Vec, Vec) HWY_ATTR {
+      return each([&](Vec a, Vec) HWY_ATTR {
         return hn::IfThenElse(hn::And(hn::Ge(a, low), hn::Le(a, high)), a, hn::NaN(Tag()));
       });
     }
     case FixedKernel::power_above_root: {
       const Vec unit = hn::Set(Tag(), instruction.unit);
       const Vec per_unit = hn::Set(Tag(), 1 / instruction.square_unit);
-      return each([&](Vec a, Vec, Vec)
+      return each([&](Vec a, Vec)
                       HWY_ATTR { return hn::Mul(power_above_root(hn::Mul(a, per_unit)), unit); });
     }
   }
@@ -168,8 +205,37 @@ void execute_fixed(const std::vector<FixedInstruction>& instructions, const Bloc
   for (const FixedInstruction& instruction : instructions) execute_one(instruction, block);
 }
 
-HWY_INLINE IntVec code(int decision) {
-  return hn::Set(Int(), decision);
+/// Writes one byte per comparison, in order: the entry of `table` whose number is the last two bits
+/// of its state.
+HWY_INLINE void store_codes(const IntVec (&states)[group], const std::uint8_t (&table)[16],
+                            std::uint8_t* to) {
+#if HWY_TARGET == HWY_SCALAR
+  for (std::size_t k = 0; k < group; ++k) to[k] = table[hn::GetLane(states[k]) & 3];
+#else
+  const hn::Repartition<std::uint32_t, Int> halves;
+  const hn::Repartition<std::uint16_t, Int> quarters;
+  const hn::Rebind<std::uint8_t, decltype(quarters)> bytes;
+  const auto joined = [](auto tag, auto low, auto high) HWY_ATTR {
+    return hn::ConcatEven(tag, hn::BitCast(tag, high), hn::BitCast(tag, low));
+  };
+  const auto codes_of_states = hn::LoadDup128(bytes, table);
+  for (std::size_t k = 0; k < group; k += 4) {
+    const auto all = joined(quarters, joined(halves, states[k], states[k + 1]),
+                            joined(halves, states[k + 2], states[k + 3]));
+    const auto entries = hn::And(hn::TruncateTo(bytes, all), hn::Set(bytes, 3));
+    const auto codes = hn::TableLookupBytes(codes_of_states, entries);
+    hn::StoreU(codes, bytes, to + k * hn::Lanes(Tag()));
+  }
+#endif
+}
+
+/// The state of a difference D is the sum of -1 where D < above and -2 where D >= below. Since
+/// below is not more than above, that is -1 for less, -2 for greater, -3 for a D between them, and
+/// 0 for a NaN.
+HWY_INLINE IntVec state(Vec difference, Vec above, Vec below) {
+  const auto less = hn::VecFromMask(Int(), hn::RebindMask(Int(), hn::Lt(difference, above)));
+  const auto more = hn::VecFromMask(Int(), hn::RebindMask(Int(), hn::Ge(difference, below)));
+  return hn::Add(less, hn::Add(more, more));
 }
 
 void decide_fixed(const FixedCriterion& criterion, const Block& block, std::uint8_t* codes) {
@@ -177,20 +243,18 @@ void decide_fixed(const FixedCriterion& criterion, const Block& block, std::uint
   const Vec offset_above = hn::Set(Tag(), criterion.offset_above);
   const Vec slope_below = hn::Set(Tag(), criterion.slope_below);
   const Vec offset_below = hn::Set(Tag(), criterion.offset_below);
-  const IntVec greater = code(criterion.greater), less = code(criterion.less);
-  const IntVec otherwise = code(criterion.otherwise), undecided = code(4);
-  const hn::Rebind<std::uint64_t, Tag> words;
-  const hn::Rebind<std::uint8_t, Tag> bytes;
-  for (std::size_t i = 0; i < block.size; i += hn::Lanes(Tag())) {
-    const Vec difference = hn::LoadU(Tag(), block.columns[criterion.difference] + i);
-    const Vec radius = hn::LoadU(Tag(), block.columns[criterion.radius] + i);
-    const auto above = hn::Ge(difference, hn::MulAdd(slope_above, radius, offset_above));
-    const auto below = hn::Gt(hn::Neg(difference), hn::MulAdd(slope_below, radius, offset_below));
-    const auto is_number = hn::RebindMask(Int(), hn::Eq(difference, difference));
-    IntVec result = hn::IfThenElse(is_number, otherwise, undecided);
-    result = hn::IfThenElse(hn::RebindMask(Int(), below), less, result);
-    result = hn::IfThenElse(hn::RebindMask(Int(), above), greater, result);
-    hn::StoreU(hn::TruncateTo(bytes, hn::BitCast(words, result)), bytes, codes + i);
+  alignas(16)
+      const std::uint8_t table[16] = {4, criterion.otherwise, criterion.greater, criterion.less};
+  for (std::size_t first = 0; first < block.size; first += block_granularity) {
+    Vec difference[group], radius[group];
+    add_up(criterion.difference, block, first, difference);
+    add_up(criterion.radius, block, first, radius);
+    IntVec states[group];
+    for (std::size_t k = 0; k < group; ++k) {
+      states[k] = state(difference[k], hn::MulAdd(slope_above, radius[k], offset_above),
+                        hn::NegMulSub(slope_below, radius[k], offset_below));
+    }
+    store_codes(states, table, codes + first);
   }
 }
 
@@ -210,9 +274,9 @@ void convert(const FixedConversion& conversion, const double* operands, std::siz
   HWY_DYNAMIC_DISPATCH(convert_fixed)(conversion, operands, count, converted);
 }
 
-void divide_by_common_power(std::span<double* const> operands, std::size_t count,
+void divide_by_common_power(const std::vector<FixedInput>& inputs, const Block& block,
                             int least_exponent) {
-  HWY_DYNAMIC_DISPATCH(divide_all)(operands.data(), operands.size(), count, least_exponent);
+  HWY_DYNAMIC_DISPATCH(divide_all)(inputs, block, least_exponent);
 }
 
 void execute(const std::vector<FixedInstruction>& instructions, const Block& block) {

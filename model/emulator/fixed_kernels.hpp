@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "model/emulator/block.hpp"
@@ -17,28 +16,34 @@ struct FixedConversion {
   bool is_signed = false;
 };
 
-/// Block floating point: divides the operands of each comparison, in place, by the least power of
-/// two above all their magnitudes, or by 2^`least_exponent` where that is more. Where one is no
-/// number, all become NaNs. `count`: a multiple of block_granularity.
-void divide_by_common_power(std::span<double* const> operands, std::size_t count,
-                            int least_exponent);
+/// An operand that a lane reads: the column where it arrives, and that of the number it becomes.
+struct FixedInput {
+  int operand = -1;
+  int arriving = -1;
+  int converted = -1;
+  FixedConversion conversion;
+};
+
+/// One term of a sum: a, a b, (a + b)^2 or (a - b)^2 of columns a and b, or its negative.
+struct FixedTerm {
+  enum class Kind : std::uint8_t { value, product, square_of_sum, square_of_difference };
+  Kind kind = Kind::value;
+  int a = -1;
+  int b = -1;  ///< any column where the term does not read it
+  bool is_negative = false;
+};
+
+/// The sum of its terms, added one by one to zero. Each sum on the way must be a double.
+using FixedSum = std::vector<FixedTerm>;
 
 enum class FixedKernel : std::uint8_t {
-  negate,
+  sum,  ///< of `terms`; the others have the operands a and b
   absolute,
-  add,
-  subtract,
-  multiply,
   minimum,
   maximum,
-  add_product,                    ///< c + a b
-  subtract_product,               ///< c - a b
-  square_of_difference,           ///< (a - b)^2
-  add_square_of_difference,       ///< c + (a - b)^2
-  subtract_square_of_difference,  ///< c - (a - b)^2
-  square_root,                    ///< of a, rounded to nearest
-  truncate,                       ///< a, rounded down to a multiple of `unit`
-  limit,                          ///< a if it is from `low` to `high`, a NaN otherwise
+  square_root,  ///< of a, rounded to nearest
+  truncate,     ///< a, rounded down to a multiple of `unit`
+  limit,        ///< a if it is from `low` to `high`, a NaN otherwise
   /// 2^k `unit` for the least k >= 0 with a < 4^k `square_unit`; of a NaN anything.
   power_above_root,
 };
@@ -48,18 +53,18 @@ struct FixedInstruction {
   int result = -1;
   int a = -1;
   int b = -1;
-  int c = -1;
   double unit = 1;
   double square_unit = 1;
   double low = 0, high = 0;
+  FixedSum terms = {};
 };
 
 /// Greater iff D >= slope_above s + offset_above, less iff -D > slope_below s + offset_below, where
 /// D is the difference; `otherwise` elsewhere. A NaN leaves the comparison undecided. `greater`,
 /// `less` and `otherwise` are codes of Decision.
 struct FixedCriterion {
-  int difference = -1;
-  int radius = -1;  ///< column of s
+  FixedSum difference;
+  FixedSum radius;  ///< s; no terms where no slope reads it
   double slope_above = 0, offset_above = 0;
   double slope_below = 0, offset_below = 0;
   std::uint8_t greater = 2, less = 0, otherwise = 4;
@@ -68,6 +73,11 @@ struct FixedCriterion {
 /// `count`: a multiple of block_granularity.
 void convert(const FixedConversion& conversion, const double* operands, std::size_t count,
              double* converted);
+/// Block floating point: divides the operands of each comparison by the least power of two above
+/// all their magnitudes, or by 2^`least_exponent` where that is more. Where one is no number, all
+/// become NaNs.
+void divide_by_common_power(const std::vector<FixedInput>& inputs, const Block& block,
+                            int least_exponent);
 void execute(const std::vector<FixedInstruction>& instructions, const Block& block);
 /// Writes one code of Decision per comparison.
 void decide(const FixedCriterion& criterion, const Block& block, std::uint8_t* codes);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -128,6 +129,69 @@ TEST_P(FixedEmulation, OfBlocksIsTheGoldenModelsBitForBit) {
 INSTANTIATE_TEST_SUITE_P(Comparisons, FixedEmulation, testing::ValuesIn(bounded_comparisons()),
                          [](const auto& parameter) { return parameter.param.name; });
 
+FixedLane lane_of(const Graph& graph, int bits, const std::vector<std::optional<Range>>& ranges) {
+  return fixed::fixed_lane(graph, format("s53e11"),
+                           {.format = {bits}, .bound = {}, .ranges = ranges})
+      .value();
+}
+
+/// f and g: every kind of term with either sign, alone, in sums of sums, and shared by two readers.
+constexpr std::array<std::pair<const char*, const char*>, 17> sums = {
+    {{"a + b", "c"},
+     {"-a - b", "c - d"},
+     {"-(a - (b - (c + d)))", "0.25"},
+     {"a * b", "c * d"},
+     {"a - b * c", "d * a + b"},
+     {"-(a * b)", "-(c - d * d)"},
+     {"(a + b)^2", "(c - d)^2"},
+     {"-(a - b)^2", "-(c + d)^2"},
+     {"a^2 - (b^2 - (c^2 - d^2))", "a * d"},
+     {"(-a - b)^2 + (-c + d)^2", "(b - d)^2"},
+     {"b - (a - c / 0x1p30)", "d"},
+     {"b - (a^2 - c / 0x1p40)", "d"},
+     {"(a - c / 0x1p30)^2 - b", "d"},
+     {"(a + b + c)^2 - d", "(a - b - c)^2"},
+     {"(a - b)^2 * c", "(a - b)^2 - d"},
+     {"(a * b - c)^2", "(a * b)^2 + (c - d)"},
+     {"min(a - b, c)^2 - max(a + b, d)", "(a + b) * (c - d)"}}};
+
+TEST(FixedSums, AreTheGoldenModels) {
+  Random random(7);
+  for (const auto& [f, g] : sums) {
+    const Graph graph = graph_of(f, g);
+    for (const Range& range : {Range{0, 3}, Range{-3, 3}}) {
+      const std::vector ranges(graph.inputs().size(), std::optional(range));
+      for (const std::size_t count : {1, 31, 33, 300}) {
+        const Columns columns = hard_columns(ranges, count, random);
+        for (const int bits : {1, 3, 13, 25}) {
+          expect_golden(std::string(f) + " against " + g, lane_of(graph, bits, ranges), columns);
+        }
+      }
+    }
+  }
+}
+
+/// a + b needs 54 bits, but no node of a + (b - c) - d more than 53: the terms cannot be added one
+/// by one.
+TEST(FixedSums, OfTermsThatDoubleCannotAddAreAddedNodeByNode) {
+  const Graph graph =
+      graph_of("within(a, 2040, 2046) + (within(b, 1024, 1025) - within(c, 1024, 1025))",
+               "within(d, 2040, 2046)");
+  const FixedLane lane = lane_of(graph, 53, std::vector(4, std::optional(Range{1024, 2047})));
+  ASSERT_TRUE(FixedEmulator(lane).is_exact_in_double());
+  Random random(8);
+  Columns columns(4);
+  const auto fraction = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  for (int k = 0; k < 1000; ++k) {
+    const double a = 2042 + 2 * fraction(), b = 1024 + fraction(), c = 1024 + fraction();
+    const double d = a + (b - c) + std::ldexp(static_cast<double>(random() % 16) - 8, -42);
+    for (const auto& [column, value] : {std::pair{0, a}, {1, b}, {2, c}, {3, d}}) {
+      columns[column].push_back(value);
+    }
+  }
+  expect_golden("54 bits", lane, columns);
+}
+
 /// Parts that decide by norms and by constants, that share operations, and that say `any`.
 TEST(FixedEmulationOfParts, IsTheGoldenModels) {
   const Graph any =
@@ -152,6 +216,15 @@ FixedLane sphere_lane(int bits) {
                             .bound = {},
                             .ranges = std::vector(8, std::optional(Range{0, 100}))})
       .value();
+}
+
+/// Its squares, their sum and its radius are computed where the decision reads them.
+TEST(FixedCode, OfSpheresStoresNothing) {
+  const auto code = emulator::make_fixed_code(sphere_lane(24));
+  ASSERT_TRUE(code.has_value());
+  EXPECT_TRUE(code->instructions.empty());
+  EXPECT_EQ(code->criteria.front().difference.size(), 4u);
+  EXPECT_EQ(code->criteria.front().radius.size(), 2u);
 }
 
 TEST(ConvertedOperands, AreDecidedLikeThoseThatArrive) {
