@@ -54,7 +54,7 @@ Threshold threshold_in_fixed_point(Lanes lanes, std::size_t part, const Envelope
 /// The threshold of one part, at the precisions from number `index` on.
 Threshold threshold_of(const SchemeLanes& scheme, std::size_t part, int index,
                        const Envelope& envelope) {
-  if (scheme.kind == SchemeKind::lanes_alone) return Threshold::of_order();
+  if (scheme.kind == SchemeKind::lanes_alone) return Threshold::of_order(envelope);
   const Lanes lanes = Lanes(scheme.lanes).subspan(static_cast<std::size_t>(index));
   const bool fixed_point = scheme.bound && scheme.bound->is_fixed_point();
   return fixed_point ? threshold_in_fixed_point(lanes, part, envelope)
@@ -164,9 +164,9 @@ void PrecisionBand::last_open(const Part& part, const EnvelopeBlock& block,
     part.thresholds[scheme].evaluate(block, scaled, fixed, wild);
     LastOpen* const open = findings.last + scheme * findings.stride;
     for_each_lane([&](std::size_t k) {
-      // Open at L only if (|f - g| - fixed) 2^(L-A) <= errors + scaled.
+      // Open at L only if (|f - g| - fixed) 2^(L-A) <= scaled.
       const double apart = gap.least(k) - fixed[k];
-      const double ratio = (gap.error(k) + scaled[k]) / apart * outward;
+      const double ratio = scaled[k] / apart * outward;
       const bool known = (wild[k] == 0) & (apart > 0) & (ratio < enough);
       const double within = known ? ratio : enough;
       const double clamped = within < 0.5 ? 0.5 : within;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "model/common/check.hpp"
+#include "model/number/double.hpp"
 #include "model/number/exact.hpp"
 #include "model/profile/envelope_kernels.hpp"
 
@@ -17,6 +18,14 @@ using envelope_kernels::outward;
 /// An upper bound of |computed value| at every precision.
 double largest(const NodeEnvelope& node, std::size_t k) {
   return (std::fabs(node.value[k]) + 1.5 * node.error[k]) * outward;
+}
+
+/// An upper bound of sqrt(|f|) + sqrt(|g|), of the true values.
+double sum_of_roots(const NodeEnvelope& f, const NodeEnvelope& g, double error_of_double,
+                    std::size_t k) {
+  return (std::sqrt(std::fabs(f.value[k]) + f.error[k] * error_of_double) +
+          std::sqrt(std::fabs(g.value[k]) + g.error[k] * error_of_double)) *
+         outward;
 }
 
 /// An upper bound of an integer, as a double.
@@ -67,8 +76,8 @@ bool looks_at_shared_nodes(const error::AbsoluteBoundCriterion& criterion,
 
 }  // namespace
 
-Threshold Threshold::of_order() {
-  return {Order{}, 0, 0, 0};
+Threshold Threshold::of_order(const Envelope& envelope) {
+  return {Order{}, 0, envelope.graph().f(), envelope.graph().g()};
 }
 
 Threshold Threshold::of_lanes(std::span<const error::Lane* const> lanes, const Envelope& envelope) {
@@ -151,7 +160,7 @@ using fixed::FixedNode;
 /// A distance of f and g from which one lane in fixed point surely decides.
 struct Margin {
   double constant = 0;
-  double per_root = 0;  ///< per root of the square that is compared
+  double per_root = 0;  ///< per sqrt(|f|) + sqrt(|g|)
 };
 
 double magnitude(const Range& range) {
@@ -166,20 +175,20 @@ Margin margin_of(const fixed::ConstantThresholds& thresholds, const FixedNode& d
   return {.constant = limit * unit * outward + magnitude(difference.error)};
 }
 
-/// The radius as computed is at most |s| and its error; a power of two above the root of |y|^2 is
-/// at most twice that root, and a unit at least.
+/// `slope` / 2 bounds the errors of the roots of f and g, together; `apart` is a distance of the
+/// roots as computed from which the lane decides.
 Margin margin_of(const fixed::NormThresholds& thresholds, const FixedNode& difference,
                  const std::vector<FixedNode>& nodes) {
-  const FixedNode& radius = nodes[thresholds.radius];
   const double unit = difference.format.unit().get_d();
   const double radius_unit = std::ldexp(1.0, thresholds.unit_exponent(nodes));
-  const int steepest = std::max(thresholds.shift_above, thresholds.shift_below);
-  const double slope = std::ldexp(unit, steepest) / radius_unit;
-  const double error = magnitude(radius.error);
-  const double beyond = thresholds.radius_is_squared ? radius_unit + 2 * std::sqrt(error) : error;
-  const double offset = thresholds.offset_above.get_d() * unit;
-  return {.constant = (slope * beyond + offset) * outward + magnitude(difference.error),
-          .per_root = (thresholds.radius_is_squared ? 2 : 1) * slope * outward};
+  const double above = std::ldexp(unit, thresholds.shift_above) / radius_unit;
+  const double below = std::ldexp(unit, thresholds.shift_below) / radius_unit;
+  const double offset = (thresholds.offset_above.get_d() + 1) * unit,
+               slope = std::max(above, below);
+  const double apart = thresholds.radius_is_squared
+                           ? std::max(2 * slope, std::sqrt(slope * radius_unit + offset))
+                           : std::max({above / 2, below, std::sqrt(offset)});
+  return {.constant = 0, .per_root = (slope / 2 + apart) * outward};
 }
 
 bool has_limits(const fixed::FixedLane& lane) {
@@ -190,7 +199,9 @@ bool has_limits(const fixed::FixedLane& lane) {
 
 Threshold Threshold::of_fixed_lanes(std::span<const fixed::FixedLane* const> lanes,
                                     std::size_t part, const Envelope& envelope) {
-  Root root{.square = envelope.graph().g(), .constant = 0, .per_root = 0};
+  Roots roots{.constant = 0,
+              .per_root = 0,
+              .error_of_double = std::ldexp(outward, envelope.anchor() - double_digits)};
   const fixed::FixedLane* block_lane = nullptr;
   double scale = outward;
   for (const fixed::FixedLane* lane : lanes) {
@@ -202,22 +213,21 @@ Threshold Threshold::of_fixed_lanes(std::span<const fixed::FixedLane* const> lan
       const Margin margin = std::visit(
           [&](const auto& thresholds) { return margin_of(thresholds, difference, lane->nodes); },
           decided.criterion);
-      if (decided.swapped) root.square = envelope.graph().f();
-      root.constant = std::max(root.constant, margin.constant * scale);
-      root.per_root = std::max(root.per_root, margin.per_root * scale);
+      roots.constant = std::max(roots.constant, margin.constant * scale);
+      roots.per_root = std::max(roots.per_root, margin.per_root * scale);
     }
     scale *= 2;
   }
   if (block_lane != nullptr) {
-    return {block(root, *block_lane, part, envelope), 0, envelope.graph().f(),
+    return {block(roots, *block_lane, part, envelope), 0, envelope.graph().f(),
             envelope.graph().g()};
   }
-  return {root, 0, envelope.graph().f(), envelope.graph().g()};
+  return {roots, 0, envelope.graph().f(), envelope.graph().g()};
 }
 
 /// The unit depends on all operands that the lane reads: where the part does not have them all, its
 /// envelope does not tell the unit.
-Threshold::Kind Threshold::block(const Root& of_scaled, const fixed::FixedLane& lane,
+Threshold::Kind Threshold::block(const Roots& of_scaled, const fixed::FixedLane& lane,
                                  std::size_t part, const Envelope& envelope) {
   Block block{.of_scaled = of_scaled,
               .degree = lane.parts[part].degree.get_d(),
@@ -240,6 +250,36 @@ void Threshold::evaluate(const EnvelopeBlock& block, EnvelopeRow& scaled, Envelo
   const NodeEnvelope& g = block.nodes[g_];
   scaled.fill(0);
   fixed.fill(0);
+  if (const auto* roots = std::get_if<Roots>(&kind_)) {
+    for_each_lane([&](std::size_t k) {
+      scaled[k] =
+          (roots->constant + roots->per_root * sum_of_roots(f, g, roots->error_of_double, k)) *
+          outward;
+    });
+  } else if (const auto* in_block = std::get_if<Block>(&kind_)) {
+    const Roots& below_one = in_block->of_scaled;
+    for_each_lane([&](std::size_t k) {
+      double scale = in_block->least_scale;
+      for (const NodeId input : in_block->inputs) {
+        scale = std::max(scale, 2 * largest(block.nodes[input], k));
+      }
+      const double grown = std::pow(scale, in_block->degree) * outward;
+      const double of_roots = sum_of_roots(f, g, below_one.error_of_double, k);
+      scaled[k] =
+          (below_one.constant * grown + below_one.per_root * std::sqrt(grown) * of_roots) * outward;
+    });
+  } else if (std::holds_alternative<Unknown>(kind_)) {
+    wild.fill(1);
+  } else {
+    evaluate_of_floats(block, scaled, fixed, wild);
+  }
+}
+
+/// The difference of f and g as computed is off by their errors.
+void Threshold::evaluate_of_floats(const EnvelopeBlock& block, EnvelopeRow& scaled,
+                                   EnvelopeRow& fixed, EnvelopeRow& wild) const {
+  const NodeEnvelope& f = block.nodes[f_];
+  const NodeEnvelope& g = block.nodes[g_];
   if (const auto* distance = std::get_if<Distance>(&kind_)) {
     for_each_lane([&](std::size_t k) {
       const double lf = largest(f, k), lg = largest(g, k);
@@ -255,27 +295,11 @@ void Threshold::evaluate(const EnvelopeBlock& block, EnvelopeRow& scaled, Envelo
       scaled[k] *= absolute->factor;
       fixed[k] *= absolute->factor;
     });
-  } else if (const auto* root = std::get_if<Root>(&kind_)) {
-    const NodeEnvelope& square = block.nodes[root->square];
-    for_each_lane([&](std::size_t k) {
-      scaled[k] = root->constant + root->per_root * std::sqrt(largest(square, k)) * outward;
-    });
-  } else if (const auto* in_block = std::get_if<Block>(&kind_)) {
-    const Root& below_one = in_block->of_scaled;
-    for_each_lane([&](std::size_t k) {
-      double scale = in_block->least_scale;
-      for (const NodeId input : in_block->inputs) {
-        scale = std::max(scale, 2 * largest(block.nodes[input], k));
-      }
-      const double grown = std::pow(scale, in_block->degree) * outward;
-      // Two roots, since the product of such numbers may underflow.
-      const double slope = std::sqrt(grown) * std::sqrt(largest(block.nodes[below_one.square], k));
-      scaled[k] = (below_one.constant * grown + below_one.per_root * slope * outward) * outward;
-    });
-  } else if (std::holds_alternative<Unknown>(kind_)) {
-    wild.fill(1);
   }
-  for_each_lane([&](std::size_t k) { fixed[k] += floor_; });
+  for_each_lane([&](std::size_t k) {
+    scaled[k] += f.error[k] + g.error[k];
+    fixed[k] += floor_;
+  });
 }
 
 }  // namespace mixcmp::profile

@@ -11,14 +11,14 @@
 
 namespace mixcmp::profile {
 
-/// How far apart computed f and g must be for a kind of lane to decide surely, at every precision L
-/// >= A at once: |computed f - computed g| > scaled 2^(A-L) + fixed suffices, unless the comparison
-/// is wild (docs/profile.md, which says what A is, too). Proof: docs/profile.md, theorems 2 and 3.
+/// How far apart the true f and g must be for a kind of lane to decide surely and rightly, at every
+/// precision L >= A at once: |f - g| > scaled 2^(A-L) + fixed suffices, unless the comparison is
+/// wild (docs/profile.md, which says what A is, too). Proof: docs/profile.md, theorems 2 and 3.
 class Threshold {
 public:
   /// The threshold of a lane without an error bound, which decides by the order of computed f and
   /// g.
-  static Threshold of_order();
+  static Threshold of_order(const Envelope& envelope);
   /// `lanes` have the precisions A, A+1, ..., last. If a lane is missing, their kinds differ, or
   /// their graphs do not begin with the envelope's nodes, every comparison is wild.
   static Threshold of_lanes(std::span<const error::Lane* const> lanes, const Envelope& envelope);
@@ -44,29 +44,32 @@ private:
     std::vector<BoundEnvelope> bounds;  ///< one per structure of bound graphs
     double factor;
   };
-  struct Root {
-    NodeId square;
-    double constant, per_root;  ///< per root of the square's magnitude
+  /// Of a lane in fixed point.
+  struct Roots {
+    double constant, per_root;  ///< the latter per sqrt(|f|) + sqrt(|g|)
+    double error_of_double;     ///< double's error as a multiple of the error at precision A
   };
   /// A lane in block floating point compares operands divided by 2^e: `of_scaled` is the threshold
   /// of these, and 2^(e degree) times as much that of the operands themselves.
   struct Block {
-    Root of_scaled;
+    Roots of_scaled;
     double degree;               ///< of f and g, in the operands
     std::vector<NodeId> inputs;  ///< of the envelope's graph
     double least_scale;          ///< 2^e for the least e
   };
   struct Unknown {};
-  using Kind = std::variant<Order, Distance, Interval, Absolute, Root, Block, Unknown>;
+  using Kind = std::variant<Order, Distance, Interval, Absolute, Roots, Block, Unknown>;
 
   Threshold(Kind kind, double floor, NodeId f, NodeId g)
       : kind_(std::move(kind)), floor_(floor), f_(f), g_(g) {}
   static Kind kind_of(std::span<const error::Lane* const> lanes, const Envelope& envelope);
   static Kind distance(std::span<const error::Lane* const> lanes, const Envelope& envelope);
   static Kind interval(std::span<const error::Lane* const> lanes, const Envelope& envelope);
-  static Kind block(const Root& of_scaled, const fixed::FixedLane& lane, std::size_t part,
+  static Kind block(const Roots& of_scaled, const fixed::FixedLane& lane, std::size_t part,
                     const Envelope& envelope);
   static Kind absolute(std::span<const error::Lane* const> lanes, const Envelope& envelope);
+  void evaluate_of_floats(const EnvelopeBlock& block, EnvelopeRow& scaled, EnvelopeRow& fixed,
+                          EnvelopeRow& wild) const;
 
   Kind kind_;
   double floor_;  ///< below it the lane's own difference might be flushed to zero
