@@ -8,10 +8,13 @@ namespace mixcmp::profile {
 
 namespace {
 
-/// No verdict is wrong where the truth is undetermined.
+/// No verdict is wrong where the truth is undetermined. With &, since && would branch.
 bool is_wrong(Decision verdict, Decision truth) {
-  return verdict != truth && truth != Decision::undecided;
+  return (verdict != truth) & (truth != Decision::undecided);
 }
+
+/// So many are counted in bytes, of which a vector holds the most.
+constexpr std::size_t countable = 255;
 
 }  // namespace
 
@@ -42,6 +45,7 @@ RateWorker::RateWorker(const RateJob& job)
       pending_(job.bands.size(), UnsettledComparisons(job.source.data().input_count(), capacity)),
       last_(job.schemes.size() * capacity),
       doubtful_(capacity),
+      left_(capacity),
       order_(capacity),
       picked_(job.source.data().input_count(), capacity),
       decisions_(capacity) {}
@@ -132,13 +136,17 @@ void RateWorker::make_room(std::size_t index, std::size_t count) {
 /// check leaves a lane undecided at every precision, and what an earlier band settled stays
 /// settled.
 void RateWorker::settle_finished(const PrecisionBand& band, const UnsettledComparisons& unsettled) {
+  const auto next = static_cast<LastOpen>(band.next());
+  const auto before = static_cast<LastOpen>(band.anchor() - 1);
+  const std::uint32_t* const failing = unsettled.failing.data();
+  const std::uint32_t* const schemes = unsettled.schemes.data();
+  const std::size_t count = unsettled.size();
   for (std::size_t scheme = 0; scheme < band.scheme_count(); ++scheme) {
     LastOpen* const last = last_.data() + scheme * capacity;
-    for (std::size_t k = 0; k < unsettled.size(); ++k) {
-      if ((unsettled.failing[k] >> scheme & 1) != 0) last[k] = static_cast<LastOpen>(band.next());
-      if ((unsettled.schemes[k] >> scheme & 1) == 0) {
-        last[k] = static_cast<LastOpen>(band.anchor() - 1);
-      }
+    const std::uint32_t bit = std::uint32_t{1} << scheme;
+    for (std::size_t k = 0; k < count; ++k) {
+      const LastOpen open = (failing[k] & bit) != 0 ? next : last[k];
+      last[k] = (schemes[k] & bit) == 0 ? before : open;
     }
   }
 }
@@ -155,7 +163,7 @@ void RateWorker::run_scheme(const PrecisionBand& band, std::size_t scheme,
     const LaneRunner& runner = band.runner(scheme, precision);
     if (!runner.exists()) continue;
     const bool most = open > unsettled.size() / 4;
-    if (!most && !picked) pick(band, scheme, unsettled);
+    if (!most && !picked) pick(band, scheme, precision, unsettled);
     picked = picked || !most;
     run_lane(runner, scheme, precision, most ? unsettled : picked_, most ? unsettled.size() : open);
   }
@@ -171,17 +179,17 @@ void RateWorker::count_open(const PrecisionBand& band, std::size_t scheme, std::
   for (int step = steps; step-- > 0;) with[step] += with[step + 1];
 }
 
-/// Picks the comparisons that are open at some precision of the band, longest open first, so that
-/// the comparisons which are open at L stand at the beginning of the list.
-void RateWorker::pick(const PrecisionBand& band, std::size_t scheme,
+/// Picks the comparisons that are open at this precision or a later one of the band, longest open
+/// first, so that the comparisons which are open at L stand at the beginning of the list.
+void RateWorker::pick(const PrecisionBand& band, std::size_t scheme, int precision,
                       const UnsettledComparisons& unsettled) {
   const LastOpen* const last = last_.data() + scheme * capacity;
   const int anchor = band.anchor();
   std::vector<std::size_t> place(open_at_.begin() + 1, open_at_.end());
   for (std::size_t k = 0; k < unsettled.size(); ++k) {
-    if (last[k] >= anchor) order_[place[last[k] - anchor]++] = static_cast<std::uint32_t>(k);
+    if (last[k] >= precision) order_[place[last[k] - anchor]++] = static_cast<std::uint32_t>(k);
   }
-  const std::size_t count = open_at_[0];
+  const std::size_t count = open_at_[precision - anchor];
   picked_.operands().resize(count);
   for (std::size_t input = 0; input < job_.source.data().input_count(); ++input) {
     const double* const from = unsettled.operands().column(input);
@@ -198,29 +206,36 @@ void RateWorker::run_lane(const LaneRunner& runner, std::size_t scheme, int prec
                           const UnsettledComparisons& unsettled, std::size_t count) {
   runner.decide(unsettled.operands().columns(), count, decisions_);
   tally_.emulated += count;
-  std::uint64_t undecided = 0, wrong = 0, wrong_by_lane = 0;
-  for (std::size_t n = 0; n < count; ++n) {
-    const bool open = decisions_[n] == Decision::undecided;
-    const Decision verdict = open ? unsettled.reference[n] : decisions_[n];
-    undecided += open ? 1 : 0;
-    const bool blamed = is_wrong(verdict, unsettled.truth[n]);
-    wrong += blamed ? 1 : 0;
-    wrong_by_lane += blamed && !open ? 1 : 0;
-  }
   SchemeCounts& counts = tally_.counts[scheme][precision - job_.bands.front().anchor()];
-  counts.undecided += undecided;
-  counts.wrong += wrong;
-  counts.wrong_by_lane += wrong_by_lane;
+  for (std::size_t first = 0; first < count; first += countable) {
+    const std::size_t end = std::min(count, first + countable);
+    std::uint8_t undecided = 0, wrong = 0, wrong_by_lane = 0;
+    for (std::size_t n = first; n < end; ++n) {
+      const bool open = decisions_[n] == Decision::undecided;
+      const bool by_lane = is_wrong(decisions_[n], unsettled.truth[n]) & !open;
+      const bool by_reference = is_wrong(unsettled.reference[n], unsettled.truth[n]) & open;
+      undecided = static_cast<std::uint8_t>(undecided + open);
+      wrong = static_cast<std::uint8_t>(wrong + (by_lane | by_reference));
+      wrong_by_lane = static_cast<std::uint8_t>(wrong_by_lane + by_lane);
+    }
+    counts.undecided += undecided;
+    counts.wrong += wrong;
+    counts.wrong_by_lane += wrong_by_lane;
+  }
 }
 
 void RateWorker::pass_on(const PrecisionBand& band, const UnsettledComparisons& from,
                          UnsettledComparisons& to) {
-  for (std::size_t k = 0; k < from.size(); ++k) {
-    std::uint32_t left = 0;
-    for (std::size_t scheme = 0; scheme < band.scheme_count(); ++scheme) {
-      if (last_[scheme * capacity + k] >= band.next()) left |= std::uint32_t{1} << scheme;
+  const std::size_t count = from.size();
+  std::fill_n(left_.begin(), count, 0);
+  for (std::size_t scheme = 0; scheme < band.scheme_count(); ++scheme) {
+    const LastOpen* const last = last_.data() + scheme * capacity;
+    for (std::size_t k = 0; k < count; ++k) {
+      left_[k] |= std::uint32_t{last[k] >= band.next()} << scheme;
     }
-    if (left != 0) to.append(from, k, left);
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    if (left_[k] != 0) to.append(from, k, left_[k]);
   }
 }
 

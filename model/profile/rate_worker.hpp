@@ -41,7 +41,8 @@ struct RateTally {
 /// every scheme is settled on them.
 class RateWorker {
 public:
-  static constexpr std::size_t block = 16384;
+  /// Some operands of so many comparisons fit the second-level cache.
+  static constexpr std::size_t block = 4096;
 
   explicit RateWorker(const RateJob& job);
   void run(const BlockSource& next);
@@ -61,7 +62,8 @@ private:
   void run_scheme(const PrecisionBand& band, std::size_t scheme,
                   const UnsettledComparisons& unsettled);
   void count_open(const PrecisionBand& band, std::size_t scheme, std::size_t count);
-  void pick(const PrecisionBand& band, std::size_t scheme, const UnsettledComparisons& unsettled);
+  void pick(const PrecisionBand& band, std::size_t scheme, int precision,
+            const UnsettledComparisons& unsettled);
   void run_lane(const LaneRunner& runner, std::size_t scheme, int precision,
                 const UnsettledComparisons& unsettled, std::size_t count);
   void pass_on(const PrecisionBand& band, const UnsettledComparisons& from,
@@ -73,6 +75,7 @@ private:
   std::vector<UnsettledComparisons> pending_;  ///< one per band
   std::vector<LastOpen> last_;                 ///< [scheme * capacity + row of the unsettled]
   std::vector<std::uint8_t> doubtful_;
+  std::vector<std::uint32_t> left_;   ///< schemes that the next band has to settle
   std::vector<std::uint32_t> order_;  ///< rows of the unsettled, longest open first
   std::vector<std::size_t> open_at_;  ///< [L - anchor]: number of unsettled open at L
   UnsettledComparisons picked_;       ///< the open unsettled of one scheme, in the order of order_
