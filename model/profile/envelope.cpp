@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/common/check.hpp"
+#include "model/common/vector_clones.hpp"
 #include "model/number/double.hpp"
 #include "model/number/exact.hpp"
 #include "model/profile/envelope_kernels.hpp"
@@ -84,7 +85,8 @@ void Envelope::add_checks() {
   }
 }
 
-void Envelope::check(const Step& step, const NodeEnvelope& node, EnvelopeRow& wild) const {
+MIXCMP_VECTOR_CLONES void Envelope::check(const Step& step, const NodeEnvelope& node,
+                                          EnvelopeRow& wild) const {
   if (step.may_be_large) {
     const double largest = std::ldexp(1.0, highest_) * (1 - 0x1p-40);
     envelope_kernels::for_each_lane([&](std::size_t k) {
@@ -101,7 +103,8 @@ void Envelope::check(const Step& step, const NodeEnvelope& node, EnvelopeRow& wi
   }
 }
 
-void Envelope::evaluate(std::span<const double* const> columns, EnvelopeBlock& block) const {
+MIXCMP_VECTOR_CLONES void Envelope::evaluate(std::span<const double* const> columns,
+                                             EnvelopeBlock& block) const {
   block.nodes.resize(steps_.size());
   block.wild.fill(0);
   for (std::size_t id = 0; id < steps_.size(); ++id) {

@@ -8,6 +8,7 @@
 /// Each kernel evaluates one operation of an envelope on a block. `value` is x, `error` is E, and q
 /// is Q, the bound on the error that the operands bring in, in theorem 1 of docs/profile.md. Loops
 /// are plain for the vectoriser, and conditions use | and &, since || and && would branch.
+/// Functions are inlined, into functions that are compiled for several instruction sets.
 namespace mixcmp::profile::envelope_kernels {
 
 /// Covers the roundings of an error's own computation in double: a few steps of 2^-53.
@@ -17,18 +18,18 @@ inline constexpr double error_floor = 0x1p-980;
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class Function>
-void for_each_lane(Function function) {
+[[gnu::always_inline]] inline void for_each_lane(Function function) {
   for (std::size_t k = 0; k < envelope_width; ++k) function(k);
 }
 
 /// The error after a rounding of relative error `unit`. It takes 2Q instead of Q, since `value` is
 /// itself rounded and may lie on the other side of x.
-inline double after_rounding(double value, double q, double unit) {
+[[gnu::always_inline]] inline double after_rounding(double value, double q, double unit) {
   return (q + unit * (std::fabs(value) + 2 * q)) * outward;
 }
 
-inline void sum(NodeEnvelope& y, const NodeEnvelope& a, const NodeEnvelope& b, double sign,
-                double unit) {
+[[gnu::always_inline]] inline void sum(NodeEnvelope& y, const NodeEnvelope& a,
+                                       const NodeEnvelope& b, double sign, double unit) {
   for_each_lane([&](std::size_t k) {
     const double value = a.value[k] + sign * b.value[k];
     y.value[k] = value;
@@ -36,7 +37,8 @@ inline void sum(NodeEnvelope& y, const NodeEnvelope& a, const NodeEnvelope& b, d
   });
 }
 
-inline void product(NodeEnvelope& y, const NodeEnvelope& a, const NodeEnvelope& b, double unit) {
+[[gnu::always_inline]] inline void product(NodeEnvelope& y, const NodeEnvelope& a,
+                                           const NodeEnvelope& b, double unit) {
   for_each_lane([&](std::size_t k) {
     const double av = std::fabs(a.value[k]), bv = std::fabs(b.value[k]);
     const double ae = a.error[k], be = b.error[k];
@@ -48,7 +50,7 @@ inline void product(NodeEnvelope& y, const NodeEnvelope& a, const NodeEnvelope& 
   });
 }
 
-inline void square(NodeEnvelope& y, const NodeEnvelope& a, double unit) {
+[[gnu::always_inline]] inline void square(NodeEnvelope& y, const NodeEnvelope& a, double unit) {
   for_each_lane([&](std::size_t k) {
     const double magnitude = std::fabs(a.value[k]), error_in = a.error[k];
     const double value = a.value[k] * a.value[k];
@@ -59,7 +61,8 @@ inline void square(NodeEnvelope& y, const NodeEnvelope& a, double unit) {
   });
 }
 
-inline void quotient(NodeEnvelope& y, const NodeEnvelope& a, const NodeEnvelope& b, double unit) {
+[[gnu::always_inline]] inline void quotient(NodeEnvelope& y, const NodeEnvelope& a,
+                                            const NodeEnvelope& b, double unit) {
   for_each_lane([&](std::size_t k) {
     const double least = (std::fabs(b.value[k]) - 1.5 * b.error[k]) * (1 - 0x1p-50);
     const double largest = std::fabs(a.value[k]) + a.error[k];
@@ -72,7 +75,7 @@ inline void quotient(NodeEnvelope& y, const NodeEnvelope& a, const NodeEnvelope&
   });
 }
 
-inline void root(NodeEnvelope& y, const NodeEnvelope& a, double unit) {
+[[gnu::always_inline]] inline void root(NodeEnvelope& y, const NodeEnvelope& a, double unit) {
   for_each_lane([&](std::size_t k) {
     const double x = a.value[k], error_in = a.error[k];
     const double value = std::sqrt(x);
@@ -84,7 +87,8 @@ inline void root(NodeEnvelope& y, const NodeEnvelope& a, double unit) {
   });
 }
 
-inline void selection(NodeEnvelope& y, const NodeEnvelope& a, const NodeEnvelope& b, bool larger) {
+[[gnu::always_inline]] inline void selection(NodeEnvelope& y, const NodeEnvelope& a,
+                                             const NodeEnvelope& b, bool larger) {
   for_each_lane([&](std::size_t k) {
     const double av = a.value[k], bv = b.value[k];
     const double ae = a.error[k], be = b.error[k];
@@ -94,19 +98,19 @@ inline void selection(NodeEnvelope& y, const NodeEnvelope& a, const NodeEnvelope
   });
 }
 
-inline void converted(NodeEnvelope& y, const NodeEnvelope& a, double unit) {
+[[gnu::always_inline]] inline void converted(NodeEnvelope& y, const NodeEnvelope& a, double unit) {
   for_each_lane([&](std::size_t k) {
     y.value[k] = a.value[k];
     y.error[k] = after_rounding(a.value[k], a.error[k], unit);
   });
 }
 
-inline void negated(NodeEnvelope& y, const NodeEnvelope& a) {
+[[gnu::always_inline]] inline void negated(NodeEnvelope& y, const NodeEnvelope& a) {
   for_each_lane([&](std::size_t k) { y.value[k] = -a.value[k]; });
   y.error = a.error;
 }
 
-inline void magnitude(NodeEnvelope& y, const NodeEnvelope& a) {
+[[gnu::always_inline]] inline void magnitude(NodeEnvelope& y, const NodeEnvelope& a) {
   for_each_lane([&](std::size_t k) { y.value[k] = std::fabs(a.value[k]); });
   y.error = a.error;
 }

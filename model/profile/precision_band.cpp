@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "model/common/vector_clones.hpp"
 #include "model/profile/envelope_kernels.hpp"
 
 namespace mixcmp::profile {
@@ -151,8 +152,8 @@ void PrecisionBand::classify(const Part& part, std::span<const double* const> co
   find_verdicts(part, block, findings);
 }
 
-void PrecisionBand::last_open(const Part& part, const EnvelopeBlock& block,
-                              const BlockFindings& findings) const {
+MIXCMP_VECTOR_CLONES void PrecisionBand::last_open(const Part& part, const EnvelopeBlock& block,
+                                                   const BlockFindings& findings) const {
   alignas(64) EnvelopeRow scaled, fixed, wild;
   const Gap gap = gap_of(part.envelope, block);
   // The exponent of the ratio is the number of precisions after anchor - 1 that are open: none
@@ -175,8 +176,8 @@ void PrecisionBand::last_open(const Part& part, const EnvelopeBlock& block,
   }
 }
 
-void PrecisionBand::find_verdicts(const Part& part, const EnvelopeBlock& block,
-                                  const BlockFindings& findings) const {
+MIXCMP_VECTOR_CLONES void PrecisionBand::find_verdicts(const Part& part, const EnvelopeBlock& block,
+                                                       const BlockFindings& findings) const {
   const Gap gap = gap_of(part.envelope, block);
   const double in_reference = std::ldexp(outward, part.envelope.anchor() - reference_precision_);
   for_each_lane([&](std::size_t k) {

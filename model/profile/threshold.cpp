@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "model/common/check.hpp"
+#include "model/common/vector_clones.hpp"
 #include "model/number/double.hpp"
 #include "model/number/exact.hpp"
 #include "model/profile/envelope_kernels.hpp"
@@ -244,8 +245,8 @@ Threshold::Kind Threshold::block(const Roots& of_scaled, const fixed::FixedLane&
   return block;
 }
 
-void Threshold::evaluate(const EnvelopeBlock& block, EnvelopeRow& scaled, EnvelopeRow& fixed,
-                         EnvelopeRow& wild) const {
+MIXCMP_VECTOR_CLONES void Threshold::evaluate(const EnvelopeBlock& block, EnvelopeRow& scaled,
+                                              EnvelopeRow& fixed, EnvelopeRow& wild) const {
   const NodeEnvelope& f = block.nodes[f_];
   const NodeEnvelope& g = block.nodes[g_];
   scaled.fill(0);
@@ -276,8 +277,9 @@ void Threshold::evaluate(const EnvelopeBlock& block, EnvelopeRow& scaled, Envelo
 }
 
 /// The difference of f and g as computed is off by their errors.
-void Threshold::evaluate_of_floats(const EnvelopeBlock& block, EnvelopeRow& scaled,
-                                   EnvelopeRow& fixed, EnvelopeRow& wild) const {
+MIXCMP_VECTOR_CLONES void Threshold::evaluate_of_floats(const EnvelopeBlock& block,
+                                                        EnvelopeRow& scaled, EnvelopeRow& fixed,
+                                                        EnvelopeRow& wild) const {
   const NodeEnvelope& f = block.nodes[f_];
   const NodeEnvelope& g = block.nodes[g_];
   if (const auto* distance = std::get_if<Distance>(&kind_)) {

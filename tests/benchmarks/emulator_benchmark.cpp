@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/common/vector_clones.hpp"
 #include "model/emulator/fixed_emulator.hpp"
 #include "model/error/certified_lane.hpp"
 #include "tests/support/sphere.hpp"
@@ -166,11 +167,7 @@ void by_reference(benchmark::State& state, std::int64_t target) {
 }
 
 /// How many pairs collide, as the compiler vectorises it.
-#if defined(__x86_64__) && defined(__GNUC__)
-__attribute__((target_clones("avx512f", "avx2", "default")))
-#endif
-std::int64_t
-collisions(const double* const* x) {
+MIXCMP_VECTOR_CLONES std::int64_t collisions(const double* const* x) {
   std::int64_t count = 0;
   for (std::size_t k = 0; k < pair_count; ++k) {
     const double dx = x[0][k] - x[1][k], dy = x[2][k] - x[3][k], dz = x[4][k] - x[5][k];
