@@ -176,8 +176,8 @@ Margin margin_of(const fixed::ConstantThresholds& thresholds, const FixedNode& d
   return {.constant = limit * unit * outward + magnitude(difference.error)};
 }
 
-/// `slope` / 2 bounds the errors of the roots of f and g, together; `apart` is a distance of the
-/// roots as computed from which the lane decides.
+/// The roots of f and g have errors of slope / 2 at most, together, and the lane decides where they
+/// are `apart` as computed. Proof: docs/profile.md, behind theorem 2.
 Margin margin_of(const fixed::NormThresholds& thresholds, const FixedNode& difference,
                  const std::vector<FixedNode>& nodes) {
   const double unit = difference.format.unit().get_d();

@@ -337,6 +337,66 @@ TEST(Rates, OfSeveralPartsAreTheGoldenModels) {
   }
 }
 
+/// A comparison that lanes in fixed point decide by norms, of inputs in [0, 4), and how far the
+/// roots of f and g are apart; that grows with the last input.
+struct Norms {
+  const char *f, *g;
+  double (*apart)(const std::vector<double>& x);
+};
+const Norms norms[] = {
+    {"a^2 + b^2", "c^2", [](const auto& x) { return x[2] - std::hypot(x[0], x[1]); }},
+    {"(a - 4)^2", "(b + c)^2", [](const auto& x) { return x[1] + x[2] - std::fabs(4 - x[0]); }},
+    {"a^2", "b^2 + c^2", [](const auto& x) { return std::hypot(x[1], x[2]) - x[0]; }},
+    {"a^2 + b^2", "c^2 + d^2",
+     [](const auto& x) { return std::hypot(x[2], x[3]) - std::hypot(x[0], x[1]); }},
+    {"(a - b)^2 + b^2", "c^2 + d^2",
+     [](const auto& x) { return std::hypot(x[2], x[3]) - std::hypot(x[0] - x[1], x[1]); }}};
+
+/// Operands whose last one is moved to a tie and then off it, by a distance of any magnitude.
+std::vector<double> near_tie(const Norms& norm, std::size_t inputs, std::mt19937_64& random) {
+  const auto fraction = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  std::vector<double> x(inputs);
+  const int scale = 2 - static_cast<int>(random() % 8);
+  for (double& operand : x) operand = std::ldexp(fraction(), scale);
+  double low = 0, high = 4;
+  for (int step = 0; step < 60; ++step) {
+    x.back() = (low + high) / 2;
+    (norm.apart(x) < 0 ? low : high) = x.back();
+  }
+  const double off = std::ldexp(fraction() - 0.5, 3 - static_cast<int>(random() % 8));
+  x.back() = std::clamp(x.back() + off, 0.0, 3.99);
+  return x;
+}
+
+/// Most comparisons are far from a tie: where many are open, all are run, and no count would tell
+/// which of them should have been.
+TEST(Rates, OfLanesThatDecideByNormsAreTheGoldenModels) {
+  std::mt19937_64 random(14);
+  const FloatFormat format = format_of(53, 8);
+  for (const Norms& norm : norms) {
+    Scene scene = scene_of(graph_of(norm.f, norm.g), format, nearest(format_of(8, 8)));
+    for (auto& range : scene.ranges) range = Range{0, 4};
+    std::vector<Bits> values;
+    for (int row = 0; row < 4000; ++row) {
+      std::vector<double> operands(scene.ranges.size(), 0.0);
+      operands.back() = 3.99;
+      if (row % 5 == 0) operands = near_tie(norm, scene.ranges.size(), random);
+      for (const double operand : operands) {
+        values.push_back(from_double(format, operand));
+      }
+    }
+    const Comparisons data = rows_of(scene.graph, format, values);
+    const RateProfile profile =
+        checked_profile(scene, data, LaneInputs::exact, options_of(4, 12), norm.g);
+    const auto has = [&](const char* name) {
+      return std::any_of(profile.schemes.begin(), profile.schemes.end(), [&](const auto& scheme) {
+        return scheme.name == name && scheme.counts.back().exists;
+      });
+    };
+    EXPECT_TRUE(has("fixed_norm")) << norm.g;
+  }
+}
+
 /// In block floating point the operands of one part set the unit of the others.
 TEST(Rates, OfPartsWithOperandsOfTheirOwnAreTheGoldenModels) {
   std::mt19937_64 random(12);
