@@ -23,11 +23,19 @@ Verdict verdict_of(Decision decision) {
 
 }  // namespace
 
+/// Comparisons that are emulated together, and room for what is computed of them.
+struct ExpectedWords::Batch {
+  explicit Batch(std::size_t inputs)
+      : operands(inputs, batch_size), undecided(inputs, batch_size), decisions(batch_size) {}
+
+  data::OperandBlock operands;
+  data::OperandBlock undecided;        ///< those of `operands` that the lane does not decide
+  std::vector<std::size_t> positions;  ///< in the batch, of each of `undecided`
+  std::vector<Decision> decisions;
+};
+
 ExpectedWords::ExpectedWords(const design::Design& design, const data::Comparisons& comparisons)
-    : source_(comparisons),
-      operands_(comparisons.input_count(), batch_size),
-      undecided_(comparisons.input_count(), batch_size),
-      decisions_(batch_size) {
+    : source_(comparisons) {
   for (const design::LaneGroup& group : design.lanes) {
     std::visit(design::Cases{[&](const error::Lane& lane) {
                                lanes_.emplace_back(std::in_place_type<emulator::Emulator>, lane);
@@ -41,39 +49,46 @@ ExpectedWords::ExpectedWords(const design::Design& design, const data::Compariso
   if (!design.references.empty()) reference_.emplace(design.reference);
 }
 
-void ExpectedWords::find(std::size_t group, std::span<const std::uint64_t> indices,
-                         std::span<ResultWord> words) {
+bool ExpectedWords::emulates(std::size_t group) const {
+  const auto* fixed_point = std::get_if<emulator::FixedEmulator>(&lanes_[group]);
+  return fixed_point == nullptr || fixed_point->is_exact_in_double();
+}
+
+std::vector<ResultWord> ExpectedWords::find(std::size_t group,
+                                            std::span<const std::uint64_t> indices) const {
+  std::vector<ResultWord> words(indices.size(), ResultWord::undecided());
+  Batch batch(source_.data().input_count());
   for (std::size_t first = 0; first < indices.size(); first += batch_size) {
     const std::size_t count = std::min(batch_size, indices.size() - first);
-    find_batch(lanes_[group], indices.subspan(first, count), words.subspan(first, count));
+    source_.fetch(indices.subspan(first, count), batch.operands);
+    find_batch(lanes_[group], batch, std::span(words).subspan(first, count));
   }
+  return words;
 }
 
-void ExpectedWords::find_batch(const LaneEmulator& lane, std::span<const std::uint64_t> indices,
-                               std::span<ResultWord> words) {
-  source_.fetch(indices, operands_);
+void ExpectedWords::find_batch(const LaneEmulator& lane, Batch& batch,
+                               std::span<ResultWord> words) const {
   const auto decide = [&](const auto& emulator) {
-    emulator.decide(operands_.columns(), indices.size(), decisions_);
+    emulator.decide(batch.operands.columns(), words.size(), batch.decisions);
   };
   std::visit(decide, lane);
-  undecided_.resize(0);
-  positions_.clear();
-  for (std::size_t k = 0; k < indices.size(); ++k) {
-    if (decisions_[k] != Decision::undecided) {
-      words[k] = ResultWord::decided(verdict_of(decisions_[k]));
+  batch.undecided.resize(0);
+  batch.positions.clear();
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (batch.decisions[k] != Decision::undecided) {
+      words[k] = ResultWord::decided(verdict_of(batch.decisions[k]));
       continue;
     }
-    words[k] = ResultWord::undecided();
-    undecided_.append(operands_, k);
-    positions_.push_back(k);
+    batch.undecided.append(batch.operands, k);
+    batch.positions.push_back(k);
   }
-  if (reference_ && !positions_.empty()) recompute(words);
+  if (reference_ && !batch.positions.empty()) recompute(batch, words);
 }
 
-void ExpectedWords::recompute(std::span<ResultWord> words) {
-  reference_->decide(undecided_.columns(), positions_.size(), decisions_);
-  for (std::size_t k = 0; k < positions_.size(); ++k) {
-    words[positions_[k]] = ResultWord::recomputed(verdict_of(decisions_[k]));
+void ExpectedWords::recompute(Batch& batch, std::span<ResultWord> words) const {
+  reference_->decide(batch.undecided.columns(), batch.positions.size(), batch.decisions);
+  for (std::size_t k = 0; k < batch.positions.size(); ++k) {
+    words[batch.positions[k]] = ResultWord::recomputed(verdict_of(batch.decisions[k]));
   }
 }
 

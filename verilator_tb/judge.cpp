@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "model/number/double.hpp"
 #include "model/number/verdict.hpp"
 #include "verilator_tb/judgement.hpp"
 
@@ -13,18 +12,16 @@ namespace mixcmp::verilator_tb {
 
 Judge::Judge(const emit::Signature& signature, const design::Design& design,
              const data::Comparisons& comparisons, const Selection& selection,
-             const VerifyOptions& options)
+             const VerifyOptions& options, const ExpectedWords* emulator)
     : signature_(signature),
       design_(design),
       comparisons_(comparisons),
       selection_(selection),
       options_(options),
+      emulator_(emulator),
       operands_(comparisons.input_count()),
       report_(empty_report(signature, design, options)) {
   report_.requested = selection.size();
-  if (options.judge == JudgeKind::emulator && fits_double(comparisons.format())) {
-    emulator_.emplace(design, comparisons);
-  }
   for (std::size_t k = 0; k < design.lanes.size(); ++k) {
     group_of_lane_.insert(group_of_lane_.end(), static_cast<std::size_t>(design.lanes[k].count), k);
   }
@@ -68,22 +65,21 @@ void Judge::judge(const std::vector<harness::wire::Result>& results) {
   if (options_.truth) {
     for (const harness::wire::Result& result : results) check_truth(result);
   }
-  std::vector<ResultWord> emulated;
-  if (emulator_) emulated = emulate(results);
+  const std::vector<std::optional<ResultWord>> emulated = emulate(results);
   for (std::size_t k = 0; k < results.size(); ++k) {
-    const ResultWord must =
-        expected(results[k], emulator_ ? std::optional(emulated[k]) : std::nullopt);
-    if (ResultWord(results[k].tdata) != must) add_mismatch(results[k], must);
+    const ResultWord word = expected(results[k], emulated[k]);
+    if (ResultWord(results[k].tdata) != word) add_mismatch(results[k], word);
   }
 }
 
 /// The emulator's words, lanes of one kind after the other.
-std::vector<ResultWord> Judge::emulate(const std::vector<harness::wire::Result>& results) {
-  std::vector<ResultWord> all(results.size(), ResultWord::undecided());
-  std::vector<ResultWord> words;
+std::vector<std::optional<ResultWord>> Judge::emulate(
+    const std::vector<harness::wire::Result>& results) const {
+  std::vector<std::optional<ResultWord>> words(results.size());
   std::vector<std::size_t> of_group;
   std::vector<std::uint64_t> indices;
-  for (std::size_t group = 0; group < report_.groups.size(); ++group) {
+  for (std::size_t group = 0; emulator_ != nullptr && group < report_.groups.size(); ++group) {
+    if (!emulator_->emulates(group)) continue;
     of_group.clear();
     indices.clear();
     for (std::size_t k = 0; k < results.size(); ++k) {
@@ -91,17 +87,19 @@ std::vector<ResultWord> Judge::emulate(const std::vector<harness::wire::Result>&
       of_group.push_back(k);
       indices.push_back(selection_.index(results[k].position));
     }
-    words.assign(indices.size(), ResultWord::undecided());
-    emulator_->find(group, indices, words);
-    for (std::size_t k = 0; k < words.size(); ++k) all[of_group[k]] = words[k];
+    const std::vector<ResultWord> found = emulator_->find(group, indices);
+    for (std::size_t k = 0; k < found.size(); ++k) words[of_group[k]] = found[k];
   }
-  return all;
+  return words;
 }
 
+/// One comparison in 64 by a hash, so that no kind of lane and no item is left out; and all of a
+/// short run.
 bool Judge::needs_golden_model(const harness::wire::Result& result, ResultWord emulated) const {
-  constexpr std::uint64_t one_in = 64;
-  return result.position % one_in == 0 || !emulated.is_decided_by_lane() ||
-         ResultWord(result.tdata) != emulated;
+  constexpr std::uint64_t one_in = 64, hash_seed = 1;
+  const bool sampled = counter_random(hash_seed, selection_.index(result.position)) % one_in == 0 ||
+                       selection_.size() <= one_in;
+  return sampled || !emulated.is_decided_by_lane() || ResultWord(result.tdata) != emulated;
 }
 
 ResultWord Judge::expected(const harness::wire::Result& result,
@@ -112,8 +110,17 @@ ResultWord Judge::expected(const harness::wire::Result& result,
   }
   fetch(result);
   const ResultWord golden = expected_word(design_, group_of_lane_[result.lane], operands_);
-  if (emulated && *emulated != golden) ++report_.emulator_errors;
+  if (emulated && *emulated != golden) add_emulator_error(result, golden, *emulated);
   return golden;
+}
+
+void Judge::add_emulator_error(const harness::wire::Result& result, ResultWord golden,
+                               ResultWord emulated) {
+  ++report_.emulator_errors;
+  if (report_.mismatches.size() >= VerifyReport::kept) return;
+  Mismatch mismatch = mismatch_of(result, golden);
+  mismatch.got = "by the emulator, not the hardware: " + describe(emulated);
+  report_.mismatches.push_back(std::move(mismatch));
 }
 
 void Judge::fetch(const harness::wire::Result& result) {

@@ -8,21 +8,20 @@
 
 namespace mixcmp::verilator_tb {
 
-/// Compares results with the golden model or with the emulator, as `options.judge` says, in
-/// whatever order and from whichever simulator they come. The emulator's words are held against the
-/// golden model for every 64th comparison, for all that a lane left undecided or must leave so, and
-/// for all mismatches. It remembers only the comparisons from the oldest missing result to the
-/// newest announced.
+/// Compares results with what lanes must answer, in whatever order and from whichever simulator
+/// they come. `emulator` says that where there is one and it computes the lane itself. The golden
+/// model says it elsewhere; also for one comparison in 64, for all that the lane must leave
+/// undecided, and for all mismatches. The judge remembers only the comparisons from the oldest
+/// missing result to the newest announced.
 class Judge {
 public:
   Judge(const emit::Signature& signature, const design::Design& design,
         const data::Comparisons& comparisons, const Selection& selection,
-        const VerifyOptions& options);
+        const VerifyOptions& options, const ExpectedWords* emulator);
 
   /// Announces that the next `count` positions are on their way.
   void announce(std::uint64_t count);
-  /// Judges an answer, whose positions must have been announced. The golden model of each result's
-  /// lane says what it must be.
+  /// Judges an answer, whose positions must have been announced.
   void take(const Answer& answer);
 
   VerifyReport& report() { return report_; }
@@ -40,9 +39,12 @@ private:
   GroupReport& group_of(std::uint32_t lane) { return report_.groups[group_of_lane_[lane]]; }
   void take_result(const harness::wire::Result& result);
   void judge(const std::vector<harness::wire::Result>& results);
-  std::vector<ResultWord> emulate(const std::vector<harness::wire::Result>& results);
+  std::vector<std::optional<ResultWord>> emulate(
+      const std::vector<harness::wire::Result>& results) const;
   bool needs_golden_model(const harness::wire::Result& result, ResultWord emulated) const;
   ResultWord expected(const harness::wire::Result& result, std::optional<ResultWord> emulated);
+  void add_emulator_error(const harness::wire::Result& result, ResultWord golden,
+                          ResultWord emulated);
   void fetch(const harness::wire::Result& result);
   void check_truth(const harness::wire::Result& result);
   void add_mismatch(const harness::wire::Result& result, ResultWord expected);
@@ -60,8 +62,8 @@ private:
   const Selection& selection_;
   const VerifyOptions& options_;
   std::vector<std::size_t> group_of_lane_;
-  std::optional<ExpectedWords> emulator_;  ///< none where the golden model judges alone
-  std::vector<Bits> operands_;             ///< of one comparison
+  const ExpectedWords* emulator_;  ///< may be null
+  std::vector<Bits> operands_;     ///< of one comparison
   std::deque<Fate> window_;
   std::uint64_t window_start_ = 0;  ///< position of window_.front()
   std::optional<harness::wire::Result> first_undecided_;

@@ -29,11 +29,16 @@ std::string latency_line(const char* name, const Latency& latency) {
                                 latency.maximum_cycles, latency.mean_cycles()));
 }
 
+/// " of simulation 3"; nothing of the first, which is often the only one.
+std::string of_simulation(std::uint64_t simulation) {
+  return simulation == 0 ? "" : fmt::format(" of simulation {}", simulation);
+}
+
 std::string to_text(const Mismatch& m) {
   std::string text = fmt::format("  comparison {}", m.index);
   if (!m.items.empty()) text += fmt::format(" ({})", m.items);
-  text +=
-      fmt::format(": expected {}; got {}; lane {}, cycle {}\n", m.expected, m.got, m.lane, m.cycle);
+  text += fmt::format(": expected {}; got {}; lane {}, cycle {}{}\n", m.expected, m.got, m.lane,
+                      m.cycle, of_simulation(m.simulation));
   for (const Mismatch::Operand& operand : m.operands) {
     text += fmt::format("    {} = 0x{} = {}\n", operand.input, operand.hex, operand.value);
   }
@@ -120,16 +125,23 @@ std::string arg_min_lines(const VerifyReport& r) {
   return text + line("stalled cycles", std::to_string(engine.stalled_cycles));
 }
 
+/// Adds the findings of a simulation to the first ones that are kept.
 template <class Finding>
-void append_up_to(std::size_t most, std::vector<Finding>& all, const std::vector<Finding>& more) {
-  const std::size_t count = std::min(more.size(), most - std::min(most, all.size()));
-  all.insert(all.end(), more.begin(), more.begin() + static_cast<std::ptrdiff_t>(count));
+void add_findings(std::vector<Finding>& all, const std::vector<Finding>& more,
+                  std::uint64_t simulation) {
+  for (const Finding& finding : more) {
+    if (all.size() >= VerifyReport::kept) return;
+    all.push_back(finding);
+    all.back().simulation = simulation;
+  }
 }
 
 std::string judge_lines(const VerifyReport& r) {
-  if (r.judged_by_emulator == 0) return line("judged by", "the golden model (MPFR, GMP)");
-  std::string text = line("judged by", fmt::format("the emulator; the golden model for {} of them",
-                                                   r.comparisons - r.judged_by_emulator));
+  std::string text =
+      line("judged by", r.judged_by_emulator == 0
+                            ? "the golden model (MPFR, GMP)"
+                            : fmt::format("the emulator; the golden model for {} of them",
+                                          r.comparisons - r.judged_by_emulator));
   if (r.emulator_errors > 0) text += line("emulator's errors", std::to_string(r.emulator_errors));
   return text;
 }
@@ -215,8 +227,10 @@ Json to_json(const Mismatch& m) {
   for (const Mismatch::Operand& operand : m.operands) {
     operands.push_back({{"input", operand.input}, {"hex", operand.hex}, {"value", operand.value}});
   }
-  return {{"index", m.index}, {"items", m.items}, {"operands", operands}, {"expected", m.expected},
-          {"got", m.got},     {"lane", m.lane},   {"cycle", m.cycle},     {"repeat", m.repeat}};
+  return {
+      {"index", m.index},  {"items", m.items}, {"operands", operands}, {"expected", m.expected},
+      {"got", m.got},      {"lane", m.lane},   {"cycle", m.cycle},     {"simulation", m.simulation},
+      {"repeat", m.repeat}};
 }
 
 Json to_json(const Latency& latency) {
@@ -317,7 +331,7 @@ void GroupReport::add(const GroupReport& other) {
   latencies.add(other.latencies);
 }
 
-void VerifyReport::add(const VerifyReport& share) {
+void VerifyReport::add(const VerifyReport& share, std::uint64_t simulation) {
   requested += share.requested;
   comparisons += share.comparisons;
   for (std::size_t k = 0; k < verdicts.size(); ++k) verdicts[k] += share.verdicts[k];
@@ -337,9 +351,9 @@ void VerifyReport::add(const VerifyReport& share) {
   judged_by_emulator += share.judged_by_emulator;
   emulator_errors += share.emulator_errors;
   mismatch_count += share.mismatch_count;
-  append_up_to(kept, mismatches, share.mismatches);
+  add_findings(mismatches, share.mismatches, simulation);
   violation_count += share.violation_count;
-  append_up_to(kept, violations, share.violations);
+  add_findings(violations, share.violations, simulation);
   if (truth) truth->add(*share.truth);
 }
 
@@ -392,9 +406,9 @@ std::string to_text(const VerifyReport& r) {
   for (const Mismatch& mismatch : r.mismatches) text += to_text(mismatch);
   text += line("protocol violations", std::to_string(r.violation_count));
   for (const ProtocolViolation& violation : r.violations) {
-    text +=
-        fmt::format("  cycle {}, lane {}: {}{}\n", violation.cycle, violation.lane, violation.fault,
-                    violation.details.empty() ? "" : " (" + violation.details + ")");
+    text += fmt::format("  cycle {}{}, lane {}: {}{}\n", violation.cycle,
+                        of_simulation(violation.simulation), violation.lane, violation.fault,
+                        violation.details.empty() ? "" : " (" + violation.details + ")");
   }
   for (const std::string& note : notes_on(r)) text += line("note", note);
   return text;
@@ -436,6 +450,7 @@ Json to_json(const VerifyReport& r) {
     json["violations"].push_back({{"fault", violation.fault},
                                   {"lane", violation.lane},
                                   {"cycle", violation.cycle},
+                                  {"simulation", violation.simulation},
                                   {"details", violation.details}});
   }
   if (r.truth) json["truth"] = to_json(*r.truth);

@@ -26,16 +26,18 @@ struct Mismatch {
   std::string expected;  ///< "less, decided by the lane"
   std::string got;
   std::uint32_t lane = 0;
-  std::uint64_t cycle = 0;  ///< in which the result left
-  std::string repeat;       ///< the command that repeats this comparison alone
+  std::uint64_t cycle = 0;       ///< of its simulation, in which the result left
+  std::uint64_t simulation = 0;  ///< its number in the run
+  std::string repeat;            ///< the command that repeats this comparison alone
 };
 
 /// One violation of the streams' contract by the system.
 struct ProtocolViolation {
   std::string fault;
   std::uint32_t lane = 0;
-  std::uint64_t cycle = 0;
+  std::uint64_t cycle = 0;  ///< of its simulation
   std::string details;
+  std::uint64_t simulation = 0;
 };
 
 /// Cycles from a comparison's acceptance to its result's departure.
@@ -59,7 +61,8 @@ struct Latencies {
   void add(const Latencies& other);
 };
 
-/// One of the hardware's counters, summed over the lanes, since the last reset.
+/// One of the hardware's counters, summed over the lanes, since the last reset; and over
+/// simulations.
 struct CounterTotal {
   std::string name;
   std::uint64_t counted = 0;
@@ -147,8 +150,8 @@ struct VerifyReport {
   std::uint64_t cycles = 0;
   Latencies latencies;
   std::vector<CounterTotal> counters;
-  std::uint64_t judged_by_emulator = 0;  ///< results that the golden model did not judge, too
-  std::uint64_t emulator_errors = 0;     ///< comparisons of which it said what the emulator did not
+  std::uint64_t judged_by_emulator = 0;  ///< results judged by the emulator alone
+  std::uint64_t emulator_errors = 0;     ///< comparisons on which it and the golden model differ
   std::uint64_t mismatch_count = 0;
   std::vector<Mismatch> mismatches;  ///< the first ones
   std::uint64_t violation_count = 0;
@@ -159,8 +162,8 @@ struct VerifyReport {
   double build_seconds = 0;
   double run_seconds = 0;
 
-  /// Adds the findings of the next share of the run, of the same system.
-  void add(const VerifyReport& share);
+  /// Adds the findings of simulation number `simulation` of the same system.
+  void add(const VerifyReport& share, std::uint64_t simulation);
 
   /// Tells whether every requested comparison came back once, with the golden model's result and
   /// without a protocol violation, and no error of the emulator was found; and, if the truth was

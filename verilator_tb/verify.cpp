@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -11,6 +12,7 @@
 
 #include "generator/emit/system.hpp"
 #include "model/design/engine_data.hpp"
+#include "model/number/double.hpp"
 #include "verilator_tb/arg_min_verify.hpp"
 #include "verilator_tb/engine_verify.hpp"
 #include "verilator_tb/icarus.hpp"
@@ -37,6 +39,7 @@ struct Run {
   const data::Comparisons& comparisons;
   const Selection& selection;
   const VerifyOptions& options;
+  const ExpectedWords* emulator;  ///< null where the golden model judges alone
 };
 
 /// One simulation, from reset to the end: `number` counts them in a run.
@@ -53,10 +56,13 @@ struct ShareOutcome {
   std::vector<VerifiedResult> results;  ///< where somebody asks for them
 };
 
-/// Tells how far all shares are; they call it from threads of their own.
+/// Adds up the progress of all shares, and tells them when to stop. Thread-safe.
 class Tally {
 public:
   explicit Tally(const Run& run) : run_(run) {}
+
+  void stop() { stopped_ = true; }
+  bool stopped() const { return stopped_; }
 
   void add(std::uint64_t comparisons, std::uint64_t mismatches) {
     const std::lock_guard held(mutex_);
@@ -71,7 +77,9 @@ public:
 private:
   const Run& run_;
   std::mutex mutex_;
-  std::uint64_t done_ = 0, mismatches_ = 0;
+  std::uint64_t done_ = 0;
+  std::uint64_t mismatches_ = 0;
+  std::atomic<bool> stopped_ = false;
 };
 
 Result<Done> check_selection(const data::Comparisons& comparisons,
@@ -98,6 +106,7 @@ std::vector<std::uint64_t> reset_positions(const Run& run) {
 std::vector<Share> shares_of(const Run& run) {
   const std::vector<std::uint64_t> resets = reset_positions(run);
   const std::uint64_t size = run.options.share_size;
+  MIXCMP_CHECK(size > 0);
   std::vector<Share> shares;
   for (std::uint64_t first = 0; first < run.selection.size(); first += size) {
     const std::uint64_t count = std::min(size, run.selection.size() - first);
@@ -130,7 +139,9 @@ VerifyOptions options_of(const Run& run, const Share& share, ShareOutcome& outco
       outcome.results.push_back(result);
     };
   }
-  options.traffic_seed += share.number;
+  if (share.number > 0) {
+    options.traffic_seed = counter_random(run.options.traffic_seed, share.number);
+  }
   if (share.number > 0) options.wave_file = nullptr;
   return options;
 }
@@ -139,7 +150,8 @@ Result<ShareOutcome> run_share(const Run& run, const Share& share, const Executa
                                Tally& tally) {
   ShareOutcome outcome;
   const VerifyOptions options = options_of(run, share, outcome);
-  Judge judge(run.system.signature, run.design, run.comparisons, share.selection, options);
+  Judge judge(run.system.signature, run.design, run.comparisons, share.selection, options,
+              run.emulator);
   MIXCMP_TRY(simulation, SystemSimulation::start(executable, simulation_options(options)));
   Answer answer;  // to the previous block
   std::uint64_t told = 0;
@@ -151,6 +163,7 @@ Result<ShareOutcome> run_share(const Run& run, const Share& share, const Executa
     judge.take(answer);
     judge.announce(block.comparisons);
     MIXCMP_TRY(next, exchange.get());
+    if (tally.stopped()) return outcome;  // which nobody reads
     answer = std::move(next);
     first += block.comparisons;
     tally.add(block.comparisons, judge.report().mismatch_count - told);
@@ -162,6 +175,12 @@ Result<ShareOutcome> run_share(const Run& run, const Share& share, const Executa
   outcome.first_undecided = judge.first_undecided();
   return outcome;
 }
+
+/// Tells the shares to stop when it goes out of scope, also by an error or an exception.
+struct StopAtEnd {
+  Tally& tally;
+  ~StopAtEnd() { tally.stop(); }
+};
 
 /// Runs the shares, options.jobs at a time, and adds their findings in order, up to and with the
 /// first that a fault of the hardware ended early.
@@ -178,10 +197,12 @@ Result<ShareOutcome> run_verilator(const Run& run) {
   all.report.build_seconds = executable.build_seconds;
   const std::vector<Share> shares = shares_of(run);
   Tally tally(run);
+  MIXCMP_CHECK(run.options.jobs > 0);
+  const auto jobs = static_cast<std::size_t>(run.options.jobs);
   std::deque<std::future<Result<ShareOutcome>>> running;
+  const StopAtEnd stop_at_end{tally};  // before `running` waits for those that still run
   for (std::size_t next = 0, taken = 0; taken < shares.size(); ++taken) {
-    for (; next < shares.size() && next < taken + static_cast<std::size_t>(run.options.jobs);
-         ++next) {
+    for (; next < shares.size() && next < taken + jobs; ++next) {
       running.push_back(std::async(std::launch::async, [&, number = next] {
         return run_share(run, shares[number], executable, tally);
       }));
@@ -189,8 +210,8 @@ Result<ShareOutcome> run_verilator(const Run& run) {
     MIXCMP_TRY(outcome, running.front().get());
     running.pop_front();
     for (const VerifiedResult& result : outcome.results) run.options.on_result(result);
-    all.report.add(outcome.report);
-    if (!all.first_undecided) all.first_undecided = outcome.first_undecided;
+    all.report.add(outcome.report, taken);
+    if (taken == 0) all.first_undecided = outcome.first_undecided;  // which the waves show
     if (outcome.report.comparisons < outcome.report.requested) break;
   }
   all.report.requested = run.selection.size();
@@ -207,7 +228,8 @@ Result<ShareOutcome> run_icarus(const Run& run) {
   MIXCMP_TRY(answer, simulate_in_icarus(run.system, block, run.options.work_dir,
                                         simulation_options(run.options), run.options.progress,
                                         run.options.waiting));
-  Judge judge(run.system.signature, run.design, run.comparisons, run.selection, run.options);
+  Judge judge(run.system.signature, run.design, run.comparisons, run.selection, run.options,
+              run.emulator);
   judge.announce(block.comparisons);
   judge.take(answer);
   Tally(run).add(block.comparisons, judge.report().mismatch_count);
@@ -233,7 +255,11 @@ Result<VerifyReport> run_system(const System& system, const design::Design& desi
     case scene::EngineKind::arg_min: return verify_arg_min(system, design, comparisons, options);
   }
   const Selection selection(comparisons.size(), options.selection);
-  const Run run{system, design, comparisons, selection, options};
+  std::optional<ExpectedWords> emulator;
+  if (options.judge == JudgeKind::emulator && fits_double(comparisons.format())) {
+    emulator.emplace(design, comparisons);
+  }
+  const Run run{system, design, comparisons, selection, options, emulator ? &*emulator : nullptr};
   const auto start = Clock::now();
   const bool icarus = options.simulator == SimulatorKind::icarus;
   MIXCMP_TRY(outcome, icarus ? run_icarus(run) : run_verilator(run));

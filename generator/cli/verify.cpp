@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -91,9 +92,13 @@ void add_options(const Verb& verb, VerifyCommand& command) {
        {"stressed", verilator_tb::TrafficKind::stressed}},
       "full_rate, or stressed: random gaps and backpressure (default: full_rate)");
   verb.option("--jobs", command.jobs,
-              "simulators side by side, for runs of more than a million comparisons (default: one "
-              "a processor)")
+              "simulators side by side, where Verilator runs more than a share (default: one a "
+              "processor)")
       .check(whole(1, 1024));
+  verb.option("--share", command.run.share_size,
+              "comparisons that Verilator simulates from one reset to the end; more are several "
+              "simulations (default: 1048576)")
+      .check(whole(1));
   verb.option("--resets", command.run.resets, "resets in mid-stream, 0..1000000 (default: 0)")
       .check(whole(0, 1'000'000));
   verb.option("--trace", command.run.waves,
@@ -232,7 +237,7 @@ void run(const VerifyCommand& command) {
 void add_verify(CLI::App& app) {
   const Verb verb(
       app, "verify",
-      "generate, simulate on the scene's data, hold every verdict against the golden model");
+      "generate, simulate on the scene's data, hold every verdict against the model of its lane");
   auto command = std::make_shared<VerifyCommand>();
   add_options(verb, *command);
   verb.when_chosen([command] { run(*command); });

@@ -9,8 +9,9 @@
 
 namespace mixcmp::emulator {
 
-/// A lane in fixed point, compiled to instructions on columns of doubles. Column k holds node k of
-/// the lane; those of operands as they arrive and of intermediate results follow.
+/// A lane in fixed point, compiled to instructions on columns of doubles. Column k is that of node
+/// k, filled only where something reads it; those of operands as they arrive and of intermediate
+/// results follow.
 struct FixedCode {
   std::vector<FixedInput> inputs;
   /// The least e of theorem 6 (docs/fixed_point.md); none but in block floating point.

@@ -3,8 +3,8 @@
 // Operands are in two's complement; where POSITIVE_A (POSITIVE_B) is 1, the sign bit of one is 0.
 // The result is as many low bits as its range needs, WIDTH.
 //
-// An embedded multiplier takes factors of FACTOR_A and FACTOR_B bits and their signs, and has
-// registers for the cuts. A bit or two of b beyond FACTOR_B are rows of gates, which the adder
+// An embedded multiplier takes factors of FACTOR_A and FACTOR_B bits and, on most devices, their
+// signs, and has registers for the cuts. A bit or two of b beyond FACTOR_B are rows of gates, which the adder
 // behind the multiplier takes; what is wider is left to synthesis.
 `default_nettype none
 

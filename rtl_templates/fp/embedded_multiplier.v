@@ -26,9 +26,19 @@ module embedded_multiplier #(
     end
   endgenerate
 
-  wire [A_WIDTH:0]           a_extended = {(SIGNED_A != 0) && a[A_WIDTH-1], a};
-  wire [B_WIDTH:0]           b_extended = {(SIGNED_B != 0) && b[B_WIDTH-1], b};
-  wire [A_WIDTH+B_WIDTH-1:0] whole      = $signed(a_extended) * $signed(b_extended);
+  wire [A_WIDTH+B_WIDTH-1:0] whole;
+
+  generate
+    // Not as numbers with signs: of as many bits, these would overflow.
+    if ((SIGNED_A == 0) && (SIGNED_B == 0)) begin : g_unsigned
+      assign whole = a * b;
+    end else begin : g_signed
+      wire [A_WIDTH:0] a_extended = {(SIGNED_A != 0) && a[A_WIDTH-1], a};
+      wire [B_WIDTH:0] b_extended = {(SIGNED_B != 0) && b[B_WIDTH-1], b};
+
+      assign whole = $signed(a_extended) * $signed(b_extended);
+    end
+  endgenerate
 
   fp_ranks #(
     .WIDTH(A_WIDTH + B_WIDTH),

@@ -189,6 +189,24 @@ TEST(Report, SaysWhoJudged) {
   EXPECT_TRUE(contains(to_text(report), "judged by              the golden model (MPFR, GMP)\n"));
 }
 
+TEST(Report, AddsSimulationsAndSaysWhichOneFoundSomething) {
+  verilator_tb::VerifyReport sum = usual_report();
+  verilator_tb::VerifyReport share = usual_report();
+  share.mismatches.resize(verilator_tb::VerifyReport::kept - 1, {.cycle = 7});
+  share.violations.push_back({"comparison lost", 1, 8, ""});
+  share.groups.front().latencies.decided = {.count = 2, .minimum_cycles = 3, .maximum_cycles = 900};
+  sum.add(share, 4);
+  sum.add(share, 5);
+  EXPECT_EQ(sum.comparisons, 300u);
+  EXPECT_EQ(sum.requested, 300u);
+  EXPECT_EQ(sum.groups.front().comparisons, 300u);
+  EXPECT_EQ(sum.groups.front().latencies.decided.maximum_cycles, 900u);
+  ASSERT_EQ(sum.mismatches.size(), verilator_tb::VerifyReport::kept);
+  EXPECT_EQ(sum.mismatches.front().simulation, 4u);
+  EXPECT_EQ(sum.mismatches.back().simulation, 5u);
+  EXPECT_TRUE(contains(to_text(sum), "cycle 8 of simulation 5, lane 1: comparison lost"));
+}
+
 TEST(Report, FailsWhereTheEmulatorErred) {
   verilator_tb::VerifyReport report = usual_report();
   ASSERT_TRUE(report.passed());

@@ -54,7 +54,7 @@ TEST(OperandSource, FetchesWhatTheDataSays) {
       for (std::size_t k = 0; k < count; ++k) indices.push_back(first + k);
       expect_operands(*data, block, indices);
     }
-    source.fetch({22, 0, 7, 7}, block);
+    source.fetch(std::vector<std::uint64_t>{22, 0, 7, 7}, block);
     expect_operands(*data, block, {22, 0, 7, 7});
   }
   OperandBlock block(pairs.input_count(), 256);
