@@ -49,7 +49,7 @@ struct Share {
   std::vector<std::uint64_t> resets;  ///< positions in the selection
 };
 
-/// What a share came to.
+/// The findings of one simulation.
 struct ShareOutcome {
   VerifyReport report;
   std::optional<harness::wire::Result> first_undecided;

@@ -85,7 +85,7 @@ void add_options(const Verb& verb, VerifyCommand& command) {
       {{"emulator", verilator_tb::JudgeKind::emulator},
        {"mpfr", verilator_tb::JudgeKind::golden_model}},
       "who says what verdicts must be: the emulator, which is checked by MPFR in samples and where "
-      "it matters; or mpfr for every comparison (default: emulator)");
+      "it matters; or mpfr for every comparison, as always with an engine (default: emulator)");
   add_choice<verilator_tb::TrafficKind>(
       verb, "--traffic", command.run.traffic,
       {{"full_rate", verilator_tb::TrafficKind::full_rate},
@@ -97,7 +97,7 @@ void add_options(const Verb& verb, VerifyCommand& command) {
       .check(whole(1, 1024));
   verb.option("--share", command.run.share_size,
               "comparisons that Verilator simulates from one reset to the end; more are several "
-              "simulations (default: 1048576)")
+              "simulations; not of Icarus or an engine (default: 1048576)")
       .check(whole(1));
   verb.option("--resets", command.run.resets, "resets in mid-stream, 0..1000000 (default: 0)")
       .check(whole(0, 1'000'000));

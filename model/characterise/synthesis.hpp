@@ -13,8 +13,8 @@ namespace mixcmp::characterise {
 struct SourceText {
   std::string name;  ///< "fp_add.v", no folders
   std::string text;
-  /// Of a family whose devices take this text in place of the one of the same module; empty: the
-  /// text is for all devices.
+  /// A family of devices, such as "ecp5", that takes this text in place of the text of the same
+  /// module without one; empty: the text is for all devices.
   std::string cells = {};
 };
 

@@ -170,7 +170,7 @@ private:
     MIXCMP_CHECK(false);
   }
 
-  /// What a reader of the node reads.
+  /// The terms that take the place of a node where it is read, or the node's own column.
   Expansion read(NodeId id) const {
     const Expansion& expansion = expansions_[id];
     const bool replaces = node(id).dropped_bits == 0 && (reads_[id] == 1 || expansion.is_cheap());

@@ -44,7 +44,7 @@ private:
     std::vector<BoundEnvelope> bounds;  ///< one per structure of bound graphs
     double factor;
   };
-  /// Of a lane in fixed point.
+  /// The threshold of a lane in fixed point: a constant and a multiple of the roots of f and g.
   struct Roots {
     double constant, per_root;  ///< the latter per sqrt(|f|) + sqrt(|g|)
     double error_of_double;     ///< double's error as a multiple of the error at precision A

@@ -137,7 +137,8 @@ TEST_P(Faults, AreCaughtAndNamed) {
   EXPECT_EQ(report.violations[0].lane, 0u);
 }
 
-/// What the emulator's judgement leaves to the golden model, and that both find the same.
+/// The emulator judges all but a sample, the recomputed and the mismatches; and whoever judges,
+/// everything else in the report is the same.
 TEST_P(FakeSystems, BothJudgesFindTheSame) {
   for (const int fault : {0, 6, 11}) {
     nlohmann::ordered_json reports[2];
