@@ -1,16 +1,18 @@
 #include "verilator_tb/build.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
-#include <initializer_list>
-#include <set>
+#include <thread>
 
 #include "embedded/harness_files.hpp"
 #include "model/common/content_hash.hpp"
 #include "model/common/file.hpp"
-#include "model/common/folder_lock.hpp"
 #include "model/common/output_file.hpp"
+#include "verilator_tb/bench.hpp"
+#include "verilator_tb/clocked_block.hpp"
 
 namespace mixcmp::verilator_tb {
 
@@ -18,143 +20,134 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Up to two lanes build as fast in one piece; with more, each kind of channel is verilated once.
-bool is_hierarchical(const System& system) {
-  return system.signature.lanes > 2;
-}
-
-/// Prints system_ports.hpp: the constants and ports of one top, for its harness.
-class PortsHeader {
-public:
-  PortsHeader& constant(const char* type, const char* name, int value) {
-    constants_ += fmt::format("inline constexpr {} {} = {};\n", type, name, value);
-    return *this;
-  }
-  PortsHeader& ports(std::initializer_list<const char*> names) {
-    for (const char* name : names)
-      bindings_ += fmt::format("  ports.{0} = Port(model.{0});\n", name);
-    return *this;
-  }
-  std::string text(const char* type) const {
-    return fmt::format(
-        "#pragma once\n\n#include \"Vsystem.h\"\n#include \"ports.hpp\"\n\n"
-        "namespace mixcmp::harness::system {{\n\nusing Model = Vsystem;\n\n{}\n"
-        "inline {} bind(Model& model) {{\n  {} ports;\n{}  return ports;\n}}\n\n"
-        "}}  // namespace mixcmp::harness::system\n",
-        constants_, type, type, bindings_);
-  }
-
-private:
-  std::string constants_;
-  std::string bindings_;
+/// A folder in which one model is verilated and compiled.
+struct ModelBuild {
+  fs::path folder;
+  std::string prefix;  ///< of the model's C++ names
+  Command verilate;
+  SourceFiles inputs;
 };
 
-std::string system_ports(const emit::Signature& s) {
-  const bool refetched = s.operands == scene::OperandStore::refetched && s.references > 0;
-  PortsHeader header;
-  header.constant("int", "lanes", s.lanes)
-      .constant("int", "references", s.references)
-      .constant("int", "tdata_bytes", s.tdata_bytes)
-      .constant("int", "tag_bits", s.tag_bits)
-      .constant("int", "counter_bits", s.counter_bits)
-      .constant("int", "slots", s.slots)
-      .constant("bool", "in_order", s.order == scene::ResultOrder::in_order ? 1 : 0)
-      .constant("bool", "refetched", refetched ? 1 : 0)
-      .ports({"aclk", "aresetn", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
-              "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser"});
-  if (s.counter_bits > 0) header.ports({"comparisons", "recomputations", "stalls"});
-  if (refetched) {
-    header.ports({"m_refetch_tvalid", "m_refetch_tready", "m_refetch_tdata", "s_refetch_tvalid",
-                  "s_refetch_tready", "s_refetch_tdata"});
-  }
-  return header.text("Ports");
-}
-
-std::string pairwise_ports(const emit::Signature& s, const emit::SignatureEngine& engine) {
-  PortsHeader header;
-  header.constant("int", "lanes", s.lanes)
-      .constant("int", "item_bytes", engine.item_bytes)
-      .constant("int", "index_bits", engine.index_bits)
-      .constant("int", "counter_bits", s.counter_bits)
-      .ports({"aresetn", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tlast",
-              "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser", "m_axis_tlast"});
-  if (s.counter_bits > 0) {
-    header.ports(
-        {"comparisons", "recomputations", "stalls", "reports", "busy_cycles", "stalled_cycles"});
-  }
-  return header.text("PairwisePorts");
-}
-
-std::string arg_min_ports(const emit::Signature& s, const emit::SignatureEngine& engine) {
-  PortsHeader header;
-  header.constant("int", "lanes", s.lanes)
-      .constant("int", "item_bytes", engine.item_bytes)
-      .constant("int", "row_bytes", engine.row_bytes)
-      .constant("int", "index_bits", engine.index_bits)
-      .constant("int", "tag_bits", engine.tag_bits)
-      .constant("int", "counter_bits", s.counter_bits)
-      .ports({"aresetn", "s_candidate_tvalid", "s_candidate_tready", "s_candidate_tdata",
-              "s_candidate_tlast", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
-              "s_axis_tlast", "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser",
-              "m_axis_tlast", "overrun"});
-  if (s.counter_bits > 0) {
-    header.ports({"comparisons", "recomputations", "stalls", "rows", "stalled_cycles"});
-  }
-  return header.text("ArgMinPorts");
-}
-
-/// The top module that is simulated, and the harness that drives it.
-struct Bench {
-  std::string top;
-  const char* main;
-  std::string ports;  ///< system_ports.hpp
+/// Verilator and make as they are called for every model.
+struct Tools {
+  std::string version;
+  Command verilator;
+  std::string make;
 };
 
-Bench bench_of(const emit::Signature& s) {
-  const auto kind = s.engine ? s.engine->kind : scene::EngineKind::none;
-  switch (kind) {
-    case scene::EngineKind::none: return {s.top, "simulator.cpp", system_ports(s)};
-    case scene::EngineKind::pairwise:
-      return {s.engine->top, "pairwise.cpp", pairwise_ports(s, *s.engine)};
-    case scene::EngineKind::arg_min:
-      return {s.engine->top, "arg_min.cpp", arg_min_ports(s, *s.engine)};
-  }
-  MIXCMP_CHECK(false);
+Command verilator_call(Waves waves) {
+  Command command = {"verilator", "--cc",
+                     // Uninitialised state starts at random, so that state which reset forgets
+                     // shows itself.
+                     "--x-initial", "unique", "--x-assign", "unique", "-Wno-fatal", "-O3",
+                     // This optimisation is wrong in Verilator 5.006 to 5.020 on some widths (its
+                     // issues 4059, 4841, 4842).
+                     "-fno-const-bit-op-tree", "--timescale-override", "1ns/1ns", "--Mdir", "obj"};
+  if (waves == Waves::on) command.emplace_back("--trace-fst");
+  return command;
 }
 
-std::string hierarchy(const emit::Signature& s) {
-  std::string text = "`verilator_config\n";
-  std::set<std::string> modules;
-  for (const emit::SignatureLanes& group : s.lane_groups) modules.insert(group.module);
-  for (const emit::SignatureReferences& group : s.reference_groups) modules.insert(group.module);
-  for (const std::string& module : modules) {
-    text += fmt::format("hier_block -module \"{}\"\n", module);
+/// The call of make in a makefile. One source for each model and -O1 build in half the time of many
+/// sources and -O2, and what is built is about as fast. Whoever looks at waves waits for the
+/// compiler and simulates little.
+std::string make_call(Waves waves, bool ccache) {
+  return fmt::format("$(MAKE) VM_PARALLEL_BUILDS=0 OPT_FAST={0} OPT_GLOBAL={0}{1}",
+                     waves == Waves::on ? "-O0" : "-O1", ccache ? " OBJCACHE=ccache" : "");
+}
+
+void append(Command& command, std::initializer_list<std::string> words) {
+  command.insert(command.end(), words);
+}
+
+/// The comments before a module tell which scene and which command it comes from. A block does
+/// without them, because it serves several.
+std::string without_header(const std::string& text) {
+  std::size_t start = 0;
+  while (text.compare(start, 2, "//") == 0) start = text.find('\n', start) + 1;
+  return text.substr(start);
+}
+
+ModelBuild block_build(const ClockedBlock& block, const SourceFiles& sources,
+                       const fs::path& work_dir, const Tools& tools) {
+  const std::string top = block.wrapper_name();
+  ModelBuild build{.folder = {}, .prefix = "V" + top, .verilate = tools.verilator, .inputs = {}};
+  for (const auto& [file, text] : files_of_module(block.module, sources)) {
+    build.inputs.emplace_back(file, without_header(text));
   }
+  build.inputs.emplace_back(top + ".v", block.wrapper());
+  append(build.verilate, {"--prefix", build.prefix, "--top-module", top});
+  for (const auto& [file, text] : build.inputs) build.verilate.push_back(file);
+  build.folder =
+      work_folder(work_dir, block.module, tools.version + tools.make, build.verilate, build.inputs);
+  return build;
+}
+
+/// The files of the system's own model, in which stubs stand for the blocks.
+SourceFiles files_with_stubs(const std::string& top, SourceFiles sources,
+                             const std::vector<ClockedBlock>& blocks) {
+  for (auto& [file, text] : sources) {
+    for (const ClockedBlock& block : blocks) {
+      if (file != block.module + ".v") continue;
+      file = block.module + ".sv";
+      text = block.stub();
+    }
+  }
+  return files_of_module(top, sources);
+}
+
+/// The C++ file that connects stubs and blocks.
+std::string bindings(const std::vector<ClockedBlock>& blocks) {
+  std::string text = "#include \"clocked_block.hpp\"\n";
+  for (const ClockedBlock& block : blocks) text += "\n" + block.binding();
   return text;
 }
 
-Command verilator_command(const System& system, const Bench& bench, Waves waves, bool ccache) {
-  const std::string one_source = "VM_PARALLEL_BUILDS=0 OPT_FAST=-O1";
-  Command command = {
-      "verilator", "--cc", "--exe", "--build", "-j", "0", "--prefix", "Vsystem", "--top-module",
-      bench.top, "--Mdir", "obj",
-      // Uninitialised state starts at random, so that state which reset forgets shows itself.
-      "--x-initial", "unique", "--x-assign", "unique", "-Wno-fatal", "-O3",
-      // This optimisation is wrong in Verilator 5.006 to 5.020 on some widths (its issues 4059,
-      // 4841, 4842).
-      "-fno-const-bit-op-tree", "--timescale-override", "1ns/1ns", "-CFLAGS", "-std=c++20",
-      // One source for each hierarchical block and -O1 build in half the time of many sources and
-      // -O2, and what is built is about as fast.
-      "-MAKEFLAGS", ccache ? one_source + " OBJCACHE=ccache" : one_source};
-  if (waves == Waves::on) command.push_back("--trace-fst");
-  if (is_hierarchical(system)) {
-    command.insert(command.end(), {"--hierarchical", "hierarchy.vlt"});
+/// How make builds the system in its folder and the blocks in theirs, beside it. The file
+/// `complete` marks a folder as whole.
+std::string makefile(const ModelBuild& system, const std::vector<ModelBuild>& blocks,
+                     const Tools& tools) {
+  std::string stamps;
+  std::string rules;
+  for (const ModelBuild& block : blocks) {
+    const std::string folder = "../" + block.folder.filename().string();
+    stamps += fmt::format(" {}/{}", folder, build_stamp);
+    rules += fmt::format(
+        "\n{0}/{1}:\n\tcd {0} && rm -rf obj && {2}\n\t{3} -C {0}/obj -f {4}.mk {4}__ALL.a\n"
+        "\ttouch $@\n",
+        folder, build_stamp, shell_line(block.verilate), tools.make, block.prefix);
   }
-  for (const std::string& file : system.signature.files) {
-    command.push_back(fs::path(file).filename().string());
+  return fmt::format(
+      "# Builds obj/Vsystem: the system and its blocks side by side, then the program.\n\n"
+      "obj/Vsystem: obj/compiled{0}\n\t{1} -C obj -f Vsystem.mk Vsystem\n\n"
+      "obj/compiled:\n\t{2}\n\t{1} -C obj -f Vsystem.mk Vsystem__ALL.a\n\ttouch $@\n{3}",
+      stamps, tools.make, shell_line(system.verilate), rules);
+}
+
+/// The system's own model with its harness.
+ModelBuild system_build(const Bench& bench, const SourceFiles& sources,
+                        const std::vector<ClockedBlock>& blocks,
+                        const std::vector<ModelBuild>& block_builds, const fs::path& work_dir,
+                        const Tools& tools) {
+  ModelBuild build{.folder = {}, .prefix = "Vsystem", .verilate = tools.verilator, .inputs = {}};
+  std::string compiler_flags = "-std=c++20";
+  std::string libraries;
+  for (const ModelBuild& block : block_builds) {
+    const std::string objects = fmt::format("../../{}/obj", block.folder.filename().string());
+    compiler_flags += " -I" + objects;
+    libraries += fmt::format("{}{}/{}__ALL.a", libraries.empty() ? "" : " ", objects, block.prefix);
   }
-  command.emplace_back(bench.main);
-  return command;
+  append(build.verilate,
+         {"--exe", "--prefix", build.prefix, "--top-module", bench.top, "-CFLAGS", compiler_flags});
+  if (!libraries.empty()) append(build.verilate, {"-LDFLAGS", libraries});
+  build.inputs = files_with_stubs(bench.top, sources, blocks);
+  for (const auto& [file, text] : build.inputs) build.verilate.push_back(file);
+  build.inputs.emplace_back("bindings.cpp", bindings(blocks));
+  append(build.verilate, {"bindings.cpp", bench.main});
+  for (const EmbeddedFile& file : harness_files()) build.inputs.emplace_back(file.name, file.text);
+  build.inputs.emplace_back("system_ports.hpp", bench.ports);
+  build.inputs.emplace_back("build.mk", makefile(build, block_builds, tools));
+  build.folder = work_folder(work_dir, bench.top, tools.version, build.verilate, build.inputs);
+  return build;
 }
 
 /// The error where a program is missing that Verilator runs to compile what it writes.
@@ -177,12 +170,22 @@ bool is_ccache_usable() {
   return true;
 }
 
-Result<SourceFiles> gather_inputs(const System& system, const Bench& bench) {
-  MIXCMP_TRY(inputs, system_sources(system));
-  for (const EmbeddedFile& file : harness_files()) inputs.emplace_back(file.name, file.text);
-  inputs.emplace_back("system_ports.hpp", bench.ports);
-  inputs.emplace_back("hierarchy.vlt", hierarchy(system.signature));
-  return inputs;
+bool is_complete(const ModelBuild& build) {
+  return fs::exists(build.folder / build_stamp);
+}
+
+/// Takes the folder for this run and puts the model's inputs there. A killed compiler or linker
+/// leaves half a file newer than its sources, which make would keep.
+Result<FolderLock> prepare(const ModelBuild& build, const Waiting& waiting) {
+  MIXCMP_TRY(lock, FolderLock::take(build.folder, waiting));
+  if (is_complete(build)) return lock;
+  std::error_code failure;
+  fs::remove_all(build.folder / "obj", failure);
+  if (failure) return cannot_write(build.folder / "obj", failure.value());
+  for (const auto& [name, text] : build.inputs) {
+    MIXCMP_TRY(written, write_file(build.folder / name, text));
+  }
+  return lock;
 }
 
 }  // namespace
@@ -232,34 +235,33 @@ fs::path work_folder(const fs::path& work, const std::string& name, const std::s
 
 Result<Executable> build_simulator(const System& system, const BuildOptions& options) {
   MIXCMP_TRY(version, tool_version({"verilator", "--version"}, "verilator"));
-  const Bench bench = bench_of(system.signature);
-  MIXCMP_TRY(inputs, gather_inputs(system, bench));
-  const bool ccache = is_ccache_usable();
-  const Command command = verilator_command(system, bench, options.waves, ccache);
-  const fs::path folder = work_folder(options.work_dir, bench.top, version, command, inputs);
-  MIXCMP_TRY(lock, FolderLock::take(folder, options.waiting));
-  const Executable executable{folder / "obj" / "Vsystem"};
-  const fs::path stamp = folder / build_stamp;
-  if (fs::exists(stamp) && fs::exists(executable.path)) return executable;
+  MIXCMP_TRY(sources, system_sources(system));
+  const Tools tools{version, verilator_call(options.waves), make_call(options.waves, is_ccache_usable())};
+  const std::vector<ClockedBlock> blocks = clocked_blocks(system.signature, sources);
+  std::vector<ModelBuild> block_builds;
+  for (const ClockedBlock& block : blocks) {
+    block_builds.push_back(block_build(block, sources, options.work_dir, tools));
+  }
+  const ModelBuild build = system_build(bench_of(system.signature), sources, blocks, block_builds,
+                                        options.work_dir, tools);
+  const Executable executable{build.folder / "obj" / "Vsystem"};
+  MIXCMP_TRY(lock, prepare(build, options.waiting));
+  if (is_complete(build) && fs::exists(executable.path)) return executable;
 
   const auto start = std::chrono::steady_clock::now();
-  // A killed compiler or linker leaves half a file newer than its sources, which make would keep.
-  std::error_code failure;
-  fs::remove_all(folder / "obj", failure);
-  if (failure) return cannot_write(folder / "obj", failure.value());
-  for (const auto& [name, text] : inputs) {
-    MIXCMP_TRY(written, write_file(folder / name, text));
+  // Two runs that build systems of common blocks take their folders in the same order.
+  std::vector<FolderLock> block_locks;
+  for (const ModelBuild& block : block_builds) {
+    MIXCMP_TRY(block_lock, prepare(block, options.waiting));
+    block_locks.push_back(std::move(block_lock));
   }
-  const auto run = run_tool({.command = command,
-                             .directory = folder,
-                             .log = folder / "build.log",
+  const auto jobs = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
+  const auto run = run_tool({.command = {"make", "-j", jobs, "-f", "build.mk"},
+                             .directory = build.folder,
+                             .log = build.folder / "build.log",
                              .progress = options.progress});
   if (!run.ok()) return missing_compiler().value_or(run.error());
-  if (!fs::exists(executable.path)) {
-    return Error{.file = (folder / "build.log").string(),
-                 .message = "verilator ended well and wrote no simulator"};
-  }
-  MIXCMP_TRY(stamped, write_file(stamp, ""));
+  MIXCMP_TRY(stamped, write_file(build.folder / build_stamp, ""));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return Executable{executable.path, taken.count()};
 }

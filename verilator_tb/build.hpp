@@ -6,6 +6,7 @@
 #include "generator/emit/signature.hpp"
 #include "model/common/folder_lock.hpp"
 #include "model/common/process.hpp"
+#include "verilator_tb/clocked_block.hpp"
 
 namespace mixcmp::verilator_tb {
 
@@ -41,10 +42,6 @@ struct Executable {
   double build_seconds = 0;  ///< 0: it was there already
 };
 
-/// Names and texts of the files that a simulator reads. The build has its own copies in one folder,
-/// so that a system generated anew in the meantime does not mix with them.
-using SourceFiles = std::vector<std::pair<std::string, std::string>>;
-
 /// The Verilog files that the system's signature names; an error names a missing one.
 Result<SourceFiles> system_sources(const System& system);
 
@@ -56,8 +53,8 @@ std::filesystem::path work_folder(const std::filesystem::path& work, const std::
 
 /// Runs Verilator on the system together with our harness. A build is found again by the content of
 /// everything that went into it; one that was interrupted starts anew (ccache keeps its objects).
-/// Channels and references are verilated once each (hierarchical blocks). Verilator 5.006 traces
-/// the ports of all of them, but the inside of the first channel and the first reference alone.
+/// Lane channels and reference datapaths are blocks (clocked_block.hpp), built once in folders of
+/// their own, which other systems use, too.
 Result<Executable> build_simulator(const System& system, const BuildOptions& options);
 
 }  // namespace mixcmp::verilator_tb

@@ -33,7 +33,7 @@ private:
 };
 
 void add_group(std::vector<rtl::DatapathGroup>& groups, rtl::DatapathGroup group) {
-  group.channel = group.datapath + "_channel";
+  group.channel = group.datapath + std::string(channel_suffix);
   if (!groups.empty()) group.first = groups.back().first + groups.back().count;
   groups.push_back(std::move(group));
 }

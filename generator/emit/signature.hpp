@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "generator/rtl/module.hpp"
@@ -16,6 +17,9 @@ struct SignaturePort {
   rtl::Direction direction = rtl::Direction::input;
   int width = 1;
 };
+
+/// A datapath's module and this make the name of its channel.
+inline constexpr std::string_view channel_suffix = "_channel";
 
 /// Lanes of one kind.
 struct SignatureLanes {

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 
+#include "generator/emit/system.hpp"
+#include "tests/support/sphere.hpp"
 #include "tests/verilator_tb/fake_system.hpp"
 
 namespace mixcmp::test::waves_test {
@@ -92,14 +95,20 @@ TEST_P(WavesOf, AreReadableAndTheSaveFileNamesWhatIsInThem) {
   for (const std::string& name : named) EXPECT_TRUE(names.contains(name)) << name;
 }
 
-TEST(Waves, OfHierarchicalBlocksShowTheInsideOfTheFirst) {
-  const FakeSystem fake{
-      .name = "refetching", .lanes = 3, .operands = scene::OperandStore::refetched};
-  const fs::path waves = fs::absolute(fake_work_dir()) / "hierarchical.fst";
+TEST(Waves, ShowTheInsideOfEveryLane) {
+  const auto design = test::sphere_design(format("s5e8"), format("s24e8"), 2, 1);
+  const auto generated = emit::generate_system(design, "mixcmp generate waves");
+  ASSERT_TRUE(generated.ok()) << generated.error().to_string();
+  const fs::path folder = fake_work_dir() / "waves_2x1";
+  ASSERT_TRUE(emit::write_system(*generated, folder).ok());
+  data::Table table{.format = format("s24e8"), .columns = design.inputs};
+  table.values.resize(20 * design.inputs.size());
+  const fs::path waves = fs::absolute(fake_work_dir()) / "every_lane.fst";
   fs::remove(waves);
-  const auto report = verilator_tb::judge_system(
-      verilator_tb::load_system(write_fake_system(fake)).value(), fake_design(fake),
-      fake_comparisons(200), {.work_dir = fake_work_dir() / "builds", .waves = waves});
+  const auto report =
+      verilator_tb::judge_system(verilator_tb::load_system(folder).value(), design,
+                                 data::Comparisons::rows(table, table.columns).value(),
+                                 {.work_dir = fake_work_dir() / "builds", .waves = waves});
   ASSERT_TRUE(report.ok()) << report.error().to_string();
   EXPECT_TRUE(report->passed());
   const fs::path vcd = fs::path(waves).replace_extension(".vcd");
@@ -107,11 +116,14 @@ TEST(Waves, OfHierarchicalBlocksShowTheInsideOfTheFirst) {
                                    .directory = "/",
                                    .log = waves.string() + ".log"});
   ASSERT_TRUE(converted.ok()) << converted.error().to_string();
-  bool inside = false;
+  std::map<std::string, int> inside;  // registers of the scoreboard, by the instance they are in
   for (const std::string& name : declared(read(vcd))) {
-    inside |= name.find("out_valid_q") != std::string::npos;
+    const std::string scope = "TOP.sphere_s5e8_2x1.";
+    if (name.find(".tracker.m_result_q") == std::string::npos) continue;
+    ASSERT_TRUE(name.starts_with(scope)) << name;
+    ++inside[name.substr(scope.size(), name.find('.', scope.size()) - scope.size())];
   }
-  EXPECT_TRUE(inside);
+  EXPECT_EQ(inside, (std::map<std::string, int>{{"g_lanes[0]", 1}, {"g_lanes[1]", 1}}));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "clocked_block.hpp"
 #include "settings.hpp"
 #include "system_ports.hpp"
 #include "verilated.h"
@@ -29,6 +30,7 @@ public:
 #if VM_TRACE
     if (trace_) trace_->close();
 #endif
+    clocked_blocks().clear();  // before the context, to which their models belong
   }
 
   system::Model& model() {
@@ -49,9 +51,10 @@ public:
 #if VM_TRACE
     if (path.empty()) return;
     context_.traceEverOn(true);
-    model_->eval();  // creates the hierarchical blocks, which trace() needs
+    model_->eval();  // makes the blocks
     trace_ = std::make_unique<VerilatedFstC>();
     model_->trace(trace_.get(), 99);
+    for (const auto& block : clocked_blocks()) block->trace(trace_.get());
     trace_->open(path.c_str());
 #endif
   }

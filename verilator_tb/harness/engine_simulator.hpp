@@ -28,7 +28,7 @@ protected:
         clocked_(settings_, count, words),
         ports_(system::bind(clocked_.model())) {
     clocked_.open_trace(settings_.trace);
-    // Verilator creates hierarchical blocks in the first cycle, so that they miss it.
+    // Blocks are made in the first cycle, so that they miss it.
     ports_.aresetn.set_bit(0, false);
     clocked_.settle(cycle_);
     rise();

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "svdpi.h"
+#include "verilated.h"
+
+#if VM_TRACE
+#include "verilated_fst_c.h"
+#endif
+
+namespace mixcmp::harness {
+
+/// One instance of a module that was verilated by itself; its stub in the system calls clock() at
+/// every rising edge.
+class ClockedBlock {
+public:
+  explicit ClockedBlock(std::string scope) : scope_(std::move(scope)) {}
+  virtual ~ClockedBlock() = default;
+
+  /// One cycle: `d` are the inputs before the edge, `q` becomes the outputs behind it.
+  virtual void clock(const svBitVecVal* d, svBitVecVal* q) = 0;
+
+#if VM_TRACE
+  virtual void trace(VerilatedFstC* waves) = 0;
+#endif
+
+protected:
+  [[noreturn]] void refuse() const {
+    std::fprintf(stderr, "%s: an output depends on an input of the same cycle\n", scope_.c_str());
+    std::abort();
+  }
+
+  std::string scope_;
+};
+
+/// `Model` has the ports aclk, d (all inputs) and q (all outputs).
+template <class Model>
+class VerilatedBlock : public ClockedBlock {
+public:
+  explicit VerilatedBlock(const std::string& scope)
+      : ClockedBlock(scope), model_(Verilated::threadContextp(), scope.c_str()) {
+    settle();
+  }
+  ~VerilatedBlock() override { model_.final(); }
+
+  void clock(const svBitVecVal* d, svBitVecVal* q) override {
+    std::memcpy(&model_.d, d, sizeof model_.d);
+    const auto before = model_.q;
+    settle();
+    // In the first cycle, inputs that never change reach the outputs for the first time.
+    if (clocked_ && std::memcmp(&before, &model_.q, sizeof before) != 0) refuse();
+    clocked_ = true;
+    model_.aclk = 1;
+    model_.eval();
+    std::memcpy(q, &model_.q, sizeof model_.q);
+  }
+
+#if VM_TRACE
+  void trace(VerilatedFstC* waves) override {
+    model_.trace(waves, 99);
+  }
+#endif
+
+private:
+  void settle() {
+    model_.aclk = 0;
+    model_.eval();
+  }
+
+  Model model_;
+  bool clocked_ = false;
+};
+
+/// All blocks of the simulator, in the order in which their stubs made them.
+inline std::vector<std::unique_ptr<ClockedBlock>>& clocked_blocks() {
+  static std::vector<std::unique_ptr<ClockedBlock>> blocks;
+  return blocks;
+}
+
+/// Makes the block of the stub that is calling.
+template <class Model>
+ClockedBlock* make_block() {
+  std::string scope = svGetNameFromScope(svGetScope());
+  std::replace(scope.begin(), scope.end(), '.', ' ');  // which waves show as nested scopes
+  clocked_blocks().push_back(std::make_unique<VerilatedBlock<Model>>(scope));
+  return clocked_blocks().back().get();
+}
+
+}  // namespace mixcmp::harness
