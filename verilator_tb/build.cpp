@@ -42,7 +42,11 @@ Command verilator_call(Waves waves) {
                      "--x-initial", "unique", "--x-assign", "unique", "-Wno-fatal", "-O3",
                      // This optimisation is wrong in Verilator 5.006 to 5.020 on some widths (its
                      // issues 4059, 4841, 4842).
-                     "-fno-const-bit-op-tree", "--timescale-override", "1ns/1ns", "--Mdir", "obj"};
+                     "-fno-const-bit-op-tree",
+                     // Compilers take twice as long for the functions of thousands of lines that
+                     // Verilator makes of a system of many lanes otherwise.
+                     "--output-split-cfuncs", "200", "--timescale-override", "1ns/1ns", "--Mdir",
+                     "obj"};
   if (waves == Waves::on) command.emplace_back("--trace-fst");
   return command;
 }
@@ -236,7 +240,8 @@ fs::path work_folder(const fs::path& work, const std::string& name, const std::s
 Result<Executable> build_simulator(const System& system, const BuildOptions& options) {
   MIXCMP_TRY(version, tool_version({"verilator", "--version"}, "verilator"));
   MIXCMP_TRY(sources, system_sources(system));
-  const Tools tools{version, verilator_call(options.waves), make_call(options.waves, is_ccache_usable())};
+  const Tools tools{version, verilator_call(options.waves),
+                    make_call(options.waves, is_ccache_usable())};
   const std::vector<ClockedBlock> blocks = clocked_blocks(system.signature, sources);
   std::vector<ModelBuild> block_builds;
   for (const ClockedBlock& block : blocks) {

@@ -46,6 +46,19 @@ std::string to_text(const Mismatch& m) {
   return text;
 }
 
+std::string to_text(const ProtocolViolation& violation) {
+  return fmt::format("  cycle {}{}, lane {}: {}{}\n", violation.cycle,
+                     of_simulation(violation.simulation), violation.lane, violation.fault,
+                     violation.details.empty() ? "" : " (" + violation.details + ")");
+}
+
+std::string to_text(const LeastCounterexample& least) {
+  std::string text = line("least counterexample", least.comparisons);
+  if (least.mismatch) text += to_text(*least.mismatch);
+  if (least.violation) text += to_text(*least.violation);
+  return text + fmt::format("    waves: {}\n", least.waves);
+}
+
 /// "3: 2 where f or g has no value, 1 undetermined"
 std::string not_checked(const TruthCount& truth) {
   std::string text = std::to_string(truth.not_checked());
@@ -233,6 +246,22 @@ Json to_json(const Mismatch& m) {
       {"repeat", m.repeat}};
 }
 
+Json to_json(const ProtocolViolation& violation) {
+  return {{"fault", violation.fault},
+          {"lane", violation.lane},
+          {"cycle", violation.cycle},
+          {"simulation", violation.simulation},
+          {"details", violation.details}};
+}
+
+Json to_json(const LeastCounterexample& least) {
+  Json json = {{"comparisons", least.comparisons}};
+  if (least.mismatch) json["mismatch"] = to_json(*least.mismatch);
+  if (least.violation) json["violation"] = to_json(*least.violation);
+  json["waves"] = least.waves;
+  return json;
+}
+
 Json to_json(const Latency& latency) {
   return {{"minimum_cycles", latency.minimum_cycles},
           {"maximum_cycles", latency.maximum_cycles},
@@ -405,11 +434,8 @@ std::string to_text(const VerifyReport& r) {
   text += line("mismatches", std::to_string(r.mismatch_count));
   for (const Mismatch& mismatch : r.mismatches) text += to_text(mismatch);
   text += line("protocol violations", std::to_string(r.violation_count));
-  for (const ProtocolViolation& violation : r.violations) {
-    text += fmt::format("  cycle {}{}, lane {}: {}{}\n", violation.cycle,
-                        of_simulation(violation.simulation), violation.lane, violation.fault,
-                        violation.details.empty() ? "" : " (" + violation.details + ")");
-  }
+  for (const ProtocolViolation& violation : r.violations) text += to_text(violation);
+  if (r.counterexample) text += to_text(*r.counterexample);
   for (const std::string& note : notes_on(r)) text += line("note", note);
   return text;
 }
@@ -447,12 +473,9 @@ Json to_json(const VerifyReport& r) {
   json["violation_count"] = r.violation_count;
   json["violations"] = Json::array();
   for (const ProtocolViolation& violation : r.violations) {
-    json["violations"].push_back({{"fault", violation.fault},
-                                  {"lane", violation.lane},
-                                  {"cycle", violation.cycle},
-                                  {"simulation", violation.simulation},
-                                  {"details", violation.details}});
+    json["violations"].push_back(to_json(violation));
   }
+  if (r.counterexample) json["counterexample"] = to_json(*r.counterexample);
   if (r.truth) json["truth"] = to_json(*r.truth);
   json["notes"] = notes_on(r);
   add_engines(json, r);

@@ -131,6 +131,14 @@ struct ArgMinFigures {
   Latency latency;                   ///< cycles from a row's acceptance to its departure
 };
 
+/// The shortest failing run that was found after a failure, by its first finding.
+struct LeastCounterexample {
+  std::string comparisons;  ///< "comparison 12 alone", "the first 40 comparisons"
+  std::optional<Mismatch> mismatch;
+  std::optional<ProtocolViolation> violation;  ///< where there is no mismatch
+  std::string waves;                           ///< the command that shows it as waves
+};
+
 struct VerifyReport {
   static constexpr std::size_t kept = 20;  ///< the most mismatches and violations in the lists
 
@@ -156,6 +164,7 @@ struct VerifyReport {
   std::vector<Mismatch> mismatches;  ///< the first ones
   std::uint64_t violation_count = 0;
   std::vector<ProtocolViolation> violations;  ///< the first ones
+  std::optional<LeastCounterexample> counterexample;
   std::optional<TruthCount> truth;
   std::optional<PairwiseFigures> engine;
   std::optional<ArgMinFigures> arg_min;

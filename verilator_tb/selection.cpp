@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 
 namespace mixcmp::verilator_tb {
 
@@ -51,21 +52,29 @@ std::uint64_t counter_random(std::uint64_t seed, std::uint64_t counter) {
 void pack_operands(std::span<const Bits> operands, int width, bool padding,
                    std::span<std::uint8_t> tdata) {
   std::size_t at = 0;
-  Bits waiting = 0;  // the bits behind the last whole byte, and those above them
-  int count = 0;
+  Bits waiting = 0;  // the bits that are not in tdata yet
+  int count = 0;     // of them, below 64
   const auto put = [&](Bits bits, int bit_count) {
     waiting |= bits << count;
-    for (count += bit_count; count >= 8; count -= 8) {
-      tdata[at++] = static_cast<std::uint8_t>(waiting);
-      waiting >>= 8;
-    }
+    count += bit_count;
+    if (count < 64) return;
+    const auto word = static_cast<std::uint64_t>(waiting);
+    std::memcpy(&tdata[at], &word, sizeof word);  // the host is little-endian
+    at += sizeof word;
+    waiting >>= 64;
+    count -= 64;
   };
   const int low = std::min(width, 64);
   for (const Bits operand : operands) {
     put(operand & low_mask(low), low);
     put(operand >> low, width - low);
   }
-  while (at < tdata.size()) put(padding ? 0xff : 0, 8);
+  const Bits ones = padding ? ~Bits{0} : 0;
+  waiting |= ones << count;
+  for (; at < tdata.size(); ++at) {
+    tdata[at] = static_cast<std::uint8_t>(waiting);
+    waiting = waiting >> 8 | ones << 120;
+  }
 }
 
 std::vector<std::uint8_t> stimulus(const data::Comparisons& comparisons, const Selection& selection,

@@ -69,13 +69,24 @@ public:
     done_ += comparisons;
     mismatches_ += mismatches;
     if (!run_.options.progress) return;
-    run_.options.progress(fmt::format("{}: {} of {} comparisons, {} mismatches",
+    run_.options.progress(fmt::format("{}: {} of {} comparisons, {} mismatches{}",
                                       run_.system.signature.top, done_, run_.selection.size(),
-                                      mismatches_));
+                                      mismatches_, time_left()));
   }
 
 private:
+  /// ", 2 min 5 s left" at the speed so far; empty in the first second.
+  std::string time_left() const {
+    const double seconds = seconds_since(start_);
+    if (seconds < 1) return "";
+    const auto left = static_cast<double>(run_.selection.size() - done_);
+    const auto rest = std::llround(seconds * left / static_cast<double>(done_));
+    return rest < 60 ? fmt::format(", {} s left", rest)
+                     : fmt::format(", {} min {} s left", rest / 60, rest % 60);
+  }
+
   const Run& run_;
+  Clock::time_point start_ = Clock::now();
   std::mutex mutex_;
   std::uint64_t done_ = 0;
   std::uint64_t mismatches_ = 0;

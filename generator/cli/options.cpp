@@ -106,8 +106,9 @@ std::string quoted(const std::string& text) {
 }
 
 void add_scene_options(const Verb& verb, SceneOptions& options,
-                       const std::set<std::string>& left_out) {
-  verb.option("SCENE", options.scene, "the scene file (docs/scene_file.md)").required();
+                       const std::set<std::string>& left_out, SceneArgument argument) {
+  const Option scene = verb.option("SCENE", options.scene, "the scene file (docs/scene_file.md)");
+  if (argument == SceneArgument::required) scene.required();
   verb.option("--set", options.settings,
               "override one key of the scene: section.key=value; may be repeated")
       .one_value_each();

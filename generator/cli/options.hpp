@@ -24,10 +24,16 @@ struct SceneOptions {
   bool json = false;
 };
 
+enum class SceneArgument {
+  required,
+  optional,  ///< the verb says itself what must be there instead
+};
+
 /// Adds SCENE, --set, the shortcuts (--format, --lanes, ...) and --json to a verb. Shortcuts that
 /// mean something else to it, or nothing, are `left_out`.
 void add_scene_options(const Verb& verb, SceneOptions& options,
-                       const std::set<std::string>& left_out = {});
+                       const std::set<std::string>& left_out = {},
+                       SceneArgument argument = SceneArgument::required);
 
 /// A scene with its data, if it names any.
 struct LoadedScene {

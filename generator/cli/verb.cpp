@@ -84,6 +84,13 @@ Option Verb::list_option(const std::string& names,
   return Option(verb_->add_option_function<std::vector<std::string>>(names, use, help));
 }
 
+void Verb::keep_alone(Option option, const std::set<std::string>& with) const {
+  for (CLI::Option* other : verb_->get_options()) {
+    if (other != option.option_ && !with.contains(other->get_name()))
+      option.option_->excludes(other);
+  }
+}
+
 void Verb::when_chosen(std::function<void()> run) const {
   verb_->callback(std::move(run));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ public:
   Option one_value_each() const;
 
 private:
+  friend class Verb;
   CLI::Option* option_;
 };
 
@@ -55,6 +57,9 @@ public:
   Option list_option(const std::string& names,
                      const std::function<void(const std::vector<std::string>&)>& use,
                      const std::string& help) const;
+
+  /// No option but those of these names goes with `option`.
+  void keep_alone(Option option, const std::set<std::string>& with) const;
 
   void when_chosen(std::function<void()> run) const;
 

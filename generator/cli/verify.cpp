@@ -11,10 +11,13 @@
 #include "generator/cli/options.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/cli/result_table.hpp"
+#include "generator/cli/suite.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/system.hpp"
 #include "generator/report/json_text.hpp"
 #include "model/common/content_hash.hpp"
+#include "verilator_tb/counterexample.hpp"
+#include "verilator_tb/junit.hpp"
 #include "verilator_tb/waves.hpp"
 
 namespace mixcmp::cli {
@@ -29,6 +32,9 @@ enum class TruthOption { off, recomputed, all };
 
 struct VerifyCommand {
   SceneOptions scene;
+  fs::path suite;
+  double minutes = 0;  ///< of the suite; 0: what it says itself
+  fs::path junit;
   verilator_tb::VerifyOptions run;
   int jobs = 0;  ///< 0: not asked for
   fs::path work;
@@ -60,8 +66,19 @@ std::string fst_path(const std::string& text) {
   return fmt::format("received {}; accepted a file that ends in .fst", text);
 }
 
+void add_suite_options(const Verb& verb, VerifyCommand& command) {
+  verb.option("--junit", command.junit, "write a JUnit report, which CI servers read");
+  const Option suite = verb.option("--suite", command.suite,
+                                   "a file of many runs in place of SCENE; those that passed are "
+                                   "not repeated (docs/verification.md)");
+  verb.option("--minutes", command.minutes, "budget of time of --suite")
+      .check(between(0, 1e6, "minutes"))
+      .needs(suite);
+  verb.keep_alone(suite, {"--help", "--junit", "--minutes", "--work", "--json"});
+}
+
 void add_options(const Verb& verb, VerifyCommand& command) {
-  add_scene_options(verb, command.scene);
+  add_scene_options(verb, command.scene, {}, SceneArgument::optional);
   verb.option("--work", command.work,
               "directory for the Verilog, the builds and the logs (default: TOP_simulation)");
   const Option first =
@@ -120,6 +137,7 @@ void add_options(const Verb& verb, VerifyCommand& command) {
       .one_of({csv_verdict_names.begin(), csv_verdict_names.end()})
       .one_value_each()
       .needs(csv);
+  add_suite_options(verb, command);
 }
 
 verilator_tb::Selection::Options selection(const VerifyCommand& command) {
@@ -137,6 +155,68 @@ std::string repeat_command(const VerifyCommand& command) {
   if (command.run.simulator == verilator_tb::SimulatorKind::icarus) line += " --simulator icarus";
   if (command.truth != TruthOption::off) line += " --truth all";
   return line;
+}
+
+/// The command that shows a short run of the same traffic as waves.
+std::string waves_command(const VerifyCommand& command,
+                          const verilator_tb::Selection::Options& selection) {
+  std::string line = repeat_command(command);
+  if (command.run.traffic == verilator_tb::TrafficKind::stressed) {
+    line += fmt::format(" --traffic stressed --seed {}", command.run.selection.seed);
+  }
+  if (command.run.resets > 0) line += fmt::format(" --resets {}", command.run.resets);
+  line += selection.only ? fmt::format(" --only {}", *selection.only)
+                         : fmt::format(" --first {}", selection.limit);
+  return line + " --trace counterexample.fst";
+}
+
+/// Looks for a short run that fails, too, and puts it into the report.
+void add_counterexample(verilator_tb::VerifyReport& failed, const VerifyCommand& command,
+                        const design::Design& design, const data::Comparisons& data,
+                        const fs::path& rtl, const verilator_tb::VerifyOptions& options) {
+  const auto rerun = [&](const verilator_tb::Selection::Options& selection) {
+    verilator_tb::VerifyOptions again = options;
+    again.selection = selection;
+    again.waves.clear();
+    again.repeat_command.clear();
+    return verilator_tb::verify(design, data, rtl, again);
+  };
+  const auto found =
+      value_or_exit(verilator_tb::least_counterexample(failed, options.selection, rerun));
+  if (!found) return;
+  verilator_tb::LeastCounterexample& least = failed.counterexample.emplace();
+  least.comparisons = found->selection.only
+                          ? fmt::format("comparison {} alone", *found->selection.only)
+                          : fmt::format("the first {} comparisons", found->selection.limit);
+  if (!found->report.mismatches.empty()) {
+    least.mismatch = found->report.mismatches.front();
+  } else if (!found->report.violations.empty()) {
+    least.violation = found->report.violations.front();
+  }
+  least.waves = waves_command(command, found->selection);
+}
+
+/// The tests of a JUnit report: the verdicts of each kind of lane, and all else.
+std::vector<verilator_tb::JUnitCase> tests_of(const verilator_tb::VerifyReport& report) {
+  std::vector<verilator_tb::JUnitCase> tests;
+  bool failed = false;
+  for (const verilator_tb::GroupReport& group : report.groups) {
+    verilator_tb::JUnitCase& test = tests.emplace_back();
+    test.name = "verdicts of lanes " + group.name;
+    if (group.mismatches == 0) continue;
+    failed = true;
+    test.outcome = verilator_tb::JUnitCase::Outcome::failed;
+    test.message = fmt::format("{} mismatches", group.mismatches);
+    test.details = to_text(report);
+  }
+  verilator_tb::JUnitCase& rest = tests.emplace_back();
+  rest.name = "streams, counters and truth";
+  rest.seconds = report.run_seconds;
+  if (report.passed() || failed) return tests;
+  rest.outcome = verilator_tb::JUnitCase::Outcome::failed;
+  rest.message = fmt::format("{} protocol violations", report.violation_count);
+  rest.details = to_text(report);
+  return tests;
 }
 
 verilator_tb::VerifyOptions run_options(const VerifyCommand& command, const LoadedScene& loaded,
@@ -210,6 +290,16 @@ fs::path write_rtl(const emit::GeneratedSystem& system, const fs::path& work) {
 }
 
 void run(const VerifyCommand& command) {
+  if (!command.suite.empty()) {
+    return run_suite({.suite = command.suite,
+                      .work = command.work,
+                      .junit = command.junit,
+                      .minutes = command.minutes,
+                      .json = command.scene.json});
+  }
+  if (command.scene.scene.empty()) {
+    fail({.field = "verify", .message = "nothing to verify", .accepted = "SCENE, or --suite FILE"});
+  }
   const LoadedScene loaded = value_or_exit(load(command.scene));
   value_or_exit(check_has_data(loaded, "verify needs data to run on"));
   const design::Design design = value_or_exit(design_of(command.scene, loaded));
@@ -220,14 +310,21 @@ void run(const VerifyCommand& command) {
   value_or_exit(check_work(command, work));
   const verilator_tb::VerifyOptions options = run_options(command, loaded, work);
   value_or_exit(check_request(design, *loaded.data, options));
-  value_or_exit(check_outputs(
-      {command.csv, command.run.waves, verilator_tb::save_file_beside(command.run.waves)},
-      inputs_of(command.scene, loaded.scene)));
+  value_or_exit(check_outputs({command.csv, command.run.waves,
+                               verilator_tb::save_file_beside(command.run.waves), command.junit},
+                              inputs_of(command.scene, loaded.scene)));
   value_or_exit(check_trace(command.run.waves));
   const fs::path rtl = write_rtl(system, work);
   verilator_tb::VerifyReport report = run_with_table(design, *loaded.data, rtl, options, command);
+  if (!report.passed() && design.system.engine.kind == scene::EngineKind::none) {
+    add_counterexample(report, command, design, *loaded.data, rtl, options);
+  }
   report.inputs = data::input_sources(*loaded.data, loaded.scene.graph.inputs());
   show_progress("");
+  if (!command.junit.empty()) {
+    value_or_exit(
+        write_file(command.junit, verilator_tb::junit_text(report.system, tests_of(report))));
+  }
   print(command.scene.json ? report::json_text(to_json(report)) : to_text(report));
   if (!report.passed()) throw Exit(ExitCode::refuted);
 }

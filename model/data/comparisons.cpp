@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "model/common/check.hpp"
@@ -68,12 +69,14 @@ Result<Done> check_counts(Pairing pairing, const std::vector<Table>& tables) {
 
 std::pair<std::uint64_t, std::uint64_t> pair_items(std::uint64_t index, std::uint64_t count) {
   MIXCMP_CHECK(count <= max_paired_items && index < pair_count(count));
-  std::uint64_t low = 0, high = count - 1;  // the first item lies in [low, high)
-  while (high - low > 1) {
-    const std::uint64_t middle = low + (high - low) / 2;
-    (first_pair_of(middle, count) <= index ? low : high) = middle;
-  }
-  return {low, low + 1 + index - first_pair_of(low, count)};
+  // Item i comes first in the pairs from i (count - 1/2) - i^2 / 2 on. The root of that is off by
+  // its rounding.
+  const double n = static_cast<double>(count) - 0.5;
+  const double root = n - std::sqrt(std::max(0.0, n * n - 2 * static_cast<double>(index)));
+  std::uint64_t first = std::min(static_cast<std::uint64_t>(std::max(0.0, root)), count - 2);
+  while (first_pair_of(first, count) > index) --first;
+  while (first + 2 < count && first_pair_of(first + 1, count) <= index) ++first;
+  return {first, first + 1 + index - first_pair_of(first, count)};
 }
 
 std::uint64_t pair_index(std::uint64_t i, std::uint64_t j, std::uint64_t count) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <deque>
 #include <span>
 #include <utility>
@@ -34,8 +35,8 @@ public:
       returned_.pop_front();
       return;
     }
-    const auto first = fresh_.begin() + static_cast<std::ptrdiff_t>(cursor_);
-    entry.operands.assign(first, first + static_cast<std::ptrdiff_t>(bytes_));
+    entry.operands.resize(bytes_);
+    std::memcpy(entry.operands.data(), &fresh_[cursor_], bytes_);
     entry.position = next_position_++;
     cursor_ += bytes_;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace mixcmp::harness {
 
@@ -24,6 +25,10 @@ public:
   /// `width` bits from bit `offset` up, width <= 64.
   std::uint64_t field(std::size_t offset, int width) const {
     std::uint64_t value = 0;
+    if (offset % 8 == 0 && width % 8 == 0) {
+      std::memcpy(&value, bytes(offset / 8), static_cast<std::size_t>(width / 8));
+      return value;
+    }
     for (int done = 0; done < width;) {
       const int shift = static_cast<int>((offset + done) % 8);
       const int count = std::min(8 - shift, width - done);
@@ -35,6 +40,10 @@ public:
   }
 
   void set_field(std::size_t offset, int width, std::uint64_t value) {
+    if (offset % 8 == 0 && width % 8 == 0) {
+      std::memcpy(bytes(offset / 8), &value, static_cast<std::size_t>(width / 8));
+      return;
+    }
     for (int done = 0; done < width;) {
       const int shift = static_cast<int>((offset + done) % 8);
       const int count = std::min(8 - shift, width - done);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mixcmp::verilator_tb {
+
+/// One test of a JUnit report.
+struct JUnitCase {
+  enum class Outcome {
+    passed,
+    failed,   ///< hardware and model differ
+    broken,   ///< could not be run
+    skipped,  ///< was not run
+  };
+
+  std::string name;
+  double seconds = 0;
+  Outcome outcome = Outcome::passed;
+  std::string message;  ///< one line; empty where it passed
+  std::string details;  ///< the report or the error
+};
+
+/// A file that continuous-integration servers read: one <testsuite>, in the format of Ant's JUnit
+/// task (https://github.com/testmoapp/junitxml).
+std::string junit_text(const std::string& suite, const std::vector<JUnitCase>& cases);
+
+}  // namespace mixcmp::verilator_tb
