@@ -1,0 +1,54 @@
+// fixed_memory_square: the square of a, less its DROPPED low bits, read from a memory.
+// Latency: the population count of CUTS (three bits, the middle one set); initiation interval 1; no
+// reset.
+// The operand is in two's complement. The result is as many low bits as its range needs, WIDTH.
+`default_nettype none
+
+module fixed_memory_square #(
+  parameter       A_WIDTH = 8,
+  parameter       DROPPED = 0,
+  parameter       WIDTH   = 16,
+  parameter [2:0] CUTS    = 3'b010
+) (
+  input  wire               aclk,
+  input  wire [A_WIDTH-1:0] a,
+  output wire [WIDTH-1:0]   y
+);
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if ((A_WIDTH < 1) || (A_WIDTH > 15)) begin : g_refused_a
+      A_WIDTH_is_not_1_to_15 refused ();
+    end else if (DROPPED < 0) begin : g_refused_dropped
+      DROPPED_is_below_0 refused ();
+    end else if ((WIDTH < 1) || (WIDTH + DROPPED > 2 * A_WIDTH)) begin : g_refused_width
+      WIDTH_is_not_1_to_that_of_the_square refused ();
+    end
+    if (!CUTS[1]) begin : g_refused_cuts
+      CUTS_has_no_register_behind_the_memory refused ();
+    end
+  endgenerate
+
+  // The second port has nothing to read: synthesis takes it away.
+  wire [WIDTH-1:0] unread;
+  wire             unused_bits = ^unread;
+
+  fixed_memory_squares #(
+    .A_WIDTH  (A_WIDTH),
+    .B_WIDTH  (A_WIDTH),
+    .DROPPED_A(DROPPED),
+    .DROPPED_B(DROPPED),
+    .WIDTH_A  (WIDTH),
+    .WIDTH_B  (WIDTH),
+    .CUTS     (CUTS)
+  ) both (
+    .aclk(aclk),
+    .a   (a),
+    .b   ({A_WIDTH{1'b0}}),
+    .y_a (y),
+    .y_b (unread)
+  );
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,154 @@
+// fixed_memory_squares: the squares of a and b, each less its DROPPED low bits, read at the two
+// ports of one memory.
+// Latency: the population count of CUTS (three bits, the middle one set: a block memory is read
+// into a register); initiation interval 1; no reset.
+// Operands are in two's complement. A result is as many low bits as its range needs, WIDTH.
+//
+// The memory has a word for each magnitude below 2^ADDRESS_BITS. Two low bits of a square take no
+// memory: bit 0 is that of the operand, bit 1 is 0. The magnitude 2^ADDRESS_BITS, that of the most
+// negative operand alone, has word 0 (as its low bits say) and a single one above all words.
+`default_nettype none
+
+module fixed_memory_squares #(
+  parameter       A_WIDTH   = 8,
+  parameter       B_WIDTH   = 8,
+  parameter       DROPPED_A = 0,
+  parameter       DROPPED_B = 0,
+  parameter       WIDTH_A   = 16,
+  parameter       WIDTH_B   = 16,
+  parameter [2:0] CUTS      = 3'b010
+) (
+  input  wire               aclk,
+  input  wire [A_WIDTH-1:0] a,
+  input  wire [B_WIDTH-1:0] b,
+  output wire [WIDTH_A-1:0] y_a,
+  output wire [WIDTH_B-1:0] y_b
+);
+
+  localparam WIDER        = (A_WIDTH > B_WIDTH) ? A_WIDTH : B_WIDTH;
+  localparam WIDEST       = (WIDER > 15) ? 15 : WIDER;
+  localparam OPERAND      = (WIDEST < 3) ? 3 : WIDEST;
+  localparam ADDRESS_BITS = OPERAND - 1;
+  localparam SQUARE       = 2 * OPERAND;
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if ((A_WIDTH < 1) || (A_WIDTH > 15)) begin : g_refused_a
+      A_WIDTH_is_not_1_to_15 refused ();
+    end else if (DROPPED_A < 0) begin : g_refused_dropped_a
+      DROPPED_A_is_below_0 refused ();
+    end else if ((WIDTH_A < 1) || (WIDTH_A + DROPPED_A > 2 * A_WIDTH)) begin : g_refused_width_a
+      WIDTH_A_is_not_1_to_that_of_the_square refused ();
+    end
+    if ((B_WIDTH < 1) || (B_WIDTH > 15)) begin : g_refused_b
+      B_WIDTH_is_not_1_to_15 refused ();
+    end else if (DROPPED_B < 0) begin : g_refused_dropped_b
+      DROPPED_B_is_below_0 refused ();
+    end else if ((WIDTH_B < 1) || (WIDTH_B + DROPPED_B > 2 * B_WIDTH)) begin : g_refused_width_b
+      WIDTH_B_is_not_1_to_that_of_the_square refused ();
+    end
+    if (!CUTS[1]) begin : g_refused_cuts
+      CUTS_has_no_register_behind_the_memory refused ();
+    end
+  endgenerate
+
+  // The bits HIGH-1 to LOW of a square are in the memory: those that either result reads.
+  localparam END_A   = WIDTH_A + DROPPED_A;
+  localparam END_B   = WIDTH_B + DROPPED_B;
+  localparam END     = (END_A > END_B) ? END_A : END_B;
+  localparam DROPPED = (DROPPED_A < DROPPED_B) ? DROPPED_A : DROPPED_B;
+  localparam LOW     = (DROPPED < 2) ? 2 : DROPPED;
+  localparam TOP     = (END > 2 * ADDRESS_BITS) ? 2 * ADDRESS_BITS : END;
+  localparam HIGH    = (TOP > LOW) ? TOP : LOW + 1;
+
+  (* ram_style = "block", rom_style = "block" *)
+  reg [HIGH-1:LOW] words [0:(1<<ADDRESS_BITS)-1];
+
+  // An initial statement a word, in two loops: in one statement of 2^13 turns Yosys 0.23 spends 27 s,
+  // here 3 s, and Verilator repeats a loop of generate at most 1024 times.
+  localparam COLUMN_BITS = ADDRESS_BITS / 2;
+  localparam COLUMNS     = 1 << COLUMN_BITS;
+  localparam ROWS        = 1 << (ADDRESS_BITS - COLUMN_BITS);
+
+  genvar row;
+  genvar column;
+  generate
+    for (row = 0; row < ROWS; row = row + 1) begin : g_row
+      for (column = 0; column < COLUMNS; column = column + 1) begin : g_word
+        localparam              MAGNITUDE = row * COLUMNS + column;
+        localparam [SQUARE-1:0] WORD      = MAGNITUDE * MAGNITUDE;
+
+        initial words[MAGNITUDE] = WORD[HIGH-1:LOW];
+      end
+    end
+  endgenerate
+
+  // Both squares, with a zero above each.
+  wire [A_WIDTH+B_WIDTH-1:0] operands = {b, a};
+  wire [2*(SQUARE+1)-1:0]    squares;
+  wire                       unused_bits = ^squares;
+
+  genvar port;
+  generate
+    for (port = 0; port < 2; port = port + 1) begin : g_port
+      localparam OWN   = (port == 0) ? A_WIDTH : B_WIDTH;
+      localparam FIRST = (port == 0) ? 0 : A_WIDTH;
+
+      // Stage magnitude: the complement and one.
+      wire [OWN-1:0]     s0_x         = operands[FIRST+:OWN];
+      wire               s0_negative  = s0_x[OWN-1];
+      wire [OWN-1:0]     s0_one       = {{(OWN - 1) {1'b0}}, s0_negative};
+      wire [OWN-1:0]     s0_absolute  = (s0_x ^ {OWN{s0_negative}}) + s0_one;
+      wire [OPERAND-1:0] s0_magnitude = {{(OPERAND - OWN) {1'b0}}, s0_absolute};
+
+      wire [OPERAND-1:0] s1_magnitude;
+
+      fp_rank #(
+        .WIDTH     (OPERAND),
+        .REGISTERED(CUTS[0])
+      ) rank_0 (
+        .aclk(aclk),
+        .d   (s0_magnitude),
+        .q   (s1_magnitude)
+      );
+
+      // Stage read.
+      reg [HIGH-1:LOW] s2_word_q;
+      reg              s2_odd_q;
+      reg              s2_greatest_q;
+
+      always @(posedge aclk) begin
+        s2_word_q     <= words[s1_magnitude[ADDRESS_BITS-1:0]];
+        s2_odd_q      <= s1_magnitude[0];
+        s2_greatest_q <= s1_magnitude[ADDRESS_BITS];
+      end
+
+      // Stage output.
+      wire [SQUARE:0] s2_below    = {{(SQUARE + 1 - HIGH) {1'b0}}, s2_word_q,
+                                     {(LOW - 1) {1'b0}}, s2_odd_q};
+      wire [SQUARE:0] s2_greatest = {2'b00, s2_greatest_q, {(2 * ADDRESS_BITS) {1'b0}}};
+
+      assign squares[port*(SQUARE+1)+:SQUARE+1] = s2_below | s2_greatest;
+    end
+  endgenerate
+
+  fp_rank #(
+    .WIDTH     (WIDTH_A),
+    .REGISTERED(CUTS[2])
+  ) rank_a (
+    .aclk(aclk),
+    .d   (squares[DROPPED_A+:WIDTH_A]),
+    .q   (y_a)
+  );
+  fp_rank #(
+    .WIDTH     (WIDTH_B),
+    .REGISTERED(CUTS[2])
+  ) rank_b (
+    .aclk(aclk),
+    .d   (squares[SQUARE+1+DROPPED_B+:WIDTH_B]),
+    .q   (y_b)
+  );
+
+endmodule
+
+`default_nettype wire
