@@ -52,6 +52,40 @@ Result<std::vector<Choice>> one_or_both(const std::string& option, const std::st
                  fmt::format("both, {}, {}", to_string(first), to_string(second)));
 }
 
+/// Reads "both", embedded multipliers and logic, or a list of the three kinds.
+Result<std::vector<Multipliers>> multiplier_kinds(const std::string& text) {
+  if (text == "both") return std::vector<Multipliers>{Multipliers::embedded, Multipliers::logic};
+  std::vector<Multipliers> kinds;
+  for (const std::string& word : words(text)) {
+    std::optional<Multipliers> found;
+    for (const Multipliers kind :
+         {Multipliers::embedded, Multipliers::logic, Multipliers::memory}) {
+      if (word == to_string(kind)) found = kind;
+    }
+    if (!found || std::find(kinds.begin(), kinds.end(), *found) != kinds.end()) {
+      return mistake("--multipliers", found ? "given twice" : "not a choice", word,
+                     "both, embedded, logic, memory, or several, such as logic,memory");
+    }
+    kinds.push_back(*found);
+  }
+  if (kinds.empty()) {
+    return mistake("--multipliers", "not a choice", text, "both, embedded, logic, memory");
+  }
+  return kinds;
+}
+
+/// Refuses a query of which no lane could come: memories are for lanes in fixed point alone.
+Result<Done> check_memories(const components::ComponentQuery& query) {
+  const bool memory_alone = query.multipliers == std::vector{Multipliers::memory};
+  const bool any_fixed_point =
+      std::any_of(query.bounds.begin(), query.bounds.end(),
+                  [](const scene::BoundChoice& bound) { return bound.is_fixed_point(); });
+  if (!memory_alone || any_fixed_point) return Done{};
+  return mistake("--multipliers", "squares are read from memories by lanes in fixed point alone",
+                 "memory",
+                 "embedded, logic, or --bounds with fixed_norm or another of fixed point");
+}
+
 Result<std::set<ComponentKind>> component_kinds(const std::string& text) {
   constexpr std::array<ComponentKind, 5> all = {ComponentKind::lane, ComponentKind::reference,
                                                 ComponentKind::fifo, ComponentKind::crossbar,
@@ -110,9 +144,9 @@ Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
   MIXCMP_TRY(inputs,
              one_or_both("--inputs", command.inputs, LaneInputs::exact, LaneInputs::rounded));
   query.inputs = inputs;
-  MIXCMP_TRY(multipliers, one_or_both("--multipliers", command.multipliers, Multipliers::embedded,
-                                      Multipliers::logic));
+  MIXCMP_TRY(multipliers, multiplier_kinds(command.multipliers));
   query.multipliers = multipliers;
+  MIXCMP_TRY(possible, check_memories(query));
   const bool few_ports = command.quick && command.ports == CharacteriseCommand().ports;
   MIXCMP_TRY(ports, number_list("--ports", few_ports ? std::string(quick_ports) : command.ports,
                                 components::measured_ports));
@@ -147,7 +181,9 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
       "--bounds", command.bounds,
       fmt::format("of lanes: {} (default: {})", scene::bound_choice_names(), command.bounds));
   verb.option("--inputs", command.inputs, "of lanes: both, exact or rounded (default: both)");
-  verb.option("--multipliers", command.multipliers, "both, embedded or logic (default: both)");
+  verb.option("--multipliers", command.multipliers,
+              "embedded, logic or memory (lanes in fixed point alone), or several: logic,memory "
+              "(default: both, embedded and logic)");
   verb.option("--exponents", command.exponents,
               "exponent bits of lanes: reference, or ranges for the fewest that the declared "
               "ranges allow (default: as reduced.format says)");

@@ -26,6 +26,7 @@ using scene::Scene;
 /// The area of one lane alone on the scene's device.
 Result<Area> lane_area(const Scene& scene, const design::Lane& lane,
                        scene::Multipliers multipliers) {
+  MIXCMP_TRY(possible, design::check_multipliers(lane, multipliers));
   MIXCMP_TRY(device, devices::find_device(scene.system.device));
   MIXCMP_TRY(tools, characterise::tool_versions(device, characterise::TimingEffort::area_only));
   MIXCMP_TRY(built, components::lane_rtl(scene.graph.inputs(), lane, multipliers, scene.system));
@@ -133,12 +134,17 @@ void add_rates(const LoadedScene& loaded, int precision, BoundCosts& costs) {
 }
 
 std::string shown(const std::optional<Area>& area) {
-  return area ? fmt::format("{} LUT, {} DSP", area->luts, area->dsps) : "-";
+  if (!area) return "-";
+  const std::string memories = area->memories > 0 ? fmt::format(", {} memory", area->memories) : "";
+  return fmt::format("{} LUT, {} DSP{}", area->luts, area->dsps, memories);
 }
 
 nlohmann::json json_of(const std::optional<Area>& area) {
   if (!area) return nullptr;
-  return {{"luts", area->luts}, {"registers", area->registers}, {"dsps", area->dsps}};
+  return {{"luts", area->luts},
+          {"registers", area->registers},
+          {"dsps", area->dsps},
+          {"memories", area->memories}};
 }
 
 }  // namespace

@@ -122,9 +122,9 @@ void add_planning_options(const Verb& verb, PlanningOptions& options) {
                       scene::bound_choice_names()))
       .separated_by(',');
   verb.option("--use-multipliers", choice.multipliers,
-              "multipliers to choose from: embedded,logic (default: both)")
+              "multipliers to choose from: embedded,logic,memory (default: all)")
       .separated_by(',')
-      .one_of({"embedded", "logic"});
+      .one_of({"embedded", "logic", "memory"});
   verb.option("--lane-mhz", choice.clocks.lane_mhz, "clock of the lanes, in place of the table's")
       .check(between(0.001, 1e6, "MHZ"));
   verb.option("--reference-mhz", choice.clocks.reference_mhz,

@@ -30,6 +30,13 @@ int exponent_bits(const Scene& scene, const ComponentQuery& query, int precision
                                    scene.ranges);
 }
 
+/// The kinds of multipliers that floating point can have.
+std::vector<Multipliers> float_multipliers(const ComponentQuery& query) {
+  std::vector<Multipliers> kinds = query.multipliers;
+  std::erase(kinds, Multipliers::memory);
+  return kinds;
+}
+
 /// Lanes in fixed point take operands as they arrive: there is no choice of inputs.
 void add_fixed_lanes(std::vector<ComponentKey>& keys, const Scene& scene,
                      const ComponentQuery& query, const scene::BoundChoice& bound) {
@@ -108,7 +115,7 @@ private:
     if (!recomputes() || !(asked(ComponentKind::reference) || asked(ComponentKind::unit))) {
       return Done{};
     }
-    for (const Multipliers multipliers : query_.multipliers) {
+    for (const Multipliers multipliers : reference_multipliers(query_)) {
       MIXCMP_TRY(visited, visit({.kind = ComponentKind::reference,
                                  .format = maker_.scene().reference.format.name(),
                                  .multipliers = std::string(to_string(multipliers))}));
@@ -135,6 +142,12 @@ private:
 
 }  // namespace
 
+std::vector<Multipliers> reference_multipliers(const ComponentQuery& query) {
+  std::vector<Multipliers> kinds = float_multipliers(query);
+  if (kinds.empty()) kinds.push_back(Multipliers::embedded);
+  return kinds;
+}
+
 Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQuery& query) {
   std::vector<ComponentKey> keys;
   for (const scene::BoundChoice& bound : query.bounds) {
@@ -144,7 +157,7 @@ Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQ
       for (const LaneInputs inputs : query.inputs) {
         const int bits = exponent_bits(scene, query, precision, inputs, bound);
         MIXCMP_TRY(format, FloatFormat::make(precision, bits));
-        for (const Multipliers multipliers : query.multipliers) {
+        for (const Multipliers multipliers : float_multipliers(query)) {
           keys.push_back({.kind = ComponentKind::lane,
                           .format = format.name(),
                           .inputs = std::string(to_string(inputs)),

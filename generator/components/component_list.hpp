@@ -25,6 +25,7 @@ struct ComponentQuery {
   std::vector<int> precisions;  ///< of lanes: L, or W in fixed point
   std::vector<scene::BoundChoice> bounds;
   std::vector<LaneInputs> inputs = {LaneInputs::exact, LaneInputs::rounded};
+  /// `memory` is for lanes in fixed point alone.
   std::vector<scene::Multipliers> multipliers = {scene::Multipliers::embedded,
                                                  scene::Multipliers::logic};
   std::vector<int> ports;  ///< numbers of lanes at a crossbar with one reference
@@ -33,6 +34,10 @@ struct ComponentQuery {
   /// If absent: as reduced.format says, or as many as the reference's where that is "auto".
   std::optional<LaneExponents> exponents;
 };
+
+/// What references are made of: what the query asks for, or embedded multipliers where it asks for
+/// memories alone.
+std::vector<scene::Multipliers> reference_multipliers(const ComponentQuery& query);
 
 /// A lane that was asked for and does not exist.
 struct MissingLane {

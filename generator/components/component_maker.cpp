@@ -42,8 +42,14 @@ Result<Choice> choice(const std::string& word, std::initializer_list<Choice> cho
   return Error{.message = "not a choice", .received = in_quotes(word), .accepted = accepted};
 }
 
-/// The kind of multipliers that a key names; a key without one is of a datapath without products.
+/// The kind of multipliers that a lane's key names; a key without one is of a datapath without
+/// products.
 Result<Multipliers> multipliers_of(const ComponentKey& key) {
+  if (key.multipliers.empty()) return Multipliers::embedded;
+  return choice(key.multipliers, {Multipliers::embedded, Multipliers::logic, Multipliers::memory});
+}
+
+Result<Multipliers> reference_multipliers_of(const ComponentKey& key) {
   if (key.multipliers.empty()) return Multipliers::embedded;
   return choice(key.multipliers, {Multipliers::embedded, Multipliers::logic});
 }
@@ -146,7 +152,9 @@ Result<design::Lane> ComponentMaker::lane(const ComponentKey& key) {
   if (bound.kind == scene::BoundChoice::Kind::profiled) {
     MIXCMP_TRY(given, give_constants(reduced));
   }
-  return design::design_lane(scene_, reduced, nullptr);
+  MIXCMP_TRY(made, design::design_lane(scene_, reduced, nullptr));
+  MIXCMP_TRY(possible, design::check_multipliers(made, multipliers));
+  return made;
 }
 
 Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
@@ -163,7 +171,7 @@ Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
                  .received = in_quotes(key.format),
                  .accepted = scene_.reference.format.name()};
   }
-  MIXCMP_TRY(multipliers, multipliers_of(key));
+  MIXCMP_TRY(multipliers, reference_multipliers_of(key));
   MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
   const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
   const datapath::Schedule schedule =

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "model/common/check.hpp"
 #include "model/design/slots.hpp"
 #include "model/number/lane_format.hpp"
 #include "model/optimise/crossover.hpp"
@@ -23,15 +24,31 @@ constexpr double margin = 1.25;
 constexpr double seconds_to_begin = 2;
 constexpr double seconds_per_lut = 0.005;
 
-/// The area of anything that the cost model knows.
+/// The part of a datapath that the estimate of LUTs leaves out.
+profile::Products products_of(Multipliers multipliers) {
+  switch (multipliers) {
+    case Multipliers::embedded: return profile::Products::left_out;
+    case Multipliers::logic: return profile::Products::in_luts;
+    case Multipliers::memory: return profile::Products::squares_in_memory;
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// The area of anything that the cost model knows; the memories of squares are not included.
 template <class Datapath>
 devices::Area rough_area(double (*luts)(const Datapath&, profile::Products),
                          const Datapath& datapath, Multipliers multipliers,
                          const devices::MultiplierSize& size) {
   const bool embedded = multipliers == Multipliers::embedded;
-  const auto products = embedded ? profile::Products::left_out : profile::Products::in_luts;
-  return {.luts = static_cast<int>(std::lround(luts(datapath, products))),
+  return {.luts = static_cast<int>(std::lround(luts(datapath, products_of(multipliers)))),
           .dsps = embedded ? profile::embedded_multipliers(datapath, size) : 0};
+}
+
+Multipliers kind_in(const ComponentKey& key) {
+  for (const Multipliers multipliers : {Multipliers::logic, Multipliers::memory}) {
+    if (key.multipliers == to_string(multipliers)) return multipliers;
+  }
+  return Multipliers::embedded;
 }
 
 /// The streams around one lane, if a LUT of memory keeps one bit of each of 64 comparisons.
@@ -79,7 +96,7 @@ private:
   void weigh_references() {
     const scene::Scene& scene = maker_.scene();
     const TypedGraph reference = reference_graph(scene.graph, scene.reference);
-    for (const Multipliers multipliers : query_.multipliers) {
+    for (const Multipliers multipliers : reference_multipliers(query_)) {
       const devices::Area area = rough_area(profile::reference_luts, reference, multipliers,
                                             device_.delays.multiplier_size);
       reference_share_ =
@@ -90,9 +107,14 @@ private:
 
   devices::Area area_of(const design::Lane& lane, Multipliers multipliers) const {
     const devices::MultiplierSize& size = device_.delays.multiplier_size;
-    return std::visit(
+    devices::Area area = std::visit(
         [&](const auto& made) { return rough_area(profile::lane_luts, made, multipliers, size); },
         lane);
+    if (multipliers == Multipliers::memory) {
+      area.memories =
+          profile::memory_blocks(std::get<fixed::FixedLane>(lane), device_.delays.memory_block);
+    }
+    return area;
   }
 
   std::optional<double> rate_of(const ComponentKey& key, int precision) const {
@@ -110,10 +132,7 @@ private:
     const Result<design::Lane> lane = maker_.lane(key);
     if (!lane.ok()) return Done{};
     MIXCMP_TRY(component, maker_.make(key));
-    const auto multipliers = key.multipliers == to_string(Multipliers::logic)
-                                 ? Multipliers::logic
-                                 : Multipliers::embedded;
-    const devices::Area area = area_of(*lane, multipliers);
+    const devices::Area area = area_of(*lane, kind_in(key));
     const bool recomputes = maker_.scene().system.references.value_or(1) > 0;
     const int slots = design::slots_for(component.latency_cycles, recomputes);
     const devices::Area all = area + rough_streams(maker_.scene(), slots);

@@ -26,6 +26,10 @@ public:
       : lane_(lane), multipliers_(multipliers), placer_(delays, target_mhz) {}
 
   Schedule run() {
+    if (multipliers_ == scene::Multipliers::memory) {
+      const int read_ports = placer_.delays().memory_block.read_ports;
+      schedule_.square_tables = fixed::square_tables(lane_, read_ports);
+    }
     if (lane_.format.is_block) {
       schedule_.largest_exponent = placer_.place(block_exponent_unit(lane_, placer_.delays()), 0);
     }
@@ -55,8 +59,15 @@ private:
       return schedule_.checks.push_back(
           placer_.place(limit_unit(lane_, node, placer_.delays()), start));
     }
-    schedule_.steps.push_back(
-        placer_.place(fixed_unit(lane_, node, multipliers_, placer_.delays()), start));
+    schedule_.steps.push_back(placer_.place(unit_of(node), start));
+  }
+
+  /// The unit of the node that is placed next.
+  Unit unit_of(const FixedNode& node) const {
+    const auto id = static_cast<NodeId>(schedule_.steps.size());
+    const auto* table = fixed::table_of(schedule_.square_tables, id);
+    return table != nullptr ? memory_square_unit(*table, placer_.delays())
+                            : fixed_unit(lane_, node, multipliers_, placer_.delays());
   }
 
   /// Moves a node to the cycle in which its result is needed first, if that takes fewer registers.

@@ -107,7 +107,8 @@ int operand_bits(const std::vector<FixedNode>& nodes, const FixedNode& node, int
 
 Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers multipliers,
                 const DelayTable& delays) {
-  const bool of_logic = multipliers == scene::Multipliers::logic;
+  // There is no table of the products of two operands.
+  const bool of_logic = multipliers != scene::Multipliers::embedded;
   const auto bits = [&](int operand) { return operand_bits(lane.nodes, node, operand); };
   switch (node.operation) {
     case Operation::input: return operand_unit(lane, node.format, delays);
@@ -131,6 +132,18 @@ Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers
     case Operation::divide: break;
   }
   MIXCMP_CHECK(!"an operation that fixed point has no unit for");
+}
+
+/// Memories deeper than a block of 1024 words have a multiplexer behind them.
+Unit memory_square_unit(const fixed::SquareTable& table, const DelayTable& delays) {
+  constexpr int block_address_bits = 10;
+  const int selected = shift_levels(std::max(0, table.address_bits - block_address_bits));
+  StageList stages(delays);
+  stages.add("magnitude", stages.carry(table.address_bits + 1));
+  stages.add_registered("read", stages.lut_delay_ns(1));
+  stages.add("output", delays.memory_ns + stages.lut_delay_ns(selected));
+  return std::move(stages).unit(table.squares.size() == 2 ? "fixed_memory_squares"
+                                                          : "fixed_memory_square");
 }
 
 Unit block_exponent_unit(const FixedLane& lane, const DelayTable& delays) {

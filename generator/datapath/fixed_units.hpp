@@ -4,6 +4,7 @@
 
 #include "generator/datapath/units.hpp"
 #include "model/fixed/fixed_lane.hpp"
+#include "model/fixed/square_tables.hpp"
 
 namespace mixcmp::datapath {
 
@@ -15,9 +16,12 @@ int alignment_bits(const std::vector<fixed::FixedNode>& nodes, const fixed::Fixe
 int operand_bits(const std::vector<fixed::FixedNode>& nodes, const fixed::FixedNode& node,
                  int operand);
 
-/// The unit that computes `node` of a lane (not for a constant: that is a literal).
+/// The unit that computes `node` of a lane (not for a constant: that is a literal; nor for a square
+/// that is read from a memory).
 Unit fixed_unit(const fixed::FixedLane& lane, const fixed::FixedNode& node,
                 scene::Multipliers multipliers, const DelayTable& delays);
+/// The unit that reads one or two squares from a memory.
+Unit memory_square_unit(const fixed::SquareTable& table, const DelayTable& delays);
 /// The unit that finds the largest exponent of the operands of block floating point.
 Unit block_exponent_unit(const fixed::FixedLane& lane, const DelayTable& delays);
 /// The unit that finds the numbers which a limit leaves undecided.

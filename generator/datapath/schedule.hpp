@@ -5,6 +5,7 @@
 
 #include "generator/datapath/units.hpp"
 #include "model/error/lane.hpp"
+#include "model/fixed/square_tables.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::datapath {
@@ -34,6 +35,8 @@ struct Schedule {
   /// One per range check of a lane in floating point, where a check of a sign alone is wires; one
   /// per limit of a lane in fixed point.
   std::vector<Step> checks;
+  /// The squares of a lane in fixed point that are read from memories; each has a step, too.
+  std::vector<fixed::SquareTable> square_tables;
   std::vector<PartSchedule> parts;
   Step combination;        ///< of the verdicts of several parts; no unit if there is one part
   int latency_cycles = 0;  ///< from operands to verdict

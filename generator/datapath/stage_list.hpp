@@ -42,6 +42,11 @@ public:
   double carry(int bits) const { return delays_.carry_start_ns + bits * delays_.carry_ns_per_bit; }
   void add(std::string name, double delay_ns) { stages_.push_back({std::move(name), delay_ns}); }
 
+  /// A stage that ends in a register whatever the period is.
+  void add_registered(std::string name, double delay_ns) {
+    stages_.push_back({.name = std::move(name), .delay_ns = delay_ns, .registered = true});
+  }
+
   void add_operand(FloatFormat operands, Subnormals subnormals);
   void add_embedded_product(int precision);
   void add_logic_product(LogicProduct product);

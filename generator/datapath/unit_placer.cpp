@@ -25,8 +25,8 @@ std::vector<bool> UnitPlacer::choose_cuts(const Unit& unit) {
 }
 
 /// Places registers from the operands on: one behind the stage `forced` (-1: none), and one in
-/// front of each stage that would not fit into the period. For a chain of stages this needs the
-/// fewest registers.
+/// front of each stage that would not fit into the period, besides those that a unit has anyway.
+/// For a chain of stages this needs the fewest registers.
 std::vector<bool> UnitPlacer::greedy_cuts(const Unit& unit, int forced) const {
   MIXCMP_CHECK(!unit.stages.empty());
   std::vector<bool> cuts(unit.stages.size(), false);
@@ -37,6 +37,10 @@ std::vector<bool> UnitPlacer::greedy_cuts(const Unit& unit, int forced) const {
     if (k > 0 && (path_ns > logic_ns_ || static_cast<int>(k) - 1 == forced)) {
       cuts[k - 1] = true;
       path_ns = stage_ns;
+    }
+    if (unit.stages[k].registered) {
+      cuts[k] = true;
+      path_ns = 0;
     }
   }
   cuts.back() = true;

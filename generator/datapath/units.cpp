@@ -50,6 +50,7 @@ Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat re
   switch (multipliers) {
     case Multipliers::embedded: stages.add_embedded_product(operands.precision()); break;
     case Multipliers::logic: stages.add_logic_product({operands.precision(), kind}); break;
+    case Multipliers::memory: MIXCMP_CHECK(!"only lanes in fixed point read memories");
   }
   stages.add("select", stages.lut_delay_ns(1 + reduction_levels(std::max(dropped_bits, 1))));
   stages.add_round(result, subnormals == Subnormals::gradual, 0);

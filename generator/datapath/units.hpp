@@ -22,6 +22,8 @@ struct Stage {
   double overlap_ns = 0;
   /// Index of an earlier stage that must end in a cut if this one does; -1: no such stage.
   int cut_needs = -1;
+  /// The stage ends in a register whatever the period is: a block memory is read into one.
+  bool registered = false;
 };
 
 /// A template and its stages; bit k of its CUTS parameter registers the end of stage k.

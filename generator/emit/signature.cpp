@@ -32,7 +32,8 @@ constexpr std::array inputs_names = {Name<LaneInputs>{LaneInputs::rounded, "roun
                                      Name<LaneInputs>{LaneInputs::exact, "exact"}};
 constexpr std::array multipliers_names = {
     Name<scene::Multipliers>{scene::Multipliers::embedded, "embedded"},
-    Name<scene::Multipliers>{scene::Multipliers::logic, "logic"}};
+    Name<scene::Multipliers>{scene::Multipliers::logic, "logic"},
+    Name<scene::Multipliers>{scene::Multipliers::memory, "memory"}};
 
 constexpr std::array directions = {Name<rtl::Direction>{rtl::Direction::input, "input"},
                                    Name<rtl::Direction>{rtl::Direction::output, "output"}};

@@ -210,6 +210,8 @@ void FixedNodes::build_check(NodeId id) {
 }
 
 void FixedNodes::build_unit(NodeId id) {
+  const auto* table = fixed::table_of(schedule_.square_tables, id);
+  if (table != nullptr) return build_memory_square(id, *table);
   const datapath::Step& step = schedule_.steps[id];
   std::vector<Connection> connections = operands(id, step.start_cycle);
   connections.push_back({"y", net(names_[id])});
@@ -217,6 +219,36 @@ void FixedNodes::build_unit(NodeId id) {
   datapath_.add(Wire{lane_.nodes[id].format.width, names_[id], nullptr});
   datapath_.add(Instance{step.unit.module, datapath_.pool().unique("unit_" + names_[id]),
                          parameters(id), std::move(connections)});
+}
+
+/// A square that is read from a memory. Of two that share one the second builds the unit, once the
+/// operands of both are declared; their cycles need not be the same.
+void FixedNodes::build_memory_square(NodeId id, const fixed::SquareTable& table) {
+  const NodeId last = table.squares.back();
+  const std::string shared =
+      id == last ? "" : fmt::format(" It is read beside {}, below.", names_[last]);
+  datapath_.add(Comment{describe(id) + shared});
+  datapath_.add(Wire{lane_.nodes[id].format.width, names_[id], nullptr});
+  if (id != last) return;
+  const bool alone = table.squares.size() == 1;
+  std::vector<Parameter> parameters;
+  std::vector<Connection> connections = {{"aclk", net("aclk")}};
+  for (std::size_t port = 0; port < table.squares.size(); ++port) {
+    const FixedNode& node = lane_.nodes[table.squares[port]];
+    const std::string upper = alone ? "" : port == 0 ? "_A" : "_B";
+    const std::string lower = alone ? "" : port == 0 ? "_a" : "_b";
+    const int start = schedule_.steps[table.squares[port]].start_cycle;
+    parameters.push_back(
+        {port == 0 ? "A_WIDTH" : "B_WIDTH", datapath::operand_bits(lane_.nodes, node, 0)});
+    if (node.dropped_bits > 0) parameters.push_back({"DROPPED" + upper, node.dropped_bits});
+    parameters.push_back({"WIDTH" + upper, node.format.width});
+    connections.push_back({port == 0 ? "a" : "b", operand(node.operands[0], 0, start)});
+    connections.push_back({"y" + lower, net(names_[table.squares[port]])});
+  }
+  const datapath::Step& step = schedule_.steps[id];
+  parameters.push_back({"CUTS", cut_mask(step)});
+  datapath_.add(Instance{step.unit.module, datapath_.pool().unique("unit_" + names_[id]),
+                         std::move(parameters), std::move(connections)});
 }
 
 /// A node's value in two's complement: a format without a sign gets a zero above, a shift zeros

@@ -40,6 +40,7 @@ private:
   void consume_low_bits(const std::string& name, int count);
   void build_check(NodeId id);
   void build_unit(NodeId id);
+  void build_memory_square(NodeId id, const fixed::SquareTable& table);
   Operand operand(NodeId node, int shift, int cycle);
   std::vector<Connection> operands(NodeId id, int cycle);
   std::vector<Parameter> parameters(NodeId id) const;

@@ -202,7 +202,9 @@ private:
                    : format.fixed_point->is_block ? "block_norm, block_constant"
                                                   : "fixed_norm, fixed_constant");
     }
-    if (column.name == "multipliers") return check_one_of(field, {"embedded", "logic", ""});
+    if (column.name == "multipliers") {
+      return check_one_of(field, {"embedded", "logic", "memory", ""});
+    }
     return Done{};
   }
 

@@ -9,6 +9,7 @@
 #include "model/error/certified_lane.hpp"
 #include "model/error/hazards.hpp"
 #include "model/error/range_analysis.hpp"
+#include "model/fixed/square_tables.hpp"
 #include "model/number/double.hpp"
 #include "model/number/dyadic.hpp"
 
@@ -239,6 +240,8 @@ Result<LaneGroup> design_group(const scene::Scene& scene, const scene::LaneGroup
                                const data::Comparisons* data, MeasureErrors measure) {
   const Result<Lane> lane = design_lane(scene, group.reduced, data, measure);
   if (!lane.ok()) return with_location(lane.error(), group);
+  const auto possible = check_multipliers(*lane, group.reduced.multipliers);
+  if (!possible.ok()) return with_location(possible.error(), group);
   MIXCMP_TRY(count, lane_count(scene, group, data));
   return LaneGroup{.lane = *lane,
                    .inputs = group.reduced.fixed_point ? LaneInputs::exact : group.reduced.inputs,
@@ -317,6 +320,29 @@ Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& re
       return as_lane(design_profiled_lane(scene, reduced, graph, data, measure));
   }
   MIXCMP_CHECK(false);
+}
+
+Result<Done> check_multipliers(const Lane& lane, scene::Multipliers multipliers) {
+  if (multipliers != scene::Multipliers::memory) return Done{};
+  const auto* fixed = std::get_if<fixed::FixedLane>(&lane);
+  if (fixed == nullptr) {
+    return Error{.field = "reduced.multipliers",
+                 .message = "squares are read from memories by lanes in fixed point alone",
+                 .received = fmt::format("\"memory\" in {}", format_name(lane)),
+                 .accepted = "embedded or logic, or a format such as q11 or block11"};
+  }
+  int widest = 0;
+  for (const fixed::SquareTable& table : fixed::square_tables(*fixed, 1)) {
+    widest = std::max(widest, table.address_bits);
+  }
+  if (widest <= fixed::most_table_bits) return Done{};
+  return Error{.field = "reduced.multipliers",
+               .message = "the memory of a square would be too large",
+               .received = fmt::format("\"memory\", where {} squares magnitudes of {} bits",
+                                       format_name(lane), widest),
+               .accepted = fmt::format("embedded or logic, or a format with fewer bits: magnitudes "
+                                       "of at most {}",
+                                       fixed::most_table_bits)};
 }
 
 Result<Design> make_design(const scene::Scene& scene, const data::Comparisons* data,

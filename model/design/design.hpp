@@ -56,6 +56,10 @@ Result<Design> make_design(const scene::Scene& scene, const data::Comparisons* d
 Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& reduced,
                          const data::Comparisons* data, MeasureErrors measure = nullptr);
 
+/// Checks that a lane can have such multipliers: one that reads squares from memories is in fixed
+/// point, and its squares are narrow.
+Result<Done> check_multipliers(const Lane& lane, scene::Multipliers multipliers);
+
 /// A short name for each group: its format, "s12e8". Groups that share a format also get the traits
 /// in which they differ, "s12e8_rounded_logic"; they have the same name only if they differ in
 /// none.

@@ -18,9 +18,17 @@ struct MultiplierSize {
   friend bool operator==(const MultiplierSize&, const MultiplierSize&) = default;
 };
 
-/// Rough delays of one device family, in nanoseconds, routing included, and the size of its
-/// multipliers. They only steer where registers go; an estimate made from them is never called a
-/// clock.
+/// One block of memory.
+struct MemoryBlock {
+  int bits = 18432;
+  int read_ports = 2;  ///< ports that can read, each at an address of its own: 1 or 2
+
+  friend bool operator==(const MemoryBlock&, const MemoryBlock&) = default;
+};
+
+/// Rough delays of one device family, in nanoseconds, routing included, and the sizes of its
+/// multipliers and memory blocks. They only steer where registers go; an estimate made from them is
+/// never called a clock.
 struct DelayTable {
   double lut_ns = 0.7;              ///< one LUT and the wire to it
   double carry_start_ns = 0.8;      ///< getting onto and off a carry chain
@@ -28,8 +36,10 @@ struct DelayTable {
   double multiplier_ns = 2.0;       ///< one embedded multiplier, to the register behind it
   double multiplier_output_ns = 0;  ///< from that register through its adder, if any
   double multiplier_add_ns = 1.0;   ///< adding its product to another's
+  double memory_ns = 2.0;           ///< from a memory block's clock to the word that it has read
   double register_ns = 0.6;         ///< clock-to-output plus set-up
   MultiplierSize multiplier_size;
+  MemoryBlock memory_block;
 };
 
 /// The tool that measures a device's clocks.

@@ -57,6 +57,8 @@ Result<Done> read_figures(const settings::Settings& settings, Device& device) {
   }
   section.integer("multiplier_a_bits", device.delays.multiplier_size.a_bits, 2, 64);
   section.integer("multiplier_b_bits", device.delays.multiplier_size.b_bits, 2, 64);
+  section.integer("memory_bits", device.delays.memory_block.bits, 1, most);
+  section.integer("memory_read_ports", device.delays.memory_block.read_ports, 1, 2);
   if (const auto error = section.finish()) return *error;
   return Done{};
 }
@@ -150,6 +152,7 @@ Result<Done> read_delays(const settings::Settings& settings, DelayTable& delays)
     section.number(entry.key, delays.*entry.delay, 0.001, 1000);
   }
   section.number("multiplier_output_ns", delays.multiplier_output_ns, 0, 1000);
+  section.number("memory_ns", delays.memory_ns, 0, 1000);
   if (const auto error = section.finish()) return *error;
   return Done{};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/common/check.hpp"
 #include "model/design/slots.hpp"
 #include "model/performance/performance.hpp"
 #include "model/profile/cost_model.hpp"
@@ -112,8 +113,13 @@ std::optional<Amounts> measured_amounts(const design::Design& design,
 
 /// Products cost no LUTs where embedded multipliers may take them.
 profile::Products products_of(scene::Multipliers multipliers, const devices::Device& device) {
-  const bool embedded = multipliers == scene::Multipliers::embedded && device.available.dsps > 0;
-  return embedded ? profile::Products::left_out : profile::Products::in_luts;
+  switch (multipliers) {
+    case scene::Multipliers::embedded:
+      return device.available.dsps > 0 ? profile::Products::left_out : profile::Products::in_luts;
+    case scene::Multipliers::logic: return profile::Products::in_luts;
+    case scene::Multipliers::memory: return profile::Products::squares_in_memory;
+  }
+  MIXCMP_CHECK(false);
 }
 
 double rough_luts(const design::Design& design, const devices::Device& device) {

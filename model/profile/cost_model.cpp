@@ -11,6 +11,7 @@
 
 #include "model/common/check.hpp"
 #include "model/common/file.hpp"
+#include "model/fixed/square_tables.hpp"
 #include "model/number/dyadic.hpp"
 
 namespace mixcmp::profile {
@@ -175,19 +176,26 @@ double lane_luts(const error::Lane& lane, Products products) {
 /// - A root takes a sum for each bit of its result.
 /// - An operand takes a shifter, two places a LUT, and a compare of its exponent; in block floating
 ///   point also its share of the search for the largest exponent.
+/// - A square that is read from a memory takes the sum that makes its operand's magnitude.
 /// - Products of logic and limits have factors that are fitted to mapped lanes.
 double lane_luts(const fixed::FixedLane& lane, Products products) {
   const double exponent = lane.input_format.exponent_bits();
   double luts = 0;
-  for (const fixed::FixedNode& node : lane.nodes) {
+  for (NodeId id = 0; id < static_cast<NodeId>(lane.nodes.size()); ++id) {
+    const fixed::FixedNode& node = lane.nodes[id];
     const int width = node.format.width;
     switch (node.operation) {
       case Operation::constant: break;
       case Operation::convert: luts += fixed::is_limit(node) ? 1 + 0.1 * width : 0; break;
       case Operation::input: luts += 2.0 * width + exponent * (lane.format.is_block ? 4 : 1); break;
-      case Operation::multiply:
       case Operation::square:
-        if (products == Products::in_luts) luts += 0.25 * width * width;
+        if (products == Products::squares_in_memory) {
+          luts += fixed::magnitude_bits(lane, id);
+          break;
+        }
+        [[fallthrough]];
+      case Operation::multiply:
+        if (products != Products::left_out) luts += 0.25 * width * width;
         break;
       case Operation::square_root: luts += 0.5 * width * (width + 5); break;
       default: luts += width; break;
@@ -221,6 +229,15 @@ int embedded_multipliers(const fixed::FixedLane& lane, const devices::Multiplier
     count += covering(a, square ? a : lane.nodes[node.operands[1]].format.width, size);
   }
   return count;
+}
+
+int memory_blocks(const fixed::FixedLane& lane, const devices::MemoryBlock& block) {
+  std::int64_t blocks = 0;
+  for (const fixed::SquareTable& table : fixed::square_tables(lane, block.read_ports)) {
+    const std::int64_t bits = std::int64_t{table.word_bits} << table.address_bits;
+    blocks += (bits + block.bits - 1) / block.bits;
+  }
+  return static_cast<int>(blocks);
 }
 
 double reference_luts(const TypedGraph& reference, Products products) {

@@ -15,7 +15,8 @@ namespace mixcmp::profile {
 /// Whether an estimate includes products.
 enum class Products {
   in_luts,
-  left_out,  ///< embedded multipliers take them
+  left_out,           ///< embedded multipliers take them
+  squares_in_memory,  ///< memories take the squares of lanes in fixed point
 };
 
 /// A rough area of datapaths, in LUTs of six inputs and no DSPs: one term per operation, fitted to
@@ -29,6 +30,10 @@ double reference_luts(const TypedGraph& reference, Products products = Products:
 int embedded_multipliers(const error::Lane& lane, const devices::MultiplierSize& size);
 int embedded_multipliers(const fixed::FixedLane& lane, const devices::MultiplierSize& size);
 int embedded_multipliers(const TypedGraph& reference, const devices::MultiplierSize& size);
+
+/// How many blocks hold the squares of a lane that reads them from memories, if a block takes any
+/// part of a memory.
+int memory_blocks(const fixed::FixedLane& lane, const devices::MemoryBlock& block);
 
 /// Areas measured by the user; each replaces the estimate for its scheme and precision.
 class MeasuredAreas {

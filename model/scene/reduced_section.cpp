@@ -73,6 +73,14 @@ void read_relative_error(settings::Section& section, const std::string& key,
   }
 }
 
+/// A significand's square is rounded, and most significands are too wide for a table.
+void check_multipliers(settings::Section& section, const ReducedSpec& spec) {
+  if (spec.multipliers != Multipliers::memory || !spec.format) return;
+  section.fail("multipliers", "squares are read from memories by lanes in fixed point alone",
+               fmt::format("\"memory\" in {}", spec.format_name()),
+               "embedded or logic, or a format such as q11 or block11");
+}
+
 /// Reads every key of [reduced]; an absent key leaves `spec` as it is.
 void read_lane_keys(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
   read_reduced_format(section, reference, spec);
@@ -82,7 +90,9 @@ void read_lane_keys(settings::Section& section, FloatFormat reference, ReducedSp
   section.choice("inputs", spec.inputs, {LaneInputs::rounded, LaneInputs::exact});
   section.choice("rounding", spec.rounding, {Rounding::nearest_even, Rounding::toward_zero});
   section.choice("subnormals", spec.subnormals, {Subnormals::flush, Subnormals::gradual});
-  section.choice("multipliers", spec.multipliers, {Multipliers::embedded, Multipliers::logic});
+  section.choice("multipliers", spec.multipliers,
+                 {Multipliers::embedded, Multipliers::logic, Multipliers::memory});
+  check_multipliers(section, spec);
   read_relative_error(section, "relative_error_f", spec.relative_error_f);
   read_relative_error(section, "relative_error_g", spec.relative_error_g);
 }

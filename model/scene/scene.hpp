@@ -40,6 +40,7 @@ enum class OperandStore {
 enum class Multipliers {
   embedded,  ///< the device's multiplier blocks, as far as synthesis finds some
   logic,     ///< rows of carry chains, on any device
+  memory,    ///< of a lane in fixed point: squares are read from block memories, products are logic
 };
 
 /// The words of scene files, options and reports.

@@ -34,6 +34,7 @@ std::string_view to_string(Multipliers multipliers) {
   switch (multipliers) {
     case Multipliers::embedded: return "embedded";
     case Multipliers::logic: return "logic";
+    case Multipliers::memory: return "memory";
   }
   MIXCMP_CHECK(false);
 }

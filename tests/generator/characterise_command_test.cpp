@@ -80,6 +80,26 @@ TEST_F(CharacteriseCommand, MeasuresWithTheRealYosys) {
   EXPECT_EQ(wide->area.dsps, 0) << "multipliers of logic";
 }
 
+TEST_F(CharacteriseCommand, MeasuresTheMemoriesOfSquares) {
+  if (!has_yosys()) GTEST_SKIP() << "yosys is not installed";
+  write("squares.toml",
+        "[comparison]\nname = \"squares\"\nf = \"(a - b)^2\"\ng = \"c^2\"\n"
+        "[inputs]\n\"*\" = { range = [0, 1] }\n[reference]\nformat = \"s11e5\"\n"
+        "[reduced]\nformat = \"auto\"\n[system]\ndevice = \"ecp5-85k\"\n");
+  const Outcome run = mixcmp(
+      "characterise squares.toml --store s.sqlite --area-only --bounds fixed_norm "
+      "--multipliers logic,memory --components lane --precisions 8 -o table.csv");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto table = characterise::read_characterisation(path("table.csv"));
+  ASSERT_TRUE(table.ok()) << table.error().to_string();
+  ASSERT_EQ(table->rows.size(), 2u);
+  EXPECT_EQ(table->rows[0].key.multipliers, "logic");
+  EXPECT_EQ(table->rows[0].area.memories, 0);
+  EXPECT_EQ(table->rows[1].key.multipliers, "memory");
+  EXPECT_EQ(table->rows[1].area.memories, 1) << "both squares in one block";
+  EXPECT_LT(table->rows[1].area.luts, table->rows[0].area.luts);
+}
+
 TEST_F(CharacteriseCommand, AnAreaAloneDoesNotReplaceAClock) {
   const std::string timed =
       "characterise scene.toml --store s.sqlite --bounds relative --inputs exact "
@@ -307,7 +327,9 @@ TEST_F(CharacteriseCommand, RefusesWhatItCannotDo) {
   refused("--bounds tight", "--bounds");
   refused("--bounds running_9", "running_1 to running_8");
   refused("--inputs some", "both, exact, rounded");
-  refused("--multipliers some", "both, embedded, logic");
+  refused("--multipliers some", "both, embedded, logic, memory");
+  refused("--multipliers logic,logic", "given twice");
+  refused("--multipliers memory --bounds relative", "by lanes in fixed point alone");
   refused("--components gate", "lane, reference, fifo, crossbar, unit");
   refused("--ports 0", "--ports");
   refused("--exponents some", "reference, ranges");

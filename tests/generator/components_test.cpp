@@ -176,6 +176,22 @@ TEST_F(Components, LanesInFixedPointAreWhatGenerateWritesOnceForAllInputs) {
   EXPECT_TRUE(found.missing.empty());
 }
 
+TEST_F(Components, OnlyLanesInFixedPointHaveMemoriesOfSquares) {
+  components::ComponentQuery query = lanes({12, 16}, {"running_4", "fixed_norm"});
+  query.kinds.insert(characterise::ComponentKind::reference);
+  query.multipliers = {scene::Multipliers::memory};
+  const Found found = find(scene("[reduced]\nformat = \"auto\"\n"), query);
+  ASSERT_EQ(found.components.size(), 2u);
+  for (const auto& [key, component] : found.components) {
+    const bool lane = key.kind == characterise::ComponentKind::lane;
+    EXPECT_EQ(key.format, lane ? "q12" : "s24e8");
+    EXPECT_EQ(key.multipliers, lane ? "memory" : "embedded");
+  }
+  ASSERT_EQ(found.missing.size(), 1u);
+  EXPECT_EQ(found.missing[0].key.format, "q16");
+  EXPECT_EQ(found.missing[0].reason.field, "reduced.multipliers");
+}
+
 TEST_F(Components, LanesThatDoNotExistAreToldWithTheirReason) {
   components::ComponentQuery query = lanes({4, 12}, {"relative", "running_4", "constant"});
   query.inputs = {LaneInputs::exact, LaneInputs::rounded};

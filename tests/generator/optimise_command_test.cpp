@@ -46,9 +46,10 @@ protected:
     row(table, "crossbar,,,,,,256", 0, 2000, 0);
   }
 
-  static void row(std::ofstream& table, const std::string& key, int latency, int luts, int dsps) {
-    table << fmt::format("{},{},{},{},{},0,0,0,,,,,,0,00,made up\n", key, latency, luts, luts,
-                         dsps);
+  static void row(std::ofstream& table, const std::string& key, int latency, int luts, int dsps,
+                  int memories = 0) {
+    table << fmt::format("{},{},{},{},{},{},0,0,,,,,,0,00,made up\n", key, latency, luts, luts,
+                         dsps, memories);
   }
 
   /// Without what was told on stderr before it.
@@ -90,6 +91,24 @@ TEST_F(OptimiseCommand, APlanOfLanesInFixedPointIsWhatCheckTakes) {
   ASSERT_EQ(checked.exit_code, 0) << checked.output;
   const auto lanes = json_of(checked).at("lane_groups");
   EXPECT_EQ(lanes[0].at("format"), "q11") << checked.output;
+}
+
+/// A lane of memory is cheaper in LUTs, and of 1440 blocks 80 % hold 288 lanes of four.
+TEST_F(OptimiseCommand, APlanHasNoMoreMemoriesThanTheDevice) {
+  std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);
+  row(table, "lane,,q11,,fixed_norm,memory,0", 8, 300, 0, 4);
+  row(table, "fifo,,,,,,32", 0, 200, 0);
+  table.close();
+  const Outcome found = mixcmp(
+      "optimise scene.toml --first 11 --last 11 --use-multipliers memory,embedded "
+      "-o plan.toml");
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  const std::string plan = read("plan.toml");
+  EXPECT_NE(plan.find("multipliers = \"memory\""), std::string::npos) << plan;
+  EXPECT_NE(plan.find("288"), std::string::npos) << plan;
+  const Outcome checked = mixcmp("check plan.toml --json");
+  ASSERT_EQ(checked.exit_code, 0) << checked.output;
+  expect_refused("optimise scene.toml --use-multipliers wood", "memory");
 }
 
 /// Without the streams around a lane a plan would promise lanes that have no room.

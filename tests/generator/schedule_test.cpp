@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "generator/datapath/delays.hpp"
+#include "generator/datapath/fixed_schedule.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
 #include "tests/support/sphere.hpp"
@@ -185,6 +186,33 @@ INSTANTIATE_TEST_SUITE_P(Targets, CutsOfProducts,
                          testing::Combine(testing::ValuesIn(targets_mhz),
                                           testing::Values(scene::Multipliers::embedded,
                                                           scene::Multipliers::logic)));
+
+/// At any target the memory is read into a register and the result is registered.
+TEST(Schedule, SquaresFromMemoriesHaveTheirRegisters) {
+  const Graph graph = sphere_graph();
+  const fixed::FixedOptions options = {
+      .format = {11}, .ranges = {graph.inputs().size(), std::optional(Range{0, 100})}};
+  const auto lane = fixed::fixed_lane(graph, format("s53e8"), options).value();
+  for (const char* device : {"virtex6-lx760", "ice40-hx8k"}) {
+    const datapath::DelayTable delays = datapath::delays_of(device).value();
+    for (const double target : targets_mhz) {
+      const auto schedule =
+          datapath::schedule_lane(lane, scene::Multipliers::memory, delays, target);
+      const bool two_ports = delays.memory_block.read_ports == 2;
+      ASSERT_EQ(schedule.square_tables.size(), two_ports ? 2u : 4u);
+      for (const fixed::SquareTable& table : schedule.square_tables) {
+        for (const NodeId square : table.squares) {
+          const datapath::Step& step = schedule.steps[square];
+          EXPECT_EQ(step.unit.module, two_ports ? "fixed_memory_squares" : "fixed_memory_square");
+          ASSERT_EQ(step.cuts.size(), 3u);
+          EXPECT_TRUE(step.cuts[1] && step.cuts[2]) << target;
+          EXPECT_EQ(step.cuts, schedule.steps[table.squares[0]].cuts) << "one mask a unit";
+          EXPECT_EQ(step.ready_cycle - step.start_cycle, registers(step.cuts));
+        }
+      }
+    }
+  }
+}
 
 /// Chains that follow each other without a register run at the same time.
 TEST(Schedule, NoRegisterIsBoughtForChainsThatOverlap) {

@@ -241,6 +241,22 @@ TEST(MakeDesign, RefusesWhatFixedPointHasNot) {
   EXPECT_EQ(error_of(scene).field, "reduced.error_bound");
 }
 
+/// The squares of q14 have magnitudes of 14 and 15 bits.
+TEST(MakeDesign, RefusesMemoriesOfSquaresThatAreTooWide) {
+  Scene scene = fixed_scene();
+  scene.graph = graph_of("(a - b)^2", "(a + b)^2");
+  scene.reduced.multipliers = Multipliers::memory;
+  EXPECT_TRUE(design::make_design(scene, nullptr).ok());
+  scene.reduced.fixed_point = FixedPoint{14};
+  const Error error = error_of(scene);
+  EXPECT_EQ(error.field, "reduced.multipliers");
+  EXPECT_EQ(error.received, "\"memory\", where q14 squares magnitudes of 15 bits");
+  EXPECT_NE(error.accepted.find("at most 14"), std::string::npos) << error.accepted;
+  scene.lanes = {{.count = 1, .reduced = scene.reduced, .place = {"scene.toml", 7}}};
+  EXPECT_EQ(error_of(scene).field, "lanes.multipliers");
+  EXPECT_EQ(error_of(scene).line, 7);
+}
+
 TEST(MakeDesign, RefusesALaneInFixedPointThatCouldNeverDecide) {
   Scene scene = fixed_scene();
   scene.graph = graph_of("a^8", "b^8");

@@ -94,12 +94,13 @@ TEST(Devices, AnAbsentFileIsToldByItsPath) {
 TEST(Devices, AUsersFileIsADevice) {
   const test::ScratchDirectory directory;
   const auto path = directory.path() / "mine.toml";
-  std::ofstream(path) << "[device]\nname = \"mine\"\nluts = 1000\nregisters = 2000\ndsps = 3\n"
-                         "memories = 4\nmultiplier_a_bits = 12\nmultiplier_b_bits = "
-                         "9\n[synthesis]\ncommand = \"synth_ice40\"\n"
-                         "[timing]\ntool = \"none\"\n"
-                         "[delays]\nlut_ns = 1\ncarry_start_ns = 1.5\ncarry_ns_per_bit = 0.1\n"
-                         "multiplier_ns = 9\nmultiplier_add_ns = 2\nregister_ns = 1\n";
+  std::ofstream(path)
+      << "[device]\nname = \"mine\"\nluts = 1000\nregisters = 2000\ndsps = 3\n"
+         "memories = 4\nmemory_bits = 9000\nmultiplier_a_bits = 12\nmultiplier_b_bits = "
+         "9\n[synthesis]\ncommand = \"synth_ice40\"\n"
+         "[timing]\ntool = \"none\"\n"
+         "[delays]\nlut_ns = 1\ncarry_start_ns = 1.5\ncarry_ns_per_bit = 0.1\n"
+         "multiplier_ns = 9\nmultiplier_add_ns = 2\nregister_ns = 1\n";
   const auto device = devices::find_device(path.string());
   ASSERT_TRUE(device.ok()) << device.error().to_string();
   EXPECT_EQ(device->name, "mine");
@@ -107,6 +108,7 @@ TEST(Devices, AUsersFileIsADevice) {
             (devices::Area{.luts = 1000, .registers = 2000, .dsps = 3, .memories = 4}));
   EXPECT_EQ(device->delays.multiplier_ns, 9);
   EXPECT_EQ(device->delays.multiplier_size, (devices::MultiplierSize{.a_bits = 12, .b_bits = 9}));
+  EXPECT_EQ(device->delays.memory_block, (devices::MemoryBlock{.bits = 9000, .read_ports = 2}));
 }
 
 }  // namespace

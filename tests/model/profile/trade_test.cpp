@@ -157,5 +157,27 @@ TEST(CostModel, GrowsWithPrecisionAndWithTheErrorUnit) {
   EXPECT_GT(profile::reference_luts(reference_graph(scene.graph, scene.reference)), before);
 }
 
+/// As many blocks as Yosys makes for whole lanes (docs/fixed_point.md).
+TEST(CostModel, CountsTheBlocksOfSquaresInMemory) {
+  struct Measured {
+    int bits, blocks_18k, blocks_4k;
+  };
+  const Graph graph = sphere_graph();
+  for (const auto& [bits, blocks_18k, blocks_4k] :
+       {Measured{9, 2, 11}, Measured{11, 8, 52}, Measured{13, 35, 248}}) {
+    const fixed::FixedOptions options = {
+        .format = {bits}, .ranges = {graph.inputs().size(), std::optional(Range{0, 100})}};
+    const auto lane = fixed::fixed_lane(graph, format_of(53, 8), options).value();
+    EXPECT_EQ(profile::memory_blocks(lane, {}), blocks_18k) << bits;
+    const int of_ice40 = profile::memory_blocks(lane, {.bits = 4096, .read_ports = 1});
+    EXPECT_NEAR(of_ice40, blocks_4k, 0.05 * blocks_4k) << bits;
+    using profile::Products;
+    EXPECT_LT(profile::lane_luts(lane, Products::left_out),
+              profile::lane_luts(lane, Products::squares_in_memory));
+    EXPECT_LT(profile::lane_luts(lane, Products::squares_in_memory),
+              profile::lane_luts(lane, Products::in_luts));
+  }
+}
+
 }  // namespace
 }  // namespace mixcmp::test::trade_test

@@ -70,6 +70,23 @@ TEST_F(Groups, WhatAGroupDoesNotSayComesFromReduced) {
   EXPECT_EQ(scene->lane_count(), 5);
 }
 
+TEST_F(Groups, OnlyLanesInFixedPointReadSquaresFromMemories) {
+  const Result<scene::Scene> scene = load(head +
+                                          "[[lanes]]\ncount = 1\nformat = \"q11\"\n"
+                                          "multipliers = \"memory\"\n");
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_EQ(scene->lanes[0].reduced.multipliers, scene::Multipliers::memory);
+  EXPECT_EQ(error("[[lanes]]\ncount = 1\nmultipliers = \"memory\"\n"),
+            ":18: lanes.multipliers: squares are read from memories by lanes in fixed point alone: "
+            "received \"memory\" in s17e11; accepted embedded or logic, or a format such as q11 or "
+            "block11");
+  EXPECT_NE(error("multipliers = \"memory\"\n").find(":16: reduced.multipliers:"),
+            std::string::npos);
+  EXPECT_EQ(error("[[references]]\ncount = 1\nmultipliers = \"memory\"\n"),
+            ":18: references.multipliers: not a choice: received \"memory\"; accepted embedded, "
+            "logic");
+}
+
 TEST_F(Groups, ExponentBitsFromRangesAreChosenForEachGroup) {
   const Result<scene::Scene> scene = load(head +
                                           "[[lanes]]\ncount = 1\n"
