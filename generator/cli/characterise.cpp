@@ -64,7 +64,7 @@ struct MissingKind {
 std::vector<MissingKind> missing_kinds(const std::vector<components::MissingLane>& missing) {
   std::vector<MissingKind> found;
   for (const components::MissingLane& lane : missing) {
-    const std::string what = scene::to_string(lane.key.bound) + " " + lane.key.inputs;
+    const std::string what = scene::to_string(lane.key.bound) + " " + to_string(lane.key.inputs);
     auto kind = std::find_if(found.begin(), found.end(),
                              [&](const MissingKind& known) { return known.what == what; });
     if (kind == found.end()) kind = found.insert(kind, {.what = what, .first = lane.key.format});
@@ -108,7 +108,7 @@ nlohmann::ordered_json json_of(const characterise::Measurement& row) {
   nlohmann::ordered_json json = {{"kind", to_string(row.key.kind)},
                                  {"name", row.key.name},
                                  {"format", row.key.format},
-                                 {"inputs", row.key.inputs},
+                                 {"inputs", to_string(row.key.inputs)},
                                  {"bound", scene::to_string(row.key.bound)},
                                  {"multipliers", row.key.multipliers},
                                  {"ports", row.key.ports},
@@ -260,8 +260,9 @@ void tell_failures(const CharacteriseReport& report) {
 std::string kinds_of(const std::set<characterise::ComponentKey>& lanes) {
   std::map<std::string, std::set<int>> formats;
   for (const characterise::ComponentKey& lane : lanes) {
-    const std::string kind = scene::to_string(lane.bound) + (lane.inputs.empty() ? "" : " ");
-    formats[kind + lane.inputs].insert(LaneFormat::parse(lane.format).value().precision());
+    const std::string kind = scene::to_string(lane.bound) + (lane.inputs ? " " : "");
+    formats[kind + to_string(lane.inputs)].insert(
+        LaneFormat::parse(lane.format).value().precision());
   }
   std::vector<std::string> kinds;
   for (const auto& [kind, precisions] : formats) {
@@ -276,7 +277,8 @@ void choose_quickly(const CharacteriseCommand& command, const LoadedScene& loade
   components::ComponentQuery& query = options.query;
   const auto [first, last] = std::minmax_element(query.precisions.begin(), query.precisions.end());
   const auto rates = optimise::Rates::of(
-      value_or_exit(measure_rates(loaded, {.first_precision = *first, .last_precision = *last})));
+      value_or_exit(measure_rates(loaded, {query.inputs.begin(), query.inputs.end()},
+                                  {.first_precision = *first, .last_precision = *last})));
   components::ComponentMaker maker(loaded.scene, loaded.data ? &*loaded.data : nullptr);
   const auto found = value_or_exit(components::shortlist(maker, query, device, rates));
   query.lanes = found.lanes;

@@ -40,18 +40,6 @@ std::optional<int> number(std::string_view text) {
   return failed == std::errc() && stop == end ? std::optional(value) : std::nullopt;
 }
 
-/// Reads an option that is "both" or the word of one of two choices.
-template <class Choice>
-Result<std::vector<Choice>> one_or_both(const std::string& option, const std::string& word,
-                                        Choice first, Choice second) {
-  if (word == "both") return std::vector<Choice>{first, second};
-  for (const Choice choice : {first, second}) {
-    if (word == to_string(choice)) return std::vector<Choice>{choice};
-  }
-  return mistake(option, "not a choice", word,
-                 fmt::format("both, {}, {}", to_string(first), to_string(second)));
-}
-
 /// Reads "both", embedded multipliers and logic, or a list of the three kinds.
 Result<std::vector<Multipliers>> multiplier_kinds(const std::string& text) {
   if (text == "both") return std::vector<Multipliers>{Multipliers::embedded, Multipliers::logic};
@@ -70,6 +58,18 @@ Result<std::vector<Multipliers>> multiplier_kinds(const std::string& text) {
   }
   if (kinds.empty()) {
     return mistake("--multipliers", "not a choice", text, "both, embedded, logic, memory");
+  }
+  return kinds;
+}
+
+/// Reads "exact,rounded,20", each kind once. As many digits as the reference has are exact inputs.
+Result<std::vector<LaneInputs>> kinds_of_inputs(const std::string& text, FloatFormat reference) {
+  const int most = reference.precision();
+  MIXCMP_TRY(chosen, parse_inputs("--inputs", words(text), most));
+  std::vector<LaneInputs> kinds;
+  for (const LaneInputs each : chosen) {
+    const LaneInputs kind = each.in_lane(0, most);
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
   }
   return kinds;
 }
@@ -141,8 +141,7 @@ Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
   query.precisions = numbers;
   MIXCMP_TRY(choices, parse_bounds("--bounds", words(command.bounds)));
   query.bounds = choices;
-  MIXCMP_TRY(inputs,
-             one_or_both("--inputs", command.inputs, LaneInputs::exact, LaneInputs::rounded));
+  MIXCMP_TRY(inputs, kinds_of_inputs(command.inputs, scene.reference.format));
   query.inputs = inputs;
   MIXCMP_TRY(multipliers, multiplier_kinds(command.multipliers));
   query.multipliers = multipliers;
@@ -180,7 +179,9 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
   verb.option(
       "--bounds", command.bounds,
       fmt::format("of lanes: {} (default: {})", scene::bound_choice_names(), command.bounds));
-  verb.option("--inputs", command.inputs, "of lanes: both, exact or rounded (default: both)");
+  verb.option("--inputs", command.inputs,
+              "of lanes: exact, rounded, digits that operands are rounded to, 20 (default: " +
+                  command.inputs + ")");
   verb.option("--multipliers", command.multipliers,
               "embedded, logic or memory (lanes in fixed point alone), or several: logic,memory "
               "(default: both, embedded and logic)");

@@ -12,7 +12,7 @@ struct CharacteriseCommand {
   std::string bounds =
       "relative,running_4,running_1,constant,profiled,fixed_norm,fixed_constant,block_norm,"
       "block_constant";
-  std::string inputs = "both";
+  std::string inputs = "exact,rounded";
   std::string multipliers = "both";
   std::string components = "lane,reference,fifo,crossbar";
   std::string ports = "1-8,12,16,24,32,48,64,96,128";

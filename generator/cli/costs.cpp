@@ -42,12 +42,13 @@ Result<Area> lane_area(const Scene& scene, const design::Lane& lane,
 /// where that lane does not exist.
 Result<std::optional<Area>> area_of_all_built(const Scene& scene, const ReducedSpec& reduced,
                                               const error::Lane& lane) {
-  const auto all_built = error::certified_lane(
-      lane_graph(scene.graph, scene.reference.format, lane.graph.arithmetic, scene.reduced.inputs),
-      {.kind = *reduced.error_bound,
-       .bound_digits = reduced.bound_digits,
-       .ranges = scene.ranges,
-       .hazards = error::HazardRemoval::keep});
+  const auto all_built =
+      error::certified_lane(lane_graph(scene.graph, scene.reference.format, lane.graph.arithmetic,
+                                       reduced.inputs_beside(scene.reference.format)),
+                            {.kind = *reduced.error_bound,
+                             .bound_digits = reduced.bound_digits,
+                             .ranges = scene.ranges,
+                             .hazards = error::HazardRemoval::keep});
   if (!all_built.ok()) return std::optional<Area>();
   MIXCMP_TRY(area, lane_area(scene, *all_built, reduced.multipliers));
   return std::optional(area);

@@ -68,9 +68,11 @@ void add_to(ContentHash& hash, const data::Table& table) {
   for (const Bits value : table.values) hash.add(to_hex(value, table.format.width()));
 }
 
-/// A hash of all that rates depend on: the data, the precisions, and the scene's settings, those of
-/// its plans included, without the numbers of datapaths and the system around them.
+/// A hash of all that rates depend on: the data, the inputs' digits, the precisions, and the
+/// scene's settings, those of its plans included, without the numbers of datapaths and the system
+/// around them.
 std::string rates_hash(const LoadedScene& loaded, const SceneOptions& options,
+                       const std::set<LaneInputs>& inputs,
                        const optimise::OptimiseOptions& choice) {
   ContentHash hash;
   hash.add(emit::version);
@@ -80,6 +82,7 @@ std::string rates_hash(const LoadedScene& loaded, const SceneOptions& options,
     if (!others.contains(section.key)) hash.add(section.key).add(toml_value(section));
   }
   for (const data::Table& table : loaded.data->tables()) add_to(hash, table);
+  for (const LaneInputs each : inputs) hash.add(to_string(each));
   hash.add(fmt::format("{}-{}", choice.first_precision, choice.last_precision));
   return hash.hex().substr(0, 8);
 }
@@ -95,16 +98,17 @@ SceneOptions with_set(const ExploreCommand& command, const std::string& set) {
 
 /// The rates of one data set. They are kept in the output folder, so that an interrupted run can be
 /// continued.
-optimise::Rates rates_of(const ExploreCommand& command, const std::string& set) {
+optimise::Rates rates_of(const ExploreCommand& command, const std::string& set,
+                         const std::set<LaneInputs>& inputs) {
   const SceneOptions options = with_set(command, set);
   const LoadedScene loaded = value_or_exit(load(options));
   std::string name = set.empty() ? "own" : set.substr(set.find('=') + 1);
   std::replace(name.begin(), name.end(), '/', '_');
   const fs::path kept =
-      command.output /
-      fmt::format("rates-{}-{}.csv", name, rates_hash(loaded, options, command.planning.choice));
+      command.output / fmt::format("rates-{}-{}.csv", name,
+                                   rates_hash(loaded, options, inputs, command.planning.choice));
   if (fs::exists(kept)) return value_or_exit(optimise::Rates::read(kept));
-  const auto rates = value_or_exit(measure_rates(loaded, command.planning.choice));
+  const auto rates = value_or_exit(measure_rates(loaded, inputs, command.planning.choice));
   report::ProfileReport report{.scene = loaded.scene.name,
                                .reference = loaded.scene.reference.format,
                                .comparisons = loaded.data->size(),
@@ -261,10 +265,13 @@ std::string tables_of(const optimise::Exploration& exploration,
 }
 
 std::vector<optimise::DataSet> measure_sets(const ExploreCommand& command,
-                                            const std::vector<std::string>& settings) {
+                                            const std::vector<std::string>& settings,
+                                            const std::vector<Planning>& known) {
+  std::set<LaneInputs> inputs;
+  for (const Planning& each : known) inputs.merge(inputs_of_lanes(each.table));
   std::vector<optimise::DataSet> sets;
   for (const std::string& setting : settings) {
-    sets.push_back({setting.empty() ? own_data : setting, rates_of(command, setting)});
+    sets.push_back({setting.empty() ? own_data : setting, rates_of(command, setting, inputs)});
   }
   return sets;
 }
@@ -406,7 +413,7 @@ void run(const ExploreCommand& command) {
   const std::vector<std::string> settings = value_or_exit(data_sets(command.over));
   const std::vector<Planning> known = plannings_for(command, loaded, settings);
   const FolderLock held = lock_folder(command.output);
-  const std::vector<optimise::DataSet> sets = measure_sets(command, settings);
+  const std::vector<optimise::DataSet> sets = measure_sets(command, settings, known);
   std::vector<report::SoftwareThroughput> software;
   if (command.software) software = measure_software(loaded);
 

@@ -45,13 +45,15 @@ void check_rates(const optimise::Rates& rates, const fs::path& file, const Loade
   }
 }
 
-optimise::Rates rates_for(const OptimiseCommand& command, const LoadedScene& loaded) {
+optimise::Rates rates_for(const OptimiseCommand& command, const LoadedScene& loaded,
+                          const characterise::Characterisation& table) {
   if (!command.rates.empty()) {
     optimise::Rates rates = value_or_exit(optimise::Rates::read(command.rates));
     check_rates(rates, command.rates, loaded);
     return rates;
   }
-  return optimise::Rates::of(value_or_exit(measure_rates(loaded, command.planning.choice)));
+  return optimise::Rates::of(
+      value_or_exit(measure_rates(loaded, inputs_of_lanes(table), command.planning.choice)));
 }
 
 std::string command_of(const OptimiseCommand& command) {
@@ -91,7 +93,7 @@ Result<Candidate> find_plans(const OptimiseCommand& command, const LoadedScene& 
   const data::Comparisons* data = loaded.data ? &*loaded.data : nullptr;
   MIXCMP_TRY(known, load_planning(planning, loaded.scene, data));
   MIXCMP_TRY(found, optimise::optimise(known.scene, known.device, known.table,
-                                       rates_for(command, loaded), planning.choice));
+                                       rates_for(command, loaded, known.table), planning.choice));
   return Candidate{std::move(known), std::move(found)};
 }
 

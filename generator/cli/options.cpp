@@ -35,7 +35,7 @@ constexpr std::array<Shortcut, 9> shortcuts = {{
     {"--variant", "comparison.variant", "one of the scene's [[variant]]s in place of [comparison]"},
     {"--format", "reduced.format", "reduced format of the lanes, s17e8"},
     {"--bound", "reduced.bound", "certified or profiled"},
-    {"--inputs", "reduced.inputs", "rounded or exact"},
+    {"--inputs", "reduced.inputs", "rounded, exact, or so many digits, 20"},
     {"--lanes", "system.lanes", "p_L", settings::limits::lanes},
     {"--references", "system.references", "p_H", settings::limits::references},
     {"--target-mhz", "system.target_mhz", "clock that the cut points are chosen for"},
@@ -208,6 +208,22 @@ Result<std::vector<scene::BoundChoice>> parse_bounds(const std::string& option,
       continue;
     }
     Error error = choice.error();
+    error.field = option;
+    return error;
+  }
+  return choices;
+}
+
+Result<std::vector<LaneInputs>> parse_inputs(const std::string& option,
+                                             const std::vector<std::string>& words, int most) {
+  std::vector<LaneInputs> choices;
+  for (const std::string& word : words) {
+    const auto inputs = LaneInputs::parse(word, settings::limits::lane_precision.least, most);
+    if (inputs.ok()) {
+      choices.push_back(*inputs);
+      continue;
+    }
+    Error error = inputs.error();
     error.field = option;
     return error;
   }

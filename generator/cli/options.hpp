@@ -61,6 +61,10 @@ std::optional<double> number(const std::string& text);
 /// Accepts a number in these limits, NaN none of them.
 Condition between(double least, double most, const std::string& unit);
 
+/// Reads the kinds of inputs given for this option: "exact", "rounded", or up to `most` digits.
+Result<std::vector<LaneInputs>> parse_inputs(const std::string& option,
+                                             const std::vector<std::string>& words, int most);
+
 /// Reads the names of error bounds given for this option.
 Result<std::vector<scene::BoundChoice>> parse_bounds(const std::string& option,
                                                      const std::vector<std::string>& names);

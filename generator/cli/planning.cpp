@@ -110,9 +110,14 @@ void add_planning_options(const Verb& verb, PlanningOptions& options) {
       .check(within(settings::limits::lane_precision));
   verb.option("--last", choice.last_precision, "the highest L (default: the highest there is)")
       .check(within(settings::limits::lane_precision));
-  verb.option("--use-inputs", choice.inputs, "lanes to choose from: exact,rounded (default: both)")
-      .separated_by(',')
-      .one_of({"exact", "rounded"});
+  verb.list_option(
+          "--use-inputs",
+          [&choice](const std::vector<std::string>& words) {
+            choice.inputs = value_or_exit(
+                parse_inputs("--use-inputs", words, settings::limits::reference_precision.most));
+          },
+          "lanes to choose from: exact,rounded,20 (default: all that the table has)")
+      .separated_by(',');
   verb.list_option(
           "--use-bounds",
           [&choice](const std::vector<std::string>& names) {
@@ -153,7 +158,9 @@ std::string planning_command_line(const std::string& verb, const PlanningOptions
   if (choice.last_precision != usual.last_precision) {
     add("--last", std::to_string(choice.last_precision));
   }
-  add_words("--use-inputs", choice.inputs);
+  std::vector<std::string> inputs;
+  for (const LaneInputs each : choice.inputs) inputs.push_back(to_string(each));
+  add_words("--use-inputs", inputs);
   std::vector<std::string> bounds;
   for (const scene::BoundChoice& bound : choice.bounds) bounds.push_back(to_string(bound));
   add_words("--use-bounds", bounds);
@@ -229,7 +236,16 @@ Result<Planning> load_planning(const PlanningOptions& options, const scene::Scen
   return planning;
 }
 
+std::set<LaneInputs> inputs_of_lanes(const characterise::Characterisation& table) {
+  std::set<LaneInputs> inputs = {LaneInputs::exact, LaneInputs::rounded};
+  for (const characterise::Measurement& row : table.rows) {
+    if (row.key.inputs) inputs.insert(*row.key.inputs);
+  }
+  return inputs;
+}
+
 Result<std::vector<profile::RateProfile>> measure_rates(const LoadedScene& loaded,
+                                                        const std::set<LaneInputs>& inputs,
                                                         const optimise::OptimiseOptions& choice) {
   const scene::Scene& scene = loaded.scene;
   MIXCMP_TRY(has_data, check_has_data(loaded, "recomputation rates are measured on data"));
@@ -244,8 +260,7 @@ Result<std::vector<profile::RateProfile>> measure_rates(const LoadedScene& loade
     show_progress(fmt::format("{}: {:.0f} %", what, share * 100));
   };
   MIXCMP_TRY(possible, check_profile(scene, options));
-  auto errors =
-      profile_errors(scene, *loaded.data, {LaneInputs::exact, LaneInputs::rounded}, options);
+  auto errors = profile_errors(scene, *loaded.data, {inputs.begin(), inputs.end()}, options);
   std::vector<profile::RateProfile> rates;
   for (profile::ErrorProfile& each : errors) {
     use_given_constants(scene.reduced, each);

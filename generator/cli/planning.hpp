@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,9 +49,13 @@ struct Planning {
 Result<Planning> load_planning(const PlanningOptions& options, const scene::Scene& scene,
                                const data::Comparisons* data);
 
-/// Recomputation rates of every kind of lane on the scene's data, for exact and for rounded inputs,
-/// at the precisions of `choice`. It is an error if the scene has no data.
+/// The kinds of inputs that plans choose from: exact, rounded, and those of the table's lanes.
+std::set<LaneInputs> inputs_of_lanes(const characterise::Characterisation& table);
+
+/// Recomputation rates of every kind of lane on the scene's data, for these kinds of inputs, at the
+/// precisions of `choice`. It is an error if the scene has no data.
 Result<std::vector<profile::RateProfile>> measure_rates(const LoadedScene& loaded,
+                                                        const std::set<LaneInputs>& inputs,
                                                         const optimise::OptimiseOptions& choice);
 
 }  // namespace mixcmp::cli

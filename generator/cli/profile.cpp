@@ -72,7 +72,7 @@ void add_options(const Verb& verb, ProfileCommand& command) {
           "lanes without a bound)")
       .separated_by(',');
   verb.flag("--both-inputs", command.both_inputs,
-            "rates for rounded and for exact inputs, whatever the scene says");
+            "rates for rounded and for exact inputs, too, whatever the scene says");
   verb.flag("--brute-force", command.brute_force,
             "every comparison through every lane and MPFR: slow, the same counts");
   verb.flag("--trade", command.trade, "weigh wrong verdicts against area, system by system");
@@ -97,7 +97,9 @@ report::ProfileReport measure(const LoadedScene& loaded, const ProfileCommand& c
                               const profile::ProfileOptions& options) {
   const scene::Scene& scene = loaded.scene;
   std::vector<LaneInputs> inputs = {scene.reduced.inputs};
-  inputs.push_back(inputs[0] == LaneInputs::exact ? LaneInputs::rounded : LaneInputs::exact);
+  for (const LaneInputs other : {LaneInputs::exact, LaneInputs::rounded}) {
+    if (other != inputs.front()) inputs.push_back(other);
+  }
   report::ProfileReport report{.scene = scene.name,
                                .reference = scene.reference.format,
                                .comparisons = loaded.data->size(),

@@ -19,8 +19,8 @@ using devices::Device;
 
 std::string label(const ComponentKey& key) {
   std::string text(to_string(key.kind));
-  for (const std::string& word :
-       {key.name, key.format, key.inputs, scene::to_string(key.bound), key.multipliers}) {
+  for (const std::string& word : {key.name, key.format, to_string(key.inputs),
+                                  scene::to_string(key.bound), key.multipliers}) {
     if (!word.empty()) text += " " + word;
   }
   return key.ports == 0 ? text : fmt::format("{} {} ports", text, key.ports);

@@ -155,12 +155,14 @@ Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQ
     for (const int precision : query.precisions) {
       if (bound.is_fixed_point()) break;
       for (const LaneInputs inputs : query.inputs) {
+        // A number of digits is that of lanes with fewer; with as many they are rounded to.
+        if (inputs.in_lane(precision, scene.reference.format.precision()) != inputs) continue;
         const int bits = exponent_bits(scene, query, precision, inputs, bound);
         MIXCMP_TRY(format, FloatFormat::make(precision, bits));
         for (const Multipliers multipliers : float_multipliers(query)) {
           keys.push_back({.kind = ComponentKind::lane,
                           .format = format.name(),
-                          .inputs = std::string(to_string(inputs)),
+                          .inputs = inputs,
                           .bound = bound,
                           .multipliers = std::string(to_string(multipliers))});
         }

@@ -145,8 +145,8 @@ Result<design::Lane> ComponentMaker::lane(const ComponentKey& key) {
   reduced.format = format.floating;
   reduced.fixed_point = format.fixed_point;
   if (format.floating) {
-    MIXCMP_TRY(inputs, choice(key.inputs, {LaneInputs::rounded, LaneInputs::exact}));
-    reduced.inputs = inputs;
+    MIXCMP_CHECK(key.inputs.has_value());
+    reduced.inputs = *key.inputs;
   }
   reduced.multipliers = multipliers;
   if (bound.kind == scene::BoundChoice::Kind::profiled) {
@@ -223,11 +223,12 @@ Result<Component> ComponentMaker::make_crossbar(const ComponentKey& key) {
 
 Result<Done> ComponentMaker::give_constants(scene::ReducedSpec& lane) {
   if (lane.relative_error_f && lane.relative_error_g) return Done{};
-  if (constants_.empty()) {
-    MIXCMP_TRY(measured, measure_constants());
+  if (!constants_.contains(lane.inputs)) {
+    MIXCMP_TRY(measured, measure_constants(lane.inputs));
   }
-  const auto found = constants_.find({lane.format->precision(), lane.inputs});
-  if (found == constants_.end()) {
+  const auto& of_inputs = constants_.at(lane.inputs);
+  const auto found = of_inputs.find(lane.format->precision());
+  if (found == of_inputs.end()) {
     return out_of_range("precision", lane.format->precision(), "what a profile measures");
   }
   if (!lane.relative_error_f) lane.relative_error_f = found->second.first;
@@ -240,7 +241,7 @@ Result<Done> ComponentMaker::give_constants(scene::ReducedSpec& lane) {
       .accepted = "other data, or the constant itself"};
 }
 
-Result<Done> ComponentMaker::measure_constants() {
+Result<Done> ComponentMaker::measure_constants(LaneInputs inputs) {
   if (data_ == nullptr) {
     return Error{.field = "reduced.relative_error_f, reduced.relative_error_g",
                  .message = "a profiled bound needs its constants, or data to measure them on",
@@ -254,11 +255,9 @@ Result<Done> ComponentMaker::measure_constants() {
       .last_precision = settings::lane_precisions(scene.reference.format).most,
       .error_samples = constant_samples};
   MIXCMP_TRY(possible, check_profile(scene, options));
-  for (const profile::ErrorProfile& profile :
-       profile_errors(scene, *data_, {LaneInputs::rounded, LaneInputs::exact}, options)) {
-    for (const profile::ErrorAtPrecision& error : profile.precisions) {
-      constants_[{error.precision, profile.inputs}] = {error.f, error.g};
-    }
+  const auto measured = profile_errors(scene, *data_, {inputs}, options);
+  for (const profile::ErrorAtPrecision& error : measured.front().precisions) {
+    constants_[inputs][error.precision] = {error.f, error.g};
   }
   return Done{};
 }

@@ -57,14 +57,14 @@ private:
   Result<Component> make_fifo(const characterise::ComponentKey& key);
   Result<Component> make_crossbar(const characterise::ComponentKey& key);
   Result<Done> give_constants(scene::ReducedSpec& lane);
-  Result<Done> measure_constants();
+  Result<Done> measure_constants(LaneInputs inputs);
   /// The streams of one lane and one reference, which do not depend on what is computed between
   /// them.
   rtl::SystemShape stream_shape() const;
 
   scene::Scene scene_;
   const data::Comparisons* data_;
-  std::map<std::pair<int, LaneInputs>, Constants> constants_;
+  std::map<LaneInputs, std::map<int, Constants>> constants_;  ///< by precision; as measured
 };
 
 }  // namespace mixcmp::components

@@ -79,7 +79,7 @@ public:
 private:
   struct Kind {
     scene::BoundChoice bound;
-    std::string inputs;
+    std::optional<LaneInputs> inputs;
     friend auto operator<=>(const Kind&, const Kind&) = default;
   };
   struct Candidate {
@@ -118,8 +118,7 @@ private:
   }
 
   std::optional<double> rate_of(const ComponentKey& key, int precision) const {
-    const LaneInputs inputs =
-        key.inputs == to_string(LaneInputs::rounded) ? LaneInputs::rounded : LaneInputs::exact;
+    const LaneInputs inputs = key.inputs.value_or(LaneInputs::exact);
     const auto rate = rates_.find({inputs, *key.bound, precision});
     return rate ? std::optional(rate->value()) : std::nullopt;
   }

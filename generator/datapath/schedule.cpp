@@ -51,7 +51,8 @@ public:
   }
 
   /// Places the bound, the conditions and the decision of one part of a lane.
-  void decide(const error::LanePart& part, const Sides& sides, FloatFormat format) {
+  void decide(const error::LanePart& part, const TypedGraph& graph, const Sides& sides) {
+    const FloatFormat format = graph.arithmetic.format;
     PartSchedule schedule;
     int start = 0;
     for (const std::size_t check : part.checks) {
@@ -62,7 +63,7 @@ public:
                     {interval->minimum, interval->maximum}, start);
     }
     if (const auto* absolute = std::get_if<error::AbsoluteBoundCriterion>(&part.criterion)) {
-      place_bounds(*absolute, format, schedule);
+      place_bounds(*absolute, graph, schedule);
       for (const auto* beside : {&schedule.bounds, &schedule.conditions}) {
         for (const Step& step : *beside) start = std::max(start, step.ready_cycle);
       }
@@ -81,7 +82,7 @@ public:
   Schedule finish() { return placer_.finish(std::move(schedule_)); }
 
 private:
-  void place_bounds(const error::AbsoluteBoundCriterion& criterion, FloatFormat lane,
+  void place_bounds(const error::AbsoluteBoundCriterion& criterion, const TypedGraph& graph,
                     PartSchedule& schedule) {
     const BoundFormat format = criterion.bound.format;
     for (const error::BoundNode& node : criterion.bound.nodes) {
@@ -91,7 +92,9 @@ private:
       }
       const int start = node.value >= 0 ? schedule_.steps[node.value].ready_cycle
                                         : ready_cycle(schedule.bounds, operands_of(node));
-      schedule.bounds.push_back(place(bound_unit(node.operation, lane, format, delays_), start));
+      const FloatFormat value =
+          node.value >= 0 ? graph.nodes[node.value].format : graph.arithmetic.format;
+      schedule.bounds.push_back(place(bound_unit(node.operation, value, format, delays_), start));
     }
     for (const error::BoundCondition& condition : criterion.conditions) {
       const int start = std::max(schedule.bounds[condition.bound].ready_cycle,
@@ -123,7 +126,7 @@ Schedule schedule_lane(const error::Lane& lane, scene::Multipliers multipliers,
   scheduler.place_nodes(lane.graph, multipliers);
   scheduler.place_checks(lane.checks);
   for (std::size_t k = 0; k < lane.parts.size(); ++k) {
-    scheduler.decide(lane.parts[k], lane.graph.parts[k], lane.graph.arithmetic.format);
+    scheduler.decide(lane.parts[k], lane.graph, lane.graph.parts[k]);
   }
   return scheduler.finish();
 }

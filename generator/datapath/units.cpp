@@ -142,9 +142,9 @@ Unit bound_multiply_unit(BoundFormat bound, const DelayTable& delays) {
   return std::move(stages).unit("bound_multiply");
 }
 
-Unit bound_magnitude_unit(FloatFormat lane, BoundFormat bound, const DelayTable& delays) {
+Unit bound_magnitude_unit(FloatFormat value, BoundFormat bound, const DelayTable& delays) {
   StageList stages(delays);
-  stages.add("reduce", stages.lut_delay_ns(1 + reduction_levels(lane.width() - bound.width())));
+  stages.add("reduce", stages.lut_delay_ns(1 + reduction_levels(value.width() - bound.width())));
   stages.add("round", stages.carry(bound.width()));
   return std::move(stages).unit("bound_magnitude");
 }
@@ -231,18 +231,18 @@ Unit combination_unit(std::size_t parts, const DelayTable& delays) {
   return std::move(stages).unit("verdict_combination");
 }
 
-Unit bound_unit(BoundOperation operation, FloatFormat lane, BoundFormat bound,
+Unit bound_unit(BoundOperation operation, FloatFormat value, BoundFormat bound,
                 const DelayTable& delays) {
   const StageList stages(delays);
   switch (operation) {
-    case BoundOperation::magnitude: return bound_magnitude_unit(lane, bound, delays);
+    case BoundOperation::magnitude: return bound_magnitude_unit(value, bound, delays);
     case BoundOperation::binade:
       return single_stage_unit("bound_binade", "binade",
-                               stages.lut_delay_ns(1 + reduction_levels(lane.width() - 1)));
+                               stages.lut_delay_ns(1 + reduction_levels(value.width() - 1)));
     case BoundOperation::reciprocal:
       return single_stage_unit("bound_reciprocal", "negate",
-                               stages.lut_delay_ns(1 + reduction_levels(lane.exponent_bits())) +
-                                   stages.carry(lane.exponent_bits()));
+                               stages.lut_delay_ns(1 + reduction_levels(value.exponent_bits())) +
+                                   stages.carry(value.exponent_bits()));
     case BoundOperation::add: return bound_add_unit(bound, delays);
     case BoundOperation::multiply: return bound_multiply_unit(bound, delays);
     case BoundOperation::maximum:

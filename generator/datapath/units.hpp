@@ -57,8 +57,9 @@ Unit interval_decision_unit(FloatFormat format, const DelayTable& delays);
 /// The unit that combines the verdicts of several parts.
 Unit combination_unit(std::size_t parts, const DelayTable& delays);
 
-/// The unit of a node of a lane's error bound (not for a constant: that is a literal).
-Unit bound_unit(error::BoundOperation operation, FloatFormat lane, BoundFormat bound,
+/// The unit of a node of a lane's error bound (not for a constant: that is a literal). `value` is
+/// the format of the number that a magnitude, a binade or a reciprocal is of.
+Unit bound_unit(error::BoundOperation operation, FloatFormat value, BoundFormat bound,
                 const DelayTable& delays);
 Unit bound_at_most_unit(BoundFormat bound, const DelayTable& delays);
 Unit bound_decision_unit(FloatFormat lane, BoundFormat bound, const DelayTable& delays);

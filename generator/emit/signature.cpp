@@ -28,8 +28,6 @@ constexpr std::array stores = {
     Name<scene::OperandStore>{scene::OperandStore::carried, "carried"},
     Name<scene::OperandStore>{scene::OperandStore::refetched, "refetched"}};
 
-constexpr std::array inputs_names = {Name<LaneInputs>{LaneInputs::rounded, "rounded"},
-                                     Name<LaneInputs>{LaneInputs::exact, "exact"}};
 constexpr std::array multipliers_names = {
     Name<scene::Multipliers>{scene::Multipliers::embedded, "embedded"},
     Name<scene::Multipliers>{scene::Multipliers::logic, "logic"},
@@ -89,6 +87,14 @@ public:
     std::string name = text(field);
     if (!LaneFormat::parse(name).ok()) refuse(field, "a format: \"s17e8\", \"q13\", \"block13\"");
     return name;
+  }
+  /// "rounded", "exact" or a number of digits, "20".
+  LaneInputs lane_inputs(const char* field) {
+    const auto inputs =
+        LaneInputs::parse(text(field), FloatFormat::min_precision, FloatFormat::max_precision);
+    if (inputs.ok()) return *inputs;
+    refuse(field, inputs.error().accepted);
+    return LaneInputs::exact;
   }
   FloatFormat format(const char* field) {
     auto parsed = FloatFormat::parse(text(field));
@@ -168,7 +174,7 @@ Json to_json(const SignatureLanes& group) {
           {"latency_cycles", group.latency_cycles},
           {"certified", group.certified},
           {"decision", group.decision},
-          {"inputs", text_of(inputs_names, group.inputs)},
+          {"inputs", to_string(group.inputs)},
           {"multipliers", text_of(multipliers_names, group.multipliers)}};
 }
 
@@ -219,7 +225,7 @@ SignatureLanes read_lanes(Reader& reader) {
           .latency_cycles = reader.number("latency_cycles", 0, many),
           .certified = reader.read<bool>("certified", "true or false"),
           .decision = reader.text("decision"),
-          .inputs = reader.choice("inputs", inputs_names),
+          .inputs = reader.lane_inputs("inputs"),
           .multipliers = reader.choice("multipliers", multipliers_names)};
 }
 

@@ -35,8 +35,9 @@ std::vector<Curve> curves_by_kind(const Optimisation& optimisation, Value value)
   for (const PrecisionPlan& plan : optimisation.plans) {
     for (const LaneImplementation& lane : plan.lanes) {
       const ComponentKey& key = lane.measured.key;
-      const std::string title = fmt::format("{}, {} inputs, {}", scene::to_string(key.bound),
-                                            key.inputs, key.multipliers);
+      const std::string inputs = key.inputs ? describe(*key.inputs) + ", " : "";
+      const std::string title =
+          fmt::format("{}, {}{}", scene::to_string(key.bound), inputs, key.multipliers);
       Curve& curve = curves[title];
       curve.title = title;
       const double y = value(lane.measured);

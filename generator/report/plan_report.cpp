@@ -160,7 +160,7 @@ std::string figure7_csv(const Optimisation& optimisation) {
   for (const PrecisionPlan& plan : optimisation.plans) {
     for (const LaneImplementation& lane : plan.lanes) {
       const Measurement& m = lane.measured;
-      text += fmt::format("{},{},{},{},{},{},{},{},", plan.precision, m.key.inputs,
+      text += fmt::format("{},{},{},{},{},{},{},{},", plan.precision, to_string(m.key.inputs),
                           scene::to_string(m.key.bound), m.key.multipliers, m.area.luts,
                           m.area.registers, m.area.dsps, m.latency_cycles);
       text +=

@@ -29,7 +29,7 @@ std::string figure4_script(const ProfileReport& report) {
       report.scene + ": largest relative error", precision_axis, "|f_L - f_T| / |f_T|", x_axis, {}};
   int color = 0;
   for (const ErrorProfile& profile : report.errors) {
-    const std::string inputs = fmt::format("{} inputs", to_string(profile.inputs));
+    const std::string inputs = describe(profile.inputs);
     Curve f{"f, " + inputs, measured_style(color, 7), {}},
         g{"g, " + inputs, measured_style(color + 1, 5), {}};
     Curve f_bound{"f proven, " + inputs, proven_style(color), {}};
@@ -54,7 +54,7 @@ std::string figure5_script(const ProfileReport& report) {
     for (const SchemeProfile& scheme : profile.schemes) {
       if (scheme.kind == SchemeKind::lanes_alone) continue;
       const int point = profile.inputs == LaneInputs::exact ? 7 : 6;
-      Curve curve{fmt::format("{}, {} inputs", scheme.name, to_string(profile.inputs)),
+      Curve curve{fmt::format("{}, {}", scheme.name, describe(profile.inputs)),
                   measured_style(color++, point),
                   {}};
       for (std::size_t k = 0; k < scheme.counts.size(); ++k) {

@@ -51,9 +51,8 @@ std::string shown(const std::optional<double>& bound) {
 }
 
 void add_errors(Page& page, const ErrorProfile& profile) {
-  page.add(
-      "\nrelative error of f and g, {} inputs: the largest of {} comparisons, and what is proven\n",
-      to_string(profile.inputs), profile.comparisons);
+  page.add("\nrelative error of f and g, {}: the largest of {} comparisons, and what is proven\n",
+           describe(profile.inputs), profile.comparisons);
   page.add("{:>4}  {:>10}  {:>10}  {:>10}  {:>10}\n", "L", "f", "f bound", "g", "g bound");
   for (const ErrorAtPrecision& error : profile.precisions) {
     page.add("{:>4}  {:>10}  {:>10}  {:>10}  {:>10}{}\n", error.precision, measured(error.f),
@@ -106,8 +105,8 @@ void add_wrong_lanes(Page& page, const RateProfile& profile) {
 }
 
 void add_rates(Page& page, const RateProfile& profile) {
-  page.add("\nrecomputation rate and wrong verdicts, {} inputs, {} comparisons\n",
-           to_string(profile.inputs), profile.comparisons);
+  page.add("\nrecomputation rate and wrong verdicts, {}, {} comparisons\n",
+           describe(profile.inputs), profile.comparisons);
   page.add("the reference alone: {} wrong\n", profile.reference_wrong);
   if (profile.undetermined > 0) {
     page.add("the truth is undetermined of {}, which count as wrong of nobody\n",

@@ -72,10 +72,10 @@ double floor_of(const std::vector<Trade>& trades) {
 
 std::string to_text(const Trade& trade) {
   std::string text = fmt::format(
-      "\ntrade, {} inputs: comparisons a cycle from 1000 LUTs, and wrong verdicts per million\n"
+      "\ntrade, {}: comparisons a cycle from 1000 LUTs, and wrong verdicts per million\n"
       "reference: {:.0f} LUTs ({}), {:.3g} wrong per million; R_S = {}; * is a measured "
       "area\n{:>4}",
-      to_string(trade.inputs), trade.reference_luts,
+      describe(trade.inputs), trade.reference_luts,
       trade.reference_measured ? "measured" : "cost model", trade.reference_wrong_per_million,
       trade.slack, "L");
   const std::vector<std::string> schemes = schemes_of(trade);
@@ -110,9 +110,9 @@ std::string advice(const Trade& trade, double accepted_per_million) {
   if (point == nullptr)
     return fmt::format("{}: no scheme at any of these precisions{}\n", accepted, unknown);
   return fmt::format(
-      "{}: cheapest at L = {}, scheme {}, {} inputs: {:.4g} wrong per million on this data{}, "
+      "{}: cheapest at L = {}, scheme {}, {}: {:.4g} wrong per million on this data{}, "
       "recomputation rate {:.2e}, {:.3f} comparisons a cycle from 1000 LUTs\n",
-      accepted, point->precision, point->scheme, to_string(trade.inputs), point->wrong_per_million,
+      accepted, point->precision, point->scheme, describe(trade.inputs), point->wrong_per_million,
       unknown, point->rate, point->per_kiloluts);
 }
 
@@ -168,10 +168,9 @@ std::string trade_script(const std::vector<Trade>& trades, const std::string& sc
         const int mark = trade.inputs == LaneInputs::exact ? 7 : 6;
         // Points without a wrong verdict have another height for each scheme.
         none *= 0.6;
-        picture.curves.push_back(
-            {fmt::format("{}, {} inputs", point.scheme, to_string(trade.inputs)),
-             measured_style(color++, mark),
-             {}});
+        picture.curves.push_back({fmt::format("{}, {}", point.scheme, describe(trade.inputs)),
+                                  measured_style(color++, mark),
+                                  {}});
       }
       picture.curves.back().points.emplace_back(point.per_kiloluts,
                                                 std::max(point.wrong_per_million, none));

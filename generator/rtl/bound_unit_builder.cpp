@@ -30,14 +30,22 @@ BoundUnitBuilder::BoundUnitBuilder(DatapathBuilder& datapath, const FloatNodes& 
   const FloatFormat format = lane.graph.arithmetic.format;
   MIXCMP_CHECK(criterion.bound.format.exponent_bits == format.exponent_bits());
   MIXCMP_CHECK(criterion.bound.format.precision <= format.precision());
-  // A bound can be compared with nodes of the lane's format only; with exact inputs some nodes are
-  // in the reference format.
+  // A bound has the exponents of the lane; operands may have more digits, but in the reference
+  // format more exponent bits, too.
   for (const BoundNode& node : criterion.bound.nodes) {
-    MIXCMP_CHECK(!reads_value(node) || lane.graph.nodes[node.value].format == format);
+    if (reads_value(node)) check_exponents(node.value);
   }
   for (const error::BoundCondition& condition : criterion.conditions) {
-    MIXCMP_CHECK(lane.graph.nodes[condition.value].format == format);
+    check_exponents(condition.value);
   }
+}
+
+FloatFormat BoundUnitBuilder::format_of(NodeId value) const {
+  return lane_.graph.nodes[value].format;
+}
+
+void BoundUnitBuilder::check_exponents(NodeId value) const {
+  MIXCMP_CHECK(format_of(value).exponent_bits() == criterion_.bound.format.exponent_bits);
 }
 
 void BoundUnitBuilder::build() {
@@ -83,7 +91,7 @@ std::vector<Parameter> BoundUnitBuilder::parameters(const BoundNode& node,
   const BoundFormat format = criterion_.bound.format;
   std::vector<Parameter> parameters = {{"EXPONENT_BITS", format.exponent_bits}};
   if (reads_value(node)) {
-    parameters.push_back({"PRECISION", lane_.graph.arithmetic.format.precision()});
+    parameters.push_back({"PRECISION", format_of(node.value).precision()});
   }
   parameters.push_back({"BOUND_PRECISION", format.precision});
   const bool reads_subnormals =
@@ -106,7 +114,7 @@ void BoundUnitBuilder::build_condition(const error::BoundCondition& condition,
                                        const datapath::Step& step) {
   const Signal& bound = bounds_[condition.bound];
   const Signal& value = nodes_.value(condition.value);
-  const FloatFormat format = lane_.graph.arithmetic.format;
+  const FloatFormat format = format_of(condition.value);
   const std::string holds = datapath_.pool().unique(value.name + "_exceeds_error");
   const std::string fails = datapath_.pool().unique(value.name + "_too_small");
   std::vector<Connection> connections = {{"aclk", net("aclk")},

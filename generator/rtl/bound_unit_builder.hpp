@@ -29,6 +29,8 @@ private:
   std::vector<Connection> operands(const error::BoundNode& node, int cycle);
   std::vector<Parameter> parameters(const error::BoundNode& node, const datapath::Step& step) const;
   bool may_be_subnormal(NodeId value) const;
+  FloatFormat format_of(NodeId value) const;
+  void check_exponents(NodeId value) const;
   std::string describe(int id) const;
 
   DatapathBuilder& datapath_;

@@ -42,7 +42,7 @@ struct ComponentKey {
   ComponentKind kind = ComponentKind::lane;
   std::string name;                         ///< of a unit its template and formats; else empty
   std::string format;                       ///< "s17e8"; of a lane in fixed point "q13"
-  std::string inputs;                       ///< of a lane in floating point: "rounded" or "exact"
+  std::optional<LaneInputs> inputs;         ///< of a lane in floating point
   std::optional<scene::BoundChoice> bound;  ///< of a lane
   std::string multipliers;                  ///< of lanes, references and units with a product
   int ports = 0;                            ///< of a crossbar: lanes; of a fifo: slots

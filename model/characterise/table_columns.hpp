@@ -23,6 +23,17 @@ KeyColumn text_column(std::string_view name) {
           }};
 }
 
+inline KeyColumn inputs_column() {
+  return {"inputs", [](const ComponentKey& key) { return to_string(key.inputs); },
+          [](ComponentKey& key, const std::string& text) -> Result<Done> {
+            if (text.empty()) return Done{};
+            MIXCMP_TRY(inputs, LaneInputs::parse(text, FloatFormat::min_precision,
+                                                 FloatFormat::max_precision));
+            key.inputs = inputs;
+            return Done{};
+          }};
+}
+
 inline KeyColumn bound_column() {
   return {"bound", [](const ComponentKey& key) { return scene::to_string(key.bound); },
           [](ComponentKey& key, const std::string& text) -> Result<Done> {
@@ -36,7 +47,7 @@ inline KeyColumn bound_column() {
 inline const std::array<KeyColumn, 5> key_columns = {{
     text_column<&ComponentKey::name>("name"),
     text_column<&ComponentKey::format>("format"),
-    text_column<&ComponentKey::inputs>("inputs"),
+    inputs_column(),
     bound_column(),
     text_column<&ComponentKey::multipliers>("multipliers"),
 }};

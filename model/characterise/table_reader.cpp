@@ -191,8 +191,7 @@ private:
       if (!is_lane && !format->floating) return error(field, "not a format", "of a reference");
     }
     if (column.name == "inputs" && is_lane) {
-      const bool floating = LaneFormat::parse(key.format)->floating.has_value();
-      return floating ? check_one_of(field, {"exact", "rounded"}) : check_one_of(field, {""});
+      return check_inputs(LaneFormat::parse(key.format)->floating, key.inputs, field);
     }
     if (column.name == "bound" && is_lane) {
       const LaneFormat format = *LaneFormat::parse(key.format);
@@ -206,6 +205,16 @@ private:
       return check_one_of(field, {"embedded", "logic", "memory", ""});
     }
     return Done{};
+  }
+
+  /// A number of digits is above the lane's own; fixed point has no choice.
+  Result<Done> check_inputs(const std::optional<FloatFormat>& floating,
+                            std::optional<LaneInputs> inputs, const Field& field) const {
+    if (!floating) return check_one_of(field, {""});
+    const int own = floating->precision();
+    if (inputs && inputs->in_lane(own, FloatFormat::max_precision) == *inputs) return Done{};
+    return error(field, "not a choice",
+                 fmt::format("exact, rounded, or a number of digits above {}", own));
   }
 
   Result<Done> check_one_of(const Field& field, std::initializer_list<const char*> words) const {
@@ -248,10 +257,10 @@ private:
     if (twin == table.rows.end()) return Done{};
     return Error{.file = path_.string(),
                  .message = "two rows of one component",
-                 .received = fmt::format("{} {} {} {} {} {}, ports {}", to_string(twin->key.kind),
-                                         twin->key.name, twin->key.format, twin->key.inputs,
-                                         scene::to_string(twin->key.bound), twin->key.multipliers,
-                                         twin->key.ports),
+                 .received = fmt::format(
+                     "{} {} {} {} {} {}, ports {}", to_string(twin->key.kind), twin->key.name,
+                     twin->key.format, to_string(twin->key.inputs),
+                     scene::to_string(twin->key.bound), twin->key.multipliers, twin->key.ports),
                  .accepted = "one"};
   }
 

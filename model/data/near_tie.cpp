@@ -42,9 +42,8 @@ Sides lane_sides(std::array<mpz_class, 8> numbers, const NearTieTarget& target) 
   const auto round = [&](const mpz_class& value) {
     return rounded(value, target.precision, target.rounding);
   };
-  if (target.inputs == LaneInputs::rounded) {
-    for (mpz_class& number : numbers) number = round(number);
-  }
+  const int digits = target.inputs.digits(target.precision, target.reference.precision());
+  for (mpz_class& number : numbers) number = rounded(number, digits, target.rounding);
   return sides_of(numbers, round);
 }
 
@@ -56,7 +55,8 @@ public:
   NearTieMaker(const NearTieTarget& target, RowRandom& random)
       : target_(target),
         digits_(target.reference.precision()),
-        misread_inputs_(target.inputs == LaneInputs::rounded && target.precision < digits_),
+        read_digits_(target.inputs.digits(target.precision, digits_)),
+        misread_inputs_(read_digits_ < digits_),
         fraction_bits_(std::min(2 * digits_ - 1, digits_ - 1 - target.reference.min_exponent())),
         shared_(misread_inputs_ || random.one_in(2)),
         quantum_bits_(shared_ ? std::max(0, fraction_bits_ - digits_ + 3) : 0),
@@ -99,8 +99,8 @@ public:
     } else {
       numbers[6] = quantized(sum * random_.below(257) / 256, quantum_bits_);
       if (misread_inputs_) {
-        const mpz_class read = rounded(numbers[6], target_.precision, Rounding::toward_zero);
-        numbers[6] = std::min(misread(read, wrong_way_), sum);
+        const mpz_class read = rounded(numbers[6], read_digits_, Rounding::toward_zero);
+        numbers[6] = std::min(misread(read, read_digits_, wrong_way_), sum);
       }
     }
     numbers[7] = sum - numbers[6];
@@ -119,32 +119,34 @@ public:
 private:
   bool to_nearest() const { return target_.rounding == Rounding::nearest_even; }
 
-  /// The largest rounding error of the lane around `value`: half a last place to nearest, a whole
-  /// one toward zero.
-  mpz_class reach(const mpz_class& value) const {
-    return whole_power_of_two(digits_of(value) - 1 - target_.precision + (to_nearest() ? 0 : 1));
+  /// The largest error of rounding to `digits` around `value`: half a last place to nearest, a
+  /// whole one toward zero.
+  mpz_class reach(const mpz_class& value, int digits) const {
+    return whole_power_of_two(digits_of(value) - 1 - digits + (to_nearest() ? 0 : 1));
   }
   mpz_class one() const { return whole_power_of_two(fraction_bits_); }
-  mpz_class one_and(const mpz_class& last_places) const {
-    return one() + shifted_left(last_places, std::max(0, fraction_bits_ - target_.precision + 1));
+  /// 1 and so many last places of a number of `digits`.
+  mpz_class one_and(const mpz_class& last_places, int digits) const {
+    return one() + shifted_left(last_places, std::max(0, fraction_bits_ - digits + 1));
   }
 
   /// A random power of two that is small beside reach(), or zero.
-  mpz_class hair() {
+  mpz_class hair(int digits) {
     const int least = quantum_bits_ + (to_nearest() ? -1 : 2);
-    const int end = fraction_bits_ - target_.precision - 1;
+    const int end = fraction_bits_ - digits - 1;
     const int exponent = random_.between(least, std::max(least, end));
     return exponent < quantum_bits_ || exponent >= end ? mpz_class(0)
                                                        : whole_power_of_two(exponent);
   }
 
-  /// A number that the lane rounds to `value`, a number of the lane's format, although it is larger
-  /// (way 1) or smaller (way -1) by nearly reach(). Rounding toward zero never rounds up: the
+  /// A number that is rounded to `value`, a number of so many digits, although it is larger (way 1)
+  /// or smaller (way -1) by nearly reach(). Rounding toward zero never rounds up: the
   /// number is then a hair larger instead of smaller, so that later roundings do not fall below
   /// `value`.
-  mpz_class misread(const mpz_class& value, int way) {
-    if (!to_nearest() && way < 0) return value + hair();
-    return value + way * quantized(std::max<mpz_class>(reach(value) - hair(), 0), quantum_bits_);
+  mpz_class misread(const mpz_class& value, int digits, int way) {
+    if (!to_nearest() && way < 0) return value + hair(digits);
+    const mpz_class error = std::max<mpz_class>(reach(value, digits) - hair(digits), 0);
+    return value + way * quantized(error, quantum_bits_);
   }
 
   /// m such that the rounding error of (1 + 2um)^2 is near its maximum: 4u^2m^2 is just below (way
@@ -191,9 +193,10 @@ private:
     const int k = random_.below(3);
     const mpz_class x_places = misleading_places(k, -wrong_way_);
     const mpz_class r_places = misleading_places(k + random_.between(1, 4), wrong_way_);
-    const mpz_class x = misread(one_and(x_places), -wrong_way_);
-    const mpz_class r = misread(one_and(r_places), wrong_way_);
-    mpz_class z_square = shifted_left(reach(one()), fraction_bits_);
+    const int digits = target_.precision;
+    const mpz_class x = misread(one_and(x_places, digits), digits, -wrong_way_);
+    const mpz_class r = misread(one_and(r_places, digits), digits, wrong_way_);
+    mpz_class z_square = shifted_left(reach(one(), digits), fraction_bits_);
     z_square += wrong_way_ * (z_square >> random_.between(1, target_.precision / 2 + 2));
     return place_with(numbers, x, root_of(z_square), r);
   }
@@ -202,11 +205,12 @@ private:
   /// makes the distance r.
   bool diagonal_centres(Numbers& numbers) {
     const mpz_class root_of_half = root_of(whole_power_of_two(2 * fraction_bits_ - 1));
-    const mpz_class x = one_and(misleading_places(random_.below(3), -wrong_way_));
+    const int digits = target_.precision;
+    const mpz_class x = one_and(misleading_places(random_.below(3), -wrong_way_), digits);
     const mpz_class z = near_misleading_square(root_of_half, -wrong_way_);
     const mpz_class r = near_misleading_square(2 * root_of_half, wrong_way_);
-    return place_with(numbers, misread(x, -wrong_way_), misread(z, -wrong_way_),
-                      misread(r, wrong_way_));
+    return place_with(numbers, misread(x, digits, -wrong_way_), misread(z, digits, -wrong_way_),
+                      misread(r, digits, wrong_way_));
   }
 
   /// Sets the centres (x, y, z) apart, with the y that makes their distance r; false if there is
@@ -238,17 +242,18 @@ private:
 
   void misread_centres(Numbers& numbers) {
     for (const std::size_t at : {0, 2, 4}) {
-      mpz_class near = one_and(random_.integer(target_.precision - 1));
-      mpz_class far = one_and(random_.integer(target_.precision - 1));
+      mpz_class near = one_and(random_.integer(read_digits_ - 1), read_digits_);
+      mpz_class far = one_and(random_.integer(read_digits_ - 1), read_digits_);
       if (near > far) std::swap(near, far);
-      numbers[at] = misread(far, -wrong_way_);
-      numbers[at + 1] = misread(near, wrong_way_);
+      numbers[at] = misread(far, read_digits_, -wrong_way_);
+      numbers[at + 1] = misread(near, read_digits_, wrong_way_);
       if (random_.one_in(2)) std::swap(numbers[at], numbers[at + 1]);
     }
   }
 
   NearTieTarget target_;
   int digits_;
+  int read_digits_;      ///< of the operands, as the lane takes them
   bool misread_inputs_;  ///< the lane rounds the operands themselves
   int fraction_bits_;
   bool shared_;  ///< both items share a distance; else one has all but its last digits

@@ -53,8 +53,9 @@ struct NearTie {
 /// X = 1 + 2um, whose square is just above a midpoint (4u^2m^2 = (2k + 1)u modulo 2u). y^2 and z^2
 /// are odd multiples of u plus a hair, so that both sums round up, too: f_L is nearly f(1 + 5u).
 /// The radii are built in the same way with another k but round down: g_L is nearly g(1 - 3u). For
-/// the other wrong order all signs are reversed. With rounded inputs, every coordinate lies a hair
-/// from a midpoint, so that the errors of each difference add up in the same direction.
+/// the other wrong order all signs are reversed. Where inputs are rounded, every coordinate lies a
+/// hair from a midpoint of their digits, so that the errors of each difference add up in the same
+/// direction.
 NearTie near_tie(const NearTieTarget& target, const NearTieEffort& effort, RowRandom& random);
 
 /// Makes a near tie whose radii are then moved by up to 10 * 2^-L of their sum, so that pairs lie

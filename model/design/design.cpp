@@ -244,7 +244,7 @@ Result<LaneGroup> design_group(const scene::Scene& scene, const scene::LaneGroup
   if (!possible.ok()) return with_location(possible.error(), group);
   MIXCMP_TRY(count, lane_count(scene, group, data));
   return LaneGroup{.lane = *lane,
-                   .inputs = group.reduced.fixed_point ? LaneInputs::exact : group.reduced.inputs,
+                   .inputs = group.reduced.inputs_beside(scene.reference.format),
                    .multipliers = group.reduced.multipliers,
                    .count = count};
 }
@@ -312,8 +312,9 @@ Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& re
                       "sPeE, such as s17e8, qW, such as q13, or blockW");
   }
   const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
+  const FloatFormat reference = scene.reference.format;
   const TypedGraph graph =
-      lane_graph(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
+      lane_graph(scene.graph, reference, arithmetic, reduced.inputs_beside(reference));
   switch (reduced.bound) {
     case scene::BoundKind::certified: return as_lane(design_certified_lane(scene, reduced, graph));
     case scene::BoundKind::profiled:

@@ -33,6 +33,11 @@ std::string bound_name(const fixed::FixedLane& lane) {
   return has(false) ? "norm_constant" : "norm";
 }
 
+/// "exact", "rounded", "inputs_20".
+std::string inputs_name(LaneInputs inputs) {
+  return (inputs.number() ? "inputs_" : "") + to_string(inputs);
+}
+
 /// The traits in which a group may differ from another of its format, in words.
 std::vector<std::string> traits_of(const LaneGroup& group) {
   const std::string multipliers(to_string(group.multipliers));
@@ -41,8 +46,7 @@ std::vector<std::string> traits_of(const LaneGroup& group) {
   }
   const error::Lane& lane = float_lane(group.lane);
   const Arithmetic& arithmetic = lane.graph.arithmetic;
-  return {std::string(to_string(group.inputs)), bound_name(lane),
-          std::string(to_string(arithmetic.rounding)),
+  return {inputs_name(group.inputs), bound_name(lane), std::string(to_string(arithmetic.rounding)),
           std::string(to_string(arithmetic.subnormals)), multipliers};
 }
 

@@ -62,10 +62,11 @@ bool would_be_exact(const TypedGraph& graph, NodeId id) {
 /// For a constant that its format does not hold. That is the lane's or, with exact inputs, the
 /// reference's.
 std::string what_helps_a_constant(const TypedGraph& graph, const TypedNode& constant) {
-  const bool is_lanes = constant.format == graph.arithmetic.format;
-  std::string help = is_lanes ? "a reduced.format with more exponent bits"
-                              : "reduced.inputs = \"rounded\", a reference.format with more "
-                                "exponent bits";
+  const bool is_references =
+      constant.format == graph.input_format && !(constant.format == graph.arithmetic.format);
+  std::string help = is_references ? "reduced.inputs = \"rounded\", a reference.format with more "
+                                     "exponent bits"
+                                   : "a reduced.format with more exponent bits";
   const bool is_flushed = constant.format.is_subnormal(constant.constant);
   if (is_flushed) help += ", reduced.subnormals = \"gradual\"";
   return help;

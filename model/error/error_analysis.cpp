@@ -97,10 +97,11 @@ private:
   bool is_plain(NodeId id) const;
   mpq_class center_of(NodeId a, NodeId b) const;
   AbsoluteError deviations(NodeId a, NodeId b, const mpq_class& center);
-  mpq_class rounding_error() const;
+  mpq_class rounding_error(FloatFormat format) const;
   BoundId selection_error(NodeId id);
   BoundId magnitude(NodeId id);
   BoundId reciprocal(NodeId id);
+  void check_exponents(NodeId id) const;
   AbsoluteError sum(const AbsoluteError& a, const AbsoluteError& b);
   NodeBound rounded(NodeId id, BeforeRounding exact) const;
   std::optional<RelativeBound> before_rounding(NodeId id, const NodeBound& bound) const;
@@ -310,11 +311,13 @@ bool ErrorAnalyser::rounds_once(NodeId id) const {
   return bound.relative && bound.unrounded && is_exact(*bound.unrounded);
 }
 
-/// Whether the node is a constant or in the reference format, as inputs and choices among inputs
-/// and constants are.
+/// Whether the node is an operand as it arrived, a constant, or a choice among these.
 bool ErrorAnalyser::is_plain(NodeId id) const {
-  return node(id).operation == Operation::constant ||
-         !(node(id).format == graph_.arithmetic.format);
+  const TypedNode& plain = node(id);
+  if (arity(plain.operation) == 0) return true;
+  if (!only_moves_bits(plain.operation)) return false;
+  return is_plain(plain.operands[0]) &&
+         (arity(plain.operation) == 1 || is_plain(plain.operands[1]));
 }
 
 /// The factor m of cancelling_sum. Rounding toward zero errs to one side only: if both operands
@@ -327,7 +330,7 @@ mpq_class ErrorAnalyser::center_of(NodeId a, NodeId b) const {
 }
 
 /// Bounds |a (s - m)| + |b (t - m)| of cancelling_sum. Where both terms need the magnitude of their
-/// operand, the larger magnitude stands for both.
+/// operand, the larger magnitude stands for both. Both have one format.
 AbsoluteError ErrorAnalyser::deviations(NodeId a, NodeId b, const mpq_class& center) {
   BoundId constants = no_bound_node, binades = no_bound_node, larger = no_bound_node;
   mpq_class deviation = 0;
@@ -344,15 +347,15 @@ AbsoluteError ErrorAnalyser::deviations(NodeId a, NodeId b, const mpq_class& cen
     }
   }
   const auto [factor, inflation] = few_digits(widened_up(deviation));
-  const BoundId rounding = builder_.scale(binades, rounding_error());
+  const BoundId rounding = builder_.scale(binades, rounding_error(node(a).format));
   return {builder_.add(builder_.add(constants, rounding), builder_.scale(larger, factor)),
           inflation};
 }
 
-/// The greatest error of one rounding, in units of its result's binade.
-mpq_class ErrorAnalyser::rounding_error() const {
+/// The greatest error of one rounding to the format, in units of its result's binade.
+mpq_class ErrorAnalyser::rounding_error(FloatFormat format) const {
   const int doubled = graph_.arithmetic.rounding == Rounding::nearest_even ? 0 : 1;
-  return mpq_class(1, mpz_class(1) << (graph_.arithmetic.format.precision() - doubled));
+  return mpq_class(1, mpz_class(1) << (format.precision() - doubled));
 }
 
 /// The largest error of a plain node: that of the constants, as encoded, that it may select.
@@ -373,13 +376,18 @@ BoundId ErrorAnalyser::magnitude(NodeId id) {
   if (node(id).operation == Operation::constant) {
     return builder_.constant(abs(to_rational(node(id).format, node(id).constant)));
   }
-  MIXCMP_CHECK(node(id).format == graph_.arithmetic.format);
+  check_exponents(id);
   return builder_.of_value(BoundOperation::magnitude, id);
 }
 
 BoundId ErrorAnalyser::reciprocal(NodeId id) {
-  MIXCMP_CHECK(node(id).format == graph_.arithmetic.format);
+  check_exponents(id);
   return builder_.of_value(BoundOperation::reciprocal, id);
+}
+
+/// Bounds have the lane's exponents: they can be made of values with as many exponent bits alone.
+void ErrorAnalyser::check_exponents(NodeId id) const {
+  MIXCMP_CHECK(node(id).format.exponent_bits() == graph_.arithmetic.format.exponent_bits());
 }
 
 AbsoluteError ErrorAnalyser::sum(const AbsoluteError& a, const AbsoluteError& b) {

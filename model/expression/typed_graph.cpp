@@ -36,28 +36,50 @@ public:
   TypedGraph finish(Side side);
 
 private:
-  bool takes_exact_operands(const Node& node) const;
+  /// How an operation of the lane takes its operands.
+  enum class Taken {
+    from_reference,  ///< as they arrive
+    entering,        ///< rounded to `entering_`
+    in_lane,
+  };
+  Taken operands_of(const Node& node) const;
+  NodeId operand(Taken taken, NodeId id);
+  FloatFormat format_of(Taken taken) const;
+  /// The node and all below it in the format that operands are rounded to.
+  NodeId entering(NodeId id);
+
   NodeId emit_constant(const Node& node, FloatFormat format);
   NodeId emit_in_reference(const Node& node);
+  NodeId emit_entering(NodeId id);
   NodeId emit_in_lane(NodeId id);
+  NodeId emit_conversion(NodeId id, FloatFormat format);
   NodeId emit(TypedNode node);
 
   const Graph& graph_;
   FloatFormat reference_;
   LaneInputs inputs_;
+  FloatFormat entering_;  ///< what inputs are rounded to for the lane's first operators
   std::vector<bool> exact_;
   std::vector<NodeId> reference_ids_;
+  std::vector<NodeId> entering_ids_;
   std::vector<NodeId> lane_ids_;
   TypedGraph typed_;
 };
+
+FloatFormat entering_format(FloatFormat reference, FloatFormat lane, LaneInputs inputs) {
+  const int digits = inputs.digits(lane.precision(), reference.precision());
+  return FloatFormat::make(digits, lane.exponent_bits()).value();
+}
 
 TypedGraphBuilder::TypedGraphBuilder(const Graph& graph, FloatFormat reference,
                                      Arithmetic arithmetic, LaneInputs inputs)
     : graph_(graph),
       reference_(reference),
       inputs_(inputs),
+      entering_(entering_format(reference, arithmetic.format, inputs)),
       exact_(exact_nodes(graph)),
       reference_ids_(graph.nodes().size(), -1),
+      entering_ids_(graph.nodes().size(), -1),
       lane_ids_(graph.nodes().size(), -1),
       typed_{.input_count = static_cast<int>(graph.inputs().size()),
              .input_names = graph.inputs(),
@@ -71,18 +93,44 @@ NodeId TypedGraphBuilder::in_reference(NodeId id) {
   return known;
 }
 
+NodeId TypedGraphBuilder::entering(NodeId id) {
+  NodeId& known = entering_ids_[id];
+  if (known < 0) known = emit_entering(id);
+  return known;
+}
+
 NodeId TypedGraphBuilder::in_lane(NodeId id) {
   NodeId& known = lane_ids_[id];
   if (known < 0) known = emit_in_lane(id);
   return known;
 }
 
-bool TypedGraphBuilder::takes_exact_operands(const Node& node) const {
-  if (inputs_ == LaneInputs::rounded) return false;
+TypedGraphBuilder::Taken TypedGraphBuilder::operands_of(const Node& node) const {
+  if (inputs_ == LaneInputs::rounded) return Taken::in_lane;
   for (int k = 0; k < arity(node.operation); ++k) {
-    if (!exact_[node.operands[k]]) return false;
+    if (!exact_[node.operands[k]]) return Taken::in_lane;
   }
-  return true;
+  if (entering_.precision() == reference_.precision()) return Taken::from_reference;
+  // A choice among operands that the lane takes in its own format is made in that format.
+  return only_moves_bits(node.operation) ? Taken::in_lane : Taken::entering;
+}
+
+NodeId TypedGraphBuilder::operand(Taken taken, NodeId id) {
+  switch (taken) {
+    case Taken::from_reference: return in_reference(id);
+    case Taken::entering: return entering(id);
+    case Taken::in_lane: return in_lane(id);
+  }
+  MIXCMP_CHECK(false);
+}
+
+FloatFormat TypedGraphBuilder::format_of(Taken taken) const {
+  switch (taken) {
+    case Taken::from_reference: return reference_;
+    case Taken::entering: return entering_;
+    case Taken::in_lane: return typed_.arithmetic.format;
+  }
+  MIXCMP_CHECK(false);
 }
 
 NodeId TypedGraphBuilder::emit_constant(const Node& node, FloatFormat format) {
@@ -106,22 +154,37 @@ NodeId TypedGraphBuilder::emit_in_reference(const Node& node) {
   return emit(std::move(typed));
 }
 
+NodeId TypedGraphBuilder::emit_conversion(NodeId id, FloatFormat format) {
+  return emit({.operation = Operation::convert,
+               .operands = {in_reference(id), -1},
+               .operand_format = reference_,
+               .format = format,
+               .value = {}});
+}
+
+NodeId TypedGraphBuilder::emit_entering(NodeId id) {
+  const Node& node = graph_.nodes()[id];
+  if (node.operation == Operation::constant) return emit_constant(node, entering_);
+  if (node.operation == Operation::input) return emit_conversion(id, entering_);
+  TypedNode typed{
+      .operation = node.operation, .operand_format = entering_, .format = entering_, .value = {}};
+  for (int k = 0; k < arity(node.operation); ++k) typed.operands[k] = entering(node.operands[k]);
+  return emit(std::move(typed));
+}
+
 NodeId TypedGraphBuilder::emit_in_lane(NodeId id) {
   const Node& node = graph_.nodes()[id];
   const FloatFormat format = typed_.arithmetic.format;
   if (node.operation == Operation::constant) return emit_constant(node, format);
-  TypedNode typed{
-      .operation = node.operation, .operand_format = reference_, .format = format, .value = {}};
-  const bool exact_operands = takes_exact_operands(node);
-  if (node.operation == Operation::input || (exact_operands && only_moves_bits(node.operation))) {
-    typed.operation = Operation::convert;
-    typed.operands[0] = in_reference(id);
-    return emit(std::move(typed));
-  }
-  if (!exact_operands) typed.operand_format = format;
+  const Taken taken = operands_of(node);
+  const bool is_unrounded = taken == Taken::from_reference && only_moves_bits(node.operation);
+  if (node.operation == Operation::input || is_unrounded) return emit_conversion(id, format);
+  TypedNode typed{.operation = node.operation,
+                  .operand_format = format_of(taken),
+                  .format = format,
+                  .value = {}};
   for (int k = 0; k < arity(node.operation); ++k) {
-    const NodeId operand = node.operands[k];
-    typed.operands[k] = exact_operands ? in_reference(operand) : in_lane(operand);
+    typed.operands[k] = operand(taken, node.operands[k]);
   }
   return emit(std::move(typed));
 }

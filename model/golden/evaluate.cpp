@@ -118,7 +118,8 @@ Decision decide(const error::AbsoluteBoundCriterion& criterion, const TypedGraph
   const Bits difference = values[criterion.difference].bits;
   const bool valid = std::all_of(criterion.conditions.begin(), criterion.conditions.end(),
                                  [&](const error::BoundCondition& condition) {
-                                   return bound_is_at_most(format, bounds[condition.bound], lane,
+                                   return bound_is_at_most(format, bounds[condition.bound],
+                                                           graph.nodes[condition.value].format,
                                                            values[condition.value].bits);
                                  });
   return {

@@ -41,9 +41,9 @@ std::optional<scene::BoundChoice> bound_of(const design::Lane& lane) {
 }
 
 /// Lanes in fixed point have no choice of inputs.
-std::string inputs_of(const design::LaneGroup& group) {
+std::optional<LaneInputs> inputs_of(const design::LaneGroup& group) {
   const bool floating = std::holds_alternative<error::Lane>(group.lane);
-  return floating ? std::string(to_string(group.inputs)) : "";
+  return floating ? std::optional(group.inputs) : std::nullopt;
 }
 
 const characterise::Measurement* row_of(const characterise::Characterisation& table,

@@ -26,7 +26,7 @@ struct OptimiseOptions {
   int first_precision = settings::limits::lane_precision.least;
   int last_precision = settings::limits::lane_precision.most;
   /// Values that a row of the table may have to be used; an empty list admits all.
-  std::vector<std::string> inputs;
+  std::vector<LaneInputs> inputs;
   std::vector<scene::BoundChoice> bounds;
   std::vector<std::string> multipliers;
   ClockChoice clocks;

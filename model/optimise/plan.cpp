@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include "model/common/quote.hpp"
 #include "model/settings/settings.hpp"
 
 namespace mixcmp::optimise {
@@ -25,7 +26,9 @@ std::string multipliers_key(const characterise::ComponentKey& key) {
 
 /// The scene's key for how operands enter a lane; empty in fixed point, where there is no choice.
 std::string inputs_key(const characterise::ComponentKey& key) {
-  return key.inputs.empty() ? "" : fmt::format("inputs = \"{}\"\n", key.inputs);
+  if (!key.inputs) return "";
+  const std::string value = to_string(*key.inputs);
+  return fmt::format("inputs = {}\n", key.inputs->number() ? value : in_quotes(value));
 }
 
 std::string lanes_table(const characterise::ComponentKey& key, int count) {

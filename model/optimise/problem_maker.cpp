@@ -24,14 +24,10 @@ LaneFormat format_of(const characterise::Measurement& row) {
   return LaneFormat::parse(row.key.format).value();
 }
 
-/// Rates of lanes in fixed point are the same for both.
-LaneInputs inputs_of(const std::string& word) {
-  return word == to_string(LaneInputs::rounded) ? LaneInputs::rounded : LaneInputs::exact;
-}
-
 std::string lane_name(const characterise::ComponentKey& key) {
   std::string name = key.format;
-  for (const std::string& trait : {key.inputs, scene::to_string(key.bound), key.multipliers}) {
+  for (const std::string& trait :
+       {to_string(key.inputs), scene::to_string(key.bound), key.multipliers}) {
     if (!trait.empty()) name += " " + trait;
   }
   return name;
@@ -136,7 +132,7 @@ void ProblemMaker::sort_rows() {
 
 bool ProblemMaker::is_wanted(const characterise::Measurement& lane) const {
   const int precision = format_of(lane).precision();
-  const bool wanted_inputs = lane.key.inputs.empty() || allows(options_.inputs, lane.key.inputs);
+  const bool wanted_inputs = !lane.key.inputs || allows(options_.inputs, *lane.key.inputs);
   return options_.first_precision <= precision && precision <= options_.last_precision &&
          wanted_inputs && allows(options_.bounds, *lane.key.bound) && is_trusted(lane);
 }
@@ -257,11 +253,11 @@ double ProblemMaker::clock_of(const characterise::Measurement& row,
 
 void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement& row,
                             const characterise::Measurement* fifo) {
-  const RateKey key{inputs_of(row.key.inputs), *row.key.bound, plan.precision};
+  const RateKey key{row.key.inputs.value_or(LaneInputs::exact), *row.key.bound, plan.precision};
   const std::optional<Rate> rate = rates_.find(key);
   if (!rate) {
-    notes_.insert(fmt::format("{}{}{}: no recomputation rate is known", row.key.inputs,
-                              row.key.inputs.empty() ? "" : " ", scene::to_string(row.key.bound)));
+    notes_.insert(fmt::format("{}{}{}: no recomputation rate is known", to_string(row.key.inputs),
+                              row.key.inputs ? " " : "", scene::to_string(row.key.bound)));
     return;
   }
   if (performance::highest_lane_throughput(rate->value()) < 1) {

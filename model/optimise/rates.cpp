@@ -35,8 +35,10 @@ struct Row {
 /// Parses a line into `row`; returns the field at fault, if there is one.
 std::optional<std::string> read_row(const std::vector<std::string>& fields, Row& row) {
   if (fields.size() < 5) return "row";
-  if (fields[0] != "exact" && fields[0] != "rounded") return "inputs";
-  row.key.inputs = fields[0] == "exact" ? LaneInputs::exact : LaneInputs::rounded;
+  const auto inputs = LaneInputs::parse(fields[0], settings::limits::lane_precision.least,
+                                        settings::limits::reference_precision.most);
+  if (!inputs.ok()) return "inputs";
+  row.key.inputs = *inputs;
   if (!read_number(fields[1], row.key.precision)) return "precision";
   const auto bound = scene::parse_bound_choice(fields[2]);
   if (!bound.ok()) return "scheme";
@@ -138,9 +140,9 @@ void Rates::raise_to(const Rates& other) {
 std::optional<Rate> Rates::find(const RateKey& key) const {
   auto found = rates_.find(key);
   if (found == rates_.end() && key.bound.is_fixed_point()) {
-    const bool exact = key.inputs == LaneInputs::exact;
-    found =
-        rates_.find({exact ? LaneInputs::rounded : LaneInputs::exact, key.bound, key.precision});
+    found = std::find_if(rates_.begin(), rates_.end(), [&](const auto& known) {
+      return known.first.bound == key.bound && known.first.precision == key.precision;
+    });
   }
   return found == rates_.end() ? std::nullopt : std::optional(found->second);
 }

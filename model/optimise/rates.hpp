@@ -49,7 +49,7 @@ public:
   /// has is taken as it is.
   void raise_to(const Rates& other);
 
-  /// Lanes in fixed point have one rate for both kinds of inputs.
+  /// Lanes in fixed point have one rate for all kinds of inputs.
   std::optional<Rate> find(const RateKey& key) const;
   /// From the file's row of the reference, if it has one.
   const std::optional<Origin>& origin() const { return origin_; }

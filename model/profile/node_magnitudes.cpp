@@ -138,7 +138,9 @@ std::vector<NodeMagnitude> node_magnitudes(const TypedGraph& lane, int precision
     } else {
       magnitude = exact_magnitude(node, operand(0), operand(1));
     }
-    if (rounds(node.operation)) magnitude = rounded(magnitude, precision);
+    // An input of a first operator may be rounded to more digits than the lane has.
+    const int digits = std::max(precision, node.format.precision());
+    if (rounds(node.operation)) magnitude = rounded(magnitude, digits);
     magnitude.largest *= outward;
     magnitudes.push_back(magnitude);
   }

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
-#include "model/common/check.hpp"
+#include <set>
+
 #include "model/number/exact.hpp"
 #include "model/proof/absolute_proof.hpp"
 #include "model/proof/cone.hpp"
@@ -22,22 +23,22 @@ private:
   void visit(NodeId id);
   void add_input(NodeId id);
   void add_constant(NodeId id);
+  std::string rounded(const std::string& expression, int precision);
   std::string expression(const TypedNode& node, char kind) const;
   static std::string name(char kind, NodeId id) { return fmt::format("{}{}", kind, id); }
 
   const TypedGraph& graph_;
   std::vector<std::optional<Range>> ranges_;
   std::vector<bool> seen_;
+  std::set<int> rounded_to_;
   Script script_;
   std::string obstacle_;
 };
 
 RangeScript RangeWriter::run(NodeId f, NodeId g, const mpq_class& bound) && {
   seen_.resize(graph_.nodes.size(), false);
-  const int precision = graph_.arithmetic.format.precision();
   script_.comment(
       "c: as computed, every operation rounded; t: truly; from the ranges of the inputs.");
-  script_.define_operator("rnd", rounding_operator(precision, graph_.arithmetic.rounding));
   visit(f);
   visit(g);
   if (!obstacle_.empty()) return {std::nullopt, obstacle_};
@@ -59,10 +60,18 @@ void RangeWriter::visit(NodeId id) {
     return;
   }
   const bool rounds = own_rounding(graph_, node) == OwnRounding::rounds;
-  MIXCMP_CHECK(!rounds || node.format.precision() == graph_.arithmetic.format.precision());
   const std::string computed = expression(node, 'c');
-  script_.define(name('c', id), rounds ? fmt::format("rnd({})", computed) : computed);
+  script_.define(name('c', id), rounds ? rounded(computed, node.format.precision()) : computed);
   script_.define(name('t', id), expression(node, 't'));
+}
+
+/// The rounding of an expression to so many digits; its operator is defined where it is first used.
+std::string RangeWriter::rounded(const std::string& expression, int precision) {
+  const std::string rounding = fmt::format("rnd{}", precision);
+  if (rounded_to_.insert(precision).second) {
+    script_.define_operator(rounding, rounding_operator(precision, graph_.arithmetic.rounding));
+  }
+  return fmt::format("{}({})", rounding, expression);
 }
 
 /// An input is exact by definition, so that both names stand for one number.

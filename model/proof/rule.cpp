@@ -49,6 +49,7 @@ private:
   void cancelling_sum();
   void add_deviations();
   void add_largest(const Weight& largest, const std::string& deviation);
+  bool is_unrounded(NodeId id) const;
   mpq_class constant_error(NodeId id) const;
   void multiply();
   void square();
@@ -193,8 +194,7 @@ void RuleWriter::add_deviations() {
        {std::tuple(a_, "v", "s", "al"), std::tuple(b_, "w", "t", "be")}) {
     const error::RelativeBound& operand_factor = mixed(operand).factor;
     const TypedNode& operand_node = graph_.nodes[operand];
-    const bool plain = operand_node.operation == Operation::constant ||
-                       !(operand_node.format == graph_.arithmetic.format);
+    const bool plain = is_unrounded(operand);
     const error::NodeBound& bound = analysis_.nodes[operand];
     const bool rounded_once =
         bound.relative && bound.unrounded && error::is_exact(*bound.unrounded);
@@ -236,6 +236,17 @@ void RuleWriter::add_largest(const Weight& largest, const std::string& deviation
   if (share <= 0) return add(largest, deviation);
   add(scaled(largest, share), fmt::format("({}) / ({} / {})", deviation, share.get_num().get_str(),
                                           share.get_den().get_str()));
+}
+
+/// Whether nothing at or below the node rounds: an operand as it arrived, a constant, or what only
+/// moves the bits of these.
+bool RuleWriter::is_unrounded(NodeId id) const {
+  const TypedNode& node = graph_.nodes[id];
+  if (arity(node.operation) > 0 && !only_moves_bits(node.operation)) return false;
+  for (int k = 0; k < arity(node.operation); ++k) {
+    if (!is_unrounded(node.operands[k])) return false;
+  }
+  return true;
 }
 
 /// The absolute error of a constant, or of a selection among constants and exact operands.

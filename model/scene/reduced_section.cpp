@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "model/expression/text.hpp"
 #include "model/scene/sections.hpp"
@@ -81,13 +82,48 @@ void check_multipliers(settings::Section& section, const ReducedSpec& spec) {
                "embedded or logic, or a format such as q11 or block11");
 }
 
+/// A lane has no fewer digits than it has itself; where the format is "auto", than any lane may
+/// have.
+settings::Limits input_digits(FloatFormat reference, const ReducedSpec& spec) {
+  const int least = spec.format ? spec.format->precision() : settings::limits::lane_precision.least;
+  return {least, reference.precision()};
+}
+
+/// Reads how operands enter, a word or a number of digits. A number that [reduced] gives must serve
+/// each of [[lanes]] that has none of its own. Fixed point takes no notice of it.
+void read_lane_inputs(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
+  const settings::Setting* setting = section.find("inputs");
+  const settings::Limits digits = input_digits(reference, spec);
+  const std::string accepted =
+      fmt::format("\"exact\", \"rounded\", or an integer {}{}", to_string(digits),
+                  spec.format ? ", from the lane's digits to the reference's" : "");
+  if (setting == nullptr) {
+    const std::optional<int> inherited = spec.inputs.number();
+    if (!inherited || spec.fixed_point || digits.allow(*inherited)) return;
+    return section.fail("inputs", "digits out of range", to_string(spec.inputs), accepted);
+  }
+  if (const auto* number = std::get_if<std::int64_t>(&setting->value)) {
+    const bool allowed = digits.least <= *number && *number <= digits.most;
+    if (!allowed) return section.fail("inputs", "digits out of range", setting->shown(), accepted);
+    spec.inputs = LaneInputs::of_digits(static_cast<int>(*number));
+    return;
+  }
+  const auto* word = std::get_if<std::string>(&setting->value);
+  for (const LaneInputs inputs : {LaneInputs::rounded, LaneInputs::exact}) {
+    if (word == nullptr || *word != to_string(inputs)) continue;
+    spec.inputs = inputs;
+    return;
+  }
+  section.fail("inputs", "not a choice", setting->shown(), accepted);
+}
+
 /// Reads every key of [reduced]; an absent key leaves `spec` as it is.
 void read_lane_keys(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
   read_reduced_format(section, reference, spec);
   section.choice("bound", spec.bound, {BoundKind::certified, BoundKind::profiled});
   read_error_bound(section, spec.error_bound);
   section.integer("bound_digits", spec.bound_digits, settings::limits::bound_digits);
-  section.choice("inputs", spec.inputs, {LaneInputs::rounded, LaneInputs::exact});
+  read_lane_inputs(section, reference, spec);
   section.choice("rounding", spec.rounding, {Rounding::nearest_even, Rounding::toward_zero});
   section.choice("subnormals", spec.subnormals, {Subnormals::flush, Subnormals::gradual});
   section.choice("multipliers", spec.multipliers,

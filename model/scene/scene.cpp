@@ -162,7 +162,8 @@ void choose_exponent_bits(ReducedSpec& reduced, const Graph& graph, FloatFormat 
                           const std::vector<std::optional<Range>>& ranges) {
   if (!reduced.exponent_bits_from_ranges || reduced.bound == BoundKind::profiled) return;
   const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
-  const int bits = error::lane_exponent_bits(graph, reference, arithmetic, reduced.inputs, ranges);
+  const LaneInputs inputs = reduced.inputs_beside(reference);
+  const int bits = error::lane_exponent_bits(graph, reference, arithmetic, inputs, ranges);
   reduced.format = FloatFormat::make(reduced.format->precision(), bits).value();
 }
 
@@ -309,6 +310,11 @@ Result<Scene> load_scene(const std::filesystem::path& path,
     const Result<Scene> attempt = load_with(path, some);
     return attempt.ok() ? std::nullopt : std::optional(attempt.error());
   });
+}
+
+LaneInputs ReducedSpec::inputs_beside(FloatFormat reference) const {
+  if (fixed_point) return LaneInputs::exact;
+  return format ? inputs.in_lane(format->precision(), reference.precision()) : inputs;
 }
 
 std::string ReducedSpec::format_name() const {

@@ -67,6 +67,9 @@ struct ReducedSpec {
   std::optional<mpq_class> relative_error_g;
 
   std::string format_name() const;  ///< "s17e8", "q13", "block13" or "auto"
+  /// `inputs` beside this reference, by the only name that they have in this lane. Fixed point has
+  /// no choice of inputs: its operands are taken as they arrive.
+  LaneInputs inputs_beside(FloatFormat reference) const;
 };
 
 inline constexpr int max_lanes = settings::limits::lanes.most;

@@ -253,8 +253,9 @@ std::optional<LaneSavings> summarise_savings(const Scene& scene, const ReducedSp
 DatapathSummary summarise_lane(const std::string& name, const Scene& scene,
                                const ReducedSpec& reduced) {
   const Arithmetic arithmetic = {*reduced.format, reduced.rounding, reduced.subnormals};
+  const FloatFormat reference = scene.reference.format;
   const TypedGraph graph =
-      lane_graph(scene.graph, scene.reference.format, arithmetic, reduced.inputs);
+      lane_graph(scene.graph, reference, arithmetic, reduced.inputs_beside(reference));
   DatapathSummary summary = summarise_datapath(name, graph, scene.ranges);
   summary.savings = summarise_savings(scene, reduced, graph);
   return summary;

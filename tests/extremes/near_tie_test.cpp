@@ -92,25 +92,27 @@ TEST_P(NearTies, ComeCloseToWhatIsProven) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Lanes, NearTies,
-                         testing::Values(Case{6, LaneInputs::exact, Rounding::nearest_even, 5},
-                                         Case{11, LaneInputs::exact, Rounding::nearest_even, 7.3},
-                                         Case{17, LaneInputs::exact, Rounding::nearest_even, 7.8},
-                                         Case{24, LaneInputs::exact, Rounding::nearest_even, 7.9},
-                                         Case{40, LaneInputs::exact, Rounding::nearest_even, 7.9},
-                                         Case{52, LaneInputs::exact, Rounding::nearest_even, 7.9},
-                                         Case{6, LaneInputs::exact, Rounding::toward_zero, 5},
-                                         Case{11, LaneInputs::exact, Rounding::toward_zero, 8},
-                                         Case{17, LaneInputs::exact, Rounding::toward_zero, 9},
-                                         Case{24, LaneInputs::exact, Rounding::toward_zero, 9},
-                                         Case{40, LaneInputs::exact, Rounding::toward_zero, 9},
-                                         Case{17, LaneInputs::exact, Rounding::nearest_even, 4.9,
-                                              NearTieShape::diagonal},
-                                         Case{24, LaneInputs::exact, Rounding::toward_zero, 5.9,
-                                              NearTieShape::diagonal},
-                                         Case{17, LaneInputs::rounded, Rounding::nearest_even, 40},
-                                         Case{17, LaneInputs::rounded, Rounding::toward_zero, 40}),
-                         testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(
+    Lanes, NearTies,
+    testing::Values(Case{6, LaneInputs::exact, Rounding::nearest_even, 5},
+                    Case{11, LaneInputs::exact, Rounding::nearest_even, 7.3},
+                    Case{17, LaneInputs::exact, Rounding::nearest_even, 7.8},
+                    Case{24, LaneInputs::exact, Rounding::nearest_even, 7.9},
+                    Case{40, LaneInputs::exact, Rounding::nearest_even, 7.9},
+                    Case{52, LaneInputs::exact, Rounding::nearest_even, 7.9},
+                    Case{6, LaneInputs::exact, Rounding::toward_zero, 5},
+                    Case{11, LaneInputs::exact, Rounding::toward_zero, 8},
+                    Case{17, LaneInputs::exact, Rounding::toward_zero, 9},
+                    Case{24, LaneInputs::exact, Rounding::toward_zero, 9},
+                    Case{40, LaneInputs::exact, Rounding::toward_zero, 9},
+                    Case{17, LaneInputs::exact, Rounding::nearest_even, 4.9,
+                         NearTieShape::diagonal},
+                    Case{24, LaneInputs::exact, Rounding::toward_zero, 5.9, NearTieShape::diagonal},
+                    Case{17, LaneInputs::rounded, Rounding::nearest_even, 40},
+                    Case{17, LaneInputs::rounded, Rounding::toward_zero, 40},
+                    Case{17, LaneInputs::of_digits(20), Rounding::nearest_even, 5},
+                    Case{17, LaneInputs::of_digits(20), Rounding::toward_zero, 5}),
+    testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace mixcmp::test::near_tie_test

@@ -18,7 +18,7 @@ const std::string two_lanes = "--precisions 4,6 --components lane";
 characterise::ComponentKey lane(const std::string& format) {
   return {.kind = characterise::ComponentKind::lane,
           .format = format,
-          .inputs = "exact",
+          .inputs = LaneInputs::exact,
           .bound = scene::BoundChoice{},
           .multipliers = "logic"};
 }
@@ -326,7 +326,8 @@ TEST_F(CharacteriseCommand, RefusesWhatItCannotDo) {
   refused("--precisions 8,x", "\"x\"");
   refused("--bounds tight", "--bounds");
   refused("--bounds running_9", "running_1 to running_8");
-  refused("--inputs some", "both, exact, rounded");
+  refused("--inputs some", "exact, rounded, or a number of digits 4..11");
+  refused("--inputs exact,54", "exact, rounded, or a number of digits 4..11");
   refused("--multipliers some", "both, embedded, logic, memory");
   refused("--multipliers logic,logic", "given twice");
   refused("--multipliers memory --bounds relative", "by lanes in fixed point alone");

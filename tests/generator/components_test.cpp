@@ -168,7 +168,7 @@ TEST_F(Components, LanesInFixedPointAreWhatGenerateWritesOnceForAllInputs) {
   ASSERT_EQ(found.components.size(), 2u);  // none of 50 bits
   for (const auto& [key, component] : found.components) {
     EXPECT_EQ(key.format, "q12");
-    EXPECT_EQ(key.inputs, "");
+    EXPECT_FALSE(key.inputs.has_value());
     const bool same =
         from_ports(source(component, "lane.v")) == from_ports(generated(*system, "_lane_"));
     EXPECT_EQ(same, key.multipliers == "embedded");
@@ -192,6 +192,19 @@ TEST_F(Components, OnlyLanesInFixedPointHaveMemoriesOfSquares) {
   EXPECT_EQ(found.missing[0].reason.field, "reduced.multipliers");
 }
 
+/// A lane of as many digits as its inputs is the one of rounded inputs.
+TEST_F(Components, InputsOfSoManyDigitsAreThoseOfLanesWithFewer) {
+  components::ComponentQuery query = lanes({11, 12, 13}, {"running_4"});
+  query.inputs = {LaneInputs::of_digits(12), LaneInputs::rounded};
+  const Found found = find(scene("[reduced]\nformat = \"auto\"\n"), query);
+  std::vector<std::string> names;
+  for (const auto& [key, component] : found.components) {
+    names.push_back(key.format + " " + to_string(key.inputs));
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"s11e8 12", "s11e8 rounded", "s12e8 rounded",
+                                             "s13e8 rounded"}));
+}
+
 TEST_F(Components, LanesThatDoNotExistAreToldWithTheirReason) {
   components::ComponentQuery query = lanes({4, 12}, {"relative", "running_4", "constant"});
   query.inputs = {LaneInputs::exact, LaneInputs::rounded};
@@ -201,7 +214,7 @@ TEST_F(Components, LanesThatDoNotExistAreToldWithTheirReason) {
     EXPECT_FALSE(lane.reason.message.empty());
   EXPECT_EQ(found.components.size() + found.missing.size(), 12u);
   const auto is_rounded_relative = [](const components::MissingLane& lane) {
-    return scene::to_string(lane.key.bound) == "relative" && lane.key.inputs == "rounded";
+    return scene::to_string(lane.key.bound) == "relative" && lane.key.inputs == LaneInputs::rounded;
   };
   EXPECT_EQ(std::count_if(found.missing.begin(), found.missing.end(), is_rounded_relative), 2)
       << "differences of rounded operands have no relative bound";

@@ -29,6 +29,7 @@ emit::Signature some_signature() {
                            .module = "narrow_channel",
                            .format = "q13",
                            .latency_cycles = 15,
+                           .inputs = LaneInputs::of_digits(20),
                            .multipliers = scene::Multipliers::logic}},
           .reference_groups = {{.count = 3, .module = "reference", .latency_cycles = 40}},
           .tdata_bytes = 24,

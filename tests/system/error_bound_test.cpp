@@ -28,6 +28,7 @@ struct Case {
   std::optional<Range> range = {};
   Rounding rounding = Rounding::nearest_even;
   Subnormals subnormals = Subnormals::flush;
+  const char* reference = "s4e4";  ///< of 8 bits, where every pair is compared
 };
 
 void PrintTo(const Case& c, std::ostream* stream) {
@@ -63,9 +64,9 @@ class EveryOperand : public testing::TestWithParam<Case> {};
 
 TEST_P(EveryOperand, IsDecidedAsTheGoldenModelSaysAndTruly) {
   const Graph graph = graph_of(GetParam().f, GetParam().g);
-  const FloatFormat s4e4 = format("s4e4");
-  const design::Design design = design_of(GetParam(), graph, s4e4);
-  const auto data = data::Comparisons::rows(every_pair(s4e4), design.inputs);
+  const FloatFormat reference = format(GetParam().reference);
+  const design::Design design = design_of(GetParam(), graph, reference);
+  const auto data = data::Comparisons::rows(every_pair(reference), design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
   const verilator_tb::VerifyReport report =
       simulate(design, *data, {.truth = verilator_tb::TruthCheck{.graph = &graph}});
@@ -91,6 +92,18 @@ INSTANTIATE_TEST_SUITE_P(
                          Rounding::nearest_even, Subnormals::gradual},
                     Case{"running_exact_inputs_selected", "max(a - b, a * b) - a", "abs(b) - a",
                          ErrorBoundKind::running, 2, "s3e4", LaneInputs::exact},
+                    Case{"running_inputs_of_4_digits", "a - b", "min(a, b) * a",
+                         ErrorBoundKind::running, 3, "s3e5", LaneInputs::of_digits(4), std::nullopt,
+                         Rounding::nearest_even, Subnormals::flush, "s5e3"},
+                    Case{"running_inputs_of_4_digits_toward_zero", "a - b / 3", "max(b, 0.3) - a",
+                         ErrorBoundKind::running, 3, "s3e5", LaneInputs::of_digits(4), std::nullopt,
+                         Rounding::toward_zero, Subnormals::flush, "s5e3"},
+                    Case{"running_inputs_of_4_digits_gradual", "a - b", "min(a, b) * a",
+                         ErrorBoundKind::running, 3, "s3e4", LaneInputs::of_digits(4), std::nullopt,
+                         Rounding::nearest_even, Subnormals::gradual, "s5e3"},
+                    Case{"constant_inputs_of_5_digits_in_ranges", "a - b", "a * b",
+                         ErrorBoundKind::constant, 0, "s4e5", LaneInputs::of_digits(5), Range{0, 4},
+                         Rounding::nearest_even, Subnormals::flush, "s6e2"},
                     Case{"running_in_ranges", "a * b - a", "b", ErrorBoundKind::running, 3, "s3e5",
                          LaneInputs::rounded, within_two, Rounding::nearest_even,
                          Subnormals::gradual},
@@ -178,6 +191,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"s17e8_exponents_alone_gradual", "", "", ErrorBoundKind::running, 1,
                          "s17e8", LaneInputs::rounded, std::nullopt, Rounding::toward_zero,
                          Subnormals::gradual},
+                    Case{"s17e8_running_inputs_of_20_digits", "", "", ErrorBoundKind::running, 4,
+                         "s17e8", LaneInputs::of_digits(20)},
+                    Case{"s8e8_exponents_alone_inputs_of_10_digits", "", "",
+                         ErrorBoundKind::running, 1, "s8e8", LaneInputs::of_digits(10),
+                         std::nullopt, Rounding::toward_zero},
                     Case{"s8e8_constant_in_ranges", "", "", ErrorBoundKind::constant, 0, "s8e8",
                          LaneInputs::rounded, Range{0, 100}}),
     [](const auto& instance) { return std::string(instance.param.name); });

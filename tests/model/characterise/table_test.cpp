@@ -12,7 +12,7 @@ characterise::Measurement lane(const std::string& format, int luts) {
   return {
       .key = {.kind = characterise::ComponentKind::lane,
               .format = format,
-              .inputs = "exact",
+              .inputs = LaneInputs::exact,
               .bound = scene::BoundChoice{scene::BoundChoice::Kind::running, 4},
               .multipliers = "logic"},
       .latency_cycles = 17,
@@ -108,7 +108,7 @@ TEST_F(Table, FindsARowByAllOfItsKey) {
   EXPECT_EQ(table.find(key)->area.luts, 400);
   EXPECT_EQ(table.find(crossbar(11).key)->area.luts, 1100);
   EXPECT_EQ(table.find(crossbar(3).key), nullptr);
-  key.inputs = "rounded";
+  key.inputs = LaneInputs::rounded;
   EXPECT_EQ(table.find(key), nullptr);
   EXPECT_EQ(characterise::Characterisation().find(key), nullptr);
 }
@@ -123,6 +123,8 @@ TEST_F(Table, ErrorsTellLineAndColumn) {
   expect_refused("101.25,", "0,", 9, 33, "no clock");
   expect_refused("lane,,s12e8", "lane,,float", 7, 7, "not a format");
   expect_refused("exact,running_4", "some,running_4", 7, 13, "not a choice");
+  expect_refused("exact,running_4", "12,running_4", 7, 13, "not a choice");
+  expect_refused("exact,running_4", "200,running_4", 7, 13, "digits out of range");
   expect_refused("running_4,logic", "running_4,wood", 7, 29, "not a choice");
   expect_refused("routed,3", "guessed,3", 9, 55, "not a choice");
   expect_refused("f,Yosys 0.23\n", "f\n", 9, 64, "ends here");

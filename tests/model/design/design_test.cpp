@@ -135,6 +135,26 @@ TEST(LaneGroupNames, SayWhatTellsLanesOfOneFormatApart) {
                                       "s17e8_rounded_relative", "s17e8_exact_relative"}));
 }
 
+/// As many digits as the lane has are rounded inputs, as many as the reference has are exact ones.
+TEST(LaneGroupNames, NameInputsByTheirDigitsWhereTheyAreNeitherRoundedNorExact) {
+  Scene scene = complete_scene();
+  scene.graph = graph_of("a * b", "b");
+  for (const int digits : {17, 20, scene.reference.format.precision()}) {
+    scene.lanes.push_back(group_of(scene, 1));
+    scene.lanes.back().reduced.inputs = LaneInputs::of_digits(digits);
+  }
+  for (const LaneInputs inputs : {LaneInputs::rounded, LaneInputs::exact}) {
+    scene.lanes.push_back(group_of(scene, 1));
+    scene.lanes.back().reduced.inputs = inputs;
+  }
+  const Design design = design::make_design(scene, nullptr).value();
+  EXPECT_EQ(lane_group_names(design),
+            (std::vector<std::string>{"s17e8_rounded", "s17e8_inputs_20", "s17e8_exact",
+                                      "s17e8_rounded", "s17e8_exact"}));
+  EXPECT_EQ(design.lanes[0].lane, design.lanes[3].lane);
+  EXPECT_EQ(design.lanes[2].lane, design.lanes[4].lane);
+}
+
 TEST(LaneGroupNames, TellProfiledLanesOfOtherErrorsApart) {
   Scene scene = complete_scene();
   scene.reduced.bound = BoundKind::profiled;

@@ -6,6 +6,7 @@
 #include "tests/model/emulator/against_golden.hpp"
 #include "tests/model/emulator/hard_operands.hpp"
 #include "tests/support/float_samples.hpp"
+#include "tests/support/lane_inputs.hpp"
 
 /// Single operations, each against every operand there is, or against those that are hard.
 namespace mixcmp::test::operations_test {
@@ -65,7 +66,7 @@ TEST_P(SmallFormats, EveryOperandPairOfEveryOperation) {
   for (const Operation operation : operations) {
     const Operands operands = every_tuple(every_encoding(reference), arity(operation));
     for (const Arithmetic& reduced : every_arithmetic(lane)) {
-      for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
+      for (const LaneInputs inputs : all_inputs(lane.precision())) {
         guard = guard == 9 ? 0 : guard + 1;
         expect_golden(lane_of(operation, reference, reduced, inputs, guard), operands);
         if (HasFailure()) return;
@@ -89,7 +90,7 @@ TEST_P(SpecialValues, EveryPairOfEveryOperation) {
   for (const Operation operation : operations) {
     const Operands operands = every_tuple(special_doubles(reference), arity(operation));
     for (const Arithmetic& reduced : every_arithmetic(lane)) {
-      for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
+      for (const LaneInputs inputs : all_inputs(lane.precision())) {
         expect_golden(lane_of(operation, reference, reduced, inputs, 3), operands);
       }
       expect_golden(

@@ -134,7 +134,11 @@ Graph random_graph_of_parts(Random& random) {
 }
 
 LaneInputs random_inputs(Random& random) {
-  return below(random, 2) == 0 ? LaneInputs::exact : LaneInputs::rounded;
+  switch (below(random, 3)) {
+    case 0: return LaneInputs::exact;
+    case 1: return LaneInputs::rounded;
+    default: return LaneInputs::of_digits(2 + below(random, 52));
+  }
 }
 
 FloatFormat random_reference(Random& random) {

@@ -4,6 +4,7 @@
 #include "tests/model/emulator/against_golden.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
+#include "tests/support/lane_inputs.hpp"
 #include "tests/support/sphere.hpp"
 
 /// Whole batches of one scale, from where results vanish to where they overflow: what is said of
@@ -32,7 +33,7 @@ TEST_P(Scales, NeighboursAreEmulatedBitForBit) {
   std::mt19937_64 random(1);
   for (const char* name : {"s53e8", "s24e8", "s53e9"}) {
     const FloatFormat reference = format(name);
-    for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
+    for (const LaneInputs inputs : all_inputs(17)) {
       const Arithmetic reduced = {format_of(17, reference.exponent_bits()), Rounding::nearest_even,
                                   Subnormals::flush};
       const Lane lane = error::one_part_lane(lane_graph(graph, reference, reduced, inputs),

@@ -13,6 +13,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/hazard_judge.hpp"
+#include "tests/support/lane_inputs.hpp"
 
 /// Certified lanes of random graphs in random formats, on operands that are driven to where the
 /// lane is only just certain: what it decides is the order of the real numbers.
@@ -194,8 +195,7 @@ std::string describe(const Target& target, const std::vector<Bits>& inputs) {
       "{} against {}, reference {}, lane {} {} {}, inputs {}, {}, operands checked {}:",
       text(lane.f()), text(lane.g()), lane.input_format.name(), lane.arithmetic.format.name(),
       to_string(lane.arithmetic.rounding), to_string(lane.arithmetic.subnormals),
-      target.how == LaneInputs::exact ? "exact" : "rounded", describe_criterion(target.lane),
-      target.lane.checks.size());
+      to_string(target.how), describe_criterion(target.lane), target.lane.checks.size());
   for (const Bits input : inputs) {
     description += fmt::format(" 0x{}", to_hex(input, lane.input_format.width()));
   }
@@ -305,8 +305,8 @@ TEST_P(RandomGraphs, AreDecidedAsTheRealNumbersAre) {
     const FloatFormat reference = random_reference(random);
     if (!holds_constants(graph, reference)) continue;
     const CertifiedOptions options = random_options(random, graph.inputs().size());
-    const LaneInputs how = one_in(random, 2) ? LaneInputs::exact : LaneInputs::rounded;
     const Arithmetic reduced = random_reduced(random, reference);
+    const LaneInputs how = any_inputs(reduced.format.precision(), reference.precision(), random);
     const auto lane = certified_lane(lane_graph(graph, reference, reduced, how), options);
     if (!lane.ok()) continue;
     ++lanes[*options.kind];
@@ -343,9 +343,9 @@ TEST_P(RandomGraphs, OfSeveralPartsAreDecidedAsTheRealNumbersAre) {
     if (!holds_constants(graph, format)) continue;
     CertifiedOptions options = random_options(random, graph.inputs().size());
     if (one_in(random, 2)) options.kind.reset();
-    const LaneInputs how = one_in(random, 2) ? LaneInputs::exact : LaneInputs::rounded;
-    const auto lane =
-        certified_lane(lane_graph(graph, format, random_reduced(random, format), how), options);
+    const Arithmetic reduced = random_reduced(random, format);
+    const LaneInputs how = any_inputs(reduced.format.precision(), format.precision(), random);
+    const auto lane = certified_lane(lane_graph(graph, format, reduced, how), options);
     if (!lane.ok()) continue;
     ++lanes;
     for (int n = 0; n < 20; ++n) {

@@ -79,6 +79,17 @@ TEST(RelativeBound, CountsTheRoundingsOfEachOperation) {
   expect_bound("a * b", {.inputs = LaneInputs::rounded}, power(down, 3), power(up, 3));
 }
 
+/// Each operand has the relative error of one rounding to its own digits.
+TEST(RelativeBound, CountsTheRoundingOfInputsToTheirDigits) {
+  const mpq_class u = unit(17), v = unit(20);
+  const Setting of_20{.inputs = LaneInputs::of_digits(20)};
+  expect_bound("a * b", of_20, power(1 - v, 2) * (1 - u), power(1 + v, 2) * (1 + u));
+  expect_bound("a", of_20, 1 - u, 1 + u);
+  const mpq_class up = 1 + 2 * u, far = 1 + 2 * v;
+  expect_bound("a * b", {.inputs = LaneInputs::of_digits(20), .rounding = Rounding::toward_zero}, 1,
+               far * far * up);
+}
+
 TEST(RelativeBound, IsOneSidedTowardZero) {
   const mpq_class up = 1 + 2 * unit(17);
   const Setting toward_zero{.rounding = Rounding::toward_zero};

@@ -10,6 +10,7 @@
 #include "model/number/verdict.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
+#include "tests/support/lane_inputs.hpp"
 
 /// A certified lane decides as the real numbers do: every operand tuple of small formats.
 namespace mixcmp::test::soundness_test {
@@ -48,7 +49,7 @@ std::vector<Lane> lanes_of(const Graph& graph, FloatFormat reference, std::optio
   std::vector<Lane> lanes;
   for (const FloatFormat format : {format_of(2, 4), format_of(4, 5)}) {
     for (const Arithmetic& arithmetic : every_arithmetic(format)) {
-      for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
+      for (const LaneInputs inputs : all_inputs(format.precision())) {
         const auto typed = lane_graph(graph, reference, arithmetic, inputs);
         for (error::CandidateLane& candidate : error::candidate_lanes(typed, ranges)) {
           if (candidate.lane.ok()) lanes.push_back(*candidate.lane);
@@ -114,7 +115,9 @@ INSTANTIATE_TEST_SUITE_P(
         Comparison{"inputs", "a", "b"}, Comparison{"constant", "a", "0.3"},
         Comparison{"squares", "a^2", "b^2"}, Comparison{"root", "sqrt(a)", "b"},
         Comparison{"scaled", "0.3 * a", "b"}, Comparison{"doubled", "2 * a", "b / 4"},
-        Comparison{"cube", "a^3", "b"}, Comparison{"doubled_product", "2 * (a * b)", "-abs(c)"},
+        Comparison{"cube", "a^3", "b"}, Comparison{"cancelling", "a - b", "a / 3"},
+        Comparison{"apart", "(a - b)^2", "abs(b)"},
+        Comparison{"doubled_product", "2 * (a * b)", "-abs(c)"},
         Comparison{"negative", "-(a^2)", "-abs(b)"}, Comparison{"product", "a * b", "c^2"},
         Comparison{"distance", "(a - b)^2", "c^2"}, Comparison{"difference", "a - b", "c"},
         Comparison{"quotient", "a / b", "c"}, Comparison{"sum", "a + b", "c"},

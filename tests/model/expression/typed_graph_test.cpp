@@ -69,6 +69,63 @@ TEST(LaneGraph, TakesExactInputsIntoTheFirstOperation) {
             "f 3, g 4\n");
 }
 
+TEST(LaneGraph, RoundsInputsToTheDigitsOfTheFirstOperation) {
+  EXPECT_EQ(lane("(a - b)^2", "a * b", LaneInputs::of_digits(20)),
+            "input a: s53e8\n"
+            "convert 0: s53e8 > s20e8\n"
+            "input b: s53e8\n"
+            "convert 2: s53e8 > s20e8\n"
+            "subtract 1 3: s20e8 > s17e8\n"
+            "square 4: s17e8\n"
+            "multiply 1 3: s20e8 > s17e8\n"
+            "f 5, g 6\n");
+}
+
+/// An operand that later operations take is rounded to the lane's digits from where it arrives:
+/// once.
+TEST(LaneGraph, RoundsAnInputOnceForEachWidth) {
+  EXPECT_EQ(lane("min(a, b) - 0.1", "(a * b) * min(a, b)", LaneInputs::of_digits(20)),
+            "input a: s53e8\n"
+            "convert 0: s53e8 > s20e8\n"
+            "input b: s53e8\n"
+            "convert 2: s53e8 > s20e8\n"
+            "minimum 1 3: s20e8\n"
+            "constant 1/10: s20e8\n"
+            "subtract 4 5: s20e8 > s17e8\n"
+            "convert 0: s53e8 > s17e8\n"
+            "convert 2: s53e8 > s17e8\n"
+            "minimum 7 8: s17e8\n"
+            "multiply 1 3: s20e8 > s17e8\n"
+            "multiply 9 10: s17e8\n"
+            "f 6, g 11\n");
+}
+
+TEST(LaneGraph, RoundsInputsToTheExponentsOfTheLane) {
+  const auto graph =
+      lane_graph(graph_of("a - b", "0"), wide, {format_of(17, 6)}, LaneInputs::of_digits(20));
+  EXPECT_EQ(graph.nodes[1].format.name(), "s20e6");
+}
+
+/// So that a profile can hold lanes of all precisions against one graph.
+TEST(LaneGraph, OfMoreDigitsThanItsInputsHasItsOwnDigitsAndTheSameNodes) {
+  const Graph graph = graph_of("min(a, b) - 0.1", "(a * b) * min(a, b)");
+  const auto nodes = [&](int precision) {
+    return lane_graph(graph, wide, {format_of(precision, 8)}, LaneInputs::of_digits(20)).nodes;
+  };
+  const auto fewer = nodes(17), more = nodes(24);
+  ASSERT_EQ(fewer.size(), more.size());
+  for (std::size_t id = 0; id < more.size(); ++id) {
+    EXPECT_EQ(fewer[id].operation, more[id].operation);
+    EXPECT_EQ(fewer[id].operands, more[id].operands);
+  }
+  EXPECT_EQ(more[1].format, format_of(24, 8));
+}
+
+TEST(LaneGraph, TakesAsManyDigitsAsTheReferenceHasAsTheyArrive) {
+  EXPECT_EQ(lane("(a - b)^2", "min(a, 0.1)", LaneInputs::of_digits(53)),
+            lane("(a - b)^2", "min(a, 0.1)", LaneInputs::exact));
+}
+
 TEST(LaneGraph, ConvertsAnInputThatMeetsAnInexactOperand) {
   EXPECT_EQ(lane("a * b + a", "a / (b * b)", LaneInputs::exact),
             "input a: s53e8\n"

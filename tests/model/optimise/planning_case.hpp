@@ -46,7 +46,8 @@ protected:
         .key = {.kind = characterise::ComponentKind::lane,
                 .name = {},
                 .format = format,
-                .inputs = inputs,
+                .inputs = inputs.empty() ? std::nullopt
+                                         : std::optional(LaneInputs::parse(inputs, 4, 52).value()),
                 .bound = bound.empty() ? std::nullopt
                                        : std::optional(scene::parse_bound_choice(bound).value()),
                 .multipliers = multipliers},

@@ -54,8 +54,18 @@ TEST_F(RatesFile, GivesWhatAProfileCounted) {
   EXPECT_FALSE(rates->find({LaneInputs::exact, {scene::BoundChoice::Kind::running, 4}, 9}));
 }
 
-TEST_F(RatesFile, RatesInFixedPointAreThoseOfEitherInputs) {
-  const auto rates = read(std::string(header) + "rounded,8,fixed_norm,1000,5,5e-3,0,0\n");
+TEST_F(RatesFile, KnowsInputsByTheirDigits) {
+  const auto rates = read(std::string(header) + "20,8,relative,1000,5,5e-3,0,0\n" +
+                          "rounded,8,relative,1000,7,7e-3,0,0\n");
+  ASSERT_TRUE(rates.ok()) << rates.error().to_string();
+  const scene::BoundChoice relative{scene::BoundChoice::Kind::relative};
+  EXPECT_EQ(rates->find({LaneInputs::of_digits(20), relative, 8})->undecided, 5u);
+  EXPECT_FALSE(rates->find({LaneInputs::of_digits(21), relative, 8}));
+  expect_refused(std::string(header) + "2,8,relative,1000,5,5e-3,0,0\n", ":2: inputs");
+}
+
+TEST_F(RatesFile, RatesInFixedPointAreThoseOfAnyInputs) {
+  const auto rates = read(std::string(header) + "20,8,fixed_norm,1000,5,5e-3,0,0\n");
   ASSERT_TRUE(rates.ok()) << rates.error().to_string();
   const scene::BoundChoice norm{scene::BoundChoice::Kind::fixed_norm};
   EXPECT_EQ(rates->find({LaneInputs::exact, norm, 8})->undecided, 5u);

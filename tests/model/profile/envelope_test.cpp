@@ -15,6 +15,7 @@
 #include "model/profile/bound_envelope.hpp"
 #include "model/profile/threshold.hpp"
 #include "tests/model/profile/profile_cases.hpp"
+#include "tests/support/lane_inputs.hpp"
 
 /// Theorems 1 and 3 of docs/profile.md, held against the golden model.
 namespace mixcmp::test::envelope_test {
@@ -162,7 +163,7 @@ Drawn draw(const std::string& f, const std::string& g, std::mt19937_64& random) 
 int draw_and_expect(const std::string& f, const std::string& g, Family family,
                     std::mt19937_64& random) {
   const auto [scene, what] = draw(f, g, random);
-  const LaneInputs inputs = random() % 2 == 0 ? LaneInputs::exact : LaneInputs::rounded;
+  const LaneInputs inputs = any_inputs(4, 53, random);
   const int highest = std::min(52, scene.reference.format.precision());
   const int anchor =
       std::min(highest, 4 + static_cast<int>(random() % (random() % 2 == 0 ? 8 : 48)));
@@ -203,7 +204,7 @@ TEST(Envelope, KnowsWhatUnderflowsAfterCancellation) {
     const Scene scene = scene_of(graph_of(f, g), reference, arithmetics[random() % 4]);
     const int anchor = 4 + static_cast<int>(random() % 10);
     const int last = random() % 2 == 0 ? anchor + 3 : std::min(52, reference.precision());
-    const LaneInputs inputs = random() % 2 == 0 ? LaneInputs::exact : LaneInputs::rounded;
+    const LaneInputs inputs = any_inputs(4, 53, random);
     SCOPED_TRACE(fmt::format("{}, reference {}, e{}, L = {}..{}", f, reference.name(),
                              exponent_bits, anchor, last));
     expect_theorem_1(Case(scene, inputs, anchor, last, Family::cancelling, random), last);

@@ -24,9 +24,10 @@ void expect_same(const mpq_class& got, const mpq_class& expected, const std::str
 
 void expect_slow_profile(const Scene& scene, const Comparisons& data,
                          const ProfileOptions& options) {
-  const std::vector<LaneInputs> both = {LaneInputs::rounded, LaneInputs::exact};
-  const std::vector<ErrorProfile> profiles = profile_errors(scene, data, both, options);
-  ASSERT_EQ(profiles.size(), 2u);
+  const std::vector<LaneInputs> all = {LaneInputs::rounded, LaneInputs::exact,
+                                       LaneInputs::of_digits(12)};
+  const std::vector<ErrorProfile> profiles = profile_errors(scene, data, all, options);
+  ASSERT_EQ(profiles.size(), all.size());
   for (const ErrorProfile& profile : profiles) {
     for (const profile::ErrorAtPrecision& error : profile.precisions) {
       const TypedGraph lane = profile::graph_at(scene, error.precision, profile.inputs);

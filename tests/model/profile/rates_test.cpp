@@ -15,6 +15,7 @@
 #include "model/profile/schemes.hpp"
 #include "model/workload/compare_by_reference.hpp"
 #include "tests/model/profile/profile_cases.hpp"
+#include "tests/support/lane_inputs.hpp"
 #include "tests/support/sphere.hpp"
 #include "tests/support/unproven_tie.hpp"
 
@@ -140,9 +141,10 @@ Scene sphere_scene() {
 
 TEST(Rates, OfAllPairsOfSpheresAreTheGoldenModels) {
   const Scene scene = sphere_scene();
-  for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
+  for (const LaneInputs inputs :
+       {LaneInputs::exact, LaneInputs::of_digits(20), LaneInputs::rounded}) {
     const RateProfile profile = checked_profile(scene, spheres(scene, 40, 40), inputs,
-                                                options_of(4, 52), std::string(to_string(inputs)));
+                                                options_of(4, 52), to_string(inputs));
     // The data is such that dropping nothing would be noticed.
     const std::uint64_t all = profile.comparisons * 49 * 6;
     EXPECT_LT(profile.emulated, all / 4);
@@ -207,7 +209,8 @@ TEST(Rates, OfHardFamiliesAreTheGoldenModels) {
     if (!pairs.ok() || (near_tie && !aimed)) continue;
     const Comparisons data =
         Comparisons::rows(std::move(pairs).value(), scene.graph.inputs()).value();
-    for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
+    for (const LaneInputs inputs :
+         {LaneInputs::exact, LaneInputs::of_digits(20), LaneInputs::rounded}) {
       checked_profile(scene, data, inputs, options_of(4, 52), name);
     }
   }
@@ -231,7 +234,7 @@ TEST(Rates, OfAnyExpressionAreTheGoldenModels) {
       const int first = 4 + static_cast<int>(random() % 4);
       const int last =
           std::min(reference.precision() - 1, first + 7 + static_cast<int>(random() % 36));
-      const LaneInputs inputs = random() % 2 == 0 ? LaneInputs::exact : LaneInputs::rounded;
+      const LaneInputs inputs = any_inputs(first, last, random);
       const std::string what = fmt::format(
           "{} against {}, family {}, reference {}, lanes e{} {} {}, {} inputs", f, g,
           static_cast<int>(family), reference.name(), exponent_bits, to_string(reduced.rounding),

@@ -18,6 +18,7 @@
 #include "tests/model/proof/proof_support.hpp"
 #include "tests/model/proof/random_lanes.hpp"
 #include "tests/support/float_samples.hpp"
+#include "tests/support/lane_inputs.hpp"
 
 /// What Gappa checks of ranges: constants that bound errors, and what lanes leave unbuilt.
 namespace mixcmp::test::constant_proof_test {
@@ -67,7 +68,8 @@ protected:
   void for_every_lane(const std::function<void(const Lane&)>& visit) {
     for (const Ranged& ranged : every_term()) {
       for (const auto rounding : {Rounding::nearest_even, Rounding::toward_zero}) {
-        for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
+        const int digits = format(ranged.format).precision();
+        for (const LaneInputs inputs : all_inputs(digits)) {
           SCOPED_TRACE(std::string(ranged.f) + " : " + ranged.g);
           const auto lane = lane_of(ranged, inputs, rounding);
           ASSERT_TRUE(lane.ok()) << lane.error().to_string();

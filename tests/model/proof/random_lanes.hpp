@@ -37,10 +37,12 @@ inline Graph random_comparison(std::uint64_t seed) {
 
 inline LaneOptions random_options(std::uint64_t seed) {
   static constexpr std::array formats = {"s4e8", "s8e8", "s11e5", "s17e8", "s24e8", "s52e11"};
+  static constexpr std::array any_of_inputs = {LaneInputs::exact, LaneInputs::rounded,
+                                               LaneInputs::of_digits(20)};
   std::mt19937_64 random(seed ^ 0x9e3779b97f4a7c15u);
   return {.format = formats[random() % formats.size()],
           .rounding = random() % 2 == 0 ? Rounding::nearest_even : Rounding::toward_zero,
-          .inputs = random() % 2 == 0 ? LaneInputs::exact : LaneInputs::rounded};
+          .inputs = any_of_inputs[random() % any_of_inputs.size()]};
 }
 
 }  // namespace mixcmp::test

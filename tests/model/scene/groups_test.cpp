@@ -146,6 +146,25 @@ TEST_F(Groups, AKeyThatEveryGroupHasIsNotedWhereReducedHasItToo) {
             std::vector<std::string>{"reduced.format is not used: each of [[lanes]] has its own"});
 }
 
+TEST_F(Groups, DigitsOfInputsThatReducedGivesMustServeEachLane) {
+  std::string text = head;
+  text.replace(text.find("\"rounded\""), 9, "20");
+  const Result<scene::Scene> scene = load(text +
+                                          "[[lanes]]\ncount = 1\nformat = \"s12e9\"\n"
+                                          "[[lanes]]\ncount = 1\nformat = \"q13\"\n"
+                                          "[[lanes]]\ncount = 1\nformat = \"s24e9\"\n"
+                                          "inputs = \"exact\"\n");
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_EQ(scene->lanes[0].reduced.inputs, LaneInputs::of_digits(20));
+  const Result<scene::Scene> none =
+      load(text + "[[lanes]]\ncount = 1\n[[lanes]]\ncount = 1\nformat = \"s24e9\"\n");
+  ASSERT_FALSE(none.ok());
+  EXPECT_EQ(
+      none.error().to_string().substr(path_.string().size()),
+      ":18: lanes.inputs: digits out of range: received 20; accepted \"exact\", \"rounded\", or "
+      "an integer 24..53, from the lane's digits to the reference's");
+}
+
 TEST_F(Groups, MistakesAreToldWithTheLineOfTheirGroup) {
   EXPECT_EQ(error("[[lanes]]\nformat = \"s8e8\"\n"),
             ":16: lanes.count: missing: received nothing; accepted a key count");

@@ -44,6 +44,18 @@ TEST_F(SceneTest, EveryKeyArrives) {
                               "that value are out of range"});
 }
 
+TEST_F(SceneTest, InputsAreWordsOrDigits) {
+  const auto inputs = [&](const std::string& value) {
+    const auto scene = load_changed("inputs = \"rounded\"", "inputs = " + value);
+    EXPECT_TRUE(scene.ok()) << scene.error().to_string();
+    return scene->reduced.inputs;
+  };
+  EXPECT_EQ(inputs("\"exact\""), LaneInputs::exact);
+  EXPECT_EQ(inputs("20"), LaneInputs::of_digits(20));
+  EXPECT_EQ(inputs("17"), LaneInputs::of_digits(17));
+  EXPECT_EQ(inputs("53"), LaneInputs::of_digits(53));
+}
+
 TEST_F(SceneTest, ReducedSystemAndDataMayBeAbsent) {
   const Result<scene::Scene> scene = load(
       "[comparison]\nname = \"n\"\nf = \"x\"\ng = \"y\"\n[reference]\nformat = \"binary64\"\n");
@@ -313,6 +325,21 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"name = \"sphere_collision\"", "name = 3",
                 ":2: comparison.name: wrong type: received 3 (an integer); accepted a string"},
+        Mistake{"inputs = \"rounded\"", "inputs = 16",
+                ":16: reduced.inputs: digits out of range: received 16; accepted \"exact\", "
+                "\"rounded\", or an integer 17..53, from the lane's digits to the reference's"},
+        Mistake{"inputs = \"rounded\"", "inputs = 54",
+                ":16: reduced.inputs: digits out of range: received 54; accepted \"exact\", "
+                "\"rounded\", or an integer 17..53, from the lane's digits to the reference's"},
+        Mistake{"inputs = \"rounded\"", "inputs = \"round\"",
+                ":16: reduced.inputs: not a choice: received \"round\"; accepted \"exact\", "
+                "\"rounded\", or an integer 17..53, from the lane's digits to the reference's"},
+        Mistake{"inputs = \"rounded\"", "inputs = 20.0",
+                ":16: reduced.inputs: not a choice: received 20; accepted \"exact\", "
+                "\"rounded\", or an integer 17..53, from the lane's digits to the reference's"},
+        Mistake{"format = \"s17e8\"\nbound = \"profiled\"\ninputs = \"rounded\"", "inputs = 3",
+                ":14: reduced.inputs: digits out of range: received 3; accepted \"exact\", "
+                "\"rounded\", or an integer 4..53"},
         Mistake{"count = 512", "count = 512.0",
                 ":28: data.count: wrong type: received 512 (a number); accepted an integer "
                 "1..16777216"},
