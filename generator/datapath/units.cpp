@@ -1,10 +1,13 @@
 #include "generator/datapath/units.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "generator/datapath/stage_list.hpp"
 #include "model/common/check.hpp"
+#include "model/number/dyadic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::datapath {
 namespace {
@@ -162,10 +165,17 @@ std::optional<Scaling> scaling_of(const TypedGraph& graph, const TypedNode& node
     const TypedNode& factor = graph.nodes[static_cast<std::size_t>(node.operands[k])];
     if (factor.operation != Operation::constant) continue;
     const FloatFormat format = factor.format;
-    const int biased = format.biased_exponent(factor.constant);
-    const bool normal = biased > 0 && biased < format.max_biased_exponent();
-    if (!normal || format.sign(factor.constant) || format.fraction(factor.constant) != 0) continue;
-    return Scaling{.operand = node.operands[1 - k], .exponent = biased - format.bias()};
+    const bool is_flushed =
+        graph.arithmetic.subnormals == Subnormals::flush && format.is_subnormal(factor.constant);
+    if (is_flushed || format.biased_exponent(factor.constant) == format.max_biased_exponent()) {
+      continue;
+    }
+    const mpq_class encoded = to_rational(format, factor.constant);
+    const mpq_class size = abs(encoded);
+    if (encoded == 0 || !is_power_of_two(size)) continue;
+    const auto exponent = static_cast<int>(floor_log2(size));
+    if (std::abs(exponent) > format.max_biased_exponent()) continue;  // SCALE has no more bits
+    return Scaling{.operand = node.operands[1 - k], .exponent = exponent, .negated = encoded < 0};
   }
   return std::nullopt;
 }

@@ -34,13 +34,15 @@ struct Unit {
   devices::MultiplierSize multiplier;  ///< embedded multipliers only: FACTOR_A, FACTOR_B
 };
 
-/// A multiplication of the node `operand` by 2^exponent.
+/// A multiplication of the node `operand` by 2^exponent, or by -2^exponent.
 struct Scaling {
   NodeId operand;
   int exponent;
+  bool negated;
 };
-/// Recognises a multiplication by a constant power of two that is encoded as a normal number, else
-/// nullopt. Such a node takes no multiplier: its unit is a conversion that adds to the exponent.
+/// Recognises a multiplication by a constant power of two of either sign, else nullopt. The
+/// constant must be one that multipliers do not flush. Such a node takes no multiplier: its unit is
+/// a conversion, of the operand with its sign changed where `negated`, that adds to the exponent.
 std::optional<Scaling> scaling_of(const TypedGraph& graph, const TypedNode& node);
 
 /// The unit that computes `node` of `graph` (not for input, constant, negate, absolute: those are

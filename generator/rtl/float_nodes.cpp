@@ -90,7 +90,8 @@ void FloatNodes::build_unit(NodeId id) {
   std::vector<Connection> connections = {{"aclk", net("aclk")}};
   const auto scaling = datapath::scaling_of(graph_, node);
   if (scaling) {
-    connections.push_back({"a", datapath_.at(values_[scaling->operand], step.start_cycle)});
+    const Operand operand = datapath_.at(values_[scaling->operand], step.start_cycle);
+    connections.push_back({"a", scaling->negated ? negated(id, operand) : operand});
   }
   for (int k = 0; k < arity(node.operation) && !scaling; ++k) {
     connections.push_back(
@@ -104,6 +105,14 @@ void FloatNodes::build_unit(NodeId id) {
   datapath_.add(Instance{step.unit.module, datapath_.pool().unique("unit_" + names_[id]),
                          unit_parameters(id), std::move(connections)});
   if (exceptional_ == ExceptionalFlags::gathered) gather_flags(id);
+}
+
+/// The operand of a scaling with its sign changed.
+Operand FloatNodes::negated(NodeId id, const Operand& operand) {
+  const int width = graph_.nodes[id].operand_format.width();
+  const std::string factor = datapath_.pool().unique(names_[id] + "_factor");
+  datapath_.add(Wire{width, factor, operand});
+  return concatenation({inverted(bit(factor, width - 1)), slice(factor, width - 2, 0)});
 }
 
 /// Tells whether the unit's `exceptional` output is read. That of a square root is, whatever the

@@ -41,6 +41,7 @@ private:
   void build_node(NodeId id);
   void build_sign_change(NodeId id);
   void build_unit(NodeId id);
+  Operand negated(NodeId id, const Operand& operand);
   Operand flag_output(NodeId id);
   void gather_flags(NodeId id);
   std::string describe(NodeId id) const;

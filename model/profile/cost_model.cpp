@@ -44,9 +44,9 @@ bool is_constant(const TypedGraph& graph, NodeId id) {
   return graph.nodes[id].operation == Operation::constant;
 }
 
-/// Whether the node is a power of two, which as a factor only adds to the exponent.
+/// Whether the node is a power of two of either sign, which as a factor only adds to the exponent.
 bool is_scale(const TypedGraph& graph, NodeId id) {
-  return is_constant(graph, id) && is_power_of_two(graph.nodes[id].value);
+  return is_constant(graph, id) && is_power_of_two(mpq_class(abs(graph.nodes[id].value)));
 }
 
 double node_luts(const TypedGraph& graph, const TypedNode& node) {

@@ -110,6 +110,28 @@ Result<ComparisonSpec> read_variant(const Formulation& formulation,
   return formulation.name_mistake(problem + " behind the scene's name", variant.name);
 }
 
+/// Leaves out parts whose f and g are those of an earlier part: either combination of a verdict
+/// with itself is that verdict.
+void drop_repeated_parts(ComparisonSpec& comparison, std::vector<std::string>& notes) {
+  std::vector<Sides> parts;
+  std::vector<PartSettings> kept;
+  for (std::size_t k = 0; k < comparison.parts.size(); ++k) {
+    const Sides& sides = comparison.graph.parts()[k];
+    const auto known = std::find(parts.begin(), parts.end(), sides);
+    if (known == parts.end()) {
+      parts.push_back(sides);
+      kept.push_back(comparison.parts[k]);
+    } else {
+      notes.push_back(fmt::format("the part \"{}\" against \"{}\" is part {} again: left out",
+                                  std::get<std::string>(comparison.parts[k].f->value),
+                                  std::get<std::string>(comparison.parts[k].g->value),
+                                  known - parts.begin()));
+    }
+  }
+  comparison.parts = std::move(kept);
+  comparison.graph.compare(std::move(parts), comparison.combination);
+}
+
 /// Reads the chosen formulation, and checks the others for mistakes. Notes name the lets that no
 /// formulation uses.
 Result<ComparisonSpec> read_formulation(const Formulations& formulations,
@@ -128,6 +150,7 @@ Result<ComparisonSpec> read_formulation(const Formulations& formulations,
     if (!variant.ok()) return in_variant(formulations.all[k].variant, variant.error());
     if (k == formulations.chosen) chosen = std::move(variant).value();
   }
+  drop_repeated_parts(chosen, notes);
   for (const LetDefinition& let : lets) {
     if (used_lets.contains(let.name)) continue;
     notes.push_back(fmt::format("let {} is not used by f or g", let.name));

@@ -260,22 +260,37 @@ Product product(const std::string& text) {
 
 TEST(Schedule, AProductWithAPowerOfTwoTakesNoMultiplier) {
   const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
-  const std::vector<std::pair<std::string, int>> scalings = {
-      {"x * 0.25", -2}, {"8 * x", 3}, {"x / 16", -4}, {"x * 1", 0}, {"x * 0x1p-126", -126}};
-  for (const auto& [text, exponent] : scalings) {
+  struct Case {
+    const char* text;
+    int exponent;
+    bool negated = false;
+  };
+  // The constant of the last three is a subnormal number.
+  const std::vector<Case> scalings = {{"x * 0.25", -2},
+                                      {"8 * x", 3},
+                                      {"x / 16", -4},
+                                      {"x * 1", 0},
+                                      {"x * 0x1p-126", -126},
+                                      {"x * -0.5", -1, true},
+                                      {"x / -4", -2, true},
+                                      {"-x * 2", 1},
+                                      {"x * 0x1p-127", -127},
+                                      {"x * 0x1p-149", -149},
+                                      {"x / -0x1p127", -127, true}};
+  for (const auto& [text, exponent, negated] : scalings) {
     const Product scaled = product(text);
     const auto scaling = datapath::scaling_of(scaled.graph, scaled.node());
     ASSERT_TRUE(scaling) << text;
     EXPECT_EQ(scaling->exponent, exponent) << text;
-    EXPECT_EQ(scaled.graph.nodes[static_cast<std::size_t>(scaling->operand)].operation,
-              Operation::input);
+    EXPECT_EQ(scaling->negated, negated) << text;
+    EXPECT_NE(scaled.graph.nodes[static_cast<std::size_t>(scaling->operand)].operation,
+              Operation::constant);
     const datapath::Unit unit =
         datapath::unit_for(scaled.graph, scaled.node(), scene::Multipliers::embedded, delays);
     EXPECT_EQ(unit.module, "fp_convert");
     EXPECT_EQ(unit.stages.size(), 5u);
   }
-  // The last of these is a subnormal number: the unit would need more than its exponent.
-  for (const char* text : {"x * 3", "x * -0.5", "x * y", "x * 0", "x * 0x1p-127"}) {
+  for (const char* text : {"x * 3", "x * -0.75", "x * y", "x * 0", "x * 0x1.8p-127"}) {
     const Product plain = product(text);
     EXPECT_FALSE(datapath::scaling_of(plain.graph, plain.node())) << text;
     const datapath::Unit unit =

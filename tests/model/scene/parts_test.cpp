@@ -44,6 +44,16 @@ TEST_F(PartsTest, ListsAreOnePartEach) {
   EXPECT_EQ(scene->f_text(), "a; b - c");
 }
 
+TEST_F(PartsTest, APartThatIsAnotherAgainIsLeftOut) {
+  const auto scene =
+      load("f = [\"a + b\", \"c\", \"b + a\"]\ng = [\"c\", \"a + b\", \"c\"]\ncombine = \"all\"\n");
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_EQ(scene->graph.parts().size(), 2u);
+  EXPECT_EQ(scene->f_text(), "a + b; c");
+  ASSERT_FALSE(scene->notes.empty());
+  EXPECT_EQ(scene->notes.front(), "the part \"b + a\" against \"c\" is part 0 again: left out");
+}
+
 TEST_F(PartsTest, AnIndexIsOnePartForEachOfItsValues) {
   const auto scene =
       load("for = \"k in 0..D-1\"\nf = \"p[k] + k\"\ng = \"q[k]\"\ncombine = \"all\"\n");
