@@ -157,6 +157,22 @@ Unit single_stage_unit(std::string module, std::string stage, double delay_ns) {
   return {.module = std::move(module), .stages = {{std::move(stage), delay_ns}}};
 }
 
+bool multiplies_by_zero(const TypedGraph& graph, const TypedNode& node) {
+  if (node.operation != Operation::multiply) return false;
+  return std::any_of(node.operands.begin(), node.operands.end(), [&](NodeId id) {
+    const TypedNode& factor = graph.nodes[static_cast<std::size_t>(id)];
+    return factor.operation == Operation::constant && factor.format.is_zero(factor.constant);
+  });
+}
+
+/// Gives a product with zero the delay of what synthesis leaves of it: whether the other factor is
+/// a number, and the sign.
+void leave_special_values(Unit& unit, FloatFormat operands, const DelayTable& delays) {
+  for (Stage& stage : unit.stages) stage = {.name = stage.name, .delay_ns = 0};
+  unit.stages.front().delay_ns =
+      StageList(delays).lut_delay_ns(1 + reduction_levels(operands.width()));
+}
+
 }  // namespace
 
 std::optional<Scaling> scaling_of(const TypedGraph& graph, const TypedNode& node) {
@@ -186,7 +202,9 @@ Unit unit_for(const TypedGraph& graph, const TypedNode& node, Multipliers multip
   if (const auto scaling = scaling_of(graph, node)) {
     return scale_unit(node.operand_format, node.format, subnormals, scaling->exponent, delays);
   }
-  return unit_for(node, subnormals, multipliers, delays);
+  Unit unit = unit_for(node, subnormals, multipliers, delays);
+  if (multiplies_by_zero(graph, node)) leave_special_values(unit, node.operand_format, delays);
+  return unit;
 }
 
 Unit unit_for(const TypedNode& node, Subnormals subnormals, Multipliers multipliers,

@@ -299,6 +299,19 @@ TEST(Schedule, AProductWithAPowerOfTwoTakesNoMultiplier) {
   }
 }
 
+/// Synthesis leaves nothing of such a product but what special values make of it.
+TEST(Schedule, AProductWithZeroTakesNoTime) {
+  const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
+  const auto latency = [&](const std::string& text, scene::Multipliers multipliers) {
+    return datapath::schedule_reference(product(text).graph, multipliers, delays, 200)
+        .latency_cycles;
+  };
+  for (const auto multipliers : {scene::Multipliers::embedded, scene::Multipliers::logic}) {
+    EXPECT_LE(latency("x * 0", multipliers), 2);
+    EXPECT_GT(latency("x * 3", multipliers), 4);
+  }
+}
+
 TEST(Schedule, ScalingsThatDropNoDigitAreShort) {
   const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
   Graph graph;

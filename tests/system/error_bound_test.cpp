@@ -106,6 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
              Subnormals::flush, "s6e2"},
         Case{"powers_of_two_of_either_sign", "a / -4", "b * -0.5", ErrorBoundKind::relative, 0,
              "s3e4", LaneInputs::exact},
+        Case{"zero_factor", "a * 0 + b", "b * a", ErrorBoundKind::running, 3, "s4e4"},
         Case{"subnormal_powers_of_two", "a / -64", "b / 128", ErrorBoundKind::relative, 0, "s3e4",
              LaneInputs::rounded, std::nullopt, Rounding::nearest_even, Subnormals::gradual},
         Case{"running_in_ranges", "a * b - a", "b", ErrorBoundKind::running, 3, "s3e5",
