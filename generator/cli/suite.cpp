@@ -44,12 +44,13 @@ std::optional<std::string> identity(const SuiteRun& run, const std::string& prog
   for (std::size_t k = 0; k + 1 < run.options.size(); k += 2) {
     if (run.options[k] == "--set") options.settings.push_back(run.options[k + 1]);
   }
-  const auto loaded = load(options);
-  if (!loaded.ok()) return std::nullopt;
+  const auto scene = scene::load_scene(options.scene, options.settings);
+  if (!scene.ok()) return std::nullopt;
   ContentHash hash;
   hash.add(program).add(run.scene.string());
   for (const std::string& word : run.options) hash.add(word);
-  for (const fs::path& input : inputs_of(options, loaded->scene)) {
+  for (const fs::path& input : inputs_of(options, *scene)) {
+    if (input.empty()) continue;
     const auto text = read_file(input);
     if (!text.ok()) return std::nullopt;
     hash.add(*text);

@@ -64,7 +64,7 @@ TEST_P(FakeSystems, GoodOneWithoutReferencesPassesAndSaysUndecided) {
   EXPECT_EQ(report.recomputations, 0u);
 }
 
-TEST_P(FakeSystems, GoodOneThatRefetchesThroughHierarchicalBlocksPasses) {
+TEST_P(FakeSystems, GoodOneOfThreeLanesThatRefetchesPasses) {
   expect_pass({.name = "refetching", .lanes = 3, .operands = scene::OperandStore::refetched});
 }
 

@@ -1,0 +1,125 @@
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.hpp"
+
+/// Regression suites, JUnit reports and counterexamples of `mixcmp verify`.
+namespace mixcmp::test::suite_command_test {
+namespace {
+
+class SuiteCommand : public ProgramTest {
+protected:
+  SuiteCommand() {
+    write("data.csv", "a,b,c\n1,2,3\n4,5,6\n9,8,7\n");
+    write("scene.toml",
+          "[comparison]\nname = \"scene\"\nf = \"a * c\"\ng = \"a * b\"\n"
+          "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"s8e8\"\n"
+          "[system]\nlanes = 1\nreferences = 1\n[data]\nfile = \"data.csv\"\n");
+    write_suite("traffic = [\"full_rate\", \"stressed\"]\nsystem.lanes = [1, 2]\n");
+  }
+
+  void write_suite(const std::string& options, const std::string& head = "") {
+    write("suite.toml",
+          head + "[[run]]\nscenes = \"scene.toml\"\nsimulator = \"icarus\"\n" + options);
+  }
+
+  /// An Icarus whose simulator changes its results by this sed script.
+  std::string icarus_that(const std::string& script) {
+    const std::string real = shell("command -v vvp").output;
+    return instead_of("vvp", fmt::format("{} \"$@\"; sed -i '{}' results.txt",
+                                         real.substr(0, real.find('\n')), script));
+  }
+
+  /// Every "greater" of the lane becomes "less".
+  std::string wrong_icarus() { return icarus_that("s/^\\(result [0-9]* [0-9]*\\) 02/\\1 00/"); }
+
+  static std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+  }
+};
+
+TEST_F(SuiteCommand, RunsEveryCombination) {
+  const Outcome run = mixcmp("verify --suite suite.toml --junit junit.xml");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(count(run.output, "\npassed"), 4u) << run.output;
+  for (const char* name :
+       {"scene.toml --simulator icarus --traffic full_rate --set system.lanes=1\n",
+        "scene.toml --simulator icarus --traffic stressed --set system.lanes=2\n"}) {
+    EXPECT_NE(run.output.find(name), std::string::npos) << run.output;
+  }
+  const std::string junit = read("junit.xml");
+  EXPECT_NE(junit.find("tests=\"4\" failures=\"0\" errors=\"0\" skipped=\"0\""), std::string::npos)
+      << junit;
+  EXPECT_EQ(count(junit, "<testcase "), 4u) << junit;
+}
+
+/// Without a simulator nothing can be run, but what has passed is not run again.
+TEST_F(SuiteCommand, DoesNotRepeatWhatPassed) {
+  ASSERT_EQ(mixcmp("verify --suite suite.toml").exit_code, 0);
+  const std::string broken = instead_of("vvp", "exit 1");
+  const Outcome again = mixcmp("verify --suite suite.toml", broken);
+  EXPECT_EQ(again.exit_code, 0) << again.output;
+  EXPECT_EQ(count(again.output, "\npassed"), 4u) << again.output;
+  write("data.csv", "a,b,c\n1,2,3\n4,5,6\n9,8,8\n");
+  const Outcome changed = mixcmp("verify --suite suite.toml", broken);
+  EXPECT_EQ(changed.exit_code, 1) << "the data are others\n" << changed.output;
+  EXPECT_EQ(count(changed.output, "\nnot run"), 4u) << changed.output;
+}
+
+TEST_F(SuiteCommand, ARunThatFailsIsToldAndRepeated) {
+  const Outcome wrong = mixcmp("verify --suite suite.toml --junit junit.xml", wrong_icarus());
+  EXPECT_EQ(wrong.exit_code, 2) << wrong.output;
+  EXPECT_EQ(count(wrong.output, "\nFAILED"), 4u) << wrong.output;
+  EXPECT_NE(read("junit.xml").find("failures=\"4\""), std::string::npos);
+  EXPECT_EQ(mixcmp("verify --suite suite.toml").exit_code, 0) << "by the right simulator";
+}
+
+TEST_F(SuiteCommand, ABudgetThatIsSpentLeavesRunsToTheNextCall) {
+  write_suite("seed = [1, 2]\n", "[suite]\nminutes = 1e-9\n");
+  const Outcome spent = mixcmp("verify --suite suite.toml");
+  EXPECT_EQ(spent.exit_code, 3) << spent.output;
+  EXPECT_NE(spent.output.find("2 of 2 runs had no time"), std::string::npos) << spent.output;
+  EXPECT_EQ(mixcmp("verify --suite suite.toml --minutes 10").exit_code, 0);
+}
+
+TEST_F(SuiteCommand, AMistakeNamesItsPlace) {
+  const auto refused = [this](const std::string& text, const std::string& part) {
+    write("suite.toml", text);
+    const Outcome run = mixcmp("verify --suite suite.toml");
+    EXPECT_EQ(run.exit_code, 1) << text << "\n" << run.output;
+    EXPECT_NE(run.output.find(part), std::string::npos) << run.output;
+  };
+  refused("[suite]\nminutes = 1\n", "a suite without a run");
+  refused("[[run]]\nfirst = 3\n", "a run without a scene");
+  refused("[[run]]\nscenes = \"scene.toml\"\nlanes = 3\n",
+          "suite.toml:3: run.lanes: no such option");
+  refused("[[run]]\nscenes = \"scene.toml\"\nseed = []\n", "an empty list");
+  refused("[[run]]\nscenes = \"scene.toml\"\nseed = [[1]]\n", "no value of an option");
+  refused("[[run]]\nscenes = \"scene.toml\"\n[extra]\na = 1\n", "no such section of a suite");
+  EXPECT_EQ(mixcmp("verify scene.toml --suite suite.toml").exit_code, 1);
+  EXPECT_EQ(mixcmp("verify --suite suite.toml --first 3").exit_code, 1);
+  EXPECT_EQ(mixcmp("verify").exit_code, 1);
+}
+
+TEST_F(SuiteCommand, AFailedRunEndsWithItsLeastCounterexample) {
+  const std::string simulator = wrong_icarus();
+  const Outcome wrong = mixcmp("verify scene.toml --simulator icarus --json", simulator);
+  ASSERT_EQ(wrong.exit_code, 2) << wrong.output;
+  const auto report = nlohmann::json::parse(wrong.output);
+  EXPECT_EQ(report["mismatch_count"], 2);
+  const auto least = report["counterexample"];
+  EXPECT_EQ(least["comparisons"], "comparison 0 alone") << "1, 2 and 3 have the fewest digits";
+  EXPECT_EQ(least["mismatch"]["got"], "less, decided by the lane");
+  EXPECT_EQ(least["waves"],
+            "mixcmp verify scene.toml --simulator icarus --only 0 --trace counterexample.fst");
+  const Outcome text = mixcmp("verify scene.toml --simulator icarus --junit junit.xml", simulator);
+  EXPECT_NE(text.output.find("least counterexample"), std::string::npos) << text.output;
+  EXPECT_NE(read("junit.xml").find("<failure message=\"2 mismatches\">"), std::string::npos)
+      << read("junit.xml");
+}
+
+}  // namespace
+}  // namespace mixcmp::test::suite_command_test
