@@ -212,9 +212,7 @@ TEST_F(Outputs, AVerilatorThatWritesNoProgramIsAnError) {
   const Outcome run =
       mixcmp("verify scene.toml", instead_of("verilator", "echo Verilator 5.006; exit 0"));
   EXPECT_EQ(run.exit_code, 1) << run.output;
-  EXPECT_NE(run.output.find("build.log: make failed"),
-            std::string::npos)
-      << run.output;
+  EXPECT_NE(run.output.find("build.log: make failed"), std::string::npos) << run.output;
 }
 
 /// A simulator that says nonsense is told, with its file.
