@@ -35,6 +35,10 @@ struct Tools {
   std::string make;
 };
 
+void append(Command& command, std::initializer_list<std::string> words) {
+  command.insert(command.end(), words);
+}
+
 Command verilator_call(Waves waves) {
   Command command = {"verilator", "--cc",
                      // Uninitialised state starts at random, so that state which reset forgets
@@ -47,7 +51,7 @@ Command verilator_call(Waves waves) {
                      // Verilator makes of a system of many lanes otherwise.
                      "--output-split-cfuncs", "200", "--timescale-override", "1ns/1ns", "--Mdir",
                      "obj"};
-  if (waves == Waves::on) command.emplace_back("--trace-fst");
+  if (waves == Waves::on) append(command, {"--trace-fst", "+define+SETTLE_BLOCKS"});
   return command;
 }
 
@@ -59,15 +63,15 @@ std::string make_call(Waves waves, bool ccache) {
                      waves == Waves::on ? "-O0" : "-O1", ccache ? " OBJCACHE=ccache" : "");
 }
 
-void append(Command& command, std::initializer_list<std::string> words) {
-  command.insert(command.end(), words);
-}
-
 /// The comments before a module tell which scene and which command it comes from. A block does
 /// without them, because it serves several.
 std::string without_header(const std::string& text) {
   std::size_t start = 0;
-  while (text.compare(start, 2, "//") == 0) start = text.find('\n', start) + 1;
+  while (text.compare(start, 2, "//") == 0) {
+    const std::size_t end = text.find('\n', start);
+    if (end == std::string::npos) return "";
+    start = end + 1;
+  }
   return text.substr(start);
 }
 
@@ -254,9 +258,10 @@ Result<Executable> build_simulator(const System& system, const BuildOptions& opt
   if (is_complete(build) && fs::exists(executable.path)) return executable;
 
   const auto start = std::chrono::steady_clock::now();
-  // Two runs that build systems of common blocks take their folders in the same order.
+  // Blocks are sorted by the names of their modules, so that two builds never wait for each other.
   std::vector<FolderLock> block_locks;
   for (const ModelBuild& block : block_builds) {
+    if (is_complete(block)) continue;
     MIXCMP_TRY(block_lock, prepare(block, options.waiting));
     block_locks.push_back(std::move(block_lock));
   }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <regex>
 #include <set>
@@ -120,6 +121,9 @@ std::string ClockedBlock::stub() const {
       "  import \"DPI-C\" context function chandle {0}_make();\n"
       "  import \"DPI-C\" function void {0}_clock(\n"
       "    input chandle block, input bit {2}d, output bit {3}q\n  );\n\n"
+      "`ifdef SETTLE_BLOCKS\n"
+      "  import \"DPI-C\" function void {0}_settle(input chandle block, input bit {2}d);\n"
+      "  always @(negedge aclk) {0}_settle(block, {4});\n`endif\n\n"
       "  chandle block;\n  reg {3}q;\n  reg {3}next_q;\n\n"
       "  initial block = {0}_make();\n\n"
       "  always @(posedge aclk) begin\n    {0}_clock(block, {4}, next_q);\n"
@@ -134,7 +138,9 @@ std::string ClockedBlock::binding() const {
       "extern \"C\" void* {0}_make() {{\n"
       "  return mixcmp::harness::make_block<V{1}>();\n}}\n\n"
       "extern \"C\" void {0}_clock(void* block, const svBitVecVal* d, svBitVecVal* q) {{\n"
-      "  static_cast<mixcmp::harness::ClockedBlock*>(block)->clock(d, q);\n}}\n",
+      "  static_cast<mixcmp::harness::ClockedBlock*>(block)->clock(d, q);\n}}\n\n"
+      "extern \"C\" void {0}_settle(void* block, const svBitVecVal* d) {{\n"
+      "  static_cast<mixcmp::harness::ClockedBlock*>(block)->settle(d);\n}}\n",
       module, wrapper_name());
 }
 

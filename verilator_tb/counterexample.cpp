@@ -1,6 +1,7 @@
 #include "verilator_tb/counterexample.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 namespace mixcmp::verilator_tb {
 
@@ -31,14 +32,19 @@ Result<std::optional<Counterexample>> one_alone(const VerifyReport& failed, cons
   return std::optional<Counterexample>();
 }
 
-/// Halves the length of the run. Failures need not be monotonic in it, so this finds a short run
-/// that fails after one that passes, which is not always the shortest.
-Result<std::optional<Counterexample>> shortest_start(const VerifyReport& failed,
-                                                     const Rerun& rerun) {
+/// Bisects the length of the run, from its first mismatch on. Failures need not be monotonic in the
+/// length, so what is found is not always the shortest.
+Result<std::optional<Counterexample>> short_start(const VerifyReport& failed, const Rerun& rerun,
+                                                  double seconds) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto has_time = [&] {
+    return std::chrono::steady_clock::now() - begin < std::chrono::duration<double>(seconds);
+  };
   std::optional<Counterexample> found;
   std::uint64_t passing = 0, failing = failed.requested;
-  while (failing - passing > 1) {
-    const Selection::Options start{.limit = passing + (failing - passing) / 2};
+  std::uint64_t next = failed.mismatches.empty() ? failing / 2 : failed.mismatches[0].index + 1;
+  for (; failing - passing > 1 && has_time(); next = passing + (failing - passing) / 2) {
+    const Selection::Options start{.limit = std::clamp(next, passing + 1, failing - 1)};
     MIXCMP_TRY(report, rerun(start));
     if (report.passed()) {
       passing = start.limit;
@@ -54,11 +60,11 @@ Result<std::optional<Counterexample>> shortest_start(const VerifyReport& failed,
 
 Result<std::optional<Counterexample>> least_counterexample(const VerifyReport& failed,
                                                            const Selection::Options& selection,
-                                                           const Rerun& rerun) {
+                                                           const Rerun& rerun, double seconds) {
   if (selection.only) return std::optional<Counterexample>();
   MIXCMP_TRY(alone, one_alone(failed, rerun));
   if (alone || selection.sampling != Sampling::first) return alone;
-  return shortest_start(failed, rerun);
+  return short_start(failed, rerun, seconds);
 }
 
 }  // namespace mixcmp::verilator_tb

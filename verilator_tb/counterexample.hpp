@@ -17,12 +17,12 @@ struct Counterexample {
 /// Repeats the failed run on other comparisons, all else equal.
 using Rerun = std::function<Result<VerifyReport>(const Selection::Options& selection)>;
 
-/// Looks for the shortest run that fails as `failed` did: one of its mismatched comparisons alone,
-/// that with the fewest hexadecimal digits first; otherwise, in a run from the first comparison on,
-/// the fewest of those. Nothing where neither fails, for example in a random sample whose failure
-/// takes several comparisons.
+/// Looks for a short run that fails: one of the mismatched comparisons alone, that with the fewest
+/// hexadecimal digits first; otherwise, for a run from the first comparison on, bisects its length.
+/// Nothing where neither fails, for example in a random sample whose failure takes several
+/// comparisons. The bisection ends when it has taken `seconds`.
 Result<std::optional<Counterexample>> least_counterexample(const VerifyReport& failed,
                                                            const Selection::Options& selection,
-                                                           const Rerun& rerun);
+                                                           const Rerun& rerun, double seconds);
 
 }  // namespace mixcmp::verilator_tb

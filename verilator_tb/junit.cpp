@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "model/common/quote.hpp"
+
 namespace mixcmp::verilator_tb {
 
 namespace {
@@ -11,7 +13,7 @@ namespace {
 /// XML 1.0 has no control characters but tab and line feed, not even as references.
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     switch (c) {
       case '&': result += "&amp;"; break;
       case '<': result += "&lt;"; break;

@@ -11,7 +11,7 @@ struct JUnitCase {
     passed,
     failed,   ///< hardware and model differ
     broken,   ///< could not be run
-    skipped,  ///< was not run
+    skipped,  ///< no time was left for it
   };
 
   std::string name;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/exit.hpp"
@@ -37,11 +38,11 @@ struct RunOutcome {
   std::string error;     ///< why it could not be run
 };
 
-/// The hash of everything that a run reads, this program included; nothing where the scene cannot
-/// be read.
+/// The hash of the files that a run reads, this program included, and of its options; nothing where
+/// the scene cannot be read. Versions of simulators and compilers are not in it.
 std::optional<std::string> identity(const SuiteRun& run, const std::string& program) {
   SceneOptions options{.scene = run.scene, .settings = {}, .shortcuts = {}};
-  for (std::size_t k = 0; k + 1 < run.options.size(); k += 2) {
+  for (std::size_t k = 0; k + 1 < run.options.size(); ++k) {
     if (run.options[k] == "--set") options.settings.push_back(run.options[k + 1]);
   }
   const auto scene = scene::load_scene(options.scene, options.settings);
@@ -95,8 +96,8 @@ private:
   RunOutcome outcome_of(const SuiteRun& one) const {
     const auto name = identity(one, program_);
     const fs::path kept = name ? command_.work / "suite" / (*name + ".json") : fs::path();
-    if (name && fs::exists(kept)) {
-      Json report = report_in(value_or_exit(read_file(kept)));
+    if (const auto text = read_file(kept); name && text.ok()) {
+      Json report = report_in(*text);
       if (report.is_object() && report["passed"] == true) {
         const double seconds =
             report["build_seconds"].get<double>() + report["run_seconds"].get<double>();
@@ -108,15 +109,21 @@ private:
   }
 
   RunOutcome verify(const SuiteRun& one, const fs::path& kept, double seconds) const {
-    Command words = {fs::read_symlink("/proc/self/exe").string(), "verify", one.scene.string()};
+    Command words = {"/proc/self/exe", "verify", one.scene.string(), "--no-counterexample"};
     words.insert(words.end(), one.options.begin(), one.options.end());
     for (const std::string& word :
          {std::string("--json"), std::string("--work"), command_.work.string()}) {
       words.push_back(word);
     }
     const auto start = Clock::now();
-    const Captured run = value_or_exit(capture(words, {.seconds = seconds}));
+    const Result<Captured> captured = capture(words, {.seconds = seconds});
     RunOutcome outcome{.seconds = seconds_since(start)};
+    if (!captured.ok()) {
+      outcome.outcome = Outcome::broken;
+      outcome.error = captured.error().to_string();
+      return outcome;
+    }
+    const Captured& run = *captured;
     if (!run.in_time) return outcome;
     outcome.report = report_in(run.output);
     if (!outcome.report.is_object()) {
@@ -210,17 +217,23 @@ std::size_t count(const std::vector<RunOutcome>& outcomes, Outcome outcome) {
 void run_suite(const SuiteCommand& given) {
   SuiteCommand command = given;
   const Suite suite = value_or_exit(read_suite(command.suite));
-  if (command.work.empty()) command.work = command.suite.stem().string() + "_suite";
-  value_or_exit(check_outputs({command.junit}, {command.suite}));
+  if (command.work.empty()) {
+    std::string name = command.suite.stem().string();
+    std::replace(name.begin(), name.end(), ' ', '_');  // Verilator builds in no path with blanks
+    command.work = name + "_suite";
+  }
+  std::vector<fs::path> inputs = {command.suite};
+  for (const SuiteRun& run : suite.runs) inputs.push_back(run.scene);
+  value_or_exit(check_outputs({command.junit}, inputs));
   value_or_exit(check_writable({command.junit}));
   const std::vector<RunOutcome> outcomes = SuiteRunner(command, suite).run();
+  print(command.json ? report::json_text(json_of(suite.runs, outcomes))
+                     : table(suite.runs, outcomes));
   if (!command.junit.empty()) {
     value_or_exit(write_file(
         command.junit,
         verilator_tb::junit_text(command.suite.stem().string(), tests_of(suite.runs, outcomes))));
   }
-  print(command.json ? report::json_text(json_of(suite.runs, outcomes))
-                     : table(suite.runs, outcomes));
   if (count(outcomes, Outcome::failed) > 0) throw Exit(ExitCode::refuted);
   if (count(outcomes, Outcome::broken) > 0) throw Exit(ExitCode::mistake);
   if (const std::size_t skipped = count(outcomes, Outcome::skipped); skipped > 0) {

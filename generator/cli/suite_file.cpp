@@ -70,7 +70,7 @@ private:
       }
       for (const Setting& value : values_of(entry)) {
         if (is_scalar(value)) continue;
-        return mistake_at(entry, "run." + key, "no value of an option", value.kind(),
+        return mistake_at(entry, "run." + key, "cannot be the value of an option", value.kind(),
                           "a number, a text, true, false, or a list of these");
       }
       MIXCMP_TRY(added, add_choice(entry, key));
@@ -100,7 +100,7 @@ private:
     for (const Setting& value : values) {
       choice.values.push_back(
           of_scene ? std::vector<std::string>{"--set", key + "=" + settings::toml_value(value)}
-                   : std::vector<std::string>{"--" + key, plain_text(value)});
+                   : std::vector<std::string>{"--" + key + "=" + plain_text(value)});
     }
     return Done{};
   }

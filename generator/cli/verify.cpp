@@ -44,6 +44,7 @@ struct VerifyCommand {
   std::uint64_t sample = 0;  ///< 0: not asked for
   std::optional<std::uint64_t> only;
   TruthOption truth = TruthOption::off;
+  bool no_counterexample = false;
 };
 
 template <class Value>
@@ -67,12 +68,14 @@ std::string fst_path(const std::string& text) {
 }
 
 void add_suite_options(const Verb& verb, VerifyCommand& command) {
+  verb.flag("--no-counterexample", command.no_counterexample,
+            "after a failure, do not look for a shorter run that fails");
   verb.option("--junit", command.junit, "write a JUnit report, which CI servers read");
   const Option suite = verb.option("--suite", command.suite,
                                    "a file of many runs in place of SCENE; those that passed are "
                                    "not repeated (docs/verification.md)");
   verb.option("--minutes", command.minutes, "budget of time of --suite")
-      .check(between(0, 1e6, "minutes"))
+      .check(between(0.001, 1e6, "minutes"))
       .needs(suite);
   verb.keep_alone(suite, {"--help", "--junit", "--minutes", "--work", "--json"});
 }
@@ -165,6 +168,10 @@ std::string waves_command(const VerifyCommand& command,
     line += fmt::format(" --traffic stressed --seed {}", command.run.selection.seed);
   }
   if (command.run.resets > 0) line += fmt::format(" --resets {}", command.run.resets);
+  const verilator_tb::VerifyOptions defaults;
+  if (command.run.share_size != defaults.share_size) {
+    line += fmt::format(" --share {}", command.run.share_size);
+  }
   line += selection.only ? fmt::format(" --only {}", *selection.only)
                          : fmt::format(" --first {}", selection.limit);
   return line + " --trace counterexample.fst";
@@ -181,8 +188,10 @@ void add_counterexample(verilator_tb::VerifyReport& failed, const VerifyCommand&
     again.repeat_command.clear();
     return verilator_tb::verify(design, data, rtl, again);
   };
-  const auto found =
-      value_or_exit(verilator_tb::least_counterexample(failed, options.selection, rerun));
+  constexpr double seconds = 60;
+  const auto search = verilator_tb::least_counterexample(failed, options.selection, rerun, seconds);
+  if (!search.ok()) return tell("no counterexample was looked for: " + search.error().to_string());
+  const auto& found = *search;
   if (!found) return;
   verilator_tb::LeastCounterexample& least = failed.counterexample.emplace();
   least.comparisons = found->selection.only
@@ -196,15 +205,28 @@ void add_counterexample(verilator_tb::VerifyReport& failed, const VerifyCommand&
   least.waves = waves_command(command, found->selection);
 }
 
+/// What failed apart from mismatches of lanes; empty if nothing did.
+std::string failure_besides_verdicts(const verilator_tb::VerifyReport& report) {
+  std::string text;
+  const auto add = [&](std::uint64_t count, const char* what) {
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
+  };
+  add(report.violation_count, "protocol violations");
+  add(report.requested - report.comparisons, "comparisons without a result");
+  add(report.emulator_errors, "errors of the emulator");
+  for (const verilator_tb::GroupReport& group : report.groups) {
+    if (group.certified) add(group.wrong_by_lane, "wrong verdicts of certified lanes");
+  }
+  return text;
+}
+
 /// The tests of a JUnit report: the verdicts of each kind of lane, and all else.
 std::vector<verilator_tb::JUnitCase> tests_of(const verilator_tb::VerifyReport& report) {
   std::vector<verilator_tb::JUnitCase> tests;
-  bool failed = false;
   for (const verilator_tb::GroupReport& group : report.groups) {
     verilator_tb::JUnitCase& test = tests.emplace_back();
     test.name = "verdicts of lanes " + group.name;
     if (group.mismatches == 0) continue;
-    failed = true;
     test.outcome = verilator_tb::JUnitCase::Outcome::failed;
     test.message = fmt::format("{} mismatches", group.mismatches);
     test.details = to_text(report);
@@ -212,9 +234,9 @@ std::vector<verilator_tb::JUnitCase> tests_of(const verilator_tb::VerifyReport& 
   verilator_tb::JUnitCase& rest = tests.emplace_back();
   rest.name = "streams, counters and truth";
   rest.seconds = report.run_seconds;
-  if (report.passed() || failed) return tests;
+  rest.message = failure_besides_verdicts(report);
+  if (rest.message.empty()) return tests;
   rest.outcome = verilator_tb::JUnitCase::Outcome::failed;
-  rest.message = fmt::format("{} protocol violations", report.violation_count);
   rest.details = to_text(report);
   return tests;
 }
@@ -314,18 +336,20 @@ void run(const VerifyCommand& command) {
                                verilator_tb::save_file_beside(command.run.waves), command.junit},
                               inputs_of(command.scene, loaded.scene)));
   value_or_exit(check_trace(command.run.waves));
+  value_or_exit(check_writable({command.junit}));
   const fs::path rtl = write_rtl(system, work);
   verilator_tb::VerifyReport report = run_with_table(design, *loaded.data, rtl, options, command);
-  if (!report.passed() && design.system.engine.kind == scene::EngineKind::none) {
+  if (!report.passed() && !command.no_counterexample &&
+      design.system.engine.kind == scene::EngineKind::none) {
     add_counterexample(report, command, design, *loaded.data, rtl, options);
   }
   report.inputs = data::input_sources(*loaded.data, loaded.scene.graph.inputs());
   show_progress("");
+  print(command.scene.json ? report::json_text(to_json(report)) : to_text(report));
   if (!command.junit.empty()) {
     value_or_exit(
         write_file(command.junit, verilator_tb::junit_text(report.system, tests_of(report))));
   }
-  print(command.scene.json ? report::json_text(to_json(report)) : to_text(report));
   if (!report.passed()) throw Exit(ExitCode::refuted);
 }
 

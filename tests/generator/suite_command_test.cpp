@@ -46,8 +46,8 @@ TEST_F(SuiteCommand, RunsEveryCombination) {
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_EQ(count(run.output, "\npassed"), 4u) << run.output;
   for (const char* name :
-       {"scene.toml --simulator icarus --traffic full_rate --set system.lanes=1\n",
-        "scene.toml --simulator icarus --traffic stressed --set system.lanes=2\n"}) {
+       {"scene.toml --simulator=icarus --traffic=full_rate --set system.lanes=1\n",
+        "scene.toml --simulator=icarus --traffic=stressed --set system.lanes=2\n"}) {
     EXPECT_NE(run.output.find(name), std::string::npos) << run.output;
   }
   const std::string junit = read("junit.xml");
@@ -85,6 +85,34 @@ TEST_F(SuiteCommand, ABudgetThatIsSpentLeavesRunsToTheNextCall) {
   EXPECT_EQ(mixcmp("verify --suite suite.toml --minutes 10").exit_code, 0);
 }
 
+/// One that cannot be run stops no other; one that fails counts for more.
+TEST_F(SuiteCommand, TellsTheGravestOutcome) {
+  write("suite.toml",
+        "[[run]]\nscenes = [\"nowhere.toml\", \"scene.toml\"]\nsimulator = \"icarus\"\n");
+  const Outcome missing = mixcmp("verify --suite suite.toml --work w --json");
+  EXPECT_EQ(missing.exit_code, 1) << missing.output;
+  const auto runs = nlohmann::json::parse(missing.output)["runs"];
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[0]["result"], "not run");
+  EXPECT_EQ(runs[1]["result"], "passed");
+  EXPECT_EQ(runs[1]["report"]["comparisons"], 3);
+  write("data.csv", "a,b,c\n1,2,3\n");
+  EXPECT_EQ(mixcmp("verify --suite suite.toml --work w", wrong_icarus()).exit_code, 2);
+}
+
+TEST_F(SuiteCommand, ARunThatNeedsMoreThanTheBudgetIsEnded) {
+  const Outcome run =
+      mixcmp("verify --suite suite.toml --minutes 0.01", instead_of("vvp", "sleep 60"));
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_EQ(count(run.output, "\nno time"), 4u) << run.output;
+}
+
+TEST_F(SuiteCommand, AReportThatIsCutShortIsNotBelieved) {
+  ASSERT_EQ(mixcmp("verify --suite suite.toml").exit_code, 0);
+  shell(fmt::format("truncate -s 20 {}/suite_suite/suite/*.json", directory_.path().string()));
+  EXPECT_EQ(mixcmp("verify --suite suite.toml", instead_of("vvp", "exit 1")).exit_code, 1);
+}
+
 TEST_F(SuiteCommand, AMistakeNamesItsPlace) {
   const auto refused = [this](const std::string& text, const std::string& part) {
     write("suite.toml", text);
@@ -97,7 +125,7 @@ TEST_F(SuiteCommand, AMistakeNamesItsPlace) {
   refused("[[run]]\nscenes = \"scene.toml\"\nlanes = 3\n",
           "suite.toml:3: run.lanes: no such option");
   refused("[[run]]\nscenes = \"scene.toml\"\nseed = []\n", "an empty list");
-  refused("[[run]]\nscenes = \"scene.toml\"\nseed = [[1]]\n", "no value of an option");
+  refused("[[run]]\nscenes = \"scene.toml\"\nseed = [[1]]\n", "cannot be the value of an option");
   refused("[[run]]\nscenes = \"scene.toml\"\n[extra]\na = 1\n", "no such section of a suite");
   EXPECT_EQ(mixcmp("verify scene.toml --suite suite.toml").exit_code, 1);
   EXPECT_EQ(mixcmp("verify --suite suite.toml --first 3").exit_code, 1);

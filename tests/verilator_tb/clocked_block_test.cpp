@@ -19,18 +19,19 @@ namespace fs = std::filesystem;
 
 const char* const printed =
     "// A lane.\n`default_nettype none\n\nmodule lane (\n  input  wire         aclk,\n"
-    "  input  wire         go,\n  input  wire [487:0] data,\n  output wire [1:0]   verdict\n);\n"
+    "  input  wire         go,\n  input  wire [487:0] data,\n  output wire         valid,\n"
+    "  output wire [1:0]   verdict\n);\n"
     "endmodule\n";
 
 TEST(ClockedBlock, HasThePortsOfAPrintedModule) {
   const auto block = verilator_tb::clocked_block("lane", printed);
   ASSERT_TRUE(block.has_value());
-  ASSERT_EQ(block->ports.size(), 3u) << "without aclk";
+  ASSERT_EQ(block->ports.size(), 4u) << "without aclk";
   EXPECT_EQ(block->ports[1].name, "data");
   EXPECT_EQ(block->ports[1].width, 488);
   EXPECT_EQ(block->ports[1].direction, rtl::Direction::input);
-  EXPECT_EQ(block->ports[2].width, 2);
-  EXPECT_EQ(block->ports[2].direction, rtl::Direction::output);
+  EXPECT_EQ(block->ports[3].width, 2);
+  EXPECT_EQ(block->ports[3].direction, rtl::Direction::output);
 }
 
 /// A port that is forgotten or crossed with another would show in no width.
@@ -40,7 +41,9 @@ TEST(ClockedBlock, ItsWrapperAndItsStubPackTheSameWay) {
   EXPECT_NE(block->wrapper().find(".data(d[487:0])"), std::string::npos) << block->wrapper();
   EXPECT_NE(block->wrapper().find(".go(d[488:488])"), std::string::npos) << block->wrapper();
   EXPECT_NE(block->wrapper().find(".verdict(q[1:0])"), std::string::npos) << block->wrapper();
+  EXPECT_NE(block->wrapper().find(".valid(q[2:2])"), std::string::npos) << block->wrapper();
   EXPECT_NE(block->stub().find("{go, data}, next_q"), std::string::npos) << block->stub();
+  EXPECT_NE(block->stub().find("assign {valid, verdict} = q;"), std::string::npos) << block->stub();
 }
 
 TEST(ClockedBlock, IsNoModuleThatMixcmpWouldNotPrint) {

@@ -29,7 +29,8 @@ TEST(LeastCounterexample, IsTheFailingComparisonOfFewestDigits) {
       failed({{7, "3f812345"}, {8, "00100000"}, {9, "3f800000"}}), {},
       [](const Selection::Options& selection) -> Result<VerifyReport> {
         return report(selection.only == 8u, 1);
-      });
+      },
+      60);
   ASSERT_TRUE(found.ok() && found->has_value());
   EXPECT_EQ((*found)->selection.only, 9u) << "8 passes alone";
 }
@@ -37,19 +38,44 @@ TEST(LeastCounterexample, IsTheFailingComparisonOfFewestDigits) {
 TEST(LeastCounterexample, IsOtherwiseTheShortestStart) {
   std::vector<std::uint64_t> tried;
   const auto found = verilator_tb::least_counterexample(
-      failed({{700, "1"}}), {}, [&](const Selection::Options& selection) -> Result<VerifyReport> {
+      failed({{700, "1"}}), {},
+      [&](const Selection::Options& selection) -> Result<VerifyReport> {
         if (!selection.only) tried.push_back(selection.limit);
         return report(selection.only.has_value() || selection.limit < 617, selection.limit);
-      });
+      },
+      60);
   ASSERT_TRUE(found.ok() && found->has_value());
   EXPECT_EQ((*found)->selection.limit, 617u);
-  EXPECT_LE(tried.size(), 10u);
+  EXPECT_LE(tried.size(), 11u) << "that of the mismatch, and a bisection";
+}
+
+TEST(LeastCounterexample, OfAViolationAloneIsAShortStart) {
+  const auto found = verilator_tb::least_counterexample(
+      failed({}), {},
+      [](const Selection::Options& selection) -> Result<VerifyReport> {
+        return report(selection.limit < 3, selection.limit);
+      },
+      60);
+  ASSERT_TRUE(found.ok() && found->has_value());
+  EXPECT_EQ((*found)->selection.limit, 3u);
+}
+
+TEST(LeastCounterexample, IsNotLookedForWhereNothingCanBeLeftOut) {
+  const auto found = verilator_tb::least_counterexample(
+      failed({{7, "1"}}), {.only = 7},
+      [](const Selection::Options&) -> Result<VerifyReport> {
+        ADD_FAILURE() << "nothing to run";
+        return report(true, 1);
+      },
+      60);
+  ASSERT_TRUE(found.ok());
+  EXPECT_FALSE(found->has_value());
 }
 
 TEST(LeastCounterexample, OfARandomSampleIsOneComparisonOrNothing) {
   const auto found = verilator_tb::least_counterexample(
       failed({{700, "1"}}), {.limit = 10, .sampling = verilator_tb::Sampling::random},
-      [](const Selection::Options&) -> Result<VerifyReport> { return report(true, 1); });
+      [](const Selection::Options&) -> Result<VerifyReport> { return report(true, 1); }, 60);
   ASSERT_TRUE(found.ok());
   EXPECT_FALSE(found->has_value());
 }

@@ -45,6 +45,20 @@ std::set<std::string> declared(const std::string& vcd) {
   return names;
 }
 
+/// How often each signal named `name` changes to 0, by the code that the VCD file gives it.
+std::map<std::string, int> falls_of(const std::string& name, const std::string& vcd) {
+  std::map<std::string, int> falls;
+  std::istringstream lines(vcd);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string keyword, kind, width, code, declared_name;
+    words >> keyword >> kind >> width >> code >> declared_name;
+    if (keyword == "$var" && declared_name == name) falls[code] = 0;
+    if (line.starts_with("0") && falls.contains(line.substr(1))) ++falls[line.substr(1)];
+  }
+  return falls;
+}
+
 class WavesOf : public testing::TestWithParam<verilator_tb::SimulatorKind> {};
 
 INSTANTIATE_TEST_SUITE_P(In, WavesOf,
@@ -124,6 +138,9 @@ TEST(Waves, ShowTheInsideOfEveryLane) {
     ++inside[name.substr(scope.size(), name.find('.', scope.size()) - scope.size())];
   }
   EXPECT_EQ(inside, (std::map<std::string, int>{{"g_lanes[0]", 1}, {"g_lanes[1]", 1}}));
+  const auto falls = falls_of("aclk", read(vcd));
+  EXPECT_GE(falls.size(), 4u) << "of the system, two lanes and a reference";
+  for (const auto& [code, count] : falls) EXPECT_GT(count, 10) << "a clock that stands still";
 }
 
 }  // namespace

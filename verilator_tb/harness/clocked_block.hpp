@@ -27,6 +27,10 @@ public:
   /// One cycle: `d` are the inputs before the edge, `q` becomes the outputs behind it.
   virtual void clock(const svBitVecVal* d, svBitVecVal* q) = 0;
 
+  /// Passes on the inputs with the clock low. clock() does so itself; a simulator with waves calls
+  /// this at falling edges, too, where its waves are taken.
+  virtual void settle(const svBitVecVal* d) = 0;
+
 #if VM_TRACE
   virtual void trace(VerilatedFstC* waves) = 0;
 #endif
@@ -46,16 +50,22 @@ class VerilatedBlock : public ClockedBlock {
 public:
   explicit VerilatedBlock(const std::string& scope)
       : ClockedBlock(scope), model_(Verilated::threadContextp(), scope.c_str()) {
-    settle();
+    model_.aclk = 0;
+    model_.eval();
   }
   ~VerilatedBlock() override { model_.final(); }
 
-  void clock(const svBitVecVal* d, svBitVecVal* q) override {
-    std::memcpy(&model_.d, d, sizeof model_.d);
+  void settle(const svBitVecVal* d) override {
     const auto before = model_.q;
-    settle();
+    std::memcpy(&model_.d, d, sizeof model_.d);
+    model_.aclk = 0;
+    model_.eval();
     // In the first cycle, inputs that never change reach the outputs for the first time.
     if (clocked_ && std::memcmp(&before, &model_.q, sizeof before) != 0) refuse();
+  }
+
+  void clock(const svBitVecVal* d, svBitVecVal* q) override {
+    settle(d);
     clocked_ = true;
     model_.aclk = 1;
     model_.eval();
@@ -69,11 +79,6 @@ public:
 #endif
 
 private:
-  void settle() {
-    model_.aclk = 0;
-    model_.eval();
-  }
-
   Model model_;
   bool clocked_ = false;
 };

@@ -28,10 +28,6 @@ protected:
         clocked_(settings_, count, words),
         ports_(system::bind(clocked_.model())) {
     clocked_.open_trace(settings_.trace);
-    // Blocks are made in the first cycle, so that they miss it.
-    ports_.aresetn.set_bit(0, false);
-    clocked_.settle(cycle_);
-    rise();
   }
 
   /// Resets the engine. `entering`: the tvalid of each input stream; they are low meanwhile.
