@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 /// A folder in which one model is verilated and compiled.
 struct ModelBuild {
   fs::path folder;
-  std::string prefix;  ///< of the model's C++ names
+  std::string prefix;   ///< of the model's C++ names
+  std::string product;  ///< the program or the archive, a file of obj/
   Command verilate;
   SourceFiles inputs;
 };
@@ -78,7 +79,11 @@ std::string without_header(const std::string& text) {
 ModelBuild block_build(const ClockedBlock& block, const SourceFiles& sources,
                        const fs::path& work_dir, const Tools& tools) {
   const std::string top = block.wrapper_name();
-  ModelBuild build{.folder = {}, .prefix = "V" + top, .verilate = tools.verilator, .inputs = {}};
+  ModelBuild build{.folder = {},
+                   .prefix = "V" + top,
+                   .product = "V" + top + "__ALL.a",
+                   .verilate = tools.verilator,
+                   .inputs = {}};
   for (const auto& [file, text] : files_of_module(block.module, sources)) {
     build.inputs.emplace_back(file, without_header(text));
   }
@@ -120,9 +125,9 @@ std::string makefile(const ModelBuild& system, const std::vector<ModelBuild>& bl
     const std::string folder = "../" + block.folder.filename().string();
     stamps += fmt::format(" {}/{}", folder, build_stamp);
     rules += fmt::format(
-        "\n{0}/{1}:\n\tcd {0} && rm -rf obj && {2}\n\t{3} -C {0}/obj -f {4}.mk {4}__ALL.a\n"
+        "\n{0}/{1}:\n\tcd {0} && rm -rf obj && {2}\n\t{3} -C {0}/obj -f {4}.mk {5}\n"
         "\ttouch $@\n",
-        folder, build_stamp, shell_line(block.verilate), tools.make, block.prefix);
+        folder, build_stamp, shell_line(block.verilate), tools.make, block.prefix, block.product);
   }
   return fmt::format(
       "# Builds obj/Vsystem: the system and its blocks side by side, then the program.\n\n"
@@ -136,13 +141,17 @@ ModelBuild system_build(const Bench& bench, const SourceFiles& sources,
                         const std::vector<ClockedBlock>& blocks,
                         const std::vector<ModelBuild>& block_builds, const fs::path& work_dir,
                         const Tools& tools) {
-  ModelBuild build{.folder = {}, .prefix = "Vsystem", .verilate = tools.verilator, .inputs = {}};
+  ModelBuild build{.folder = {},
+                   .prefix = "Vsystem",
+                   .product = "Vsystem",
+                   .verilate = tools.verilator,
+                   .inputs = {}};
   std::string compiler_flags = "-std=c++20";
   std::string libraries;
   for (const ModelBuild& block : block_builds) {
     const std::string objects = fmt::format("../../{}/obj", block.folder.filename().string());
     compiler_flags += " -I" + objects;
-    libraries += fmt::format("{}{}/{}__ALL.a", libraries.empty() ? "" : " ", objects, block.prefix);
+    libraries += fmt::format("{}{}/{}", libraries.empty() ? "" : " ", objects, block.product);
   }
   append(build.verilate,
          {"--exe", "--prefix", build.prefix, "--top-module", bench.top, "-CFLAGS", compiler_flags});
@@ -179,7 +188,7 @@ bool is_ccache_usable() {
 }
 
 bool is_complete(const ModelBuild& build) {
-  return fs::exists(build.folder / build_stamp);
+  return fs::exists(build.folder / build_stamp) && fs::exists(build.folder / "obj" / build.product);
 }
 
 /// Takes the folder for this run and puts the model's inputs there. A killed compiler or linker
@@ -187,9 +196,11 @@ bool is_complete(const ModelBuild& build) {
 Result<FolderLock> prepare(const ModelBuild& build, const Waiting& waiting) {
   MIXCMP_TRY(lock, FolderLock::take(build.folder, waiting));
   if (is_complete(build)) return lock;
-  std::error_code failure;
-  fs::remove_all(build.folder / "obj", failure);
-  if (failure) return cannot_write(build.folder / "obj", failure.value());
+  for (const char* left : {build_stamp, "obj"}) {
+    std::error_code failure;
+    fs::remove_all(build.folder / left, failure);
+    if (failure) return cannot_write(build.folder / left, failure.value());
+  }
   for (const auto& [name, text] : build.inputs) {
     MIXCMP_TRY(written, write_file(build.folder / name, text));
   }
@@ -253,9 +264,9 @@ Result<Executable> build_simulator(const System& system, const BuildOptions& opt
   }
   const ModelBuild build = system_build(bench_of(system.signature), sources, blocks, block_builds,
                                         options.work_dir, tools);
-  const Executable executable{build.folder / "obj" / "Vsystem"};
+  const Executable executable{build.folder / "obj" / build.product};
   MIXCMP_TRY(lock, prepare(build, options.waiting));
-  if (is_complete(build) && fs::exists(executable.path)) return executable;
+  if (is_complete(build)) return executable;
 
   const auto start = std::chrono::steady_clock::now();
   // Blocks are sorted by the names of their modules, so that two builds never wait for each other.

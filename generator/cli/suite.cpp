@@ -29,7 +29,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// What became of one run.
+/// The outcome of one run of the suite.
 struct RunOutcome {
   Outcome outcome = Outcome::skipped;
   double seconds = 0;
@@ -100,7 +100,7 @@ private:
       Json report = report_in(*text);
       if (report.is_object() && report["passed"] == true) {
         const double seconds =
-            report["build_seconds"].get<double>() + report["run_seconds"].get<double>();
+            report.value("build_seconds", 0.0) + report.value("run_seconds", 0.0);
         return {Outcome::passed, seconds, std::move(report), kept, ""};
       }
     }

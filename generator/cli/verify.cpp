@@ -80,10 +80,7 @@ void add_suite_options(const Verb& verb, VerifyCommand& command) {
   verb.keep_alone(suite, {"--help", "--junit", "--minutes", "--work", "--json"});
 }
 
-void add_options(const Verb& verb, VerifyCommand& command) {
-  add_scene_options(verb, command.scene, {}, SceneArgument::optional);
-  verb.option("--work", command.work,
-              "directory for the Verilog, the builds and the logs (default: TOP_simulation)");
+void add_selection_options(const Verb& verb, VerifyCommand& command) {
   const Option first =
       verb.option("--first", command.first, "only the first N comparisons").check(whole(1));
   const Option sample =
@@ -95,6 +92,13 @@ void add_options(const Verb& verb, VerifyCommand& command) {
       verb.option("--only", command.only, "only comparison number N").check(whole(0));
   first.excludes(sample).excludes(only);
   sample.excludes(only);
+}
+
+void add_options(const Verb& verb, VerifyCommand& command) {
+  add_scene_options(verb, command.scene, {}, SceneArgument::optional);
+  verb.option("--work", command.work,
+              "directory for the Verilog, the builds and the logs (default: TOP_simulation)");
+  add_selection_options(verb, command);
   add_choice<verilator_tb::SimulatorKind>(
       verb, "--simulator", command.run.simulator,
       {{"verilator", verilator_tb::SimulatorKind::verilator},
@@ -205,18 +209,26 @@ void add_counterexample(verilator_tb::VerifyReport& failed, const VerifyCommand&
   least.waves = waves_command(command, found->selection);
 }
 
-/// What failed apart from mismatches of lanes; empty if nothing did.
+/// Counts of every failure that the tests of the lanes' verdicts do not show; empty if there is
+/// none.
 std::string failure_besides_verdicts(const verilator_tb::VerifyReport& report) {
   std::string text;
   const auto add = [&](std::uint64_t count, const char* what) {
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
   };
   add(report.violation_count, "protocol violations");
-  add(report.requested - report.comparisons, "comparisons without a result");
+  if (report.comparisons < report.requested) {
+    add(report.requested - report.comparisons, "comparisons without a result");
+  }
   add(report.emulator_errors, "errors of the emulator");
+  std::uint64_t of_lanes = 0;
   for (const verilator_tb::GroupReport& group : report.groups) {
+    of_lanes += group.mismatches;
     if (group.certified) add(group.wrong_by_lane, "wrong verdicts of certified lanes");
   }
+  // Engines have mismatches of whole reports and rows, which no lane is counted with.
+  if (report.mismatch_count > of_lanes) add(report.mismatch_count - of_lanes, "mismatches");
+  if (text.empty() && of_lanes == 0 && !report.passed()) text = "see the report";
   return text;
 }
 

@@ -35,8 +35,8 @@ struct ComponentQuery {
   std::optional<LaneExponents> exponents;
 };
 
-/// What references are made of: what the query asks for, or embedded multipliers where it asks for
-/// memories alone.
+/// The multipliers of references: those that the query asks for, but memories; embedded ones where
+/// it asks for memories alone.
 std::vector<scene::Multipliers> reference_multipliers(const ComponentQuery& query);
 
 /// A lane that was asked for and does not exist.

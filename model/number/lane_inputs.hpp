@@ -49,7 +49,7 @@ inline constexpr LaneInputs LaneInputs::exact{FloatFormat::max_precision};
 
 /// "rounded", "exact", "20".
 std::string to_string(LaneInputs inputs);
-/// The same; empty for none.
+/// The text of `inputs`; empty where there is no value.
 std::string to_string(std::optional<LaneInputs> inputs);
 /// "rounded inputs", "exact inputs", "inputs of 20 digits".
 std::string describe(LaneInputs inputs);

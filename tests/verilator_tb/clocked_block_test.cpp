@@ -110,6 +110,22 @@ data::Comparisons some_spheres() {
   return data::Comparisons::rows(table, table.columns).value();
 }
 
+TEST(ClockedBlock, IsBuiltAnewWhereItsArchiveIsGone) {
+  const fs::path work = fake_work_dir() / "lost_archive";
+  fs::remove_all(work);
+  for (const int lanes : {1, 2}) {
+    const auto design = test::sphere_design(format("s5e8"), format("s24e8"), lanes, 1);
+    const auto system =
+        verilator_tb::load_system(generate(design, fmt::format("lost_{}x1", lanes)));
+    ASSERT_TRUE(system.ok()) << system.error().to_string();
+    const auto built = verilator_tb::build_simulator(*system, {.work_dir = work});
+    ASSERT_TRUE(built.ok()) << built.error().to_string();
+    for (const std::string& folder : folders_in(work)) {
+      if (folder.find("_channel-") != std::string::npos) fs::remove_all(work / folder / "obj");
+    }
+  }
+}
+
 /// Its stub would give the output a cycle late.
 TEST(ClockedBlock, OfCombinationalOutputsIsRefused) {
   const auto design = test::sphere_design(format("s5e8"), format("s24e8"), 1, 1);

@@ -135,7 +135,7 @@ TEST(LaneGroupNames, SayWhatTellsLanesOfOneFormatApart) {
                                       "s17e8_rounded_relative", "s17e8_exact_relative"}));
 }
 
-/// As many digits as the lane has are rounded inputs, as many as the reference has are exact ones.
+/// Inputs of the lane's number of digits are rounded ones, those of the reference's are exact ones.
 TEST(LaneGroupNames, NameInputsByTheirDigitsWhereTheyAreNeitherRoundedNorExact) {
   Scene scene = complete_scene();
   scene.graph = graph_of("a * b", "b");

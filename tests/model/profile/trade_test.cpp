@@ -157,7 +157,7 @@ TEST(CostModel, GrowsWithPrecisionAndWithTheErrorUnit) {
   EXPECT_GT(profile::reference_luts(reference_graph(scene.graph, scene.reference)), before);
 }
 
-/// As many blocks as Yosys makes for whole lanes (docs/fixed_point.md).
+/// Yosys makes the same number of blocks for whole lanes (docs/fixed_point.md).
 TEST(CostModel, CountsTheBlocksOfSquaresInMemory) {
   struct Measured {
     int bits, blocks_18k, blocks_4k;
