@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace mixcmp::test::selection_test {
@@ -52,6 +53,13 @@ TEST(Selection, PartsAreTheWholeInOrder) {
     for (std::uint64_t k = 0; k < 60; ++k) EXPECT_EQ(middle.index(k), whole.index(10 + k));
     for (std::uint64_t k = 0; k < 10; ++k) EXPECT_EQ(last.index(k), whole.index(60 + k));
   }
+}
+
+TEST(PackOperands, PaddingMayBeLong) {
+  std::vector<std::uint8_t> tdata(40);
+  verilator_tb::pack_operands(std::vector<Bits>{0}, 8, true, tdata);
+  EXPECT_EQ(tdata[0], 0);
+  EXPECT_EQ(std::count(tdata.begin(), tdata.end(), 0xff), 39);
 }
 
 TEST(PackOperands, PutsOperandKAtBitKTimesWidth) {
