@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Profiles count running bounds of 4 and 1 digits alone.
+/// Profiles count running bounds of 4 and 1 digits alone, but any number of guard digits.
 Result<std::vector<scene::BoundChoice>> counted_bounds(const std::vector<std::string>& names) {
   const std::string option = "--bounds";
   MIXCMP_TRY(bounds, parse_bounds(option, names));
@@ -27,11 +27,13 @@ Result<std::vector<scene::BoundChoice>> counted_bounds(const std::vector<std::st
   std::vector<std::string> accepted;
   for (const scene::BoundChoice& choice : counted) accepted.push_back(to_string(choice));
   for (const scene::BoundChoice& bound : bounds) {
-    if (std::find(counted.begin(), counted.end(), bound) != counted.end()) continue;
+    const bool is_counted = std::find(counted.begin(), counted.end(), bound) != counted.end();
+    if (is_counted || bound.is_fixed_point()) continue;
     return Error{.field = option,
                  .message = "a profile does not count this bound",
                  .received = in_quotes(to_string(bound)),
-                 .accepted = fmt::format("{}", fmt::join(accepted, ", "))};
+                 .accepted = fmt::format("{}, or of fixed point with guard digits",
+                                         fmt::join(accepted, ", "))};
   }
   return bounds;
 }

@@ -25,14 +25,14 @@ Result<scene::Scene> with_precision(const scene::Scene& scene, int precision) {
   scene::Scene one_kind = scene.with_one_kind();
   if (scene.reduced.fixed_point) {
     const settings::Limits limits = settings::lane_fixed_bits(scene.reference.format);
-    if (!limits.allow(precision)) {
-      return Error{.field = "--precisions",
-                   .message = "no lane in fixed point has that many bits",
-                   .received = std::to_string(precision),
-                   .accepted = to_string(limits)};
-    }
-    one_kind.reduced.fixed_point->bits = precision;
-    return one_kind;
+    FixedPoint& format = *one_kind.reduced.fixed_point;
+    format.bits = precision;
+    if (allow(limits, format)) return one_kind;
+    return Error{.field = "--precisions",
+                 .message = "no lane in fixed point has that many bits",
+                 .received = std::to_string(precision),
+                 .accepted = fmt::format("{}{}", to_string(limits),
+                                         format.guard_digits == 0 ? "" : " with guard digits")};
   }
   const FloatFormat& known = scene.reduced.format.value_or(scene.reference.format);
   MIXCMP_TRY(format, FloatFormat::make(precision, known.exponent_bits()));

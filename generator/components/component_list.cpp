@@ -41,11 +41,12 @@ std::vector<Multipliers> float_multipliers(const ComponentQuery& query) {
 void add_fixed_lanes(std::vector<ComponentKey>& keys, const Scene& scene,
                      const ComponentQuery& query, const scene::BoundChoice& bound) {
   for (const int bits : query.precisions) {
-    if (!settings::lane_fixed_bits(scene.reference.format).allow(bits)) continue;
+    const FixedPoint format = bound.fixed_point(bits);
+    if (!allow(settings::lane_fixed_bits(scene.reference.format), format)) continue;
     for (const Multipliers multipliers : query.multipliers) {
       keys.push_back({.kind = ComponentKind::lane,
                       .name = {},
-                      .format = FixedPoint{bits, bound.is_block()}.name(),
+                      .format = format.name(),
                       .inputs = {},
                       .bound = bound,
                       .multipliers = std::string(to_string(multipliers))});

@@ -49,6 +49,7 @@ public:
 private:
   void place_node(const FixedNode& node) {
     if (node.operation == Operation::constant) return schedule_.steps.push_back({});
+    if (fixed::is_common_cut(node)) return place_common_cut(node);
     const int start = node.operation == Operation::input
                           ? schedule_.largest_exponent.ready_cycle
                           : ready_cycle(schedule_.steps, operands_of(node));
@@ -60,6 +61,17 @@ private:
           placer_.place(limit_unit(lane_, node, placer_.delays()), start));
     }
     schedule_.steps.push_back(placer_.place(unit_of(node), start));
+  }
+
+  /// All operands of common cuts are placed before the first of these.
+  void place_common_cut(const FixedNode& node) {
+    Step& drop = schedule_.common_drop;
+    if (drop.unit.module.empty()) {
+      drop = placer_.place(common_drop_unit(lane_, placer_.delays()),
+                           ready_cycle(schedule_.steps, fixed::cut_in_common(lane_)));
+    }
+    schedule_.steps.push_back(
+        placer_.place(fixed_unit(lane_, node, multipliers_, placer_.delays()), drop.ready_cycle));
   }
 
   /// The unit of the node that is placed next.
@@ -74,7 +86,7 @@ private:
   /// What reads the node has been moved before.
   void move_later(NodeId id) {
     const FixedNode& node = lane_.nodes[id];
-    if (arity(node.operation) == 0) return;
+    if (arity(node.operation) == 0 || fixed::is_common_cut(node)) return;
     const int cycles = first_use(id) - schedule_.steps[id].ready_cycle;
     const long before = register_bits(id);
     shift(id, cycles);
@@ -113,6 +125,10 @@ private:
   /// The cycles in which a node's result is read.
   std::vector<int> uses_of(NodeId id) const {
     std::vector<int> cycles = checks_of(id);
+    const std::vector<NodeId> cut = fixed::cut_in_common(lane_);
+    if (std::find(cut.begin(), cut.end(), id) != cut.end()) {
+      cycles.push_back(schedule_.common_drop.start_cycle);
+    }
     for (std::size_t reader = 0; reader < lane_.nodes.size(); ++reader) {
       const std::vector<int> operands = operands_of(lane_.nodes[reader]);
       if (std::find(operands.begin(), operands.end(), id) == operands.end()) continue;

@@ -65,6 +65,12 @@ Unit square_root_unit(int root_bits, const DelayTable& delays) {
   return std::move(stages).unit("fixed_square_root");
 }
 
+Unit common_cut_unit(const FixedNode& node, const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add("shift", stages.lut_delay_ns(shift_levels(bits_for(node.most_dropped))));
+  return std::move(stages).unit("fixed_common_cut");
+}
+
 /// A unit of one carry chain.
 Unit chain_unit(std::string module, std::string stage, int bits, const DelayTable& delays) {
   StageList stages(delays);
@@ -127,8 +133,8 @@ Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers
     case Operation::minimum:
     case Operation::maximum: return choice_unit(std::max(bits(0), bits(1)), delays);
     case Operation::square_root: return square_root_unit(node.format.width, delays);
+    case Operation::convert: return common_cut_unit(node, delays);
     case Operation::constant:
-    case Operation::convert:
     case Operation::divide: break;
   }
   MIXCMP_CHECK(!"an operation that fixed point has no unit for");
@@ -157,6 +163,14 @@ Unit block_exponent_unit(const FixedLane& lane, const DelayTable& delays) {
   return std::move(stages).unit("block_exponent");
 }
 
+Unit common_drop_unit(const FixedLane& lane, const DelayTable& delays) {
+  const auto count = static_cast<int>(fixed::cut_in_common(lane).size());
+  StageList stages(delays);
+  stages.add("join", stages.lut_delay_ns(reduction_levels(2 * count)));
+  stages.add("encode", stages.lut_delay_ns(count_levels(most_dropped_in_common(lane))));
+  return std::move(stages).unit("fixed_common_drop");
+}
+
 Unit limit_unit(const FixedLane& lane, const FixedNode& limit, const DelayTable& delays) {
   StageList stages(delays);
   const int compared = operand_bits(lane.nodes, limit, 0);
@@ -170,6 +184,12 @@ Unit fixed_decision_unit(const FixedLane& lane, const fixed::FixedPart& part,
   return std::visit(
       [&](const auto& thresholds) { return decision_unit(lane, thresholds, difference, delays); },
       part.criterion);
+}
+
+int most_dropped_in_common(const FixedLane& lane) {
+  int most = 0;
+  for (const FixedNode& node : lane.nodes) most = std::max(most, node.most_dropped);
+  return most;
 }
 
 int threshold_bits(const FixedLane& lane, const fixed::NormThresholds& thresholds) {

@@ -24,6 +24,8 @@ Unit fixed_unit(const fixed::FixedLane& lane, const fixed::FixedNode& node,
 Unit memory_square_unit(const fixed::SquareTable& table, const DelayTable& delays);
 /// The unit that finds the largest exponent of the operands of block floating point.
 Unit block_exponent_unit(const fixed::FixedLane& lane, const DelayTable& delays);
+/// The unit that finds how many bits the common cuts drop.
+Unit common_drop_unit(const fixed::FixedLane& lane, const DelayTable& delays);
 /// The unit that finds the numbers which a limit leaves undecided.
 Unit limit_unit(const fixed::FixedLane& lane, const fixed::FixedNode& limit,
                 const DelayTable& delays);
@@ -31,6 +33,8 @@ Unit limit_unit(const fixed::FixedLane& lane, const fixed::FixedNode& limit,
 Unit fixed_decision_unit(const fixed::FixedLane& lane, const fixed::FixedPart& part,
                          const DelayTable& delays);
 
+/// The most bits that the common cuts drop; 0 where there are none.
+int most_dropped_in_common(const fixed::FixedLane& lane);
 /// The width of the largest threshold of a norm decision.
 int threshold_bits(const fixed::FixedLane& lane, const fixed::NormThresholds& thresholds);
 

@@ -31,6 +31,8 @@ struct PartSchedule {
 struct Schedule {
   /// In block floating point: finds the largest exponent of the operands. No unit elsewhere.
   Step largest_exponent;
+  /// With guard digits: finds how many bits the common cuts drop. No unit elsewhere.
+  Step common_drop;
   std::vector<Step> steps;  ///< one per node of the graph that all parts share
   /// One per range check of a lane in floating point, where a check of a sign alone is wires; one
   /// per limit of a lane in fixed point.

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "generator/datapath/fixed_units.hpp"
 #include "model/common/check.hpp"
@@ -32,7 +33,9 @@ void FixedNodes::build() {
         lane_.format.is_block ? build_aligned_operand(id) : build_operand(id);
         break;
       case Operation::constant: build_constant(id); break;
-      case Operation::convert: build_conversion(id); break;
+      case Operation::convert:
+        fixed::is_common_cut(node) ? build_common_cut(id) : build_conversion(id);
+        break;
       default: build_unit(id); break;
     }
   }
@@ -93,7 +96,7 @@ void FixedNodes::build_largest_exponent() {
 Signal FixedNodes::leading_bits(int input) {
   const FloatFormat& format = lane_.input_format;
   const std::string& port = datapath_.port(input);
-  const int low = format.precision() - lane_.format.bits;
+  const int low = format.precision() - lane_.format.operand_bits();
   if (low <= 0) return {net(port), port, format.width(), 0};
   const std::string name = datapath_.pool().unique(port + "_leading");
   const int width = format.width() - low;
@@ -115,7 +118,7 @@ void FixedNodes::build_aligned_operand(NodeId id) {
                          datapath_.pool().unique("unit_" + names_[id]),
                          {{"EXPONENT_BITS", format.exponent_bits()},
                           {"PRECISION", operand.width - format.exponent_bits()},
-                          {"WIDTH", lane_.format.bits},
+                          {"WIDTH", lane_.format.operand_bits()},
                           {"SIGNED", node.format.is_signed ? 1 : 0},
                           {"CUTS", cut_mask(step)}},
                          {{"aclk", net("aclk")},
@@ -158,6 +161,60 @@ void FixedNodes::build_constant(NodeId id) {
   const Literal constant = twos_complement(node.format.width, node.constant);
   values_[id].value = literal(constant.width, constant.value);
   values_[id].constant = true;
+}
+
+/// The bits of an integer beyond magnitudes of W bits, `most` of them, and its sign.
+Operand FixedNodes::excess_bits(NodeId id, int most) {
+  const FixedFormat& format = lane_.nodes[id].format;
+  const Operand value = datapath_.at(values_[id], schedule_.common_drop.start_cycle);
+  const std::string& name = std::get<Net>(value->node).name;
+  const int magnitude_bits = format.width - (format.is_signed ? 1 : 0);
+  const int own = std::max(0, magnitude_bits - lane_.format.bits);
+  const Operand sign = format.is_signed ? bit(name, format.width - 1) : literal(1, 0);
+  std::vector<Operand> bits(static_cast<std::size_t>(most + 1 - own), sign);
+  if (own > 0) bits.push_back(slice(name, magnitude_bits - 1, lane_.format.bits));
+  return concatenation(std::move(bits));
+}
+
+void FixedNodes::build_common_drop() {
+  const datapath::Step& step = schedule_.common_drop;
+  const std::string drop = datapath_.pool().unique("common_drop");
+  const int most = datapath::most_dropped_in_common(lane_);
+  const int bits = std::bit_width(static_cast<unsigned>(most));
+  std::vector<Operand> excess;
+  for (const NodeId id : fixed::cut_in_common(lane_)) excess.push_back(excess_bits(id, most));
+  datapath_.add(
+      Comment{fmt::format("Cycles {} to {}: how many low bits the following cuts drop in common.",
+                          step.start_cycle, step.ready_cycle)});
+  datapath_.add(Wire{bits, drop, nullptr});
+  datapath_.add(Instance{
+      step.unit.module,
+      datapath_.pool().unique("unit_" + drop),
+      {{"COUNT", static_cast<int>(excess.size())},
+       {"MOST", most},
+       {"DROP_BITS", bits},
+       {"CUTS", cut_mask(step)}},
+      {{"aclk", net("aclk")}, {"excess", concatenation(std::move(excess))}, {"drop", net(drop)}}});
+  common_drop_ = {net(drop), drop, bits, step.ready_cycle};
+}
+
+void FixedNodes::build_common_cut(NodeId id) {
+  const FixedNode& node = lane_.nodes[id];
+  const datapath::Step& step = schedule_.steps[id];
+  if (common_drop_.value == nullptr) build_common_drop();
+  datapath_.add(Comment{describe(id)});
+  datapath_.add(Wire{node.format.width, names_[id], nullptr});
+  datapath_.add(Instance{step.unit.module,
+                         datapath_.pool().unique("unit_" + names_[id]),
+                         {{"A_WIDTH", datapath::operand_bits(lane_.nodes, node, 0)},
+                          {"MOST", node.most_dropped},
+                          {"DROP_BITS", common_drop_.width},
+                          {"WIDTH", node.format.width},
+                          {"CUTS", cut_mask(step)}},
+                         {{"aclk", net("aclk")},
+                          {"a", operand(node.operands[0], 0, step.start_cycle)},
+                          {"drop", datapath_.at(common_drop_, step.start_cycle)},
+                          {"y", net(names_[id])}}});
 }
 
 /// A conversion is wires; the check of a limit is a unit beside it.
@@ -337,14 +394,16 @@ void FixedNodes::append_positive_factors(NodeId id, std::vector<Parameter>& para
   }
 }
 
-/// The inputs and limits that a node depends on.
+/// The inputs and limits that a node depends on. A common cut depends on the operands of all.
 std::set<NodeId> FixedNodes::checked_before(NodeId node) const {
+  const std::vector<NodeId> cut = fixed::cut_in_common(lane_);
   std::set<NodeId> checked, open = {node};
   while (!open.empty()) {
     const NodeId id = open.extract(std::prev(open.end())).value();
     const FixedNode& next = lane_.nodes[id];
     if (next.operation == Operation::input || fixed::is_limit(next)) checked.insert(id);
     open.insert(next.operands.begin(), next.operands.begin() + arity(next.operation));
+    if (fixed::is_common_cut(next)) open.insert(cut.begin(), cut.end());
   }
   return checked;
 }
@@ -361,6 +420,10 @@ std::string FixedNodes::describe(NodeId id) const {
   if (fixed::is_limit(node)) {
     return fmt::format("{} from {} to {}, {}; elsewhere the lane is undecided.", text(0),
                        to_text(node.value.low), to_text(node.value.high), node.format.name());
+  }
+  if (fixed::is_common_cut(node)) {
+    return fmt::format("Cycles {} to {}: {} / 2^{}, rounded down to {}.", step.start_cycle,
+                       step.ready_cycle, text(0), common_drop_.name, node.format.name());
   }
   const bool is_input = node.operation == Operation::input;
   const bool rounds = is_input || node.dropped_bits > 0 || node.operation == Operation::square_root;

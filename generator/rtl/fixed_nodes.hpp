@@ -36,6 +36,9 @@ private:
   void build_aligned_operand(NodeId id);
   Signal leading_bits(int input);
   void build_constant(NodeId id);
+  void build_common_drop();
+  void build_common_cut(NodeId id);
+  Operand excess_bits(NodeId id, int most);
   void build_conversion(NodeId id);
   void consume_low_bits(const std::string& name, int count);
   void build_check(NodeId id);
@@ -57,6 +60,7 @@ private:
   std::map<NodeId, Signal> misfits_;
   Signal largest_exponent_;  ///< of block floating point
   Signal not_finite_;        ///< likewise: set where some operand is infinite or a NaN
+  Signal common_drop_;       ///< of common cuts
   std::size_t checks_built_ = 0;
   std::map<std::set<NodeId>, Signal> gathered_;
 };

@@ -196,15 +196,21 @@ private:
     if (column.name == "bound" && is_lane) {
       const LaneFormat format = *LaneFormat::parse(key.format);
       if (key.bound && key.bound->is_for(format)) return Done{};
-      return error(field, "not a bound of such lanes",
-                   format.floating                ? "a bound in floating point"
-                   : format.fixed_point->is_block ? "block_norm, block_constant"
-                                                  : "fixed_norm, fixed_constant");
+      return error(field, "not a bound of such lanes", bounds_of(format));
     }
     if (column.name == "multipliers") {
       return check_one_of(field, {"embedded", "logic", "memory", ""});
     }
     return Done{};
+  }
+
+  static std::string bounds_of(const LaneFormat& format) {
+    if (format.floating) return "a bound in floating point";
+    std::string names;
+    for (const scene::BoundChoice& choice : scene::fixed_bound_choices(*format.fixed_point)) {
+      names += (names.empty() ? "" : ", ") + to_string(choice);
+    }
+    return names;
   }
 
   /// A number of digits is above the lane's own; fixed point has no choice.

@@ -205,6 +205,7 @@ private:
     for (NodeId id = node_count(); id-- > 0;) {
       if (!has_column_[id]) continue;
       choose_columns(expansions_[id].terms);
+      if (fixed::is_common_cut(node(id))) choose_cut_columns();
       const bool is_sum = expansions_[id].terms.front().a != id;
       const int operands = is_sum ? 0 : arity(node(id).operation);
       for (int k = 0; k < operands; ++k) has_column_[node(id).operands[k]] = true;
@@ -213,6 +214,14 @@ private:
 
   void choose_columns(const FixedSum& terms) {
     for (const FixedTerm& term : terms) has_column_[term.a] = has_column_[term.b] = true;
+  }
+
+  /// All common cuts are made together, and so are their operands.
+  void choose_cut_columns() {
+    for (NodeId id = 0; id < node_count(); ++id) {
+      if (fixed::is_common_cut(node(id)))
+        has_column_[id] = has_column_[node(id).operands[0]] = true;
+    }
   }
 
   /// A root is computed from a column.
@@ -247,6 +256,7 @@ private:
 
   void add_instruction(NodeId id) {
     const FixedNode& added = node(id);
+    if (fixed::is_common_cut(added)) return add_common_cut(id);
     if (added.operation == Operation::convert) return add_conversion(id);
     const bool truncates = added.dropped_bits > 0 || added.operation == Operation::square_root;
     const int result = truncates ? code_.converted.columns++ : id;
@@ -256,6 +266,22 @@ private:
                                   .b = added.operands[arity(added.operation) - 1],
                                   .terms = expansions_[id].terms});
     if (truncates) add_truncation(id, result);
+  }
+
+  /// The first common cut adds the instruction of all.
+  void add_common_cut(NodeId id) {
+    const auto is_cut = [&](const FixedInstruction& added) {
+      return added.kernel == FixedKernel::common_cut;
+    };
+    auto& instructions = code_.instructions;
+    auto all = std::find_if(instructions.begin(), instructions.end(), is_cut);
+    if (all == instructions.end()) {
+      all = instructions.insert(
+          all, {.kernel = FixedKernel::common_cut, .beyond = power(lane_.format.bits)});
+    }
+    all->cuts.push_back({.operand = node(id).operands[0],
+                         .result = id,
+                         .unit = power(node(id).format.unit_exponent)});
   }
 
   void add_conversion(NodeId id) {

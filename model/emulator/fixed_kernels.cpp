@@ -143,6 +143,36 @@ void execute_sum(const FixedInstruction& instruction, const Block& block) {
   }
 }
 
+/// The power of two that a common cut multiplies by: 1, or the largest that makes all integers less
+/// than `beyond` in magnitude, or -beyond. A NaN where one of them is a NaN.
+HWY_INLINE Vec common_factor(const FixedInstruction& instruction, const Block& block,
+                             std::size_t i) {
+  const Vec one = hn::Set(Tag(), 1);
+  Vec largest = hn::Zero(Tag()), no_number = hn::Zero(Tag());
+  for (const FixedCut& cut : instruction.cuts) {
+    const Vec number = hn::LoadU(Tag(), block.columns[cut.operand] + i);
+    const Vec units = hn::Mul(number, hn::Set(Tag(), 1 / cut.unit));
+    const Vec inverted = hn::Neg(hn::Add(units, one));
+    largest = hn::Max(largest, hn::Max(units, inverted));
+    no_number = hn::MulAdd(units, hn::Zero(Tag()), no_number);
+  }
+  const Vec ratio = hn::Mul(largest, hn::Set(Tag(), 2 / instruction.beyond));
+  const auto exponent = hn::ShiftLeft<52>(hn::ShiftRight<52>(hn::BitCast(Words(), ratio)));
+  return hn::Add(hn::Div(one, hn::Max(hn::BitCast(Tag(), exponent), one)), no_number);
+}
+
+void execute_common_cut(const FixedInstruction& instruction, const Block& block) {
+  for (std::size_t i = 0; i < block.size; i += hn::Lanes(Tag())) {
+    const Vec factor = common_factor(instruction, block, i);
+    for (const FixedCut& cut : instruction.cuts) {
+      const Vec number = hn::LoadU(Tag(), block.columns[cut.operand] + i);
+      const Vec units = hn::Mul(hn::Mul(number, hn::Set(Tag(), 1 / cut.unit)), factor);
+      hn::StoreU(hn::Mul(hn::Floor(units), hn::Set(Tag(), cut.unit)), Tag(),
+                 block.results[cut.result] + i);
+    }
+  }
+}
+
 /// One loop over the columns of an instruction. One of a single operand has it twice.
 template <class Function>
 HWY_INLINE void loop(const FixedInstruction& instruction, const Block& block, Function function) {
@@ -174,6 +204,7 @@ void execute_one(const FixedInstruction& instruction, const Block& block) {
   const auto each = [&](auto function) HWY_ATTR { loop(instruction, block, function); };
   switch (instruction.kernel) {
     case FixedKernel::sum: return execute_sum(instruction, block);
+    case FixedKernel::common_cut: return execute_common_cut(instruction, block);
     case FixedKernel::absolute: return each([](Vec a, Vec) HWY_ATTR { return hn::Abs(a); });
     case FixedKernel::minimum:
       return each([](Vec a, Vec b) HWY_ATTR { return or_no_number(a, b, hn::Min(a, b)); });

@@ -46,6 +46,14 @@ enum class FixedKernel : std::uint8_t {
   limit,        ///< a if it is from `low` to `high`, a NaN otherwise
   /// 2^k `unit` for the least k >= 0 with a < 4^k `square_unit`; of a NaN anything.
   power_above_root,
+  common_cut,  ///< of all `cuts` at once
+};
+
+/// A common cut: the number of a column, an integer of units, and the one that it becomes.
+struct FixedCut {
+  int operand = -1;
+  int result = -1;
+  double unit = 1;
 };
 
 struct FixedInstruction {
@@ -57,6 +65,8 @@ struct FixedInstruction {
   double square_unit = 1;
   double low = 0, high = 0;
   FixedSum terms = {};
+  std::vector<FixedCut> cuts = {};
+  double beyond = 0;  ///< of a common cut: 2^W, which no magnitude reaches, in units
 };
 
 /// Greater iff D >= slope_above s + offset_above, less iff -D > slope_below s + offset_below, where

@@ -47,8 +47,8 @@ std::optional<FixedPart> norm_part(FixedGraphBuilder& builder, NodeId f, NodeId 
 
 Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
                             const FixedOptions& options) {
-  MIXCMP_TRY(f, builder.node(sides.f));
-  MIXCMP_TRY(g, builder.node(sides.g));
+  MIXCMP_TRY(f, builder.side(sides, sides.f));
+  MIXCMP_TRY(g, builder.side(sides, sides.g));
   if (options.bound != FixedBound::constant) {
     if (auto part = norm_part(builder, f, g)) return *part;
   }
@@ -135,21 +135,37 @@ std::string describe(const FixedLane& lane, const FixedPart& part) {
                     part.criterion);
 }
 
+/// One per part; 0 where operands are neither divided by their unit nor cut in common.
+Result<std::vector<mpq_class>> degrees_of(const Graph& graph, const FixedPoint& format) {
+  std::vector<mpq_class> degrees(graph.parts().size());
+  if (format.guard_digits > 0) {
+    auto found = cut_degrees(graph);
+    if (!found.ok()) return received(found.error(), format);
+    degrees = std::move(found).value();
+  }
+  if (format.is_block) {
+    auto found = scale_degrees(graph);
+    if (!found.ok()) return received(found.error(), format);
+    degrees = std::move(found).value();
+  }
+  return degrees;
+}
+
 }  // namespace
 
 bool is_limit(const FixedNode& node) {
-  return node.operation == Operation::convert && node.dropped_bits == 0;
+  return node.operation == Operation::convert && node.dropped_bits == 0 && node.most_dropped == 0;
+}
+
+bool is_common_cut(const FixedNode& node) {
+  return node.most_dropped > 0;
 }
 
 Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                              const FixedOptions& options) {
-  std::vector<mpq_class> degrees(graph.parts().size());
-  if (options.format.is_block) {
-    auto found = scale_degrees(graph);
-    if (!found.ok()) return received(found.error(), options.format);
-    degrees = std::move(found).value();
-  }
+  MIXCMP_TRY(degrees, degrees_of(graph, options.format));
   FixedGraphBuilder builder(graph, input_format, options);
+  MIXCMP_TRY(cut, builder.cut_in_common());
   FixedLane lane{.format = options.format,
                  .nodes = {},
                  .input_names = graph.inputs(),
@@ -173,6 +189,14 @@ std::vector<int> inputs_read(const FixedLane& lane) {
     if (node.operation == Operation::input) inputs.push_back(node.input);
   }
   return inputs;
+}
+
+std::vector<NodeId> cut_in_common(const FixedLane& lane) {
+  std::vector<NodeId> operands;
+  for (const FixedNode& node : lane.nodes) {
+    if (is_common_cut(node)) operands.push_back(node.operands[0]);
+  }
+  return operands;
 }
 
 int least_block_exponent(FloatFormat input_format) {

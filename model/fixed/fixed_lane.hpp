@@ -24,9 +24,12 @@ namespace mixcmp::fixed {
 /// operand that is no number of the format's sign and magnitude (NaN and infinity among them; a
 /// negative zero where the format is unsigned) leaves the comparison undecided. The operands of an
 /// addition, a subtraction, a minimum and a maximum are aligned to the finer unit of the two. A
-/// square root is rounded down to its unit, whatever its operand's. A conversion that
-/// drops bits is a cut. One that drops none is a limit: it passes its operand on, and a number
-/// outside `value` leaves the comparison undecided.
+/// square root is rounded down to its unit, whatever its operand's.
+///
+/// There are three conversions. A cut drops bits. A common cut drops as many low bits as all others
+/// do in the same comparison: the fewest that make each of them fit its format. Its result counts
+/// the operand's units, so it stands for its operand divided by a power of two. A limit passes its
+/// operand on, and a number outside `value` leaves the comparison undecided.
 struct FixedNode {
   Operation operation;
   std::array<NodeId, 2> operands = {-1, -1};
@@ -34,14 +37,15 @@ struct FixedNode {
   mpz_class constant;  ///< for Operation::constant: in units
   FixedFormat format;
   int dropped_bits = 0;  ///< low bits of the exact result that are cut off: rounded down
+  int most_dropped = 0;  ///< of a common cut: the most bits that it drops; 0 for others
   Range value;           ///< encloses the number computed: the result times its unit
   Range error;           ///< encloses that number less the real one that it stands for
 
   friend bool operator==(const FixedNode&, const FixedNode&) = default;
 };
 
-/// Whether the node is a conversion that leaves numbers outside its `value` undecided.
 bool is_limit(const FixedNode& node);
+bool is_common_cut(const FixedNode& node);
 
 /// Decides by constants: greater iff n >= greater_from, less iff n <= less_to, where n is the
 /// difference in its units; equal iff neither holds and nothing was rounded.
@@ -80,7 +84,7 @@ struct FixedPart {
   bool swapped = false;  ///< `greater` and `less` of the decision change places
   std::variant<ConstantThresholds, NormThresholds> criterion;
   /// In block floating point: f and g of operands that are multiplied by t > 0 are t^degree times
-  /// what they were.
+  /// what they were. Likewise with guard digits, for what is cut in common; 0 where nothing is.
   mpq_class degree = 0;
 
   friend bool operator==(const FixedPart&, const FixedPart&) = default;
@@ -89,7 +93,9 @@ struct FixedPart {
 /// In q13 an input in [0, 100], below 2^7, counts units of 2^(7 - 13). In block13 the lane computes
 /// on x / 2^e instead of each operand x that it reads, where 2^e is the least power of two above
 /// all their magnitudes, but no less than `least_block_exponent` says. So all are below 1 and count
-/// units of 2^-13. Where one is infinite or a NaN, the comparison is left undecided.
+/// units of 2^-13. Where one is infinite or a NaN, the comparison is left undecided. With guard
+/// digits, as in q13g3, operands have 13 + 3 bits, and what is linear in them is cut to 13 bits in
+/// common before anything else is done with it.
 struct FixedLane {
   FixedPoint format;
   std::vector<FixedNode> nodes;  ///< in topological order
@@ -122,6 +128,9 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
 
 /// The inputs that the lane reads, in the order of its nodes.
 std::vector<int> inputs_read(const FixedLane& lane);
+
+/// The operands of the common cuts, in the order of these. All of them precede all common cuts.
+std::vector<NodeId> cut_in_common(const FixedLane& lane);
 
 /// In block floating point, the least e by whose power 2^e operands are divided: a binade above the
 /// least normal number.

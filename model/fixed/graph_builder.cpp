@@ -6,6 +6,7 @@
 
 #include "model/common/check.hpp"
 #include "model/expression/text.hpp"
+#include "model/fixed/affine_nodes.hpp"
 #include "model/fixed/node_enclosure.hpp"
 #include "model/fixed/root_error.hpp"
 #include "model/number/dyadic.hpp"
@@ -13,8 +14,9 @@
 namespace mixcmp::fixed {
 namespace {
 
-/// Results have at most 2 W + 16 bits: sums of some products of two operands stay exact, also where
-/// their units differ by some places. What is wider loses its low bits.
+/// Results have at most 2 W + 16 bits, or those of an operand with its guard digits and 16: sums of
+/// some products of two operands stay exact, also where their units differ by some places. What is
+/// wider loses its low bits.
 constexpr int spare_bits = 16;
 
 /// A root has at most W + 8 bits.
@@ -53,6 +55,10 @@ FixedFormat format_of(const Range& value, int unit_exponent) {
                               unit_exponent);
 }
 
+int magnitude_bits(const FixedFormat& format) {
+  return format.width - (format.is_signed ? 1 : 0);
+}
+
 /// Drops `count` low bits of a result that has dropped none, if that is more than 0.
 void drop_bits(FixedNode& node, int count) {
   if (count <= 0) return;
@@ -72,7 +78,82 @@ FixedGraphBuilder::FixedGraphBuilder(const Graph& graph, FloatFormat input_forma
     : graph_(graph),
       input_format_(input_format),
       options_(options),
-      known_(graph.nodes().size(), -1) {}
+      affine_(affine_nodes(graph)),
+      known_(graph.nodes().size(), -1),
+      cut_(graph.nodes().size(), -1) {}
+
+Result<Done> FixedGraphBuilder::cut_in_common() {
+  if (options_.format.guard_digits == 0) return Done{};
+  const std::vector<NodeId> read = nodes_to_cut(graph_);
+  for (const NodeId id : read) {
+    MIXCMP_TRY(whole, node(id));
+    cut_[id] = whole;
+  }
+  align_norms();
+  int most = 0;
+  for (const NodeId id : read) {
+    most = std::max(most, magnitude_bits(nodes_[cut_[id]].format) - options_.format.bits);
+  }
+  if (most == 0) return nothing_to_cut();
+  for (const NodeId id : read) cut_[id] = add(common_cut(cut_[id], most));
+  return Done{};
+}
+
+/// What is squared and added counts for as much as the coarsest of it: finer digits would only
+/// keep the common cut from keeping others.
+void FixedGraphBuilder::align_norms() {
+  for (const std::vector<NodeId>& squared : nodes_in_norms(graph_)) {
+    const auto unit_exponent = [&](NodeId id) { return nodes_[cut_[id]].format.unit_exponent; };
+    std::vector<int> units;
+    for (const NodeId id : squared) {
+      if (cut_[id] >= 0) units.push_back(unit_exponent(id));
+    }
+    for (const NodeId id : squared) {
+      if (cut_[id] < 0) continue;
+      const int coarsest = *std::max_element(units.begin(), units.end());
+      cut_[id] = without_low_bits(cut_[id], coarsest - unit_exponent(id));
+    }
+  }
+}
+
+FixedNode FixedGraphBuilder::common_cut(NodeId id, int most) const {
+  const FixedNode& whole = nodes_[id];
+  FixedNode node{.operation = Operation::convert, .operands = {id, -1}, .constant = {}};
+  node.most_dropped = most;
+  node.value = cut_value(whole, options_.format.bits, most);
+  node.error = cut_error(whole, most);
+  node.format = format_of(node.value, whole.format.unit_exponent);
+  return node;
+}
+
+Error FixedGraphBuilder::nothing_to_cut() const {
+  return {.field = "reduced.format",
+          .message =
+              "guard digits serve what is multiplied, squared or rooted: f and g have "
+              "nothing of the kind",
+          .received = options_.format.name(),
+          .accepted = "f and g such as (a-b)^2 and c^2; or a format without guard digits"};
+}
+
+Result<NodeId> FixedGraphBuilder::side(const Sides& sides, NodeId id) {
+  MIXCMP_TRY(whole, node(id));
+  (void)whole;
+  return read(id, affine_[sides.f] && affine_[sides.g]);
+}
+
+NodeId FixedGraphBuilder::operand(NodeId reader, int k) {
+  return read(graph_.nodes()[reader].operands[k], affine_[reader]);
+}
+
+/// A constant that meets whole operands has as many digits as they have.
+NodeId FixedGraphBuilder::read(NodeId id, bool by_affine) {
+  const Node& node = graph_.nodes()[id];
+  const FixedPoint& format = options_.format;
+  if (node.operation == Operation::constant) {
+    return add(constant(node.value, by_affine ? format.operand_bits() : format.bits));
+  }
+  return by_affine || cut_[id] < 0 ? known_[id] : cut_[id];
+}
 
 Result<NodeId> FixedGraphBuilder::node(NodeId id) {
   if (known_[id] >= 0) return known_[id];
@@ -110,7 +191,7 @@ Result<FixedNode> FixedGraphBuilder::make(NodeId id) {
   const Node& node = graph_.nodes()[id];
   switch (node.operation) {
     case Operation::input: return input(node);
-    case Operation::constant: return constant(node.value);
+    case Operation::constant: return constant(node.value, options_.format.bits);
     case Operation::square_root: return square_root(id);
     case Operation::divide: return quotient(id);
     case Operation::convert:
@@ -123,10 +204,11 @@ Result<FixedNode> FixedGraphBuilder::make(NodeId id) {
     case Operation::minimum:
     case Operation::maximum: break;
   }
-  const auto [a, b] = node.operands;
-  const NodeId first = known_[a], second = b < 0 ? -1 : known_[b];
+  const NodeId first = operand(id, 0);
   if (node.operation == Operation::square) return operation(node.operation, factor(first));
+  const NodeId second = arity(node.operation) < 2 ? -1 : operand(id, 1);
   if (node.operation != Operation::multiply) return operation(node.operation, first, second);
+  const auto [a, b] = node.operands;
   for (const auto& [constant, other] : {std::pair(a, b), {b, a}}) {
     const Node& coefficient = graph_.nodes()[constant];
     if (coefficient.operation != Operation::constant) continue;
@@ -144,15 +226,15 @@ FixedNode FixedGraphBuilder::product(NodeId a, NodeId b) {
 /// c^2 x^2 as (c x)^2, of which a norm bound can be made; none if the bound or the product is of
 /// another kind.
 std::optional<FixedNode> FixedGraphBuilder::multiple_of_square(const mpq_class& coefficient,
-                                                               NodeId id) {
-  const Node& square = graph_.nodes()[id];
-  if (options_.bound == FixedBound::constant || square.operation != Operation::square ||
-      graph_.limits().contains(id)) {
+                                                               NodeId square) {
+  if (options_.bound == FixedBound::constant ||
+      graph_.nodes()[square].operation != Operation::square || graph_.limits().contains(square)) {
     return std::nullopt;
   }
   const std::optional<mpq_class> root = exact_root(coefficient);
   if (!root) return std::nullopt;
-  const NodeId multiple = add(product(add(constant(*root)), known_[square.operands[0]]));
+  const NodeId scale = add(constant(*root, options_.format.bits));
+  const NodeId multiple = add(product(scale, operand(square, 0)));
   return operation(Operation::square, factor(multiple));
 }
 
@@ -166,7 +248,7 @@ Result<FixedNode> FixedGraphBuilder::quotient(NodeId id) {
   }
   const mpq_class reciprocal = 1 / constant_node.value;
   if (const auto square = multiple_of_square(reciprocal, dividend)) return *square;
-  return product(known_[dividend], add(constant(reciprocal)));
+  return product(operand(id, 0), add(constant(reciprocal, options_.format.bits)));
 }
 
 /// A lane checks limits on the number that it computes, errors included.
@@ -196,12 +278,17 @@ NodeId FixedGraphBuilder::factor(NodeId id) {
   const mpq_class error = whole.error.high - whole.error.low;
   if (error == 0) return id;
   const int unit_exponent = static_cast<int>(floor_log2(error)) - factor_guard_bits;
+  return without_low_bits(id, unit_exponent - whole.format.unit_exponent);
+}
+
+/// A node without `count` low bits, if that is more than 0; one is left at least.
+NodeId FixedGraphBuilder::without_low_bits(NodeId id, int count) {
+  const FixedNode& whole = nodes_[id];
   FixedNode node{.operation = Operation::convert, .operands = {id, -1}, .constant = {}};
   node.value = whole.value;
   node.error = whole.error;
   node.format = whole.format;
-  const int most_dropped = whole.format.width - (whole.format.is_signed ? 2 : 1);
-  drop_bits(node, std::min(unit_exponent - whole.format.unit_exponent, most_dropped));
+  drop_bits(node, std::min(count, magnitude_bits(whole.format) - 1));
   return node.dropped_bits == 0 ? id : add(std::move(node));
 }
 
@@ -221,7 +308,7 @@ Result<FixedNode> FixedGraphBuilder::input(const Node& node) const {
 
 /// An operand below 2^top in magnitude.
 FixedNode FixedGraphBuilder::input_below(int top, bool nonnegative, int index) const {
-  const int bits = options_.format.bits;
+  const int bits = options_.format.operand_bits();
   FixedNode input{.operation = Operation::input, .input = index, .constant = {}};
   input.format = {.width = bits, .unit_exponent = top - bits};
   const mpq_class unit = input.format.unit(), greatest = input.format.largest() * unit;
@@ -233,12 +320,12 @@ FixedNode FixedGraphBuilder::input_below(int top, bool nonnegative, int index) c
   return input;
 }
 
-/// A constant is rounded to W digits; one that has no more of them stays exact.
-FixedNode FixedGraphBuilder::constant(const mpq_class& value) const {
+/// A constant is rounded to `bits` digits; one that has no more of them stays exact.
+FixedNode FixedGraphBuilder::constant(const mpq_class& value, int bits) const {
   FixedNode constant{.operation = Operation::constant, .constant = {}};
   int unit_exponent = 0;
   if (value != 0) {
-    unit_exponent = static_cast<int>(floor_log2(abs(value))) + 1 - options_.format.bits;
+    unit_exponent = static_cast<int>(floor_log2(abs(value))) + 1 - bits;
     constant.constant = floor_of(scaled(value, -unit_exponent) + mpq_class(1, 2));
   }
   while (constant.constant != 0 && mpz_even_p(constant.constant.get_mpz_t()) != 0) {
@@ -254,8 +341,8 @@ FixedNode FixedGraphBuilder::constant(const mpq_class& value) const {
 
 /// The unit is the power of two at or below half of the error that the radicand's error gives the
 /// root, so that rounding adds little to it; but no coarser than the largest root.
-Result<FixedNode> FixedGraphBuilder::square_root(NodeId id) const {
-  const NodeId radicand = known_[graph_.nodes()[id].operands[0]];
+Result<FixedNode> FixedGraphBuilder::square_root(NodeId id) {
+  const NodeId radicand = operand(id, 0);
   if (!is_nonnegative(nodes_, radicand)) {
     return refused(id, "the radicand of a root may be negative",
                    "a floating-point format, or a radicand such as a sum of squares");
@@ -287,7 +374,8 @@ FixedNode FixedGraphBuilder::operation(Operation operation, NodeId a, NodeId b) 
   node.value = cancels ? Range{0, 0} : exact_value(operation, first.value, second.value);
   node.error = cancels ? Range{0, 0} : exact_error(operation, first, second);
   node.format = format_of(node.value, unit_exponent_of(operation, first.format, second.format));
-  drop_bits(node, node.format.width - 2 * options_.format.bits - spare_bits);
+  const int exact_bits = std::max(2 * options_.format.bits, options_.format.operand_bits());
+  drop_bits(node, node.format.width - exact_bits - spare_bits);
   return node;
 }
 

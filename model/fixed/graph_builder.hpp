@@ -14,8 +14,10 @@ class FixedGraphBuilder {
 public:
   FixedGraphBuilder(const Graph& graph, FloatFormat input_format, const FixedOptions& options);
 
-  /// The fixed-point node of an expression's node.
-  Result<NodeId> node(NodeId id);
+  /// With guard digits, makes what is affine and its common cuts, before anything else is made.
+  Result<Done> cut_in_common();
+  /// The fixed-point node of f or g of a part.
+  Result<NodeId> side(const Sides& sides, NodeId id);
   /// a - b.
   NodeId difference(NodeId a, NodeId b);
   /// abs(a).
@@ -24,25 +26,36 @@ public:
   std::vector<FixedNode>& nodes() { return nodes_; }
 
 private:
+  /// The fixed-point node of an expression's node.
+  Result<NodeId> node(NodeId id);
+  /// An operand of a node as this one reads it: before its common cut where both are affine.
+  NodeId operand(NodeId reader, int k);
+  NodeId read(NodeId id, bool by_affine);
+  void align_norms();
+  FixedNode common_cut(NodeId id, int most) const;
+  Error nothing_to_cut() const;
   /// The error that names a node of the expression and says why fixed point does not have it.
   Error refused(NodeId id, std::string_view why, const char* accepted) const;
   Result<FixedNode> make(NodeId id);  ///< the operands are made already
   Result<FixedNode> input(const Node& node) const;
   FixedNode input_below(int top, bool nonnegative, int index) const;
-  FixedNode constant(const mpq_class& value) const;
-  Result<FixedNode> square_root(NodeId id) const;
+  FixedNode constant(const mpq_class& value, int bits) const;
+  Result<FixedNode> square_root(NodeId id);
   Result<FixedNode> quotient(NodeId id);
-  std::optional<FixedNode> multiple_of_square(const mpq_class& coefficient, NodeId id);
+  std::optional<FixedNode> multiple_of_square(const mpq_class& coefficient, NodeId square);
   FixedNode product(NodeId a, NodeId b);
   Result<NodeId> limited(NodeId id, const Range& limits);
   NodeId factor(NodeId id);
+  NodeId without_low_bits(NodeId id, int count);
   FixedNode operation(Operation operation, NodeId a, NodeId b = -1) const;
   NodeId add(FixedNode node);
 
   const Graph& graph_;
   FloatFormat input_format_;
   const FixedOptions& options_;
+  std::vector<bool> affine_;   ///< [node of the expression]
   std::vector<NodeId> known_;  ///< [node of the expression]: its node here, or -1
+  std::vector<NodeId> cut_;    ///< [node of the expression]: what behind the cut reads, or -1
   std::vector<FixedNode> nodes_;
 };
 

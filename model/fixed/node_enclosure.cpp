@@ -1,6 +1,10 @@
 #include "model/fixed/node_enclosure.hpp"
 
+#include <algorithm>
+
 #include "model/common/check.hpp"
+#include "model/number/dyadic.hpp"
+#include "model/number/exact.hpp"
 
 namespace mixcmp::fixed {
 namespace {
@@ -63,6 +67,27 @@ Range exact_value(Operation operation, const Range& a, const Range& b) {
     case Operation::square_root: break;
   }
   MIXCMP_CHECK(false);
+}
+
+/// Dropping bits moves an end of either sign towards zero, or from below to -1 unit; none is beyond
+/// what `bits` bits hold.
+Range cut_value(const FixedNode& node, int bits, int most) {
+  const mpq_class unit = node.format.unit();
+  const mpz_class low = ceiling_of(node.value.low / unit), high = floor_of(node.value.high / unit);
+  const mpz_class beyond = shifted_left(1, bits);
+  const auto least = [&](const mpz_class& end) { return floor_of(scaled(end, -most)); };
+  const mpz_class cut_low = low > 0 ? least(low) : std::max<mpz_class>(low, -beyond);
+  const mpz_class cut_high = high < 0 ? least(high) : std::min<mpz_class>(high, beyond - 1);
+  return {cut_low * unit, cut_high * unit};
+}
+
+/// With t = 2^-k, k = 0..most, the error is e t - d with 0 <= d <= (1 - t) unit: its ends are
+/// linear in t, so they are extreme at the least and at the greatest t.
+Range cut_error(const FixedNode& node, int most) {
+  const mpq_class t = power_of_two(-most);
+  const mpq_class lost = node.format.unit() * (1 - t);
+  return {std::min<mpq_class>(node.error.low, node.error.low * t - lost),
+          std::max<mpq_class>(node.error.high, node.error.high * t)};
 }
 
 }  // namespace mixcmp::fixed

@@ -11,4 +11,9 @@ Range exact_value(Operation operation, const Range& a, const Range& b);
 /// Encloses its error.
 Range exact_error(Operation operation, const FixedNode& a, const FixedNode& b);
 
+/// A common cut of `node` to magnitudes of `bits` bits that drops `most` bits at most. Proof:
+/// docs/fixed_point.md, theorem 7.
+Range cut_value(const FixedNode& node, int bits, int most);
+Range cut_error(const FixedNode& node, int most);
+
 }  // namespace mixcmp::fixed

@@ -8,6 +8,7 @@
 
 #include "model/common/check.hpp"
 #include "model/expression/text.hpp"
+#include "model/fixed/affine_nodes.hpp"
 
 namespace mixcmp::fixed {
 namespace {
@@ -17,15 +18,21 @@ constexpr std::size_t most_characters = 60;
 /// None: the value is always zero, which has every degree.
 using Degree = std::optional<mpq_class>;
 
-Error refused(const Graph& graph, NodeId node, const std::string& why) {
+/// What is multiplied by t.
+enum class Scaled { inputs, affine };
+
+Error refused(const Graph& graph, Scaled scaled, NodeId node, const std::string& why) {
+  const bool inputs = scaled == Scaled::inputs;
   return {.field = "reduced.format",
-          .message = fmt::format("block floating point needs f and g that are homogeneous of one "
-                                 "degree; {}: {}",
-                                 why, to_text(graph, node, most_characters)),
+          .message = fmt::format("{} f and g that are homogeneous of one degree{}; {}: {}",
+                                 inputs ? "block floating point needs" : "guard digits need",
+                                 inputs ? "" : " in what is linear in the operands", why,
+                                 to_text(graph, node, most_characters)),
           .received = {},
-          .accepted =
-              "f and g such as a*b and c^2; or qW with a range for each input, or a "
-              "floating-point format"};
+          .accepted = inputs ? "f and g such as a*b and c^2; or qW with a range for each input, or "
+                               "a floating-point format"
+                             : "f and g such as (a-b)^2 and c^2; or a format without guard "
+                               "digits, such as q13"};
 }
 
 std::string shown(const Degree& degree) {
@@ -35,7 +42,8 @@ std::string shown(const Degree& degree) {
 /// The degrees of all nodes, operands first.
 class DegreeFinder {
 public:
-  explicit DegreeFinder(const Graph& graph) : graph_(graph) {}
+  DegreeFinder(const Graph& graph, Scaled scaled)
+      : graph_(graph), scaled_(scaled), affine_(affine_nodes(graph)) {}
 
   Result<Degree> find(NodeId id) {
     if (const auto known = known_.find(id); known != known_.end()) return known->second;
@@ -44,10 +52,11 @@ public:
   }
 
   Result<mpq_class> of_part(const Sides& sides) {
+    if (scaled_ == Scaled::affine && affine_[sides.f] && affine_[sides.g]) return mpq_class(0);
     MIXCMP_TRY(f, find(sides.f));
     MIXCMP_TRY(g, find(sides.g));
     if (f && g && *f != *g) {
-      return refused(graph_, sides.f,
+      return refused(graph_, scaled_, sides.f,
                      fmt::format("f has the degree {} and g {}", shown(f), shown(g)));
     }
     return f ? *f : g.value_or(0);
@@ -56,12 +65,16 @@ public:
 private:
   Result<Degree> compute(NodeId id) {
     const Node& node = graph_.nodes()[id];
+    const bool constant = node.operation == Operation::constant;
+    if (scaled_ == Scaled::affine && affine_[id] && !constant) return Degree(1);
     Degree operands[2];
     for (int k = 0; k < arity(node.operation); ++k) {
       MIXCMP_TRY(operand, find(node.operands[k]));
       operands[k] = operand;
     }
-    if (graph_.limits().contains(id)) return refused(graph_, id, "a limit does not grow");
+    if (graph_.limits().contains(id)) {
+      return refused(graph_, scaled_, id, "a limit does not grow");
+    }
     switch (node.operation) {
       case Operation::input: return Degree(1);
       case Operation::constant: return node.value == 0 ? Degree() : Degree(0);
@@ -88,23 +101,34 @@ private:
   Result<Degree> common(NodeId id, const Degree& a, const Degree& b) const {
     if (!a || !b) return a ? a : b;
     if (*a == *b) return a;
-    return refused(graph_, id, fmt::format("operands of degrees {} and {}", shown(a), shown(b)));
+    return refused(graph_, scaled_, id,
+                   fmt::format("operands of degrees {} and {}", shown(a), shown(b)));
   }
 
   const Graph& graph_;
+  Scaled scaled_;
+  std::vector<bool> affine_;
   std::map<NodeId, Degree> known_;
 };
 
-}  // namespace
-
-Result<std::vector<mpq_class>> scale_degrees(const Graph& graph) {
-  DegreeFinder finder(graph);
+Result<std::vector<mpq_class>> degrees_of(const Graph& graph, Scaled scaled) {
+  DegreeFinder finder(graph, scaled);
   std::vector<mpq_class> degrees;
   for (const Sides& sides : graph.parts()) {
     MIXCMP_TRY(degree, finder.of_part(sides));
     degrees.push_back(degree);
   }
   return degrees;
+}
+
+}  // namespace
+
+Result<std::vector<mpq_class>> scale_degrees(const Graph& graph) {
+  return degrees_of(graph, Scaled::inputs);
+}
+
+Result<std::vector<mpq_class>> cut_degrees(const Graph& graph) {
+  return degrees_of(graph, Scaled::affine);
 }
 
 }  // namespace mixcmp::fixed

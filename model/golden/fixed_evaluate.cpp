@@ -114,6 +114,23 @@ Integer result_of(const FixedNode& node, const std::vector<FixedNode>& nodes,
   return shifted(operate(node.operation, operands[0], operands[1]), -node.dropped_bits);
 }
 
+/// Whether an integer is one of the node's format.
+bool fits(const mpz_class& value, const FixedFormat& format) {
+  return value >= format.smallest() && value <= format.largest();
+}
+
+/// How many low bits the common cuts drop: the fewest with which each fits a magnitude of W bits.
+/// None where an operand of one has no value.
+std::optional<int> common_drop(const FixedLane& lane, const std::vector<Integer>& values) {
+  int dropped = 0;
+  for (const NodeId id : fixed::cut_in_common(lane)) {
+    if (!values[id]) return std::nullopt;
+    const FixedFormat format{.width = lane.format.bits + 1, .is_signed = true};
+    while (!fits(shifted(*values[id], -dropped), format)) ++dropped;
+  }
+  return dropped;
+}
+
 /// 2^k for the least k >= 0 with value < 4^k.
 mpz_class power_above_root(const mpz_class& value) {
   mpz_class power = 1;
@@ -168,6 +185,10 @@ std::vector<Integer> evaluate(const FixedLane& lane, std::span<const Bits> input
       values.push_back(converted(lane.input_format, inputs[node.input], format));
     } else if (node.operation == Operation::constant) {
       values.emplace_back(node.constant);
+    } else if (fixed::is_common_cut(node)) {
+      const std::optional<int> dropped = common_drop(lane, values);
+      values.push_back(dropped ? Integer(shifted(*values[node.operands[0]], -*dropped))
+                               : Integer());
     } else {
       values.push_back(result_of(node, lane.nodes, values));
     }

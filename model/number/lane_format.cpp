@@ -10,21 +10,35 @@ namespace mixcmp::inline number {
 namespace {
 
 constexpr std::string_view fixed_prefix = "q", block_prefix = "block";
+constexpr char guard_letter = 'g';
+
+/// The number that a word consists of.
+std::optional<int> number_of(std::string_view word) {
+  unsigned short number = 0;  // unsigned: takes no sign
+  const char* const end = word.data() + word.size();
+  const auto read = std::from_chars(word.data(), end, number);
+  const bool whole = read.ec == std::errc() && read.ptr == end;
+  return whole ? std::optional<int>(number) : std::nullopt;
+}
 
 }  // namespace
 
 std::string FixedPoint::name() const {
-  return fmt::format("{}{}", is_block ? block_prefix : fixed_prefix, bits);
+  const std::string name = fmt::format("{}{}", is_block ? block_prefix : fixed_prefix, bits);
+  return guard_digits == 0 ? name : fmt::format("{}{}{}", name, guard_letter, guard_digits);
 }
 
 std::optional<FixedPoint> FixedPoint::parse(std::string_view word) {
   for (const bool is_block : {false, true}) {
     const std::string_view prefix = is_block ? block_prefix : fixed_prefix;
     if (!word.starts_with(prefix)) continue;
-    unsigned short bits = 0;  // unsigned: takes no sign
-    const char* const end = word.data() + word.size();
-    const auto read = std::from_chars(word.data() + prefix.size(), end, bits);
-    if (read.ec == std::errc() && read.ptr == end) return FixedPoint{bits, is_block};
+    const std::string_view digits = word.substr(prefix.size());
+    const std::size_t letter = digits.find(guard_letter);
+    const auto bits = number_of(digits.substr(0, letter));
+    if (!bits) continue;
+    if (letter == std::string_view::npos) return FixedPoint{*bits, is_block};
+    const auto guard_digits = number_of(digits.substr(letter + 1));
+    if (guard_digits && *guard_digits > 0) return FixedPoint{*bits, is_block, *guard_digits};
   }
   return std::nullopt;
 }
@@ -41,8 +55,8 @@ Result<LaneFormat> LaneFormat::parse(std::string_view name) {
   return Error{.message = "not a format of lanes",
                .received = in_quotes(name),
                .accepted =
-                   "s<digits>e<exponent bits>, such as s17e8, q<bits>, such as q13, or "
-                   "block<bits>, such as block13"};
+                   "s<digits>e<exponent bits>, such as s17e8; q<bits> or block<bits>, such as q13 "
+                   "or block13; with guard digits q13g3 or block13g3"};
 }
 
 }  // namespace mixcmp::inline number

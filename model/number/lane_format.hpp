@@ -15,16 +15,21 @@ struct FixedPoint {
   /// Block floating point: the largest exponent among the operands of a comparison sets the unit of
   /// all of them. Otherwise each input has its own, which its range sets.
   bool is_block = false;
+  /// Digits of operands below those W, for differences in which the leading ones cancel; 0: none.
+  int guard_digits = 0;
 
-  std::string name() const;  ///< "q13", or "block13"
+  /// Bits of an operand's magnitude.
+  int operand_bits() const { return bits + guard_digits; }
+
+  std::string name() const;  ///< "q13", "block13", with guard digits "q13g3"
   /// None where the word is no such name.
   static std::optional<FixedPoint> parse(std::string_view word);
 
   friend bool operator==(const FixedPoint&, const FixedPoint&) = default;
 };
 
-/// The format of a lane, as tables and signatures name it: "s17e8", or "q13" or "block13" in fixed
-/// point.
+/// The format of a lane, as tables and signatures name it: "s17e8", or in fixed point "q13",
+/// "block13", "q13g3".
 struct LaneFormat {
   /// One of the two is set.
   std::optional<FloatFormat> floating;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -13,6 +14,7 @@
 #include "model/common/file.hpp"
 #include "model/fixed/square_tables.hpp"
 #include "model/number/dyadic.hpp"
+#include "model/scene/bound_choice.hpp"
 
 namespace mixcmp::profile {
 namespace {
@@ -172,10 +174,16 @@ double lane_luts(const error::Lane& lane, Products products) {
   return luts;
 }
 
+/// LUTs for each bit of a shifter of 0 to `most` places: two places a LUT.
+double shift_luts(int most) {
+  return most == 0 ? 0 : 0.5 * std::bit_width(static_cast<unsigned>(most));
+}
+
 /// - A sum takes a LUT a bit.
 /// - A root takes a sum for each bit of its result.
 /// - An operand takes a shifter, two places a LUT, and a compare of its exponent; in block floating
 ///   point also its share of the search for the largest exponent.
+/// - A common cut takes a shifter, likewise.
 /// - A square that is read from a memory takes the sum that makes its operand's magnitude.
 /// - Products of logic and limits have factors that are fitted to mapped lanes.
 double lane_luts(const fixed::FixedLane& lane, Products products) {
@@ -186,7 +194,9 @@ double lane_luts(const fixed::FixedLane& lane, Products products) {
     const int width = node.format.width;
     switch (node.operation) {
       case Operation::constant: break;
-      case Operation::convert: luts += fixed::is_limit(node) ? 1 + 0.1 * width : 0; break;
+      case Operation::convert:
+        luts += fixed::is_limit(node) ? 1 + 0.1 * width : width * shift_luts(node.most_dropped);
+        break;
       case Operation::input: luts += 2.0 * width + exponent * (lane.format.is_block ? 4 : 1); break;
       case Operation::square:
         if (products == Products::squares_in_memory) {
@@ -252,7 +262,9 @@ const std::array<std::string_view, 11> names = {
     "constant",  "fixed_norm",  "fixed_constant", "block_norm", "block_constant"};
 
 bool is_scheme(const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+  const bool is_listed = std::find(names.begin(), names.end(), name) != names.end();
+  const auto bound = scene::parse_bound_choice(name);
+  return is_listed || (bound.ok() && bound->is_fixed_point());
 }
 
 }  // namespace

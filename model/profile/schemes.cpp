@@ -62,15 +62,34 @@ Result<design::Lane> profiled_at(const TypedGraph& graph, const ErrorAtPrecision
   return Error{.message = "no comparison has a relative error of f and of g"};
 }
 
-void add_fixed_lanes(const scene::Scene& scene, int bits, std::vector<SchemeLanes>& schemes) {
-  using Kind = scene::BoundChoice::Kind;
-  for (const Kind kind :
-       {Kind::fixed_norm, Kind::fixed_constant, Kind::block_norm, Kind::block_constant}) {
-    const scene::BoundChoice choice{kind};
+/// Bounds without guard digits, those of the scene's own formats, and those asked for.
+std::vector<scene::BoundChoice> fixed_choices(const scene::Scene& scene,
+                                              std::span<const scene::BoundChoice> asked) {
+  std::vector<scene::BoundChoice> choices;
+  const auto add_new = [&](const scene::BoundChoice& choice) {
+    const bool known = std::find(choices.begin(), choices.end(), choice) != choices.end();
+    if (choice.is_fixed_point() && !known) choices.push_back(choice);
+  };
+  const auto add_format = [&](const scene::ReducedSpec& reduced) {
+    if (!reduced.fixed_point) return;
+    for (const auto& choice : scene::fixed_bound_choices(*reduced.fixed_point)) add_new(choice);
+  };
+  for (const scene::BoundChoice& choice : scene::counted_bound_choices()) add_new(choice);
+  add_format(scene.reduced);
+  for (const scene::LaneGroupSpec& group : scene.lanes) add_format(group.reduced);
+  for (const scene::BoundChoice& choice : asked) add_new(choice);
+  return choices;
+}
+
+void add_fixed_lanes(const scene::Scene& scene, int bits,
+                     std::span<const scene::BoundChoice> choices,
+                     std::vector<SchemeLanes>& schemes) {
+  const settings::Limits limits = settings::lane_fixed_bits(scene.reference.format);
+  for (const scene::BoundChoice& choice : choices) {
     scene::ReducedSpec reduced = with_bound(scene.reduced, choice);
-    reduced.fixed_point = FixedPoint{bits, choice.is_block()};
+    reduced.fixed_point = choice.fixed_point(bits);
     SchemeLanes& scheme = scheme_with(schemes, choice, SchemeKind::certified);
-    if (settings::lane_fixed_bits(scene.reference.format).allow(bits)) {
+    if (allow(limits, *reduced.fixed_point)) {
       add(schemes, choice, SchemeKind::certified, design::design_lane(scene, reduced, nullptr));
     } else {
       scheme.lanes.emplace_back(std::nullopt);
@@ -83,6 +102,7 @@ void add_fixed_lanes(const scene::Scene& scene, int bits, std::vector<SchemeLane
 std::vector<SchemeLanes> make_schemes(const scene::Scene& scene, const ErrorProfile& errors,
                                       std::span<const scene::BoundChoice> bounds) {
   std::vector<SchemeLanes> schemes;
+  const std::vector<scene::BoundChoice> in_fixed_point = fixed_choices(scene, bounds);
   for (const ErrorAtPrecision& error : errors.precisions) {
     const TypedGraph graph = graph_at(scene, error.precision, errors.inputs);
     add(schemes, std::nullopt, SchemeKind::lanes_alone, design::Lane(lanes_alone(graph)));
@@ -92,7 +112,7 @@ std::vector<SchemeLanes> make_schemes(const scene::Scene& scene, const ErrorProf
       add(schemes, scene::bound_choice(candidate), SchemeKind::certified,
           design::as_lane(std::move(candidate.lane)));
     }
-    add_fixed_lanes(scene, error.precision, schemes);
+    add_fixed_lanes(scene, error.precision, in_fixed_point, schemes);
   }
   const auto is_unwanted = [&](const SchemeLanes& scheme) {
     return std::find(bounds.begin(), bounds.end(), scheme.bound) == bounds.end();

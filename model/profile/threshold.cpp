@@ -192,6 +192,16 @@ Margin margin_of(const fixed::NormThresholds& thresholds, const FixedNode& diffe
   return {.constant = 0, .per_root = (slope / 2 + apart) * outward};
 }
 
+/// A lane decides on what is cut in common, multiplied by at least t = 2^-`most dropped`: so it
+/// decides where f and g are 1 / t^degree times as far apart. Proof: docs/profile.md, behind
+/// theorem 2.
+Margin before_cuts(Margin margin, const fixed::FixedLane& lane, const mpq_class& degree) {
+  int most = 0;
+  for (const FixedNode& node : lane.nodes) most = std::max(most, node.most_dropped);
+  const double grown = std::exp2(most * degree.get_d()) * outward;
+  return {.constant = margin.constant * grown, .per_root = margin.per_root * std::sqrt(grown)};
+}
+
 bool has_limits(const fixed::FixedLane& lane) {
   return std::any_of(lane.nodes.begin(), lane.nodes.end(), fixed::is_limit);
 }
@@ -211,9 +221,10 @@ Threshold Threshold::of_fixed_lanes(std::span<const fixed::FixedLane* const> lan
       if (has_limits(*lane)) return {Unknown{}, 0, envelope.graph().f(), envelope.graph().g()};
       const fixed::FixedPart& decided = lane->parts[part];
       const FixedNode& difference = lane->nodes[decided.difference];
-      const Margin margin = std::visit(
+      const Margin of_cut = std::visit(
           [&](const auto& thresholds) { return margin_of(thresholds, difference, lane->nodes); },
           decided.criterion);
+      const Margin margin = before_cuts(of_cut, *lane, decided.degree);
       roots.constant = std::max(roots.constant, margin.constant * scale);
       roots.per_root = std::max(roots.per_root, margin.per_root * scale);
     }

@@ -70,7 +70,11 @@ public:
 
   LaneProof run() && {
     if (lane_.format.is_block) {
-      add_exact("f and g are homogeneous of one degree", is_homogeneous());
+      add_exact("f and g are homogeneous of one degree", is_homogeneous(Scaled::operands));
+    }
+    if (has_common_cuts()) {
+      add_exact("f and g are homogeneous of one degree in what is cut in common",
+                is_homogeneous(Scaled::cuts));
     }
     for (NodeId id = 0; id < static_cast<NodeId>(nodes_.size()); ++id) prove_node(id);
     for (const fixed::FixedPart& part : lane_.parts) {
@@ -146,9 +150,16 @@ private:
     node.error.low -= node.format.unit() * (1 - power_of_two(-node.dropped_bits));
   }
 
-  /// A cut or a limit: theorem 2, by hand. The value of a limit is what the hardware checks.
+  /// A cut or a limit: theorem 2, by hand; a common cut: theorem 7. The value of a limit is what
+  /// the hardware checks.
   void convert(FixedNode& node) {
-    node.error = nodes_[node.operands[0]].error;
+    const FixedNode& operand = nodes_[node.operands[0]];
+    if (fixed::is_common_cut(node)) {
+      node.value = fixed::cut_value(operand, lane_.format.bits, node.most_dropped);
+      node.error = rounded_outward(fixed::cut_error(operand, node.most_dropped), node.format);
+      return;
+    }
+    node.error = operand.error;
     drop_bits(node);
   }
 
@@ -216,35 +227,61 @@ private:
         {std::move(what), holds ? Outcome::proven : Outcome::not_proven, "by exact arithmetic"});
   }
 
-  /// Whether what is added, subtracted or compared grows alike with the operands, so that every
-  /// part's difference has a degree. Zero has every degree and is stored as none.
-  bool is_homogeneous() const {
-    std::vector<std::optional<mpq_class>> degrees;
+  /// What a lane divides by a power of two: its operands, or what is cut in common.
+  enum class Scaled { operands, cuts };
+  /// None: zero, which has every degree.
+  using Degree = std::optional<mpq_class>;
+
+  bool has_common_cuts() const {
+    return std::any_of(nodes_.begin(), nodes_.end(), fixed::is_common_cut);
+  }
+
+  /// Whether what is added, subtracted or compared grows alike with what is scaled, so that every
+  /// part's difference has a degree. Nodes before all cuts are left out where cuts are scaled; what
+  /// reads one of them beside a node behind a cut has no degree.
+  bool is_homogeneous(Scaled scaled) const {
+    std::vector<bool> counts;
+    std::vector<Degree> degrees;
     for (const FixedNode& node : nodes_) {
-      const auto degree = [&](int k) { return degrees[node.operands[k]]; };
-      switch (node.operation) {
-        case Operation::input: degrees.emplace_back(1); break;
-        case Operation::constant:
-          degrees.push_back(node.constant == 0 ? std::nullopt : std::optional<mpq_class>(0));
-          break;
-        case Operation::square_root:
-          degrees.push_back(degree(0) ? std::optional<mpq_class>(*degree(0) / 2) : std::nullopt);
-          break;
-        case Operation::square:
-        case Operation::multiply: {
-          const auto other = degree(node.operation == Operation::square ? 0 : 1);
-          const bool zero = !degree(0) || !other;
-          degrees.push_back(zero ? std::nullopt : std::optional<mpq_class>(*degree(0) + *other));
-          break;
-        }
-        default: {
-          const auto other = degree(arity(node.operation) - 1);
-          if (degree(0) && other && *degree(0) != *other) return false;
-          degrees.push_back(degree(0) ? degree(0) : other);
-        }
+      const bool is_constant = node.operation == Operation::constant;
+      const bool begins = scaled == Scaled::operands ? node.operation == Operation::input
+                                                     : fixed::is_common_cut(node);
+      bool some = begins, all = true;
+      for (int k = 0; k < arity(node.operation); ++k) {
+        const bool fixed = nodes_[node.operands[k]].operation == Operation::constant;
+        some = some || (counts[node.operands[k]] && !fixed);
+        all = all && counts[node.operands[k]];
+      }
+      counts.push_back(is_constant || some);
+      degrees.push_back(begins ? Degree(1) : Degree());
+      if (begins || !counts.back()) continue;
+      if (!all || fixed::is_limit(node)) return false;
+      const auto degree = degree_of(node, degrees);
+      if (!degree) return false;
+      degrees.back() = *degree;
+    }
+    return true;
+  }
+
+  /// The degree of a result; none where its operands differ in theirs.
+  static std::optional<Degree> degree_of(const FixedNode& node,
+                                         const std::vector<Degree>& degrees) {
+    const auto degree = [&](int k) { return degrees[node.operands[k]]; };
+    switch (node.operation) {
+      case Operation::input: return std::nullopt;
+      case Operation::constant: return node.constant == 0 ? Degree() : Degree(0);
+      case Operation::square_root: return degree(0) ? Degree(*degree(0) / 2) : Degree();
+      case Operation::square:
+      case Operation::multiply: {
+        const Degree other = degree(node.operation == Operation::square ? 0 : 1);
+        return degree(0) && other ? Degree(*degree(0) + *other) : Degree();
+      }
+      default: {
+        const Degree other = degree(arity(node.operation) - 1);
+        if (degree(0) && other && *degree(0) != *other) return std::nullopt;
+        return degree(0) ? degree(0) : other;
       }
     }
-    return std::none_of(nodes_.begin(), nodes_.end(), fixed::is_limit);
   }
 
   void prove_decision(const fixed::ConstantThresholds& thresholds, const fixed::FixedPart& part) {
@@ -343,6 +380,9 @@ private:
     }
     if (lane_.format.is_block) {
       add_step("6", "docs/fixed_point.md, theorem 6: operands divided by a power of two");
+    }
+    if (has_common_cuts()) {
+      add_step("7", "docs/fixed_point.md, theorem 7: value and error of a common cut");
     }
     if (any_part<fixed::ConstantThresholds>()) {
       add_step("3", "docs/fixed_point.md, theorem 3: from the error to the constants");

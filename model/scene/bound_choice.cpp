@@ -13,7 +13,10 @@ namespace {
 
 using Kind = BoundChoice::Kind;
 
-constexpr std::string_view running_prefix = "running_";
+constexpr std::string_view running_prefix = "running_", guard_infix = "_g";
+
+constexpr std::array<Kind, 4> fixed_kinds = {Kind::fixed_norm, Kind::fixed_constant,
+                                             Kind::block_norm, Kind::block_constant};
 
 std::string_view word(Kind kind) {
   switch (kind) {
@@ -31,19 +34,40 @@ std::string_view word(Kind kind) {
 
 }  // namespace
 
+FixedPoint BoundChoice::fixed_point(int bits) const {
+  return {.bits = bits, .is_block = is_block(), .guard_digits = digits};
+}
+
 bool BoundChoice::is_for(const LaneFormat& format) const {
   if (!format.fixed_point) return !is_fixed_point();
-  return is_fixed_point() && is_block() == format.fixed_point->is_block;
+  return is_fixed_point() && fixed_point(format.fixed_point->bits) == *format.fixed_point;
 }
 
 std::string to_string(const BoundChoice& choice) {
-  if (choice.kind != Kind::running) return std::string(word(choice.kind));
-  return fmt::format("{}{}", running_prefix, choice.digits);
+  const std::string name(word(choice.kind));
+  if (choice.kind == Kind::running) return fmt::format("{}{}", running_prefix, choice.digits);
+  return choice.digits == 0 ? name : fmt::format("{}{}{}", name, guard_infix, choice.digits);
 }
 
 std::string to_string(const std::optional<BoundChoice>& choice) {
   return choice ? to_string(*choice) : "";
 }
+
+namespace {
+
+/// "fixed_norm_g3".
+std::optional<BoundChoice> parse_guarded(std::string_view name) {
+  constexpr int most = settings::limits::fixed_bits.most;
+  for (const Kind kind : fixed_kinds) {
+    for (int digits = 1; digits < most; ++digits) {
+      const BoundChoice choice{kind, digits};
+      if (to_string(choice) == name) return choice;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 Result<BoundChoice> parse_bound_choice(std::string_view name) {
   for (const Kind kind : {Kind::block_constant, Kind::block_norm, Kind::constant,
@@ -56,6 +80,7 @@ Result<BoundChoice> parse_bound_choice(std::string_view name) {
       digits.allow(name.back() - '0')) {
     return BoundChoice{Kind::running, name.back() - '0'};
   }
+  if (const auto guarded = parse_guarded(name)) return *guarded;
   return Error{
       .message = "not a bound", .received = in_quotes(name), .accepted = bound_choice_names()};
 }
@@ -64,7 +89,8 @@ std::string bound_choice_names() {
   constexpr settings::Limits digits = settings::limits::bound_digits;
   return fmt::format(
       "relative, running_{} to running_{}, constant, profiled, fixed_norm, fixed_constant, "
-      "block_norm, block_constant",
+      "block_norm, block_constant, each of the last four also with G guard digits as "
+      "fixed_norm_gG",
       digits.least, digits.most);
 }
 
@@ -86,8 +112,10 @@ std::optional<BoundChoice> bound_choice(const error::Lane& lane) {
 }
 
 BoundChoice bound_choice(const fixed::FixedLane& lane) {
-  if (lane.format.is_block) return {has_norm(lane) ? Kind::block_norm : Kind::block_constant};
-  return {has_norm(lane) ? Kind::fixed_norm : Kind::fixed_constant};
+  const Kind kind = lane.format.is_block ? has_norm(lane) ? Kind::block_norm : Kind::block_constant
+                    : has_norm(lane)     ? Kind::fixed_norm
+                                         : Kind::fixed_constant;
+  return {kind, lane.format.guard_digits};
 }
 
 BoundChoice bound_choice(const error::CandidateLane& candidate) {
@@ -98,6 +126,15 @@ BoundChoice bound_choice(const error::CandidateLane& candidate) {
     case error::ErrorBoundKind::norm: break;
   }
   MIXCMP_CHECK(false);
+}
+
+std::vector<BoundChoice> fixed_bound_choices(const FixedPoint& format) {
+  std::vector<BoundChoice> choices;
+  for (const Kind kind : fixed_kinds) {
+    const BoundChoice choice{kind, format.guard_digits};
+    if (choice.is_block() == format.is_block) choices.push_back(choice);
+  }
+  return choices;
 }
 
 std::span<const BoundChoice> counted_bound_choices() {
@@ -120,7 +157,7 @@ ReducedSpec with_bound(const ReducedSpec& reduced, const BoundChoice& choice) {
     copy.fixed_point.reset();
   } else if (copy.fixed_point || copy.format) {
     const int bits = copy.format ? copy.format->precision() : copy.fixed_point->bits;
-    copy.fixed_point = FixedPoint{bits, choice.is_block()};
+    copy.fixed_point = choice.fixed_point(bits);
   }
   switch (choice.kind) {
     case Kind::block_constant:

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/error/certified_lane.hpp"
 #include "model/fixed/fixed_lane.hpp"
@@ -13,7 +14,8 @@ namespace mixcmp::scene {
 
 /// A way to bound the errors of a lane, whatever its precision. Profiles, tables and options name
 /// it "relative", "running_4" (digits), "constant" or "profiled"; of lanes in fixed point
-/// "fixed_constant" or "fixed_norm", and "block_constant" or "block_norm" in block floating point.
+/// "fixed_constant" or "fixed_norm", and "block_constant" or "block_norm" in block floating point;
+/// with guard digits "fixed_norm_g3".
 struct BoundChoice {
   /// In the order of their names, in which tables are sorted.
   enum class Kind {
@@ -28,13 +30,16 @@ struct BoundChoice {
   };
 
   Kind kind = Kind::relative;
-  int digits = 0;  ///< digits of a running bound; 0 for others
+  int digits = 0;  ///< of a running bound; in fixed point guard digits; 0 for others
 
   bool is_block() const { return kind == Kind::block_constant || kind == Kind::block_norm; }
   /// Block floating point included.
   bool is_fixed_point() const {
     return is_block() || kind == Kind::fixed_constant || kind == Kind::fixed_norm;
   }
+
+  /// The lanes in fixed point of W = `bits` that have this bound.
+  FixedPoint fixed_point(int bits) const;
 
   /// Whether lanes of this format have such bounds.
   bool is_for(const LaneFormat& format) const;
@@ -58,11 +63,14 @@ BoundChoice bound_choice(const fixed::FixedLane& lane);
 /// The choice with which `candidate_lanes` made a candidate.
 BoundChoice bound_choice(const error::CandidateLane& candidate);
 
+/// The choices of lanes in this format.
+std::vector<BoundChoice> fixed_bound_choices(const FixedPoint& format);
+
 /// The choices that a profile counts.
 std::span<const BoundChoice> counted_bound_choices();
 
-/// Returns a copy of `reduced` with this bound, in its number system: fixed point has as many bits
-/// as `reduced` has, or as its format has digits.
+/// Returns a copy of `reduced` with this bound, in its number system: W of fixed point is that of
+/// `reduced`, or the digits of its format.
 ReducedSpec with_bound(const ReducedSpec& reduced, const BoundChoice& choice);
 
 }  // namespace mixcmp::scene

@@ -20,10 +20,11 @@ std::optional<int> number_after(char letter, const std::string& word) {
 std::string accepted_lane_formats(FloatFormat reference) {
   const settings::Limits precisions = settings::lane_precisions(reference);
   const bool narrowed = precisions.most < settings::limits::lane_precision.most;
-  return fmt::format("\"auto\", sP or {}{}; qW or blockW with W {}",
-                     FloatFormat::accepted(precisions.least, precisions.most),
-                     narrowed ? "; P at most the reference's" : "",
-                     to_string(settings::lane_fixed_bits(reference)));
+  return fmt::format(
+      "\"auto\", sP or {}{}; qW or blockW with W {}, likewise W + G of qWgG and blockWgG",
+      FloatFormat::accepted(precisions.least, precisions.most),
+      narrowed ? "; P at most the reference's" : "",
+      to_string(settings::lane_fixed_bits(reference)));
 }
 
 void read_reduced_format(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
@@ -38,7 +39,7 @@ void read_reduced_format(settings::Section& section, FloatFormat reference, Redu
   if (word != nullptr && *word == "auto") return;
   if (word != nullptr) spec.fixed_point = FixedPoint::parse(*word);
   if (spec.fixed_point) {
-    if (settings::lane_fixed_bits(reference).allow(spec.fixed_point->bits)) return;
+    if (allow(settings::lane_fixed_bits(reference), *spec.fixed_point)) return;
     spec.fixed_point.reset();
     return section.fail("format", "bits out of range", setting->shown(), accepted);
   }

@@ -52,7 +52,7 @@ std::string_view to_string(Multipliers multipliers);
 
 struct ReducedSpec {
   std::optional<FloatFormat> format;      ///< none: "auto", or fixed point
-  std::optional<FixedPoint> fixed_point;  ///< written as "q13" or "block13"
+  std::optional<FixedPoint> fixed_point;  ///< written as "q13", "block13", "q13g3"
   /// Written as "s17": the format's exponent bits are the fewest that the ranges allow.
   bool exponent_bits_from_ranges = false;
   BoundKind bound = BoundKind::certified;

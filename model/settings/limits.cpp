@@ -19,4 +19,8 @@ Limits lane_fixed_bits(FloatFormat reference) {
   return {limits::fixed_bits.least, std::min(limits::fixed_bits.most, reference.precision())};
 }
 
+bool allow(Limits lane_fixed_bits, const FixedPoint& format) {
+  return lane_fixed_bits.allow(format.bits) && lane_fixed_bits.allow(format.operand_bits());
+}
+
 }  // namespace mixcmp::settings

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "model/number/float_format.hpp"
+#include "model/number/lane_format.hpp"
 
 namespace mixcmp::settings {
 
@@ -22,7 +23,7 @@ std::string to_string(Limits limits);
 namespace limits {
 
 inline constexpr Limits lane_precision{4, 52};  ///< L; and at most the reference's precision
-inline constexpr Limits fixed_bits{2, 48};      ///< W of fixed point; likewise
+inline constexpr Limits fixed_bits{2, 48};      ///< W of fixed point; likewise, with guard digits
 inline constexpr Limits reference_precision{11, FloatFormat::max_precision};
 inline constexpr Limits exponent_bits{FloatFormat::min_exponent_bits,
                                       FloatFormat::max_exponent_bits};
@@ -42,5 +43,7 @@ inline constexpr Limits seeds{1, 1000};     ///< router seeds
 Limits lane_precisions(FloatFormat reference);
 /// The bits W that a lane in fixed point beside a reference of this format can have.
 Limits lane_fixed_bits(FloatFormat reference);
+/// Whether they allow W, and W with the guard digits.
+bool allow(Limits lane_fixed_bits, const FixedPoint& format);
 
 }  // namespace mixcmp::settings

@@ -115,7 +115,7 @@ std::vector<NamedFixedLane> lanes_of(const BoundedComparison& comparison, FloatF
                             {.format = lane_format, .bound = bound, .ranges = comparison.ranges()});
       const char* const name = bound == FixedBound::norm ? "norm" : "constant";
       const bool exists = bound == FixedBound::constant || comparison.has_norm.value_or(lane.ok());
-      EXPECT_EQ(lane.ok(), exists) << name;
+      EXPECT_EQ(lane.ok(), exists) << lane_format.name() << ", " << name;
       if (lane.ok()) lanes.push_back({fmt::format("{}, {}", lane_format.name(), name), *lane});
     }
   }
@@ -136,6 +136,17 @@ std::vector<NamedFixedLane> block_lanes(const BoundedComparison& comparison, Flo
   if (!fixed::scale_degrees(comparison.graph()).ok()) return {};
   std::vector<FixedPoint> formats;
   for (const int bits : widths) formats.push_back({.bits = bits, .is_block = true});
+  return lanes_of(comparison, format, formats);
+}
+
+std::vector<NamedFixedLane> guarded_lanes(const BoundedComparison& comparison, FloatFormat format,
+                                          const std::vector<FixedPoint>& lane_formats) {
+  std::vector<FixedPoint> formats;
+  for (const FixedPoint& lane_format : lane_formats) {
+    const fixed::FixedOptions options = {.format = lane_format, .ranges = comparison.ranges()};
+    const auto lane = fixed::fixed_lane(comparison.graph(), format, options);
+    if (lane.ok()) formats.push_back(lane_format);
+  }
   return lanes_of(comparison, format, formats);
 }
 

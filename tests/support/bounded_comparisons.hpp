@@ -40,4 +40,9 @@ std::vector<NamedFixedLane> fixed_lanes(const BoundedComparison& comparison, Flo
 std::vector<NamedFixedLane> block_lanes(const BoundedComparison& comparison, FloatFormat format,
                                         const std::vector<int>& widths);
 
+/// Likewise with guard digits; none where a format of them is refused, as where f and g are not
+/// homogeneous of one degree in what is cut in common.
+std::vector<NamedFixedLane> guarded_lanes(const BoundedComparison& comparison, FloatFormat format,
+                                          const std::vector<FixedPoint>& lane_formats);
+
 }  // namespace mixcmp::test

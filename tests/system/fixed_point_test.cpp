@@ -20,6 +20,7 @@ struct Case {
   Combination combination = Combination::all;
   scene::Multipliers multipliers = scene::Multipliers::embedded;
   bool is_block = false;
+  int guard_digits = 0;
 };
 
 void PrintTo(const Case& c, std::ostream* stream) {
@@ -55,8 +56,9 @@ class SystemInFixedPoint : public testing::TestWithParam<Case> {};
 TEST_P(SystemInFixedPoint, EveryOperandIsDecidedAsTheGoldenModelSaysAndTruly) {
   const Graph graph = graph_of(GetParam().parts, GetParam().combination);
   const FloatFormat s4e4 = format("s4e4");
-  const design::Design design = design_of(graph, s4e4, {GetParam().bits, GetParam().is_block},
-                                          GetParam().range, GetParam().multipliers);
+  const FixedPoint lane_format = {GetParam().bits, GetParam().is_block, GetParam().guard_digits};
+  const design::Design design =
+      design_of(graph, s4e4, lane_format, GetParam().range, GetParam().multipliers);
   const auto data = data::Comparisons::rows(every_pair(s4e4), design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
   const verilator_tb::VerifyReport report =
@@ -153,7 +155,47 @@ INSTANTIATE_TEST_SUITE_P(
              both_signs,
              Combination::any,
              scene::Multipliers::embedded,
-             true}),
+             true},
+        Case{"norm_behind_cuts",
+             {{"(a - b)^2 + (b + 1.3)^2", "(abs(a) + 2)^2"}},
+             3,
+             both_signs,
+             Combination::all,
+             scene::Multipliers::embedded,
+             false,
+             2},
+        Case{"products_behind_cuts",
+             {{"(a - b) * a + 0.7 * b^2", "max(a - 5, 2 * b) * abs(b)"}},
+             4,
+             both_signs,
+             Combination::all,
+             scene::Multipliers::logic,
+             false,
+             4},
+        Case{"parts_before_and_behind_cuts",
+             {{"a - b", "0.4"}, {"(within(a, -3, 4) - b)^2", "a * b"}},
+             3,
+             both_signs,
+             Combination::any,
+             scene::Multipliers::embedded,
+             false,
+             3},
+        Case{"roots_behind_cuts",
+             {{"sqrt((a - b)^2 + b^2) - abs(a)", "0.7 * a"}},
+             5,
+             both_signs,
+             Combination::all,
+             scene::Multipliers::embedded,
+             false,
+             1},
+        Case{"block_with_cuts",
+             {{"(a - b)^2 + b^2", "(2 * abs(a) + b)^2"}},
+             3,
+             both_signs,
+             Combination::all,
+             scene::Multipliers::embedded,
+             true,
+             5}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 /// The families of spheres that are made to mislead a lane.

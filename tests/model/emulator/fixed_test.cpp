@@ -126,6 +126,19 @@ TEST_P(FixedEmulation, OfBlocksIsTheGoldenModelsBitForBit) {
   for (const auto& [name, lane] : lanes) expect_golden(name, lane, columns);
 }
 
+TEST_P(FixedEmulation, WithGuardDigitsIsTheGoldenModelsBitForBit) {
+  Random random(7);
+  Columns columns = hard_columns(GetParam().ranges(), 301, random);
+  const auto in_ranges =
+      guarded_lanes(GetParam(), format("s53e11"),
+                    {{1, false, 1}, {4, false, 9}, {13, false, 3}, {17, false, 30}});
+  for (const auto& [name, lane] : in_ranges) expect_golden(name, lane, columns);
+  spread(columns, random);
+  const auto in_blocks =
+      guarded_lanes(GetParam(), format("s53e11"), {{2, true, 3}, {13, true, 7}, {22, true, 2}});
+  for (const auto& [name, lane] : in_blocks) expect_golden(name, lane, columns);
+}
+
 INSTANTIATE_TEST_SUITE_P(Comparisons, FixedEmulation, testing::ValuesIn(bounded_comparisons()),
                          [](const auto& parameter) { return parameter.param.name; });
 

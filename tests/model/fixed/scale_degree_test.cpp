@@ -37,6 +37,26 @@ TEST(ScaleDegrees, AreThoseOfBothSides) {
   }
 }
 
+TEST(CutDegrees, CountWhatIsLinearAsOne) {
+  const Case cases[] = {
+      {"(a + 1)^2", "c^2", 2},
+      {"(a - 0.3) * b", "max(c, 2)^2", 2},
+      {"(2 * a - b / 4)^2", "c^2", 2},
+      {"3 * a * b", "c * d", 2},
+      {"sqrt(a^2 + b^2)", "c + 1", 1},
+      {"a - 5", "b", 0},
+      {"(a - 5)^3", "b * c * (d + 1)", 3},
+  };
+  for (const Case& c : cases) {
+    const auto degrees = fixed::cut_degrees(graph_of(c.f, c.g));
+    ASSERT_TRUE(degrees.ok()) << c.f << " against " << c.g << ": " << degrees.error().to_string();
+    EXPECT_EQ(*degrees, std::vector<mpq_class>{c.degree}) << c.f << " against " << c.g;
+  }
+  for (const auto& [f, g] : {std::pair("a^2", "b"), {"a * b", "4"}, {"a^2 + b", "c^2"}}) {
+    EXPECT_FALSE(fixed::cut_degrees(graph_of(f, g)).ok()) << f << " against " << g;
+  }
+}
+
 TEST(ScaleDegrees, MayDifferFromPartToPart) {
   const Graph graph = graph_of({{"a", "b"}, {"a^2", "b * c"}}, Combination::any);
   EXPECT_EQ(*fixed::scale_degrees(graph), (std::vector<mpq_class>{1, 2}));

@@ -72,6 +72,10 @@ std::string describe(FloatFormat format, const std::vector<Bits>& inputs) {
   return text;
 }
 
+const std::vector<FixedPoint> formats_with_guards = {
+    {1, false, 1}, {1, false, 5}, {2, false, 3}, {3, false, 1}, {4, false, 4},
+    {1, true, 1},  {1, true, 4},  {2, true, 2},  {3, true, 6},  {5, true, 1}};
+
 class EveryTupleInFixedPoint : public testing::TestWithParam<BoundedComparison> {};
 
 TEST_P(EveryTupleInFixedPoint, IsDecidedAsTheRealNumbersAre) {
@@ -82,6 +86,9 @@ TEST_P(EveryTupleInFixedPoint, IsDecidedAsTheRealNumbersAre) {
   const std::vector<int> widths = {1, 2, 3, 4, 5, 6};
   std::vector<NamedFixedLane> lanes = fixed_lanes(GetParam(), format, widths);
   for (NamedFixedLane& lane : block_lanes(GetParam(), format, widths)) {
+    lanes.push_back(std::move(lane));
+  }
+  for (NamedFixedLane& lane : guarded_lanes(GetParam(), format, formats_with_guards)) {
     lanes.push_back(std::move(lane));
   }
   std::vector<std::uint64_t> decided(lanes.size(), 0);

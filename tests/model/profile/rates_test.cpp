@@ -321,6 +321,7 @@ TEST(Rates, OfSeveralPartsAreTheGoldenModels) {
     for (const Family family : all_families) {
       Scene scene =
           scene_of(graph_of(parts, combination), format_of(53, 8), nearest(format_of(8, 8)));
+      scene.reduced.fixed_point = FixedPoint{.bits = 8, .is_block = true, .guard_digits = 2};
       if (family == Family::uniform) {
         for (auto& range : scene.ranges) range = Range{1, 2};
       }
@@ -379,6 +380,7 @@ TEST(Rates, OfLanesThatDecideByNormsAreTheGoldenModels) {
   for (const Norms& norm : norms) {
     Scene scene = scene_of(graph_of(norm.f, norm.g), format, nearest(format_of(8, 8)));
     for (auto& range : scene.ranges) range = Range{0, 4};
+    scene.reduced.fixed_point = FixedPoint{.bits = 8, .guard_digits = 3};
     std::vector<Bits> values;
     for (int row = 0; row < 4000; ++row) {
       std::vector<double> operands(scene.ranges.size(), 0.0);
@@ -397,6 +399,7 @@ TEST(Rates, OfLanesThatDecideByNormsAreTheGoldenModels) {
       });
     };
     EXPECT_TRUE(has("fixed_norm")) << norm.g;
+    EXPECT_TRUE(has("fixed_norm_g3")) << norm.g;
   }
 }
 

@@ -27,6 +27,7 @@ struct Case {
   const char* verdict;
   std::optional<FixedBound> bound = {};
   bool is_block = false;
+  int guard_digits = 0;
 };
 
 void PrintTo(const Case& c, std::ostream* stream) {
@@ -36,7 +37,7 @@ void PrintTo(const Case& c, std::ostream* stream) {
 FixedLane lane_of(const Case& c) {
   const Graph graph = graph_of(c.parts, Combination::all);
   return fixed::fixed_lane(graph, format_of(53, 8),
-                           {.format = {c.bits, c.is_block},
+                           {.format = {c.bits, c.is_block, c.guard_digits},
                             .bound = c.bound,
                             .ranges = {graph.inputs().size(), std::optional(c.range)}})
       .value();
@@ -138,6 +139,15 @@ INSTANTIATE_TEST_SUITE_P(
              "machine-checked but for theorems 1 (operands), 2 (choices), 6 and 4, by hand",
              {},
              true},
+        Case{"guard_digits",
+             {{"(a - b + 0.3)^2 + 0.7 * a * b", "(d + max(e, 0))^2"}, {"a - c", "0.2"}},
+             9,
+             {0, 1},
+             "machine-checked but for theorems 1 (operands), 2 (choices), 2 (dropped bits), 7 and "
+             "3, by hand",
+             {},
+             false,
+             4},
         Case{"parts",
              {{"a - b", "a - a"}, {"a^2 + b^2", "c^2"}},
              17,
@@ -177,6 +187,27 @@ TEST(FixedProofOfBlocks, RefusesWhatDoesNotGrowAlike) {
   EXPECT_FALSE(proof::prove_fixed(lane, prove).refused());
   lane.format.is_block = true;
   EXPECT_TRUE(proof::prove_fixed(lane, prove).refused());
+}
+
+/// A sum of a square and what is cut before squaring: of degrees 2 and 1.
+TEST(FixedProofOfCuts, RefusesWhatDoesNotGrowAlike) {
+  const auto prove = [](const std::string&) {
+    return proof::ScriptResult{Outcome::proven, "", ""};
+  };
+  const Case guarded{"", {{"(a - b)^2 + c^2", "d^2"}}, 9,     {0, 1},
+                     "", FixedBound::constant,         false, 3};
+  const FixedLane lane = lane_of(guarded);
+  EXPECT_FALSE(proof::prove_fixed(lane, prove).refused());
+  for (std::size_t id = 0; id < lane.nodes.size(); ++id) {
+    if (!fixed::is_common_cut(lane.nodes[id])) continue;
+    FixedLane mixed = lane;
+    const auto added =
+        std::find_if(mixed.nodes.begin(), mixed.nodes.end(),
+                     [](const fixed::FixedNode& node) { return node.operation == Operation::add; });
+    ASSERT_NE(added, mixed.nodes.end());
+    added->operands[1] = static_cast<NodeId>(id);
+    EXPECT_TRUE(proof::prove_fixed(mixed, prove).refused()) << id;
+  }
 }
 
 TEST(FixedProofOfOperands, DoesNotBelieveTheLane) {

@@ -106,7 +106,7 @@ TEST_F(Edges, ALanesDigitsEndAtTheReferences) {
   ASSERT_FALSE(wider.ok());
   EXPECT_EQ(wider.error().accepted,
             "\"auto\", sP or sPeE with P 4..11 and E 2..15, or binary16, bfloat16; P at most the "
-            "reference's; qW or blockW with W 2..11");
+            "reference's; qW or blockW with W 2..11, likewise W + G of qWgG and blockWgG");
 }
 
 TEST(Limits, LanesOfAReference) {

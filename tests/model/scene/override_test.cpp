@@ -55,7 +55,8 @@ TEST_F(OverrideTest, AMistakeThatAnOverrideBringsAboutIsItsOwn) {
       error({"reference.format=binary16"}),
       "--set reference.format: reduced.format: precision out of range (at scene.toml:14): "
       "received \"s17e8\"; accepted \"auto\", sP or sPeE with P 4..11 and E 2..15, or binary16, "
-      "bfloat16; P at most the reference's; qW or blockW with W 2..11");
+      "bfloat16; P at most the reference's; qW or blockW with W 2..11, likewise W + G of qWgG and "
+      "blockWgG");
   EXPECT_EQ(error({"comparison.f=cxi", "comparison.g=cxj"}),
             "--set comparison.g: inputs.r*: matches no input of f and g (at scene.toml:8): "
             "received \"r*\"; accepted cxi, cxj");

@@ -377,25 +377,23 @@ INSTANTIATE_TEST_SUITE_P(
             "s17e8", "s3e8",
             ":14: reduced.format: precision out of range: received \"s3e8\"; accepted \"auto\", "
             "sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; qW or blockW "
-            "with W "
-            "2..48"},
+            "with W 2..48, likewise W + G of qWgG and blockWgG"},
         Mistake{"s17e8", "s53",
                 ":14: reduced.format: precision out of range: received \"s53\"; accepted \"auto\", "
                 "sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; qW or "
-                "blockW with W "
-                "2..48"},
+                "blockW with W 2..48, likewise W + G of qWgG and blockWgG"},
         Mistake{"s17e8", "float",
                 ":14: reduced.format: not a floating-point format: received \"float\"; accepted "
                 "\"auto\", sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; "
-                "qW or blockW with W 2..48"},
+                "qW or blockW with W 2..48, likewise W + G of qWgG and blockWgG"},
         Mistake{"s17e8", "s53e8",
                 ":14: reduced.format: precision out of range: received \"s53e8\"; accepted "
                 "\"auto\", sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; "
-                "qW or blockW with W 2..48"},
+                "qW or blockW with W 2..48, likewise W + G of qWgG and blockWgG"},
         Mistake{"s53e8", "s16e8",
                 ":14: reduced.format: precision out of range: received \"s17e8\"; accepted "
                 "\"auto\", sP or sPeE with P 4..16 and E 2..15, or binary16, bfloat16; P at most "
-                "the reference's; qW or blockW with W 2..16"},
+                "the reference's; qW or blockW with W 2..16, likewise W + G of qWgG and blockWgG"},
         Mistake{"\"profiled\"", "\"profield\"",
                 ":15: reduced.bound: not a choice: received \"profield\"; accepted profiled (the "
                 "nearest), certified"},

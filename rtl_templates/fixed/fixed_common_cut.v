@@ -1,0 +1,49 @@
+// fixed_common_cut: a without its `drop` low bits, 0 to MOST of them: the WIDTH bits above these.
+// Latency: the population count of CUTS (one bit); initiation interval 1; no reset.
+// a is in two's complement.
+`default_nettype none
+
+module fixed_common_cut #(
+  parameter       A_WIDTH   = 18,
+  parameter       MOST      = 3,
+  parameter       DROP_BITS = 2,
+  parameter       WIDTH     = 14,
+  parameter [0:0] CUTS      = 1'b0
+) (
+  input  wire                 aclk,
+  input  wire [A_WIDTH-1:0]   a,
+  input  wire [DROP_BITS-1:0] drop,
+  output wire [WIDTH-1:0]     y
+);
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (A_WIDTH < 1) begin : g_refused_a
+      A_WIDTH_is_below_1 refused ();
+    end else if ((WIDTH < 1) || (WIDTH > A_WIDTH)) begin : g_refused_width
+      WIDTH_is_not_1_to_A_WIDTH refused ();
+    end
+    if (MOST < 1) begin : g_refused_most
+      MOST_is_below_1 refused ();
+    end else if ((DROP_BITS < 1) || ((MOST >> DROP_BITS) != 0)) begin : g_refused_drop
+      DROP_BITS_do_not_hold_MOST refused ();
+    end
+  endgenerate
+
+  // Stage shift. Above MOST nothing is asked for.
+  wire [A_WIDTH+MOST-1:0] s0_extended = {{MOST{a[A_WIDTH-1]}}, a};
+  wire [A_WIDTH+MOST-1:0] s0_shifted  = s0_extended >> drop;
+  wire                    unused_bits = ^s0_shifted;
+
+  fp_rank #(
+    .WIDTH     (WIDTH),
+    .REGISTERED(CUTS[0])
+  ) rank_0 (
+    .aclk(aclk),
+    .d   (s0_shifted[WIDTH-1:0]),
+    .q   (y)
+  );
+
+endmodule
+
+`default_nettype wire
