@@ -56,9 +56,9 @@ private:
     if (node.operation == Operation::convert) {  // wires
       schedule_.steps.push_back(
           {.unit = {}, .cuts = {}, .start_cycle = start, .ready_cycle = start});
-      if (!fixed::is_limit(node)) return;
+      if (!fixed::is_checked(node)) return;
       return schedule_.checks.push_back(
-          placer_.place(limit_unit(lane_, node, placer_.delays()), start));
+          placer_.place(check_unit(lane_, node, placer_.delays()), start));
     }
     schedule_.steps.push_back(placer_.place(unit_of(node), start));
   }
@@ -143,12 +143,12 @@ private:
     return cycles;
   }
 
-  /// The cycles in which a limit's check reads a node.
+  /// The cycles in which checks read a node.
   std::vector<int> checks_of(NodeId id) const {
     std::vector<int> cycles;
     auto check = schedule_.checks.begin();
     for (const FixedNode& node : lane_.nodes) {
-      if (!fixed::is_limit(node)) continue;
+      if (!fixed::is_checked(node)) continue;
       if (node.operands[0] == id) cycles.push_back(check->start_cycle);
       ++check;
     }

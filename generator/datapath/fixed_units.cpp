@@ -171,10 +171,15 @@ Unit common_drop_unit(const FixedLane& lane, const DelayTable& delays) {
   return std::move(stages).unit("fixed_common_drop");
 }
 
-Unit limit_unit(const FixedLane& lane, const FixedNode& limit, const DelayTable& delays) {
+Unit check_unit(const FixedLane& lane, const FixedNode& checked, const DelayTable& delays) {
   StageList stages(delays);
-  const int compared = operand_bits(lane.nodes, limit, 0);
-  stages.add("compare", stages.carry(compared) + stages.lut_delay_ns(1));
+  const int bits = operand_bits(lane.nodes, checked, 0);
+  if (fixed::is_reach(checked)) {
+    const int compared = bits - signed_bits(checked.format) + 1;
+    stages.add("compare", stages.lut_delay_ns(reduction_levels(compared)));
+    return std::move(stages).unit("fixed_overflow");
+  }
+  stages.add("compare", stages.carry(bits) + stages.lut_delay_ns(1));
   return std::move(stages).unit("fixed_range_check");
 }
 

@@ -26,8 +26,8 @@ Unit memory_square_unit(const fixed::SquareTable& table, const DelayTable& delay
 Unit block_exponent_unit(const fixed::FixedLane& lane, const DelayTable& delays);
 /// The unit that finds how many bits the common cuts drop.
 Unit common_drop_unit(const fixed::FixedLane& lane, const DelayTable& delays);
-/// The unit that finds the numbers which a limit leaves undecided.
-Unit limit_unit(const fixed::FixedLane& lane, const fixed::FixedNode& limit,
+/// The unit that finds the numbers outside a limit, or beyond a reach.
+Unit check_unit(const fixed::FixedLane& lane, const fixed::FixedNode& checked,
                 const DelayTable& delays);
 /// The unit that decides one part of a lane.
 Unit fixed_decision_unit(const fixed::FixedLane& lane, const fixed::FixedPart& part,

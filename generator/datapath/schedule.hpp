@@ -35,7 +35,7 @@ struct Schedule {
   Step common_drop;
   std::vector<Step> steps;  ///< one per node of the graph that all parts share
   /// One per range check of a lane in floating point, where a check of a sign alone is wires; one
-  /// per limit of a lane in fixed point.
+  /// per limit and reach of a lane in fixed point.
   std::vector<Step> checks;
   /// The squares of a lane in fixed point that are read from memories; each has a step, too.
   std::vector<fixed::SquareTable> square_tables;

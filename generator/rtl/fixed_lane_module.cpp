@@ -44,6 +44,9 @@ private:
 
   PartDecision build(std::size_t part, const fixed::NormThresholds& thresholds) {
     const Signal& radius = nodes_.value(thresholds.radius);
+    const int start = step(part).start_cycle;
+    const Operand beyond_reach =
+        datapath_.any_at({nodes_.beyond_reach(lane_.parts[part].difference)}, start);
     const int threshold = datapath::threshold_bits(lane_, thresholds);
     return add(part,
                "certain where the difference exceeds what follows from the norm of the errors.",
@@ -55,7 +58,7 @@ private:
                 {"OFFSET_ABOVE", Literal{threshold, to_bits(thresholds.offset_above)}},
                 {"SHIFT_BELOW", thresholds.shift_below},
                 {"SWAPPED", lane_.parts[part].swapped ? 1 : 0}},
-               {{"radius", datapath_.at(radius, step(part).start_cycle)}});
+               {{"radius", datapath_.at(radius, start)}, {"beyond_reach", beyond_reach}});
   }
 
   const datapath::Step& step(std::size_t part) const { return schedule_.parts[part].decision; }

@@ -42,23 +42,41 @@ void FixedNodes::build() {
 }
 
 Signal FixedNodes::out_of_range(NodeId node) {
-  const std::set<NodeId> checked = checked_before(node);
-  const auto known = gathered_.find(checked);
-  if (known != gathered_.end()) return known->second;
   std::vector<Signal> flags;
-  if (lane_.format.is_block && !checked.empty()) flags.push_back(not_finite_);
-  for (const NodeId id : checked) {
-    if (const auto misfit = misfits_.find(id); misfit != misfits_.end()) {
-      flags.push_back(misfit->second);
-    }
+  bool reads_inputs = false;
+  for (const NodeId id : depends_on(node)) {
+    reads_inputs = reads_inputs || lane_.nodes[id].operation == Operation::input;
+    const auto misfit = misfits_.find(id);
+    if (misfit == misfits_.end() || fixed::is_reach(lane_.nodes[id])) continue;
+    flags.push_back(misfit->second);
   }
-  int cycle = 0;
-  for (const Signal& flag : flags) cycle = std::max(cycle, flag.cycle);
+  if (lane_.format.is_block && reads_inputs) flags.insert(flags.begin(), not_finite_);
+  return any_of("out_of_range", flags);
+}
+
+Signal FixedNodes::beyond_reach(NodeId node) {
+  std::vector<Signal> flags;
+  for (const NodeId id : depends_on(node)) {
+    if (fixed::is_reach(lane_.nodes[id])) flags.push_back(misfits_.at(id));
+  }
+  return any_of("beyond_reach", flags);
+}
+
+/// One flag for several; the same one for the same flags.
+Signal FixedNodes::any_of(const char* name, const std::vector<Signal>& flags) {
   if (flags.size() < 2) return flags.empty() ? Signal{} : flags.front();
-  const std::string name = datapath_.pool().unique("out_of_range");
+  std::vector<std::string> names;
+  int cycle = 0;
+  for (const Signal& flag : flags) {
+    names.push_back(flag.name);
+    cycle = std::max(cycle, flag.cycle);
+  }
+  const auto known = gathered_.find(names);
+  if (known != gathered_.end()) return known->second;
+  const std::string unique = datapath_.pool().unique(name);
   const Operand any = datapath_.any_at(flags, cycle);
-  datapath_.add(Wire{1, name, any});
-  return gathered_[checked] = {net(name), name, 1, cycle};
+  datapath_.add(Wire{1, unique, any});
+  return gathered_[names] = {net(unique), unique, 1, cycle};
 }
 
 void FixedNodes::build_largest_exponent() {
@@ -217,7 +235,7 @@ void FixedNodes::build_common_cut(NodeId id) {
                           {"y", net(names_[id])}}});
 }
 
-/// A conversion is wires; the check of a limit is a unit beside it.
+/// A conversion is wires; the check of a limit or a reach is a unit beside it.
 void FixedNodes::build_conversion(NodeId id) {
   const FixedNode& node = lane_.nodes[id];
   const Signal& whole = values_[node.operands[0]];
@@ -232,7 +250,7 @@ void FixedNodes::build_conversion(NodeId id) {
     datapath_.add(Wire{node.format.width, names_[id], slice(name, high, low)});
     if (low > 0) consume_low_bits(name, low);
   }
-  if (fixed::is_limit(node)) build_check(id);
+  if (fixed::is_checked(node)) build_check(id);
 }
 
 /// Reads the `count` low bits of a net that may have no other reader.
@@ -243,27 +261,39 @@ void FixedNodes::consume_low_bits(const std::string& name, int count) {
 
 void FixedNodes::build_check(NodeId id) {
   const FixedNode& node = lane_.nodes[id];
-  const FixedNode& whole = lane_.nodes[node.operands[0]];
   const datapath::Step& step = schedule_.checks[checks_built_++];
-  const std::string misfit = datapath_.pool().unique(names_[id] + "_out_of_range");
-  const int width = datapath::operand_bits(lane_.nodes, node, 0);
-  const auto in_units = [&](const mpq_class& limit) {
-    return twos_complement(width, floor_of(limit / node.format.unit()));
-  };
-  std::vector<Parameter> parameters = {{"A_WIDTH", width}};
-  if (node.value.low > whole.value.low) parameters.push_back({"LEAST", in_units(node.value.low)});
-  if (node.value.high < whole.value.high) {
-    parameters.push_back({"GREATEST", in_units(node.value.high)});
-  }
-  parameters.push_back({"CUTS", cut_mask(step)});
+  const bool is_reach = fixed::is_reach(node);
+  const std::string misfit = datapath_.pool().unique(is_reach ? names_[node.operands[0]] + "_far"
+                                                              : names_[id] + "_out_of_range");
   datapath_.add(Wire{1, misfit, nullptr});
   datapath_.add(Instance{step.unit.module,
                          datapath_.pool().unique("check_" + names_[id]),
-                         std::move(parameters),
+                         check_parameters(id),
                          {{"aclk", net("aclk")},
                           {"a", operand(node.operands[0], 0, step.start_cycle)},
-                          {"out_of_range", net(misfit)}}});
+                          {is_reach ? "overflow" : "out_of_range", net(misfit)}}});
   misfits_[id] = {net(misfit), misfit, 1, step.ready_cycle};
+}
+
+/// Of the check that is built last.
+std::vector<Parameter> FixedNodes::check_parameters(NodeId id) const {
+  const FixedNode& node = lane_.nodes[id];
+  const FixedNode& whole = lane_.nodes[node.operands[0]];
+  const int width = datapath::operand_bits(lane_.nodes, node, 0);
+  std::vector<Parameter> parameters = {{"A_WIDTH", width}};
+  if (fixed::is_reach(node)) {
+    parameters.push_back({"WIDTH", node.format.width + (node.format.is_signed ? 0 : 1)});
+  } else {
+    const auto in_units = [&](const mpq_class& limit) {
+      return twos_complement(width, floor_of(limit / node.format.unit()));
+    };
+    if (node.value.low > whole.value.low) parameters.push_back({"LEAST", in_units(node.value.low)});
+    if (node.value.high < whole.value.high) {
+      parameters.push_back({"GREATEST", in_units(node.value.high)});
+    }
+  }
+  parameters.push_back({"CUTS", cut_mask(schedule_.checks[checks_built_ - 1])});
+  return parameters;
 }
 
 void FixedNodes::build_unit(NodeId id) {
@@ -394,18 +424,18 @@ void FixedNodes::append_positive_factors(NodeId id, std::vector<Parameter>& para
   }
 }
 
-/// The inputs and limits that a node depends on. A common cut depends on the operands of all.
-std::set<NodeId> FixedNodes::checked_before(NodeId node) const {
+/// A node and all that it is computed from. A common cut depends on the operands of all.
+std::set<NodeId> FixedNodes::depends_on(NodeId node) const {
   const std::vector<NodeId> cut = fixed::cut_in_common(lane_);
-  std::set<NodeId> checked, open = {node};
+  std::set<NodeId> found, open = {node};
   while (!open.empty()) {
     const NodeId id = open.extract(std::prev(open.end())).value();
     const FixedNode& next = lane_.nodes[id];
-    if (next.operation == Operation::input || fixed::is_limit(next)) checked.insert(id);
+    found.insert(id);
     open.insert(next.operands.begin(), next.operands.begin() + arity(next.operation));
     if (fixed::is_common_cut(next)) open.insert(cut.begin(), cut.end());
   }
-  return checked;
+  return found;
 }
 
 std::string FixedNodes::describe(NodeId id) const {
@@ -420,6 +450,10 @@ std::string FixedNodes::describe(NodeId id) const {
   if (fixed::is_limit(node)) {
     return fmt::format("{} from {} to {}, {}; elsewhere the lane is undecided.", text(0),
                        to_text(node.value.low), to_text(node.value.high), node.format.name());
+  }
+  if (fixed::is_reach(node)) {
+    return fmt::format("{} in {}, unless it is so far from 0 that it decides alone.", text(0),
+                       node.format.name());
   }
   if (fixed::is_common_cut(node)) {
     return fmt::format("Cycles {} to {}: {} / 2^{}, rounded down to {}.", step.start_cycle,

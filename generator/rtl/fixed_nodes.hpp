@@ -29,6 +29,8 @@ public:
   Operand signed_value(NodeId node, int cycle) { return operand(node, 0, cycle); }
   /// A flag that is set where an operand or a limited value that the node depends on does not fit.
   Signal out_of_range(NodeId node);
+  /// A flag that is set where a number that the node is computed from is beyond its reach.
+  Signal beyond_reach(NodeId node);
 
 private:
   void build_largest_exponent();
@@ -42,13 +44,15 @@ private:
   void build_conversion(NodeId id);
   void consume_low_bits(const std::string& name, int count);
   void build_check(NodeId id);
+  std::vector<Parameter> check_parameters(NodeId id) const;
+  Signal any_of(const char* name, const std::vector<Signal>& flags);
   void build_unit(NodeId id);
   void build_memory_square(NodeId id, const fixed::SquareTable& table);
   Operand operand(NodeId node, int shift, int cycle);
   std::vector<Connection> operands(NodeId id, int cycle);
   std::vector<Parameter> parameters(NodeId id) const;
   void append_positive_factors(NodeId id, std::vector<Parameter>& parameters) const;
-  std::set<NodeId> checked_before(NodeId node) const;
+  std::set<NodeId> depends_on(NodeId node) const;
   std::string describe(NodeId id) const;
 
   DatapathBuilder& datapath_;
@@ -56,13 +60,13 @@ private:
   const datapath::Schedule& schedule_;
   std::vector<std::string> names_;
   std::vector<Signal> values_;
-  /// [input or limit]: set where its number does not fit; none where all do.
+  /// [input, limit or reach]: set where its number does not fit; none where all do.
   std::map<NodeId, Signal> misfits_;
   Signal largest_exponent_;  ///< of block floating point
   Signal not_finite_;        ///< likewise: set where some operand is infinite or a NaN
   Signal common_drop_;       ///< of common cuts
   std::size_t checks_built_ = 0;
-  std::map<std::set<NodeId>, Signal> gathered_;
+  std::map<std::vector<std::string>, Signal> gathered_;  ///< [names of flags]: any of them
 };
 
 }  // namespace mixcmp::rtl

@@ -66,7 +66,9 @@ std::string spelled_or_role(Operation operation, const std::string& a, const std
 std::string spelled_or_role(const fixed::FixedNode& node, const std::string& a,
                             const std::string& b) {
   if (node.operation != Operation::convert) return spelled_or_role(node.operation, a, b);
-  const std::string role = fixed::is_limit(node) ? "limited" : "cut";
+  const std::string role = fixed::is_limit(node)   ? "limited"
+                           : fixed::is_reach(node) ? "near"
+                                                   : "cut";
   return unless_too_long(a + "_" + role, role);
 }
 

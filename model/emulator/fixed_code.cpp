@@ -22,7 +22,8 @@ double power(int exponent) {
   return std::ldexp(1, exponent);
 }
 
-/// The digits of a double with which an operation is exact. A root is rounded to nearest before it
+/// The digits of a double with which an operation is exact within reach. Beyond, sums are rounded
+/// down to the threshold at most, which is a double. A root is rounded to nearest before it
 /// is rounded down to its unit: with these digits never to the next unit (docs/emulator.md).
 int needed_digits(const std::vector<FixedNode>& nodes, const FixedNode& node) {
   if (node.operation == Operation::square_root) {
@@ -158,9 +159,9 @@ private:
       case Operation::multiply:
         return of_term(id, {.kind = FixedTerm::Kind::product, .a = first, .b = second});
       case Operation::square: return of_term(id, square_of(first));
+      case Operation::convert: return fixed::is_reach(expanded) ? read(first) : of_column(id);
       case Operation::input:
       case Operation::constant:
-      case Operation::convert:
       case Operation::absolute:
       case Operation::divide:
       case Operation::square_root:

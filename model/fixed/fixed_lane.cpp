@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "model/fixed/graph_builder.hpp"
-#include "model/fixed/norm_bound.hpp"
+#include "model/fixed/norm_part.hpp"
 #include "model/fixed/scale_degree.hpp"
 #include "model/number/dyadic.hpp"
 
@@ -20,29 +20,6 @@ ConstantThresholds constant_thresholds(const FixedNode& difference) {
   return {.greater_from = floor_of(error.high / unit) + 1,
           .less_to = ceiling_of(error.low / unit) - 1,
           .exact = error.low == 0 && error.high == 0};
-}
-
-/// The part decided by a norm, if f and g have the form.
-std::optional<FixedPart> norm_part(FixedGraphBuilder& builder, NodeId f, NodeId g) {
-  for (const bool swapped : {false, true}) {
-    const NodeId sum = swapped ? g : f, square = swapped ? f : g;
-    auto sides = norm_sides(builder.nodes(), sum, square);
-    if (!sides) continue;
-    if (builder.nodes()[sides->radius].value.low < 0) {
-      sides->radius = builder.magnitude(sides->radius);
-    }
-    const NodeId difference = builder.difference(sum, square);
-    return FixedPart{
-        .difference = difference,
-        .swapped = swapped,
-        .criterion = norm_thresholds(builder.nodes(), *sides, builder.nodes()[difference])};
-  }
-  const auto sides = two_norms(builder.nodes(), f, g);
-  if (!sides) return std::nullopt;
-  const NodeId difference = builder.difference(f, g);
-  return FixedPart{
-      .difference = difference,
-      .criterion = norm_thresholds(builder.nodes(), *sides, builder.nodes()[difference])};
 }
 
 Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
@@ -154,11 +131,20 @@ Result<std::vector<mpq_class>> degrees_of(const Graph& graph, const FixedPoint& 
 }  // namespace
 
 bool is_limit(const FixedNode& node) {
-  return node.operation == Operation::convert && node.dropped_bits == 0 && node.most_dropped == 0;
+  return node.operation == Operation::convert && node.dropped_bits == 0 && !is_common_cut(node) &&
+         !is_reach(node);
 }
 
 bool is_common_cut(const FixedNode& node) {
   return node.most_dropped > 0;
+}
+
+bool is_reach(const FixedNode& node) {
+  return node.decides_beyond;
+}
+
+bool is_checked(const FixedNode& node) {
+  return is_limit(node) || is_reach(node);
 }
 
 Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,

@@ -26,26 +26,31 @@ namespace mixcmp::fixed {
 /// addition, a subtraction, a minimum and a maximum are aligned to the finer unit of the two. A
 /// square root is rounded down to its unit, whatever its operand's.
 ///
-/// There are three conversions. A cut drops bits. A common cut drops as many low bits as all others
+/// There are four conversions. A cut drops bits. A common cut drops as many low bits as all others
 /// do in the same comparison: the fewest that make each of them fit its format. Its result counts
 /// the operand's units, so it stands for its operand divided by a power of two. A limit passes its
-/// operand on, and a number outside `value` leaves the comparison undecided.
+/// operand on, and a number outside `value` leaves the comparison undecided. So does a reach, but a
+/// number beyond it has a square that alone decides the part: hardware need not compute the rest.
 struct FixedNode {
   Operation operation;
   std::array<NodeId, 2> operands = {-1, -1};
   int input = -1;      ///< for Operation::input
   mpz_class constant;  ///< for Operation::constant: in units
   FixedFormat format;
-  int dropped_bits = 0;  ///< low bits of the exact result that are cut off: rounded down
-  int most_dropped = 0;  ///< of a common cut: the most bits that it drops; 0 for others
-  Range value;           ///< encloses the number computed: the result times its unit
-  Range error;           ///< encloses that number less the real one that it stands for
+  int dropped_bits = 0;         ///< low bits of the exact result that are cut off: rounded down
+  int most_dropped = 0;         ///< of a common cut: the most bits that it drops; 0 for others
+  bool decides_beyond = false;  ///< of a reach
+  Range value;  ///< encloses the number computed, within reach: the result times its unit
+  Range error;  ///< encloses that number less the real one that it stands for
 
   friend bool operator==(const FixedNode&, const FixedNode&) = default;
 };
 
 bool is_limit(const FixedNode& node);
 bool is_common_cut(const FixedNode& node);
+bool is_reach(const FixedNode& node);
+/// Whether hardware compares the node's operand with its `value`.
+bool is_checked(const FixedNode& node);
 
 /// Decides by constants: greater iff n >= greater_from, less iff n <= less_to, where n is the
 /// difference in its units; equal iff neither holds and nothing was rounded.

@@ -179,6 +179,28 @@ NodeId FixedGraphBuilder::magnitude(NodeId a) {
   return add(operation(Operation::absolute, a));
 }
 
+NodeId FixedGraphBuilder::within_reach(NodeId a, int bits) {
+  const FixedNode& whole = nodes_[a];
+  if (bits >= magnitude_bits(whole.format)) return a;
+  FixedNode node{.operation = Operation::convert, .operands = {a, -1}, .constant = {}};
+  const mpq_class unit = whole.format.unit(), beyond = power_of_two(bits) * unit;
+  node.decides_beyond = true;
+  node.value = {std::max<mpq_class>(whole.value.low, -beyond),
+                std::min<mpq_class>(whole.value.high, beyond - unit)};
+  node.error = whole.error;
+  node.format = format_of(node.value, whole.format.unit_exponent);
+  return add(std::move(node));
+}
+
+NodeId FixedGraphBuilder::with_squared(NodeId sum, const std::map<NodeId, NodeId>& others) {
+  const FixedNode node = nodes_[sum];
+  if (node.operation == Operation::square) {
+    return add(operation(Operation::square, others.at(node.operands[0])));
+  }
+  const NodeId first = with_squared(node.operands[0], others);
+  return add(operation(Operation::add, first, with_squared(node.operands[1], others)));
+}
+
 Error FixedGraphBuilder::refused(NodeId id, std::string_view why, const char* accepted) const {
   constexpr std::size_t most_characters = 60;
   return {.field = "reduced.format",
@@ -281,7 +303,6 @@ NodeId FixedGraphBuilder::factor(NodeId id) {
   return without_low_bits(id, unit_exponent - whole.format.unit_exponent);
 }
 
-/// A node without `count` low bits, if that is more than 0; one is left at least.
 NodeId FixedGraphBuilder::without_low_bits(NodeId id, int count) {
   const FixedNode& whole = nodes_[id];
   FixedNode node{.operation = Operation::convert, .operands = {id, -1}, .constant = {}};

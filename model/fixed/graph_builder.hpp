@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,12 @@ public:
   NodeId difference(NodeId a, NodeId b);
   /// abs(a).
   NodeId magnitude(NodeId a);
+  /// A node without `count` low bits, if that is more than 0; one is left at least.
+  NodeId without_low_bits(NodeId a, int count);
+  /// A node within the reach of `bits` bits of magnitude; the node itself if it has no more.
+  NodeId within_reach(NodeId a, int bits);
+  /// A sum of squares with other nodes in the place of those that are squared.
+  NodeId with_squared(NodeId sum, const std::map<NodeId, NodeId>& others);
 
   std::vector<FixedNode>& nodes() { return nodes_; }
 
@@ -46,7 +53,6 @@ private:
   FixedNode product(NodeId a, NodeId b);
   Result<NodeId> limited(NodeId id, const Range& limits);
   NodeId factor(NodeId id);
-  NodeId without_low_bits(NodeId id, int count);
   FixedNode operation(Operation operation, NodeId a, NodeId b = -1) const;
   NodeId add(FixedNode node);
 

@@ -103,4 +103,15 @@ NormThresholds norm_thresholds(const std::vector<FixedNode>& nodes, const NormSi
   return thresholds;
 }
 
+mpq_class far_square(const std::vector<FixedNode>& nodes, const FixedPart& part) {
+  const auto& thresholds = std::get<NormThresholds>(part.criterion);
+  const FixedNode& difference = nodes[part.difference];
+  const FixedNode& radius = nodes[thresholds.radius];
+  const mpz_class most = floor_of(radius.value.high / radius.format.unit());
+  const mpz_class s =
+      thresholds.radius_is_squared ? shifted_left(1, (digits_of(most) + 1) / 2) : most;
+  const mpz_class threshold = shifted_left(s, thresholds.shift_above) + thresholds.offset_above;
+  return nodes[difference.operands[1]].value.high + threshold * difference.format.unit();
+}
+
 }  // namespace mixcmp::fixed

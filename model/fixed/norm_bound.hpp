@@ -35,4 +35,8 @@ std::optional<SquaredNorm> squared_norm(const std::vector<FixedNode>& nodes, Nod
 NormThresholds norm_thresholds(const std::vector<FixedNode>& nodes, const NormSides& sides,
                                const FixedNode& difference);
 
+/// An element of x with at least this square decides the part alone: |x|^2 exceeds the other side
+/// by the threshold. Proof: docs/fixed_point.md, theorem 8.
+mpq_class far_square(const std::vector<FixedNode>& nodes, const FixedPart& part);
+
 }  // namespace mixcmp::fixed

@@ -195,7 +195,9 @@ double lane_luts(const fixed::FixedLane& lane, Products products) {
     switch (node.operation) {
       case Operation::constant: break;
       case Operation::convert:
-        luts += fixed::is_limit(node) ? 1 + 0.1 * width : width * shift_luts(node.most_dropped);
+        luts += fixed::is_limit(node)   ? 1 + 0.1 * width
+                : fixed::is_reach(node) ? 1
+                                        : width * shift_luts(node.most_dropped);
         break;
       case Operation::input: luts += 2.0 * width + exponent * (lane.format.is_block ? 4 : 1); break;
       case Operation::square:

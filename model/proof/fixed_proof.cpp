@@ -9,6 +9,7 @@
 #include "model/common/check.hpp"
 #include "model/expression/text.hpp"
 #include "model/fixed/node_enclosure.hpp"
+#include "model/fixed/norm_bound.hpp"
 #include "model/fixed/root_error.hpp"
 #include "model/number/dyadic.hpp"
 #include "model/proof/script.hpp"
@@ -305,6 +306,29 @@ private:
                              ? suffice_for_two(chosen, squares, sum_of_squares(thresholds.radius))
                              : suffice_for_radius(chosen, squares, nodes_[thresholds.radius]);
     add_exact("the thresholds are those that theorem 4 asks for", suffice);
+    const std::vector<mpq_class> reaches = reaches_in(difference.operands[0]);
+    if (reaches.empty()) return;
+    const mpq_class least = *std::min_element(reaches.begin(), reaches.end());
+    add_exact("what is beyond reach decides", least * least >= fixed::far_square(nodes_, part));
+  }
+
+  /// The least magnitude beyond each reach whose square is among the summands.
+  std::vector<mpq_class> reaches_in(NodeId sum) const {
+    const FixedNode& node = nodes_[sum];
+    std::vector<mpq_class> reaches;
+    if (node.operation == Operation::square && fixed::is_reach(nodes_[node.operands[0]])) {
+      const FixedNode& reach = nodes_[node.operands[0]];
+      const Range& whole = nodes_[reach.operands[0]].value;
+      const mpq_class unit = reach.format.unit();
+      if (reach.value.high < whole.high) reaches.push_back(reach.value.high + unit);
+      if (reach.value.low > whole.low) reaches.push_back(unit - reach.value.low);
+      return reaches;
+    }
+    if (node.operation != Operation::add) return {};
+    for (const NodeId operand : node.operands) {
+      for (const mpq_class& reach : reaches_in(operand)) reaches.push_back(reach);
+    }
+    return reaches;
   }
 
   struct ChosenThresholds {
@@ -383,6 +407,9 @@ private:
     }
     if (has_common_cuts()) {
       add_step("7", "docs/fixed_point.md, theorem 7: value and error of a common cut");
+    }
+    if (any([](const FixedNode& node) { return fixed::is_reach(node); })) {
+      add_step("8", "docs/fixed_point.md, theorem 8: one square that decides");
     }
     if (any_part<fixed::ConstantThresholds>()) {
       add_step("3", "docs/fixed_point.md, theorem 3: from the error to the constants");

@@ -3,8 +3,9 @@
 // verdicts. ROOT = 0: the difference is |x|^2 - s^2 and `radius` is s. ROOT = 1: the difference is
 // |x|^2 - |y|^2, `radius` is |y|^2, and s is 2^k for the least k with |y|^2 < 4^k.
 // Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
-// What lies between stays undecided, as what is out of range does. The difference is in two's
-// complement, the radius s has no sign. A verdict means something where `decided` is 1.
+// What lies between stays undecided, as what is out of range does. Where beyond_reach is 1, |x|^2
+// is the greater one, and the difference means nothing. The difference is in two's complement, the
+// radius s has no sign. A verdict means something where `decided` is 1.
 `default_nettype none
 
 module fixed_norm_decision #(
@@ -21,6 +22,7 @@ module fixed_norm_decision #(
   input  wire                    aclk,
   input  wire [WIDTH-1:0]        difference,
   input  wire [RADIUS_WIDTH-1:0] radius,
+  input  wire                    beyond_reach,
   input  wire                    out_of_range,
   output wire [1:0]              verdict,
   output wire                    decided
@@ -64,15 +66,16 @@ module fixed_norm_decision #(
 
   wire [WIDTH-1:0]   s1_difference;
   wire [S_WIDTH-1:0] s1_s;
+  wire               s1_beyond_reach;
   wire               s1_out_of_range;
 
   fp_rank #(
-    .WIDTH     (WIDTH + S_WIDTH + 1),
+    .WIDTH     (WIDTH + S_WIDTH + 2),
     .REGISTERED(CUTS[0])
   ) rank_0 (
     .aclk(aclk),
-    .d   ({difference, s0_s, out_of_range}),
-    .q   ({s1_difference, s1_s, s1_out_of_range})
+    .d   ({difference, s0_s, beyond_reach, out_of_range}),
+    .q   ({s1_difference, s1_s, s1_beyond_reach, s1_out_of_range})
   );
 
   // Stage threshold.
@@ -85,15 +88,16 @@ module fixed_norm_decision #(
   wire [WIDTH-1:0]           s2_difference;
   wire [THRESHOLD_WIDTH-1:0] s2_wide_s;
   wire [THRESHOLD_WIDTH-1:0] s2_above;
+  wire                       s2_beyond_reach;
   wire                       s2_out_of_range;
 
   fp_rank #(
-    .WIDTH     (WIDTH + 2 * THRESHOLD_WIDTH + 1),
+    .WIDTH     (WIDTH + 2 * THRESHOLD_WIDTH + 2),
     .REGISTERED(CUTS[1])
   ) rank_1 (
     .aclk(aclk),
-    .d   ({s1_difference, s1_wide_s, s1_above, s1_out_of_range}),
-    .q   ({s2_difference, s2_wide_s, s2_above, s2_out_of_range})
+    .d   ({s1_difference, s1_wide_s, s1_above, s1_beyond_reach, s1_out_of_range}),
+    .q   ({s2_difference, s2_wide_s, s2_above, s2_beyond_reach, s2_out_of_range})
   );
 
   // Stage compare. With ROOT, s2_wide_s is s - 1: s 2^SHIFT_BELOW is that, shifted, with ones in
@@ -107,8 +111,8 @@ module fixed_norm_decision #(
       s2_common - {{(COMMON - THRESHOLD_WIDTH) {1'b0}}, s2_above};
   wire [COMMON:0]            s2_under  =
       {s2_common, 1'b1} + {{(COMMON - THRESHOLD_WIDTH) {1'b0}}, s2_below, ROOT != 0};
-  wire                       s2_greater  = !s2_over[COMMON-1];
-  wire                       s2_less     = s2_under[COMMON];
+  wire                       s2_greater  = !s2_over[COMMON-1] || s2_beyond_reach;
+  wire                       s2_less     = s2_under[COMMON] && !s2_beyond_reach;
   wire                       unused_bits = ^{s2_over, s2_under};
 
   fp_rank #(

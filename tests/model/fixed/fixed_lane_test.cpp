@@ -448,6 +448,63 @@ TEST(GuardDigits, MistakesSayWhatTheyNeed) {
             std::string::npos);
 }
 
+/// In units of 2^-10 radii are below 2^11 units as computed; 2^12 squared is beyond all thresholds
+/// of these, and 2^11 squared is not.
+TEST(Norms, NeedNoBitsBeyondReach) {
+  const Graph graph = graph_of("(a - b)^2", "(c + d)^2");
+  const fixed::FixedOptions options{
+      .format = {.bits = 13},
+      .ranges = {Range{0, 100}, Range{0, 100}, Range{0, mpq_class(1, 2)}, Range{0, 1}}};
+  const FixedLane lane = fixed::fixed_lane(graph, format_of(53, 8), options).value();
+  const auto reach = std::find_if(lane.nodes.begin(), lane.nodes.end(), fixed::is_reach);
+  ASSERT_NE(reach, lane.nodes.end());
+  const auto& norm = std::get<NormThresholds>(lane.parts.front().criterion);
+  const mpq_class most = lane.nodes[norm.radius].value.high;
+  EXPECT_LT(most, 4);
+  EXPECT_EQ(reach->value, (Range{-4, 4 - reach->format.unit()})) << most.get_d();
+}
+
+TEST(Norms, AreWholeWhereRadiiReachAsFar) {
+  const FixedLane lane = lane_of(graph_of(spheres, "(ri + rj)^2"), 13, {0, 100});
+  EXPECT_TRUE(std::none_of(lane.nodes.begin(), lane.nodes.end(), fixed::is_reach));
+}
+
+/// The golden model computes what is beyond reach and finds it greater, too.
+TEST(Norms, BeyondReachAreGreaterAsComputed) {
+  const Graph graph = graph_of("(a - b)^2", "c^2");
+  const fixed::FixedOptions options{.format = {.bits = 6},
+                                    .ranges = {Range{0, 31}, Range{0, 31}, Range{0, 3}}};
+  const FixedLane lane = fixed::fixed_lane(graph, format_of(24, 8), options).value();
+  const auto reach = std::find_if(lane.nodes.begin(), lane.nodes.end(), fixed::is_reach);
+  ASSERT_NE(reach, lane.nodes.end());
+  const auto decided = [&](const mpq_class& a) {
+    std::vector<Bits> inputs;
+    for (const mpq_class& operand : {a, mpq_class(0), mpq_class(63, 16)}) {
+      inputs.push_back(golden::from_rational(lane.input_format, operand));
+    }
+    return golden::evaluate_lane(lane, inputs);
+  };
+  const mpq_class beyond = reach->value.high + reach->format.unit();
+  EXPECT_TRUE(decided(beyond).decided);
+  EXPECT_EQ(decided(beyond).verdict, Verdict::greater);
+  EXPECT_FALSE(decided(beyond / 2).decided) << "with half the reach it would not be";
+}
+
+/// A radius counts 2^-11, differences 2^-6: 2 sqrt(3) leaves room below the slope 4 for errors of a
+/// quarter of their unit, not for one of half.
+TEST(Norms, KeepNoDigitsThatTheirSlopesDoNotNeed) {
+  const Graph graph = graph_of(spheres, "(ri + rj)^2");
+  std::vector<std::optional<Range>> ranges(graph.inputs().size(), Range{-100, 100});
+  for (std::size_t input = 0; input < ranges.size(); ++input) {
+    if (graph.inputs()[input].front() == 'r') ranges[input] = Range{0, 3};
+  }
+  const FixedLane lane =
+      fixed::fixed_lane(graph, format_of(53, 8), {.format = {.bits = 13}, .ranges = ranges})
+          .value();
+  const auto& norm = std::get<NormThresholds>(lane.parts.front().criterion);
+  EXPECT_EQ(lane.nodes[norm.radius].format.unit_exponent, -9);
+}
+
 TEST(FixedLane, DividesByConstants) {
   const FixedLane lane = lane_of(graph_of("a / 3", "b"), 6, {0, 4});
   const auto constant =

@@ -71,7 +71,13 @@ INSTANTIATE_TEST_SUITE_P(
              {{"a^2", "abs(1.3 - b)^2"}},
              9,
              {0, 3},
-             "machine-checked but for theorems 1 (operands), 2 (choices) and 4, by hand"},
+             "machine-checked but for theorems 1 (operands), 2 (choices), 2 (dropped bits) and 4, "
+             "by hand"},
+        Case{"norm_of_a_small_radius",
+             {{"(a - b)^2 + c^2", "(d / 16)^2"}},
+             9,
+             {0, 3},
+             "machine-checked but for theorems 1 (operands), 2 (dropped bits), 8 and 4, by hand"},
         Case{"constant",
              spheres,
              13,
@@ -136,7 +142,8 @@ INSTANTIATE_TEST_SUITE_P(
              {{"(a - b)^2 + (2 * c)^2", "(d + max(e, 0))^2"}},
              9,
              {0, 1},
-             "machine-checked but for theorems 1 (operands), 2 (choices), 6 and 4, by hand",
+             "machine-checked but for theorems 1 (operands), 2 (choices), 2 (dropped bits), 6 and "
+             "4, by hand",
              {},
              true},
         Case{"guard_digits",
@@ -208,6 +215,28 @@ TEST(FixedProofOfCuts, RefusesWhatDoesNotGrowAlike) {
     added->operands[1] = static_cast<NodeId>(id);
     EXPECT_TRUE(proof::prove_fixed(mixed, prove).refused()) << id;
   }
+}
+
+/// A reach that is half as far on either side.
+TEST(FixedProofOfReaches, RefusesOneThatIsTooShort) {
+  const auto prove = [](const std::string&) {
+    return proof::ScriptResult{Outcome::proven, "", ""};
+  };
+  const FixedLane lane = lane_of({"", {{"(a - b)^2 + c^2", "(d / 16)^2"}}, 9, {0, 3}, ""});
+  EXPECT_FALSE(proof::prove_fixed(lane, prove).refused());
+  int reaches = 0;
+  for (std::size_t id = 0; id < lane.nodes.size(); ++id) {
+    if (!fixed::is_reach(lane.nodes[id])) continue;
+    ++reaches;
+    FixedLane shorter = lane;
+    shorter.nodes[id].value.high /= 2;
+    EXPECT_TRUE(proof::prove_fixed(shorter, prove).refused()) << id;
+    shorter = lane;
+    if (shorter.nodes[id].value.low >= 0) continue;
+    shorter.nodes[id].value.low /= 2;
+    EXPECT_TRUE(proof::prove_fixed(shorter, prove).refused()) << id;
+  }
+  EXPECT_EQ(reaches, 2);
 }
 
 TEST(FixedProofOfOperands, DoesNotBelieveTheLane) {

@@ -8,7 +8,8 @@ module fixed_units #(
     // with POSITIVE factors: both, that of a square, the first, the second.
     parameter KINDS     = 11,
     parameter DECISIONS = 96,
-    parameter CHECKS    = 80
+    parameter CHECKS    = 80,
+    parameter OVERFLOWS = 36
 ) (
     input wire       aclk,
     input wire [5:0] a,
@@ -39,6 +40,7 @@ module fixed_units #(
   wire [63:0] results[0:SLOTS-1]  /* verilator public_flat_rd */;
   wire [63:0] decisions[0:2*DECISIONS-1]  /* verilator public_flat_rd */;
   wire [63:0] checks[0:CHECKS-1]  /* verilator public_flat_rd */;
+  wire [63:0] overflows[0:OVERFLOWS-1]  /* verilator public_flat_rd */;
 
   genvar slot;
 
@@ -190,6 +192,7 @@ module fixed_units #(
           .aclk        (aclk),
           .difference  (a),
           .radius      (b[RADIUS-1:0]),
+          .beyond_reach((RADIUS == 3) && b[3]),
           .out_of_range(flag),
           .verdict     (verdict),
           .decided     (decided)
@@ -220,6 +223,32 @@ module fixed_units #(
           .a           (a[3:0]),
           .out_of_range(out_of_range)
       );
+    end
+  endgenerate
+
+  // Slot {operand's width, result's width}, both from 1 on: a's low bits, where they are more.
+  generate
+    for (slot = 0; slot < OVERFLOWS; slot = slot + 1) begin : g_overflow
+      localparam A     = 1 + slot / 6;
+      localparam WIDTH = 1 + slot % 6;
+
+      wire overflow;
+
+      assign overflows[slot] = {63'b0, overflow};
+
+      if (WIDTH < A) begin : g_narrower
+        fixed_overflow #(
+            .A_WIDTH(A),
+            .WIDTH  (WIDTH),
+            .CUTS   (slot % 2)
+        ) check (
+            .aclk    (aclk),
+            .a       (a[A-1:0]),
+            .overflow(overflow)
+        );
+      end else begin : g_as_wide
+        assign overflow = 1'b0;
+      end
     end
   endgenerate
 

@@ -14,7 +14,7 @@
 namespace mixcmp::test::fixed_units_test {
 namespace {
 
-constexpr int widths = 5, kinds = 11, decisions = 96, checks = 80;
+constexpr int widths = 5, kinds = 11, decisions = 96, checks = 80, overflows = 36;
 constexpr int slots = kinds * widths * widths * 4;
 
 struct Operands {
@@ -102,9 +102,11 @@ int power_above_root(int square) {
 
 std::uint64_t norm_decision(int slot, const Operands& operands) {
   const int difference = low_signed(operands.a, 6);
-  const int radius = slot % 5 == 4 ? power_above_root(operands.b) : operands.b & 7;
-  const bool greater = difference >= (radius << slot % 3) + slot / 3 % 8;
-  const bool less = difference < -(radius << slot / 24 % 3);
+  const bool root = slot % 5 == 4;
+  const int radius = root ? power_above_root(operands.b) : operands.b & 7;
+  const bool far = !root && (operands.b & 8) != 0;
+  const bool greater = far || difference >= (radius << slot % 3) + slot / 3 % 8;
+  const bool less = !far && difference < -(radius << slot / 24 % 3);
   const bool swapped = slot / 2 % 2 == 1;
   return answer(swapped ? less : greater, false, (greater || less) && !operands.flag);
 }
@@ -113,6 +115,12 @@ std::uint64_t out_of_range(int slot, const Operands& operands) {
   const int value = low_signed(operands.a, 4);
   const int least = slot / 5 - 8, greatest = least + (slot % 5) * (slot % 5);
   return value < least || value > greatest ? 1 : 0;
+}
+
+std::uint64_t overflow(int slot, const Operands& operands) {
+  const int width = 1 + slot / 6, narrower = 1 + slot % 6;
+  if (narrower >= width) return 0;
+  return low_signed(operands.a, width) != low_signed(operands.a, narrower) ? 1 : 0;
 }
 
 class FixedUnits : public testing::Test {
@@ -158,6 +166,12 @@ private:
       compare(
           units_.rootp->fixed_units__DOT__checks[slot], slot % 2,
           [&](const Operands& operands) { return out_of_range(slot, operands); }, "check", slot);
+    }
+    for (int slot = 0; slot < overflows; ++slot) {
+      const bool is_wires = slot % 6 >= slot / 6;
+      compare(
+          units_.rootp->fixed_units__DOT__overflows[slot], is_wires ? 0 : slot % 2,
+          [&](const Operands& operands) { return overflow(slot, operands); }, "overflow", slot);
     }
   }
 
