@@ -231,6 +231,21 @@ FixedLane sphere_lane(int bits) {
       .value();
 }
 
+/// A part with operands of its own shares the cut: what is out of range in one leaves both
+/// undecided.
+TEST(GuardedParts, AreTheGoldenModelsBitForBit) {
+  const Graph graph =
+      graph_of({{"(a - b)^2", "(a + b)^2"}, {"c * d", "(c - d)^2"}}, Combination::any);
+  const std::vector<std::optional<Range>> ranges(4, Range{-3, 3});
+  Random random(8);
+  const Columns columns = hard_columns(ranges, 2001, random);
+  for (const FixedPoint format : {FixedPoint{3, false, 4}, {7, false, 2}, {4, true, 3}}) {
+    const auto lane = fixed::fixed_lane(graph, mixcmp::test::format("s53e11"),
+                                        {.format = format, .ranges = ranges});
+    expect_golden(format.name(), lane.value(), columns);
+  }
+}
+
 /// Its squares, their sum and its radius are computed where the decision reads them.
 TEST(FixedCode, OfSpheresStoresNothing) {
   const auto code = emulator::make_fixed_code(sphere_lane(24));

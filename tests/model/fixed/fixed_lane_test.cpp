@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "model/golden/fixed_evaluate.hpp"
 #include "model/number/decimal.hpp"
@@ -210,8 +211,24 @@ TEST(FixedLane, ARootMayTakeWhatALimitKeepsFromZero) {
   EXPECT_FALSE(is_refused(3)) << "a unit of 1/2, which the difference is off by at most";
 }
 
+using Values = std::vector<std::optional<mpz_class>>;
+
+/// What common cuts multiply by: the largest power of two up to 1 that makes all their operands
+/// fit W bits of magnitude.
+mpq_class common_factor(const FixedLane& lane, const Values& values) {
+  mpq_class factor = 1;
+  const mpz_class beyond = mpz_class(1) << lane.format.bits;
+  for (const NodeId id : fixed::cut_in_common(lane)) {
+    while (floor_of(*values[id] * factor) >= beyond || floor_of(*values[id] * factor) < -beyond) {
+      factor /= 2;
+    }
+  }
+  return factor;
+}
+
 /// The real number that each node stands for: its operation on those of its operands.
-std::vector<mpq_class> true_values(const FixedLane& lane, const std::vector<mpq_class>& inputs) {
+std::vector<mpq_class> true_values(const FixedLane& lane, const std::vector<mpq_class>& inputs,
+                                   const mpq_class& factor) {
   std::vector<mpq_class> values;
   for (const FixedNode& node : lane.nodes) {
     const mpq_class a = arity(node.operation) > 0 ? values[node.operands[0]] : 0;
@@ -219,7 +236,9 @@ std::vector<mpq_class> true_values(const FixedLane& lane, const std::vector<mpq_
     switch (node.operation) {
       case Operation::input: values.push_back(inputs[node.input]); break;
       case Operation::constant: values.push_back(node.value.low - node.error.low); break;
-      case Operation::convert: values.push_back(a); break;
+      case Operation::convert:
+        values.push_back(fixed::is_common_cut(node) ? mpq_class(a * factor) : a);
+        break;
       case Operation::negate: values.push_back(-a); break;
       case Operation::absolute: values.push_back(abs(a)); break;
       case Operation::add: values.push_back(a + b); break;
@@ -242,7 +261,7 @@ void expect_enclosed(const FixedLane& lane, const std::vector<mpq_class>& inputs
     encodings.push_back(golden::from_rational(lane.input_format, input));
   }
   const auto values = golden::evaluate(lane, encodings);
-  const std::vector<mpq_class> truth = true_values(lane, inputs);
+  const std::vector<mpq_class> truth = true_values(lane, inputs, common_factor(lane, values));
   for (std::size_t id = 0; id < values.size(); ++id) {
     const FixedNode& node = lane.nodes[id];
     ASSERT_TRUE(values[id]) << id;
@@ -266,6 +285,36 @@ std::vector<mpq_class> around_units(int bits, bool is_signed) {
   if (is_signed) values.push_back(little - 4);
   values.push_back(4 - little);
   return values;
+}
+
+TEST(GuardDigits, EnclosuresHoldWhereTheyAreTight) {
+  constexpr std::array<std::pair<const char*, const char*>, 7> comparisons = {
+      {{"(1.5 - a)^2", "b^2"},
+       {"(a - b)^2", "(a + b)^2"},
+       {"-a * (b - 2)", "b^2"},
+       {"abs(a - b) * min(a, -b)", "-3 * a * b"},
+       {"max(a, b / 4) * (a + b)", "(b + 3.5)^2"},
+       {"(2 - abs(a))^2", "0.7 * (a - b)^2"},
+       {"sqrt((a - b)^2 + a^2)", "abs(b)"}}};
+  for (const auto& [f, g] : comparisons) {
+    const Graph graph = graph_of(f, g);
+    for (const auto& [bits, guard_digits] : {std::pair{1, 2}, {2, 1}, {3, 2}}) {
+      const FixedPoint format = {.bits = bits, .guard_digits = guard_digits};
+      for (const bool is_signed : {false, true}) {
+        const auto lane = fixed::fixed_lane(
+            graph, format_of(53, 8),
+            {.format = format, .ranges = {graph.inputs().size(), Range{is_signed ? -3 : 0, 3}}});
+        ASSERT_TRUE(lane.ok()) << lane.error().to_string();
+        const std::vector<mpq_class> tried = around_units(bits + guard_digits, is_signed);
+        for (const mpq_class& first : tried) {
+          for (const mpq_class& second : tried) {
+            expect_enclosed(*lane, {first, second});
+            if (testing::Test::HasFailure()) FAIL() << f << ", " << format.name();
+          }
+        }
+      }
+    }
+  }
 }
 
 TEST(FixedLane, EnclosuresHoldWhereTheyAreTight) {
@@ -398,7 +447,6 @@ std::vector<std::optional<mpz_class>> cut_by(const FixedLane& lane,
 TEST(GuardDigits, ACutDropsNoMoreThanTheLargestNeeds) {
   const FixedLane lane = guarded(graph_of("(a - b)^2", "(c - b)^2"), {.bits = 4, .guard_digits = 3},
                                  {0, mpq_class(15, 2)});
-  using Values = std::vector<std::optional<mpz_class>>;
   EXPECT_EQ(cut_by(lane, {"1.9375", "1", "0.5"}), (Values{15, -8})) << "15/16 and -8/16";
   EXPECT_EQ(cut_by(lane, {"1", "2", "0.5"}), (Values{-8, -12})) << "-24 needs one bit";
   EXPECT_EQ(cut_by(lane, {"7", "0.1875", "0"}), (Values{mpz_class(109 / 8), -1}))
