@@ -167,15 +167,6 @@ ModelBuild system_build(const Bench& bench, const SourceFiles& sources,
   return build;
 }
 
-/// The error where a program is missing that Verilator runs to compile what it writes.
-std::optional<Error> missing_compiler() {
-  for (const char* program : {"make", "g++"}) {
-    const auto version = tool_version({program, "--version"}, program);
-    if (!version.ok() && version.error().kind == ErrorKind::missing_tool) return version.error();
-  }
-  return std::nullopt;
-}
-
 /// Tells whether ccache is installed and can write its folders.
 bool is_ccache_usable() {
   for (const char* setting : {"cache_dir", "temporary_dir"}) {
@@ -250,6 +241,14 @@ fs::path work_folder(const fs::path& work, const std::string& name, const std::s
   hash.add(version).add(shell_line(command));
   for (const auto& [file, text] : inputs) hash.add(file).add(text);
   return fs::absolute(work) / fmt::format("{}-{}", name, hash.hex().substr(0, 16));
+}
+
+std::optional<Error> missing_compiler() {
+  for (const char* program : {"make", "g++"}) {
+    const auto version = tool_version({program, "--version"}, program);
+    if (!version.ok() && version.error().kind == ErrorKind::missing_tool) return version.error();
+  }
+  return std::nullopt;
 }
 
 Result<Executable> build_simulator(const System& system, const BuildOptions& options) {

@@ -51,6 +51,9 @@ std::filesystem::path work_folder(const std::filesystem::path& work, const std::
                                   const std::string& version, const Command& command,
                                   const SourceFiles& inputs);
 
+/// The error where a program is missing that compiles simulators.
+std::optional<Error> missing_compiler();
+
 /// Runs Verilator on the system together with our harness. A build is found again by the content of
 /// everything that went into it; one that was interrupted starts anew (ccache keeps its objects).
 /// Lane channels and reference datapaths are blocks (clocked_block.hpp), built once in folders of

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "verilator_tb/icarus_engine.hpp"
 #include "verilator_tb/waves.hpp"
 
 namespace mixcmp::verilator_tb {
@@ -12,7 +13,10 @@ namespace {
 std::string save_file(const emit::SignatureEngine& engine, const VerifyOptions& options) {
   return gtkwave_save_file(
       engine,
-      {.waves = options.waves, .scope = "TOP." + engine.top, .time_per_cycle = 2, .marked = {}});
+      {.waves = options.waves,
+       .scope = options.simulator == SimulatorKind::icarus ? "bench.engine" : "TOP." + engine.top,
+       .time_per_cycle = 2,
+       .marked = {}});
 }
 
 std::vector<std::size_t> places_of(const data::Table& table,
@@ -28,12 +32,6 @@ std::vector<std::size_t> places_of(const data::Table& table,
 }  // namespace
 
 Result<Done> check_engine_options(const VerifyOptions& options, const std::string& compares) {
-  if (options.simulator == SimulatorKind::icarus) {
-    return Error{.field = "--simulator",
-                 .message = "engines are simulated with Verilator alone",
-                 .received = "icarus",
-                 .accepted = "verilator, or --set engine.kind=none for the system inside"};
-  }
   if (options.selection.limit == 0 && !options.selection.only) return Done{};
   return Error{.field = "--first, --sample, --only",
                .message = "an engine compares " + compares,
@@ -61,13 +59,15 @@ std::vector<std::uint8_t> row_bytes(const data::Table& table,
 Result<VerifyReport> run_engine(const System& system, const VerifyOptions& options,
                                 EngineJudge& judge,
                                 const std::function<Result<Done>(const Executable&)>& trials) {
-  const Waves waves = options.waves.empty() ? Waves::off : Waves::on;
-  MIXCMP_TRY(executable, build_simulator(system, {.work_dir = options.work_dir,
-                                                  .waves = waves,
-                                                  .progress = options.progress,
-                                                  .waiting = options.waiting}));
+  const BuildOptions build{.work_dir = options.work_dir,
+                           .waves = options.waves.empty() ? Waves::off : Waves::on,
+                           .progress = options.progress,
+                           .waiting = options.waiting};
+  const bool icarus = options.simulator == SimulatorKind::icarus;
+  MIXCMP_TRY(executable,
+             icarus ? build_engine_in_icarus(system, build) : build_simulator(system, build));
   judge.report().build_seconds = executable.build_seconds;
-  judge.report().simulator = "Verilator";
+  judge.report().simulator = icarus ? "Icarus Verilog" : "Verilator";
   const auto start = std::chrono::steady_clock::now();
   MIXCMP_TRY(run, trials(executable));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;

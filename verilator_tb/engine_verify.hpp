@@ -11,7 +11,7 @@
 /// The steps of `verify` that are the same for every engine.
 namespace mixcmp::verilator_tb {
 
-/// Refuses options that no engine supports: another simulator, a selection. `compares`: what the
+/// Refuses what no engine supports, a selection of comparisons. `compares`: what the
 /// engine compares, for the message, such as "every pair of its items".
 Result<Done> check_engine_options(const VerifyOptions& options, const std::string& compares);
 

@@ -111,6 +111,19 @@ TEST(ArgMinSystemOf, FewerCandidatesThanItHolds) {
   expect_passed(report, 100, 3);
 }
 
+TEST(ArgMinSystemOf, IcarusSaysWhatVerilatorSays) {
+  const design::Design design = nearest_point(2, 1);
+  const data::Comparisons rows = data(design, 60, 3, 5);
+  verilator_tb::VerifyOptions options{.traffic = verilator_tb::TrafficKind::stressed, .resets = 2};
+  const verilator_tb::VerifyReport verilator = simulate(design, rows, options);
+  options.simulator = verilator_tb::SimulatorKind::icarus;
+  const verilator_tb::VerifyReport icarus = simulate(design, rows, options);
+  expect_passed(icarus, 60, 3);
+  EXPECT_EQ(icarus.simulator, "Icarus Verilog");
+  EXPECT_EQ(icarus.verdicts, verilator.verdicts);
+  EXPECT_EQ(icarus.cycles, verilator.cycles);
+}
+
 TEST(ArgMinSystemOf, MoreCandidatesThanItHoldsAreRefused) {
   const design::Design design = nearest_point(2, 1);
   const fs::path rtl = generate_to(design, "arg_min_too_many");

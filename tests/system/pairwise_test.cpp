@@ -106,6 +106,23 @@ TEST(PairwiseSystemOf, LanesOfSeveralKindsAndThreeReferences) {
   for (const verilator_tb::GroupReport& group : report.groups) EXPECT_GT(group.recomputations, 0u);
 }
 
+TEST(PairwiseSystemOf, IcarusSaysWhatVerilatorSays) {
+  const design::Design design = spheres(3, 1);
+  const data::Comparisons data = random_spheres(design, 23);
+  verilator_tb::VerifyOptions options{.traffic = verilator_tb::TrafficKind::stressed, .resets = 2};
+  const verilator_tb::VerifyReport verilator = simulate(design, data, options);
+  options.simulator = verilator_tb::SimulatorKind::icarus;
+  const verilator_tb::VerifyReport icarus = simulate(design, data, options);
+  expect_passed(icarus, 23);
+  EXPECT_EQ(icarus.simulator, "Icarus Verilog");
+  EXPECT_EQ(icarus.verdicts, verilator.verdicts);
+  EXPECT_EQ(icarus.cycles, verilator.cycles);
+  ASSERT_EQ(icarus.counters.size(), verilator.counters.size());
+  for (std::size_t k = 0; k < icarus.counters.size(); ++k) {
+    EXPECT_EQ(icarus.counters[k].counted, verilator.counters[k].counted) << k;
+  }
+}
+
 TEST(PairwiseSystemOf, MoreItemsThanItHoldsAreRefused) {
   const design::Design design = spheres(1, 1);
   const fs::path rtl = generate_to(design, "pairwise_too_many");
@@ -122,6 +139,7 @@ struct Fault {
   const char* file;
   const char* from;
   const char* to;
+  verilator_tb::SimulatorKind simulator = verilator_tb::SimulatorKind::verilator;
 };
 
 class BrokenEngine : public testing::TestWithParam<Fault> {};
@@ -136,7 +154,8 @@ TEST_P(BrokenEngine, IsFoundOut) {
   ASSERT_NE(place, std::string::npos);
   std::ofstream(rtl / fault.file) << text.replace(place, std::string(fault.from).size(), fault.to);
   const auto report = verilator_tb::verify(design, random_spheres(design, 41), rtl,
-                                           {.work_dir = test_work_dir("builds"),
+                                           {.simulator = fault.simulator,
+                                            .work_dir = test_work_dir("builds"),
                                             .traffic = verilator_tb::TrafficKind::stressed,
                                             .hang_cycles = 2'000});
   ASSERT_TRUE(report.ok()) << report.error().to_string();
@@ -151,7 +170,12 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"refetched_items", "mixcmp_item_refetch.v", "second_q ? index_j : index_i",
               "second_q ? index_j : index_j"},
         Fault{"closing_beat", "mixcmp_report_stream.v", "(left_q == close_count)", "1'b1"},
-        Fault{"counter", "mixcmp_pairwise_engine.v", "&& !m_axis_tlast)", ")"}),
+        Fault{"counter", "mixcmp_pairwise_engine.v", "&& !m_axis_tlast)", ")"},
+        Fault{"report_kind_in_icarus", "mixcmp_pair_segment.v", "reported[result[1:0]]",
+              "reported[2'b01]", verilator_tb::SimulatorKind::icarus},
+        Fault{"unknown_after_reset_in_icarus", "mixcmp_report_stream.v",
+              "closing_q <= 1'b0;\n    end else if (closing_q)", "end else if (closing_q)",
+              verilator_tb::SimulatorKind::icarus}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace

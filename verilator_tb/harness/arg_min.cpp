@@ -69,7 +69,7 @@ private:
 
   void step() {
     drive();
-    clocked_.settle(cycle_);
+    settle();
     // Results come first: a row that leaves in this cycle came in before it.
     sample_results();
     sample_candidates();

@@ -36,6 +36,10 @@ public:
   system::Model& model() {
     return *model_;
   }
+  /// Whether an output is neither 0 nor 1 where that matters: Verilator has no such values.
+  bool has_unknown() const {
+    return false;
+  }
 
   /// Lowers the clock. Inputs are changed while it is high, outputs are read while it is low.
   void settle(std::uint64_t cycle) {

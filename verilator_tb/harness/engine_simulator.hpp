@@ -44,6 +44,11 @@ protected:
     ports_.aresetn.set_bit(0, true);
   }
 
+  void settle() {
+    clocked_.settle(cycle_);
+    if (clocked_.has_unknown()) violate(wire::Fault::unknown_value, 0);
+  }
+
   void rise() {
     clocked_.rise(cycle_);
     ++cycle_;

@@ -66,7 +66,7 @@ private:
 
   void step() {
     drive();
-    clocked_.settle(cycle_);
+    settle();
     if (busy_) ++observed_busy_;
     sample_reports();
     sample_items();

@@ -1,0 +1,179 @@
+// The system task through which an event-driven simulator and the harness take turns.
+
+#include "vpi_model.hpp"
+
+#include <vpi_user.h>
+
+#include <condition_variable>
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+
+/// The harness's main function, which the build renames.
+int harness_main(int count, char** words);
+
+namespace mixcmp::harness {
+
+/// The simulator's side of the exchange.
+class VpiExchange {
+public:
+  static VpiExchange& instance() {
+    static VpiExchange exchange;
+    return exchange;
+  }
+
+  /// Called by the simulator.
+  void exchange() {
+    if (harness_.joinable()) {
+      if (model_ != nullptr) read_outputs();
+    } else {
+      start_harness();
+    }
+    pass_to(Turn::harness);
+    wait_for(Turn::simulator);
+    if (is_over_) {
+      harness_.join();
+      vpi_control(vpiFinish, 0);
+    } else {
+      write_inputs();
+    }
+  }
+
+  /// Called by the harness.
+  void take_turn(VpiModel& model) {
+    model_ = &model;
+    pass_to(Turn::simulator);
+    wait_for(Turn::harness);
+  }
+
+private:
+  enum class Turn { simulator, harness };
+
+  void start_harness() {
+    harness_ = std::thread([this] {
+      wait_for(Turn::harness);
+      s_vpi_vlog_info info{};
+      vpi_get_vlog_info(&info);
+      harness_main(info.argc, info.argv);
+      is_over_ = true;
+      pass_to(Turn::simulator);
+    });
+  }
+
+  void pass_to(Turn turn) {
+    {
+      const std::lock_guard lock(mutex_);
+      turn_ = turn;
+    }
+    changed_.notify_all();
+  }
+
+  void wait_for(Turn turn) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return turn_ == turn; });
+  }
+
+  static vpiHandle handle_of(const VpiModel::Port& port) {
+    const std::string name = std::string("bench.") + port.name;
+    const vpiHandle handle = vpi_handle_by_name(name.c_str(), nullptr);
+    if (handle != nullptr) return handle;
+    vpi_printf("no %s\n", name.c_str());
+    std::exit(EXIT_FAILURE);
+  }
+
+  const std::vector<vpiHandle>& handles() {
+    if (handles_.empty()) {
+      for (const VpiModel::Port& port : model_->ports_) handles_.push_back(handle_of(port));
+    }
+    return handles_;
+  }
+
+  static int words_of(const VpiModel::Port& port) { return (port.width + 31) / 32; }
+
+  void write_inputs() {
+    for (std::size_t k = 0; k < handles().size(); ++k) {
+      const VpiModel::Port& port = model_->ports_[k];
+      if (port.is_output) continue;
+      std::vector<s_vpi_vecval> words(static_cast<std::size_t>(words_of(port)));
+      for (std::size_t word = 0; word < words.size(); ++word) {
+        words[word].bval = 0;
+        std::memcpy(&words[word].aval, port.bytes + 4 * word, 4);
+      }
+      s_vpi_value value{};
+      value.format = vpiVectorVal;
+      value.value.vector = words.data();
+      vpi_put_value(handles_[k], &value, nullptr, vpiNoDelay);
+    }
+  }
+
+  void read_outputs() {
+    bool payload_is_known = true, handshakes_are_known = true, is_valid = false;
+    for (std::size_t k = 0; k < handles().size(); ++k) {
+      const VpiModel::Port& port = model_->ports_[k];
+      if (!port.is_output) continue;
+      const bool is_known = read(port, handles_[k]);
+      const std::string_view name = port.name;
+      const bool is_handshake = name.ends_with("_tvalid") || name.ends_with("_tready");
+      if (is_handshake) handshakes_are_known = handshakes_are_known && is_known;
+      if (name == "m_axis_tvalid") is_valid = (port.bytes[0] & 1) != 0;
+      if (name.starts_with("m_axis_") && !is_handshake) {
+        payload_is_known = payload_is_known && is_known;
+      }
+    }
+    model_->has_unknown_ = !handshakes_are_known || (is_valid && !payload_is_known);
+  }
+
+  /// Whether every bit is 0 or 1. An unknown one becomes one of the two.
+  static bool read(const VpiModel::Port& port, vpiHandle handle) {
+    s_vpi_value value{};
+    value.format = vpiVectorVal;
+    vpi_get_value(handle, &value);
+    bool is_known = true;
+    for (int word = 0; word < words_of(port); ++word) {
+      is_known = is_known && value.value.vector[word].bval == 0;
+      std::memcpy(port.bytes + 4 * word, &value.value.vector[word].aval, 4);
+    }
+    return is_known;
+  }
+
+  std::thread harness_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  Turn turn_ = Turn::simulator;
+  bool is_over_ = false;
+  VpiModel* model_ = nullptr;
+  std::vector<vpiHandle> handles_;
+};
+
+VpiModel::VpiModel(std::vector<Port> ports) : ports_(std::move(ports)) {}
+
+void VpiModel::eval() {
+  VpiExchange::instance().take_turn(*this);
+}
+
+}  // namespace mixcmp::harness
+
+namespace {
+
+PLI_INT32 exchange(PLI_BYTE8*) {
+  mixcmp::harness::VpiExchange::instance().exchange();
+  return 0;
+}
+
+void register_task() {
+  char name[] = "$mixcmp_exchange";
+  s_vpi_systf_data task{};
+  task.type = vpiSysTask;
+  task.tfname = name;
+  task.calltf = exchange;
+  vpi_register_systf(&task);
+}
+
+}  // namespace
+
+extern "C" {
+void (*vlog_startup_routines[])() = {register_task, nullptr};
+}

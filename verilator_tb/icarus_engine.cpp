@@ -1,0 +1,139 @@
+#include "verilator_tb/icarus_engine.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+
+#include "embedded/harness_files.hpp"
+#include "embedded/icarus_vpi_files.hpp"
+#include "model/common/output_file.hpp"
+#include "verilator_tb/bench.hpp"
+
+namespace mixcmp::verilator_tb {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where SimulatorProcess expects a program: in a folder of the build's.
+constexpr const char* program = "run/simulate";
+
+std::string range(int width) {
+  return width == 1 ? "" : fmt::format("[{}:0] ", width - 1);
+}
+
+/// The module around the engine: variables that the harness sets, nets that it reads.
+std::string bench_text(const emit::SignatureEngine& engine) {
+  std::string declarations, connections;
+  for (const emit::SignaturePort& port : engine.ports) {
+    const bool is_output = port.direction == rtl::Direction::output;
+    declarations +=
+        fmt::format("  {} {}{};\n", is_output ? "wire" : "reg ", range(port.width), port.name);
+    connections +=
+        fmt::format("{}\n    .{}({})", connections.empty() ? "" : ",", port.name, port.name);
+  }
+  return fmt::format(
+      "// Lets the harness drive the engine: once a time unit it sets the inputs and reads what "
+      "the\n"
+      "// outputs became of those before.\n"
+      "`default_nettype none\n\nmodule bench;\n\n{}\n  {} engine ({}\n  );\n\n"
+      "  reg [8*1024-1:0] waves;\n\n  initial begin\n"
+      "    if ($value$plusargs(\"trace=%s\", waves)) begin\n"
+      "      $dumpfile(waves);\n      $dumpvars(0, engine);\n    end\n"
+      "    forever begin\n      $mixcmp_exchange;\n      #1;\n    end\n  end\n\nendmodule\n\n"
+      "`default_nettype wire\n",
+      declarations, engine.top, connections);
+}
+
+/// The model's ports for the harness, in the place of Verilator's header.
+std::string model_text(const emit::SignatureEngine& engine) {
+  std::string members, entries;
+  for (const emit::SignaturePort& port : engine.ports) {
+    members += fmt::format("  std::array<std::uint8_t, {}> {} = {{}};\n",
+                           (port.width + 31) / 32 * 4, port.name);
+    entries += fmt::format("                  {{\"{0}\", {1}, {2}, {0}.data()}},\n", port.name,
+                           port.direction == rtl::Direction::output, port.width);
+  }
+  return fmt::format(
+      "#pragma once\n\n#include <array>\n#include <cstdint>\n\n#include \"vpi_model.hpp\"\n\n"
+      "struct Vsystem : mixcmp::harness::VpiModel {{\n"
+      "  Vsystem()\n      : VpiModel({{\n{}        }}) {{}}\n\n{}}};\n",
+      entries, members);
+}
+
+std::string makefile(const Command& compile, const std::string& main) {
+  return fmt::format(
+      "# Builds {0}: the engine for vvp, and the harness that it loads.\n\n"
+      "{0}: simulation harness.vpi\n\tmkdir -p run && cp simulate $@ && chmod +x $@\n\n"
+      "simulation:\n\t{1}\n\n"
+      "harness.vpi:\n\tg++ -std=c++20 $$(iverilog-vpi --cflags) -O1 -w -Dmain=harness_main "
+      "-o $@ {2} vpi_model.cpp $$(iverilog-vpi --ldflags) $$(iverilog-vpi --ldlibs) -pthread\n",
+      program, shell_line(compile), main);
+}
+
+/// vvp wants its own words behind the program, and its $dumpfile takes ASCII names alone: a link in
+/// the build's folder leads to that of the waves.
+constexpr const char* launcher =
+    "#!/bin/sh\n"
+    "# Runs the engine with its harness, which reads the words. trace=FILE: writes waves, too.\n"
+    "set -eu\n"
+    "here=$PWD\n"
+    "cd \"$(dirname \"$0\")/..\"\n"
+    "link=waves.$$\n"
+    "trap 'rm -f \"$link\"' EXIT\n"
+    "for word in \"$@\"; do\n"
+    "  file=${word#trace=}\n"
+    "  [ \"$file\" != \"$word\" ] || continue\n"
+    "  case $file in /*) ;; *) file=$here/$file ;; esac\n"
+    "  ln -sfn \"$(dirname \"$file\")\" \"$link\"\n"
+    "  set -- \"$@\" -fst \"+trace=$link/$(basename \"$file\")\"\n"
+    "done\n"
+    "vvp -n -M. -mharness simulation \"$@\"\n";
+
+SourceFiles inputs_of(const System& system, const Bench& bench, const SourceFiles& sources,
+                      const Command& compile) {
+  SourceFiles inputs = sources;
+  for (const EmbeddedFile& file : harness_files()) inputs.emplace_back(file.name, file.text);
+  // The model's clock in Icarus takes the place of that in Verilator.
+  for (const EmbeddedFile& file : icarus_vpi_files()) {
+    std::erase_if(inputs, [&](const auto& input) { return input.first == file.name; });
+    inputs.emplace_back(file.name, file.text);
+  }
+  inputs.emplace_back("system_ports.hpp", bench.ports);
+  inputs.emplace_back("Vsystem.h", model_text(*system.signature.engine));
+  inputs.emplace_back("bench.v", bench_text(*system.signature.engine));
+  inputs.emplace_back("simulate", launcher);
+  inputs.emplace_back("build.mk", makefile(compile, bench.main));
+  return inputs;
+}
+
+}  // namespace
+
+Result<Executable> build_engine_in_icarus(const System& system, const BuildOptions& options) {
+  MIXCMP_TRY(version, tool_version({"iverilog", "-V"}, "iverilog"));
+  MIXCMP_TRY(sources, system_sources(system));
+  const Bench bench = bench_of(system.signature);
+  Command compile = {"iverilog", "-g2001", "-o", "simulation", "-s", "bench", "bench.v"};
+  for (const auto& [file, text] : sources) compile.push_back(file);
+  const SourceFiles inputs = inputs_of(system, bench, sources, compile);
+  const fs::path folder =
+      work_folder(options.work_dir, bench.top + "-icarus", version, compile, inputs);
+  MIXCMP_TRY(lock, FolderLock::take(folder, options.waiting));
+  const Executable executable{folder / program};
+  if (fs::exists(folder / build_stamp) && fs::exists(executable.path)) return executable;
+  const auto start = std::chrono::steady_clock::now();
+  for (const auto& [name, text] : inputs) {
+    MIXCMP_TRY(written, write_file(folder / name, text));
+  }
+  const auto made = run_tool({.command = {"make", "-B", "-f", "build.mk"},
+                              .directory = folder,
+                              .log = folder / "build.log",
+                              .progress = options.progress});
+  if (!made.ok()) return missing_compiler().value_or(made.error());
+  MIXCMP_TRY(stamped, write_file(folder / build_stamp, ""));
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  return Executable{executable.path, taken.count()};
+}
+
+}  // namespace mixcmp::verilator_tb
