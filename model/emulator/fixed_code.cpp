@@ -258,6 +258,7 @@ private:
   void add_instruction(NodeId id) {
     const FixedNode& added = node(id);
     if (fixed::is_common_cut(added)) return add_common_cut(id);
+    if (fixed::is_reach(added)) return add_sum(id);
     if (added.operation == Operation::convert) return add_conversion(id);
     const bool truncates = added.dropped_bits > 0 || added.operation == Operation::square_root;
     const int result = truncates ? code_.converted.columns++ : id;
@@ -268,6 +269,9 @@ private:
                                   .terms = expansions_[id].terms});
     if (truncates) add_truncation(id, result);
   }
+
+  /// A column with the sum of the node's terms.
+  void add_sum(NodeId id) { add_unary(FixedKernel::sum, id, id).terms = expansions_[id].terms; }
 
   /// The first common cut adds the instruction of all.
   void add_common_cut(NodeId id) {

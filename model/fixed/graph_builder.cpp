@@ -87,7 +87,7 @@ Result<Done> FixedGraphBuilder::cut_in_common() {
   const std::vector<NodeId> read = nodes_to_cut(graph_);
   for (const NodeId id : read) {
     MIXCMP_TRY(whole, node(id));
-    cut_[id] = whole;
+    cut_[id] = factor(whole);
   }
   align_norms();
   int most = 0;
@@ -181,9 +181,10 @@ NodeId FixedGraphBuilder::magnitude(NodeId a) {
 
 NodeId FixedGraphBuilder::within_reach(NodeId a, int bits) {
   const FixedNode& whole = nodes_[a];
-  if (bits >= magnitude_bits(whole.format)) return a;
-  FixedNode node{.operation = Operation::convert, .operands = {a, -1}, .constant = {}};
   const mpq_class unit = whole.format.unit(), beyond = power_of_two(bits) * unit;
+  const bool is_always_far = whole.value.low >= beyond || whole.value.high < -beyond;
+  if (bits >= magnitude_bits(whole.format) || is_always_far) return a;
+  FixedNode node{.operation = Operation::convert, .operands = {a, -1}, .constant = {}};
   node.decides_beyond = true;
   node.value = {std::max<mpq_class>(whole.value.low, -beyond),
                 std::min<mpq_class>(whole.value.high, beyond - unit)};

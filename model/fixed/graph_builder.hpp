@@ -25,7 +25,8 @@ public:
   NodeId magnitude(NodeId a);
   /// A node without `count` low bits, if that is more than 0; one is left at least.
   NodeId without_low_bits(NodeId a, int count);
-  /// A node within the reach of `bits` bits of magnitude; the node itself if it has no more.
+  /// A node within the reach of `bits` bits of magnitude; the node itself if it has no more, or if
+  /// all that it can be is beyond.
   NodeId within_reach(NodeId a, int bits);
   /// A sum of squares with other nodes in the place of those that are squared.
   NodeId with_squared(NodeId sum, const std::map<NodeId, NodeId>& others);

@@ -25,8 +25,7 @@ public:
 
   FixedPart run() {
     form_ = with_fewest_low_bits();
-    const FixedPart whole = part_of(form_);
-    return within_reach(whole);
+    return part_of(within_reach(form_));
   }
 
 private:
@@ -96,19 +95,17 @@ private:
             form.swapped};
   }
 
-  /// The part whose elements of x have no more bits than they need where the part is not decided
-  /// by one of them alone.
-  FixedPart within_reach(const FixedPart& whole) {
-    const mpq_class square = far_square(builder_.nodes(), whole);
+  /// The form whose elements of x have no more bits than they need where none of them decides the
+  /// part alone. Thresholds do not grow where narrower sums are exact.
+  NormForm within_reach(const NormForm& form) {
+    const mpq_class square = far_square(builder_.nodes(), part_of(form));
     Replaced replaced;
-    for (const NodeId id : squared_in(form_.sum)) {
+    for (const NodeId id : squared_in(form.sum)) {
       int bits = 0;
       while (power_of_two(2 * (bits + node(id).format.unit_exponent)) < square) ++bits;
       replaced[id] = builder_.within_reach(id, bits);
     }
-    FixedPart part = whole;
-    part.difference = builder_.difference(builder_.with_squared(form_.sum, replaced), form_.other);
-    return part;
+    return {builder_.with_squared(form.sum, replaced), form.other, form.swapped};
   }
 
   FixedGraphBuilder& builder_;

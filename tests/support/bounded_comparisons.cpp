@@ -68,6 +68,26 @@ std::vector<BoundedComparison> bounded_comparisons() {
           "radius_much_finer", "a^2 + b^2", "c^2", {0, 3}, Range{0, mpq_class(1, 16)}, true},
       BoundedComparison{
           "radius_much_coarser", "(a - b)^2", "c^2", {0, mpq_class(1, 8)}, Range{0, 6}, true},
+      BoundedComparison{
+          "radius_far_below", "(a - b)^2", "c^2", {0, 200}, Range{0, mpq_class(1, 4)}, true},
+      BoundedComparison{
+          "radius_far_below_two", "c^2", "(a - b)^2 + b^2", {-60, 60}, Range{0, 1}, true},
+      BoundedComparison{"norm_far_below_another",
+                        "(a - 1.5 * b)^2",
+                        "c^2 + (c - 0.1)^2",
+                        {-60, 60},
+                        Range{0, 1},
+                        std::nullopt},
+      BoundedComparison{"multiple_beyond_reach", "(3 * a)^2", "b^2 / 64", {0, 3}, {}, std::nullopt},
+      BoundedComparison{
+          "three_terms_beyond_reach", "(a + b - 1.5)^2", "c^2", {0, 6}, Range{0, 1}, true},
+      BoundedComparison{"always_beyond_reach", "(a + 30)^2 + b^2", "c^2", {0, 3}, {}, true},
+      BoundedComparison{"differences_of_two_ranges",
+                        "(a - c)^2",
+                        "b^2 + (b - 0.5)^2",
+                        {0, 1},
+                        Range{-100, 100},
+                        true},
       BoundedComparison{"against_a_constant", "a^2 + b^2", "2", {-2, 2}},
       BoundedComparison{"rectangle", "a * b", "c", {0, 3}, Range{0, 9}},
       BoundedComparison{"signed_product", "a * b", "c", {-3, 3}},
