@@ -538,6 +538,31 @@ TEST(Norms, BeyondReachAreGreaterAsComputed) {
   EXPECT_FALSE(decided(beyond / 2).decided) << "with half the reach it would not be";
 }
 
+/// In units of 2^18 a and c are 1, b and d are 0, though they are less than a unit apart. Within
+/// reach the difference drops fewer bits than without: thresholds in its units are larger.
+TEST(Norms, HaveThresholdsOfTheDifferenceWithinReach) {
+  const Graph graph = graph_of("(a - b)^2 + (c - d)^2", "s^2");
+  const fixed::FixedOptions options{.format = {.bits = 2},
+                                    .ranges = {Range{0, 1000000}, Range{0, 1000000},
+                                               Range{0, 1000000}, Range{0, 1000000}, Range{0, 1}}};
+  const FixedLane lane = fixed::fixed_lane(graph, format_of(24, 8), options).value();
+  std::vector<Bits> inputs;
+  for (const char* operand : {"262144", "262143.984375", "262144", "262143.984375", "0.9"}) {
+    inputs.push_back(from_text(lane.input_format, operand).value());
+  }
+  EXPECT_FALSE(golden::evaluate_lane(lane, inputs).decided) << "less, in truth";
+}
+
+/// All that a + 30 can be is beyond the reach of 2^m.
+TEST(Norms, HaveNoReachThatNothingIsWithin) {
+  const Graph graph = graph_of("(a + 30)^2", "b^2");
+  for (const Range& range : {Range{0, 3}, Range{-3, 0}}) {
+    const fixed::FixedOptions options{.format = {.bits = 6}, .ranges = {range, Range{0, 1}}};
+    const FixedLane lane = fixed::fixed_lane(graph, format_of(24, 8), options).value();
+    for (const FixedNode& node : lane.nodes) EXPECT_LE(node.value.low, node.value.high);
+  }
+}
+
 /// A radius counts 2^-11, differences 2^-6: 2 sqrt(3) leaves room below the slope 4 for errors of a
 /// quarter of their unit, not for one of half.
 TEST(Norms, KeepNoDigitsThatTheirSlopesDoNotNeed) {

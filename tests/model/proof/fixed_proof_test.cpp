@@ -217,6 +217,32 @@ TEST(FixedProofOfCuts, RefusesWhatDoesNotGrowAlike) {
   }
 }
 
+/// Ranges of any ratio, so that units differ, low bits are dropped and high ones are beyond reach.
+TEST(FixedProofOfNorms, FindsTheThresholdsOfTheorem4WhateverTheRanges) {
+  const auto prove = [](const std::string&) {
+    return proof::ScriptResult{Outcome::proven, "", ""};
+  };
+  for (const auto& [f, g] : {std::pair("(a - b)^2 + (c - b)^2", "d^2"),
+                             {"d^2", "(a - b)^2 + c^2"},
+                             {"(a - b)^2", "c^2 + d^2"},
+                             {"(3 * a - b)^2 + (c - d)^2", "(d + 1)^2"}}) {
+    const Graph graph = graph_of(f, g);
+    for (int ratio = -30; ratio <= 30; ++ratio) {
+      for (const FixedPoint format : {FixedPoint{2}, {5}, {13}, {3, false, 2}, {9, false, 5}}) {
+        std::vector<std::optional<Range>> ranges(4, Range{0, mpq_class(9, 10)});
+        for (const int wide : {0, 1}) {
+          ranges[wide] = Range{-scaled(mpq_class(7, 10), ratio), scaled(mpq_class(1), ratio)};
+        }
+        const auto lane =
+            fixed::fixed_lane(graph, format_of(53, 8), {.format = format, .ranges = ranges});
+        if (!lane.ok()) continue;
+        EXPECT_FALSE(proof::prove_fixed(*lane, prove).refused())
+            << f << ", " << g << ", " << format.name() << ", " << ratio;
+      }
+    }
+  }
+}
+
 /// A reach that is half as far on either side.
 TEST(FixedProofOfReaches, RefusesOneThatIsTooShort) {
   const auto prove = [](const std::string&) {
