@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "embedded/harness_files.hpp"
-#include "embedded/icarus_vpi_files.hpp"
+#include "embedded/vpi_harness_files.hpp"
 #include "model/common/output_file.hpp"
 #include "verilator_tb/bench.hpp"
 
@@ -91,14 +91,18 @@ constexpr const char* launcher =
     "done\n"
     "vvp -n -M. -mharness simulation \"$@\"\n";
 
+/// The model with its clock, and what takes its place here.
+constexpr std::string_view clocked_model = "clocked_model.hpp",
+                           vpi_clocked_model = "vpi_clocked_model.hpp";
+
 SourceFiles inputs_of(const System& system, const Bench& bench, const SourceFiles& sources,
                       const Command& compile) {
   SourceFiles inputs = sources;
-  for (const EmbeddedFile& file : harness_files()) inputs.emplace_back(file.name, file.text);
-  // The model's clock in Icarus takes the place of that in Verilator.
-  for (const EmbeddedFile& file : icarus_vpi_files()) {
-    std::erase_if(inputs, [&](const auto& input) { return input.first == file.name; });
-    inputs.emplace_back(file.name, file.text);
+  for (const EmbeddedFile& file : harness_files()) {
+    if (file.name != clocked_model) inputs.emplace_back(file.name, file.text);
+  }
+  for (const EmbeddedFile& file : vpi_harness_files()) {
+    inputs.emplace_back(file.name == vpi_clocked_model ? clocked_model : file.name, file.text);
   }
   inputs.emplace_back("system_ports.hpp", bench.ports);
   inputs.emplace_back("Vsystem.h", model_text(*system.signature.engine));

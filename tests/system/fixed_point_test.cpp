@@ -207,7 +207,7 @@ INSTANTIATE_TEST_SUITE_P(
              3},
         Case{"parts_that_share_cuts",
              {{"(a - 1)^2", "(0.5 * a + 2)^2"}, {"b * (b - 1)", "(b + 1.3)^2"}},
-             3,
+             5,
              both_signs,
              Combination::any,
              scene::Multipliers::logic,

@@ -8,8 +8,8 @@
 
 namespace mixcmp::harness {
 
-/// The model in an event-driven simulator with its clock; as that of ../harness/clocked_model.hpp.
-/// Its waves are the simulator's own.
+/// The model in an event-driven simulator with its clock; as that of clocked_model.hpp, whose
+/// name this file has in a build. Its waves are the simulator's own.
 class ClockedModel {
 public:
   ClockedModel(const Settings&, int, char**) {}
