@@ -101,8 +101,9 @@ private:
     const mpq_class square = far_square(builder_.nodes(), part_of(form));
     Replaced replaced;
     for (const NodeId id : squared_in(form.sum)) {
+      const mpq_class unit = node(id).format.unit();
       int bits = 0;
-      while (power_of_two(2 * (bits + node(id).format.unit_exponent)) < square) ++bits;
+      while (power_of_two(2L * bits) * unit * unit < square) ++bits;
       replaced[id] = builder_.within_reach(id, bits);
     }
     return {builder_.with_squared(form.sum, replaced), form.other, form.swapped};
