@@ -167,7 +167,7 @@ Unit common_drop_unit(const FixedLane& lane, const DelayTable& delays) {
   const auto count = static_cast<int>(fixed::cut_in_common(lane).size());
   StageList stages(delays);
   stages.add("join", stages.lut_delay_ns(reduction_levels(2 * count)));
-  stages.add("encode", stages.lut_delay_ns(count_levels(most_dropped_in_common(lane))));
+  stages.add("encode", stages.lut_delay_ns(count_levels(fixed::most_dropped_in_common(lane))));
   return std::move(stages).unit("fixed_common_drop");
 }
 
@@ -189,12 +189,6 @@ Unit fixed_decision_unit(const FixedLane& lane, const fixed::FixedPart& part,
   return std::visit(
       [&](const auto& thresholds) { return decision_unit(lane, thresholds, difference, delays); },
       part.criterion);
-}
-
-int most_dropped_in_common(const FixedLane& lane) {
-  int most = 0;
-  for (const FixedNode& node : lane.nodes) most = std::max(most, node.most_dropped);
-  return most;
 }
 
 int threshold_bits(const FixedLane& lane, const fixed::NormThresholds& thresholds) {

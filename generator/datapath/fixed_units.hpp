@@ -33,8 +33,6 @@ Unit check_unit(const fixed::FixedLane& lane, const fixed::FixedNode& checked,
 Unit fixed_decision_unit(const fixed::FixedLane& lane, const fixed::FixedPart& part,
                          const DelayTable& delays);
 
-/// The most bits that the common cuts drop; 0 where there are none.
-int most_dropped_in_common(const fixed::FixedLane& lane);
 /// The width of the largest threshold of a norm decision.
 int threshold_bits(const fixed::FixedLane& lane, const fixed::NormThresholds& thresholds);
 

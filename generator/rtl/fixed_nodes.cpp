@@ -44,7 +44,7 @@ void FixedNodes::build() {
 Signal FixedNodes::out_of_range(NodeId node) {
   std::vector<Signal> flags;
   bool reads_inputs = false;
-  for (const NodeId id : depends_on(node)) {
+  for (const NodeId id : fixed::fan_in(lane_, node)) {
     reads_inputs = reads_inputs || lane_.nodes[id].operation == Operation::input;
     const auto misfit = misfits_.find(id);
     if (misfit == misfits_.end() || fixed::is_reach(lane_.nodes[id])) continue;
@@ -56,7 +56,7 @@ Signal FixedNodes::out_of_range(NodeId node) {
 
 Signal FixedNodes::beyond_reach(NodeId node) {
   std::vector<Signal> flags;
-  for (const NodeId id : depends_on(node)) {
+  for (const NodeId id : fixed::fan_in(lane_, node)) {
     if (fixed::is_reach(lane_.nodes[id])) flags.push_back(misfits_.at(id));
   }
   return any_of("beyond_reach", flags);
@@ -155,7 +155,7 @@ void FixedNodes::build_operand(NodeId id) {
   const FixedFormat& format = node.format;
   const std::string& port = datapath_.port(node.input);
   const std::string misfit = datapath_.pool().unique(port + "_out_of_range");
-  const int magnitude_bits = format.width - (format.is_signed ? 1 : 0);
+  const int magnitude_bits = format.magnitude_bits();
   datapath_.add(Comment{describe(id)});
   datapath_.add(Wire{format.width, names_[id], nullptr});
   datapath_.add(Wire{1, misfit, nullptr});
@@ -186,18 +186,17 @@ Operand FixedNodes::excess_bits(NodeId id, int most) {
   const FixedFormat& format = lane_.nodes[id].format;
   const Operand value = datapath_.at(values_[id], schedule_.common_drop.start_cycle);
   const std::string& name = std::get<Net>(value->node).name;
-  const int magnitude_bits = format.width - (format.is_signed ? 1 : 0);
-  const int own = std::max(0, magnitude_bits - lane_.format.bits);
+  const int own = std::max(0, format.magnitude_bits() - lane_.format.bits);
   const Operand sign = format.is_signed ? bit(name, format.width - 1) : literal(1, 0);
   std::vector<Operand> bits(static_cast<std::size_t>(most + 1 - own), sign);
-  if (own > 0) bits.push_back(slice(name, magnitude_bits - 1, lane_.format.bits));
+  if (own > 0) bits.push_back(slice(name, format.magnitude_bits() - 1, lane_.format.bits));
   return concatenation(std::move(bits));
 }
 
 void FixedNodes::build_common_drop() {
   const datapath::Step& step = schedule_.common_drop;
   const std::string drop = datapath_.pool().unique("common_drop");
-  const int most = datapath::most_dropped_in_common(lane_);
+  const int most = fixed::most_dropped_in_common(lane_);
   const int bits = std::bit_width(static_cast<unsigned>(most));
   std::vector<Operand> excess;
   for (const NodeId id : fixed::cut_in_common(lane_)) excess.push_back(excess_bits(id, most));
@@ -422,20 +421,6 @@ void FixedNodes::append_positive_factors(NodeId id, std::vector<Parameter>& para
     if (lane_.nodes[node.operands[k]].format.is_signed) continue;
     parameters.push_back({k == 0 ? "POSITIVE_A" : "POSITIVE_B", 1});
   }
-}
-
-/// A node and all that it is computed from. A common cut depends on the operands of all.
-std::set<NodeId> FixedNodes::depends_on(NodeId node) const {
-  const std::vector<NodeId> cut = fixed::cut_in_common(lane_);
-  std::set<NodeId> found, open = {node};
-  while (!open.empty()) {
-    const NodeId id = open.extract(std::prev(open.end())).value();
-    const FixedNode& next = lane_.nodes[id];
-    found.insert(id);
-    open.insert(next.operands.begin(), next.operands.begin() + arity(next.operation));
-    if (fixed::is_common_cut(next)) open.insert(cut.begin(), cut.end());
-  }
-  return found;
 }
 
 std::string FixedNodes::describe(NodeId id) const {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -52,7 +51,6 @@ private:
   std::vector<Connection> operands(NodeId id, int cycle);
   std::vector<Parameter> parameters(NodeId id) const;
   void append_positive_factors(NodeId id, std::vector<Parameter>& parameters) const;
-  std::set<NodeId> depends_on(NodeId node) const;
   std::string describe(NodeId id) const;
 
   DatapathBuilder& datapath_;

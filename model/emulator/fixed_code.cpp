@@ -64,9 +64,8 @@ FixedKernel fixed_kernel_of(Operation operation) {
 }
 
 FixedConversion conversion_of(const FixedFormat& format) {
-  const int magnitude_bits = format.width - (format.is_signed ? 1 : 0);
   return {.unit = power(format.unit_exponent),
-          .limit = power(format.unit_exponent + magnitude_bits),
+          .limit = power(format.unit_exponent + format.magnitude_bits()),
           .is_signed = format.is_signed};
 }
 

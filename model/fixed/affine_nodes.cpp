@@ -1,16 +1,19 @@
 #include "model/fixed/affine_nodes.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "model/common/check.hpp"
+#include "model/fixed/sum_of_squares.hpp"
 #include "model/number/dyadic.hpp"
 
 namespace mixcmp::fixed {
 namespace {
 
-bool is_power_of_two(const Node& node) {
-  return node.operation == Operation::constant && node.value != 0 &&
-         power_of_two(static_cast<int>(floor_log2(abs(node.value)))) == abs(node.value);
+/// Whether multiplication and division by the node leave magnitudes their digits.
+bool is_shift(const Node& node) {
+  return node.operation == Operation::constant && is_power_of_two(mpq_class(abs(node.value)));
 }
 
 /// `affine`: whether the operands are.
@@ -29,8 +32,8 @@ bool is_affine(const Graph& graph, const Node& node, const std::vector<bool>& af
     case Operation::subtract:
     case Operation::minimum:
     case Operation::maximum: return true;
-    case Operation::multiply: return is_power_of_two(operand(0)) || is_power_of_two(operand(1));
-    case Operation::divide: return is_power_of_two(operand(1));
+    case Operation::multiply: return is_shift(operand(0)) || is_shift(operand(1));
+    case Operation::divide: return is_shift(operand(1));
     case Operation::square:
     case Operation::square_root: return false;
   }
@@ -67,15 +70,6 @@ private:
   std::set<NodeId> found_, visited_;
 };
 
-/// Appends what is squared in a sum of squares; false where the node is something else.
-bool add_squared(const Graph& graph, NodeId id, std::vector<NodeId>& squared) {
-  const Node& node = graph.nodes()[id];
-  const auto& [first, second] = node.operands;
-  if (node.operation == Operation::square) squared.push_back(first);
-  if (node.operation != Operation::add) return node.operation == Operation::square;
-  return add_squared(graph, first, squared) && add_squared(graph, second, squared);
-}
-
 }  // namespace
 
 std::vector<bool> affine_nodes(const Graph& graph) {
@@ -92,10 +86,14 @@ std::vector<std::vector<NodeId>> nodes_in_norms(const Graph& graph) {
   const std::vector<bool> affine = affine_nodes(graph);
   std::vector<std::vector<NodeId>> of_parts;
   for (const Sides& sides : graph.parts()) {
-    std::vector<NodeId> squared;
-    if (!add_squared(graph, sides.f, squared) || !add_squared(graph, sides.g, squared)) continue;
-    std::erase_if(squared, [&](NodeId id) { return !affine[id]; });
-    of_parts.push_back(std::move(squared));
+    const auto f = sum_of_squares(graph.nodes(), sides.f);
+    const auto g = sum_of_squares(graph.nodes(), sides.g);
+    if (!f || !g) continue;
+    std::vector<NodeId>& squared = of_parts.emplace_back();
+    for (const auto& elements : {f->elements, g->elements}) {
+      std::copy_if(elements.begin(), elements.end(), std::back_inserter(squared),
+                   [&](NodeId id) { return affine[id]; });
+    }
   }
   return of_parts;
 }

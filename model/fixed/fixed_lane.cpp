@@ -34,26 +34,24 @@ Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
                    .criterion = constant_thresholds(builder.nodes()[difference])};
 }
 
-/// Marks a node and all that it is computed from.
-void mark(const FixedLane& lane, NodeId id, std::vector<bool>& marked) {
-  if (marked[id]) return;
-  marked[id] = true;
-  const FixedNode& node = lane.nodes[id];
-  for (int k = 0; k < arity(node.operation); ++k) mark(lane, node.operands[k], marked);
+/// The nodes on which some criterion depends.
+std::set<NodeId> nodes_read(const FixedLane& lane) {
+  std::set<NodeId> read;
+  for (const FixedPart& part : lane.parts) {
+    read.merge(fan_in(lane, part.difference));
+    const auto* norm = std::get_if<NormThresholds>(&part.criterion);
+    if (norm != nullptr) read.merge(fan_in(lane, norm->radius));
+  }
+  return read;
 }
 
-/// Removes the nodes that no criterion depends on: attempts at a norm leave some behind.
+/// Removes what attempts at a norm leave behind.
 void remove_unread(FixedLane& lane) {
-  std::vector<bool> read(lane.nodes.size(), false);
-  for (const FixedPart& part : lane.parts) {
-    mark(lane, part.difference, read);
-    const auto* norm = std::get_if<NormThresholds>(&part.criterion);
-    if (norm != nullptr) mark(lane, norm->radius, read);
-  }
+  const std::set<NodeId> read = nodes_read(lane);
   std::vector<NodeId> new_id(lane.nodes.size(), -1);
   std::vector<FixedNode> kept;
   for (std::size_t id = 0; id < lane.nodes.size(); ++id) {
-    if (!read[id]) continue;
+    if (!read.contains(static_cast<NodeId>(id))) continue;
     FixedNode& node = kept.emplace_back(std::move(lane.nodes[id]));
     for (int k = 0; k < arity(node.operation); ++k) node.operands[k] = new_id[node.operands[k]];
     new_id[id] = static_cast<NodeId>(kept.size()) - 1;
@@ -131,16 +129,15 @@ Result<std::vector<mpq_class>> degrees_of(const Graph& graph, const FixedPoint& 
 }  // namespace
 
 bool is_limit(const FixedNode& node) {
-  return node.operation == Operation::convert && node.dropped_bits == 0 && !is_common_cut(node) &&
-         !is_reach(node);
+  return node.conversion == Conversion::limit;
 }
 
 bool is_common_cut(const FixedNode& node) {
-  return node.most_dropped > 0;
+  return node.conversion == Conversion::common_cut;
 }
 
 bool is_reach(const FixedNode& node) {
-  return node.decides_beyond;
+  return node.conversion == Conversion::reach;
 }
 
 bool is_checked(const FixedNode& node) {
@@ -183,6 +180,25 @@ std::vector<NodeId> cut_in_common(const FixedLane& lane) {
     if (is_common_cut(node)) operands.push_back(node.operands[0]);
   }
   return operands;
+}
+
+int most_dropped_in_common(const FixedLane& lane) {
+  int most = 0;
+  for (const FixedNode& node : lane.nodes) most = std::max(most, node.most_dropped);
+  return most;
+}
+
+std::set<NodeId> fan_in(const FixedLane& lane, NodeId node) {
+  const std::vector<NodeId> cut = cut_in_common(lane);
+  std::set<NodeId> found, open = {node};
+  while (!open.empty()) {
+    const NodeId id = open.extract(std::prev(open.end())).value();
+    const FixedNode& next = lane.nodes[id];
+    found.insert(id);
+    open.insert(next.operands.begin(), next.operands.begin() + arity(next.operation));
+    if (is_common_cut(next)) open.insert(cut.begin(), cut.end());
+  }
+  return found;
 }
 
 int least_block_exponent(FloatFormat input_format) {

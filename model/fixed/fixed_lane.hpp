@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,6 +18,21 @@
 /// behind is integer arithmetic. Proofs: docs/fixed_point.md.
 namespace mixcmp::fixed {
 
+/// What a conversion, the operation that has one operand and computes nothing new, does with it.
+enum class Conversion {
+  /// Drops low bits, as many in every comparison.
+  cut,
+  /// Drops as many low bits as every other common cut does in the same comparison: the fewest with
+  /// which each of them fits a magnitude of W bits. Its result counts units of the operand's
+  /// format, so it stands for the operand divided by a power of two.
+  common_cut,
+  /// Leaves the comparison undecided where the operand is outside `value`.
+  limit,
+  /// Keeps the low bits that hold a number within `value`. A number outside has a square that
+  /// decides the part alone, so hardware need not compute the rest of the difference.
+  reach,
+};
+
 /// One operation. Its result is an integer of `format`, in that format's units.
 ///
 /// An input is the operand that arrived, in floating point. Its magnitude is truncated to the unit
@@ -25,23 +41,17 @@ namespace mixcmp::fixed {
 /// negative zero where the format is unsigned) leaves the comparison undecided. The operands of an
 /// addition, a subtraction, a minimum and a maximum are aligned to the finer unit of the two. A
 /// square root is rounded down to its unit, whatever its operand's.
-///
-/// There are four conversions. A cut drops bits. A common cut drops as many low bits as all others
-/// do in the same comparison: the fewest that make each of them fit its format. Its result counts
-/// the operand's units, so it stands for its operand divided by a power of two. A limit passes its
-/// operand on, and a number outside `value` leaves the comparison undecided. So does a reach, but a
-/// number beyond it has a square that alone decides the part: hardware need not compute the rest.
 struct FixedNode {
   Operation operation;
   std::array<NodeId, 2> operands = {-1, -1};
   int input = -1;      ///< for Operation::input
   mpz_class constant;  ///< for Operation::constant: in units
   FixedFormat format;
-  int dropped_bits = 0;         ///< low bits of the exact result that are cut off: rounded down
-  int most_dropped = 0;         ///< of a common cut: the most bits that it drops; 0 for others
-  bool decides_beyond = false;  ///< of a reach
-  Range value;  ///< encloses the number computed, within reach: the result times its unit
-  Range error;  ///< encloses that number less the real one that it stands for
+  std::optional<Conversion> conversion = {};  ///< for Operation::convert
+  int dropped_bits = 0;  ///< low bits of the exact result that are cut off: rounded down
+  int most_dropped = 0;  ///< for Conversion::common_cut: the most bits that it drops
+  Range value;           ///< encloses the number computed: the result times its unit
+  Range error;           ///< encloses that number less the real one that it stands for
 
   friend bool operator==(const FixedNode&, const FixedNode&) = default;
 };
@@ -49,7 +59,7 @@ struct FixedNode {
 bool is_limit(const FixedNode& node);
 bool is_common_cut(const FixedNode& node);
 bool is_reach(const FixedNode& node);
-/// Whether hardware compares the node's operand with its `value`.
+/// Whether hardware checks that the node's operand is within its `value`.
 bool is_checked(const FixedNode& node);
 
 /// Decides by constants: greater iff n >= greater_from, less iff n <= less_to, where n is the
@@ -136,6 +146,12 @@ std::vector<int> inputs_read(const FixedLane& lane);
 
 /// The operands of the common cuts, in the order of these. All of them precede all common cuts.
 std::vector<NodeId> cut_in_common(const FixedLane& lane);
+
+/// The most bits that the common cuts drop; 0 if there are none.
+int most_dropped_in_common(const FixedLane& lane);
+
+/// A node and all that it is computed from; a common cut is computed from the operands of all.
+std::set<NodeId> fan_in(const FixedLane& lane, NodeId node);
 
 /// In block floating point, the least e by whose power 2^e operands are divided: a binade above the
 /// least normal number.

@@ -55,10 +55,6 @@ FixedFormat format_of(const Range& value, int unit_exponent) {
                               unit_exponent);
 }
 
-int magnitude_bits(const FixedFormat& format) {
-  return format.width - (format.is_signed ? 1 : 0);
-}
-
 /// Drops `count` low bits of a result that has dropped none, if that is more than 0.
 void drop_bits(FixedNode& node, int count) {
   if (count <= 0) return;
@@ -85,6 +81,7 @@ FixedGraphBuilder::FixedGraphBuilder(const Graph& graph, FloatFormat input_forma
 Result<Done> FixedGraphBuilder::cut_in_common() {
   if (options_.format.guard_digits == 0) return Done{};
   const std::vector<NodeId> read = nodes_to_cut(graph_);
+  if (read.empty()) return nothing_to_cut();
   for (const NodeId id : read) {
     MIXCMP_TRY(whole, node(id));
     cut_[id] = factor(whole);
@@ -92,9 +89,9 @@ Result<Done> FixedGraphBuilder::cut_in_common() {
   align_norms();
   int most = 0;
   for (const NodeId id : read) {
-    most = std::max(most, magnitude_bits(nodes_[cut_[id]].format) - options_.format.bits);
+    most = std::max(most, nodes_[cut_[id]].format.magnitude_bits() - options_.format.bits);
   }
-  if (most == 0) return nothing_to_cut();
+  if (most == 0) return Done{};
   for (const NodeId id : read) cut_[id] = add(common_cut(cut_[id], most));
   return Done{};
 }
@@ -116,9 +113,19 @@ void FixedGraphBuilder::align_norms() {
   }
 }
 
+/// A conversion that leaves its operand what it is.
+FixedNode FixedGraphBuilder::conversion(Conversion conversion, NodeId id) const {
+  FixedNode node{.operation = Operation::convert, .operands = {id, -1}, .constant = {}};
+  node.conversion = conversion;
+  node.format = nodes_[id].format;
+  node.value = nodes_[id].value;
+  node.error = nodes_[id].error;
+  return node;
+}
+
 FixedNode FixedGraphBuilder::common_cut(NodeId id, int most) const {
   const FixedNode& whole = nodes_[id];
-  FixedNode node{.operation = Operation::convert, .operands = {id, -1}, .constant = {}};
+  FixedNode node = conversion(Conversion::common_cut, id);
   node.most_dropped = most;
   node.value = cut_value(whole, options_.format.bits, most);
   node.error = cut_error(whole, most);
@@ -183,12 +190,10 @@ NodeId FixedGraphBuilder::within_reach(NodeId a, int bits) {
   const FixedNode& whole = nodes_[a];
   const mpq_class unit = whole.format.unit(), beyond = power_of_two(bits) * unit;
   const bool is_always_far = whole.value.low >= beyond || whole.value.high < -beyond;
-  if (bits >= magnitude_bits(whole.format) || is_always_far) return a;
-  FixedNode node{.operation = Operation::convert, .operands = {a, -1}, .constant = {}};
-  node.decides_beyond = true;
+  if (bits >= whole.format.magnitude_bits() || is_always_far) return a;
+  FixedNode node = conversion(Conversion::reach, a);
   node.value = {std::max<mpq_class>(whole.value.low, -beyond),
                 std::min<mpq_class>(whole.value.high, beyond - unit)};
-  node.error = whole.error;
   node.format = format_of(node.value, whole.format.unit_exponent);
   return add(std::move(node));
 }
@@ -287,9 +292,8 @@ Result<NodeId> FixedGraphBuilder::limited(NodeId id, const Range& limits) {
     return refused(id, "the ranges allow no value that is within the limits",
                    "limits that meet what the ranges allow");
   }
-  FixedNode node{.operation = Operation::convert, .operands = {unlimited, -1}, .constant = {}};
+  FixedNode node = conversion(Conversion::limit, unlimited);
   node.value = checked;
-  node.error = whole.error;
   node.format = format_of(node.value, whole.format.unit_exponent);
   return add(std::move(node));
 }
@@ -305,12 +309,8 @@ NodeId FixedGraphBuilder::factor(NodeId id) {
 }
 
 NodeId FixedGraphBuilder::without_low_bits(NodeId id, int count) {
-  const FixedNode& whole = nodes_[id];
-  FixedNode node{.operation = Operation::convert, .operands = {id, -1}, .constant = {}};
-  node.value = whole.value;
-  node.error = whole.error;
-  node.format = whole.format;
-  drop_bits(node, std::min(count, magnitude_bits(whole.format) - 1));
+  FixedNode node = conversion(Conversion::cut, id);
+  drop_bits(node, std::min(count, node.format.magnitude_bits() - 1));
   return node.dropped_bits == 0 ? id : add(std::move(node));
 }
 

@@ -15,20 +15,21 @@ class FixedGraphBuilder {
 public:
   FixedGraphBuilder(const Graph& graph, FloatFormat input_format, const FixedOptions& options);
 
-  /// With guard digits, makes what is affine and its common cuts, before anything else is made.
+  /// With guard digits, makes the affine nodes and their common cuts. Called before all others.
   Result<Done> cut_in_common();
-  /// The fixed-point node of f or g of a part.
+  /// The fixed-point node of `id`, which is f or g of a part.
   Result<NodeId> side(const Sides& sides, NodeId id);
   /// a - b.
   NodeId difference(NodeId a, NodeId b);
   /// abs(a).
   NodeId magnitude(NodeId a);
-  /// A node without `count` low bits, if that is more than 0; one is left at least.
+  /// A node without its `count` low bits, but with one bit of magnitude at least; the node itself
+  /// where `count` is 0 or less.
   NodeId without_low_bits(NodeId a, int count);
-  /// A node within the reach of `bits` bits of magnitude; the node itself if it has no more, or if
-  /// all that it can be is beyond.
+  /// A node that reaches as far as `bits` bits of magnitude do; the node itself where it has no
+  /// more, and where it is always beyond.
   NodeId within_reach(NodeId a, int bits);
-  /// A sum of squares with other nodes in the place of those that are squared.
+  /// A sum of squares of other elements: `others[element]` in the place of each.
   NodeId with_squared(NodeId sum, const std::map<NodeId, NodeId>& others);
 
   std::vector<FixedNode>& nodes() { return nodes_; }
@@ -36,10 +37,12 @@ public:
 private:
   /// The fixed-point node of an expression's node.
   Result<NodeId> node(NodeId id);
-  /// An operand of a node as this one reads it: before its common cut where both are affine.
+  /// What a node of the expression reads as its operand: affine nodes read it as it is before its
+  /// common cut, others behind that.
   NodeId operand(NodeId reader, int k);
   NodeId read(NodeId id, bool by_affine);
   void align_norms();
+  FixedNode conversion(Conversion conversion, NodeId id) const;
   FixedNode common_cut(NodeId id, int most) const;
   Error nothing_to_cut() const;
   /// The error that names a node of the expression and says why fixed point does not have it.

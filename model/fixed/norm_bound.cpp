@@ -1,5 +1,8 @@
 #include "model/fixed/norm_bound.hpp"
 
+#include <algorithm>
+
+#include "model/fixed/sum_of_squares.hpp"
 #include "model/number/dyadic.hpp"
 
 namespace mixcmp::fixed {
@@ -13,26 +16,12 @@ mpq_class dropped_by(const FixedNode& node) {
   return node.format.unit() * (1 - power_of_two(-node.dropped_bits));
 }
 
-/// Appends the elements of a sum of squares, and adds to `dropped` what low bits that are dropped
-/// on the way are worth; false where the node is something else.
-bool add_elements(const std::vector<FixedNode>& nodes, NodeId id, std::vector<NodeId>& elements,
-                  mpq_class& dropped) {
-  const FixedNode& node = nodes[id];
-  dropped += dropped_by(node);
-  if (node.operation == Operation::square) {
-    elements.push_back(node.operands[0]);
-    return true;
-  }
-  return node.operation == Operation::add &&
-         add_elements(nodes, node.operands[0], elements, dropped) &&
-         add_elements(nodes, node.operands[1], elements, dropped);
-}
-
-/// Appends the elements of a sum of squares; false where the node is something else or rounds.
-bool add_exact_elements(const std::vector<FixedNode>& nodes, NodeId id,
-                        std::vector<NodeId>& elements) {
-  mpq_class dropped = 0;
-  return add_elements(nodes, id, elements, dropped) && dropped == 0;
+/// The elements of a sum of squares that drops no bits; none if the node is something else.
+std::optional<std::vector<NodeId>> exact_elements(const std::vector<FixedNode>& nodes, NodeId sum) {
+  auto squares = sum_of_squares(nodes, sum);
+  const auto drops = [&](NodeId id) { return nodes[id].dropped_bits > 0; };
+  if (!squares || std::any_of(squares->results.begin(), squares->results.end(), drops)) return {};
+  return std::move(squares->elements);
 }
 
 /// A bound of the Euclidean norm of the errors of these nodes.
@@ -60,24 +49,24 @@ int shift_for(const mpq_class& slope) {
 
 std::optional<NormSides> norm_sides(const std::vector<FixedNode>& nodes, NodeId sum,
                                     NodeId square) {
-  NormSides sides{.elements = {}, .radius = nodes[square].operands[0]};
-  if (nodes[square].operation != Operation::square || nodes[square].dropped_bits > 0) return {};
-  if (!add_exact_elements(nodes, sum, sides.elements)) return {};
-  return sides;
+  auto elements = exact_elements(nodes, sum);
+  const bool is_square = nodes[square].operation == Operation::square;
+  if (!elements || !is_square || nodes[square].dropped_bits > 0) return std::nullopt;
+  return NormSides{.elements = std::move(*elements), .radius = nodes[square].operands[0]};
 }
 
 std::optional<NormSides> two_norms(const std::vector<FixedNode>& nodes, NodeId f, NodeId g) {
-  NormSides sides{.elements = {}, .radius = g};
-  const bool are_sums = add_exact_elements(nodes, f, sides.elements) &&
-                        add_exact_elements(nodes, g, sides.radius_elements);
-  return are_sums ? std::optional(sides) : std::nullopt;
+  auto elements = exact_elements(nodes, f), others = exact_elements(nodes, g);
+  if (!elements || !others) return std::nullopt;
+  return NormSides{
+      .elements = std::move(*elements), .radius = g, .radius_elements = std::move(*others)};
 }
 
 std::optional<SquaredNorm> squared_norm(const std::vector<FixedNode>& nodes, NodeId sum) {
-  SquaredNorm norm;
-  std::vector<NodeId> elements;
-  if (!add_elements(nodes, sum, elements, norm.dropped)) return std::nullopt;
-  norm.error = norm_of_all(nodes, elements);
+  const auto squares = sum_of_squares(nodes, sum);
+  if (!squares) return std::nullopt;
+  SquaredNorm norm{.error = norm_of_all(nodes, squares->elements), .dropped = 0};
+  for (const NodeId id : squares->results) norm.dropped += dropped_by(nodes[id]);
   return norm;
 }
 

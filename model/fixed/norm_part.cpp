@@ -1,9 +1,13 @@
 #include "model/fixed/norm_part.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "model/fixed/norm_bound.hpp"
+#include "model/fixed/sum_of_squares.hpp"
 #include "model/number/dyadic.hpp"
 
 namespace mixcmp::fixed {
@@ -18,15 +22,43 @@ struct NormForm {
 
 using Replaced = std::map<NodeId, NodeId>;
 
+/// The forms that f and g have: those with a radius, if there are any.
+std::vector<NormForm> forms_of(const std::vector<FixedNode>& nodes, NodeId f, NodeId g) {
+  const NormForm forms[] = {{f, g, false}, {g, f, true}};
+  std::vector<NormForm> with_radius;
+  for (const NormForm& form : forms) {
+    if (norm_sides(nodes, form.sum, form.other)) with_radius.push_back(form);
+  }
+  const bool have_norms = with_radius.empty() && two_norms(nodes, f, g);
+  return have_norms ? std::vector(std::begin(forms), std::end(forms)) : with_radius;
+}
+
+/// The slopes of a norm's thresholds, as numbers: above and below.
+std::pair<mpq_class, mpq_class> slopes_of(const std::vector<FixedNode>& nodes,
+                                          const FixedPart& part) {
+  const auto& thresholds = std::get<NormThresholds>(part.criterion);
+  const mpq_class per_radius =
+      nodes[part.difference].format.unit() / power_of_two(thresholds.unit_exponent(nodes));
+  return {power_of_two(thresholds.shift_above) * per_radius,
+          power_of_two(thresholds.shift_below) * per_radius};
+}
+
+bool is_better(const std::vector<FixedNode>& nodes, const FixedPart& part, const FixedPart& other) {
+  const auto slopes = [&](const FixedPart& of) -> mpq_class {
+    const auto [above, below] = slopes_of(nodes, of);
+    return above + below;
+  };
+  const auto width = [&](const FixedPart& of) { return nodes[of.difference].format.width; };
+  if (slopes(part) != slopes(other)) return slopes(part) < slopes(other);
+  return width(part) < width(other);
+}
+
 class NormPartMaker {
 public:
   NormPartMaker(FixedGraphBuilder& builder, const NormForm& form)
       : builder_(builder), form_(form) {}
 
-  FixedPart run() {
-    form_ = with_fewest_low_bits();
-    return part_of(within_reach(form_));
-  }
+  FixedPart run() { return part_of(within_reach(with_fewest_low_bits())); }
 
 private:
   const FixedNode& node(NodeId id) const { return builder_.nodes()[id]; }
@@ -47,47 +79,32 @@ private:
             .criterion = norm_thresholds(builder_.nodes(), sides, node(difference))};
   }
 
-  /// What is squared on both sides.
-  std::vector<NodeId> squared(const NormForm& form) const {
-    std::vector<NodeId> all = squared_in(form.sum);
-    for (const NodeId id : squared_in(form.other)) all.push_back(id);
-    return all;
-  }
-
   std::vector<NodeId> squared_in(NodeId sum) const {
-    const FixedNode& added = node(sum);
-    if (added.operation == Operation::square) return {added.operands[0]};
-    std::vector<NodeId> all = squared_in(added.operands[0]);
-    for (const NodeId id : squared_in(added.operands[1])) all.push_back(id);
-    return all;
+    return sum_of_squares(builder_.nodes(), sum)->elements;
   }
 
-  /// The coarsest unit that leaves the slopes what they are.
+  /// All that is squared has the coarsest unit that leaves the slopes what they are.
   NormForm with_fewest_low_bits() {
-    const std::vector<NodeId> all = squared(form_);
+    std::vector<NodeId> all = squared_in(form_.sum);
+    for (const NodeId id : squared_in(form_.other)) all.push_back(id);
     const auto unit_exponent = [&](NodeId id) { return node(id).format.unit_exponent; };
     std::vector<int> units;
     for (const NodeId id : all) units.push_back(unit_exponent(id));
     const auto [finest, coarsest] = std::minmax_element(units.begin(), units.end());
-    const auto slopes = slopes_of(part_of(form_));
+    const auto slopes_with = [&](const NormForm& form) {
+      const FixedPart part = part_of(form);
+      return slopes_of(builder_.nodes(), part);
+    };
+    const auto slopes = slopes_with(form_);
     for (int unit = *coarsest; unit > *finest; --unit) {
       Replaced replaced;
       for (const NodeId id : all) {
         replaced[id] = builder_.without_low_bits(id, unit - unit_exponent(id));
       }
       const NormForm cut = replace(form_, replaced);
-      if (slopes_of(part_of(cut)) == slopes) return cut;
+      if (slopes_with(cut) == slopes) return cut;
     }
     return form_;
-  }
-
-  /// The slopes of the thresholds, as numbers.
-  std::pair<mpq_class, mpq_class> slopes_of(const FixedPart& part) const {
-    const auto& thresholds = std::get<NormThresholds>(part.criterion);
-    const mpq_class per_radius = node(part.difference).format.unit() /
-                                 power_of_two(thresholds.unit_exponent(builder_.nodes()));
-    return {power_of_two(thresholds.shift_above) * per_radius,
-            power_of_two(thresholds.shift_below) * per_radius};
   }
 
   NormForm replace(const NormForm& form, const Replaced& replaced) {
@@ -95,10 +112,11 @@ private:
             form.swapped};
   }
 
-  /// The form whose elements of x have no more bits than they need where none of them decides the
-  /// part alone. Thresholds do not grow where narrower sums are exact.
+  /// Elements of x have no more bits than they need where none of their squares decides the part.
+  /// The thresholds stay what they are, since the narrower sums are exact, too.
   NormForm within_reach(const NormForm& form) {
-    const mpq_class square = far_square(builder_.nodes(), part_of(form));
+    const FixedPart whole = part_of(form);
+    const mpq_class square = far_square(builder_.nodes(), whole);
     Replaced replaced;
     for (const NodeId id : squared_in(form.sum)) {
       const mpq_class unit = node(id).format.unit();
@@ -110,18 +128,18 @@ private:
   }
 
   FixedGraphBuilder& builder_;
-  NormForm form_;
+  const NormForm form_;
 };
 
 }  // namespace
 
 std::optional<FixedPart> norm_part(FixedGraphBuilder& builder, NodeId f, NodeId g) {
-  for (const NormForm& form : {NormForm{f, g, false}, NormForm{g, f, true}}) {
-    if (!norm_sides(builder.nodes(), form.sum, form.other)) continue;
-    return NormPartMaker(builder, form).run();
+  std::optional<FixedPart> best;
+  for (const NormForm& form : forms_of(builder.nodes(), f, g)) {
+    FixedPart part = NormPartMaker(builder, form).run();
+    if (!best || is_better(builder.nodes(), part, *best)) best = std::move(part);
   }
-  if (!two_norms(builder.nodes(), f, g)) return std::nullopt;
-  return NormPartMaker(builder, {f, g, false}).run();
+  return best;
 }
 
 }  // namespace mixcmp::fixed

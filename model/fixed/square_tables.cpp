@@ -26,8 +26,7 @@ SquareTable table_for(const FixedLane& lane, std::vector<NodeId> squares) {
 }  // namespace
 
 int magnitude_bits(const FixedLane& lane, NodeId square) {
-  const FixedFormat& operand = lane.nodes[lane.nodes[square].operands[0]].format;
-  return operand.width - (operand.is_signed ? 1 : 0);
+  return lane.nodes[lane.nodes[square].operands[0]].format.magnitude_bits();
 }
 
 std::vector<SquareTable> square_tables(const FixedLane& lane, int read_ports) {

@@ -48,8 +48,7 @@ Integer converted(FloatFormat from, Bits bits, const FixedFormat& to) {
   const mpq_class value = to_rational(from, from.magnitude(bits));
   mpz_class magnitude = shifted(value.get_num(), std::max(0, -to.unit_exponent));
   magnitude /= shifted(value.get_den(), std::max(0, to.unit_exponent));
-  const int magnitude_bits = to.width - (to.is_signed ? 1 : 0);
-  if (magnitude >= shifted(1, magnitude_bits)) return std::nullopt;
+  if (magnitude >= shifted(1, to.magnitude_bits())) return std::nullopt;
   return from.sign(bits) ? mpz_class(-magnitude - 1) : magnitude;
 }
 

@@ -16,6 +16,7 @@ struct FixedFormat {
   /// The narrowest format that holds the integers from `low` to `high`; at least one bit wide.
   static FixedFormat holding(const mpz_class& low, const mpz_class& high, int unit_exponent);
 
+  int magnitude_bits() const { return is_signed ? width - 1 : width; }
   mpq_class unit() const;
   mpz_class smallest() const;  ///< in units
   mpz_class largest() const;   ///< in units

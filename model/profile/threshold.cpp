@@ -196,8 +196,7 @@ Margin margin_of(const fixed::NormThresholds& thresholds, const FixedNode& diffe
 /// decides where f and g are 1 / t^degree times as far apart. Proof: docs/profile.md, behind
 /// theorem 2.
 Margin before_cuts(Margin margin, const fixed::FixedLane& lane, const mpq_class& degree) {
-  int most = 0;
-  for (const FixedNode& node : lane.nodes) most = std::max(most, node.most_dropped);
+  const int most = fixed::most_dropped_in_common(lane);
   const double grown = std::exp2(most * degree.get_d()) * outward;
   return {.constant = margin.constant * grown, .per_root = margin.per_root * std::sqrt(grown)};
 }
