@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <set>
 #include <utility>
 
 #include "model/common/check.hpp"
@@ -11,6 +12,7 @@
 #include "model/fixed/node_enclosure.hpp"
 #include "model/fixed/norm_bound.hpp"
 #include "model/fixed/root_error.hpp"
+#include "model/fixed/sum_of_squares.hpp"
 #include "model/number/dyadic.hpp"
 #include "model/proof/script.hpp"
 
@@ -76,8 +78,10 @@ public:
     if (has_common_cuts()) {
       add_exact("f and g are homogeneous of one degree in what is cut in common",
                 is_homogeneous(Scaled::cuts));
+      add_exact("common cuts drop as many bits as any of their operands needs", cuts_drop_enough());
     }
     for (NodeId id = 0; id < static_cast<NodeId>(nodes_.size()); ++id) prove_node(id);
+    add_exact("every result fits its format", results_fit_);
     for (const fixed::FixedPart& part : lane_.parts) {
       std::visit([&](const auto& thresholds) { prove_decision(thresholds, part); }, part.criterion);
     }
@@ -121,47 +125,101 @@ private:
   }
 
   void prove_node(NodeId id) {
+    prove_enclosure(id);
+    results_fit_ = results_fit_ && fits(nodes_[id]);
+  }
+
+  /// Whether the format holds all that the result can be.
+  static bool fits(const FixedNode& node) {
+    return in_format(node.value, node.format) == node.value;
+  }
+
+  /// Sets value and error to what follows from those of the operands.
+  void prove_enclosure(NodeId id) {
     FixedNode& node = nodes_[id];
     if (node.operation == Operation::input) return assume_operand(node);
     if (node.operation == Operation::constant) {
+      node.value.low = node.value.high = node.format.unit() * node.constant;
       node.error = rounded_outward(node.error, node.format);
       return;
     }
     if (node.operation == Operation::square_root) {
+      const Range& squares = nodes_[node.operands[0]].value;
+      node.value.low = root_of(squares.low, fixed::root_digits);
+      node.value.high = root_above(squares.high, fixed::root_digits);
       node.error = rounded_outward(fixed::root_error(nodes_, node.operands[0]), node.format);
       node.error.low -= node.format.unit();
-      return;
+      return round_down(node);
     }
     if (node.operation == Operation::convert) return convert(node);
     const FixedNode& a = nodes_[node.operands[0]];
     const FixedNode& b = nodes_[node.operands[std::max(0, arity(node.operation) - 1)]];
     const bool cancels =
         node.operation == Operation::subtract && node.operands[0] == node.operands[1];
-    if (cancels) return;
+    if (cancels) {
+      node.value = node.error = {0, 0};
+      return;
+    }
     const Range value = fixed::exact_value(node.operation, a.value, b.value);
     const Range exact = rounded_outward(fixed::exact_error(node.operation, a, b), node.format);
+    node.value = value;
     node.error = exact;
     drop_bits(node);
     if (is_polynomial(node.operation)) add_script(id, value, exact);
   }
 
-  /// Widens the error by what the dropped bits are worth.
+  /// Theorem 2 on dropped bits, by hand.
   static void drop_bits(FixedNode& node) {
     if (node.dropped_bits == 0) return;
     node.error.low -= node.format.unit() * (1 - power_of_two(-node.dropped_bits));
+    round_down(node);
   }
 
-  /// A cut or a limit: theorem 2, by hand; a common cut: theorem 7. The value of a limit is what
-  /// the hardware checks.
+  /// The numbers of a range that a format holds.
+  static Range in_format(const Range& value, const FixedFormat& format) {
+    const mpq_class unit = format.unit();
+    return {std::max<mpq_class>(value.low, format.smallest() * unit),
+            std::min<mpq_class>(value.high, format.largest() * unit)};
+  }
+
+  /// Moves the ends of the value to the units at or below them.
+  static void round_down(FixedNode& node) {
+    const mpq_class unit = node.format.unit();
+    node.value = {floor_of(node.value.low / unit) * unit, floor_of(node.value.high / unit) * unit};
+  }
+
+  /// Cuts and limits: theorem 2, by hand; common cuts: theorem 7; reaches: theorem 8.
   void convert(FixedNode& node) {
     const FixedNode& operand = nodes_[node.operands[0]];
-    if (fixed::is_common_cut(node)) {
-      node.value = fixed::cut_value(operand, lane_.format.bits, node.most_dropped);
-      node.error = rounded_outward(fixed::cut_error(operand, node.most_dropped), node.format);
-      return;
+    switch (*node.conversion) {
+      case fixed::Conversion::cut:
+        node.value = operand.value;
+        node.error = operand.error;
+        return drop_bits(node);
+      case fixed::Conversion::common_cut:
+        node.value = fixed::cut_value(operand, lane_.format.bits, node.most_dropped);
+        node.error = rounded_outward(fixed::cut_error(operand, node.most_dropped), node.format);
+        return;
+      case fixed::Conversion::limit:  // the hardware checks the value
+        node.error = operand.error;
+        return;
+      case fixed::Conversion::reach:  // the hardware checks the format
+        node.value = in_format(operand.value, node.format);
+        node.error = operand.error;
+        return;
     }
-    node.error = operand.error;
-    drop_bits(node);
+    MIXCMP_CHECK(false);
+  }
+
+  /// Whether the operands of all common cuts have at most `most_dropped` bits more than W, and that
+  /// is the same number for all of them.
+  bool cuts_drop_enough() const {
+    const int most = fixed::most_dropped_in_common(lane_);
+    return std::all_of(nodes_.begin(), nodes_.end(), [&](const FixedNode& node) {
+      if (!fixed::is_common_cut(node)) return true;
+      const int bits = nodes_[node.operands[0]].format.magnitude_bits();
+      return node.most_dropped == most && bits <= lane_.format.bits + most;
+    });
   }
 
   /// Theorem 1, by hand.
@@ -291,6 +349,9 @@ private:
     add_exact("the constants lie beyond the error of f - g",
               thresholds.greater_from * unit > difference.error.high &&
                   thresholds.less_to * unit < difference.error.low);
+    if (has_reaches()) {
+      add_exact("constants depend on no reach", !depends_on_reach(part.difference));
+    }
   }
 
   /// The conditions of theorem 4: a and b, which the thresholds' slopes stand for, and the offset.
@@ -301,40 +362,66 @@ private:
     const ChosenThresholds chosen = {.a = power_of_two(thresholds.shift_above) * per_radius,
                                      .b = power_of_two(thresholds.shift_below) * per_radius,
                                      .offset = thresholds.offset_above * unit};
-    const mpq_class squares = sum_of_squares(difference.operands[0]);
-    const bool suffice = thresholds.radius_is_squared
-                             ? suffice_for_two(chosen, squares, sum_of_squares(thresholds.radius))
-                             : suffice_for_radius(chosen, squares, nodes_[thresholds.radius]);
-    add_exact("the thresholds are those that theorem 4 asks for", suffice);
-    const std::vector<mpq_class> reaches = reaches_in(difference.operands[0]);
-    if (reaches.empty()) return;
-    const mpq_class least = *std::min_element(reaches.begin(), reaches.end());
-    add_exact("what is beyond reach decides", least * least >= fixed::far_square(nodes_, part));
-  }
-
-  /// The least magnitude beyond each reach whose square is among the summands.
-  std::vector<mpq_class> reaches_in(NodeId sum) const {
-    const FixedNode& node = nodes_[sum];
-    std::vector<mpq_class> reaches;
-    if (node.operation == Operation::square && fixed::is_reach(nodes_[node.operands[0]])) {
-      const FixedNode& reach = nodes_[node.operands[0]];
-      const Range& whole = nodes_[reach.operands[0]].value;
-      const mpq_class unit = reach.format.unit();
-      if (reach.value.high < whole.high) reaches.push_back(reach.value.high + unit);
-      if (reach.value.low > whole.low) reaches.push_back(unit - reach.value.low);
-      return reaches;
-    }
-    if (node.operation != Operation::add) return {};
-    for (const NodeId operand : node.operands) {
-      for (const mpq_class& reach : reaches_in(operand)) reaches.push_back(reach);
-    }
-    return reaches;
+    const std::vector<NodeId> elements = elements_of(difference.operands[0]);
+    const mpq_class squares = squared_errors(elements);
+    const bool suffice =
+        thresholds.radius_is_squared
+            ? suffice_for_two(chosen, squares, squared_errors(elements_of(thresholds.radius)))
+            : suffice_for_radius(chosen, squares, nodes_[thresholds.radius]);
+    add_exact("the thresholds are those that theorem 4 asks for",
+              suffice && is_other_side(difference.operands[1], thresholds));
+    if (!has_reaches()) return;
+    const mpq_class largest = 2 * chosen.a * largest_radius(thresholds) + chosen.offset;
+    const mpq_class far = nodes_[difference.operands[1]].value.high + largest;
+    bool decide = !depends_on_reach(difference.operands[1]);
+    for (const NodeId id : elements) decide = decide && decides_beyond(id, far);
+    add_exact("what is beyond reach decides", decide);
   }
 
   struct ChosenThresholds {
     mpq_class a, b;
     mpq_class offset;
   };
+
+  /// Whether the node is |y|^2, or the square of the radius or of what that is the magnitude of.
+  bool is_other_side(NodeId other, const fixed::NormThresholds& thresholds) const {
+    if (thresholds.radius_is_squared) return other == thresholds.radius;
+    const FixedNode &square = nodes_[other], &radius = nodes_[thresholds.radius];
+    if (square.operation != Operation::square || square.dropped_bits > 0) return false;
+    const bool is_magnitude = radius.operation == Operation::absolute;
+    return square.operands[0] == thresholds.radius ||
+           (is_magnitude && square.operands[0] == radius.operands[0]);
+  }
+
+  /// The largest s: that of a radius, or the least power of two above the largest root.
+  mpq_class largest_radius(const fixed::NormThresholds& thresholds) const {
+    const mpq_class& largest = nodes_[thresholds.radius].value.high;
+    if (!thresholds.radius_is_squared) return largest;
+    mpq_class s = power_of_two(thresholds.unit_exponent(nodes_));
+    while (largest >= s * s) s *= 2;
+    return s;
+  }
+
+  /// Whether an element of x computes with no number that is beyond a reach, but its own; and the
+  /// square of one beyond that is `far` or more.
+  bool decides_beyond(NodeId element, const mpq_class& far) const {
+    const FixedNode& node = nodes_[element];
+    if (!fixed::is_reach(node)) return !depends_on_reach(element);
+    const Range& whole = nodes_[node.operands[0]].value;
+    const mpq_class above = node.value.high + node.format.unit();
+    const mpq_class below = node.value.low - node.format.unit();
+    return (node.value.high >= whole.high || above * above >= far) &&
+           (node.value.low <= whole.low || below * below >= far) &&
+           !depends_on_reach(node.operands[0]);
+  }
+
+  bool depends_on_reach(NodeId id) const {
+    const std::set<NodeId> cone = fixed::fan_in(lane_, id);
+    return std::any_of(cone.begin(), cone.end(),
+                       [&](NodeId behind) { return fixed::is_reach(nodes_[behind]); });
+  }
+
+  bool has_reaches() const { return std::any_of(nodes_.begin(), nodes_.end(), fixed::is_reach); }
 
   /// Whether a >= r + c, offset > max(0, r + c)^2 and b >= r + h, where r^2 = squares.
   static bool suffice_for_radius(const ChosenThresholds& chosen, const mpq_class& squares,
@@ -371,12 +458,18 @@ private:
     return is_nonnegative ? mpq_class(-radius.error.low) : absolute(radius.error).high;
   }
 
-  /// The sum of the squares of the errors of all that is squared and summed.
-  mpq_class sum_of_squares(NodeId id) const {
-    const FixedNode& node = nodes_[id];
-    if (node.operation == Operation::square) return square(nodes_[node.operands[0]].error).high;
-    MIXCMP_CHECK(node.operation == Operation::add && node.dropped_bits == 0);
-    return sum_of_squares(node.operands[0]) + sum_of_squares(node.operands[1]);
+  /// What is squared in a sum of squares that drops no bits.
+  std::vector<NodeId> elements_of(NodeId sum) const {
+    const auto squares = fixed::sum_of_squares(nodes_, sum);
+    MIXCMP_CHECK(squares);
+    for (const NodeId id : squares->results) MIXCMP_CHECK(nodes_[id].dropped_bits == 0);
+    return squares->elements;
+  }
+
+  mpq_class squared_errors(const std::vector<NodeId>& elements) const {
+    mpq_class sum = 0;
+    for (const NodeId id : elements) sum += square(nodes_[id].error).high;
+    return sum;
   }
 
   void add_step(const char* theorem, const char* statement) {
@@ -408,7 +501,7 @@ private:
     if (has_common_cuts()) {
       add_step("7", "docs/fixed_point.md, theorem 7: value and error of a common cut");
     }
-    if (any([](const FixedNode& node) { return fixed::is_reach(node); })) {
+    if (has_reaches()) {
       add_step("8", "docs/fixed_point.md, theorem 8: one square that decides");
     }
     if (any_part<fixed::ConstantThresholds>()) {
@@ -431,6 +524,7 @@ private:
   std::vector<FixedNode> nodes_;  ///< with errors that Gappa can read
   std::vector<TypedNode> typed_;  ///< for their texts
   const Prove& prove_;
+  bool results_fit_ = true;
   LaneProof proof_;
 };
 

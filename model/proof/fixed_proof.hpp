@@ -4,11 +4,13 @@
 
 namespace mixcmp::proof {
 
-/// Proves value and error of every operation of a lane in fixed point from those of its operands,
-/// one script each, and by exact arithmetic that its thresholds lie beyond the error (theorem 3 of
-/// docs/fixed_point.md) or beyond what theorem 4 asks. By hand stay the conversion (theorem 1),
-/// absolute values, choices, dropped bits and limits (theorem 2), square roots (theorem 5), the
-/// scaling of block floating point (theorem 6, whose condition is checked), and theorem 4 itself.
+/// Proves a lane in fixed point (theorems of docs/fixed_point.md). By Gappa, one script each: value
+/// and error of every sum, difference, product and square, from those of its operands. By exact
+/// arithmetic: that every result fits its format, that the thresholds lie beyond the error
+/// (theorem 3) or beyond what theorem 4 asks, and what theorems 6 to 8 require: that f and g are
+/// homogeneous, that common cuts drop enough bits, that what is beyond a reach decides. By hand
+/// stay operands (theorem 1), absolute values, choices, dropped bits and limits (theorem 2), square
+/// roots (theorem 5), and that theorems 4 and 6 to 8 follow from their conditions.
 LaneProof prove_fixed(const fixed::FixedLane& lane, const Prove& prove);
 
 }  // namespace mixcmp::proof

@@ -48,6 +48,14 @@ LaneProof proof_of(const FixedLane& lane) {
   return proof::prove_fixed(lane, std::ref(prover));
 }
 
+proof::ScriptResult prove_anything(const std::string&) {
+  return {Outcome::proven, "", ""};
+}
+
+bool is_refused(const FixedLane& lane) {
+  return proof::prove_fixed(lane, prove_anything).refused();
+}
+
 class FixedProof : public testing::TestWithParam<Case> {};
 
 TEST_P(FixedProof, IsMachineCheckedButForWhatItSays) {
@@ -188,23 +196,17 @@ INSTANTIATE_TEST_SUITE_P(Thresholds, TooClose, testing::Range(0, 5));
 /// A lane of a sum of degrees 1 and 2, which says that it is in block floating point.
 TEST(FixedProofOfBlocks, RefusesWhatDoesNotGrowAlike) {
   FixedLane lane = lane_of({"", {{"a + a^2", "b"}}, 9, {0, 1}, ""});
-  const auto prove = [](const std::string&) {
-    return proof::ScriptResult{Outcome::proven, "", ""};
-  };
-  EXPECT_FALSE(proof::prove_fixed(lane, prove).refused());
+  EXPECT_FALSE(is_refused(lane));
   lane.format.is_block = true;
-  EXPECT_TRUE(proof::prove_fixed(lane, prove).refused());
+  EXPECT_TRUE(is_refused(lane));
 }
 
 /// A sum of a square and what is cut before squaring: of degrees 2 and 1.
 TEST(FixedProofOfCuts, RefusesWhatDoesNotGrowAlike) {
-  const auto prove = [](const std::string&) {
-    return proof::ScriptResult{Outcome::proven, "", ""};
-  };
   const Case guarded{"", {{"(a - b)^2 + c^2", "d^2"}}, 9,     {0, 1},
                      "", FixedBound::constant,         false, 3};
   const FixedLane lane = lane_of(guarded);
-  EXPECT_FALSE(proof::prove_fixed(lane, prove).refused());
+  EXPECT_FALSE(is_refused(lane));
   for (std::size_t id = 0; id < lane.nodes.size(); ++id) {
     if (!fixed::is_common_cut(lane.nodes[id])) continue;
     FixedLane mixed = lane;
@@ -213,15 +215,12 @@ TEST(FixedProofOfCuts, RefusesWhatDoesNotGrowAlike) {
                      [](const fixed::FixedNode& node) { return node.operation == Operation::add; });
     ASSERT_NE(added, mixed.nodes.end());
     added->operands[1] = static_cast<NodeId>(id);
-    EXPECT_TRUE(proof::prove_fixed(mixed, prove).refused()) << id;
+    EXPECT_TRUE(is_refused(mixed)) << id;
   }
 }
 
 /// Ranges of any ratio, so that units differ, low bits are dropped and high ones are beyond reach.
 TEST(FixedProofOfNorms, FindsTheThresholdsOfTheorem4WhateverTheRanges) {
-  const auto prove = [](const std::string&) {
-    return proof::ScriptResult{Outcome::proven, "", ""};
-  };
   for (const auto& [f, g] : {std::pair("(a - b)^2 + (c - b)^2", "d^2"),
                              {"d^2", "(a - b)^2 + c^2"},
                              {"(a - b)^2", "c^2 + d^2"},
@@ -236,33 +235,80 @@ TEST(FixedProofOfNorms, FindsTheThresholdsOfTheorem4WhateverTheRanges) {
         const auto lane =
             fixed::fixed_lane(graph, format_of(53, 8), {.format = format, .ranges = ranges});
         if (!lane.ok()) continue;
-        EXPECT_FALSE(proof::prove_fixed(*lane, prove).refused())
-            << f << ", " << g << ", " << format.name() << ", " << ratio;
+        EXPECT_FALSE(is_refused(*lane)) << f << ", " << g << ", " << format.name() << ", " << ratio;
       }
     }
   }
 }
 
-/// A reach that is half as far on either side.
+/// A reach of a bit less.
 TEST(FixedProofOfReaches, RefusesOneThatIsTooShort) {
-  const auto prove = [](const std::string&) {
-    return proof::ScriptResult{Outcome::proven, "", ""};
-  };
   const FixedLane lane = lane_of({"", {{"(a - b)^2 + c^2", "(d / 16)^2"}}, 9, {0, 3}, ""});
-  EXPECT_FALSE(proof::prove_fixed(lane, prove).refused());
+  EXPECT_FALSE(is_refused(lane));
   int reaches = 0;
   for (std::size_t id = 0; id < lane.nodes.size(); ++id) {
     if (!fixed::is_reach(lane.nodes[id])) continue;
     ++reaches;
     FixedLane shorter = lane;
-    shorter.nodes[id].value.high /= 2;
-    EXPECT_TRUE(proof::prove_fixed(shorter, prove).refused()) << id;
-    shorter = lane;
-    if (shorter.nodes[id].value.low >= 0) continue;
-    shorter.nodes[id].value.low /= 2;
-    EXPECT_TRUE(proof::prove_fixed(shorter, prove).refused()) << id;
+    --shorter.nodes[id].format.width;
+    EXPECT_TRUE(is_refused(shorter)) << id;
   }
   EXPECT_EQ(reaches, 2);
+}
+
+/// One element reads what another's reach makes of a number.
+TEST(FixedProofOfReaches, RefusesOneThatIsNotSquaredInTheSum) {
+  FixedLane lane = lane_of({"", {{"(a - b)^2 + (c - e)^2", "(d / 16)^2"}}, 9, {0, 3}, ""});
+  EXPECT_FALSE(is_refused(lane));
+  const auto first = std::find_if(lane.nodes.begin(), lane.nodes.end(), fixed::is_reach);
+  const auto second = std::find_if(std::next(first), lane.nodes.end(), fixed::is_reach);
+  ASSERT_NE(second, lane.nodes.end());
+  ASSERT_EQ(first->format, second->format);
+  second->operands[0] = static_cast<NodeId>(first - lane.nodes.begin());
+  EXPECT_TRUE(is_refused(lane));
+}
+
+/// A part that is decided by constants beyond all differences.
+TEST(FixedProofOfReaches, RefusesConstantsOfWhatIsWithinReach) {
+  FixedLane lane = lane_of({"", {{"(a - b)^2 + c^2", "(d / 16)^2"}}, 9, {0, 3}, ""});
+  const mpz_class far = lane.nodes[lane.parts[0].difference].format.largest();
+  lane.parts[0].criterion = fixed::ConstantThresholds{.greater_from = far, .less_to = -far};
+  EXPECT_TRUE(is_refused(lane));
+}
+
+TEST(FixedProofOfNorms, RefusesARadiusThatIsNotTheOtherSides) {
+  FixedLane lane = lane_of({"", {{"(a - b)^2 + c^2", "d^2"}}, 9, {0, 3}, ""});
+  auto& norm = std::get<fixed::NormThresholds>(lane.parts[0].criterion);
+  const auto c = std::find_if(lane.nodes.begin(), lane.nodes.end(),
+                              [](const fixed::FixedNode& node) { return node.input == 2; });
+  norm.radius = static_cast<NodeId>(c - lane.nodes.begin());
+  EXPECT_TRUE(is_refused(lane));
+}
+
+/// A format of a bit less, and a common cut that drops a bit less or more.
+TEST(FixedProofOfWidths, RefusesResultsThatDoNotFit) {
+  const Case cases[] = {
+      {"", {{"(a - b)^2 + c^2", "(d / 16)^2"}}, 9, {0, 3}, ""},
+      {"", {{"abs(a * b - 3 * c) + min(a, d)", "sqrt(a^2 + b^2)"}}, 7, {-2, 3}, ""},
+      {"", {{"(a - b)^2 + c^2", "d^2"}}, 9, {0, 1}, "", FixedBound::norm, false, 3},
+      {"", {{"(a - b)^2 + c^2", "a * d"}}, 9, {-1, 1}, "", FixedBound::constant, true, 3}};
+  for (const Case& each : cases) {
+    const FixedLane lane = lane_of(each);
+    EXPECT_FALSE(is_refused(lane)) << each.parts[0].first;
+    for (std::size_t id = 0; id < lane.nodes.size(); ++id) {
+      const Operation operation = lane.nodes[id].operation;
+      if (operation == Operation::input || lane.nodes[id].format.width == 1) continue;
+      FixedLane narrower = lane;
+      --narrower.nodes[id].format.width;
+      EXPECT_TRUE(is_refused(narrower)) << each.parts[0].first << ", node " << id;
+      if (!fixed::is_common_cut(lane.nodes[id])) continue;
+      for (const int more : {-1, 1}) {
+        FixedLane other = lane;
+        other.nodes[id].most_dropped += more;
+        EXPECT_TRUE(is_refused(other)) << "node " << id << ", " << more;
+      }
+    }
+  }
 }
 
 TEST(FixedProofOfOperands, DoesNotBelieveTheLane) {
