@@ -241,19 +241,23 @@ TEST(FixedProofOfNorms, FindsTheThresholdsOfTheorem4WhateverTheRanges) {
   }
 }
 
-/// A reach of a bit less.
+/// A reach of a bit less, upward, downward, or both; and thresholds that only nearer numbers pass.
 TEST(FixedProofOfReaches, RefusesOneThatIsTooShort) {
-  const FixedLane lane = lane_of({"", {{"(a - b)^2 + c^2", "(d / 16)^2"}}, 9, {0, 3}, ""});
-  EXPECT_FALSE(is_refused(lane));
-  int reaches = 0;
-  for (std::size_t id = 0; id < lane.nodes.size(); ++id) {
-    if (!fixed::is_reach(lane.nodes[id])) continue;
-    ++reaches;
+  for (const auto& [f, g] : {std::pair("(a - b)^2 + c^2", "(d / 16)^2"),
+                             {"(a + b)^2 + c^2", "(d / 16)^2"},
+                             {"(-a - b)^2 + c^2", "(d / 16)^2"},
+                             {"(a - b)^2 + e^2", "(c / 16)^2 + (d / 16)^2"}}) {
+    const FixedLane lane = lane_of({"", {{f, g}}, 9, {0, 3}, ""});
+    EXPECT_FALSE(is_refused(lane)) << f;
+    const auto reach = std::find_if(lane.nodes.begin(), lane.nodes.end(), fixed::is_reach);
+    ASSERT_NE(reach, lane.nodes.end()) << f;
     FixedLane shorter = lane;
-    --shorter.nodes[id].format.width;
-    EXPECT_TRUE(is_refused(shorter)) << id;
+    --shorter.nodes[reach - lane.nodes.begin()].format.width;
+    EXPECT_TRUE(is_refused(shorter)) << f;
+    FixedLane steeper = lane;
+    std::get<fixed::NormThresholds>(steeper.parts[0].criterion).shift_above += 7;
+    EXPECT_TRUE(is_refused(steeper)) << f;
   }
-  EXPECT_EQ(reaches, 2);
 }
 
 /// One element reads what another's reach makes of a number.
@@ -265,6 +269,16 @@ TEST(FixedProofOfReaches, RefusesOneThatIsNotSquaredInTheSum) {
   ASSERT_NE(second, lane.nodes.end());
   ASSERT_EQ(first->format, second->format);
   second->operands[0] = static_cast<NodeId>(first - lane.nodes.begin());
+  EXPECT_TRUE(is_refused(lane));
+}
+
+/// A radius that is within its limits turned into one within reach.
+TEST(FixedProofOfReaches, RefusesOneOfTheRadius) {
+  FixedLane lane = lane_of({"", {{"(a - b)^2", "within(c - d, -0.125, 0.117)^2"}}, 9, {0, 3}, ""});
+  EXPECT_FALSE(is_refused(lane));
+  const auto limit = std::find_if(lane.nodes.begin(), lane.nodes.end(), fixed::is_limit);
+  ASSERT_NE(limit, lane.nodes.end());
+  limit->conversion = fixed::Conversion::reach;
   EXPECT_TRUE(is_refused(lane));
 }
 
