@@ -66,7 +66,7 @@ Result<FloatFormat> FloatFormat::parse(std::string_view text) {
   const int precision = parse_whole(text.substr(1, e - 1));
   const int exponent_bits = parse_whole(text.substr(e + 1));
   Result<FloatFormat> format = make(precision, exponent_bits);
-  if (!format.ok()) return format_error(fmt::format("\"{}\"", text));
+  if (!format.ok() || format->name() != text) return format_error(fmt::format("\"{}\"", text));
   return format;
 }
 

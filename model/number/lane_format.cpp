@@ -34,11 +34,12 @@ std::optional<FixedPoint> FixedPoint::parse(std::string_view word) {
     if (!word.starts_with(prefix)) continue;
     const std::string_view digits = word.substr(prefix.size());
     const std::size_t letter = digits.find(guard_letter);
+    const bool has_guard_digits = letter != std::string_view::npos;
     const auto bits = number_of(digits.substr(0, letter));
-    if (!bits) continue;
-    if (letter == std::string_view::npos) return FixedPoint{*bits, is_block};
-    const auto guard_digits = number_of(digits.substr(letter + 1));
-    if (guard_digits && *guard_digits > 0) return FixedPoint{*bits, is_block, *guard_digits};
+    const auto guard_digits = has_guard_digits ? number_of(digits.substr(letter + 1)) : 0;
+    if (!bits || !guard_digits) continue;
+    const FixedPoint format{*bits, is_block, *guard_digits};
+    if (format.name() == word) return format;  // one name each: no "q013", no "q13g0"
   }
   return std::nullopt;
 }

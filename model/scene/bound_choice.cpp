@@ -32,6 +32,20 @@ std::string_view word(Kind kind) {
   MIXCMP_CHECK(false);
 }
 
+std::vector<BoundChoice> all_choices() {
+  std::vector<BoundChoice> choices = {{Kind::constant}, {Kind::profiled}, {Kind::relative}};
+  constexpr settings::Limits digits = settings::limits::bound_digits;
+  for (int count = digits.least; count <= digits.most; ++count) {
+    choices.push_back({Kind::running, count});
+  }
+  for (const Kind kind : fixed_kinds) {
+    for (int count = 0; count < settings::limits::fixed_bits.most; ++count) {
+      choices.push_back({kind, count});
+    }
+  }
+  return choices;
+}
+
 }  // namespace
 
 FixedPoint BoundChoice::fixed_point(int bits) const {
@@ -53,34 +67,10 @@ std::string to_string(const std::optional<BoundChoice>& choice) {
   return choice ? to_string(*choice) : "";
 }
 
-namespace {
-
-/// "fixed_norm_g3".
-std::optional<BoundChoice> parse_guarded(std::string_view name) {
-  constexpr int most = settings::limits::fixed_bits.most;
-  for (const Kind kind : fixed_kinds) {
-    for (int digits = 1; digits < most; ++digits) {
-      const BoundChoice choice{kind, digits};
-      if (to_string(choice) == name) return choice;
-    }
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 Result<BoundChoice> parse_bound_choice(std::string_view name) {
-  for (const Kind kind : {Kind::block_constant, Kind::block_norm, Kind::constant,
-                          Kind::fixed_constant, Kind::fixed_norm, Kind::profiled, Kind::relative}) {
-    if (name == word(kind)) return BoundChoice{kind};
+  for (const BoundChoice& choice : all_choices()) {
+    if (to_string(choice) == name) return choice;
   }
-  constexpr settings::Limits digits = settings::limits::bound_digits;
-  static_assert(digits.most <= 9, "one character names the digits");
-  if (name.size() == running_prefix.size() + 1 && name.starts_with(running_prefix) &&
-      digits.allow(name.back() - '0')) {
-    return BoundChoice{Kind::running, name.back() - '0'};
-  }
-  if (const auto guarded = parse_guarded(name)) return *guarded;
   return Error{
       .message = "not a bound", .received = in_quotes(name), .accepted = bound_choice_names()};
 }

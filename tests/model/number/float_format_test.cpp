@@ -66,9 +66,10 @@ TEST(FloatFormat, ReadsNamesAndNotation) {
 }
 
 TEST(FloatFormat, RefusesWhatItCannotPack) {
-  for (const char* text :
-       {"", "s", "e", "s17", "17e8", "s17e", "se8", "s1e8", "s114e8", "s17e1", "s17e16", "s17e8x",
-        " s17e8", "s17 e8", "s-17e8", "s17e-8", "S17E8", "binary31", "s99999999999999999999e8"}) {
+  for (const char* text : {"",       "s",      "e",      "s17",      "s017e8",
+                           "17e8",   "s17e",   "se8",    "s1e8",     "s114e8",
+                           "s17e1",  "s17e16", "s17e8x", " s17e8",   "s17 e8",
+                           "s-17e8", "s17e-8", "S17E8",  "binary31", "s99999999999999999999e8"}) {
     const auto format = FloatFormat::parse(text);
     ASSERT_FALSE(format.ok()) << text;
     EXPECT_EQ(format.error().received, "\"" + std::string(text) + "\"");

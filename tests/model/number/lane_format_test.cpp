@@ -18,8 +18,9 @@ TEST(FixedPoint, NamesAreReadAsTheyAreWritten) {
 }
 
 TEST(FixedPoint, OtherWordsAreNone) {
-  for (const char* word : {"", "q", "block", "q13g", "q13g0", "qg3", "q13g-1", "q13g3g3", "q+13",
-                           "13g3", "q13 g3", "q13g3x", "s17e8", "block13h3", "q99999999"}) {
+  for (const char* word :
+       {"", "q", "block", "q13g", "q13g0", "q013", "q13g03", "qg3", "q13g-1", "q13g3g3", "q+13",
+        "13g3", "q13 g3", "q13g3x", "s17e8", "block13h3", "q99999999"}) {
     EXPECT_FALSE(FixedPoint::parse(word)) << word;
   }
 }
