@@ -274,7 +274,7 @@ void FixedNodes::build_check(NodeId id) {
   misfits_[id] = {net(misfit), misfit, 1, step.ready_cycle};
 }
 
-/// Of the check that is built last.
+/// The parameters of the unit of a check, the one that is being built.
 std::vector<Parameter> FixedNodes::check_parameters(NodeId id) const {
   const FixedNode& node = lane_.nodes[id];
   const FixedNode& whole = lane_.nodes[node.operands[0]];

@@ -22,9 +22,9 @@ double power(int exponent) {
   return std::ldexp(1, exponent);
 }
 
-/// The digits of a double with which an operation is exact within reach. Beyond, sums are rounded
-/// down to the threshold at most, which is a double. A root is rounded to nearest before it
-/// is rounded down to its unit: with these digits never to the next unit (docs/emulator.md).
+/// The digits of a double with which an operation is exact. (Where a number is beyond its reach,
+/// sums may be rounded, but stay above the threshold.) A root is rounded to nearest before it is
+/// rounded down to its unit: with these digits never to the next unit. Proofs: docs/emulator.md.
 int needed_digits(const std::vector<FixedNode>& nodes, const FixedNode& node) {
   if (node.operation == Operation::square_root) {
     return std::max(2 * node.format.width + 1, nodes[node.operands[0]].format.width + 3);

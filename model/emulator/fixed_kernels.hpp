@@ -6,7 +6,8 @@
 #include "model/emulator/block.hpp"
 
 /// Lanes in fixed point on columns of doubles; compiled once per instruction set. A column holds
-/// the number that an integer stands for, n u: that is exact up to 53 bits, and needs no alignment.
+/// the number that an integer stands for, n u: exact up to 53 bits, with no need of alignment.
+/// Numbers beyond a reach may be rounded; docs/emulator.md says why that changes no decision.
 namespace mixcmp::emulator {
 
 /// How a lane takes an operand. What it does not take becomes a NaN.
@@ -49,7 +50,7 @@ enum class FixedKernel : std::uint8_t {
   common_cut,  ///< of all `cuts` at once
 };
 
-/// A common cut: the number of a column, an integer of units, and the one that it becomes.
+/// A common cut of one column, which holds multiples of `unit`.
 struct FixedCut {
   int operand = -1;
   int result = -1;
@@ -66,7 +67,7 @@ struct FixedInstruction {
   double low = 0, high = 0;
   FixedSum terms = {};
   std::vector<FixedCut> cuts = {};
-  double beyond = 0;  ///< of a common cut: 2^W, which no magnitude reaches, in units
+  double beyond = 0;  ///< of common cuts: 2^W, above all magnitudes that they leave, in units
 };
 
 /// Greater iff D >= slope_above s + offset_above, less iff -D > slope_below s + offset_below, where

@@ -4,19 +4,19 @@
 
 #include "model/expression/graph.hpp"
 
-/// With guard digits, a lane first computes what is linear in its operands, with all their digits,
-/// and cuts it before it enters what is not.
+/// A lane with guard digits computes affine nodes with all digits of its operands. What else reads
+/// them reads them cut.
 namespace mixcmp::fixed {
 
 /// [node]: whether it is made of inputs and constants by sums, differences, signs, absolute values,
 /// minima, maxima and multiplication by powers of two alone.
 std::vector<bool> affine_nodes(const Graph& graph);
 
-/// The affine nodes, but constants, that other operations or the sides of a part read: in their
-/// order. Parts that are affine on both sides need no cut.
+/// The affine nodes that have to be cut, in their order: those that another operation reads, or
+/// that are a side of a part whose other side is not affine. Constants are none of them.
 std::vector<NodeId> nodes_to_cut(const Graph& graph);
 
-/// For each part whose sides are both sums of squares, those of `nodes_to_cut` that are squared.
+/// For each part whose sides are both sums of squares, the affine nodes that are squared there.
 std::vector<std::vector<NodeId>> nodes_in_norms(const Graph& graph);
 
 }  // namespace mixcmp::fixed

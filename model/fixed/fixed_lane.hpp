@@ -98,8 +98,8 @@ struct FixedPart {
   NodeId difference;     ///< f - g, or g - f where `swapped`
   bool swapped = false;  ///< `greater` and `less` of the decision change places
   std::variant<ConstantThresholds, NormThresholds> criterion;
-  /// In block floating point: f and g of operands that are multiplied by t > 0 are t^degree times
-  /// what they were. Likewise with guard digits, for what is cut in common; 0 where nothing is.
+  /// f and g of operands that are multiplied by t > 0 are t^degree times what they were: in block
+  /// floating point. With guard digits alone, "operands" are what is cut in common. 0 elsewhere.
   mpq_class degree = 0;
 
   friend bool operator==(const FixedPart&, const FixedPart&) = default;
@@ -109,8 +109,8 @@ struct FixedPart {
 /// on x / 2^e instead of each operand x that it reads, where 2^e is the least power of two above
 /// all their magnitudes, but no less than `least_block_exponent` says. So all are below 1 and count
 /// units of 2^-13. Where one is infinite or a NaN, the comparison is left undecided. With guard
-/// digits, as in q13g3, operands have 13 + 3 bits, and what is linear in them is cut to 13 bits in
-/// common before anything else is done with it.
+/// digits, as in q13g3, operands have 13 + 3 bits, and affine nodes are cut to 13 bits in common
+/// before anything else reads them.
 struct FixedLane {
   FixedPoint format;
   std::vector<FixedNode> nodes;  ///< in topological order

@@ -96,8 +96,8 @@ Result<Done> FixedGraphBuilder::cut_in_common() {
   return Done{};
 }
 
-/// What is squared and added counts for as much as the coarsest of it: finer digits would only
-/// keep the common cut from keeping others.
+/// Gives the elements of each norm the coarsest of their units. Finer digits of one would only take
+/// digits from the others, as the common cut drops equally many of all.
 void FixedGraphBuilder::align_norms() {
   for (const std::vector<NodeId>& squared : nodes_in_norms(graph_)) {
     const auto unit_exponent = [&](NodeId id) { return nodes_[cut_[id]].format.unit_exponent; };

@@ -69,8 +69,8 @@ Range exact_value(Operation operation, const Range& a, const Range& b) {
   MIXCMP_CHECK(false);
 }
 
-/// Dropping bits moves an end of either sign towards zero, or from below to -1 unit; none is beyond
-/// what `bits` bits hold.
+/// Dropping bits moves a positive end towards 0 and a negative one towards -1 unit. The most bits
+/// dropped give the innermost ends; none, where the operand fits `bits` bits, the outermost.
 Range cut_value(const FixedNode& node, int bits, int most) {
   const mpq_class unit = node.format.unit();
   const mpz_class low = ceiling_of(node.value.low / unit), high = floor_of(node.value.high / unit);
@@ -81,7 +81,7 @@ Range cut_value(const FixedNode& node, int bits, int most) {
   return {cut_low * unit, cut_high * unit};
 }
 
-/// With t = 2^-k, k = 0..most, the error is e t - d with 0 <= d <= (1 - t) unit: its ends are
+/// With t = 2^-k, k = 0..most, the error is e t - r with 0 <= r <= (1 - t) unit: its ends are
 /// linear in t, so they are extreme at the least and at the greatest t.
 Range cut_error(const FixedNode& node, int most) {
   const mpq_class t = power_of_two(-most);

@@ -286,7 +286,7 @@ private:
         {std::move(what), holds ? Outcome::proven : Outcome::not_proven, "by exact arithmetic"});
   }
 
-  /// What a lane divides by a power of two: its operands, or what is cut in common.
+  /// The numbers that a lane divides by a power of two before it decides.
   enum class Scaled { operands, cuts };
   /// None: zero, which has every degree.
   using Degree = std::optional<mpq_class>;
@@ -458,7 +458,7 @@ private:
     return is_nonnegative ? mpq_class(-radius.error.low) : absolute(radius.error).high;
   }
 
-  /// What is squared in a sum of squares that drops no bits.
+  /// The elements of a sum of squares that drops no bits.
   std::vector<NodeId> elements_of(NodeId sum) const {
     const auto squares = fixed::sum_of_squares(nodes_, sum);
     MIXCMP_CHECK(squares);

@@ -30,7 +30,7 @@ module fixed_common_cut #(
     end
   endgenerate
 
-  // Stage shift. Above MOST nothing is asked for.
+  // Stage shift. `drop` never exceeds MOST.
   wire [A_WIDTH+MOST-1:0] s0_extended = {{MOST{a[A_WIDTH-1]}}, a};
   wire [A_WIDTH+MOST-1:0] s0_shifted  = s0_extended >> drop;
   wire                    unused_bits = ^s0_shifted;
