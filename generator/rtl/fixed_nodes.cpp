@@ -267,15 +267,14 @@ void FixedNodes::build_check(NodeId id) {
   datapath_.add(Wire{1, misfit, nullptr});
   datapath_.add(Instance{step.unit.module,
                          datapath_.pool().unique("check_" + names_[id]),
-                         check_parameters(id),
+                         check_parameters(id, step),
                          {{"aclk", net("aclk")},
                           {"a", operand(node.operands[0], 0, step.start_cycle)},
                           {is_reach ? "overflow" : "out_of_range", net(misfit)}}});
   misfits_[id] = {net(misfit), misfit, 1, step.ready_cycle};
 }
 
-/// The parameters of the unit of a check, the one that is being built.
-std::vector<Parameter> FixedNodes::check_parameters(NodeId id) const {
+std::vector<Parameter> FixedNodes::check_parameters(NodeId id, const datapath::Step& step) const {
   const FixedNode& node = lane_.nodes[id];
   const FixedNode& whole = lane_.nodes[node.operands[0]];
   const int width = datapath::operand_bits(lane_.nodes, node, 0);
@@ -291,7 +290,7 @@ std::vector<Parameter> FixedNodes::check_parameters(NodeId id) const {
       parameters.push_back({"GREATEST", in_units(node.value.high)});
     }
   }
-  parameters.push_back({"CUTS", cut_mask(schedule_.checks[checks_built_ - 1])});
+  parameters.push_back({"CUTS", cut_mask(step)});
   return parameters;
 }
 

@@ -43,7 +43,7 @@ private:
   void build_conversion(NodeId id);
   void consume_low_bits(const std::string& name, int count);
   void build_check(NodeId id);
-  std::vector<Parameter> check_parameters(NodeId id) const;
+  std::vector<Parameter> check_parameters(NodeId id, const datapath::Step& step) const;
   Signal any_of(const char* name, const std::vector<Signal>& flags);
   void build_unit(NodeId id);
   void build_memory_square(NodeId id, const fixed::SquareTable& table);

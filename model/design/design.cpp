@@ -197,7 +197,7 @@ bool can_decide(const fixed::FixedLane& lane, const fixed::NormThresholds& thres
 
 /// Whether any two results can lie far enough apart for some part to be decided.
 bool can_decide(const fixed::FixedLane& lane) {
-  // What is beyond a reach is decided.
+  // A lane with reaches decides whatever is beyond one of them.
   if (std::any_of(lane.nodes.begin(), lane.nodes.end(), fixed::is_reach)) return true;
   return std::any_of(lane.parts.begin(), lane.parts.end(), [&](const fixed::FixedPart& part) {
     const fixed::FixedNode& difference = lane.nodes[static_cast<std::size_t>(part.difference)];

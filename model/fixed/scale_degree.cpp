@@ -18,7 +18,7 @@ constexpr std::size_t most_characters = 60;
 /// None: the value is always zero, which has every degree.
 using Degree = std::optional<mpq_class>;
 
-/// What is multiplied by t.
+/// The numbers that are multiplied by t in the definition of a degree.
 enum class Scaled { inputs, affine };
 
 Error refused(const Graph& graph, Scaled scaled, NodeId node, const std::string& why) {
