@@ -20,8 +20,10 @@ namespace mixcmp::harness {
 /// The simulator's side of the exchange.
 class VpiExchange {
 public:
+  /// It is never destroyed: std::exit, by which either thread ends the process where something is
+  /// wrong, would otherwise wait for ever until the other thread leaves the condition variable.
   static VpiExchange& instance() {
-    static VpiExchange exchange;
+    static auto& exchange = *new VpiExchange;
     return exchange;
   }
 

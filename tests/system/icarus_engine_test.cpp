@@ -1,0 +1,39 @@
+#include "verilator_tb/icarus_engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include "model/common/process.hpp"
+#include "tests/support/simulated_system.hpp"
+#include "tests/support/sphere.hpp"
+
+/// Engines in Icarus Verilog: what is built, and how its runs end where something is wrong.
+namespace mixcmp::test::icarus_engine_test {
+namespace {
+
+design::Design small_engine() {
+  design::Design design = sphere_design(format("s6e8"), format("s24e8"), 1, 1);
+  design.system =
+      with_engine(design.system, {.kind = scene::EngineKind::pairwise, .capacity = 8});
+  return design;
+}
+
+/// Builds the engine in a folder of the test's own.
+verilator_tb::Executable build(const std::string& test) {
+  const auto system = verilator_tb::load_system(generate_to(small_engine(), test + "_rtl")).value();
+  const auto built =
+      verilator_tb::build_engine_in_icarus(system, {.work_dir = test_work_dir(test)});
+  EXPECT_TRUE(built.ok()) << built.error().to_string();
+  return *built;
+}
+
+TEST(IcarusEngine, EndsWithItsHost) {
+  const std::string program = build("icarus_host").path.string();
+  // Standard input, which leads to the host, is at its end.
+  const auto run = capture({program, "seed=1"}, {.seconds = 20});
+  ASSERT_TRUE(run.ok()) << run.error().to_string();
+  EXPECT_TRUE(run->in_time);
+  EXPECT_EQ(how_it_ended(run->status), "failed with exit code 1");
+}
+
+}  // namespace
+}  // namespace mixcmp::test::icarus_engine_test
