@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "model/common/process.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
@@ -9,6 +11,8 @@
 /// Engines in Icarus Verilog: what is built, and how its runs end where something is wrong.
 namespace mixcmp::test::icarus_engine_test {
 namespace {
+
+namespace fs = std::filesystem;
 
 design::Design small_engine() {
   design::Design design = sphere_design(format("s6e8"), format("s24e8"), 1, 1);
@@ -33,6 +37,20 @@ TEST(IcarusEngine, EndsWithItsHost) {
   ASSERT_TRUE(run.ok()) << run.error().to_string();
   EXPECT_TRUE(run->in_time);
   EXPECT_EQ(how_it_ended(run->status), "failed with exit code 1");
+}
+
+TEST(IcarusEngine, FailsWhereTheHarnessFails) {
+  const fs::path program = build("icarus_failing").path;
+  const fs::path folder = program.parent_path().parent_path();
+  std::ofstream(folder / "pairwise.cpp") << "int main(int, char**) { return 3; }\n";
+  const auto made = run_tool({.command = {"make", "-B", "-f", "build.mk"},
+                              .directory = folder,
+                              .log = folder / "build.log"});
+  ASSERT_TRUE(made.ok()) << made.error().to_string();
+  const auto run = capture({program.string()});
+  ASSERT_TRUE(run.ok()) << run.error().to_string();
+  EXPECT_EQ(how_it_ended(run->status), "failed with exit code 3");
+  fs::remove_all(folder);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -36,8 +37,9 @@ public:
     }
     pass_to(Turn::harness);
     wait_for(Turn::simulator);
-    if (is_over_) {
+    if (status_) {
       harness_.join();
+      vpip_set_return_value(*status_);  // the exit code of vvp
       vpi_control(vpiFinish, 0);
     } else {
       write_inputs();
@@ -59,8 +61,7 @@ private:
       wait_for(Turn::harness);
       s_vpi_vlog_info info{};
       vpi_get_vlog_info(&info);
-      harness_main(info.argc, info.argv);
-      is_over_ = true;
+      status_ = harness_main(info.argc, info.argv);
       pass_to(Turn::simulator);
     });
   }
@@ -145,7 +146,7 @@ private:
   std::mutex mutex_;
   std::condition_variable changed_;
   Turn turn_ = Turn::simulator;
-  bool is_over_ = false;
+  std::optional<int> status_;  ///< what the harness returned, once it has
   VpiModel* model_ = nullptr;
   std::vector<vpiHandle> handles_;
 };
