@@ -20,15 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder in which one model is verilated and compiled.
-struct ModelBuild {
-  fs::path folder;
-  std::string prefix;   ///< of the model's C++ names
-  std::string product;  ///< the program or the archive, a file of obj/
-  Command verilate;
-  SourceFiles inputs;
-};
-
 /// Verilator and make as they are called for every model.
 struct Tools {
   std::string version;
@@ -82,16 +73,16 @@ ModelBuild block_build(const ClockedBlock& block, const SourceFiles& sources,
   ModelBuild build{.folder = {},
                    .prefix = "V" + top,
                    .product = "V" + top + "__ALL.a",
-                   .verilate = tools.verilator,
+                   .compile = tools.verilator,
                    .inputs = {}};
   for (const auto& [file, text] : files_of_module(block.module, sources)) {
     build.inputs.emplace_back(file, without_header(text));
   }
   build.inputs.emplace_back(top + ".v", block.wrapper());
-  append(build.verilate, {"--prefix", build.prefix, "--top-module", top});
-  for (const auto& [file, text] : build.inputs) build.verilate.push_back(file);
+  append(build.compile, {"--prefix", build.prefix, "--top-module", top});
+  for (const auto& [file, text] : build.inputs) build.compile.push_back(file);
   build.folder =
-      work_folder(work_dir, block.module, tools.version + tools.make, build.verilate, build.inputs);
+      work_folder(work_dir, block.module, tools.version + tools.make, build.compile, build.inputs);
   return build;
 }
 
@@ -127,13 +118,13 @@ std::string makefile(const ModelBuild& system, const std::vector<ModelBuild>& bl
     rules += fmt::format(
         "\n{0}/{1}:\n\tcd {0} && rm -rf obj && {2}\n\t{3} -C {0}/obj -f {4}.mk {5}\n"
         "\ttouch $@\n",
-        folder, build_stamp, shell_line(block.verilate), tools.make, block.prefix, block.product);
+        folder, build_stamp, shell_line(block.compile), tools.make, block.prefix, block.product);
   }
   return fmt::format(
       "# Builds obj/Vsystem: the system and its blocks side by side, then the program.\n\n"
       "obj/Vsystem: obj/compiled{0}\n\t{1} -C obj -f Vsystem.mk Vsystem\n\n"
       "obj/compiled:\n\t{2}\n\t{1} -C obj -f Vsystem.mk Vsystem__ALL.a\n\ttouch $@\n{3}",
-      stamps, tools.make, shell_line(system.verilate), rules);
+      stamps, tools.make, shell_line(system.compile), rules);
 }
 
 /// The system's own model with its harness.
@@ -144,7 +135,7 @@ ModelBuild system_build(const Bench& bench, const SourceFiles& sources,
   ModelBuild build{.folder = {},
                    .prefix = "Vsystem",
                    .product = "Vsystem",
-                   .verilate = tools.verilator,
+                   .compile = tools.verilator,
                    .inputs = {}};
   std::string compiler_flags = "-std=c++20";
   std::string libraries;
@@ -153,17 +144,17 @@ ModelBuild system_build(const Bench& bench, const SourceFiles& sources,
     compiler_flags += " -I" + objects;
     libraries += fmt::format("{}{}/{}", libraries.empty() ? "" : " ", objects, block.product);
   }
-  append(build.verilate,
+  append(build.compile,
          {"--exe", "--prefix", build.prefix, "--top-module", bench.top, "-CFLAGS", compiler_flags});
-  if (!libraries.empty()) append(build.verilate, {"-LDFLAGS", libraries});
+  if (!libraries.empty()) append(build.compile, {"-LDFLAGS", libraries});
   build.inputs = files_with_stubs(bench.top, sources, blocks);
-  for (const auto& [file, text] : build.inputs) build.verilate.push_back(file);
+  for (const auto& [file, text] : build.inputs) build.compile.push_back(file);
   build.inputs.emplace_back("bindings.cpp", bindings(blocks));
-  append(build.verilate, {"bindings.cpp", bench.main});
+  append(build.compile, {"bindings.cpp", bench.main});
   for (const EmbeddedFile& file : harness_files()) build.inputs.emplace_back(file.name, file.text);
   build.inputs.emplace_back("system_ports.hpp", bench.ports);
   build.inputs.emplace_back("build.mk", makefile(build, block_builds, tools));
-  build.folder = work_folder(work_dir, bench.top, tools.version, build.verilate, build.inputs);
+  build.folder = work_folder(work_dir, bench.top, tools.version, build.compile, build.inputs);
   return build;
 }
 
@@ -196,6 +187,15 @@ Result<FolderLock> prepare(const ModelBuild& build, const Waiting& waiting) {
     MIXCMP_TRY(written, write_file(build.folder / name, text));
   }
   return lock;
+}
+
+/// The error where a program is missing that compiles simulators.
+std::optional<Error> missing_compiler() {
+  for (const char* program : {"make", "g++"}) {
+    const auto version = tool_version({program, "--version"}, program);
+    if (!version.ok() && version.error().kind == ErrorKind::missing_tool) return version.error();
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -243,12 +243,28 @@ fs::path work_folder(const fs::path& work, const std::string& name, const std::s
   return fs::absolute(work) / fmt::format("{}-{}", name, hash.hex().substr(0, 16));
 }
 
-std::optional<Error> missing_compiler() {
-  for (const char* program : {"make", "g++"}) {
-    const auto version = tool_version({program, "--version"}, program);
-    if (!version.ok() && version.error().kind == ErrorKind::missing_tool) return version.error();
+Result<Executable> make_program(const ModelBuild& program, const std::vector<ModelBuild>& parts,
+                                const BuildOptions& options) {
+  const Executable executable{program.folder / "obj" / program.product};
+  MIXCMP_TRY(lock, prepare(program, options.waiting));
+  if (is_complete(program)) return executable;
+
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<FolderLock> locks;
+  for (const ModelBuild& part : parts) {
+    if (is_complete(part)) continue;
+    MIXCMP_TRY(part_lock, prepare(part, options.waiting));
+    locks.push_back(std::move(part_lock));
   }
-  return std::nullopt;
+  const auto jobs = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
+  const auto run = run_tool({.command = {"make", "-j", jobs, "-f", "build.mk"},
+                             .directory = program.folder,
+                             .log = program.folder / "build.log",
+                             .progress = options.progress});
+  if (!run.ok()) return missing_compiler().value_or(run.error());
+  MIXCMP_TRY(stamped, write_file(program.folder / build_stamp, ""));
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  return Executable{executable.path, taken.count()};
 }
 
 Result<Executable> build_simulator(const System& system, const BuildOptions& options) {
@@ -263,27 +279,7 @@ Result<Executable> build_simulator(const System& system, const BuildOptions& opt
   }
   const ModelBuild build = system_build(bench_of(system.signature), sources, blocks, block_builds,
                                         options.work_dir, tools);
-  const Executable executable{build.folder / "obj" / build.product};
-  MIXCMP_TRY(lock, prepare(build, options.waiting));
-  if (is_complete(build)) return executable;
-
-  const auto start = std::chrono::steady_clock::now();
-  // Blocks are sorted by the names of their modules, so that two builds never wait for each other.
-  std::vector<FolderLock> block_locks;
-  for (const ModelBuild& block : block_builds) {
-    if (is_complete(block)) continue;
-    MIXCMP_TRY(block_lock, prepare(block, options.waiting));
-    block_locks.push_back(std::move(block_lock));
-  }
-  const auto jobs = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
-  const auto run = run_tool({.command = {"make", "-j", jobs, "-f", "build.mk"},
-                             .directory = build.folder,
-                             .log = build.folder / "build.log",
-                             .progress = options.progress});
-  if (!run.ok()) return missing_compiler().value_or(run.error());
-  MIXCMP_TRY(stamped, write_file(build.folder / build_stamp, ""));
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  return Executable{executable.path, taken.count()};
+  return make_program(build, block_builds, options);
 }
 
 }  // namespace mixcmp::verilator_tb

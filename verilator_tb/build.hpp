@@ -51,8 +51,21 @@ std::filesystem::path work_folder(const std::filesystem::path& work, const std::
                                   const std::string& version, const Command& command,
                                   const SourceFiles& inputs);
 
-/// The error where a program is missing that compiles simulators.
-std::optional<Error> missing_compiler();
+/// A folder in which a simulator, or a part of one, is built from `inputs`.
+struct ModelBuild {
+  std::filesystem::path folder;
+  std::string prefix = {};  ///< of the model's C++ names, which Verilator makes
+  std::string product;      ///< the program or the archive, a file of obj/
+  Command compile;          ///< the call of Verilator or Icarus
+  SourceFiles inputs;
+};
+
+/// Builds a program by its folder's build.mk, which builds `parts` in their folders, too. What is
+/// complete is used as it is. Anything else starts anew with an empty obj/, so that no file which
+/// another process runs is written over. All callers sort parts by the names of their modules, so
+/// that two builds never wait for each other.
+Result<Executable> make_program(const ModelBuild& program, const std::vector<ModelBuild>& parts,
+                                const BuildOptions& options);
 
 /// Runs Verilator on the system together with our harness. A build is found again by the content of
 /// everything that went into it; one that was interrupted starts anew (ccache keeps its objects).

@@ -1,23 +1,14 @@
 #include "verilator_tb/icarus_engine.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
-
-#include <chrono>
 
 #include "embedded/harness_files.hpp"
 #include "embedded/vpi_harness_files.hpp"
-#include "model/common/output_file.hpp"
 #include "verilator_tb/bench.hpp"
 
 namespace mixcmp::verilator_tb {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-/// Where SimulatorProcess expects a program: in a folder of the build's.
-constexpr const char* program = "run/simulate";
 
 std::string range(int width) {
   return width == 1 ? "" : fmt::format("[{}:0] ", width - 1);
@@ -64,12 +55,13 @@ std::string model_text(const emit::SignatureEngine& engine) {
 
 std::string makefile(const Command& compile, const std::string& main) {
   return fmt::format(
-      "# Builds {0}: the engine for vvp, and the harness that it loads.\n\n"
-      "{0}: simulation harness.vpi\n\tmkdir -p run && cp simulate $@ && chmod +x $@\n\n"
-      "simulation:\n\t{1}\n\n"
-      "harness.vpi:\n\tg++ -std=c++20 $$(iverilog-vpi --cflags) -O1 -w -Dmain=harness_main "
-      "-o $@ {2} vpi_model.cpp $$(iverilog-vpi --ldflags) $$(iverilog-vpi --ldlibs) -pthread\n",
-      program, shell_line(compile), main);
+      "# Builds obj/simulate: the engine for vvp, and the harness that it loads.\n\n"
+      "obj/simulate: obj/simulation obj/harness.vpi\n\tcp simulate $@ && chmod +x $@\n\n"
+      "obj/simulation:\n\tmkdir -p obj && {}\n\n"
+      "obj/harness.vpi:\n\tmkdir -p obj && g++ -std=c++20 $$(iverilog-vpi --cflags) -O1 -w "
+      "-Dmain=harness_main -o $@ {} vpi_model.cpp $$(iverilog-vpi --ldflags) "
+      "$$(iverilog-vpi --ldlibs) -pthread\n",
+      shell_line(compile), main);
 }
 
 /// vvp wants its own words behind the program, and its $dumpfile takes ASCII names alone: a link in
@@ -89,7 +81,7 @@ constexpr const char* launcher =
     "  ln -sfn \"$(dirname \"$file\")\" \"$link\"\n"
     "  set -- \"$@\" -fst \"+trace=$link/$(basename \"$file\")\"\n"
     "done\n"
-    "vvp -n -M. -mharness simulation \"$@\"\n";
+    "vvp -n -Mobj -mharness obj/simulation \"$@\"\n";
 
 /// The model with its clock, and what takes its place here.
 constexpr std::string_view clocked_model = "clocked_model.hpp",
@@ -118,26 +110,16 @@ Result<Executable> build_engine_in_icarus(const System& system, const BuildOptio
   MIXCMP_TRY(version, tool_version({"iverilog", "-V"}, "iverilog"));
   MIXCMP_TRY(sources, system_sources(system));
   const Bench bench = bench_of(system.signature);
-  Command compile = {"iverilog", "-g2001", "-o", "simulation", "-s", "bench", "bench.v"};
-  for (const auto& [file, text] : sources) compile.push_back(file);
-  const SourceFiles inputs = inputs_of(system, bench, sources, compile);
-  const fs::path folder =
-      work_folder(options.work_dir, bench.top + "-icarus", version, compile, inputs);
-  MIXCMP_TRY(lock, FolderLock::take(folder, options.waiting));
-  const Executable executable{folder / program};
-  if (fs::exists(folder / build_stamp) && fs::exists(executable.path)) return executable;
-  const auto start = std::chrono::steady_clock::now();
-  for (const auto& [name, text] : inputs) {
-    MIXCMP_TRY(written, write_file(folder / name, text));
-  }
-  const auto made = run_tool({.command = {"make", "-B", "-f", "build.mk"},
-                              .directory = folder,
-                              .log = folder / "build.log",
-                              .progress = options.progress});
-  if (!made.ok()) return missing_compiler().value_or(made.error());
-  MIXCMP_TRY(stamped, write_file(folder / build_stamp, ""));
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  return Executable{executable.path, taken.count()};
+  ModelBuild build{
+      .folder = {},
+      .product = "simulate",
+      .compile = {"iverilog", "-g2001", "-o", "obj/simulation", "-s", "bench", "bench.v"},
+      .inputs = {}};
+  for (const auto& [file, text] : sources) build.compile.push_back(file);
+  build.inputs = inputs_of(system, bench, sources, build.compile);
+  build.folder =
+      work_folder(options.work_dir, bench.top + "-icarus", version, build.compile, build.inputs);
+  return make_program(build, {}, options);
 }
 
 }  // namespace mixcmp::verilator_tb

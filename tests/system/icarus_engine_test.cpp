@@ -16,8 +16,7 @@ namespace fs = std::filesystem;
 
 design::Design small_engine() {
   design::Design design = sphere_design(format("s6e8"), format("s24e8"), 1, 1);
-  design.system =
-      with_engine(design.system, {.kind = scene::EngineKind::pairwise, .capacity = 8});
+  design.system = with_engine(design.system, {.kind = scene::EngineKind::pairwise, .capacity = 8});
   return design;
 }
 
@@ -37,6 +36,22 @@ TEST(IcarusEngine, EndsWithItsHost) {
   ASSERT_TRUE(run.ok()) << run.error().to_string();
   EXPECT_TRUE(run->in_time);
   EXPECT_EQ(how_it_ended(run->status), "failed with exit code 1");
+}
+
+/// A program that another process runs must not change.
+TEST(IcarusEngine, IsNotBuiltAnewInPlace) {
+  const fs::path objects = build("icarus_anew").path.parent_path();
+  const fs::path links = test_work_dir("icarus_anew_links");
+  fs::remove_all(links);
+  fs::create_directory(links);
+  for (const auto& entry : fs::directory_iterator(objects)) {
+    fs::create_hard_link(entry.path(), links / entry.path().filename());
+  }
+  ASSERT_TRUE(fs::remove(objects.parent_path() / verilator_tb::build_stamp));
+  build("icarus_anew");
+  for (const char* file : {"simulate", "simulation", "harness.vpi"}) {
+    EXPECT_FALSE(fs::equivalent(objects / file, links / file)) << file;
+  }
 }
 
 TEST(IcarusEngine, FailsWhereTheHarnessFails) {
