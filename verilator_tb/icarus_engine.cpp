@@ -64,24 +64,21 @@ std::string makefile(const Command& compile, const std::string& main) {
       shell_line(compile), main);
 }
 
-/// vvp wants its own words behind the program, and its $dumpfile takes ASCII names alone: a link in
-/// the build's folder leads to that of the waves.
+/// The program that the host starts. It becomes vvp, so that whoever kills it kills the simulation.
+/// vvp runs in the folder of the waves: its $dumpfile takes ASCII names alone, and the name of that
+/// folder may be any.
 constexpr const char* launcher =
     "#!/bin/sh\n"
     "# Runs the engine with its harness, which reads the words. trace=FILE: writes waves, too.\n"
     "set -eu\n"
-    "here=$PWD\n"
-    "cd \"$(dirname \"$0\")/..\"\n"
-    "link=waves.$$\n"
-    "trap 'rm -f \"$link\"' EXIT\n"
+    "objects=$(cd \"$(dirname \"$0\")\" && pwd)\n"
     "for word in \"$@\"; do\n"
     "  file=${word#trace=}\n"
     "  [ \"$file\" != \"$word\" ] || continue\n"
-    "  case $file in /*) ;; *) file=$here/$file ;; esac\n"
-    "  ln -sfn \"$(dirname \"$file\")\" \"$link\"\n"
-    "  set -- \"$@\" -fst \"+trace=$link/$(basename \"$file\")\"\n"
+    "  cd \"$(dirname \"$file\")\"\n"
+    "  set -- \"$@\" -fst \"+trace=$(basename \"$file\")\"\n"
     "done\n"
-    "vvp -n -Mobj -mharness obj/simulation \"$@\"\n";
+    "exec vvp -n \"-M$objects\" -mharness \"$objects/simulation\" \"$@\"\n";
 
 /// The model with its clock, and what takes its place here.
 constexpr std::string_view clocked_model = "clocked_model.hpp",

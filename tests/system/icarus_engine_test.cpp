@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
 
 #include "model/common/process.hpp"
+#include "tests/support/scratch_directory.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -36,6 +38,30 @@ TEST(IcarusEngine, EndsWithItsHost) {
   ASSERT_TRUE(run.ok()) << run.error().to_string();
   EXPECT_TRUE(run->in_time);
   EXPECT_EQ(how_it_ended(run->status), "failed with exit code 1");
+}
+
+TEST(IcarusEngine, WhoKillsTheProgramKillsTheSimulation) {
+  const fs::path program = build("icarus_killed").path;
+  const auto files = [&] {
+    const fs::recursive_directory_iterator all(program.parent_path().parent_path());
+    return std::distance(begin(all), end(all));
+  };
+  const auto before = files();
+  const ScratchDirectory scratch;
+  // The last command fails if the pipe has no reader any more.
+  const auto run = capture({"sh", "-c",
+                            "cd \"$1\" && mkfifo host\n"
+                            "\"$0\" trace=waves.fst <host &\n"
+                            "exec 3>host\n"
+                            "until [ -e waves.fst ]; do sleep 0.1; done\n"
+                            "kill -9 $!\n"
+                            "wait\n"
+                            "echo request >&3",
+                            program.string(), scratch.path().string()});
+  ASSERT_TRUE(run.ok()) << run.error().to_string();
+  EXPECT_TRUE(run->in_time) << run->errors;
+  EXPECT_FALSE(run->succeeded()) << "vvp still reads";
+  EXPECT_EQ(files(), before) << "something is left in the folder of the build";
 }
 
 /// A program that another process runs must not change.
