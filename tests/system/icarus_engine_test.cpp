@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "model/common/file.hpp"
 #include "model/common/process.hpp"
 #include "tests/support/scratch_directory.hpp"
 #include "tests/support/simulated_system.hpp"
@@ -29,6 +30,13 @@ verilator_tb::Executable build(const std::string& test) {
       verilator_tb::build_engine_in_icarus(system, {.work_dir = test_work_dir(test)});
   EXPECT_TRUE(built.ok()) << built.error().to_string();
   return *built;
+}
+
+TEST(IcarusEngine, BuildsWithoutWarnings) {
+  const fs::path folder = build("icarus_host").path.parent_path().parent_path();
+  const std::string log = read_file(folder / "build.log").value();
+  EXPECT_NE(log.find("-Wall"), std::string::npos) << log;
+  EXPECT_EQ(log.find("warning:"), std::string::npos) << log;
 }
 
 TEST(IcarusEngine, EndsWithItsHost) {
