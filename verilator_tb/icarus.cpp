@@ -87,13 +87,6 @@ Command run_command(const SimulationOptions& options) {
   return command;
 }
 
-/// iverilog ran already: its package is there, but for vvp.
-Error naming_the_package(Error error) {
-  const bool is_missing = error.kind == ErrorKind::missing_tool;
-  if (is_missing) error.accepted = "vvp, on Debian: apt-get install --reinstall iverilog";
-  return error;
-}
-
 /// Reads one line of the testbench: "result lane position tdata accepted left", "violation fault
 /// lane position tag cycle", "end" with three pairs of counted and observed, or "state n cycles".
 bool parse_line(const std::string& line, Answer& answer) {
@@ -175,6 +168,13 @@ Result<Answer> read_results(const fs::path& path) {
 
 }  // namespace
 
+Error naming_the_package(Error error, const std::string& program) {
+  if (error.kind != ErrorKind::missing_tool) return error;
+  // Since iverilog ran already, apt-get takes the package for installed.
+  error.accepted = program + ", on Debian: apt-get install --reinstall iverilog";
+  return error;
+}
+
 Result<Answer> simulate_in_icarus(const System& system, const Block& block,
                                   const fs::path& work_dir, const SimulationOptions& options,
                                   const Progress& progress, const Waiting& waiting) {
@@ -204,7 +204,7 @@ Result<Answer> simulate_in_icarus(const System& system, const Block& block,
                                    .directory = folder,
                                    .log = folder / "simulation.log",
                                    .progress = progress});
-  if (!simulated.ok()) return naming_the_package(simulated.error());
+  if (!simulated.ok()) return naming_the_package(simulated.error(), "vvp");
   MIXCMP_TRY(answer, read_results(folder / "results.txt"));
   MIXCMP_TRY(possible, check_results(answer, block, system.signature, folder / "results.txt"));
   return answer;

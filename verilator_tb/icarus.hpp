@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "model/common/folder_lock.hpp"
 #include "verilator_tb/system_simulation.hpp"
@@ -9,6 +10,10 @@ namespace mixcmp::verilator_tb {
 
 /// How many time units of the testbench's waves one clock cycle takes.
 inline constexpr std::uint64_t icarus_time_per_cycle = 4;
+
+/// Adds the Debian package to an error which says that a program of Icarus is missing, other than
+/// iverilog itself. Other errors stay as they are.
+Error naming_the_package(Error error, const std::string& program);
 
 /// Runs a block on an event-driven simulator, so that no result depends on Verilator alone. It is
 /// meant for small systems and thousands of comparisons: the whole run is one block. Sources,

@@ -5,6 +5,7 @@
 #include "embedded/harness_files.hpp"
 #include "embedded/vpi_harness_files.hpp"
 #include "verilator_tb/bench.hpp"
+#include "verilator_tb/icarus.hpp"
 
 namespace mixcmp::verilator_tb {
 
@@ -101,10 +102,21 @@ SourceFiles inputs_of(const System& system, const Bench& bench, const SourceFile
   return inputs;
 }
 
+/// Looks for the programs of Icarus that the makefile and the launcher call: a shell would not name
+/// the package of a missing one.
+Result<Done> check_programs() {
+  for (const Command& call : {Command{"vvp", "-V"}, Command{"iverilog-vpi", "--ccflags"}}) {
+    const auto run = capture(call);
+    if (!run.ok()) return naming_the_package(run.error(), call[0]);
+  }
+  return Done{};
+}
+
 }  // namespace
 
 Result<Executable> build_engine_in_icarus(const System& system, const BuildOptions& options) {
   MIXCMP_TRY(version, tool_version({"iverilog", "-V"}, "iverilog"));
+  MIXCMP_TRY(there, check_programs());
   MIXCMP_TRY(sources, system_sources(system));
   const Bench bench = bench_of(system.signature);
   ModelBuild build{

@@ -34,11 +34,15 @@ std::function<Result<std::string>()> asks(Command command, const char* package) 
   return [command = std::move(command), package] { return tool_version(command, package); };
 }
 
-/// Looks for gtkwave without running it: it prints its version only where there is a display.
-Result<std::string> find_gtkwave() {
-  const auto found = capture({"which", "gtkwave"});
-  if (found.ok() && found->succeeded()) return std::string("there; not asked for its version");
-  return Error{.message = "gtkwave does not run", .kind = ErrorKind::missing_tool};
+/// Looks for a program that has no version to ask for: gtkwave prints its own only where there is a
+/// display, iverilog-vpi none.
+std::function<Result<std::string>()> finds(const char* program) {
+  return [program]() -> Result<std::string> {
+    const auto found = capture({"which", program});
+    if (found.ok() && found->succeeded()) return std::string("there; not asked for its version");
+    return Error{.message = fmt::format("{} does not run", program),
+                 .kind = ErrorKind::missing_tool};
+  };
 }
 
 std::vector<Tool> tools() {
@@ -51,6 +55,9 @@ std::vector<Tool> tools() {
       {"ccache", asks({"ccache", "--version"}, "ccache"), "ccache",
        "nothing; builds of simulations take longer", Need::optional},
       {"iverilog", asks({"iverilog", "-V"}, "iverilog"), "iverilog", "verify --simulator icarus"},
+      {"vvp", asks({"vvp", "-V"}, "iverilog"), "iverilog", "verify --simulator icarus"},
+      {"iverilog-vpi", finds("iverilog-vpi"), "iverilog",
+       "verify --simulator icarus of systems with an engine"},
       {"yosys", asks({"yosys", "-V"}, "yosys"), "yosys",
        "characterise, route, check --costs, the lint and formal tests"},
       {"nextpnr-ice40", asks({"nextpnr-ice40", "--version"}, "nextpnr-ice40"), "nextpnr-ice40",
@@ -64,7 +71,7 @@ std::vector<Tool> tools() {
        "check --prove, and the machine check of error bounds before generate"},
       {"gnuplot", asks({"gnuplot", "--version"}, "gnuplot-nox"), "gnuplot-nox",
        "the pictures of profile and explore"},
-      {"gtkwave", find_gtkwave, "gtkwave", "looking at the waves of verify --trace",
+      {"gtkwave", finds("gtkwave"), "gtkwave", "looking at the waves of verify --trace",
        Need::optional},
   };
 }

@@ -35,7 +35,8 @@ TEST_F(Doctor, WithoutAnyToolSaysOfEachWhatIsMissingAndWhatThatDisables) {
     EXPECT_FALSE(tool.at("disables").get<std::string>().empty()) << tool;
     tools.insert(tool.at("tool"));
   }
-  for (const char* tool : {"yosys", "nextpnr-ice40", "nextpnr-ecp5", "glpsol"}) {
+  for (const char* tool :
+       {"yosys", "nextpnr-ice40", "nextpnr-ecp5", "glpsol", "iverilog", "vvp", "iverilog-vpi"}) {
     EXPECT_TRUE(tools.contains(tool)) << tool;
   }
 }

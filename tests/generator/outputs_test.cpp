@@ -387,6 +387,28 @@ TEST_F(Outputs, WithoutACompilerVerilatorsWorkEndsWith3) {
   EXPECT_NE(run.output.find("apt-get install make"), std::string::npos) << run.output;
 }
 
+TEST_F(Outputs, WithoutAllOfIcarusItsWorkEndsWith3) {
+  write("engine.toml",
+        "[comparison]\nname = \"near\"\nf = \"ai - aj\"\ng = \"bi - bj\"\n"
+        "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"s8e8\"\n"
+        "[system]\nlanes = 1\nreferences = 1\n[engine]\nkind = \"pairwise\"\ncapacity = 3\n"
+        "[data]\nfile = \"data.csv\"\npairs = \"all\"\n");
+  const auto expect_missing = [&](const char* scene, const char* program) {
+    const std::string all = instead_of("iverilog", "echo Icarus Verilog version 11.0");
+    const Outcome run = mixcmp(fmt::format("verify {} --simulator icarus", scene),
+                               all.substr(0, all.find(':')));  // no other tool
+    EXPECT_EQ(run.exit_code, 3) << run.output;
+    EXPECT_NE(run.output.find(fmt::format("cannot run {}: ", program)), std::string::npos)
+        << run.output;
+    EXPECT_NE(run.output.find("apt-get install --reinstall iverilog"), std::string::npos)
+        << run.output;
+  };
+  expect_missing("scene.toml", "vvp");
+  expect_missing("engine.toml", "vvp");
+  instead_of("vvp", "echo Icarus Verilog runtime version 11.0");
+  expect_missing("engine.toml", "iverilog-vpi");
+}
+
 TEST_F(Outputs, WhatIsNotDoneForWantOfAToolEndsWith3) {
   for (const auto& [verb, package] : std::initializer_list<std::pair<const char*, const char*>>{
            {"check scene.toml --prove", "apt-get install gappa"},
