@@ -4,9 +4,12 @@
 
 namespace mixcmp::verilator_tb {
 
-/// Compiles a system's engine with Icarus Verilog, and our harness as a module that Icarus loads:
-/// what it drives, what it checks and how it speaks with the host is the same as with Verilator.
-/// Icarus knows what is unknown besides. Meant for small engines and sets.
+/// Builds a program that simulates a system's engine in Icarus Verilog. The program has the same
+/// harness as the one of build_simulator(): it drives the engine alike, makes the same checks and
+/// speaks with the host by the same protocol. In addition, Icarus simulates unknown bits (x): one
+/// in a tvalid or tready that the engine drives, or in what it sends with m_axis_tvalid high, is a
+/// violation. Counters and `overrun` are not looked at for unknown bits. Meant for small engines
+/// and sets of data, because Icarus is slow.
 Result<Executable> build_engine_in_icarus(const System& system, const BuildOptions& options);
 
 }  // namespace mixcmp::verilator_tb

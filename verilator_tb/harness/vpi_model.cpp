@@ -129,7 +129,7 @@ private:
     model_->has_unknown_ = !handshakes_are_known || (is_valid && !payload_is_known);
   }
 
-  /// Whether every bit is 0 or 1. An unknown one becomes one of the two.
+  /// Whether every bit is 0 or 1. An x is read as 1, a z as 0.
   static bool read(const VpiModel::Port& port, vpiHandle handle) {
     s_vpi_value value{};
     value.format = vpiVectorVal;
