@@ -4,12 +4,15 @@
 
 #include <fstream>
 #include <iterator>
+#include <regex>
 
 #include "model/common/file.hpp"
 #include "model/common/process.hpp"
+#include "model/data/uniform_spheres.hpp"
 #include "tests/support/scratch_directory.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
+#include "verilator_tb/waves.hpp"
 
 /// Engines in Icarus Verilog: what is built, and how its runs end where something is wrong.
 namespace mixcmp::test::icarus_engine_test {
@@ -46,6 +49,33 @@ TEST(IcarusEngine, EndsWithItsHost) {
   ASSERT_TRUE(run.ok()) << run.error().to_string();
   EXPECT_TRUE(run->in_time);
   EXPECT_EQ(how_it_ended(run->status), "failed with exit code 1");
+}
+
+/// vvp's $dumpfile takes ASCII names alone.
+TEST(IcarusEngine, WritesWavesInAFolderOfAnyName) {
+  const ScratchDirectory scratch;
+  const fs::path folder = scratch.path() / "höhe × breite";
+  fs::create_directory(folder);
+  const design::Design design = small_engine();
+  const data::Table spheres = data::uniform_spheres(
+      {.count = 8, .side = 100, .radius_max = 30, .seed = 3}, design.reference.input_format);
+  const fs::path waves = folder / "wellen→.fst";
+  const auto report = simulate(design, data::Comparisons::all_pairs(spheres, design.inputs).value(),
+                               {.simulator = verilator_tb::SimulatorKind::icarus, .waves = waves});
+  EXPECT_TRUE(report.passed()) << to_text(report);
+  ASSERT_TRUE(verilator_tb::is_whole_fst(waves));
+  const auto vcd = capture({"fst2vcd", waves.string()});
+  ASSERT_TRUE(vcd.ok() && vcd->succeeded());
+  EXPECT_NE(vcd->output.find("$scope module bench $end\n$scope module engine $end"),
+            std::string::npos);
+  const std::string save_file = read_file(verilator_tb::save_file_beside(waves)).value();
+  const std::regex signal(R"(bench\.engine\.(\w+))");
+  int named = 0;
+  for (std::sregex_iterator it(save_file.begin(), save_file.end(), signal), end; it != end; ++it) {
+    EXPECT_NE(vcd->output.find(" " + it->str(1) + " "), std::string::npos) << it->str();
+    ++named;
+  }
+  EXPECT_GT(named, 15);
 }
 
 TEST(IcarusEngine, WhoKillsTheProgramKillsTheSimulation) {
