@@ -12,11 +12,21 @@ namespace {
 using fixed::FixedLane;
 using fixed::FixedNode;
 
-/// The nodes that decide a part.
+/// The nodes that the decision of a part reads.
 std::vector<NodeId> decided_from(const fixed::FixedPart& part) {
   const auto* norm = std::get_if<fixed::NormThresholds>(&part.criterion);
   if (norm == nullptr) return {part.difference};
   return {part.difference, norm->radius};
+}
+
+/// The nodes that set the threshold of a running bound.
+std::vector<NodeId> watched_by(const fixed::FixedPart& part) {
+  const auto* running = std::get_if<fixed::RunningThresholds>(&part.criterion);
+  return running == nullptr ? std::vector<NodeId>() : running->watched;
+}
+
+bool contains(const std::vector<NodeId>& nodes, NodeId id) {
+  return std::find(nodes.begin(), nodes.end(), id) != nodes.end();
 }
 
 class FixedScheduler {
@@ -34,19 +44,24 @@ public:
       schedule_.largest_exponent = placer_.place(block_exponent_unit(lane_, placer_.delays()), 0);
     }
     for (const FixedNode& node : lane_.nodes) place_node(node);
-    for (const fixed::FixedPart& part : lane_.parts) {
-      int start = ready_cycle(schedule_.steps, decided_from(part));
-      for (const Step& check : schedule_.checks) start = std::max(start, check.ready_cycle);
-      schedule_.parts.push_back(
-          {.bounds = {},
-           .conditions = {},
-           .decision = placer_.place(fixed_decision_unit(lane_, part, placer_.delays()), start)});
-    }
+    for (const fixed::FixedPart& part : lane_.parts) place_decision(part);
     for (auto id = static_cast<NodeId>(lane_.nodes.size()); id-- > 0;) move_later(id);
     return placer_.finish(std::move(schedule_));
   }
 
 private:
+  void place_decision(const fixed::FixedPart& part) {
+    PartSchedule& placed = schedule_.parts.emplace_back();
+    int start = ready_cycle(schedule_.steps, decided_from(part));
+    for (const Step& check : schedule_.checks) start = std::max(start, check.ready_cycle);
+    if (const auto* running = std::get_if<fixed::RunningThresholds>(&part.criterion)) {
+      placed.threshold = placer_.place(step_threshold_unit(*running, placer_.delays()),
+                                       ready_cycle(schedule_.steps, running->watched));
+      start = std::max(start, placed.threshold.ready_cycle);
+    }
+    placed.decision = placer_.place(fixed_decision_unit(lane_, part, placer_.delays()), start);
+  }
+
   void place_node(const FixedNode& node) {
     if (node.operation == Operation::constant) return schedule_.steps.push_back({});
     if (fixed::is_common_cut(node)) return place_common_cut(node);
@@ -125,19 +140,21 @@ private:
   /// The cycles in which a node's result is read.
   std::vector<int> uses_of(NodeId id) const {
     std::vector<int> cycles = checks_of(id);
-    const std::vector<NodeId> cut = fixed::cut_in_common(lane_);
-    if (std::find(cut.begin(), cut.end(), id) != cut.end()) {
+    if (contains(fixed::cut_in_common(lane_), id)) {
       cycles.push_back(schedule_.common_drop.start_cycle);
     }
     for (std::size_t reader = 0; reader < lane_.nodes.size(); ++reader) {
-      const std::vector<int> operands = operands_of(lane_.nodes[reader]);
-      if (std::find(operands.begin(), operands.end(), id) == operands.end()) continue;
+      if (!contains(operands_of(lane_.nodes[reader]), id)) continue;
       cycles.push_back(schedule_.steps[reader].start_cycle);
     }
     for (std::size_t part = 0; part < lane_.parts.size(); ++part) {
-      const std::vector<NodeId> deciding = decided_from(lane_.parts[part]);
-      if (std::find(deciding.begin(), deciding.end(), id) == deciding.end()) continue;
-      cycles.push_back(schedule_.parts[part].decision.start_cycle);
+      const PartSchedule& placed = schedule_.parts[part];
+      if (contains(watched_by(lane_.parts[part]), id)) {
+        cycles.push_back(placed.threshold.start_cycle);
+      }
+      if (contains(decided_from(lane_.parts[part]), id)) {
+        cycles.push_back(placed.decision.start_cycle);
+      }
     }
     MIXCMP_CHECK(!cycles.empty());
     return cycles;

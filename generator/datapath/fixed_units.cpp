@@ -85,17 +85,31 @@ Unit decision_unit(const FixedLane&, const fixed::ConstantThresholds&,
   return std::move(stages).unit("fixed_constant_decision");
 }
 
-Unit decision_unit(const FixedLane& lane, const fixed::NormThresholds& thresholds,
-                   const FixedFormat& difference, const DelayTable& delays) {
-  const int threshold = threshold_bits(lane, thresholds);
+/// A decision by thresholds of `threshold` bits that take `root_ns` and then `threshold_ns`.
+Unit norm_decision_unit(double root_ns, double threshold_ns, int threshold,
+                        const FixedFormat& difference, const DelayTable& delays) {
   StageList stages(delays);
-  const int root_bits = lane.nodes[thresholds.radius].format.width;
-  stages.add("root",
-             thresholds.radius_is_squared ? stages.lut_delay_ns(reduction_levels(root_bits)) : 0);
-  stages.add("threshold", stages.carry(threshold));
+  stages.add("root", root_ns);
+  stages.add("threshold", threshold_ns);
   stages.add("compare", stages.carry(std::max(signed_bits(difference), threshold) + 1) +
                             stages.lut_delay_ns(1));
   return std::move(stages).unit("fixed_norm_decision");
+}
+
+Unit decision_unit(const FixedLane& lane, const fixed::NormThresholds& thresholds,
+                   const FixedFormat& difference, const DelayTable& delays) {
+  const int threshold = threshold_bits(lane, thresholds);
+  const int root_bits = lane.nodes[thresholds.radius].format.width;
+  const StageList stages(delays);
+  const double root_ns =
+      thresholds.radius_is_squared ? stages.lut_delay_ns(reduction_levels(root_bits)) : 0;
+  return norm_decision_unit(root_ns, stages.carry(threshold), threshold, difference, delays);
+}
+
+/// The threshold arrives as it is: a slope of 1 and no offset.
+Unit decision_unit(const FixedLane&, const fixed::RunningThresholds& thresholds,
+                   const FixedFormat& difference, const DelayTable& delays) {
+  return norm_decision_unit(0, 0, threshold_bits(thresholds), difference, delays);
 }
 
 }  // namespace
@@ -171,6 +185,16 @@ Unit common_drop_unit(const FixedLane& lane, const DelayTable& delays) {
   return std::move(stages).unit("fixed_common_drop");
 }
 
+Unit step_threshold_unit(const fixed::RunningThresholds& thresholds, const DelayTable& delays) {
+  const auto count = static_cast<int>(thresholds.watched.size());
+  const auto last = static_cast<int>(thresholds.of_steps.size()) - 1;
+  StageList stages(delays);
+  stages.add("join", stages.lut_delay_ns(reduction_levels(2 * count)));
+  stages.add("encode", stages.lut_delay_ns(count_levels(last)));
+  stages.add("select", stages.lut_delay_ns(1));
+  return std::move(stages).unit("fixed_step_threshold");
+}
+
 Unit check_unit(const FixedLane& lane, const FixedNode& checked, const DelayTable& delays) {
   StageList stages(delays);
   const int bits = operand_bits(lane.nodes, checked, 0);
@@ -189,6 +213,10 @@ Unit fixed_decision_unit(const FixedLane& lane, const fixed::FixedPart& part,
   return std::visit(
       [&](const auto& thresholds) { return decision_unit(lane, thresholds, difference, delays); },
       part.criterion);
+}
+
+int threshold_bits(const fixed::RunningThresholds& thresholds) {
+  return digits_of(*std::max_element(thresholds.of_steps.begin(), thresholds.of_steps.end()));
 }
 
 int threshold_bits(const FixedLane& lane, const fixed::NormThresholds& thresholds) {

@@ -26,6 +26,8 @@ Unit memory_square_unit(const fixed::SquareTable& table, const DelayTable& delay
 Unit block_exponent_unit(const fixed::FixedLane& lane, const DelayTable& delays);
 /// The unit that finds how many bits the common cuts drop.
 Unit common_drop_unit(const fixed::FixedLane& lane, const DelayTable& delays);
+/// The unit that finds the threshold of a running bound.
+Unit step_threshold_unit(const fixed::RunningThresholds& thresholds, const DelayTable& delays);
 /// The unit that finds the numbers outside a limit, or beyond a reach.
 Unit check_unit(const fixed::FixedLane& lane, const fixed::FixedNode& checked,
                 const DelayTable& delays);
@@ -33,7 +35,8 @@ Unit check_unit(const fixed::FixedLane& lane, const fixed::FixedNode& checked,
 Unit fixed_decision_unit(const fixed::FixedLane& lane, const fixed::FixedPart& part,
                          const DelayTable& delays);
 
-/// The width of the largest threshold of a norm decision.
+/// The width of the largest threshold of a norm decision, or of a running bound.
 int threshold_bits(const fixed::FixedLane& lane, const fixed::NormThresholds& thresholds);
+int threshold_bits(const fixed::RunningThresholds& thresholds);
 
 }  // namespace mixcmp::datapath

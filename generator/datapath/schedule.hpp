@@ -23,6 +23,8 @@ struct Step {
 struct PartSchedule {
   std::vector<Step> bounds;      ///< one per node of a lane's absolute bound
   std::vector<Step> conditions;  ///< one per condition of that bound
+  Step threshold =
+      {};  ///< of a running bound in fixed point: finds the threshold. No unit elsewhere
   Step decision;
 };
 

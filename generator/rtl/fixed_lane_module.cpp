@@ -1,6 +1,9 @@
 #include "generator/rtl/fixed_lane_module.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <string>
 
 #include "generator/datapath/fixed_units.hpp"
 #include "generator/rtl/fixed_nodes.hpp"
@@ -59,6 +62,53 @@ private:
                 {"SHIFT_BELOW", thresholds.shift_below},
                 {"SWAPPED", lane_.parts[part].swapped ? 1 : 0}},
                {{"radius", datapath_.at(radius, start)}, {"beyond_reach", beyond_reach}});
+  }
+
+  /// The threshold is found first. Behind it the decision is that of a norm: a slope of 1, no
+  /// offset, and nothing that has a reach.
+  PartDecision build(std::size_t part, const fixed::RunningThresholds& thresholds) {
+    const Signal threshold = build_threshold(part, thresholds);
+    return add(part, "certain where the difference exceeds the threshold of its step.",
+               {{"WIDTH", difference_bits(part)},
+                {"RADIUS_WIDTH", threshold.width},
+                {"ROOT", 0},
+                {"THRESHOLD_WIDTH", threshold.width},
+                {"SHIFT_ABOVE", 0},
+                {"OFFSET_ABOVE", Literal{threshold.width, 0}},
+                {"SHIFT_BELOW", 0},
+                {"SWAPPED", 0}},
+               {{"radius", datapath_.at(threshold, step(part).start_cycle)},
+                {"beyond_reach", literal(1, 0)}});
+  }
+
+  Signal build_threshold(std::size_t part, const fixed::RunningThresholds& thresholds) {
+    const datapath::Step& placed = schedule_.parts[part].threshold;
+    const std::string name = datapath_.pool().unique("threshold");
+    const int bits = datapath::threshold_bits(thresholds);
+    const auto last = static_cast<int>(thresholds.of_steps.size()) - 1;
+    std::vector<Operand> leading;
+    for (const NodeId id : thresholds.watched) {
+      const int kept = lane_.nodes[id].format.magnitude_bits() - last;
+      leading.push_back(nodes_.excess_bits(id, kept, last, placed.start_cycle));
+    }
+    std::vector<Parameter> parameters = {
+        {"COUNT", static_cast<int>(leading.size())}, {"LAST", last}, {"WIDTH", bits}};
+    for (std::size_t step = 0; step < thresholds.of_steps.size(); ++step) {
+      parameters.push_back(
+          {"THRESHOLD_" + std::to_string(step), Literal{bits, to_bits(thresholds.of_steps[step])}});
+    }
+    parameters.push_back({"CUTS", cut_mask(placed)});
+    datapath_.add(Comment{fmt::format(
+        "Cycles {} to {}: the threshold, smaller where all that is multiplied is small.",
+        placed.start_cycle, placed.ready_cycle)});
+    datapath_.add(Wire{bits, name, nullptr});
+    datapath_.add(Instance{placed.unit.module,
+                           datapath_.pool().unique("unit_" + name),
+                           std::move(parameters),
+                           {{"aclk", net("aclk")},
+                            {"leading", concatenation(std::move(leading))},
+                            {"threshold", net(name)}}});
+    return {net(name), name, bits, placed.ready_cycle};
   }
 
   const datapath::Step& step(std::size_t part) const { return schedule_.parts[part].decision; }

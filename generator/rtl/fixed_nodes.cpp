@@ -181,15 +181,14 @@ void FixedNodes::build_constant(NodeId id) {
   values_[id].constant = true;
 }
 
-/// The bits of an integer beyond magnitudes of W bits, `most` of them, and its sign.
-Operand FixedNodes::excess_bits(NodeId id, int most) {
+Operand FixedNodes::excess_bits(NodeId id, int kept, int most, int cycle) {
   const FixedFormat& format = lane_.nodes[id].format;
-  const Operand value = datapath_.at(values_[id], schedule_.common_drop.start_cycle);
+  const Operand value = datapath_.at(values_[id], cycle);
   const std::string& name = std::get<Net>(value->node).name;
-  const int own = std::max(0, format.magnitude_bits() - lane_.format.bits);
+  const int own = std::max(0, format.magnitude_bits() - kept);
   const Operand sign = format.is_signed ? bit(name, format.width - 1) : literal(1, 0);
   std::vector<Operand> bits(static_cast<std::size_t>(most + 1 - own), sign);
-  if (own > 0) bits.push_back(slice(name, format.magnitude_bits() - 1, lane_.format.bits));
+  if (own > 0) bits.push_back(slice(name, format.magnitude_bits() - 1, kept));
   return concatenation(std::move(bits));
 }
 
@@ -199,7 +198,9 @@ void FixedNodes::build_common_drop() {
   const int most = fixed::most_dropped_in_common(lane_);
   const int bits = std::bit_width(static_cast<unsigned>(most));
   std::vector<Operand> excess;
-  for (const NodeId id : fixed::cut_in_common(lane_)) excess.push_back(excess_bits(id, most));
+  for (const NodeId id : fixed::cut_in_common(lane_)) {
+    excess.push_back(excess_bits(id, lane_.format.bits, most, step.start_cycle));
+  }
   datapath_.add(
       Comment{fmt::format("Cycles {} to {}: how many low bits the following cuts drop in common.",
                           step.start_cycle, step.ready_cycle)});

@@ -24,6 +24,8 @@ public:
   void build();
 
   const Signal& value(NodeId node) const { return values_[node]; }
+  /// The `most` bits of an integer above the `kept` low ones, and its sign, in `cycle`.
+  Operand excess_bits(NodeId id, int kept, int most, int cycle);
   /// A node's value in `cycle`, in two's complement whatever its format.
   Operand signed_value(NodeId node, int cycle) { return operand(node, 0, cycle); }
   /// A flag that is set where an operand or a limited value that the node depends on does not fit.
@@ -39,7 +41,6 @@ private:
   void build_constant(NodeId id);
   void build_common_drop();
   void build_common_cut(NodeId id);
-  Operand excess_bits(NodeId id, int most);
   void build_conversion(NodeId id);
   void consume_low_bits(const std::string& name, int count);
   void build_check(NodeId id);

@@ -164,13 +164,13 @@ Result<std::optional<fixed::FixedBound>> fixed_bound(const scene::ReducedSpec& r
   switch (*reduced.error_bound) {
     case error::ErrorBoundKind::constant: return Bound(fixed::FixedBound::constant);
     case error::ErrorBoundKind::norm: return Bound(fixed::FixedBound::norm);
-    case error::ErrorBoundKind::relative:
-    case error::ErrorBoundKind::running: break;
+    case error::ErrorBoundKind::running: return Bound(fixed::FixedBound::running);
+    case error::ErrorBoundKind::relative: break;
   }
   return Error{.field = "reduced.error_bound",
                .message = "not a bound of lanes in fixed point",
                .received = std::string(to_string(*reduced.error_bound)),
-               .accepted = "auto, constant, norm"};
+               .accepted = "auto, constant, norm, running"};
 }
 
 bool can_decide(const fixed::FixedLane&, const fixed::ConstantThresholds& thresholds,
@@ -178,6 +178,16 @@ bool can_decide(const fixed::FixedLane&, const fixed::ConstantThresholds& thresh
   const mpq_class unit = difference.format.unit();
   return thresholds.exact || thresholds.greater_from * unit <= difference.value.high ||
          thresholds.less_to * unit >= difference.value.low;
+}
+
+bool can_decide(const fixed::FixedLane&, const fixed::RunningThresholds& thresholds,
+                const fixed::FixedNode& difference) {
+  const mpq_class unit = difference.format.unit();
+  return std::any_of(thresholds.of_steps.begin(), thresholds.of_steps.end(),
+                     [&](const mpz_class& threshold) {
+                       return threshold * unit <= difference.value.high ||
+                              -threshold * unit > difference.value.low;
+                     });
 }
 
 /// `greater` is decided most easily where the radius is zero, `less` where it is the largest: -D

@@ -24,13 +24,13 @@ std::string bound_name(const error::Lane& lane) {
 
 /// The bounds of a lane's parts, each once: "norm", "norm_constant".
 std::string bound_name(const fixed::FixedLane& lane) {
-  const auto has = [&](bool norm) {
-    return std::any_of(lane.parts.begin(), lane.parts.end(), [&](const fixed::FixedPart& part) {
-      return std::holds_alternative<fixed::NormThresholds>(part.criterion) == norm;
-    });
-  };
-  if (!has(true)) return "constant";
-  return has(false) ? "norm_constant" : "norm";
+  const bool has_constant =
+      std::any_of(lane.parts.begin(), lane.parts.end(), [](const fixed::FixedPart& part) {
+        return std::holds_alternative<fixed::ConstantThresholds>(part.criterion);
+      });
+  const std::string name = has_norm(lane) ? "norm" : has_running(lane) ? "running" : "";
+  if (name.empty()) return "constant";
+  return has_constant ? name + "_constant" : name;
 }
 
 /// "exact", "rounded", "inputs_20".

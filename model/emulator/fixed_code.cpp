@@ -134,9 +134,7 @@ private:
     }
     for (const FixedPart& part : lane_.parts) {
       ++reads_[part.difference];
-      if (const auto* norm = std::get_if<fixed::NormThresholds>(&part.criterion)) {
-        ++reads_[norm->radius];
-      }
+      for (const NodeId id : fixed::read_by(part.criterion)) ++reads_[id];
     }
   }
 
@@ -201,6 +199,9 @@ private:
       choose_columns(read(part.difference).terms);
       const auto* norm = std::get_if<fixed::NormThresholds>(&part.criterion);
       if (norm != nullptr) choose_columns(read_radius(*norm).terms);
+      const auto* running = std::get_if<fixed::RunningThresholds>(&part.criterion);
+      if (running == nullptr) continue;
+      for (const NodeId id : running->watched) has_column_[id] = true;
     }
     for (NodeId id = node_count(); id-- > 0;) {
       if (!has_column_[id]) continue;
@@ -325,6 +326,25 @@ private:
     criterion.slope_above = power(thresholds.shift_above) * unit / radius_unit;
     criterion.offset_above = thresholds.offset_above.get_d() * unit;
     criterion.slope_below = power(thresholds.shift_below) * unit / radius_unit;
+  }
+
+  /// The threshold is a column, which a slope of 1 reads.
+  void set(FixedCriterion& criterion, const fixed::RunningThresholds& thresholds, double unit) {
+    const int column = code_.converted.columns++;
+    FixedInstruction& threshold = code_.instructions.emplace_back(
+        FixedInstruction{.kernel = FixedKernel::running_threshold, .result = column});
+    const int last = static_cast<int>(thresholds.of_steps.size()) - 1;
+    for (const NodeId id : thresholds.watched) {
+      const FixedFormat& format = node(id).format;
+      const int top = format.unit_exponent + format.magnitude_bits();
+      threshold.watched.push_back(
+          {.column = id, .unit = power(format.unit_exponent), .per_step_0 = power(last - top)});
+    }
+    for (const mpz_class& step : thresholds.of_steps) {
+      threshold.of_steps.push_back(step.get_d() * unit);
+    }
+    criterion.radius = {{.a = column, .b = column}};
+    criterion.slope_above = criterion.slope_below = 1;
   }
 
   int add_root(const fixed::NormThresholds& thresholds) {

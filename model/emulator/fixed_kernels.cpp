@@ -173,6 +173,28 @@ void execute_common_cut(const FixedInstruction& instruction, const Block& block)
   }
 }
 
+/// The threshold of each comparison's step: a step is left where a magnitude is at least as large
+/// as the numbers in it can be. A negative number counts as one unit less than its magnitude.
+void execute_running_threshold(const FixedInstruction& instruction, const Block& block) {
+  double* const results = block.results[instruction.result];
+  for (std::size_t i = 0; i < block.size; i += hn::Lanes(Tag())) {
+    Vec largest = hn::Zero(Tag());
+    for (const FixedWatched& watched : instruction.watched) {
+      const Vec number = hn::LoadU(Tag(), block.columns[watched.column] + i);
+      const Vec inverted = hn::Neg(hn::Add(number, hn::Set(Tag(), watched.unit)));
+      const Vec magnitude = hn::Max(number, inverted);
+      largest = hn::Max(largest, hn::Mul(magnitude, hn::Set(Tag(), watched.per_step_0)));
+    }
+    Vec threshold = hn::Set(Tag(), instruction.of_steps.front());
+    double beyond = 1;
+    for (std::size_t step = 1; step < instruction.of_steps.size(); ++step, beyond *= 2) {
+      threshold = hn::IfThenElse(hn::Ge(largest, hn::Set(Tag(), beyond)),
+                                 hn::Set(Tag(), instruction.of_steps[step]), threshold);
+    }
+    hn::StoreU(threshold, Tag(), results + i);
+  }
+}
+
 /// One loop over the columns of an instruction. One of a single operand has it twice.
 template <class Function>
 HWY_INLINE void loop(const FixedInstruction& instruction, const Block& block, Function function) {
@@ -205,6 +227,7 @@ void execute_one(const FixedInstruction& instruction, const Block& block) {
   switch (instruction.kernel) {
     case FixedKernel::sum: return execute_sum(instruction, block);
     case FixedKernel::common_cut: return execute_common_cut(instruction, block);
+    case FixedKernel::running_threshold: return execute_running_threshold(instruction, block);
     case FixedKernel::absolute: return each([](Vec a, Vec) HWY_ATTR { return hn::Abs(a); });
     case FixedKernel::minimum:
       return each([](Vec a, Vec b) HWY_ATTR { return or_no_number(a, b, hn::Min(a, b)); });

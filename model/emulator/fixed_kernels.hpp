@@ -48,6 +48,7 @@ enum class FixedKernel : std::uint8_t {
   /// 2^k `unit` for the least k >= 0 with a < 4^k `square_unit`; of a NaN anything.
   power_above_root,
   common_cut,  ///< of all `cuts` at once
+  running_threshold,
 };
 
 /// A common cut of one column, which holds multiples of `unit`.
@@ -55,6 +56,13 @@ struct FixedCut {
   int operand = -1;
   int result = -1;
   double unit = 1;
+};
+
+/// A column whose magnitude sets the step of a running bound.
+struct FixedWatched {
+  int column = -1;
+  double unit = 1;
+  double per_step_0 = 1;  ///< 1 / the power of two below which magnitudes are in step 0
 };
 
 struct FixedInstruction {
@@ -67,6 +75,8 @@ struct FixedInstruction {
   double low = 0, high = 0;
   FixedSum terms = {};
   std::vector<FixedCut> cuts = {};
+  std::vector<FixedWatched> watched = {};  ///< of a running threshold
+  std::vector<double> of_steps = {};       ///< [step]: likewise
   double beyond = 0;  ///< of common cuts: 2^W, above all magnitudes that they leave, in units
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <utility>
 
 #include "model/common/check.hpp"
 #include "model/fixed/sum_of_squares.hpp"
@@ -70,6 +71,37 @@ private:
   std::set<NodeId> found_, visited_;
 };
 
+/// Collects the affine nodes below products, from the sides of a part down.
+class FactorFinder {
+public:
+  explicit FactorFinder(const Graph& graph) : graph_(graph), affine_(affine_nodes(graph)) {}
+
+  std::vector<NodeId> run(const Sides& part) {
+    for (const NodeId side : {part.f, part.g}) read(side, false);
+    return {found_.begin(), found_.end()};
+  }
+
+private:
+  void read(NodeId id, bool below_product) {
+    const Node& node = graph_.nodes()[id];
+    if (affine_[id]) {
+      if (below_product && node.operation != Operation::constant) found_.insert(id);
+      return;
+    }
+    const bool is_product =
+        node.operation == Operation::multiply || node.operation == Operation::square;
+    if (!visited_.insert({id, below_product}).second) return;
+    for (int k = 0; k < arity(node.operation); ++k) {
+      read(node.operands[k], below_product || is_product);
+    }
+  }
+
+  const Graph& graph_;
+  std::vector<bool> affine_;
+  std::set<NodeId> found_;
+  std::set<std::pair<NodeId, bool>> visited_;
+};
+
 }  // namespace
 
 std::vector<bool> affine_nodes(const Graph& graph) {
@@ -80,6 +112,10 @@ std::vector<bool> affine_nodes(const Graph& graph) {
 
 std::vector<NodeId> nodes_to_cut(const Graph& graph) {
   return CutFinder(graph).run();
+}
+
+std::vector<NodeId> factors(const Graph& graph, const Sides& part) {
+  return FactorFinder(graph).run(part);
 }
 
 std::vector<std::vector<NodeId>> nodes_in_norms(const Graph& graph) {

@@ -6,6 +6,7 @@
 
 #include "model/fixed/graph_builder.hpp"
 #include "model/fixed/norm_part.hpp"
+#include "model/fixed/running_bound.hpp"
 #include "model/fixed/scale_degree.hpp"
 #include "model/number/dyadic.hpp"
 
@@ -26,10 +27,15 @@ Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
                             const FixedOptions& options) {
   MIXCMP_TRY(f, builder.side(sides, sides.f));
   MIXCMP_TRY(g, builder.side(sides, sides.g));
-  if (options.bound != FixedBound::constant) {
+  if (!options.bound || options.bound == FixedBound::norm) {
     if (auto part = norm_part(builder, f, g)) return *part;
   }
   const NodeId difference = builder.difference(f, g);
+  if (options.bound == FixedBound::running) {
+    auto running = running_thresholds(builder.nodes(), options.format.bits, difference,
+                                      builder.factors_of(sides));
+    if (running) return FixedPart{.difference = difference, .criterion = std::move(*running)};
+  }
   return FixedPart{.difference = difference,
                    .criterion = constant_thresholds(builder.nodes()[difference])};
 }
@@ -39,8 +45,7 @@ std::set<NodeId> nodes_read(const FixedLane& lane) {
   std::set<NodeId> read;
   for (const FixedPart& part : lane.parts) {
     read.merge(fan_in(lane, part.difference));
-    const auto* norm = std::get_if<NormThresholds>(&part.criterion);
-    if (norm != nullptr) read.merge(fan_in(lane, norm->radius));
+    for (const NodeId id : read_by(part.criterion)) read.merge(fan_in(lane, id));
   }
   return read;
 }
@@ -62,6 +67,9 @@ void remove_unread(FixedLane& lane) {
     if (auto* norm = std::get_if<NormThresholds>(&part.criterion)) {
       norm->radius = new_id[norm->radius];
     }
+    if (auto* running = std::get_if<RunningThresholds>(&part.criterion)) {
+      for (NodeId& id : running->watched) id = new_id[id];
+    }
   }
 }
 
@@ -72,6 +80,13 @@ Error no_norm() {
               "exact",
           .received = "norm",
           .accepted = "constant"};
+}
+
+Error no_running() {
+  return {.field = "reduced.error_bound",
+          .message = "no running bound: f and g have no products of which operands may be small",
+          .received = "running",
+          .accepted = "constant, or norm for sums of squares"};
 }
 
 Error received(Error error, const FixedPoint& format) {
@@ -105,9 +120,25 @@ std::string describe(const NormThresholds& thresholds, const FixedPart& part,
                                                   : "g = s^2");
 }
 
+std::string describe(const RunningThresholds& thresholds, const FixedPart& part,
+                     const std::vector<FixedNode>& nodes) {
+  const mpq_class unit = nodes[part.difference].format.unit();
+  return fmt::format(
+      "certified: where f - g is {0} or more, or below -{0}, up to {1} as what is "
+      "multiplied is larger",
+      shown(thresholds.of_steps.front() * unit), shown(thresholds.of_steps.back() * unit));
+}
+
 std::string describe(const FixedLane& lane, const FixedPart& part) {
   return std::visit([&](const auto& thresholds) { return describe(thresholds, part, lane.nodes); },
                     part.criterion);
+}
+
+template <class Thresholds>
+bool has_criterion(const FixedLane& lane) {
+  return std::any_of(lane.parts.begin(), lane.parts.end(), [](const FixedPart& part) {
+    return std::holds_alternative<Thresholds>(part.criterion);
+  });
 }
 
 /// One per part; 0 where operands are neither divided by their unit nor cut in common.
@@ -163,6 +194,7 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
   lane.nodes = std::move(builder.nodes());
   remove_unread(lane);
   if (options.bound == FixedBound::norm && !has_norm(lane)) return no_norm();
+  if (options.bound == FixedBound::running && !has_running(lane)) return no_running();
   return lane;
 }
 
@@ -205,10 +237,18 @@ int least_block_exponent(FloatFormat input_format) {
   return input_format.min_exponent() + 1;
 }
 
+std::vector<NodeId> read_by(const Criterion& criterion) {
+  if (const auto* norm = std::get_if<NormThresholds>(&criterion)) return {norm->radius};
+  const auto* running = std::get_if<RunningThresholds>(&criterion);
+  return running == nullptr ? std::vector<NodeId>() : running->watched;
+}
+
 bool has_norm(const FixedLane& lane) {
-  return std::any_of(lane.parts.begin(), lane.parts.end(), [](const FixedPart& part) {
-    return std::holds_alternative<NormThresholds>(part.criterion);
-  });
+  return has_criterion<NormThresholds>(lane);
+}
+
+bool has_running(const FixedLane& lane) {
+  return has_criterion<RunningThresholds>(lane);
 }
 
 std::string describe_criterion(const FixedLane& lane) {

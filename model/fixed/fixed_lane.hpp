@@ -93,11 +93,24 @@ struct NormThresholds {
   friend bool operator==(const NormThresholds&, const NormThresholds&) = default;
 };
 
+/// Decides by one of several constants, which is smaller where what is multiplied is small: greater
+/// iff n >= t, less iff n < -t, where t is the threshold of the comparison's step. With C + 1
+/// steps, that is the least k >= 0 with -2^(m - C + k) <= w < 2^(m - C + k) for every watched
+/// integer w, where m is the number of magnitude bits of its format.
+struct RunningThresholds {
+  std::vector<NodeId> watched;
+  std::vector<mpz_class> of_steps;  ///< [step]: t, in units of the difference
+
+  friend bool operator==(const RunningThresholds&, const RunningThresholds&) = default;
+};
+
+using Criterion = std::variant<ConstantThresholds, NormThresholds, RunningThresholds>;
+
 /// When a lane decides one part.
 struct FixedPart {
   NodeId difference;     ///< f - g, or g - f where `swapped`
   bool swapped = false;  ///< `greater` and `less` of the decision change places
-  std::variant<ConstantThresholds, NormThresholds> criterion;
+  Criterion criterion;
   /// f and g of operands that are multiplied by t > 0 are t^degree times what they were: in block
   /// floating point. With guard digits alone, "operands" are what is cut in common. 0 elsewhere.
   mpq_class degree = 0;
@@ -124,12 +137,13 @@ struct FixedLane {
 
 enum class FixedBound {
   constant,
-  norm,  ///< for parts of the form of theorem 4, of which there must be one; others have constants
+  norm,     ///< for parts of the form of theorem 4, of which there must be one
+  running,  ///< for parts with products, of which there must be one; other parts have constants
 };
 
 struct FixedOptions {
   FixedPoint format = {.bits = 13};
-  std::optional<FixedBound> bound = {};  ///< none: norms where there are any
+  std::optional<FixedBound> bound = {};  ///< none: norms where there are any, else constants
   /// One per input; a lane needs them all. In block floating point they are optional: an input
   /// whose range has no negative numbers needs no sign.
   std::vector<std::optional<Range>> ranges;
@@ -157,8 +171,14 @@ std::set<NodeId> fan_in(const FixedLane& lane, NodeId node);
 /// least normal number.
 int least_block_exponent(FloatFormat input_format);
 
+/// The nodes that a criterion reads beside the difference.
+std::vector<NodeId> read_by(const Criterion& criterion);
+
 /// Whether some part is decided by a norm.
 bool has_norm(const FixedLane& lane);
+
+/// Whether some part is decided by thresholds that follow magnitudes.
+bool has_running(const FixedLane& lane);
 
 /// When the lane decides, for a report: "certified: where f - g >= 8 s + 14 or ...".
 std::string describe_criterion(const FixedLane& lane);

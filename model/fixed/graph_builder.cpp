@@ -63,7 +63,7 @@ void drop_bits(FixedNode& node, int count) {
   const int unit_exponent = node.format.unit_exponent + count;
   const mpq_class unit = power_of_two(unit_exponent);
   node.error.low -= unit - exact_unit;
-  node.value = {floor_of(node.value.low / unit) * unit, floor_of(node.value.high / unit) * unit};
+  node.value = rounded_down(node.value, unit);
   node.format = format_of(node.value, unit_exponent);
 }
 
@@ -146,6 +146,12 @@ Result<NodeId> FixedGraphBuilder::side(const Sides& sides, NodeId id) {
   MIXCMP_TRY(whole, node(id));
   (void)whole;
   return read(id, affine_[sides.f] && affine_[sides.g]);
+}
+
+std::vector<NodeId> FixedGraphBuilder::factors_of(const Sides& sides) {
+  std::vector<NodeId> read_here;
+  for (const NodeId id : factors(graph_, sides)) read_here.push_back(read(id, false));
+  return read_here;
 }
 
 NodeId FixedGraphBuilder::operand(NodeId reader, int k) {
@@ -383,7 +389,7 @@ Result<FixedNode> FixedGraphBuilder::square_root(NodeId id) {
   const int unit_exponent = std::clamp(wanted, finest, largest);
   const mpq_class unit = power_of_two(unit_exponent);
   root.error.low -= unit;
-  root.value = {floor_of(exact.low / unit) * unit, floor_of(exact.high / unit) * unit};
+  root.value = rounded_down(exact, unit);
   root.format = format_of(root.value, unit_exponent);
   return root;
 }

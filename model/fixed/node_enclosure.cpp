@@ -69,6 +69,10 @@ Range exact_value(Operation operation, const Range& a, const Range& b) {
   MIXCMP_CHECK(false);
 }
 
+Range rounded_down(const Range& value, const mpq_class& unit) {
+  return {floor_of(value.low / unit) * unit, floor_of(value.high / unit) * unit};
+}
+
 /// Dropping bits moves a positive end towards 0 and a negative one towards -1 unit. The most bits
 /// dropped give the innermost ends; none, where the operand fits `bits` bits, the outermost.
 Range cut_value(const FixedNode& node, int bits, int most) {

@@ -11,6 +11,9 @@ Range exact_value(Operation operation, const Range& a, const Range& b);
 /// Encloses its error.
 Range exact_error(Operation operation, const FixedNode& a, const FixedNode& b);
 
+/// The ends of a range rounded down to multiples of a unit.
+Range rounded_down(const Range& value, const mpq_class& unit);
+
 /// A common cut of `node` to magnitudes of `bits` bits that drops `most` bits at most. Proof:
 /// docs/fixed_point.md, theorem 7.
 Range cut_value(const FixedNode& node, int bits, int most);

@@ -138,14 +138,14 @@ mpz_class power_above_root(const mpz_class& value) {
 }
 
 LaneResult decide(const fixed::ConstantThresholds& thresholds, const mpz_class& difference,
-                  const std::vector<Integer>&) {
+                  const FixedLane&, const std::vector<Integer>&) {
   if (difference >= thresholds.greater_from) return {true, Verdict::greater};
   if (difference <= thresholds.less_to) return {true, Verdict::less};
   return {thresholds.exact, Verdict::equal};
 }
 
 LaneResult decide(const fixed::NormThresholds& thresholds, const mpz_class& difference,
-                  const std::vector<Integer>& values) {
+                  const FixedLane&, const std::vector<Integer>& values) {
   const mpz_class& value = *values[thresholds.radius];
   const mpz_class radius = thresholds.radius_is_squared ? power_above_root(value) : value;
   if (difference >= shifted(radius, thresholds.shift_above) + thresholds.offset_above) {
@@ -154,18 +154,41 @@ LaneResult decide(const fixed::NormThresholds& thresholds, const mpz_class& diff
   return {difference < -shifted(radius, thresholds.shift_below), Verdict::less};
 }
 
+/// The least step in which an integer of `bits` bits of magnitude is below 2^(bits - last + step).
+int step_of(const mpz_class& value, int bits, int last) {
+  int step = 0;
+  while (step < last &&
+         !fits(value, {.width = bits - last + step + 1, .unit_exponent = 0, .is_signed = true})) {
+    ++step;
+  }
+  return step;
+}
+
 /// The verdict of the opposite difference.
 Verdict negated(Verdict verdict) {
   if (verdict == Verdict::less) return Verdict::greater;
   return verdict == Verdict::greater ? Verdict::less : verdict;
 }
 
-LaneResult evaluate_part(const FixedPart& part, const std::vector<Integer>& values) {
+LaneResult decide(const fixed::RunningThresholds& thresholds, const mpz_class& difference,
+                  const FixedLane& lane, const std::vector<Integer>& values) {
+  const int last = static_cast<int>(thresholds.of_steps.size()) - 1;
+  int step = 0;
+  for (const NodeId id : thresholds.watched) {
+    step = std::max(step, step_of(*values[id], lane.nodes[id].format.magnitude_bits(), last));
+  }
+  const mpz_class& threshold = thresholds.of_steps[step];
+  if (difference >= threshold) return {true, Verdict::greater};
+  return {difference < -threshold, Verdict::less};
+}
+
+LaneResult evaluate_part(const FixedLane& lane, const FixedPart& part,
+                         const std::vector<Integer>& values) {
   const Integer& difference = values[part.difference];
   if (!difference) return {false, Verdict::unordered};
-  LaneResult result =
-      std::visit([&](const auto& thresholds) { return decide(thresholds, *difference, values); },
-                 part.criterion);
+  LaneResult result = std::visit(
+      [&](const auto& thresholds) { return decide(thresholds, *difference, lane, values); },
+      part.criterion);
   if (part.swapped) result.verdict = negated(result.verdict);
   return result;
 }
@@ -207,7 +230,7 @@ bool takes(const FixedLane& lane, int input, Bits operand) {
 LaneResult evaluate_lane(const FixedLane& lane, std::span<const Bits> inputs) {
   const std::vector<Integer> values = evaluate(lane, inputs);
   std::vector<LaneResult> parts;
-  for (const FixedPart& part : lane.parts) parts.push_back(evaluate_part(part, values));
+  for (const FixedPart& part : lane.parts) parts.push_back(evaluate_part(lane, part, values));
   return combine_parts(lane.combination, parts);
 }
 

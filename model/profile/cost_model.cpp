@@ -215,6 +215,10 @@ double lane_luts(const fixed::FixedLane& lane, Products products) {
   }
   for (const fixed::FixedPart& part : lane.parts) {
     luts += 2.0 * lane.nodes[part.difference].format.width;
+    if (const auto* running = std::get_if<fixed::RunningThresholds>(&part.criterion)) {
+      luts += static_cast<double>(running->of_steps.size() * running->watched.size());
+      luts += digits_of(running->of_steps.back());
+    }
   }
   return luts;
 }

@@ -62,7 +62,8 @@ Result<design::Lane> profiled_at(const TypedGraph& graph, const ErrorAtPrecision
   return Error{.message = "no comparison has a relative error of f and of g"};
 }
 
-/// Bounds without guard digits, those of the scene's own formats, and those asked for.
+/// The counted bounds, those of the scene's own formats, and those asked for. Running ones are
+/// counted where a scene or a caller asks for them: many comparisons have to be looked at for them.
 std::vector<scene::BoundChoice> fixed_choices(const scene::Scene& scene,
                                               std::span<const scene::BoundChoice> asked) {
   std::vector<scene::BoundChoice> choices;
@@ -72,7 +73,10 @@ std::vector<scene::BoundChoice> fixed_choices(const scene::Scene& scene,
   };
   const auto add_format = [&](const scene::ReducedSpec& reduced) {
     if (!reduced.fixed_point) return;
-    for (const auto& choice : scene::fixed_bound_choices(*reduced.fixed_point)) add_new(choice);
+    const bool runs = reduced.error_bound == error::ErrorBoundKind::running;
+    for (const auto& choice : scene::fixed_bound_choices(*reduced.fixed_point)) {
+      if (runs || !choice.is_running()) add_new(choice);
+    }
   };
   for (const scene::BoundChoice& choice : scene::counted_bound_choices()) add_new(choice);
   add_format(scene.reduced);

@@ -192,6 +192,14 @@ Margin margin_of(const fixed::NormThresholds& thresholds, const FixedNode& diffe
   return {.constant = 0, .per_root = (slope / 2 + apart) * outward};
 }
 
+/// The largest threshold of all steps serves for every comparison.
+Margin margin_of(const fixed::RunningThresholds& thresholds, const FixedNode& difference,
+                 const std::vector<FixedNode>&) {
+  const auto largest = std::max_element(thresholds.of_steps.begin(), thresholds.of_steps.end());
+  const double unit = difference.format.unit().get_d();
+  return {.constant = largest->get_d() * unit * outward + magnitude(difference.error)};
+}
+
 /// A lane decides on what is cut in common, multiplied by at least t = 2^-`most dropped`: so it
 /// decides where f and g are 1 / t^degree times as far apart. Proof: docs/profile.md, behind
 /// theorem 2.

@@ -149,7 +149,8 @@ private:
       node.value.high = root_above(squares.high, fixed::root_digits);
       node.error = rounded_outward(fixed::root_error(nodes_, node.operands[0]), node.format);
       node.error.low -= node.format.unit();
-      return round_down(node);
+      node.value = fixed::rounded_down(node.value, node.format.unit());
+      return;
     }
     if (node.operation == Operation::convert) return convert(node);
     const FixedNode& a = nodes_[node.operands[0]];
@@ -172,7 +173,7 @@ private:
   static void drop_bits(FixedNode& node) {
     if (node.dropped_bits == 0) return;
     node.error.low -= node.format.unit() * (1 - power_of_two(-node.dropped_bits));
-    round_down(node);
+    node.value = fixed::rounded_down(node.value, node.format.unit());
   }
 
   /// The numbers of a range that a format holds.
@@ -180,12 +181,6 @@ private:
     const mpq_class unit = format.unit();
     return {std::max<mpq_class>(value.low, format.smallest() * unit),
             std::min<mpq_class>(value.high, format.largest() * unit)};
-  }
-
-  /// Moves the ends of the value to the units at or below them.
-  static void round_down(FixedNode& node) {
-    const mpq_class unit = node.format.unit();
-    node.value = {floor_of(node.value.low / unit) * unit, floor_of(node.value.high / unit) * unit};
   }
 
   /// Cuts and limits: theorem 2, by hand; common cuts: theorem 7; reaches: theorem 8.
@@ -251,8 +246,8 @@ private:
     conclude(script, "c - t", exact);
     script.hint("c - t", identity(node));
     const ScriptResult result = prove_(script.text());
-    Finding finding{fmt::format("value and error of {}: {} to {}", text(id), shown(exact.low),
-                                shown(exact.high)),
+    Finding finding{fmt::format("value and error of {}{}: {} to {}", text(id), where_,
+                                shown(exact.low), shown(exact.high)),
                     result.outcome, result.detail};
     if (!result.file.empty()) finding.files.push_back(result.file);
     proof_.findings.push_back(std::move(finding));
@@ -352,6 +347,53 @@ private:
     if (has_reaches()) {
       add_exact("constants depend on no reach", !depends_on_reach(part.difference));
     }
+  }
+
+  /// The condition of theorem 3 in each step, by the errors that comparisons of it can have.
+  void prove_decision(const fixed::RunningThresholds& thresholds, const fixed::FixedPart& part) {
+    const std::vector<FixedNode> whole = nodes_;
+    const auto last = static_cast<int>(thresholds.of_steps.size()) - 1;
+    bool suffice = thresholds.of_steps.size() > 1 && !depends_on_reach(part.difference);
+    for (int step = 0; step <= last; ++step) {
+      nodes_ = whole;
+      where_ = fmt::format(", step {}", step);
+      for (NodeId id = 0; id < static_cast<NodeId>(nodes_.size()); ++id) {
+        enclose_in_step(id, whole, thresholds, step);
+      }
+      const FixedNode& difference = nodes_[part.difference];
+      const mpq_class unit = difference.format.unit();
+      const mpz_class& threshold = thresholds.of_steps[step];
+      suffice = suffice && threshold * unit > difference.error.high &&
+                -(threshold + 1) * unit < difference.error.low;
+    }
+    nodes_ = whole;
+    where_.clear();
+    add_exact("the threshold of each step lies beyond the error of f - g there", suffice);
+  }
+
+  /// Narrows the enclosures of `whole` to what they are in a step.
+  void enclose_in_step(NodeId id, const std::vector<FixedNode>& whole,
+                       const fixed::RunningThresholds& thresholds, int step) {
+    FixedNode& node = nodes_[id];
+    bool has_changed = false;
+    for (int k = 0; k < arity(node.operation); ++k) {
+      has_changed = has_changed || nodes_[node.operands[k]] != whole[node.operands[k]];
+    }
+    if (has_changed) prove_enclosure(id);
+    narrow(node.value, whole[id].value);
+    narrow(node.error, whole[id].error);
+    const auto& watched = thresholds.watched;
+    if (std::find(watched.begin(), watched.end(), id) == watched.end()) return;
+    const auto last = static_cast<int>(thresholds.of_steps.size()) - 1;
+    const mpq_class unit = node.format.unit();
+    const mpq_class beyond = scaled(unit, node.format.magnitude_bits() - last + step);
+    narrow(node.value, {-beyond, beyond - unit});
+  }
+
+  /// Leaves a range as it is where it has nothing in common with the other: no comparison is there.
+  static void narrow(Range& range, const Range& other) {
+    const Range both = {std::max(range.low, other.low), std::min(range.high, other.high)};
+    if (both.low <= both.high) range = both;
   }
 
   /// The conditions of theorem 4: a and b, which the thresholds' slopes stand for, and the offset.
@@ -507,6 +549,9 @@ private:
     if (any_part<fixed::ConstantThresholds>()) {
       add_step("3", "docs/fixed_point.md, theorem 3: from the error to the constants");
     }
+    if (any_part<fixed::RunningThresholds>()) {
+      add_step("9", "docs/fixed_point.md, theorem 9: from the error in a step to its threshold");
+    }
     if (any_part<fixed::NormThresholds>()) {
       add_step("4",
                "docs/fixed_point.md, theorem 4: from the norm of the errors to the thresholds");
@@ -525,6 +570,7 @@ private:
   std::vector<TypedNode> typed_;  ///< for their texts
   const Prove& prove_;
   bool results_fit_ = true;
+  std::string where_;  ///< ", step 3" of a running bound
   LaneProof proof_;
 };
 

@@ -15,16 +15,18 @@ using Kind = BoundChoice::Kind;
 
 constexpr std::string_view running_prefix = "running_", guard_infix = "_g";
 
-constexpr std::array<Kind, 4> fixed_kinds = {Kind::fixed_norm, Kind::fixed_constant,
-                                             Kind::block_norm, Kind::block_constant};
+constexpr std::array fixed_kinds = {Kind::fixed_norm, Kind::fixed_constant, Kind::fixed_running,
+                                    Kind::block_norm, Kind::block_constant, Kind::block_running};
 
 std::string_view word(Kind kind) {
   switch (kind) {
     case Kind::block_constant: return "block_constant";
     case Kind::block_norm: return "block_norm";
+    case Kind::block_running: return "block_running";
     case Kind::constant: return "constant";
     case Kind::fixed_constant: return "fixed_constant";
     case Kind::fixed_norm: return "fixed_norm";
+    case Kind::fixed_running: return "fixed_running";
     case Kind::profiled: return "profiled";
     case Kind::relative: return "relative";
     case Kind::running: return "running";
@@ -79,8 +81,8 @@ std::string bound_choice_names() {
   constexpr settings::Limits digits = settings::limits::bound_digits;
   return fmt::format(
       "relative, running_{} to running_{}, constant, profiled, fixed_norm, fixed_constant, "
-      "block_norm, block_constant, each of the last four also with G guard digits as "
-      "fixed_norm_gG",
+      "fixed_running, block_norm, block_constant, block_running, each of the last six also with G "
+      "guard digits as fixed_norm_gG",
       digits.least, digits.most);
 }
 
@@ -102,9 +104,11 @@ std::optional<BoundChoice> bound_choice(const error::Lane& lane) {
 }
 
 BoundChoice bound_choice(const fixed::FixedLane& lane) {
-  const Kind kind = lane.format.is_block ? has_norm(lane) ? Kind::block_norm : Kind::block_constant
-                    : has_norm(lane)     ? Kind::fixed_norm
-                                         : Kind::fixed_constant;
+  const bool is_block = lane.format.is_block;
+  const Kind kind = has_norm(lane)      ? is_block ? Kind::block_norm : Kind::fixed_norm
+                    : has_running(lane) ? is_block ? Kind::block_running : Kind::fixed_running
+                    : is_block          ? Kind::block_constant
+                                        : Kind::fixed_constant;
   return {kind, lane.format.guard_digits};
 }
 
@@ -155,6 +159,8 @@ ReducedSpec with_bound(const ReducedSpec& reduced, const BoundChoice& choice) {
     case Kind::constant: copy.error_bound = error::ErrorBoundKind::constant; break;
     case Kind::block_norm:
     case Kind::fixed_norm: copy.error_bound = error::ErrorBoundKind::norm; break;
+    case Kind::block_running:
+    case Kind::fixed_running: copy.error_bound = error::ErrorBoundKind::running; break;
     case Kind::relative: copy.error_bound = error::ErrorBoundKind::relative; break;
     case Kind::running:
       copy.error_bound = error::ErrorBoundKind::running;

@@ -14,16 +14,18 @@ namespace mixcmp::scene {
 
 /// A way to bound the errors of a lane, whatever its precision. Profiles, tables and options name
 /// it "relative", "running_4" (digits), "constant" or "profiled"; of lanes in fixed point
-/// "fixed_constant" or "fixed_norm", and "block_constant" or "block_norm" in block floating point;
-/// with guard digits "fixed_norm_g3".
+/// "fixed_constant", "fixed_norm" or "fixed_running", in block floating point "block_constant" and
+/// so on; with guard digits "fixed_norm_g3".
 struct BoundChoice {
   /// In the order of their names, in which tables are sorted.
   enum class Kind {
     block_constant,
     block_norm,
+    block_running,
     constant,
     fixed_constant,
     fixed_norm,
+    fixed_running,
     profiled,
     relative,
     running
@@ -32,10 +34,17 @@ struct BoundChoice {
   Kind kind = Kind::relative;
   int digits = 0;  ///< of a running bound; in fixed point guard digits; 0 for others
 
-  bool is_block() const { return kind == Kind::block_constant || kind == Kind::block_norm; }
+  bool is_block() const {
+    return kind == Kind::block_constant || kind == Kind::block_norm || kind == Kind::block_running;
+  }
   /// Block floating point included.
   bool is_fixed_point() const {
-    return is_block() || kind == Kind::fixed_constant || kind == Kind::fixed_norm;
+    return is_block() || kind == Kind::fixed_constant || kind == Kind::fixed_norm ||
+           kind == Kind::fixed_running;
+  }
+
+  bool is_running() const {
+    return kind == Kind::running || kind == Kind::fixed_running || kind == Kind::block_running;
   }
 
   /// The lanes in fixed point of W = `bits` that have this bound.

@@ -129,12 +129,15 @@ std::vector<NamedFixedLane> lanes_of(const BoundedComparison& comparison, FloatF
   using fixed::FixedBound;
   std::vector<NamedFixedLane> lanes;
   for (const FixedPoint& lane_format : lane_formats) {
-    for (const FixedBound bound : {FixedBound::constant, FixedBound::norm}) {
+    for (const auto& [bound, name] : {std::pair(FixedBound::constant, "constant"),
+                                      {FixedBound::norm, "norm"},
+                                      {FixedBound::running, "running"}}) {
       const auto lane =
           fixed::fixed_lane(comparison.graph(), format,
                             {.format = lane_format, .bound = bound, .ranges = comparison.ranges()});
-      const char* const name = bound == FixedBound::norm ? "norm" : "constant";
-      const bool exists = bound == FixedBound::constant || comparison.has_norm.value_or(lane.ok());
+      const bool exists = bound == FixedBound::constant ||
+                          (bound == FixedBound::norm && comparison.has_norm.value_or(lane.ok())) ||
+                          (bound == FixedBound::running && lane.ok());
       EXPECT_EQ(lane.ok(), exists) << lane_format.name() << ", " << name;
       if (lane.ok()) lanes.push_back({fmt::format("{}, {}", lane_format.name(), name), *lane});
     }

@@ -32,7 +32,7 @@ struct NamedFixedLane {
   std::string name;
   fixed::FixedLane lane;
 };
-/// The comparison's lanes at these widths, by either bound where it exists; where `has_norm` says
+/// The comparison's lanes at these widths, by every bound that exists; where `has_norm` says
 /// otherwise, a test fails.
 std::vector<NamedFixedLane> fixed_lanes(const BoundedComparison& comparison, FloatFormat format,
                                         const std::vector<int>& widths);

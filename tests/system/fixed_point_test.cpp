@@ -21,6 +21,7 @@ struct Case {
   scene::Multipliers multipliers = scene::Multipliers::embedded;
   bool is_block = false;
   int guard_digits = 0;
+  std::optional<fixed::FixedBound> bound = {};
 };
 
 void PrintTo(const Case& c, std::ostream* stream) {
@@ -29,8 +30,10 @@ void PrintTo(const Case& c, std::ostream* stream) {
 
 design::Design design_of(const Graph& graph, FloatFormat reference, FixedPoint lane_format,
                          const Range& range,
-                         scene::Multipliers multipliers = scene::Multipliers::embedded) {
+                         scene::Multipliers multipliers = scene::Multipliers::embedded,
+                         std::optional<fixed::FixedBound> bound = {}) {
   const fixed::FixedOptions options = {.format = lane_format,
+                                       .bound = bound,
                                        .ranges = {graph.inputs().size(), std::optional(range)}};
   return {.name = "fixed_point",
           .inputs = graph.inputs(),
@@ -57,8 +60,8 @@ TEST_P(SystemInFixedPoint, EveryOperandIsDecidedAsTheGoldenModelSaysAndTruly) {
   const Graph graph = graph_of(GetParam().parts, GetParam().combination);
   const FloatFormat s4e4 = format("s4e4");
   const FixedPoint lane_format = {GetParam().bits, GetParam().is_block, GetParam().guard_digits};
-  const design::Design design =
-      design_of(graph, s4e4, lane_format, GetParam().range, GetParam().multipliers);
+  const design::Design design = design_of(graph, s4e4, lane_format, GetParam().range,
+                                          GetParam().multipliers, GetParam().bound);
   const auto data = data::Comparisons::rows(every_pair(s4e4), design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
   const verilator_tb::VerifyReport report =
@@ -228,7 +231,34 @@ INSTANTIATE_TEST_SUITE_P(
              Combination::all,
              scene::Multipliers::embedded,
              true,
-             5}),
+             5},
+        Case{"running",
+             {{"a * b - 0.3 * b^2", "(a - b) * 0.7 * b"}},
+             6,
+             both_signs,
+             Combination::all,
+             scene::Multipliers::embedded,
+             false,
+             0,
+             fixed::FixedBound::running},
+        Case{"running_parts_and_limits",
+             {{"within(a - b, -3, 4)^2 * 0.3", "a * b + 0.2"}, {"b^3", "a * b"}, {"a", "b"}},
+             5,
+             both_signs,
+             Combination::any,
+             scene::Multipliers::logic,
+             false,
+             0,
+             fixed::FixedBound::running},
+        Case{"block_running_behind_cuts",
+             {{"(a - b) * b", "a * abs(b)"}},
+             4,
+             both_signs,
+             Combination::all,
+             scene::Multipliers::embedded,
+             true,
+             2,
+             fixed::FixedBound::running}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 /// The families of spheres that are made to mislead a lane.

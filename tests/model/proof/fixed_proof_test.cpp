@@ -154,6 +154,12 @@ INSTANTIATE_TEST_SUITE_P(
              "4, by hand",
              {},
              true},
+        Case{"running",
+             {{"a * b - c * d", "e"}},
+             9,
+             {-2, 3},
+             "machine-checked but for theorems 1 (operands) and 9, by hand",
+             FixedBound::running},
         Case{"guard_digits",
              {{"(a - b + 0.3)^2 + 0.7 * a * b", "(d + max(e, 0))^2"}, {"a - c", "0.2"}},
              9,
@@ -322,6 +328,25 @@ TEST(FixedProofOfWidths, RefusesResultsThatDoNotFit) {
         EXPECT_TRUE(is_refused(other)) << "node " << id << ", " << more;
       }
     }
+  }
+}
+
+/// Each threshold one unit lower; and a part that watches one factor less.
+TEST(FixedProofOfRunningBounds, RefusesThresholdsThatAreTooNear) {
+  const FixedLane lane =
+      lane_of({"", {{"a * b - c * d", "e"}}, 9, {-2, 3}, "", FixedBound::running});
+  EXPECT_FALSE(is_refused(lane));
+  const auto& running = std::get<fixed::RunningThresholds>(lane.parts[0].criterion);
+  for (std::size_t step = 0; step < running.of_steps.size(); ++step) {
+    FixedLane nearer = lane;
+    --std::get<fixed::RunningThresholds>(nearer.parts[0].criterion).of_steps[step];
+    EXPECT_TRUE(is_refused(nearer)) << step;
+  }
+  for (std::size_t k = 0; k < running.watched.size(); ++k) {
+    FixedLane blind = lane;
+    auto& watched = std::get<fixed::RunningThresholds>(blind.parts[0].criterion).watched;
+    watched.erase(watched.begin() + static_cast<std::ptrdiff_t>(k));
+    EXPECT_TRUE(is_refused(blind)) << k;
   }
 }
 

@@ -10,8 +10,9 @@ using scene::BoundChoice;
 using Kind = BoundChoice::Kind;
 
 TEST(BoundChoice, NamesAreReadAsTheyAreWritten) {
-  for (const char* name : {"relative", "running_1", "running_8", "constant", "profiled",
-                           "fixed_norm", "fixed_constant_g3", "block_norm_g10", "block_constant"}) {
+  for (const char* name :
+       {"relative", "running_1", "running_8", "constant", "profiled", "fixed_norm", "fixed_running",
+        "block_running_g2", "fixed_constant_g3", "block_norm_g10", "block_constant"}) {
     const auto choice = scene::parse_bound_choice(name);
     ASSERT_TRUE(choice.ok()) << name;
     EXPECT_EQ(to_string(*choice), name);
