@@ -300,6 +300,27 @@ TEST_F(CharacteriseCommand, WhereNothingIsMeasuredTheOldTableStays) {
   EXPECT_NE(run.output.find("old.csv is as it was"), std::string::npos) << run.output;
 }
 
+/// Two squares, in fixed point: with guard digits, and with a bound that follows magnitudes.
+TEST_F(CharacteriseCommand, NamesGuardDigitsAndRunningBounds) {
+  write("squares.toml",
+        "[comparison]\nname = \"squares\"\nf = \"(a - b)^2\"\ng = \"c^2\"\n"
+        "[inputs]\n\"*\" = { range = [0, 1] }\n[reference]\nformat = \"s11e5\"\n"
+        "[reduced]\nformat = \"auto\"\n[system]\ndevice = \"ecp5-85k\"\n");
+  const Outcome run = mixcmp(
+      "characterise squares.toml --store s.sqlite --area-only --components lane --precisions 6 "
+      "--bounds fixed_norm_g3,fixed_running,block_running_g2 --multipliers logic -o table.csv",
+      fake(""));
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto table = characterise::read_characterisation(path("table.csv"));
+  ASSERT_TRUE(table.ok()) << table.error().to_string();
+  std::vector<std::string> names;
+  for (const auto& row : table->rows)
+    names.push_back(row.key.format + " " + to_string(row.key.bound));
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (std::vector<std::string>{"block6g2 block_running_g2", "q6 fixed_running",
+                                             "q6g3 fixed_norm_g3"}));
+}
+
 /// A norm bound of the fixture's product does not exist.
 TEST_F(CharacteriseCommand, WhereNoComponentExistsTheOldTableStays) {
   const std::string nothing =

@@ -386,6 +386,10 @@ INSTANTIATE_TEST_SUITE_P(
                 ":14: reduced.format: not a floating-point format: received \"float\"; accepted "
                 "\"auto\", sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; "
                 "qW or blockW with W 2..48, likewise W + G of qWgG and blockWgG"},
+        Mistake{"s17e8", "q40g20",
+                ":14: reduced.format: bits out of range: received \"q40g20\"; accepted \"auto\", "
+                "sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; qW or "
+                "blockW with W 2..48, likewise W + G of qWgG and blockWgG"},
         Mistake{"s17e8", "s53e8",
                 ":14: reduced.format: precision out of range: received \"s53e8\"; accepted "
                 "\"auto\", sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; "
