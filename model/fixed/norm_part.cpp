@@ -120,7 +120,7 @@ private:
     Replaced replaced;
     for (const NodeId id : squared_in(form.sum)) {
       const mpq_class unit = node(id).format.unit();
-      int bits = 0;
+      int bits = 1;  // no format has fewer
       while (power_of_two(2L * bits) * unit * unit < square) ++bits;
       replaced[id] = builder_.within_reach(id, bits);
     }

@@ -12,6 +12,7 @@
 namespace mixcmp::test::norms_test {
 namespace {
 
+using fixed::FixedBound;
 using fixed::FixedLane;
 using fixed::FixedNode;
 using fixed::NormThresholds;
@@ -115,6 +116,16 @@ TEST(Norms, HaveNoReachThatNothingIsWithin) {
     const fixed::FixedOptions options{.format = {.bits = 6}, .ranges = {range, Range{0, 1}}};
     const FixedLane lane = fixed::fixed_lane(graph, format_of(24, 8), options).value();
     for (const FixedNode& node : lane.nodes) EXPECT_LE(node.value.low, node.value.high);
+  }
+}
+
+/// Radii that are zero are exceeded by every unit.
+TEST(Norms, HaveReachesOfABitOrMore) {
+  const Graph graph = graph_of("4 * (a - a)^2 + b^2 + (a - b)^2", "(c - c)^2");
+  const FixedLane lane = lane_of(graph, 9, {0, 3}, FixedBound::norm);
+  for (const FixedNode& node : lane.nodes) {
+    if (!fixed::is_reach(node)) continue;
+    EXPECT_LT(node.format.magnitude_bits(), lane.nodes[node.operands[0]].format.magnitude_bits());
   }
 }
 
