@@ -70,9 +70,9 @@ void add_options(const Verb& verb, ProfileCommand& command) {
             run.bounds = value_or_exit(counted_bounds(names));
           },
           "rates of lanes with these bounds alone: relative, running_4, running_1, constant, "
-          "profiled, fixed_norm, fixed_constant, block_norm, block_constant (default: all these, "
-          "and "
-          "lanes without a bound), fixed_running, block_running")
+          "profiled, fixed_norm, fixed_constant, fixed_running, block_norm, block_constant, "
+          "block_running (default: all but the two running in fixed point, and lanes without a "
+          "bound)")
       .separated_by(',');
   verb.flag("--both-inputs", command.both_inputs,
             "rates for rounded and for exact inputs, too, whatever the scene says");

@@ -173,8 +173,8 @@ void execute_common_cut(const FixedInstruction& instruction, const Block& block)
   }
 }
 
-/// The threshold of each comparison's step: a step is left where a magnitude is at least as large
-/// as the numbers in it can be. A negative number counts as one unit less than its magnitude.
+/// The threshold of each comparison's step, which rises by one for each power of two that the
+/// largest magnitude reaches. A negative number counts as one unit less than its magnitude.
 void execute_running_threshold(const FixedInstruction& instruction, const Block& block) {
   double* const results = block.results[instruction.result];
   for (std::size_t i = 0; i < block.size; i += hn::Lanes(Tag())) {

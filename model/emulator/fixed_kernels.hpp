@@ -76,7 +76,7 @@ struct FixedInstruction {
   FixedSum terms = {};
   std::vector<FixedCut> cuts = {};
   std::vector<FixedWatched> watched = {};  ///< of a running threshold
-  std::vector<double> of_steps = {};       ///< [step]: likewise
+  std::vector<double> of_steps = {};       ///< [step]: its threshold, a number
   double beyond = 0;  ///< of common cuts: 2^W, above all magnitudes that they leave, in units
 };
 

@@ -72,9 +72,9 @@ private:
 };
 
 /// Collects the affine nodes below products, from the sides of a part down.
-class FactorFinder {
+class ProductFinder {
 public:
-  explicit FactorFinder(const Graph& graph) : graph_(graph), affine_(affine_nodes(graph)) {}
+  explicit ProductFinder(const Graph& graph) : graph_(graph), affine_(affine_nodes(graph)) {}
 
   std::vector<NodeId> run(const Sides& part) {
     for (const NodeId side : {part.f, part.g}) read(side, false);
@@ -88,8 +88,9 @@ private:
       if (below_product && node.operation != Operation::constant) found_.insert(id);
       return;
     }
-    const bool is_product =
-        node.operation == Operation::multiply || node.operation == Operation::square;
+    const bool is_product = node.operation == Operation::multiply ||
+                            node.operation == Operation::square ||
+                            node.operation == Operation::divide;
     if (!visited_.insert({id, below_product}).second) return;
     for (int k = 0; k < arity(node.operation); ++k) {
       read(node.operands[k], below_product || is_product);
@@ -114,8 +115,8 @@ std::vector<NodeId> nodes_to_cut(const Graph& graph) {
   return CutFinder(graph).run();
 }
 
-std::vector<NodeId> factors(const Graph& graph, const Sides& part) {
-  return FactorFinder(graph).run(part);
+std::vector<NodeId> nodes_in_products(const Graph& graph, const Sides& part) {
+  return ProductFinder(graph).run(part);
 }
 
 std::vector<std::vector<NodeId>> nodes_in_norms(const Graph& graph) {

@@ -16,9 +16,9 @@ std::vector<bool> affine_nodes(const Graph& graph);
 /// that are a side of a part whose other side is not affine. Constants are none of them.
 std::vector<NodeId> nodes_to_cut(const Graph& graph);
 
-/// The affine nodes, but constants, from which products and squares of a part are computed: in
-/// their order. They set how large the errors of these can be.
-std::vector<NodeId> factors(const Graph& graph, const Sides& part);
+/// The affine nodes, but constants, from which products, squares and quotients of a part are
+/// computed: in their order. They set how large the errors of these can be.
+std::vector<NodeId> nodes_in_products(const Graph& graph, const Sides& part);
 
 /// For each part whose sides are both sums of squares, the affine nodes that are squared there.
 std::vector<std::vector<NodeId>> nodes_in_norms(const Graph& graph);

@@ -33,7 +33,7 @@ Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
   const NodeId difference = builder.difference(f, g);
   if (options.bound == FixedBound::running) {
     auto running = running_thresholds(builder.nodes(), options.format.bits, difference,
-                                      builder.factors_of(sides));
+                                      builder.nodes_in_products(sides));
     if (running) return FixedPart{.difference = difference, .criterion = std::move(*running)};
   }
   return FixedPart{.difference = difference,
@@ -84,7 +84,7 @@ Error no_norm() {
 
 Error no_running() {
   return {.field = "reduced.error_bound",
-          .message = "no running bound: f and g have no products of which operands may be small",
+          .message = "no running bound: no error grows with what f and g multiply",
           .received = "running",
           .accepted = "constant, or norm for sums of squares"};
 }

@@ -94,8 +94,8 @@ struct NormThresholds {
 };
 
 /// Decides by one of several constants, which is smaller where what is multiplied is small: greater
-/// iff n >= t, less iff n < -t, where t is the threshold of the comparison's step. With C + 1
-/// steps, that is the least k >= 0 with -2^(m - C + k) <= w < 2^(m - C + k) for every watched
+/// iff n >= t, less iff n < -t, where t is the threshold of the comparison's step. With S + 1
+/// steps, that is the least k >= 0 with -2^(m - S + k) <= w < 2^(m - S + k) for every watched
 /// integer w, where m is the number of magnitude bits of its format.
 struct RunningThresholds {
   std::vector<NodeId> watched;

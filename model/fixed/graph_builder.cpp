@@ -148,9 +148,10 @@ Result<NodeId> FixedGraphBuilder::side(const Sides& sides, NodeId id) {
   return read(id, affine_[sides.f] && affine_[sides.g]);
 }
 
-std::vector<NodeId> FixedGraphBuilder::factors_of(const Sides& sides) {
+std::vector<NodeId> FixedGraphBuilder::nodes_in_products(const Sides& sides) {
   std::vector<NodeId> read_here;
-  for (const NodeId id : factors(graph_, sides)) read_here.push_back(read(id, false));
+  for (const NodeId id : fixed::nodes_in_products(graph_, sides))
+    read_here.push_back(read(id, false));
   return read_here;
 }
 

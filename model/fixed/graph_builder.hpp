@@ -19,8 +19,8 @@ public:
   Result<Done> cut_in_common();
   /// The fixed-point node of `id`, which is f or g of a part.
   Result<NodeId> side(const Sides& sides, NodeId id);
-  /// The fixed-point nodes of `factors`, which products of the part read.
-  std::vector<NodeId> factors_of(const Sides& sides);
+  /// The affine nodes, as they are cut, from which products of a part are computed.
+  std::vector<NodeId> nodes_in_products(const Sides& sides);
   /// a - b.
   NodeId difference(NodeId a, NodeId b);
   /// abs(a).

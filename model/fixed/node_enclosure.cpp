@@ -69,6 +69,11 @@ Range exact_value(Operation operation, const Range& a, const Range& b) {
   MIXCMP_CHECK(false);
 }
 
+void narrow(Range& range, const Range& other) {
+  const Range both = {std::max(range.low, other.low), std::min(range.high, other.high)};
+  if (both.low <= both.high) range = both;
+}
+
 Range rounded_down(const Range& value, const mpq_class& unit) {
   return {floor_of(value.low / unit) * unit, floor_of(value.high / unit) * unit};
 }

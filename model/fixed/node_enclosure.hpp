@@ -11,6 +11,10 @@ Range exact_value(Operation operation, const Range& a, const Range& b);
 /// Encloses its error.
 Range exact_error(Operation operation, const FixedNode& a, const FixedNode& b);
 
+/// Intersects a range with another. Where they have nothing in common, so that no comparison is
+/// there, the range stays.
+void narrow(Range& range, const Range& other);
+
 /// The ends of a range rounded down to multiples of a unit.
 Range rounded_down(const Range& value, const mpq_class& unit);
 

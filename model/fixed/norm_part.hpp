@@ -9,11 +9,11 @@ namespace mixcmp::fixed {
 
 /// The part decided by the norm of its errors, if f and g have the form of theorem 4.
 ///
-/// What is squared loses the low bits without which the slopes of the thresholds stay what they
-/// are. (Their offset, at most the square of half a slope, may grow.) What is squared in the sum
-/// also loses the high bits that matter only where one square decides the part: theorem 8.
-/// Of the two ways to read f and g the one with the smaller slopes is taken, or else with the
-/// narrower difference.
+/// Elements of the norms lose the low bits without which the slopes of the thresholds stay what
+/// they are. (The offset may grow, to a unit above the square of half a slope.) Elements of the sum
+/// also lose the high bits that matter only where one square decides the part: theorem 8. Of the
+/// two ways to read f and g the one with the smaller slopes is taken, or else with the narrower
+/// difference.
 std::optional<FixedPart> norm_part(FixedGraphBuilder& builder, NodeId f, NodeId g);
 
 }  // namespace mixcmp::fixed

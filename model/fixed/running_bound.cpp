@@ -9,16 +9,6 @@
 namespace mixcmp::fixed {
 namespace {
 
-/// Eight steps are three bits in hardware: with a bit of a threshold they fit one table of a LUT.
-constexpr int most_last_step = 7;
-
-/// What both ranges contain; the first where they have nothing in common: no comparison that a
-/// lane decides is there.
-Range common(const Range& whole, const Range& part) {
-  const Range both = {std::max(whole.low, part.low), std::min(whole.high, part.high)};
-  return both.low <= both.high ? both : whole;
-}
-
 /// Encloses all nodes again, for comparisons of one step.
 class StepEnclosure {
 public:
@@ -36,8 +26,6 @@ public:
   const FixedNode& node(NodeId id) const { return nodes_[id]; }
 
 private:
-  static void narrow(Range& whole, const Range& part) { whole = common(whole, part); }
-
   /// Narrows value and error to what follows from those of the operands.
   void enclose(FixedNode& node) const {
     if (arity(node.operation) == 0) return;
@@ -66,12 +54,13 @@ private:
   std::vector<FixedNode> nodes_;
 };
 
-/// From which distance on the sign is that of the real difference. Proof: docs/fixed_point.md,
-/// theorem 3.
+/// From which distance on the sign is that of the real difference; at most the first that no
+/// difference has. Proof: docs/fixed_point.md, theorem 3.
 mpz_class threshold_of(const FixedNode& difference) {
   const mpq_class unit = difference.format.unit();
-  return std::max<mpz_class>(floor_of(difference.error.high / unit) + 1,
-                             -ceiling_of(difference.error.low / unit));
+  const mpz_class threshold = std::max<mpz_class>(floor_of(difference.error.high / unit) + 1,
+                                                  -ceiling_of(difference.error.low / unit));
+  return std::min(threshold, shifted_left(1, difference.format.magnitude_bits()));
 }
 
 /// The last step that leaves each watched magnitude a bit.
@@ -90,6 +79,7 @@ mpq_class magnitude_in_step(const FixedNode& watched, int step, int last_step) {
 std::optional<RunningThresholds> running_thresholds(const std::vector<FixedNode>& nodes, int bits,
                                                     NodeId difference,
                                                     std::vector<NodeId> watched) {
+  std::erase_if(watched, [&](NodeId id) { return nodes[id].format.magnitude_bits() < 2; });
   const int last = last_step_of(nodes, watched);
   if (watched.empty() || last < 1) return std::nullopt;
   RunningThresholds thresholds;
@@ -97,6 +87,7 @@ std::optional<RunningThresholds> running_thresholds(const std::vector<FixedNode>
     const StepEnclosure enclosure(nodes, bits, watched, step, last);
     thresholds.of_steps.push_back(threshold_of(enclosure.node(difference)));
   }
+  if (thresholds.of_steps.front() == thresholds.of_steps.back()) return std::nullopt;
   thresholds.watched = std::move(watched);
   return thresholds;
 }

@@ -7,8 +7,11 @@
 
 namespace mixcmp::fixed {
 
+/// Eight steps are three bits in hardware: with a bit of a threshold they fit one table of a LUT.
+inline constexpr int most_last_step = 7;
+
 /// The thresholds of `difference` by steps of the magnitudes of `watched`, which it is computed
-/// from; none if there is nothing to watch. `bits`: those of the lane's format. Proof:
+/// from; none if no step would have a smaller one. `bits`: those of the lane's format. Proof:
 /// docs/fixed_point.md, theorem 9.
 std::optional<RunningThresholds> running_thresholds(const std::vector<FixedNode>& nodes, int bits,
                                                     NodeId difference, std::vector<NodeId> watched);

@@ -47,6 +47,7 @@ Bits assemble(FloatFormat format, long place, const mpz_class& quotient) {
 
 Bits to_bits(const mpz_class& value) {
   static_assert(std::numeric_limits<mp_limb_t>::digits == 64);
+  MIXCMP_CHECK(mpz_size(value.get_mpz_t()) <= 2);
   return Bits{mpz_getlimbn(value.get_mpz_t(), 1)} << 64 | mpz_getlimbn(value.get_mpz_t(), 0);
 }
 

@@ -12,6 +12,7 @@
 #include "model/fixed/node_enclosure.hpp"
 #include "model/fixed/norm_bound.hpp"
 #include "model/fixed/root_error.hpp"
+#include "model/fixed/running_bound.hpp"
 #include "model/fixed/sum_of_squares.hpp"
 #include "model/number/dyadic.hpp"
 #include "model/proof/script.hpp"
@@ -82,6 +83,7 @@ public:
     }
     for (NodeId id = 0; id < static_cast<NodeId>(nodes_.size()); ++id) prove_node(id);
     add_exact("every result fits its format", results_fit_);
+    add_exact("every result counts the unit of its operation", units_are_right_);
     for (const fixed::FixedPart& part : lane_.parts) {
       std::visit([&](const auto& thresholds) { prove_decision(thresholds, part); }, part.criterion);
     }
@@ -127,6 +129,35 @@ private:
   void prove_node(NodeId id) {
     prove_enclosure(id);
     results_fit_ = results_fit_ && fits(nodes_[id]);
+    units_are_right_ = units_are_right_ && has_right_unit(nodes_[id]);
+  }
+
+  /// Whether the format counts the unit that the operation's hardware has, bits dropped. Inputs of
+  /// fixed point, constants and roots have units of their own.
+  bool has_right_unit(const FixedNode& node) const {
+    const auto unit = [&](int k) { return nodes_[node.operands[k]].format.unit_exponent; };
+    const int own = node.format.unit_exponent - node.dropped_bits;
+    switch (node.operation) {
+      case Operation::input:
+        return !lane_.format.is_block ||
+               (own == -lane_.format.operand_bits() && node.format.magnitude_bits() == -own);
+      case Operation::constant:
+      case Operation::square_root: return node.dropped_bits == 0;
+      case Operation::convert: {
+        const bool is_cut = node.conversion == fixed::Conversion::cut;
+        return own == unit(0) && (is_cut || node.dropped_bits == 0);
+      }
+      case Operation::negate:
+      case Operation::absolute: return own == unit(0);
+      case Operation::square: return own == 2 * unit(0);
+      case Operation::multiply: return own == unit(0) + unit(1);
+      case Operation::add:
+      case Operation::subtract:
+      case Operation::minimum:
+      case Operation::maximum: return own == std::min(unit(0), unit(1));
+      case Operation::divide: return false;
+    }
+    MIXCMP_CHECK(false);
   }
 
   /// Whether the format holds all that the result can be.
@@ -176,6 +207,14 @@ private:
     node.value = fixed::rounded_down(node.value, node.format.unit());
   }
 
+  /// The ends of a limit that hardware checks, which are those inside of what the lane says of the
+  /// operand; else the operand's.
+  Range within_limits(const FixedNode& limit, const Range& operand) const {
+    const Range& said = lane_.nodes[limit.operands[0]].value;
+    return {limit.value.low > said.low ? limit.value.low : operand.low,
+            limit.value.high < said.high ? limit.value.high : operand.high};
+  }
+
   /// The numbers of a range that a format holds.
   static Range in_format(const Range& value, const FixedFormat& format) {
     const mpq_class unit = format.unit();
@@ -195,7 +234,8 @@ private:
         node.value = fixed::cut_value(operand, lane_.format.bits, node.most_dropped);
         node.error = rounded_outward(fixed::cut_error(operand, node.most_dropped), node.format);
         return;
-      case fixed::Conversion::limit:  // the hardware checks the value
+      case fixed::Conversion::limit:
+        node.value = within_limits(node, operand.value);
         node.error = operand.error;
         return;
       case fixed::Conversion::reach:  // the hardware checks the format
@@ -343,17 +383,24 @@ private:
     const mpq_class unit = difference.format.unit();
     add_exact("the constants lie beyond the error of f - g",
               thresholds.greater_from * unit > difference.error.high &&
-                  thresholds.less_to * unit < difference.error.low);
+                  thresholds.less_to * unit < difference.error.low &&
+                  (!thresholds.exact || is_exact(difference, thresholds)));
     if (has_reaches()) {
       add_exact("constants depend on no reach", !depends_on_reach(part.difference));
     }
+  }
+
+  /// Whether a difference between the constants is 0, and that of the real numbers.
+  static bool is_exact(const FixedNode& difference, const fixed::ConstantThresholds& thresholds) {
+    return difference.error.low == 0 && difference.error.high == 0 &&
+           thresholds.greater_from == 1 && thresholds.less_to == -1;
   }
 
   /// The condition of theorem 3 in each step, by the errors that comparisons of it can have.
   void prove_decision(const fixed::RunningThresholds& thresholds, const fixed::FixedPart& part) {
     const std::vector<FixedNode> whole = nodes_;
     const auto last = static_cast<int>(thresholds.of_steps.size()) - 1;
-    bool suffice = thresholds.of_steps.size() > 1 && !depends_on_reach(part.difference);
+    bool suffice = steps_are_right(thresholds, part) && !depends_on_reach(part.difference);
     for (int step = 0; step <= last; ++step) {
       nodes_ = whole;
       where_ = fmt::format(", step {}", step);
@@ -363,12 +410,26 @@ private:
       const FixedNode& difference = nodes_[part.difference];
       const mpq_class unit = difference.format.unit();
       const mpz_class& threshold = thresholds.of_steps[step];
-      suffice = suffice && threshold * unit > difference.error.high &&
-                -(threshold + 1) * unit < difference.error.low;
+      const FixedFormat& format = difference.format;
+      suffice = suffice &&
+                (threshold > format.largest() || threshold * unit > difference.error.high) &&
+                (-threshold <= format.smallest() || -(threshold + 1) * unit < difference.error.low);
     }
     nodes_ = whole;
     where_.clear();
     add_exact("the threshold of each step lies beyond the error of f - g there", suffice);
+  }
+
+  /// Whether hardware has such steps: as many as there are, each with a bit of every watched
+  /// number, all of which the difference is computed from.
+  bool steps_are_right(const fixed::RunningThresholds& thresholds,
+                       const fixed::FixedPart& part) const {
+    const auto last = static_cast<int>(thresholds.of_steps.size()) - 1;
+    const std::set<NodeId> cone = fixed::fan_in(lane_, part.difference);
+    return last >= 1 && last <= fixed::most_last_step &&
+           std::all_of(thresholds.watched.begin(), thresholds.watched.end(), [&](NodeId id) {
+             return cone.contains(id) && nodes_[id].format.magnitude_bits() > last;
+           });
   }
 
   /// Narrows the enclosures of `whole` to what they are in a step.
@@ -380,20 +441,14 @@ private:
       has_changed = has_changed || nodes_[node.operands[k]] != whole[node.operands[k]];
     }
     if (has_changed) prove_enclosure(id);
-    narrow(node.value, whole[id].value);
-    narrow(node.error, whole[id].error);
+    fixed::narrow(node.value, whole[id].value);
+    fixed::narrow(node.error, whole[id].error);
     const auto& watched = thresholds.watched;
     if (std::find(watched.begin(), watched.end(), id) == watched.end()) return;
     const auto last = static_cast<int>(thresholds.of_steps.size()) - 1;
     const mpq_class unit = node.format.unit();
     const mpq_class beyond = scaled(unit, node.format.magnitude_bits() - last + step);
-    narrow(node.value, {-beyond, beyond - unit});
-  }
-
-  /// Leaves a range as it is where it has nothing in common with the other: no comparison is there.
-  static void narrow(Range& range, const Range& other) {
-    const Range both = {std::max(range.low, other.low), std::min(range.high, other.high)};
-    if (both.low <= both.high) range = both;
+    fixed::narrow(node.value, {-beyond, beyond - unit});
   }
 
   /// The conditions of theorem 4: a and b, which the thresholds' slopes stand for, and the offset.
@@ -404,19 +459,17 @@ private:
     const ChosenThresholds chosen = {.a = power_of_two(thresholds.shift_above) * per_radius,
                                      .b = power_of_two(thresholds.shift_below) * per_radius,
                                      .offset = thresholds.offset_above * unit};
-    const std::vector<NodeId> elements = elements_of(difference.operands[0]);
-    const mpq_class squares = squared_errors(elements);
-    const bool suffice =
-        thresholds.radius_is_squared
-            ? suffice_for_two(chosen, squares, squared_errors(elements_of(thresholds.radius)))
-            : suffice_for_radius(chosen, squares, nodes_[thresholds.radius]);
+    const auto elements = exact_elements(difference.operands[0]);
+    const bool has_form = difference.operation == Operation::subtract && elements &&
+                          is_other_side(difference.operands[1], thresholds);
     add_exact("the thresholds are those that theorem 4 asks for",
-              suffice && is_other_side(difference.operands[1], thresholds));
+              has_form && suffice(chosen, squared_errors(*elements), thresholds));
+    if (!has_form) return;
     if (!has_reaches()) return;
     const mpq_class largest = 2 * chosen.a * largest_radius(thresholds) + chosen.offset;
     const mpq_class far = nodes_[difference.operands[1]].value.high + largest;
     bool decide = !depends_on_reach(difference.operands[1]);
-    for (const NodeId id : elements) decide = decide && decides_beyond(id, far);
+    for (const NodeId id : *elements) decide = decide && decides_beyond(id, far);
     add_exact("what is beyond reach decides", decide);
   }
 
@@ -424,6 +477,16 @@ private:
     mpq_class a, b;
     mpq_class offset;
   };
+
+  /// `squares`: of the norm of the errors of x.
+  bool suffice(const ChosenThresholds& chosen, const mpq_class& squares,
+               const fixed::NormThresholds& thresholds) const {
+    if (!thresholds.radius_is_squared) {
+      return suffice_for_radius(chosen, squares, nodes_[thresholds.radius]);
+    }
+    const auto others = exact_elements(thresholds.radius);
+    return others && suffice_for_two(chosen, squares, squared_errors(*others));
+  }
 
   /// Whether the node is |y|^2, or the square of the radius or of what that is the magnitude of.
   bool is_other_side(NodeId other, const fixed::NormThresholds& thresholds) const {
@@ -500,11 +563,13 @@ private:
     return is_nonnegative ? mpq_class(-radius.error.low) : absolute(radius.error).high;
   }
 
-  /// The elements of a sum of squares that drops no bits.
-  std::vector<NodeId> elements_of(NodeId sum) const {
+  /// The elements of a sum of squares that drops no bits; none if the node is something else.
+  std::optional<std::vector<NodeId>> exact_elements(NodeId sum) const {
     const auto squares = fixed::sum_of_squares(nodes_, sum);
-    MIXCMP_CHECK(squares);
-    for (const NodeId id : squares->results) MIXCMP_CHECK(nodes_[id].dropped_bits == 0);
+    if (!squares) return std::nullopt;
+    for (const NodeId id : squares->results) {
+      if (nodes_[id].dropped_bits > 0) return std::nullopt;
+    }
     return squares->elements;
   }
 
@@ -570,6 +635,7 @@ private:
   std::vector<TypedNode> typed_;  ///< for their texts
   const Prove& prove_;
   bool results_fit_ = true;
+  bool units_are_right_ = true;
   std::string where_;  ///< ", step 3" of a running bound
   LaneProof proof_;
 };

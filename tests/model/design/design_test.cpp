@@ -254,8 +254,13 @@ TEST(MakeDesign, RefusesWhatFixedPointHasNot) {
   scene.reduced.bound = BoundKind::profiled;
   EXPECT_EQ(error_of(scene).field, "reduced.bound");
   scene = fixed_scene();
-  scene.reduced.error_bound = ErrorBoundKind::running;
+  scene.reduced.error_bound = ErrorBoundKind::relative;
   EXPECT_EQ(error_of(scene).field, "reduced.error_bound");
+  scene.reduced.error_bound = ErrorBoundKind::running;
+  scene.graph = graph_of("a - b", "b");
+  EXPECT_EQ(error_of(scene).field, "reduced.error_bound") << "nothing is multiplied";
+  scene.graph = graph_of("(a - b)^2", "b");
+  EXPECT_TRUE(design::make_design(scene, nullptr).ok());
   scene = complete_scene();
   scene.reduced.error_bound = ErrorBoundKind::norm;
   EXPECT_EQ(error_of(scene).field, "reduced.error_bound");

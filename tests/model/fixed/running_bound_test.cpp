@@ -66,6 +66,23 @@ TEST(RunningBound, SmallOperandsAreDecidedNearer) {
   EXPECT_FALSE(decided({large, small, large, 6 * unit})) << "1000 units apart";
 }
 
+/// A quotient errs by its reciprocal's rounding, in proportion to a; limits leave one bit of d.
+TEST(RunningBound, WatchesQuotientsAndNothingOfOneBit) {
+  const FixedLane quotient = running("a / 3", "b / 7", 9, {0, 8});
+  EXPECT_EQ(std::get<RunningThresholds>(quotient.parts.front().criterion).watched.size(), 2U);
+  const FixedLane narrow = running("a * within(d, 0, 1/128)", "b * c", 9, {0, 3});
+  EXPECT_EQ(std::get<RunningThresholds>(narrow.parts.front().criterion).watched.size(), 3U);
+}
+
+/// An error above all differences needs no wider threshold than these.
+TEST(RunningBound, ThresholdsAreNoWiderThanDifferences) {
+  const FixedLane lane =
+      running("within(a * b, 0, 1/64)^3", "within(c * b, 0, 1/64)^3", 12, {0, 8});
+  const auto& thresholds = std::get<RunningThresholds>(lane.parts.front().criterion).of_steps;
+  const mpz_class most = lane.nodes[lane.parts.front().difference].format.largest() + 1;
+  EXPECT_EQ(*std::max_element(thresholds.begin(), thresholds.end()), most);
+}
+
 TEST(RunningBound, IsRefusedWhereNothingIsMultiplied) {
   const Graph graph = graph_of("a - b", "c");
   const auto lane = fixed::fixed_lane(graph, format_of(24, 8),

@@ -296,6 +296,49 @@ TEST(FixedProofOfReaches, RefusesConstantsOfWhatIsWithinReach) {
   EXPECT_TRUE(is_refused(lane));
 }
 
+/// The first subtraction is that of a norm's sides in the first lane, of anything in the second.
+TEST(FixedProofOfUnits, RefusesWhatTheHardwareDoesNotCount) {
+  const Case cases[] = {
+      {"", {{"(a - b)^2 + c^2", "d^2"}}, 9, {0, 3}, "", FixedBound::constant},
+      {"", {{"abs(a * b - 3 * c) + min(a, d)", "c"}}, 7, {-2, 3}, ""},
+      {"", {{"(a - b)^2 + c^2", "a * d"}}, 9, {-1, 1}, "", FixedBound::constant, true}};
+  for (const Case& each : cases) {
+    const FixedLane lane = lane_of(each);
+    EXPECT_FALSE(is_refused(lane));
+    for (std::size_t id = 0; id < lane.nodes.size(); ++id) {
+      const Operation operation = lane.nodes[id].operation;
+      if (operation == Operation::constant) continue;
+      if (operation == Operation::input && !each.is_block) continue;
+      FixedLane coarser = lane;
+      ++coarser.nodes[id].format.unit_exponent;
+      EXPECT_TRUE(is_refused(coarser)) << each.parts[0].first << ", node " << id;
+    }
+  }
+}
+
+TEST(FixedProofOfConstants, RefusesEqualityWhereSomethingIsRounded) {
+  FixedLane lane = lane_of({"", sum, 12, {0, 5}, ""});
+  EXPECT_FALSE(is_refused(lane));
+  std::get<fixed::ConstantThresholds>(lane.parts[0].criterion).exact = true;
+  EXPECT_TRUE(is_refused(lane));
+}
+
+TEST(FixedProofOfNorms, RefusesASumInThePlaceOfTheDifference) {
+  FixedLane lane = lane_of({"", {{"(a - b)^2 + c^2", "d^2"}}, 9, {0, 3}, "", FixedBound::norm});
+  lane.nodes[lane.parts[0].difference].operation = Operation::add;
+  EXPECT_TRUE(is_refused(lane));
+}
+
+/// What the lane says of a limit's operand does not hold, so hardware checks too little.
+TEST(FixedProofOfLimits, RefusesASideThatIsNotChecked) {
+  FixedLane lane = lane_of({"", {{"within(a - b, -2, 2) * c", "d"}}, 9, {0, 3}, ""});
+  EXPECT_FALSE(is_refused(lane));
+  const auto limit = std::find_if(lane.nodes.begin(), lane.nodes.end(), fixed::is_limit);
+  ASSERT_NE(limit, lane.nodes.end());
+  lane.nodes[limit->operands[0]].value.high = limit->value.high;
+  EXPECT_TRUE(is_refused(lane));
+}
+
 TEST(FixedProofOfNorms, RefusesARadiusThatIsNotTheOtherSides) {
   FixedLane lane = lane_of({"", {{"(a - b)^2 + c^2", "d^2"}}, 9, {0, 3}, ""});
   auto& norm = std::get<fixed::NormThresholds>(lane.parts[0].criterion);
