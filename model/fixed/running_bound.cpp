@@ -1,6 +1,7 @@
 #include "model/fixed/running_bound.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "model/fixed/node_enclosure.hpp"
 #include "model/fixed/root_error.hpp"
@@ -12,9 +13,9 @@ namespace {
 /// Encloses all nodes again, for comparisons of one step.
 class StepEnclosure {
 public:
-  StepEnclosure(const std::vector<FixedNode>& nodes, int bits, const std::vector<NodeId>& watched,
+  StepEnclosure(std::vector<FixedNode> nodes, int bits, const std::vector<NodeId>& watched,
                 int step, int last_step)
-      : bits_(bits), nodes_(nodes) {
+      : bits_(bits), nodes_(std::move(nodes)) {
     for (NodeId id = 0; id < static_cast<NodeId>(nodes_.size()); ++id) {
       enclose(nodes_[id]);
       if (std::find(watched.begin(), watched.end(), id) == watched.end()) continue;
