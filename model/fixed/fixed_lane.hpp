@@ -18,7 +18,7 @@
 /// behind is integer arithmetic. Proofs: docs/fixed_point.md.
 namespace mixcmp::fixed {
 
-/// What a conversion, the operation that has one operand and computes nothing new, does with it.
+/// The kinds of Operation::convert, which has one operand and computes nothing new.
 enum class Conversion {
   /// Drops low bits, as many in every comparison.
   cut,

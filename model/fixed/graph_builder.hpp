@@ -39,8 +39,8 @@ public:
 private:
   /// The fixed-point node of an expression's node.
   Result<NodeId> node(NodeId id);
-  /// What a node of the expression reads as its operand: affine nodes read it as it is before its
-  /// common cut, others behind that.
+  /// The operand of a node of the expression as that node reads it: affine nodes read it before its
+  /// common cut, others behind.
   NodeId operand(NodeId reader, int k);
   NodeId read(NodeId id, bool by_affine);
   void align_norms();

@@ -10,11 +10,11 @@
 #include "model/common/check.hpp"
 #include "model/expression/text.hpp"
 #include "model/fixed/node_enclosure.hpp"
-#include "model/fixed/norm_bound.hpp"
 #include "model/fixed/root_error.hpp"
 #include "model/fixed/running_bound.hpp"
-#include "model/fixed/sum_of_squares.hpp"
 #include "model/number/dyadic.hpp"
+#include "model/proof/fixed_degrees.hpp"
+#include "model/proof/norm_conditions.hpp"
 #include "model/proof/script.hpp"
 
 namespace mixcmp::proof {
@@ -74,11 +74,11 @@ public:
 
   LaneProof run() && {
     if (lane_.format.is_block) {
-      add_exact("f and g are homogeneous of one degree", is_homogeneous(Scaled::operands));
+      add_exact("f and g are homogeneous of one degree", is_homogeneous(nodes_, Scaled::operands));
     }
     if (has_common_cuts()) {
       add_exact("f and g are homogeneous of one degree in what is cut in common",
-                is_homogeneous(Scaled::cuts));
+                is_homogeneous(nodes_, Scaled::cuts));
       add_exact("common cuts drop as many bits as any of their operands needs", cuts_drop_enough());
     }
     for (NodeId id = 0; id < static_cast<NodeId>(nodes_.size()); ++id) prove_node(id);
@@ -321,61 +321,8 @@ private:
         {std::move(what), holds ? Outcome::proven : Outcome::not_proven, "by exact arithmetic"});
   }
 
-  /// The numbers that a lane divides by a power of two before it decides.
-  enum class Scaled { operands, cuts };
-  /// None: zero, which has every degree.
-  using Degree = std::optional<mpq_class>;
-
   bool has_common_cuts() const {
     return std::any_of(nodes_.begin(), nodes_.end(), fixed::is_common_cut);
-  }
-
-  /// Whether what is added, subtracted or compared grows alike with what is scaled, so that every
-  /// part's difference has a degree. Nodes before all cuts are left out where cuts are scaled; what
-  /// reads one of them beside a node behind a cut has no degree.
-  bool is_homogeneous(Scaled scaled) const {
-    std::vector<bool> counts;
-    std::vector<Degree> degrees;
-    for (const FixedNode& node : nodes_) {
-      const bool is_constant = node.operation == Operation::constant;
-      const bool begins = scaled == Scaled::operands ? node.operation == Operation::input
-                                                     : fixed::is_common_cut(node);
-      bool some = begins, all = true;
-      for (int k = 0; k < arity(node.operation); ++k) {
-        const bool fixed = nodes_[node.operands[k]].operation == Operation::constant;
-        some = some || (counts[node.operands[k]] && !fixed);
-        all = all && counts[node.operands[k]];
-      }
-      counts.push_back(is_constant || some);
-      degrees.push_back(begins ? Degree(1) : Degree());
-      if (begins || !counts.back()) continue;
-      if (!all || fixed::is_limit(node)) return false;
-      const auto degree = degree_of(node, degrees);
-      if (!degree) return false;
-      degrees.back() = *degree;
-    }
-    return true;
-  }
-
-  /// The degree of a result; none where its operands differ in theirs.
-  static std::optional<Degree> degree_of(const FixedNode& node,
-                                         const std::vector<Degree>& degrees) {
-    const auto degree = [&](int k) { return degrees[node.operands[k]]; };
-    switch (node.operation) {
-      case Operation::input: return std::nullopt;
-      case Operation::constant: return node.constant == 0 ? Degree() : Degree(0);
-      case Operation::square_root: return degree(0) ? Degree(*degree(0) / 2) : Degree();
-      case Operation::square:
-      case Operation::multiply: {
-        const Degree other = degree(node.operation == Operation::square ? 0 : 1);
-        return degree(0) && other ? Degree(*degree(0) + *other) : Degree();
-      }
-      default: {
-        const Degree other = degree(arity(node.operation) - 1);
-        if (degree(0) && other && *degree(0) != *other) return std::nullopt;
-        return degree(0) ? degree(0) : other;
-      }
-    }
   }
 
   void prove_decision(const fixed::ConstantThresholds& thresholds, const fixed::FixedPart& part) {
@@ -451,60 +398,15 @@ private:
     fixed::narrow(node.value, {-beyond, beyond - unit});
   }
 
-  /// The conditions of theorem 4: a and b, which the thresholds' slopes stand for, and the offset.
   void prove_decision(const fixed::NormThresholds& thresholds, const fixed::FixedPart& part) {
-    const FixedNode& difference = nodes_[part.difference];
-    const mpq_class unit = difference.format.unit();
-    const mpq_class per_radius = unit / power_of_two(thresholds.unit_exponent(nodes_)) / 2;
-    const ChosenThresholds chosen = {.a = power_of_two(thresholds.shift_above) * per_radius,
-                                     .b = power_of_two(thresholds.shift_below) * per_radius,
-                                     .offset = thresholds.offset_above * unit};
-    const auto elements = exact_elements(difference.operands[0]);
-    const bool has_form = difference.operation == Operation::subtract && elements &&
-                          is_other_side(difference.operands[1], thresholds);
-    add_exact("the thresholds are those that theorem 4 asks for",
-              has_form && suffice(chosen, squared_errors(*elements), thresholds));
-    if (!has_form) return;
+    const NormConditions conditions(nodes_, nodes_[part.difference], thresholds);
+    add_exact("the thresholds are those that theorem 4 asks for", conditions.hold());
     if (!has_reaches()) return;
-    const mpq_class largest = 2 * chosen.a * largest_radius(thresholds) + chosen.offset;
-    const mpq_class far = nodes_[difference.operands[1]].value.high + largest;
-    bool decide = !depends_on_reach(difference.operands[1]);
-    for (const NodeId id : *elements) decide = decide && decides_beyond(id, far);
-    add_exact("what is beyond reach decides", decide);
-  }
-
-  struct ChosenThresholds {
-    mpq_class a, b;
-    mpq_class offset;
-  };
-
-  /// `squares`: of the norm of the errors of x.
-  bool suffice(const ChosenThresholds& chosen, const mpq_class& squares,
-               const fixed::NormThresholds& thresholds) const {
-    if (!thresholds.radius_is_squared) {
-      return suffice_for_radius(chosen, squares, nodes_[thresholds.radius]);
+    bool decide = conditions.hold() && !depends_on_reach(conditions.other_side());
+    for (const NodeId id : conditions.elements()) {
+      decide = decide && decides_beyond(id, conditions.far_square());
     }
-    const auto others = exact_elements(thresholds.radius);
-    return others && suffice_for_two(chosen, squares, squared_errors(*others));
-  }
-
-  /// Whether the node is |y|^2, or the square of the radius or of what that is the magnitude of.
-  bool is_other_side(NodeId other, const fixed::NormThresholds& thresholds) const {
-    if (thresholds.radius_is_squared) return other == thresholds.radius;
-    const FixedNode &square = nodes_[other], &radius = nodes_[thresholds.radius];
-    if (square.operation != Operation::square || square.dropped_bits > 0) return false;
-    const bool is_magnitude = radius.operation == Operation::absolute;
-    return square.operands[0] == thresholds.radius ||
-           (is_magnitude && square.operands[0] == radius.operands[0]);
-  }
-
-  /// The largest s: that of a radius, or the least power of two above the largest root.
-  mpq_class largest_radius(const fixed::NormThresholds& thresholds) const {
-    const mpq_class& largest = nodes_[thresholds.radius].value.high;
-    if (!thresholds.radius_is_squared) return largest;
-    mpq_class s = power_of_two(thresholds.unit_exponent(nodes_));
-    while (largest >= s * s) s *= 2;
-    return s;
+    add_exact("what is beyond reach decides", decide);
   }
 
   /// Whether an element of x computes with no number that is beyond a reach, but its own; and the
@@ -527,57 +429,6 @@ private:
   }
 
   bool has_reaches() const { return std::any_of(nodes_.begin(), nodes_.end(), fixed::is_reach); }
-
-  /// Whether a >= r + c, offset > max(0, r + c)^2 and b >= r + h, where r^2 = squares.
-  static bool suffice_for_radius(const ChosenThresholds& chosen, const mpq_class& squares,
-                                 const FixedNode& radius) {
-    const mpq_class c = largest_excess(radius);
-    const auto at_least = [&](const mpq_class& factor, const mpq_class& beside) {
-      return factor >= beside && (factor - beside) * (factor - beside) >= squares;
-    };
-    // offset - r^2 - c^2 > 2 c r, without the root.
-    const mpq_class rest = chosen.offset - squares - c * c;
-    const mpq_class twice = 4 * c * c * squares;
-    const bool none_is_needed = c <= 0 && c * c >= squares;
-    const bool offset_suffices = none_is_needed ? chosen.offset > 0
-                                 : c >= 0       ? rest > 0 && rest * rest > twice
-                                                : rest > 0 || rest * rest < twice;
-    return radius.value.low >= 0 && at_least(chosen.a, c) && offset_suffices &&
-           at_least(chosen.b, radius.error.high);
-  }
-
-  /// Whether a and b are at least p + q, and offset > (p + q)^2, given p^2 and q^2.
-  static bool suffice_for_two(const ChosenThresholds& chosen, const mpq_class& p2,
-                              const mpq_class& q2) {
-    const auto at_least = [&](const mpq_class& factor) {
-      const mpq_class rest = factor * factor - p2 - q2;
-      return factor >= 0 && rest >= 0 && rest * rest >= 4 * p2 * q2;
-    };
-    const mpq_class rest = chosen.offset - p2 - q2;
-    return at_least(chosen.a) && at_least(chosen.b) && rest > 0 && rest * rest > 4 * p2 * q2;
-  }
-
-  /// c of theorem 4.
-  static mpq_class largest_excess(const FixedNode& radius) {
-    const bool is_nonnegative = radius.value.low - radius.error.high >= 0;
-    return is_nonnegative ? mpq_class(-radius.error.low) : absolute(radius.error).high;
-  }
-
-  /// The elements of a sum of squares that drops no bits; none if the node is something else.
-  std::optional<std::vector<NodeId>> exact_elements(NodeId sum) const {
-    const auto squares = fixed::sum_of_squares(nodes_, sum);
-    if (!squares) return std::nullopt;
-    for (const NodeId id : squares->results) {
-      if (nodes_[id].dropped_bits > 0) return std::nullopt;
-    }
-    return squares->elements;
-  }
-
-  mpq_class squared_errors(const std::vector<NodeId>& elements) const {
-    mpq_class sum = 0;
-    for (const NodeId id : elements) sum += square(nodes_[id].error).high;
-    return sum;
-  }
 
   void add_step(const char* theorem, const char* statement) {
     proof_.by_hand.push_back({theorem, statement});

@@ -41,15 +41,8 @@ std::vector<BoundedComparison> comparisons_with_limits_and_cuts() {
           BoundedComparison{"factors_of_few_bits", "(a * b)^2 * a", "(a - b) * (a * b)", {-3, 3}}};
 }
 
-}  // namespace
-
-std::vector<BoundedComparison> bounded_comparisons() {
-  std::vector<BoundedComparison> all = {
-      BoundedComparison{"inputs", "a", "b", {0, 4}},
-      BoundedComparison{"signed_inputs", "a", "b", {-3, 4}},
-      BoundedComparison{"constant", "a", "0.3", {0, 1}},
-      BoundedComparison{"negative", "-a", "-2.5", {0, 3}},
-      BoundedComparison{"scaled", "0.3 * a", "b", {0, 3}},
+std::vector<BoundedComparison> comparisons_with_norms() {
+  return {
       BoundedComparison{"squares", "a^2", "b^2", {0, 3}, {}, true},
       BoundedComparison{"signed_squares", "a^2", "b^2", {-3, 3}, {}, true},
       BoundedComparison{"distance", "(a - b)^2", "c^2", {0, 3}, {}, true},
@@ -87,7 +80,18 @@ std::vector<BoundedComparison> bounded_comparisons() {
                         "b^2 + (b - 0.5)^2",
                         {0, 1},
                         Range{-100, 100},
-                        true},
+                        true}};
+}
+
+}  // namespace
+
+std::vector<BoundedComparison> bounded_comparisons() {
+  std::vector<BoundedComparison> all = {
+      BoundedComparison{"inputs", "a", "b", {0, 4}},
+      BoundedComparison{"signed_inputs", "a", "b", {-3, 4}},
+      BoundedComparison{"constant", "a", "0.3", {0, 1}},
+      BoundedComparison{"negative", "-a", "-2.5", {0, 3}},
+      BoundedComparison{"scaled", "0.3 * a", "b", {0, 3}},
       BoundedComparison{"against_a_constant", "a^2 + b^2", "2", {-2, 2}},
       BoundedComparison{"rectangle", "a * b", "c", {0, 3}, Range{0, 9}},
       BoundedComparison{"signed_product", "a * b", "c", {-3, 3}},
@@ -116,8 +120,8 @@ std::vector<BoundedComparison> bounded_comparisons() {
       BoundedComparison{"distance_as_a_root", "sqrt(a^2 + b^2)", "c", {-2, 2}, Range{0, 3}},
       BoundedComparison{"roots", "sqrt(a^2 + b^2) - sqrt(abs(c))", "sqrt(max(b, c^2))", {-2, 2}},
       BoundedComparison{"norms", "a^2 + b^2", "(c + 0.7)^2", {-2, 2}, Range{0, 3}, true}};
-  for (BoundedComparison& further : comparisons_with_limits_and_cuts()) {
-    all.push_back(std::move(further));
+  for (auto& further : {comparisons_with_norms(), comparisons_with_limits_and_cuts()}) {
+    all.insert(all.end(), further.begin(), further.end());
   }
   return all;
 }

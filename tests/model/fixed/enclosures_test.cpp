@@ -18,7 +18,7 @@ using fixed::FixedNode;
 
 using Values = std::vector<std::optional<mpz_class>>;
 
-/// What common cuts multiply by: the largest power of two up to 1 that makes all their operands
+/// The factor of all common cuts: the largest power of two up to 1 that makes all their operands
 /// fit W bits of magnitude.
 mpq_class common_factor(const FixedLane& lane, const Values& values) {
   mpq_class factor = 1;

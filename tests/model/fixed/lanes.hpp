@@ -31,7 +31,7 @@ inline std::vector<std::string> formats_of(const fixed::FixedLane& lane) {
   return names;
 }
 
-/// What a lane makes of operands in decimal or hexadecimal: [node], as the golden model says.
+/// [node]: its integer, as the golden model computes it from operands in decimal or hexadecimal.
 inline std::vector<std::optional<mpz_class>> integers_of(const fixed::FixedLane& lane,
                                                          const std::vector<const char*>& operands) {
   std::vector<Bits> inputs;

@@ -296,19 +296,22 @@ TEST(FixedProofOfReaches, RefusesConstantsOfWhatIsWithinReach) {
   EXPECT_TRUE(is_refused(lane));
 }
 
-/// The first subtraction is that of a norm's sides in the first lane, of anything in the second.
+const Case lanes_of_all_kinds[] = {
+    {"", {{"(a - b)^2 + c^2", "(d / 16)^2"}}, 9, {0, 3}, ""},
+    {"", {{"abs(a * b - 3 * c) + min(a, d)", "sqrt(a^2 + b^2)"}}, 7, {-2, 3}, ""},
+    {"", {{"(a - b)^2 + c^2", "d^2"}}, 9, {0, 1}, "", FixedBound::norm, false, 3},
+    {"", {{"(a - b)^2 + c^2", "a * d"}}, 9, {-1, 1}, "", FixedBound::constant, true, 3}};
+
+/// A unit of twice the size, where the operation sets it.
 TEST(FixedProofOfUnits, RefusesWhatTheHardwareDoesNotCount) {
-  const Case cases[] = {
-      {"", {{"(a - b)^2 + c^2", "d^2"}}, 9, {0, 3}, "", FixedBound::constant},
-      {"", {{"abs(a * b - 3 * c) + min(a, d)", "c"}}, 7, {-2, 3}, ""},
-      {"", {{"(a - b)^2 + c^2", "a * d"}}, 9, {-1, 1}, "", FixedBound::constant, true}};
-  for (const Case& each : cases) {
+  for (const Case& each : lanes_of_all_kinds) {
     const FixedLane lane = lane_of(each);
-    EXPECT_FALSE(is_refused(lane));
     for (std::size_t id = 0; id < lane.nodes.size(); ++id) {
       const Operation operation = lane.nodes[id].operation;
-      if (operation == Operation::constant) continue;
-      if (operation == Operation::input && !each.is_block) continue;
+      const bool has_own = operation == Operation::constant ||
+                           operation == Operation::square_root ||
+                           (operation == Operation::input && !each.is_block);
+      if (has_own) continue;
       FixedLane coarser = lane;
       ++coarser.nodes[id].format.unit_exponent;
       EXPECT_TRUE(is_refused(coarser)) << each.parts[0].first << ", node " << id;
@@ -329,7 +332,7 @@ TEST(FixedProofOfNorms, RefusesASumInThePlaceOfTheDifference) {
   EXPECT_TRUE(is_refused(lane));
 }
 
-/// What the lane says of a limit's operand does not hold, so hardware checks too little.
+/// The lane encloses a limit's operand too narrowly, so that hardware checks one side too few.
 TEST(FixedProofOfLimits, RefusesASideThatIsNotChecked) {
   FixedLane lane = lane_of({"", {{"within(a - b, -2, 2) * c", "d"}}, 9, {0, 3}, ""});
   EXPECT_FALSE(is_refused(lane));
@@ -350,12 +353,7 @@ TEST(FixedProofOfNorms, RefusesARadiusThatIsNotTheOtherSides) {
 
 /// A format of a bit less, and a common cut that drops a bit less or more.
 TEST(FixedProofOfWidths, RefusesResultsThatDoNotFit) {
-  const Case cases[] = {
-      {"", {{"(a - b)^2 + c^2", "(d / 16)^2"}}, 9, {0, 3}, ""},
-      {"", {{"abs(a * b - 3 * c) + min(a, d)", "sqrt(a^2 + b^2)"}}, 7, {-2, 3}, ""},
-      {"", {{"(a - b)^2 + c^2", "d^2"}}, 9, {0, 1}, "", FixedBound::norm, false, 3},
-      {"", {{"(a - b)^2 + c^2", "a * d"}}, 9, {-1, 1}, "", FixedBound::constant, true, 3}};
-  for (const Case& each : cases) {
+  for (const Case& each : lanes_of_all_kinds) {
     const FixedLane lane = lane_of(each);
     EXPECT_FALSE(is_refused(lane)) << each.parts[0].first;
     for (std::size_t id = 0; id < lane.nodes.size(); ++id) {
