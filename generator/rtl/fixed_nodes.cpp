@@ -186,6 +186,7 @@ Operand FixedNodes::excess_bits(NodeId id, int kept, int most, int cycle) {
   const Operand value = datapath_.at(values_[id], cycle);
   const std::string& name = std::get<Net>(value->node).name;
   const int own = std::max(0, format.magnitude_bits() - kept);
+  if (format.is_signed && own == most) return slice(name, format.width - 1, kept);
   const Operand sign = format.is_signed ? bit(name, format.width - 1) : literal(1, 0);
   std::vector<Operand> bits(static_cast<std::size_t>(most + 1 - own), sign);
   if (own > 0) bits.push_back(slice(name, format.magnitude_bits() - 1, kept));
