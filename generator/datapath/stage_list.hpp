@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/datapath/embedded_square.hpp"
 #include "generator/datapath/logic_product.hpp"
 #include "generator/datapath/units.hpp"
 
@@ -49,6 +50,7 @@ public:
 
   void add_operand(FloatFormat operands, Subnormals subnormals);
   void add_embedded_product(int precision);
+  void add_embedded_square(int precision);
   void add_logic_product(LogicProduct product);
   void add_round(FloatFormat result, bool denormalises, int dropped_bits);
 
@@ -90,6 +92,29 @@ inline void StageList::add_embedded_product(int precision) {
   add("first sum",
       std::max(0, rows - cut_rows) * delays_.multiplier_add_ns + (columns > 1 ? sum : 0));
   add("other sums", std::max(0, columns - 2) * sum);
+}
+
+/// The stages of fp_product where it squares by embedded multipliers. The squares of the parts are
+/// multiplied behind the cuts of the first three links, and the later links' products behind those
+/// of the links before them. Without a register behind the multipliers they would then multiply and
+/// add in one cycle, so such a cut needs the cut behind "multiply".
+inline void StageList::add_embedded_square(int precision) {
+  constexpr int cut_links = EmbeddedSquare::cut_links;
+  const EmbeddedSquare square(precision, delays_.multiplier_size);
+  if (!square.is_smaller()) return add_embedded_product(precision);
+  const int links = square.links();
+  const int multiply = static_cast<int>(stages_.size());
+  add("multiply", delays_.multiplier_ns);
+  for (int link = 0; link < cut_links; ++link) {
+    const bool last = link + 1 == cut_links;
+    const bool adds = link < links || (last && square.has_excess());
+    const double adding = adds ? delays_.multiplier_add_ns : 0;
+    add("link " + std::to_string(link), link == 0 ? delays_.multiplier_output_ns : adding);
+    if (!last || links > cut_links) stages_.back().cut_needs = multiply;
+  }
+  add("lower half", std::max(0, links - cut_links) * delays_.multiplier_add_ns +
+                        carry(square.lower_half_bits()));
+  add("upper half", carry(square.upper_half_bits()));
 }
 
 /// The stages of fp_logic_product. The first row is one level of gates in front of the first carry

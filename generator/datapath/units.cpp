@@ -51,7 +51,10 @@ Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat re
   const bool flushes = kind == LogicProduct::Kind::square && squares_vanish(operands, result);
   stages.add_operand(operands, flushes ? Subnormals::flush : subnormals);
   switch (multipliers) {
-    case Multipliers::embedded: stages.add_embedded_product(operands.precision()); break;
+    case Multipliers::embedded:
+      kind == LogicProduct::Kind::square ? stages.add_embedded_square(operands.precision())
+                                         : stages.add_embedded_product(operands.precision());
+      break;
     case Multipliers::logic: stages.add_logic_product({operands.precision(), kind}); break;
     case Multipliers::memory: MIXCMP_CHECK(!"only lanes in fixed point read memories");
   }

@@ -30,10 +30,32 @@ module fp_product #(
     end
   endgenerate
 
+  // What fp_embedded_square needs. C++'s EmbeddedSquare repeats this.
+  localparam SPARE    = (FACTOR_A > FACTOR_B + 2) ? 2 : FACTOR_A - FACTOR_B;
+  localparam PARTS    = (PRECISION > SPARE) ? (PRECISION - SPARE + FACTOR_B - 1) / FACTOR_B : 1;
+  localparam COLUMNS  = (PRECISION + FACTOR_A - 1) / FACTOR_A;
+  localparam ROWS     = (PRECISION + FACTOR_B - 1) / FACTOR_B;
+  localparam SYMMETRY = (SQUARE != 0) && (SPARE >= 0) && (PARTS > 1)
+                        && (PARTS * (PARTS + 1) < 2 * COLUMNS * ROWS);
+
   wire [PRECISION-1:0] factor = (SQUARE != 0) ? a : b;
 
   generate
-    if (EMBEDDED != 0) begin : g_embedded
+    if ((EMBEDDED != 0) && SYMMETRY) begin : g_embedded_square
+      wire unused_factor = ^factor;
+
+      fp_embedded_square #(
+        .PRECISION(PRECISION),
+        .FACTOR_A (FACTOR_A),
+        .FACTOR_B (FACTOR_B),
+        .PARTS    (PARTS),
+        .CUTS     (CUTS)
+      ) embedded_square (
+        .aclk   (aclk),
+        .a      (a),
+        .product(product)
+      );
+    end else if (EMBEDDED != 0) begin : g_embedded
       fp_embedded_product #(
         .PRECISION(PRECISION),
         .FACTOR_A (FACTOR_A),

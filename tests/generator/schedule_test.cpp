@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "generator/datapath/delays.hpp"
+#include "generator/datapath/embedded_square.hpp"
 #include "generator/datapath/fixed_schedule.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
@@ -310,6 +311,40 @@ TEST(Schedule, AProductWithZeroTakesNoTime) {
     EXPECT_LE(latency("x * 0", multipliers), 2);
     EXPECT_GT(latency("x * 3", multipliers), 4);
   }
+}
+
+/// A square by its symmetry is taken where it has fewer multipliers than the parts of a product.
+TEST(Schedule, SquaresTakeTheFewestMultipliers) {
+  struct Case {
+    int precision;
+    devices::MultiplierSize size;
+    int multipliers;  ///< 0: those of a product
+  };
+  for (const auto& [precision, size, multipliers] :
+       {Case{53, {24, 17}, 6}, Case{52, {24, 17}, 6}, Case{53, {18, 18}, 6}, Case{35, {24, 17}, 3},
+        Case{24, {18, 18}, 3}, Case{53, {16, 16}, 10}, Case{24, {24, 17}, 0}, Case{17, {24, 17}, 0},
+        Case{41, {24, 17}, 0}, Case{19, {24, 17}, 0}, Case{30, {17, 24}, 0}}) {
+    const datapath::EmbeddedSquare square(precision, size);
+    EXPECT_EQ(square.is_smaller(), multipliers > 0) << precision << " " << size.a_bits;
+    if (multipliers > 0) EXPECT_EQ(square.multipliers(), multipliers) << precision;
+  }
+}
+
+/// The stages of a square have as many cuts as the template, in s53e8 three links and an excess.
+TEST(Schedule, SquaresByTheirSymmetryHaveTheirOwnStages) {
+  const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
+  const TypedNode node{.operation = Operation::square,
+                       .operand_format = format("s53e8"),
+                       .format = format("s53e8")};
+  const datapath::Unit unit =
+      datapath::unit_for(node, Subnormals::gradual, scene::Multipliers::embedded, delays);
+  ASSERT_EQ(unit.stages.size(), 13u);
+  EXPECT_EQ(unit.stages[3].name, "link 0");
+  EXPECT_EQ(unit.stages[5].delay_ns, delays.multiplier_add_ns);
+  EXPECT_EQ(unit.stages[6].delay_ns, delays.multiplier_add_ns) << "adds the excess";
+  EXPECT_EQ(unit.stages[5].cut_needs, 2);
+  EXPECT_EQ(unit.stages[6].cut_needs, -1);
+  EXPECT_EQ(unit.stages[8].name, "upper half");
 }
 
 TEST(Schedule, ScalingsThatDropNoDigitAreShort) {

@@ -1,0 +1,284 @@
+// fp_embedded_square: the square of a significand, by multipliers FACTOR_A by FACTOR_B wide.
+// Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
+// The significand has a leading one; without it the square may be anything.
+//
+// The significand is cut into PARTS parts of FACTOR_B bits, two more in the last part if need be: 53
+// bits are three parts for multipliers of 24 by 17. The squares of the parts lie side by side. The
+// products of two different parts count twice. They form one chain in the order of their places:
+// each is added to the sum of those before it, in the adder behind the multiplier where the device
+// has one. A cut between two links delays the operands of the links above it.
+`default_nettype none
+
+module fp_embedded_square #(
+  parameter       PRECISION = 53,
+  parameter       FACTOR_A  = 24,
+  parameter       FACTOR_B  = 17,
+  parameter       PARTS     = 3,
+  parameter [6:0] CUTS      = 7'b0
+) (
+  input  wire                   aclk,
+  input  wire [PRECISION-1:0]   a,
+  output wire [2*PRECISION-1:0] product
+);
+
+  function integer smaller(input integer first, input integer second);
+    smaller = (first < second) ? first : second;
+  endfunction
+
+  function integer bits_of(input integer value);
+    integer rest;
+    begin
+      bits_of = 0;
+      for (rest = value; rest > 0; rest = rest >> 1) bits_of = bits_of + 1;
+    end
+  endfunction
+
+  localparam SQUARE = 2 * PRECISION;
+
+  // The bits of the last part, and how many of them are too many for a multiplier's narrow side.
+  localparam LAST   = PRECISION - (PARTS - 1) * FACTOR_B;
+  localparam EXCESS = (LAST > FACTOR_B) ? LAST - FACTOR_B : 0;
+  localparam WIDEST = FACTOR_B + EXCESS;
+
+  // Cut 0 is behind the multipliers, cuts 1 to 4 behind the first links, 5 and 6 behind the two
+  // halves of the last sum.
+  localparam CUT_LINKS  = 4;
+  localparam LAST_PLACE = 2 * PARTS - 3;
+  localparam HALF       = PRECISION + (FACTOR_B + 1) / 2;
+
+  // A sum of products: at most PARTS / 2 of one place, and less than one more from below.
+  localparam WIDTH = FACTOR_B + WIDEST + bits_of(PARTS / 2);
+
+  // The pairs of parts i < j whose places i + j are `place`: the first i, and how many.
+  function integer first_part(input integer place);
+    first_part = (place < PARTS) ? 0 : place - PARTS + 1;
+  endfunction
+
+  function integer links_at(input integer place);
+    links_at = (place + 1) / 2 - first_part(place);
+  endfunction
+
+  function integer links_below(input integer place);
+    integer k;
+    begin
+      links_below = 0;
+      for (k = 1; k < place; k = k + 1) links_below = links_below + links_at(k);
+    end
+  endfunction
+
+  function integer part_bits(input integer part);
+    part_bits = (part == PARTS - 1) ? LAST : FACTOR_B;
+  endfunction
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (PRECISION < 2) begin : g_refused_precision
+      PRECISION_is_below_2 refused ();
+    end
+    if (FACTOR_B < 1) begin : g_refused_factor_b
+      FACTOR_B_is_below_1 refused ();
+    end
+    if ((PARTS < 2) || (LAST < 1) || (EXCESS > 2) || (WIDEST > FACTOR_A)) begin : g_refused_parts
+      PARTS_do_not_fit_PRECISION_and_factors refused ();
+    end
+  endgenerate
+
+  wire [SQUARE-1:0] squares;
+  wire [SQUARE-1:0] twice_products;
+
+  genvar part;
+  genvar place;
+  genvar link;
+
+  generate
+    for (part = 0; part < PARTS; part = part + 1) begin : g_squares
+      localparam A_BITS = part_bits(part);
+      localparam B_BITS = smaller(A_BITS, FACTOR_B);
+
+      wire [A_BITS-1:0]        factor;
+      wire [A_BITS+B_BITS-1:0] partial;
+      wire [2*A_BITS-1:0]      joined;
+
+      fp_ranks #(
+        .WIDTH(A_BITS),
+        .COUNT(CUT_LINKS - 1),
+        .CUTS (CUTS[CUT_LINKS-1:1])
+      ) operand_ranks (
+        .aclk(aclk),
+        .d   (a[part*FACTOR_B+:A_BITS]),
+        .q   (factor)
+      );
+
+      embedded_multiplier #(
+        .A_WIDTH(A_BITS),
+        .B_WIDTH(B_BITS),
+        .CUTS   ({1'b0, CUTS[0]})
+      ) multiplier (
+        .aclk   (aclk),
+        .a      (factor),
+        .b      (factor[B_BITS-1:0]),
+        .product(partial)
+      );
+
+      if (B_BITS == A_BITS) begin : g_whole
+        assign joined = partial;
+      end else begin : g_excess
+        // The leading bits are 1, 10 or 11; times the part, added to the product's upper bits.
+        localparam BITS = A_BITS - B_BITS;
+
+        wire [A_BITS-1:0]      once  = factor;
+        wire [A_BITS+BITS-1:0] times;
+        wire [A_BITS+BITS-1:0] times_leading;
+
+        if (BITS == 1) begin : g_one
+          assign times = {1'b0, once};
+        end else begin : g_two
+          assign times = {1'b0, once, 1'b0} + {2'b00, once & {A_BITS{factor[A_BITS-2]}}};
+        end
+
+        fp_rank #(
+          .WIDTH     (A_BITS + BITS),
+          .REGISTERED(CUTS[0])
+        ) leading_rank (
+          .aclk(aclk),
+          .d   (times),
+          .q   (times_leading)
+        );
+
+        assign joined = {{BITS{1'b0}}, partial} + {times_leading, {B_BITS{1'b0}}};
+      end
+
+      fp_rank #(
+        .WIDTH     (2 * A_BITS),
+        .REGISTERED(CUTS[CUT_LINKS])
+      ) square_rank (
+        .aclk(aclk),
+        .d   (joined),
+        .q   (squares[2*part*FACTOR_B+:2*A_BITS])
+      );
+    end
+
+    for (place = 1; place <= LAST_PLACE; place = place + 1) begin : g_places
+      localparam LINKS = links_at(place);
+
+      for (link = 0; link < LINKS; link = link + 1) begin : g_links
+        localparam I      = first_part(place) + link;
+        localparam J      = place - I;
+        localparam A_BITS = part_bits(J);
+        localparam BELOW  = links_below(place) + link;
+        localparam DELAYS = smaller(BELOW, CUT_LINKS);
+
+        wire [A_BITS-1:0]          a_part;
+        wire [FACTOR_B-1:0]        b_part;
+        wire [A_BITS+FACTOR_B-1:0] partial;
+        wire [WIDTH-1:0]           term = {{(WIDTH - A_BITS - FACTOR_B) {1'b0}}, partial};
+        wire [WIDTH-1:0]           joined;
+        wire [WIDTH-1:0]           sum;
+
+        if (DELAYS > 0) begin : g_delayed
+          fp_ranks #(
+            .WIDTH(A_BITS + FACTOR_B),
+            .COUNT(DELAYS),
+            .CUTS (CUTS[DELAYS:1])
+          ) operand_ranks (
+            .aclk(aclk),
+            .d   ({a[J*FACTOR_B+:A_BITS], a[I*FACTOR_B+:FACTOR_B]}),
+            .q   ({a_part, b_part})
+          );
+        end else begin : g_immediate
+          assign a_part = a[J*FACTOR_B+:A_BITS];
+          assign b_part = a[I*FACTOR_B+:FACTOR_B];
+        end
+
+        embedded_multiplier #(
+          .A_WIDTH(A_BITS),
+          .B_WIDTH(FACTOR_B),
+          .CUTS   ({1'b0, CUTS[0]})
+        ) multiplier (
+          .aclk   (aclk),
+          .a      (a_part),
+          .b      (b_part),
+          .product(partial)
+        );
+
+        if (link > 0) begin : g_same_place
+          assign joined = term + g_links[link-1].sum;
+        end else if (place > 1) begin : g_next_place
+          assign joined = term + {{FACTOR_B{1'b0}}, g_places[place-1].total[WIDTH-1:FACTOR_B]};
+        end else begin : g_first
+          assign joined = term;
+        end
+
+        if (BELOW < CUT_LINKS) begin : g_cut
+          fp_rank #(
+            .WIDTH     (WIDTH),
+            .REGISTERED(CUTS[BELOW+1])
+          ) link_rank (
+            .aclk(aclk),
+            .d   (joined),
+            .q   (sum)
+          );
+        end else begin : g_uncut
+          assign sum = joined;
+        end
+      end
+
+      wire [WIDTH-1:0] total = g_links[LINKS-1].sum;
+
+      // What no link above changes any more waits for the last one.
+      localparam LINK_CUTS = smaller(links_below(place) + LINKS, CUT_LINKS);
+      localparam ABOVE     = SQUARE - place * FACTOR_B - 1;
+      localparam DONE      = (place < LAST_PLACE) ? FACTOR_B : smaller(WIDTH, ABOVE);
+
+      if (LINK_CUTS < CUT_LINKS) begin : g_early
+        fp_ranks #(
+          .WIDTH(DONE),
+          .COUNT(CUT_LINKS - LINK_CUTS),
+          .CUTS (CUTS[CUT_LINKS:LINK_CUTS+1])
+        ) done_ranks (
+          .aclk(aclk),
+          .d   (total[DONE-1:0]),
+          .q   (twice_products[place*FACTOR_B+1+:DONE])
+        );
+      end else begin : g_late
+        assign twice_products[place*FACTOR_B+1+:DONE] = total[DONE-1:0];
+      end
+
+      if ((place == LAST_PLACE) && (DONE < ABOVE)) begin : g_leading_zeros
+        assign twice_products[SQUARE-1-:ABOVE-DONE] = 0;
+      end
+    end
+  endgenerate
+
+  assign twice_products[FACTOR_B:0] = 0;
+
+  // The last sum, its lower half first.
+  wire [HALF:0]          lower = {1'b0, squares[HALF-1:0]} + {1'b0, twice_products[HALF-1:0]};
+  wire [HALF:0]          lower_sum;
+  wire [SQUARE-HALF-1:0] upper_square;
+  wire [SQUARE-HALF-1:0] upper_twice_product;
+
+  fp_rank #(
+    .WIDTH     (2 * SQUARE - HALF + 1),
+    .REGISTERED(CUTS[5])
+  ) half_rank (
+    .aclk(aclk),
+    .d   ({lower, squares[SQUARE-1:HALF], twice_products[SQUARE-1:HALF]}),
+    .q   ({lower_sum, upper_square, upper_twice_product})
+  );
+
+  wire [SQUARE-HALF-1:0] upper_sum =
+      upper_square + upper_twice_product + {{(SQUARE - HALF - 1) {1'b0}}, lower_sum[HALF]};
+
+  fp_rank #(
+    .WIDTH     (SQUARE),
+    .REGISTERED(CUTS[6])
+  ) product_rank (
+    .aclk(aclk),
+    .d   ({upper_sum, lower_sum[HALF-1:0]}),
+    .q   (product)
+  );
+
+endmodule
+
+`default_nettype wire
