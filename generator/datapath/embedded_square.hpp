@@ -18,8 +18,8 @@ public:
 
   /// Tells whether a square by its symmetry takes fewer multipliers than a product does.
   bool is_smaller() const {
-    const int products = ceil_div(precision_, multiplier_.a_bits) *
-                         ceil_div(precision_, multiplier_.b_bits);
+    const int products =
+        ceil_div(precision_, multiplier_.a_bits) * ceil_div(precision_, multiplier_.b_bits);
     return spare_bits() >= 0 && parts() > 1 && multipliers() < products;
   }
 

@@ -112,8 +112,8 @@ inline void StageList::add_embedded_square(int precision) {
     add("link " + std::to_string(link), link == 0 ? delays_.multiplier_output_ns : adding);
     if (!last || links > cut_links) stages_.back().cut_needs = multiply;
   }
-  add("lower half", std::max(0, links - cut_links) * delays_.multiplier_add_ns +
-                        carry(square.lower_half_bits()));
+  add("lower half",
+      std::max(0, links - cut_links) * delays_.multiplier_add_ns + carry(square.lower_half_bits()));
   add("upper half", carry(square.upper_half_bits()));
 }
 

@@ -333,9 +333,8 @@ TEST(Schedule, SquaresTakeTheFewestMultipliers) {
 /// The stages of a square have as many cuts as the template, in s53e8 three links and an excess.
 TEST(Schedule, SquaresByTheirSymmetryHaveTheirOwnStages) {
   const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
-  const TypedNode node{.operation = Operation::square,
-                       .operand_format = format("s53e8"),
-                       .format = format("s53e8")};
+  const TypedNode node{
+      .operation = Operation::square, .operand_format = format("s53e8"), .format = format("s53e8")};
   const datapath::Unit unit =
       datapath::unit_for(node, Subnormals::gradual, scene::Multipliers::embedded, delays);
   ASSERT_EQ(unit.stages.size(), 13u);
