@@ -41,9 +41,10 @@ module fp_add #(
   // Without underflow there are no subnormals to be gradual about.
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
-  // Of like signs and normal, a sum has its leading one where the larger operand has, or one place
-  // above.
-  localparam GROWING = (CANCELLATION == 0) && !SUBNORMALS;
+  // Of like signs, a sum has its leading one where the larger operand has, or one place above. A
+  // subnormal operand has none, and where exponents are no wider in the result the sum needs none.
+  localparam GROWING =
+      (CANCELLATION == 0) && (!SUBNORMALS || (RESULT_EXPONENT_BITS == EXPONENT_BITS));
 
   // The smaller operand is aligned on the larger one's leading bit and as many fraction bits as
   // make both a cancellation and the bit beyond the result's guard bit exact.
@@ -68,7 +69,7 @@ module fp_add #(
 
   // What was not flushed does not add up to less unless it cancels.
   localparam TINY_RESULTS =
-      (UNDERFLOW != 0) && !(GROWING && (RESULT_EXPONENT_BITS >= EXPONENT_BITS));
+      (UNDERFLOW != 0) && (SUBNORMALS || !(GROWING && (RESULT_EXPONENT_BITS >= EXPONENT_BITS)));
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
@@ -147,7 +148,7 @@ module fp_add #(
   wire s0_infinite = s0_a_infinite || s0_b_infinite;
   wire s0_nan      = s0_a_nan || s0_b_nan || (s0_a_infinite && s0_b_infinite && s0_cancel);
   wire s0_suspect  = s0_infinite || s0_nan || s0_a_flushed || s0_b_flushed;
-  wire s0_zero     = !SUBNORMALS && s0_a_zero && s0_b_zero;
+  wire s0_zero     = (GROWING || !SUBNORMALS) && s0_a_zero && s0_b_zero;
 
   wire [EXPONENT_BITS-1:0] s1_a_exponent;
   wire [PRECISION-1:0]     s1_a_significand;
