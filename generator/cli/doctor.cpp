@@ -71,6 +71,10 @@ std::vector<Tool> tools() {
        "check --prove, and the machine check of error bounds before generate"},
       {"gnuplot", asks({"gnuplot", "--version"}, "gnuplot-nox"), "gnuplot-nox",
        "the pictures of profile and explore"},
+      {"tclsh", finds("tclsh"), "tcl", "the tests of scripts for Vivado and Quartus",
+       Need::optional},
+      {"ghdl", asks({"ghdl", "--version"}, "ghdl"), "ghdl",
+       "the test of component declarations in VHDL", Need::optional},
       {"gtkwave", finds("gtkwave"), "gtkwave", "looking at the waves of verify --trace",
        Need::optional},
   };

@@ -7,6 +7,7 @@
 #include "generator/cli/fit.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/cli/output.hpp"
+#include "generator/cli/project.hpp"
 #include "generator/cli/prove.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/system.hpp"
@@ -20,6 +21,7 @@ struct GenerateOptions {
   SceneOptions scene;
   std::filesystem::path output;
   bool skip_proof = false;
+  ProjectOptions project;
 };
 
 /// The proof of one group of lanes.
@@ -114,9 +116,11 @@ std::vector<GroupProof> prove_groups(const std::filesystem::path& scene,
 
 void run(const GenerateOptions& options) {
   const LoadedScene loaded = value_or_exit(load(options.scene));
+  value_or_exit(check_project(options.project, loaded));
   const design::Design design = value_or_exit(design_of(options.scene, loaded));
-  emit::GeneratedSystem system =
-      value_or_exit(emit::generate_system(design, command_line("generate", options.scene)));
+  const std::string command = command_line("generate", options.scene);
+  emit::GeneratedSystem system = value_or_exit(emit::generate_system(design, command));
+  add_project(system, options.project, loaded, design, command);
   if (auto note = fit_note(loaded, design)) system.notes.push_back(std::move(*note));
   std::vector<GroupProof> proofs;
   if (!options.skip_proof) proofs = prove_groups(options.scene.scene, design);
@@ -135,6 +139,7 @@ void add_generate(CLI::App& app) {
   auto options = std::make_shared<GenerateOptions>();
   add_scene_options(verb, options->scene);
   verb.option("-o,--output", options->output, "directory to write (default: the top's name)");
+  add_project_options(verb, options->project);
   verb.flag("--no-prove", options->skip_proof,
             "do not have Gappa check the error bound's lemmas first");
   verb.when_chosen([options] { run(*options); });

@@ -283,6 +283,7 @@ std::string to_json(const Signature& s) {
   if (s.engine) json["engine"] = to_json(*s.engine);
   json["files"] = s.files;
   if (!s.cells.empty()) json["cells"] = s.cells;
+  if (!s.project.empty()) json["project"] = s.project;
   return json.dump(2) + "\n";
 }
 
@@ -317,6 +318,9 @@ Result<Signature> read_signature(const std::filesystem::path& path) {
       .cells = {}};
   if (json.contains("cells")) {
     signature.cells = reader.read<std::vector<std::string>>("cells", "a list of Verilog files");
+  }
+  if (json.contains("project")) {
+    signature.project = reader.read<std::vector<std::string>>("project", "a list of files");
   }
   if (reader.error()) return *reader.error();
   return signature;

@@ -83,6 +83,8 @@ struct Signature {
   std::vector<std::string> files;  ///< Verilog, in compile order, relative to the signature
   /// Verilog that Yosys takes in place of some of `files` on the design's device.
   std::vector<std::string> cells;
+  /// Files for other tools, relative to the signature (generator/project).
+  std::vector<std::string> project = {};
 };
 
 std::string to_json(const Signature& signature);

@@ -131,16 +131,10 @@ std::string spec_hash(const std::vector<Described>& modules,
   return hash.hex().substr(0, 16);
 }
 
-std::vector<std::string> provenance(const Signature& signature, const std::string& command) {
-  return {"",
-          fmt::format("Written by mixcmp {}, spec {}, with:", signature.generator_version,
-                      signature.spec_hash),
-          "  " + command, "This output is unencumbered: use it as you like."};
-}
-
 GeneratedFile verilog_file(Described described, const Signature& signature,
                            const std::string& command) {
   described.module.header = std::move(described.facts);
+  described.module.header.emplace_back();
   for (std::string& line : provenance(signature, command)) {
     described.module.header.push_back(std::move(line));
   }
@@ -202,14 +196,19 @@ GeneratedFile file_list(const Signature& signature) {
 Result<Done> check_file_names(const std::vector<GeneratedFile>& files) {
   constexpr std::size_t most = 255;  // bytes, on Linux
   for (const GeneratedFile& file : files) {
-    if (file.name.size() <= most) continue;
+    const std::string name = std::filesystem::path(file.name).filename().string();
+    if (name.size() <= most) continue;
     return Error{
         .field = "comparison.name",
         .message = "the names of the scene and of its lanes' formats are too long for a file",
-        .received = fmt::format("{} characters, {}", file.name.size(), file.name),
+        .received = fmt::format("{} characters, {}", name.size(), name),
         .accepted = fmt::format("at most {}", most)};
   }
   return Done{};
+}
+
+std::string signature_file(const Signature& signature) {
+  return signature.top + ".json";
 }
 
 GeneratedFile constraint_file(const Signature& signature) {
@@ -255,9 +254,27 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
 
   system.files.push_back(file_list(system.signature));
   system.files.push_back(constraint_file(system.signature));
-  system.files.push_back({scheduled.shape.top + ".json", to_json(system.signature)});
+  system.files.push_back({signature_file(system.signature), to_json(system.signature)});
   MIXCMP_TRY(fits, check_file_names(system.files));
   return system;
+}
+
+std::vector<std::string> provenance(const Signature& signature, const std::string& command) {
+  return {fmt::format("Written by mixcmp {}, spec {}, with:", signature.generator_version,
+                      signature.spec_hash),
+          "  " + command, "This output is unencumbered: use it as you like."};
+}
+
+Result<Done> add_project_files(GeneratedSystem& system, std::vector<GeneratedFile> files) {
+  MIXCMP_TRY(fits, check_file_names(files));
+  for (GeneratedFile& file : files) {
+    system.signature.project.push_back(file.name);
+    system.files.push_back(std::move(file));
+  }
+  for (GeneratedFile& file : system.files) {
+    if (file.name == signature_file(system.signature)) file.text = to_json(system.signature);
+  }
+  return Done{};
 }
 
 }  // namespace mixcmp::emit

@@ -10,9 +10,10 @@
 namespace mixcmp::emit {
 
 struct GeneratedFile {
-  std::string name;  ///< no folders
+  std::string name;  ///< relative to the output's folder, "yosys/run"; Verilog has no folders
   std::string text;
   std::string cells = {};  ///< of a family with cells of its own; see TechnologyCell
+  bool is_script = false;  ///< the file may be executed
 };
 
 /// Everything that `generate` writes, in memory; the same design gives the same bytes.
@@ -27,8 +28,17 @@ struct GeneratedSystem {
 /// regenerates the file: it must name no path, host or date.
 Result<GeneratedSystem> generate_system(const design::Design& design, const std::string& command);
 
+/// Lines for the head of a generated file: the version, the command that makes the file, and that
+/// it is unencumbered.
+std::vector<std::string> provenance(const Signature& signature, const std::string& command);
+
+/// Adds files for other tools to a generated system, and their names to its signature. An error
+/// names a file whose name is too long.
+Result<Done> add_project_files(GeneratedSystem& system, std::vector<GeneratedFile> files);
+
 /// Writes the files as the whole content of `directory`: all or nothing. An existing directory is
-/// replaced only where it is empty or holds nothing but a previous output of this program.
+/// replaced only where it is empty or holds nothing but a previous output of this program, in its
+/// folders, too.
 Result<Done> write_system(const GeneratedSystem& system, const std::filesystem::path& directory);
 
 }  // namespace mixcmp::emit

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string>
 
 #include "generator/emit/system.hpp"
 #include "model/common/file.hpp"
@@ -17,16 +18,16 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The files that the signature of a previous output names, with the signature, the file list and
-/// the constraint. It reads only two fields, so signatures of other versions serve as well.
-std::set<std::string> files_of_previous_output(const fs::path& directory) {
-  std::set<std::string> names;
+/// the constraint. It reads only some fields, so signatures of other versions serve as well.
+std::set<fs::path> files_of_previous_output(const fs::path& directory) {
+  std::set<fs::path> names;
   std::error_code unreadable;
   for (const fs::directory_entry& entry : entries_of(directory, unreadable)) {
     if (entry.path().extension() != ".json" || !entry.is_regular_file(unreadable)) continue;
     std::ifstream stream(entry.path());
     const nlohmann::json signature = nlohmann::json::parse(stream, nullptr, false);
     if (!signature.is_object() || !signature.contains("generator_version")) continue;
-    for (const char* list : {"files", "cells"}) {
+    for (const char* list : {"files", "cells", "project"}) {
       for (const nlohmann::json& file : signature.value(list, nlohmann::json::array())) {
         if (file.is_string()) names.insert(file.get<std::string>());
       }
@@ -35,6 +36,52 @@ std::set<std::string> files_of_previous_output(const fs::path& directory) {
     for (const char* extension : {".json", ".f", ".sdc"}) names.insert(top + extension);
   }
   return names;
+}
+
+/// The folders, below that of the output, which these files are in.
+std::set<fs::path> folders_of(const std::set<fs::path>& files) {
+  std::set<fs::path> folders;
+  for (const fs::path& file : files) {
+    for (fs::path folder = file.parent_path(); folder.has_relative_path();
+         folder = folder.parent_path()) {
+      folders.insert(folder);
+    }
+  }
+  return folders;
+}
+
+/// A folder that is about to be replaced, with what a previous output has left in it.
+struct Replaced {
+  fs::path directory;
+  std::set<fs::path> files;
+  std::set<fs::path> folders;
+};
+
+Error foreign_file(const Replaced& replaced, const fs::path& name) {
+  return {.file = replaced.directory.string(),
+          .message =
+              "will not be replaced: it holds a file that is not of a previous output of generate",
+          .received = name.string(),
+          .accepted = "a new or empty directory, or a previous output of generate"};
+}
+
+/// Refuses a folder, `below` that of the output, with anything that no earlier output lists.
+Result<Done> check_entries(const Replaced& replaced, const fs::path& below) {
+  const fs::path folder = replaced.directory / below;
+  // The old output is removed after the exchange, file by file, which needs these permissions.
+  if (access(folder.c_str(), R_OK | W_OK | X_OK) != 0) return cannot_write(folder, errno);
+  std::error_code failed, unknown;
+  for (const fs::directory_entry& entry : entries_of(folder, failed)) {
+    const fs::path name = below / entry.path().filename();
+    const fs::file_status status = entry.symlink_status(unknown);
+    if (fs::is_regular_file(status) && replaced.files.contains(name)) continue;
+    if (!fs::is_directory(status) || !replaced.folders.contains(name)) {
+      return foreign_file(replaced, name);
+    }
+    MIXCMP_TRY(inside, check_entries(replaced, name));
+  }
+  if (failed) return cannot_write(folder, failed.value());
+  return Done{};
 }
 
 /// Refuses what must not be replaced, such as a folder with a file that no earlier output lists:
@@ -55,22 +102,31 @@ Result<Done> check_replaceable(const fs::path& directory) {
                  .message = "is the working directory, which cannot be replaced",
                  .accepted = "another directory"};
   }
-  // The old output is removed after the exchange, file by file, which needs these permissions.
-  if (access(directory.c_str(), R_OK | W_OK | X_OK) != 0) return cannot_write(directory, errno);
-  const std::set<std::string> ours = files_of_previous_output(directory);
-  std::error_code unknown;
-  for (const fs::directory_entry& entry : entries_of(directory, failed)) {
-    const bool known = ours.count(entry.path().filename().string()) > 0;
-    if (known && fs::is_regular_file(entry.symlink_status(unknown))) continue;
-    return Error{
-        .file = directory.string(),
-        .message =
-            "will not be replaced: it holds a file that is not of a previous output of generate",
-        .received = entry.path().filename().string(),
-        .accepted = "a new or empty directory, or a previous output of generate"};
-  }
-  if (failed) return cannot_write(directory, failed.value());
+  Replaced replaced = {directory, files_of_previous_output(directory), {}};
+  replaced.folders = folders_of(replaced.files);
+  return check_entries(replaced, {});
+}
+
+/// Lets whoever may read a file execute it, too.
+Result<Done> make_executable(const fs::path& path) {
+  std::error_code failed;
+  const fs::perms readers =
+      fs::status(path, failed).permissions() &
+      (fs::perms::owner_read | fs::perms::group_read | fs::perms::others_read);
+  const auto executors = static_cast<fs::perms>(static_cast<unsigned>(readers) >> 2u);
+  if (!failed) fs::permissions(path, executors, fs::perm_options::add, failed);
+  if (failed) return cannot_write(path, failed.value());
   return Done{};
+}
+
+/// Writes one file into the staged folder, in a folder below it where its name says so.
+Result<Done> stage(const GeneratedFile& file, const fs::path& staged) {
+  const fs::path path = staged / file.name;
+  std::error_code failed;
+  fs::create_directories(path.parent_path(), failed);
+  if (failed) return cannot_write(path.parent_path(), failed.value());
+  MIXCMP_TRY(written, write_file(path, file.text));
+  return file.is_script ? make_executable(path) : Done{};
 }
 
 /// Gives the staged folder the permissions of the folder that it replaces, or those that the umask
@@ -108,7 +164,7 @@ Result<Done> write_system(const GeneratedSystem& system, const fs::path& request
   MIXCMP_TRY(replaceable, check_replaceable(directory));
   MIXCMP_TRY(staging, ScratchFolder::make_in(directory.parent_path(), "staging"));
   for (const GeneratedFile& file : system.files) {
-    const Result<Done> written = write_file(staging.path() / file.name, file.text);
+    const Result<Done> written = stage(file, staging.path());
     if (!written.ok()) return in_place(written.error(), directory / file.name);
   }
   MIXCMP_TRY(opened, set_permissions(staging.path(), directory));

@@ -20,25 +20,35 @@ struct Boundary {
   }
 };
 
-Result<Boundary> boundary_of(const nlohmann::json& ports, const std::string& clock_port) {
+Boundary boundary_of(const std::vector<WrappedPort>& ports, const std::string& clock_port) {
   Boundary boundary;
+  for (const WrappedPort& port : ports) {
+    if (port.name == clock_port) {
+      boundary.connect(port.name, "clock");
+      continue;
+    }
+    int& low = port.is_input ? boundary.inputs : boundary.outputs;
+    boundary.connect(port.name, fmt::format("{}[{}:{}]", port.is_input ? "inputs" : "outputs",
+                                            low + port.width - 1, low));
+    low += port.width;
+  }
+  return boundary;
+}
+
+Result<std::vector<WrappedPort>> ports_of(const nlohmann::json& ports) {
+  std::vector<WrappedPort> wrapped;
   for (const auto& [name, port] : ports.items()) {
     const std::string direction = port.at("direction");
-    const int width = static_cast<int>(port.at("bits").size());
     if (direction == "inout") {
       return Error{.message = "a port of two directions cannot be wrapped",
                    .received = name,
                    .accepted = "inputs and outputs"};
     }
-    if (name == clock_port) {
-      boundary.connect(name, "clock");
-      continue;
-    }
-    int& low = direction == "input" ? boundary.inputs : boundary.outputs;
-    boundary.connect(name, fmt::format("{}[{}:{}]", direction + "s", low + width - 1, low));
-    low += width;
+    wrapped.push_back({.name = name,
+                       .is_input = direction == "input",
+                       .width = static_cast<int>(port.at("bits").size())});
   }
-  return boundary;
+  return wrapped;
 }
 
 std::string shift_register(int bits) {
@@ -73,9 +83,9 @@ std::string fold(int bits) {
 
 }  // namespace
 
-Result<std::string> register_wrapper(const nlohmann::json& netlist, const std::string& top,
+Result<std::string> register_wrapper(const std::vector<WrappedPort>& ports, const std::string& top,
                                      const std::string& clock_port, const std::string& name) {
-  MIXCMP_TRY(boundary, boundary_of(netlist.at("modules").at(top).at("ports"), clock_port));
+  const Boundary boundary = boundary_of(ports, clock_port);
   if (boundary.outputs == 0) {
     return Error{.message = "a module without outputs computes nothing",
                  .received = top,
@@ -86,6 +96,12 @@ Result<std::string> register_wrapper(const nlohmann::json& netlist, const std::s
       "  wire [{}:0] outputs;\n  {} wrapped (\n{}\n  );\n{}endmodule\n",
       name, shift_register(boundary.inputs), boundary.outputs - 1, top, boundary.connections,
       fold(boundary.outputs));
+}
+
+Result<std::string> register_wrapper(const nlohmann::json& netlist, const std::string& top,
+                                     const std::string& clock_port, const std::string& name) {
+  MIXCMP_TRY(ports, ports_of(netlist.at("modules").at(top).at("ports")));
+  return register_wrapper(ports, top, clock_port, name);
 }
 
 }  // namespace mixcmp::characterise

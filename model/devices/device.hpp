@@ -54,8 +54,10 @@ std::string_view to_string(TimingTool tool);
 
 /// One device as model/devices/NAME.toml describes it.
 struct Device {
-  std::string name;         ///< "virtex6-lx760"
-  std::string vendor_name;  ///< "XC6VLX760"
+  std::string name;          ///< "virtex6-lx760"
+  std::string vendor_name;   ///< "XC6VLX760"
+  std::string vivado_part;   ///< as Vivado has it, "xc7a200tfbg676-2"; empty: Vivado has none
+  std::string quartus_part;  ///< as Quartus has it, "5CEBA4F23C7"; empty: Quartus has none
   int technology_nm = 0;
   Area available;         ///< luts, registers, dsps, memories
   std::string synthesis;  ///< Yosys command without -top: "synth_xilinx -family xc6v ..."

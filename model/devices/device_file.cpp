@@ -37,6 +37,14 @@ bool is_file_name(const std::string& name) {
          name.find_first_not_of(accepted) == std::string::npos;
 }
 
+/// Reads the name of a part, which goes into scripts in Tcl.
+void read_part(settings::Section& section, const std::string& key, std::string& part) {
+  section.text(key, part);
+  constexpr auto accepted = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
+  if (part.find_first_not_of(accepted) == std::string::npos) return;
+  section.fail(key, "not the name of a part", in_quotes(part), "letters, digits, - and _");
+}
+
 Result<Done> read_figures(const settings::Settings& settings, Device& device) {
   constexpr int most = 100'000'000;  // counts of a plan are products of areas and stay below 2^63
   settings::Section section(settings, "device");
@@ -47,6 +55,8 @@ Result<Done> read_figures(const settings::Settings& settings, Device& device) {
                  "letters, digits, - + _ and dots, not at its start");
   }
   section.text("vendor_name", device.vendor_name);
+  read_part(section, "vivado_part", device.vivado_part);
+  read_part(section, "quartus_part", device.quartus_part);
   section.integer("technology_nm", device.technology_nm, 1, 1000);
   section.integer("luts", device.available.luts, 1, most);
   section.integer("registers", device.available.registers, 1, most);

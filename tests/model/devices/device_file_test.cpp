@@ -66,6 +66,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"NoLuts", "luts = 10\n", "", 1, "device.luts", "nothing"},
         Mistake{"NameOfAFolder", "name = \"d\"", "name = \"../d\"", 2, "device.name", "\"../d\""},
+        Mistake{"PartThatIsTcl", "luts = 10\n", "luts = 10\nvivado_part = \"a [exit]\"\n", 4,
+                "device.vivado_part", "\"a [exit]\""},
         Mistake{"EmptyName", "name = \"d\"", "name = \"\"", 2, "device.name", "\"\""},
         Mistake{"NoDsps", "dsps = 0\n", "", 1, "device.dsps", "nothing"},
         Mistake{"DspsOfUnknownSize", "dsps = 0", "dsps = 1", 1, "device.multiplier_a_bits",

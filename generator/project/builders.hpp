@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/project/project.hpp"
+#include "generator/project/text_template.hpp"
+
+/// One builder of files for each tool, and what they share.
+namespace mixcmp::project {
+
+using emit::GeneratedFile;
+
+/// Values that most templates use: TOP, the system's module; BUILD_TOP, the module to build;
+/// VERSION; PROVENANCE, lines that begin with `comment`; and TARGET_MHZ.
+Values common_values(const ProjectSpec& spec, const std::string& comment);
+
+/// Each line between `before` and `after`, one after the other.
+std::string joined(const std::vector<std::string>& lines, const std::string& before,
+                   const std::string& after);
+
+/// The Verilog files of the system, in compile order, each between `before` and `after`.
+std::string source_list(const ProjectSpec& spec, const std::string& before,
+                        const std::string& after);
+
+/// A script made from a template, which its user may execute.
+GeneratedFile script_from(const std::string& name, const std::string& file, const Values& values);
+GeneratedFile file_from(const std::string& name, const std::string& file, const Values& values);
+
+/// The test bench in Verilog, its vectors, and the same test for cocotb.
+std::vector<GeneratedFile> testbench_files(const ProjectSpec& spec);
+/// A wrapper with one AXI4-Stream a lane, an instantiation template and VHDL declarations.
+std::vector<GeneratedFile> integration_files(const ProjectSpec& spec);
+
+std::vector<GeneratedFile> icarus_files(const ProjectSpec& spec);
+std::vector<GeneratedFile> verilator_files(const ProjectSpec& spec);
+std::vector<GeneratedFile> yosys_files(const ProjectSpec& spec);
+Result<std::vector<GeneratedFile>> nextpnr_files(const ProjectSpec& spec);
+std::vector<GeneratedFile> vivado_files(const ProjectSpec& spec);
+std::vector<GeneratedFile> quartus_files(const ProjectSpec& spec);
+std::vector<GeneratedFile> fusesoc_files(const ProjectSpec& spec);
+
+}  // namespace mixcmp::project

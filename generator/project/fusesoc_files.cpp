@@ -1,0 +1,65 @@
+#include <fmt/core.h>
+
+#include <sstream>
+
+#include "generator/project/builders.hpp"
+
+namespace mixcmp::project {
+namespace {
+
+/// The synthesis command of a device as FuseSoC's tool for Yosys wants it: "synth_ice40 -dsp" is
+/// the architecture ice40 with the option -dsp.
+struct YosysOptions {
+  std::string architecture;
+  std::string options;  ///< "'-dsp', '-abc9'"
+};
+
+YosysOptions yosys_options(const std::string& synthesis) {
+  std::istringstream words(synthesis);
+  YosysOptions result;
+  words >> result.architecture;
+  const std::string prefix = "synth_";
+  if (result.architecture.starts_with(prefix)) result.architecture.erase(0, prefix.size());
+  for (std::string word; words >> word;) {
+    result.options += fmt::format("{}'{}'", result.options.empty() ? "" : ", ", word);
+  }
+  return result;
+}
+
+constexpr const char* constraint_fileset =
+    "  constraints:\n"
+    "    files:\n"
+    "      - fusesoc/clock.xdc: {file_type: xdc}\n";
+
+std::string vivado_target(const ProjectSpec& spec) {
+  return fmt::format(
+      "\n"
+      "  synth_vivado:\n"
+      "    description: Synthesis by Vivado, without placement\n"
+      "    default_tool: vivado\n"
+      "    filesets: [rtl, constraints]\n"
+      "    toplevel: {}\n"
+      "    tools:\n"
+      "      vivado: {{part: {}, pnr: none}}",
+      spec.build_top(), spec.device.vivado_part);
+}
+
+}  // namespace
+
+std::vector<GeneratedFile> fusesoc_files(const ProjectSpec& spec) {
+  Values values = common_values(spec, "#");
+  const YosysOptions yosys = yosys_options(spec.device.synthesis);
+  values["SOURCES"] = source_list(spec, "      - ", "\n");
+  values["DEVICE"] = spec.device.name;
+  values["ARCHITECTURE"] = yosys.architecture;
+  values["SYNTHESIS_OPTIONS"] = yosys.options;
+  const bool in_vivado = !spec.device.vivado_part.empty();
+  values["CONSTRAINTS"] = in_vivado ? constraint_fileset : "";
+  values["VIVADO_TARGET"] = in_vivado ? vivado_target(spec) : "";
+  std::vector<GeneratedFile> files = {
+      file_from(spec.signature.top + ".core", "fusesoc.core", values)};
+  if (in_vivado) files.push_back(file_from("fusesoc/clock.xdc", "vivado_clock.xdc", values));
+  return files;
+}
+
+}  // namespace mixcmp::project

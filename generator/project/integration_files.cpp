@@ -1,0 +1,92 @@
+#include <fmt/core.h>
+
+#include "generator/emit/verilog.hpp"
+#include "generator/project/builders.hpp"
+#include "generator/project/stream_wrapper.hpp"
+#include "generator/project/vhdl.hpp"
+
+namespace mixcmp::project {
+namespace {
+
+/// A module that may be instantiated, with its ports in order.
+struct Unit {
+  std::string name;
+  std::vector<rtl::Port> ports;  ///< `vector`: the port has a range in Verilog
+};
+
+/// The ports of a generated top. Those of a system have a range even where it is [0:0], but for the
+/// clock and the reset.
+Unit build_unit(const ProjectSpec& spec) {
+  Unit unit{spec.build_top(), {}};
+  const bool is_system = !spec.signature.engine;
+  for (const emit::SignaturePort& port : spec.build_ports()) {
+    const bool is_clock_or_reset = port.name == "aclk" || port.name == "aresetn";
+    unit.ports.push_back(
+        {port.direction, port.width, port.name, is_system ? !is_clock_or_reset : port.width > 1});
+  }
+  return unit;
+}
+
+Unit wrapper_unit(const rtl::Module& wrapper) {
+  Unit unit{wrapper.name, wrapper.ports};
+  for (rtl::Port& port : unit.ports) port.vector = port.width > 1;
+  return unit;
+}
+
+std::string verilog_instance(const Unit& unit) {
+  std::size_t longest = 0;
+  for (const rtl::Port& port : unit.ports) longest = std::max(longest, port.name.size());
+  std::string text = fmt::format("{} your_instance (\n", unit.name);
+  for (const rtl::Port& port : unit.ports) {
+    const std::string range = port.vector ? fmt::format(" [{}:0]", port.width - 1) : "";
+    text += fmt::format("    .{:<{}}(){}  // {}{}\n", port.name, longest,
+                        &port == &unit.ports.back() ? "" : ",",
+                        port.direction == rtl::Direction::input ? "input" : "output", range);
+  }
+  return text + ");\n";
+}
+
+GeneratedFile instantiation_template(const ProjectSpec& spec, const std::vector<Unit>& units) {
+  std::string text = common_values(spec, "//").at("PROVENANCE") +
+                     "\n//\n// To be copied into a module, with a net for each port.\n";
+  for (const Unit& unit : units) text += "\n" + verilog_instance(unit);
+  return {.name = fmt::format("integration/{}.veo", spec.build_top()), .text = std::move(text)};
+}
+
+std::string component(const Unit& unit) {
+  std::vector<VhdlPort> ports;
+  for (const rtl::Port& port : unit.ports) {
+    ports.push_back({.name = port.name,
+                     .is_input = port.direction == rtl::Direction::input,
+                     .is_vector = port.vector,
+                     .width = port.width});
+  }
+  return vhdl_component(unit.name, ports);
+}
+
+GeneratedFile vhdl_package(const ProjectSpec& spec, const std::vector<Unit>& units) {
+  const std::string package = vhdl_name(spec.build_top() + "_components");
+  std::string components;
+  for (const Unit& unit : units) components += "\n" + component(unit);
+  return {.name = fmt::format("integration/{}_components.vhd", spec.build_top()),
+          .text = fmt::format("{}\n\nlibrary ieee;\nuse ieee.std_logic_1164.all;\n\n"
+                              "package {} is\n{}\nend package;\n",
+                              common_values(spec, "--").at("PROVENANCE"), package, components)};
+}
+
+}  // namespace
+
+std::vector<GeneratedFile> integration_files(const ProjectSpec& spec) {
+  std::vector<Unit> units = {build_unit(spec)};
+  std::vector<GeneratedFile> files;
+  if (!spec.signature.engine) {
+    const rtl::Module wrapper = stream_wrapper(spec);
+    files.push_back({fmt::format("integration/{}.v", wrapper.name), emit::to_verilog(wrapper)});
+    units.push_back(wrapper_unit(wrapper));
+  }
+  files.push_back(instantiation_template(spec, units));
+  files.push_back(vhdl_package(spec, units));
+  return files;
+}
+
+}  // namespace mixcmp::project

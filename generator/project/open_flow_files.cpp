@@ -1,0 +1,104 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "generator/project/builders.hpp"
+#include "model/characterise/register_wrapper.hpp"
+#include "model/characterise/tools.hpp"
+
+namespace mixcmp::project {
+namespace {
+
+constexpr const char* safe_characters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_+./=:";
+
+/// One word of a POSIX shell.
+std::string shell_word(const std::string& text) {
+  if (!text.empty() && text.find_first_not_of(safe_characters) == std::string::npos) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+/// Commands for Yosys that read the system, with cells of the device's family where it has some.
+std::string read_commands(const ProjectSpec& spec) {
+  return source_list(spec, "read_verilog rtl/", "\n") +
+         joined(spec.signature.cells, "read_verilog -overwrite rtl/", "\n");
+}
+
+Values yosys_values(const ProjectSpec& spec) {
+  Values values = common_values(spec, "#");
+  values["DEVICE"] = spec.device.name;
+  values["READ"] = read_commands(spec);
+  values["SYNTHESIS"] = spec.device.synthesis;
+  return values;
+}
+
+std::string pins_name(const ProjectSpec& spec) {
+  return spec.build_top() + "_pins";
+}
+
+/// A module of three pins around the top, which alone has more ports than a package has pins.
+Result<GeneratedFile> pins_file(const ProjectSpec& spec) {
+  std::vector<characterise::WrappedPort> ports;
+  for (const emit::SignaturePort& port : spec.build_ports()) {
+    ports.push_back({port.name, port.direction == rtl::Direction::input, port.width});
+  }
+  MIXCMP_TRY(module,
+             characterise::register_wrapper(ports, spec.build_top(), "aclk", pins_name(spec)));
+  return GeneratedFile{
+      .name = fmt::format("nextpnr/{}.v", pins_name(spec)),
+      .text = fmt::format("// {} between registers and three pins, so that nextpnr can place and "
+                          "time it.\n//\n{}\n\n{}",
+                          spec.build_top(), common_values(spec, "//").at("PROVENANCE"), module)};
+}
+
+Values nextpnr_values(const ProjectSpec& spec) {
+  Values values = yosys_values(spec);
+  const bool is_ice40 = spec.device.timing == devices::TimingTool::nextpnr_ice40;
+  values["PINS"] = pins_name(spec);
+  values["ROUTER"] = is_ice40 ? "nextpnr-ice40" : "nextpnr-ecp5";
+  values["ALLOW_UNCONSTRAINED"] =
+      is_ice40 ? "--pcf-allow-unconstrained" : "--lpf-allow-unconstrained";
+  values["RESULT"] = is_ice40 ? "--asc" : "--textcfg";
+  std::string arguments;
+  for (const std::string& argument : spec.device.timing_arguments) {
+    arguments += shell_word(argument) + " ";
+  }
+  values["ARGUMENTS"] = arguments;
+  return values;
+}
+
+Error not_routed(const ProjectSpec& spec) {
+  std::string accepted;
+  for (const std::string& name : devices::device_names()) {
+    const Result<devices::Device> device = devices::find_device(name);
+    if (!device.ok() || !characterise::is_routed(*device)) continue;
+    accepted += (accepted.empty() ? "" : ", ") + name;
+  }
+  return {.field = "--project",
+          .message = "nextpnr does not place on the scene's device",
+          .received = spec.device.name,
+          .accepted = fmt::format("--device with one of {}, or a device file with tool = "
+                                  "\"nextpnr_ice40\" or \"nextpnr_ecp5\"",
+                                  accepted)};
+}
+
+}  // namespace
+
+std::vector<GeneratedFile> yosys_files(const ProjectSpec& spec) {
+  const Values values = yosys_values(spec);
+  return {file_from("yosys/synthesise.ys", "yosys_synthesise.ys", values),
+          script_from("yosys/run", "yosys_run", values)};
+}
+
+Result<std::vector<GeneratedFile>> nextpnr_files(const ProjectSpec& spec) {
+  if (!characterise::is_routed(spec.device)) return not_routed(spec);
+  const Values values = nextpnr_values(spec);
+  MIXCMP_TRY(pins, pins_file(spec));
+  return std::vector<GeneratedFile>{
+      std::move(pins), file_from("nextpnr/synthesise.ys", "nextpnr_synthesise.ys", values),
+      script_from("nextpnr/run", "nextpnr_run", values)};
+}
+
+}  // namespace mixcmp::project

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/emit/system.hpp"
+#include "generator/project/test_vector.hpp"
+#include "model/devices/device.hpp"
+
+/// What a user of another tool expects beside the Verilog: scripts, constraints, a test bench.
+namespace mixcmp::project {
+
+/// The tools that a project can be written for.
+enum class Tool { vivado, quartus, yosys, nextpnr, fusesoc, verilator, icarus };
+
+std::string_view to_string(Tool tool);
+std::vector<std::string> tool_names();
+/// The tool of this name, which must be one of tool_names().
+Tool tool_named(std::string_view name);
+/// Whether the project of a tool runs the test bench, for which vectors are needed.
+bool runs_test_bench(Tool tool);
+
+/// What all files of a project are made from.
+struct ProjectSpec {
+  const emit::Signature& signature;
+  const devices::Device& device;
+  /// Vector k is for lane k modulo the number of lanes. Empty: there is no test bench.
+  const std::vector<TestVector>& vectors;
+  /// The command that makes these files, for their heads.
+  std::string command;
+
+  /// The module to build, which is the engine's where there is one.
+  const std::string& build_top() const;
+  /// The ports of that module.
+  const std::vector<emit::SignaturePort>& build_ports() const;
+};
+
+/// The files for these tools, and the test bench and the templates for integration that come with
+/// any tool. An error means that the device is none of the tool's. `spec.vectors` must be there for
+/// a tool that runs the test bench.
+Result<std::vector<emit::GeneratedFile>> project_files(const ProjectSpec& spec,
+                                                       const std::set<Tool>& tools);
+
+}  // namespace mixcmp::project

@@ -1,0 +1,78 @@
+#include "verilator_tb/test_vectors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+
+#include "generator/emit/system.hpp"
+#include "tests/support/mixed_spheres.hpp"
+#include "verilator_tb/judgement.hpp"
+
+/// The vectors of the test bench that travels: which comparisons they are, and with which words.
+namespace mixcmp::test::test_vectors_test {
+namespace {
+
+constexpr std::size_t row_count = 4000;
+constexpr std::size_t touching_row = 2777;
+
+/// Two spheres of radius 1 in each row, 50 apart or more; those of one row touch exactly.
+data::Comparisons spheres_that_touch_once() {
+  data::Table table{.format = format("s24e8"), .columns = sphere_graph().inputs()};
+  for (std::size_t row = 0; row < row_count; ++row) {
+    const float distance = row == touching_row ? 2 : 50 + static_cast<float>(row);
+    for (const std::string& input : table.columns) {
+      const float value = input.starts_with("r") ? 1 : input == "cxj" ? distance : 0;
+      table.values.push_back(Bits{std::bit_cast<std::uint32_t>(value)});
+    }
+  }
+  return data::Comparisons::rows(table, sphere_graph().inputs()).value();
+}
+
+/// The operands of 32 bits in a vector.
+std::vector<Bits> operands_of(const project::TestVector& vector) {
+  std::vector<Bits> operands;
+  for (std::size_t at = 0; at + 4 <= vector.tdata.size(); at += 4) {
+    std::uint32_t operand = 0;
+    for (std::size_t byte = 4; byte-- > 0;) operand = operand << 8 | vector.tdata[at + byte];
+    operands.emplace_back(operand);
+  }
+  return operands;
+}
+
+class TestVectors : public testing::Test {
+protected:
+  std::vector<project::TestVector> pick(std::uint64_t count) const {
+    return verilator_tb::test_vectors(design_, comparisons_, signature_, count);
+  }
+
+  design::Design design_ = mixed_sphere_design();
+  data::Comparisons comparisons_ = spheres_that_touch_once();
+  emit::Signature signature_ = emit::generate_system(design_, "").value().signature;
+};
+
+TEST_F(TestVectors, OneComparisonIn4000ThatIsRecomputedIsFound) {
+  const std::vector<project::TestVector> vectors = pick(64);
+  EXPECT_EQ(vectors.size(), 64u);
+  int recomputed = 0;
+  for (const project::TestVector& vector : vectors) recomputed += vector.expected.is_recomputed();
+  EXPECT_EQ(recomputed, 1);
+}
+
+TEST_F(TestVectors, AreAllComparisonsWhereThereAreNoMore) {
+  EXPECT_EQ(pick(row_count + 1).size(), row_count);
+}
+
+TEST_F(TestVectors, HaveTheWordOfTheLaneThatTheyGoTo) {
+  const std::vector<project::TestVector> vectors = pick(50);
+  for (std::size_t k = 0; k < vectors.size(); ++k) {
+    const std::size_t group =
+        design_.group_of_lane(static_cast<int>(k % static_cast<std::size_t>(signature_.lanes)));
+    EXPECT_EQ(vectors[k].expected,
+              verilator_tb::expected_word(design_, group, operands_of(vectors[k])))
+        << k;
+  }
+}
+
+}  // namespace
+}  // namespace mixcmp::test::test_vectors_test

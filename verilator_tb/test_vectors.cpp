@@ -1,0 +1,102 @@
+#include "verilator_tb/test_vectors.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "model/number/double.hpp"
+#include "verilator_tb/expected_words.hpp"
+#include "verilator_tb/judgement.hpp"
+#include "verilator_tb/selection.hpp"
+
+namespace mixcmp::verilator_tb {
+namespace {
+
+constexpr std::uint64_t seed = 1;
+
+std::vector<std::uint64_t> spread(std::uint64_t available, std::uint64_t count) {
+  const Selection selection(
+      available, {.limit = count, .sampling = Sampling::random, .seed = seed, .only = {}});
+  std::vector<std::uint64_t> indices(selection.size());
+  for (std::uint64_t k = 0; k < indices.size(); ++k) indices[k] = selection.index(k);
+  return indices;
+}
+
+/// Finds comparisons by the word that a lane of the first group answers to them.
+class WordFinder {
+public:
+  WordFinder(const design::Design& design, const data::Comparisons& comparisons)
+      : design_(design), comparisons_(comparisons), operands_(comparisons.input_count()) {
+    if (!fits_double(comparisons.format())) return;
+    emulator_.emplace(design, comparisons);
+    if (!emulator_->emulates(0)) emulator_.reset();
+  }
+
+  /// How many comparisons can be looked at in a second or so for each one that is wanted.
+  std::uint64_t candidates_for_each() const { return emulator_ ? 64 : 4; }
+
+  std::vector<ResultWord> words(const std::vector<std::uint64_t>& indices) {
+    if (emulator_) return emulator_->find(0, indices);
+    std::vector<ResultWord> words;
+    for (const std::uint64_t index : indices) {
+      comparisons_.fetch(index, operands_);
+      words.push_back(expected_word(design_, 0, operands_));
+    }
+    return words;
+  }
+
+private:
+  const design::Design& design_;
+  const data::Comparisons& comparisons_;
+  std::vector<Bits> operands_;
+  std::optional<ExpectedWords> emulator_;
+};
+
+/// Indices of `count` comparisons in rising order: the rare words' first, then any others.
+std::vector<std::uint64_t> pick(WordFinder& finder, std::uint64_t available, std::uint64_t count) {
+  const std::vector<std::uint64_t> candidates =
+      spread(available, std::min(available, count * finder.candidates_for_each()));
+  if (candidates.size() <= count) return candidates;
+  const std::vector<ResultWord> words = finder.words(candidates);
+  std::map<std::uint32_t, std::vector<std::uint64_t>> by_word;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    by_word[words[k].bits()].push_back(candidates[k]);
+  }
+  // There are at most nine words: those of less, equal, greater and unordered, each by a lane or by
+  // a reference, and undecided.
+  const std::uint64_t quota = std::max<std::uint64_t>(count / 32, 1);
+  std::set<std::uint64_t> picked;
+  for (const auto& [word, indices] : by_word) {
+    for (const std::uint64_t k : spread(indices.size(), std::min(quota, indices.size()))) {
+      if (picked.size() < count) picked.insert(indices[k]);
+    }
+  }
+  for (const std::uint64_t index : spread(available, count)) {
+    if (picked.size() < count) picked.insert(index);
+  }
+  return {picked.begin(), picked.end()};
+}
+
+}  // namespace
+
+std::vector<project::TestVector> test_vectors(const design::Design& design,
+                                              const data::Comparisons& comparisons,
+                                              const emit::Signature& signature,
+                                              std::uint64_t count) {
+  WordFinder finder(design, comparisons);
+  const std::vector<std::uint64_t> indices = pick(finder, comparisons.size(), count);
+  std::vector<Bits> operands(comparisons.input_count());
+  std::vector<project::TestVector> vectors;
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    comparisons.fetch(indices[k], operands);
+    std::vector<std::uint8_t> tdata(static_cast<std::size_t>(signature.tdata_bytes));
+    pack_operands(operands, signature.reference_format.width(), k % 2 != 0, tdata);
+    const auto lane = static_cast<int>(k % static_cast<std::size_t>(signature.lanes));
+    vectors.push_back(
+        {std::move(tdata), expected_word(design, design.group_of_lane(lane), operands)});
+  }
+  return vectors;
+}
+
+}  // namespace mixcmp::verilator_tb

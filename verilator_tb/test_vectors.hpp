@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "generator/emit/signature.hpp"
+#include "generator/project/test_vector.hpp"
+#include "model/data/comparisons.hpp"
+#include "model/design/design.hpp"
+
+namespace mixcmp::verilator_tb {
+
+/// Picks at most `count` of the scene's comparisons, spread over all data, for a test bench that
+/// runs without this program. Results that are rare among the data, such as recomputed ones, are
+/// looked for, and get up to a quarter of the places. Vector k is for lane k modulo the number of
+/// lanes; the golden model computes the word that this lane must return.
+std::vector<project::TestVector> test_vectors(const design::Design& design,
+                                              const data::Comparisons& comparisons,
+                                              const emit::Signature& signature,
+                                              std::uint64_t count);
+
+}  // namespace mixcmp::verilator_tb
