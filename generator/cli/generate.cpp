@@ -89,6 +89,13 @@ void print_text(const emit::GeneratedSystem& system, const std::vector<GroupProo
   print(fmt::format("{} files in {}\n", system.files.size(), directory.string()));
 }
 
+void print_commands(const std::set<project::Tool>& tools, const std::string& top,
+                    const std::filesystem::path& directory) {
+  for (const project::Tool tool : tools) {
+    print(fmt::format("  {}\n", project::start_command(tool, top, quoted(directory.string()))));
+  }
+}
+
 void print_json(const emit::GeneratedSystem& system, const std::vector<GroupProof>& proofs,
                 const std::filesystem::path& directory) {
   nlohmann::ordered_json report;
@@ -128,8 +135,9 @@ void run(const GenerateOptions& options) {
       options.output.empty() ? std::filesystem::path(system.signature.top) : options.output;
   value_or_exit(check_replaced_folder(directory, inputs_of(options.scene, loaded.scene)));
   value_or_exit(emit::write_system(system, directory));
-  options.scene.json ? print_json(system, proofs, directory)
-                     : print_text(system, proofs, directory);
+  if (options.scene.json) return print_json(system, proofs, directory);
+  print_text(system, proofs, directory);
+  print_commands(options.project.tools, system.signature.top, directory);
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ std::string shell_word(const std::string& text) {
 
 /// Commands for Yosys that read the system, with cells of the device's family where it has some.
 std::string read_commands(const ProjectSpec& spec) {
-  return source_list(spec, "read_verilog rtl/", "\n") +
-         joined(spec.signature.cells, "read_verilog -overwrite rtl/", "\n");
+  return source_list(spec, "read_verilog .rtl/", "\n") +
+         joined(spec.signature.cells, "read_verilog -overwrite .rtl/", "\n");
 }
 
 Values yosys_values(const ProjectSpec& spec) {

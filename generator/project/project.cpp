@@ -1,5 +1,7 @@
 #include "generator/project/project.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 
@@ -66,6 +68,22 @@ bool runs_test_bench(Tool tool) {
     case Tool::quartus:
     case Tool::yosys:
     case Tool::nextpnr: return false;
+  }
+  MIXCMP_CHECK(!"a tool of no enumerator");
+}
+
+std::string start_command(Tool tool, const std::string& top, const std::string& directory) {
+  switch (tool) {
+    case Tool::vivado:
+      return fmt::format("vivado -mode batch -source {}/vivado/synthesise.tcl", directory);
+    case Tool::fusesoc:
+      return fmt::format("fusesoc --cores-root {} run --target sim mixcmp:comparison:{}", directory,
+                         top);
+    case Tool::quartus:
+    case Tool::yosys:
+    case Tool::nextpnr:
+    case Tool::verilator:
+    case Tool::icarus: return fmt::format("{}/{}/run", directory, to_string(tool));
   }
   MIXCMP_CHECK(!"a tool of no enumerator");
 }

@@ -22,6 +22,9 @@ Tool tool_named(std::string_view name);
 /// Whether the project of a tool runs the test bench, for which vectors are needed.
 bool runs_test_bench(Tool tool);
 
+/// The command that starts a tool on a system of this name in `directory`.
+std::string start_command(Tool tool, const std::string& top, const std::string& directory);
+
 /// What all files of a project are made from.
 struct ProjectSpec {
   const emit::Signature& signature;

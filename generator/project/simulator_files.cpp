@@ -4,7 +4,7 @@ namespace mixcmp::project {
 
 std::vector<GeneratedFile> icarus_files(const ProjectSpec& spec) {
   Values values = common_values(spec, "#");
-  values["SOURCES"] = source_list(spec, " \\\n  rtl/", "");
+  values["SOURCES"] = source_list(spec, " \\\n  .rtl/", "");
   return {script_from("icarus/run", "icarus_run", values)};
 }
 

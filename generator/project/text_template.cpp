@@ -31,28 +31,33 @@ std::size_t end_of_placeholder(std::string_view text, std::size_t begin) {
   return is_name(text.substr(begin + 1, end - begin - 1)) ? end : std::string_view::npos;
 }
 
+/// Appends what stands for the @ at `begin`, a placeholder's value or the @ itself, and returns the
+/// position behind it.
+std::size_t append_value(std::string_view text, std::size_t begin, const Values& values,
+                         std::string& filled) {
+  const std::size_t end = end_of_placeholder(text, begin);
+  if (end == std::string_view::npos) {
+    filled += '@';
+    return begin + 1;
+  }
+  const auto value = values.find(std::string(text.substr(begin + 1, end - begin - 1)));
+  MIXCMP_CHECK(value != values.end());
+  const bool fills_line =
+      (filled.empty() || filled.back() == '\n') && text.substr(end + 1, 1) == "\n";
+  if (value->second.empty() && fills_line) return end + 2;
+  filled += value->second;
+  return end + 1;
+}
+
 }  // namespace
 
 std::string fill_template(std::string_view file, const Values& values) {
   const std::string_view text = template_text(file);
   std::string filled;
-  std::size_t at = 0;
-  while (at < text.size()) {
+  for (std::size_t at = 0; at < text.size();) {
     const std::size_t begin = std::min(text.find('@', at), text.size());
     filled += text.substr(at, begin - at);
-    if (begin == text.size()) break;
-    const std::size_t end = end_of_placeholder(text, begin);
-    if (end == std::string_view::npos) {
-      filled += '@';
-      at = begin + 1;
-      continue;
-    }
-    const auto value = values.find(std::string(text.substr(begin + 1, end - begin - 1)));
-    MIXCMP_CHECK(value != values.end());
-    filled += value->second;
-    const bool fills_line = filled.empty() || filled.back() == '\n';
-    at = end + 1;
-    if (value->second.empty() && fills_line && at < text.size() && text[at] == '\n') ++at;
+    at = begin == text.size() ? begin : append_value(text, begin, values, filled);
   }
   return filled;
 }

@@ -328,6 +328,13 @@ TEST_F(Project, WithoutDataThereIsNoTestBench) {
   EXPECT_FALSE(fs::exists(path("rtl/testbench")));
 }
 
+TEST_F(Project, TheCommandsThatAreToldWork) {
+  const Outcome run = mixcmp("generate scene.toml --no-prove -o 'a folder' --project icarus");
+  const std::string command = run.output.substr(run.output.rfind("\n  ") + 3);
+  EXPECT_EQ(command, "'a folder'/icarus/run\n");
+  EXPECT_EQ(in_folder(command.substr(0, command.size() - 1)).exit_code, 0);
+}
+
 TEST_F(Project, AToolThatIsNoneIsRefused) {
   expect_refused("generate scene.toml --project vivado,modelsim", "modelsim");
   expect_refused("generate scene.toml --vectors 10", "--project");

@@ -2,7 +2,7 @@
 # and its clock. From any folder:
 #   vivado -mode batch -source DIR/vivado/synthesise.tcl [-tclargs PART [FOLDER]]
 # It writes into FOLDER, which is @BUILD_TOP@_vivado in the working folder if none is named:
-# utilisation.rpt, timing.rpt and the checkpoint @BUILD_TOP@.dcp.
+# utilisation.rpt, utilisation_by_instance.rpt, timing.rpt and the checkpoint @BUILD_TOP@.dcp.
 #
 @PROVENANCE@
 
@@ -27,6 +27,7 @@ phys_opt_design
 route_design
 
 report_utilization -file [file join $work utilisation.rpt]
+report_utilization -hierarchical -file [file join $work utilisation_by_instance.rpt]
 report_timing_summary -file [file join $work timing.rpt]
 write_checkpoint -force [file join $work @BUILD_TOP@.dcp]
 
