@@ -14,6 +14,7 @@
 //   +seed=N        other idle cycles and other backpressure
 //
 @PROVENANCE@
+
 `default_nettype none
 
 module @TOP@_tb;
@@ -28,7 +29,7 @@ module @TOP@_tb;
 
   localparam COUNT = @COUNT@;  // comparisons in the file of vectors
   localparam PASSES = 4;
-  localparam MAX_FAILURES = 10;     // so many are described, then the simulation ends
+  localparam MAX_FAILURES = 10;       // so many are described, then the simulation ends
   localparam TIME_OUT_CYCLES = 5000;  // in which no lane takes or returns a comparison
 
   // Comparison k has the tag k; a tag of more than 30 bits has ones above.
