@@ -74,7 +74,7 @@ TEST_F(Project, TheTestBenchPassesInIcarusFromAnyFolder) {
       in_folder("cd elsewhere && '../far away/moved rtl/icarus/run' 'a work' +waves=w.fst");
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_TRUE(
-      std::regex_search(run.output, std::regex("^PASSED: 600 comparisons \\(150, 4 times\\), "
+      std::regex_search(run.output, std::regex("PASSED: 600 comparisons \\(150, 4 times\\), "
                                                "[1-9][0-9]* recomputed")))
       << run.output;
   EXPECT_TRUE(fs::exists(path("elsewhere/a work/simulation.log")));

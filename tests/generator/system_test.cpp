@@ -300,7 +300,7 @@ TEST(System, AFailedWriteLeavesTheOldOutputWhole) {
   ASSERT_TRUE(emit::write_system(sphere_system(), out).ok());
   const auto before = names_in(out);
   emit::GeneratedSystem broken = sphere_system(2, 1);
-  broken.files.push_back({"no/such/folder.v", "text"});  // cannot be created
+  broken.files.push_back({broken.files.front().name + "/below.v", "text"});  // below a file
   const auto result = emit::write_system(broken, out);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(names_in(out), before);
