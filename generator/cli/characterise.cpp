@@ -302,9 +302,10 @@ void run(const CharacteriseCommand& command) {
       value_or_exit(characterise_options(command, loaded.scene));
   options.progress = tell_progress;
   if (command.quick) choose_quickly(command, loaded, device, options);
-  const fs::path path = command.output.empty()
-                            ? default_table(command.scene.scene, loaded.scene.variant, device.name)
-                            : command.output;
+  const fs::path path =
+      command.output.empty()
+          ? optimise::default_table(command.scene.scene, loaded.scene.variant, device.name)
+          : command.output;
   std::vector<fs::path> inputs = inputs_of(command.scene, loaded.scene);
   inputs.push_back(options.store);
   for (const char* of_sqlite : {"-journal", "-wal", "-shm"}) {

@@ -268,7 +268,7 @@ std::vector<optimise::DataSet> measure_sets(const ExploreCommand& command,
                                             const std::vector<std::string>& settings,
                                             const std::vector<Planning>& known) {
   std::set<LaneInputs> inputs;
-  for (const Planning& each : known) inputs.merge(inputs_of_lanes(each.table));
+  for (const Planning& each : known) inputs.merge(optimise::inputs_of_lanes(each.table));
   std::vector<optimise::DataSet> sets;
   for (const std::string& setting : settings) {
     sets.push_back({setting.empty() ? own_data : setting, rates_of(command, setting, inputs)});

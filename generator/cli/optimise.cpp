@@ -52,8 +52,8 @@ optimise::Rates rates_for(const OptimiseCommand& command, const LoadedScene& loa
     check_rates(rates, command.rates, loaded);
     return rates;
   }
-  return optimise::Rates::of(
-      value_or_exit(measure_rates(loaded, inputs_of_lanes(table), command.planning.choice)));
+  return optimise::Rates::of(value_or_exit(
+      measure_rates(loaded, optimise::inputs_of_lanes(table), command.planning.choice)));
 }
 
 std::string command_of(const OptimiseCommand& command) {

@@ -74,10 +74,6 @@ std::string help_of(const Shortcut& shortcut) {
   return fmt::format("{}{} (--set {}=...)", shortcut.help, limits, shortcut.key);
 }
 
-bool needs_quotes(const std::string& text) {
-  return text.find_first_of(" \t\"'$&|;<>()[]{}*?!#~`\\") != std::string::npos;
-}
-
 /// Reads a number without sign and without leading zeros.
 std::optional<std::uint64_t> decimal_integer(const std::string& text) {
   std::uint64_t value = 0;
@@ -96,13 +92,6 @@ std::optional<double> number(const std::string& text) {
   const bool is_whole =
       !text.empty() && std::isspace(static_cast<unsigned char>(text[0])) == 0 && *end == '\0';
   return is_whole ? std::optional(value) : std::nullopt;
-}
-
-std::string quoted(const std::string& text) {
-  if (!needs_quotes(text)) return text;
-  std::string quoted_text = "'";
-  for (const char c : text) quoted_text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted_text + "'";
 }
 
 void add_scene_options(const Verb& verb, SceneOptions& options,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/cli/verb.hpp"
+#include "model/common/quote.hpp"
 #include "model/data/comparisons.hpp"
 #include "model/design/design.hpp"
 #include "model/scene/bound_choice.hpp"
@@ -80,9 +81,6 @@ Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& options,
 /// The files that the scene is read from: its own, its plans, its device, its data.
 std::vector<std::filesystem::path> inputs_of(const SceneOptions& options,
                                              const scene::Scene& scene);
-
-/// One word of a POSIX shell's command line, quoted where it must be.
-std::string quoted(const std::string& text);
 
 /// The verb and its settings as a command that gives the same result. It names the scene by its
 /// file name alone, since it is printed into generated files.

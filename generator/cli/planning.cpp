@@ -35,29 +35,13 @@ bool is_set(const SceneOptions& options, const std::string& key) {
                      [&](const std::string& setting) { return setting.starts_with(key + "="); });
 }
 
-/// Gives the scene the table's target_mhz. It decides where registers go: what is generated later
-/// must have them where they were when the areas were measured.
-Result<Done> adopt_target(Planning& planning, const std::filesystem::path& path,
+/// Tells of a target_mhz that is set and is not the one for which the table was measured.
+void tell_of_other_target(const scene::Scene& given, const Planning& planning,
                           const SceneOptions& options) {
-  for (const auto& [name, text] : planning.table.spec) {
-    if (name != "target_mhz") continue;
-    const std::optional<double> measured = number(text);
-    if (measured && *measured > 0) {
-      double& target = planning.scene.system.target_mhz;
-      if (target != *measured && is_set(options, "system.target_mhz")) {
-        tell(fmt::format("note: registers are placed for {} MHz, which {} was measured for",
-                         *measured, path.filename().string()));
-      }
-      target = *measured;
-      return Done{};
-    }
-    return Error{.file = path.string(),
-                 .field = "target_mhz",
-                 .message = "cannot be read",
-                 .received = text,
-                 .accepted = "a clock in MHz"};
-  }
-  return Done{};
+  const double measured = planning.scene.system.target_mhz;
+  if (given.system.target_mhz == measured || !is_set(options, "system.target_mhz")) return;
+  tell(fmt::format("note: registers are placed for {} MHz, which {} was measured for", measured,
+                   planning.table_path.filename().string()));
 }
 
 void warn_of_outdated(const Planning& planning, const data::Comparisons* data) {
@@ -67,24 +51,6 @@ void warn_of_outdated(const Planning& planning, const data::Comparisons* data) {
   tell(
       fmt::format("note: {}: {} of {} rows were measured on other RTL than what is generated today",
                   planning.table_path.filename().string(), rows.outdated, rows.all));
-}
-
-/// Replaces measured errors by the constants that the scene gives: lanes of a plan have these at
-/// every precision.
-void use_given_constants(const scene::ReducedSpec& reduced, profile::ErrorProfile& errors) {
-  for (profile::ErrorAtPrecision& error : errors.precisions) {
-    if (reduced.relative_error_f) error.f = reduced.relative_error_f;
-    if (reduced.relative_error_g) error.g = reduced.relative_error_g;
-  }
-}
-
-/// Returns `path`; ends the program unless a plan can name it: it must be one line of UTF-8.
-std::string named_in(const std::filesystem::path& plan, const std::string& path) {
-  if (is_one_line(path)) return path;
-  fail({.file = plan.string(),
-        .message = "cannot be written: it would name a path that is not one line of UTF-8",
-        .received = in_quotes(path),
-        .accepted = "folders with names in UTF-8"});
 }
 
 /// Refuses an arg-min engine, whose chain of lanes leaves nothing to choose.
@@ -175,37 +141,15 @@ std::string planning_command_line(const std::string& verb, const PlanningOptions
 
 optimise::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
                                  const std::filesystem::path& plan, std::string command) {
-  namespace fs = std::filesystem;
-  // Symbolic links of folders and of the plan are followed, since it is read again from the folder
-  // that it lies in; not one of the scene, which finds its data beside the link.
-  // In a plan that goes to a pipe, names are relative to the working directory.
-  std::error_code failed;
-  const fs::path place =
-      fs::weakly_canonical(fs::absolute(value_or_exit(follow_links(plan))), failed);
-  const fs::path folder = failed ? fs::current_path() : place.parent_path();
-  const fs::path& given = options.scene.scene;
-  const fs::path scene = fs::canonical(fs::absolute(given).parent_path()) / given.filename();
-  const bool is_file = device.ends_with(".toml");
-  const scene::SceneSettings read =
-      value_or_exit(scene::read_scene_settings(options.scene.scene, options.scene.settings));
-  return {.scene_file = named_in(plan, scene.lexically_relative(folder).generic_string()),
-          .overrides = overridden_entries(read.settings.root, options.scene.settings),
-          .device = is_file ? named_in(plan, fs::canonical(device).string()) : device,
-          .command = std::move(command)};
-}
-
-std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& variant,
-                                    const std::string& device) {
-  const std::string formulation = variant.empty() ? "" : "-" + variant;
-  return scene.parent_path() / "characterisation" /
-         fmt::format("{}{}-{}.csv", scene.stem().string(), formulation, device);
+  return value_or_exit(optimise::make_plan_source(options.scene.scene, options.scene.settings,
+                                                  device, plan, std::move(command)));
 }
 
 std::filesystem::path table_of(const PlanningOptions& options, const scene::Scene& scene) {
   if (!options.table.empty()) return options.table;
   const Result<devices::Device> device = devices::find_device(scene.system.device);
-  return default_table(options.scene.scene, scene.variant,
-                       device.ok() ? device->name : scene.system.device);
+  return optimise::default_table(options.scene.scene, scene.variant,
+                                 device.ok() ? device->name : scene.system.device);
 }
 
 Result<Planning> load_planning(const PlanningOptions& options, const scene::Scene& scene,
@@ -215,57 +159,22 @@ Result<Planning> load_planning(const PlanningOptions& options, const scene::Scen
   MIXCMP_TRY(device, devices::find_device(scene.system.device));
   const std::filesystem::path path = table_of(options, scene);
   MIXCMP_TRY(exists, check_table_exists(path, options, scene.variant, device));
-  MIXCMP_TRY(table, characterise::read_characterisation(path));
-  if (table.device != device.name) {
-    return Error{.file = path.string(),
-                 .field = "device",
-                 .message = "the table is of another device",
-                 .received = table.device,
-                 .accepted = device.name};
-  }
-  if (table.scene != scene.name) {
-    return Error{.file = path.string(),
-                 .field = "scene",
-                 .message = "the table is of another scene",
-                 .received = table.scene,
-                 .accepted = scene.name};
-  }
-  Planning planning{scene, std::move(device), std::move(table), path};
-  MIXCMP_TRY(adopted, adopt_target(planning, path, options.scene));
+  MIXCMP_TRY(table, optimise::read_table(path, scene, device));
+  MIXCMP_TRY(placed, optimise::with_target_of(table, path, scene));
+  Planning planning{std::move(placed), std::move(device), std::move(table), path};
+  tell_of_other_target(scene, planning, options.scene);
   warn_of_outdated(planning, data);
   return planning;
-}
-
-std::set<LaneInputs> inputs_of_lanes(const characterise::Characterisation& table) {
-  std::set<LaneInputs> inputs = {LaneInputs::exact, LaneInputs::rounded};
-  for (const characterise::Measurement& row : table.rows) {
-    if (row.key.inputs) inputs.insert(*row.key.inputs);
-  }
-  return inputs;
 }
 
 Result<std::vector<profile::RateProfile>> measure_rates(const LoadedScene& loaded,
                                                         const std::set<LaneInputs>& inputs,
                                                         const optimise::OptimiseOptions& choice) {
-  const scene::Scene& scene = loaded.scene;
   MIXCMP_TRY(has_data, check_has_data(loaded, "recomputation rates are measured on data"));
-  profile::ProfileOptions options{.first_precision = choice.first_precision,
-                                  .last_precision = choice.last_precision};
-  // Precisions that the reference has no lanes for are left out; check_profile refuses a first one.
-  const int most = settings::lane_precisions(scene.reference.format).most;
-  if (options.first_precision <= most) {
-    options.last_precision = std::min(options.last_precision, most);
-  }
-  options.progress = [](const std::string& what, double share) {
-    show_progress(fmt::format("{}: {:.0f} %", what, share * 100));
-  };
-  MIXCMP_TRY(possible, check_profile(scene, options));
-  auto errors = profile_errors(scene, *loaded.data, {inputs.begin(), inputs.end()}, options);
-  std::vector<profile::RateProfile> rates;
-  for (profile::ErrorProfile& each : errors) {
-    use_given_constants(scene.reduced, each);
-    rates.push_back(profile_rates(scene, *loaded.data, each, options));
-  }
+  auto rates = optimise::measure_rates(
+      loaded.scene, *loaded.data, inputs, choice, [](const std::string& what, double share) {
+        show_progress(fmt::format("{}: {:.0f} %", what, share * 100));
+      });
   show_progress("");
   return rates;
 }

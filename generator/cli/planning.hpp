@@ -8,7 +8,7 @@
 
 #include "generator/cli/options.hpp"
 #include "model/optimise/optimise.hpp"
-#include "model/optimise/plan.hpp"
+#include "model/optimise/plan_inputs.hpp"
 
 namespace mixcmp::cli {
 
@@ -28,11 +28,6 @@ std::string planning_command_line(const std::string& verb, const PlanningOptions
 optimise::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
                                  const std::filesystem::path& plan, std::string command);
 
-/// The default path of a table, to which `characterise` writes, too: beside the scene file,
-/// characterisation/SCENE-DEVICE.csv, or SCENE-VARIANT-DEVICE.csv for a variant.
-std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& variant,
-                                    const std::string& device);
-
 /// The table that `options` names, or the default one.
 std::filesystem::path table_of(const PlanningOptions& options, const scene::Scene& scene);
 
@@ -48,9 +43,6 @@ struct Planning {
 /// error if the table is of another device or scene.
 Result<Planning> load_planning(const PlanningOptions& options, const scene::Scene& scene,
                                const data::Comparisons* data);
-
-/// The kinds of inputs that plans choose from: exact, rounded, and those of the table's lanes.
-std::set<LaneInputs> inputs_of_lanes(const characterise::Characterisation& table);
 
 /// Recomputation rates of every kind of lane on the scene's data, for these kinds of inputs, at the
 /// precisions of `choice`. It is an error if the scene has no data.

@@ -41,19 +41,19 @@ Result<scene::Scene> with_precision(const scene::Scene& scene, int precision) {
 }
 
 /// A lane to prove, or why there is none.
-struct Candidate {
+struct LaneCandidate {
   std::string name;
   Result<design::Lane> lane;
 };
 
 /// One lane of each kind, or why there is none. A proof does not depend on the number of lanes or
 /// on the engine around them.
-std::vector<Candidate> candidates(scene::Scene scene, const data::Comparisons* data) {
+std::vector<LaneCandidate> candidates(scene::Scene scene, const data::Comparisons* data) {
   scene.system.lanes = scene.system.lanes.value_or(1);
   scene.system.references = scene.system.references.value_or(1);
   scene.system.engine = {};
   const auto design = design::make_design(scene, data, profile::profile_error);
-  std::vector<Candidate> found;
+  std::vector<LaneCandidate> found;
   if (!design.ok()) {
     for (const scene::LaneGroupSpec& group : scene.lane_groups()) {
       found.push_back({group.reduced.format_name(),
@@ -63,7 +63,7 @@ std::vector<Candidate> candidates(scene::Scene scene, const data::Comparisons* d
   }
   const std::vector<std::string> names = lane_group_names(*design);
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const auto same = [&](const Candidate& earlier) { return earlier.name == names[k]; };
+    const auto same = [&](const LaneCandidate& earlier) { return earlier.name == names[k]; };
     const bool known = std::any_of(found.begin(), found.end(), same);
     if (!known) found.push_back({names[k], design->lanes[k].lane});
   }

@@ -23,6 +23,10 @@ std::size_t character_bytes(std::string_view text) {
   return wrong ? 0 : bytes;
 }
 
+bool needs_quotes(const std::string& text) {
+  return text.find_first_of(" \t\"'$&|;<>()[]{}*?!#~`\\") != std::string::npos;
+}
+
 }  // namespace
 
 std::string in_quotes(std::string_view text) {
@@ -60,6 +64,13 @@ std::string printable_line(std::string_view text) {
   std::string line = printable(text);
   std::replace(line.begin(), line.end(), '\n', '?');
   return line;
+}
+
+std::string quoted(const std::string& text) {
+  if (!needs_quotes(text)) return text;
+  std::string quoted_text = "'";
+  for (const char c : text) quoted_text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted_text + "'";
 }
 
 }  // namespace mixcmp::inline common

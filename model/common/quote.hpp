@@ -19,4 +19,7 @@ std::string printable(std::string_view text);
 /// printable(), with '?' in place of line ends, too.
 std::string printable_line(std::string_view text);
 
+/// One word of a POSIX shell's command line, quoted where it must be.
+std::string quoted(const std::string& text);
+
 }  // namespace mixcmp::inline common

@@ -13,8 +13,7 @@ const settings::Setting* find_in(const settings::Setting* table, const std::stri
 
 }  // namespace
 
-Error with_location(Error error, const std::filesystem::path& scene,
-                    std::span<const std::string> overrides) {
+Error with_location(Error error, const SceneSource& scene, std::span<const std::string> overrides) {
   const std::size_t dot = error.field.find('.');
   if (error.line > 0 || dot == std::string::npos || error.file.starts_with("--set")) return error;
   const Result<SceneSettings> read = read_scene_settings(scene, overrides);

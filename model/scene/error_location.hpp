@@ -1,10 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <span>
 #include <string>
 
 #include "model/common/result.hpp"
+#include "model/scene/scene_source.hpp"
 
 namespace mixcmp::scene {
 
@@ -12,7 +12,6 @@ namespace mixcmp::scene {
 /// key that `error.field` names or, where the scene does not have the key, of its section. An error
 /// that names a line or "--set" already, or a section that the scene does not have, is returned as
 /// it is.
-Error with_location(Error error, const std::filesystem::path& scene,
-                    std::span<const std::string> overrides);
+Error with_location(Error error, const SceneSource& scene, std::span<const std::string> overrides);
 
 }  // namespace mixcmp::scene

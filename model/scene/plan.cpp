@@ -113,10 +113,11 @@ void lay_over(settings::Setting::Table& root, settings::Setting::Table& plan) {
   }
 }
 
-/// Reads the file `from.back()` and the files below it. `from` begins with the plans that led to
-/// that file.
-Result<SceneSettings> read_layers(std::vector<fs::path> from) {
-  MIXCMP_TRY(file, settings::read_settings(from.back(), {}));
+Result<SceneSettings> read_layers(std::vector<fs::path> from);
+
+/// Reads the files below `file`, which is that of `from.back()`. `from` begins with the plans that
+/// led to that file.
+Result<SceneSettings> read_below(settings::Settings file, std::vector<fs::path> from) {
   const settings::Setting* named = file.root.find("scene");
   if (named == nullptr) {
     return SceneSettings{.settings = std::move(file), .plan = {}, .files = std::move(from)};
@@ -130,11 +131,19 @@ Result<SceneSettings> read_layers(std::vector<fs::path> from) {
   return below;
 }
 
+/// Reads the file `from.back()` and the files below it.
+Result<SceneSettings> read_layers(std::vector<fs::path> from) {
+  MIXCMP_TRY(file, settings::read_settings(from.back(), {}));
+  return read_below(std::move(file), std::move(from));
+}
+
 }  // namespace
 
-Result<SceneSettings> read_scene_settings(const fs::path& path,
+Result<SceneSettings> read_scene_settings(const SceneSource& source,
                                           std::span<const std::string> overrides) {
-  MIXCMP_TRY(read, read_layers({path}));
+  MIXCMP_TRY(file, source.text ? settings::parse_settings(*source.text, source.path)
+                               : settings::read_settings(source.path, {}));
+  MIXCMP_TRY(read, read_below(std::move(file), {source.path}));
   MIXCMP_TRY(applied, settings::apply_overrides(read.settings, overrides));
   return read;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "model/scene/scene.hpp"
+#include "model/scene/scene_source.hpp"
 #include "model/settings/settings.hpp"
 
 namespace mixcmp::scene {
@@ -20,7 +21,7 @@ struct SceneSettings {
 /// `scene`, which names a scene or another plan; the plan's keys replace that file's, section by
 /// section. A plan that says how many lanes there are, by [[lanes]] or by system.lanes, replaces
 /// both of these; so does one that says how many references there are. Overrides are applied last.
-Result<SceneSettings> read_scene_settings(const std::filesystem::path& path,
+Result<SceneSettings> read_scene_settings(const SceneSource& source,
                                           std::span<const std::string> overrides);
 
 }  // namespace mixcmp::scene

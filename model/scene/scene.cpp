@@ -277,8 +277,8 @@ std::vector<bool> are_from_data(const InputDeclarations& declared) {
   return from_data;
 }
 
-Result<Scene> load_with(const std::filesystem::path& path, std::span<const std::string> overrides) {
-  MIXCMP_TRY(read, read_scene_settings(path, overrides));
+Result<Scene> load_with(const SceneSource& source, std::span<const std::string> overrides) {
+  MIXCMP_TRY(read, read_scene_settings(source, overrides));
   MIXCMP_TRY(names_checked, check_section_names(read.settings));
   MIXCMP_TRY(formulations, read_formulations(read.settings));
   const settings::Settings& settings = formulations.all[formulations.chosen].settings;
@@ -325,12 +325,11 @@ Result<Scene> load_with(const std::filesystem::path& path, std::span<const std::
 
 }  // namespace
 
-Result<Scene> load_scene(const std::filesystem::path& path,
-                         std::span<const std::string> overrides) {
-  Result<Scene> scene = load_with(path, overrides);
+Result<Scene> load_scene(const SceneSource& source, std::span<const std::string> overrides) {
+  Result<Scene> scene = load_with(source, overrides);
   if (scene.ok()) return scene;
   return with_setting(scene.error(), overrides, [&](std::span<const std::string> some) {
-    const Result<Scene> attempt = load_with(path, some);
+    const Result<Scene> attempt = load_with(source, some);
     return attempt.ok() ? std::nullopt : std::optional(attempt.error());
   });
 }

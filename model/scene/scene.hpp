@@ -15,6 +15,7 @@
 #include "model/expression/typed_graph.hpp"
 #include "model/number/lane_format.hpp"
 #include "model/scene/engine.hpp"
+#include "model/scene/scene_source.hpp"
 #include "model/settings/limits.hpp"
 
 namespace mixcmp::scene {
@@ -167,6 +168,6 @@ struct Scene {
 /// Reads a scene, or a plan with its scene. `overrides` are "section.key=value" settings with TOML
 /// values (a bare word counts as a string), applied before validation; errors in them name "--set"
 /// instead of a line.
-Result<Scene> load_scene(const std::filesystem::path& path, std::span<const std::string> overrides);
+Result<Scene> load_scene(const SceneSource& source, std::span<const std::string> overrides);
 
 }  // namespace mixcmp::scene

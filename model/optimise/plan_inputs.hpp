@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/characterise/measurement.hpp"
+#include "model/data/comparisons.hpp"
+#include "model/optimise/optimise.hpp"
+#include "model/optimise/plan.hpp"
+#include "model/scene/scene_source.hpp"
+
+/// From files and data to what `optimise` takes, and the origin that a plan states.
+namespace mixcmp::optimise {
+
+/// The default path of a table, to which `characterise` writes, too: beside the scene file,
+/// characterisation/SCENE-DEVICE.csv, or SCENE-VARIANT-DEVICE.csv for a variant.
+std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& variant,
+                                    const std::string& device);
+
+/// Reads a table. It is an error if it is of another device or scene.
+Result<characterise::Characterisation> read_table(const std::filesystem::path& path,
+                                                  const scene::Scene& scene,
+                                                  const devices::Device& device);
+
+/// The scene with the table's target_mhz. It decides where registers go: what is generated later
+/// must have them where they were when the areas were measured. `path` is for an error.
+Result<scene::Scene> with_target_of(const characterise::Characterisation& table,
+                                    const std::filesystem::path& path, scene::Scene scene);
+
+/// The kinds of inputs that plans choose from: exact, rounded, and those of the table's lanes.
+std::set<LaneInputs> inputs_of_lanes(const characterise::Characterisation& table);
+
+/// Recomputation rates of every kind of lane on these data, for these kinds of inputs, at the
+/// precisions of `choice`. `progress` is that of profile::ProfileOptions.
+Result<std::vector<profile::RateProfile>> measure_rates(
+    const scene::Scene& scene, const data::Comparisons& data, const std::set<LaneInputs>& inputs,
+    const OptimiseOptions& choice, const std::function<void(const std::string&, double)>& progress);
+
+/// The origin that a plan file at `plan` states: the scene's path as seen from there, its
+/// overrides, device and command. Each path must be one line of UTF-8.
+Result<PlanSource> make_plan_source(const std::filesystem::path& scene,
+                                    std::span<const std::string> overrides,
+                                    const std::string& device, const std::filesystem::path& plan,
+                                    std::string command);
+
+}  // namespace mixcmp::optimise

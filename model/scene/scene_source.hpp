@@ -1,0 +1,23 @@
+#pragma once
+
+#include <concepts>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace mixcmp::scene {
+
+/// The file that a scene or a plan is read from, or a text that stands for its content.
+struct SceneSource {
+  template <std::convertible_to<std::filesystem::path> Path>
+  SceneSource(const Path& file) : path(file) {}
+  /// `path` need not exist: errors name it, and paths in the text are seen from its folder.
+  SceneSource(std::filesystem::path name, std::string content)
+      : path(std::move(name)), text(std::move(content)) {}
+
+  std::filesystem::path path;
+  std::optional<std::string> text;
+};
+
+}  // namespace mixcmp::scene

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "model/data/operand_source.hpp"
+#include "model/design/design.hpp"
+#include "model/emulator/emulator.hpp"
+#include "model/emulator/fixed_emulator.hpp"
+#include "model/number/verdict.hpp"
+
+namespace mixcmp::verilator_tb {
+
+/// The answers of a design's lanes and references, by the emulator: a hundred times as fast as the
+/// golden model, with which it agrees bit for bit (docs/emulator.md). Thread-safe.
+class AnswerEmulator {
+public:
+  /// Comparisons that are emulated at a time: their operands fit the second-level cache.
+  static constexpr std::size_t batch_size = 2048;
+
+  explicit AnswerEmulator(const design::Design& design);
+
+  /// Comparisons that are emulated together, and room for what is computed of them. One thread
+  /// fills it and uses it.
+  class Batch {
+  public:
+    explicit Batch(std::size_t inputs)
+        : operands(inputs, batch_size), undecided_(inputs, batch_size), decisions_(batch_size) {}
+
+    data::OperandBlock operands;
+
+  private:
+    friend class AnswerEmulator;
+    data::OperandBlock undecided_;        ///< those of `operands` that the lane does not decide
+    std::vector<std::size_t> positions_;  ///< in the batch, of each of `undecided_`
+    std::vector<Decision> decisions_;
+  };
+
+  /// Whether the emulator computes lanes of the design's group number `group` itself; others it
+  /// leaves to the golden model.
+  bool emulates(std::size_t group) const;
+  /// The answers of a lane of group `group` to the comparisons whose operands `batch` holds.
+  void find(std::size_t group, Batch& batch, std::span<ResultWord> words) const;
+
+private:
+  using LaneEmulator = std::variant<emulator::Emulator, emulator::FixedEmulator>;
+
+  void recompute(Batch& batch, std::span<ResultWord> words) const;
+
+  std::vector<LaneEmulator> lanes_;  ///< one a group
+  std::optional<emulator::Emulator> reference_;
+};
+
+}  // namespace mixcmp::verilator_tb
